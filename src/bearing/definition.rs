@@ -1,0 +1,162 @@
+//! What a bearing is made of and how it sits on the shaft: plain data, before any computation.
+
+use super::{Geometry, GeometryError};
+use crate::physics::{
+    HertzContact, HertzError, Material, contact_modulus, inner_race_curvature,
+    outer_race_curvature, series_stiffness,
+};
+
+/// Why a bearing cannot be built or mounted.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BearingError {
+    /// The dimensions do not make a bearing.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// Ball and race do not form a Hertz contact.
+    #[error("the contact of ball and {race} race: {source}")]
+    Contact {
+        /// Which race.
+        race: &'static str,
+        /// What is wrong with it.
+        source: HertzError,
+    },
+    /// A bearing's preload has no axial position that gives it.
+    #[error(
+        "no axial position of the inner ring gives a preload of {preload} N; give a smaller \
+         preload or an axial_offset"
+    )]
+    Preload {
+        /// Preload as given, N.
+        preload: f64,
+    },
+}
+
+/// A bearing by itself: dimensions, materials, contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bearing {
+    /// Checked dimensions.
+    pub geometry: Geometry,
+    /// Material of both rings.
+    pub ring_material: Material,
+    /// Material of the balls.
+    pub ball_material: Material,
+    /// Load–deflection constant K_n of a ball between both races in N/m^1.5 where it is given
+    /// directly, as literature models do; otherwise it follows from Hertz's theory.
+    pub contact_stiffness: Option<f64>,
+}
+
+impl Bearing {
+    /// Hertz contact of ball and inner race, curvature at the free contact angle.
+    ///
+    /// # Errors
+    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
+    pub fn inner_contact(&self) -> Result<HertzContact, BearingError> {
+        let geometry = &self.geometry;
+        let curvature = inner_race_curvature(
+            geometry.ball_diameter(),
+            geometry.groove_factor_inner(),
+            geometry.gamma(),
+        );
+        HertzContact::new(curvature, self.modulus()).map_err(|source| BearingError::Contact {
+            race: "inner",
+            source,
+        })
+    }
+
+    /// Hertz contact of ball and outer race, curvature at the free contact angle.
+    ///
+    /// # Errors
+    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
+    pub fn outer_contact(&self) -> Result<HertzContact, BearingError> {
+        let geometry = &self.geometry;
+        let curvature = outer_race_curvature(
+            geometry.ball_diameter(),
+            geometry.groove_factor_outer(),
+            geometry.gamma(),
+        );
+        HertzContact::new(curvature, self.modulus()).map_err(|source| BearingError::Contact {
+            race: "outer",
+            source,
+        })
+    }
+
+    /// Load–deflection constant K_n of a ball between both races, N/m^1.5.
+    ///
+    /// ```
+    /// use jeffcott::bearing::catalogue;
+    /// // 7205C, E = 207 GPa, ν = 0.3: K_n = 273 580.37 N/mm^1.5 (independent implementations).
+    /// let bearing = catalogue::find("7205C").unwrap().bearing()?;
+    /// assert!((bearing.load_deflection_constant()? / 10f64.powf(4.5) - 273_580.37).abs() < 0.01);
+    /// # Ok::<(), jeffcott::bearing::BearingError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
+    pub fn load_deflection_constant(&self) -> Result<f64, BearingError> {
+        match self.contact_stiffness {
+            Some(given) => Ok(given),
+            None => Ok(series_stiffness(
+                self.inner_contact()?.stiffness(),
+                self.outer_contact()?.stiffness(),
+            )),
+        }
+    }
+
+    fn modulus(&self) -> f64 {
+        contact_modulus(&self.ball_material, &self.ring_material)
+    }
+}
+
+/// Force law between the rings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactLaw {
+    /// F = F0 + K (q − q0), frozen at the static equilibrium.
+    Linear,
+    /// Hertz contact of each ball with both races in series, ball inertia neglected.
+    Hertz,
+}
+
+/// Which way along Z the inner ring must move to load the bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Facing {
+    /// Moving the shaft along +Z loads the bearing.
+    PlusZ,
+    /// Moving the shaft along −Z loads the bearing: the mirror image.
+    MinusZ,
+}
+
+impl Facing {
+    /// s = +1 or −1 of the mirror rule z, θx, θy → s·.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::PlusZ => 1.0,
+            Self::MinusZ => -1.0,
+        }
+    }
+}
+
+/// Axial preset of a mounted bearing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Preload {
+    /// Inner ring displaced by this much in m the way its facing loads it: z_local = s z + offset.
+    AxialOffset(f64),
+    /// The offset at which the bearing alone carries this axial force in N.
+    Force(f64),
+}
+
+/// A bearing and its place on the shaft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MountedBearing {
+    /// The bearing.
+    pub bearing: Bearing,
+    /// Force law that stands for it.
+    pub law: ContactLaw,
+    /// Position along the shaft from the centre of mass, m.
+    pub position: f64,
+    /// Orientation.
+    pub facing: Facing,
+    /// Axial preset.
+    pub preload: Preload,
+    /// Azimuth of ball 0 at the start, from +X towards +Y, rad.
+    pub first_ball: f64,
+}

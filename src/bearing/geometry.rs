@@ -1,0 +1,239 @@
+//! Internal geometry of an angular contact or deep-groove ball bearing.
+
+/// Why a set of dimensions is not a ball bearing.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum GeometryError {
+    /// Too few or too many balls to be a bearing.
+    #[error("{balls} balls: a ball bearing has {min} to {max}", min = Geometry::FEWEST_BALLS, max = Geometry::MOST_BALLS)]
+    Balls {
+        /// Number of balls as given.
+        balls: usize,
+    },
+    /// A dimension is not a positive finite length.
+    #[error("{name} is {value} m; it must be positive and finite")]
+    Length {
+        /// What the dimension is called.
+        name: &'static str,
+        /// Value as given, m.
+        value: f64,
+    },
+    /// The groove is not wider than the ball.
+    #[error(
+        "groove factor of the {race} race is {value}; the groove radius must exceed half the ball \
+         diameter and stay below it: 0.5 < f ≤ 1"
+    )]
+    GrooveFactor {
+        /// Which race.
+        race: &'static str,
+        /// Groove factor f = r/D as given.
+        value: f64,
+    },
+    /// The contact angle is outside 0° … 60°.
+    #[error("the contact angle is {degrees}°; it must be in 0° … 60°")]
+    ContactAngle {
+        /// Angle as given, degrees.
+        degrees: f64,
+    },
+    /// The clearance asks for a contact angle outside 0° … 60°.
+    #[error(
+        "a diametral clearance of {clearance} m does not fit the grooves: it must be in 0 … \
+         {largest} m, where the free contact angle reaches 60°"
+    )]
+    Clearance {
+        /// Diametral clearance as given, m.
+        clearance: f64,
+        /// Largest clearance that the grooves allow, m.
+        largest: f64,
+    },
+    /// The balls overlap on the pitch circle.
+    #[error(
+        "{balls} balls of {ball_diameter} m overlap on a pitch circle of {pitch_diameter} m: at \
+         most {largest} fit"
+    )]
+    Overlap {
+        /// Number of balls.
+        balls: usize,
+        /// Ball diameter, m.
+        ball_diameter: f64,
+        /// Pitch diameter, m.
+        pitch_diameter: f64,
+        /// How many balls fit.
+        largest: usize,
+    },
+}
+
+/// Dimensions of a ball bearing, checked at construction.
+///
+/// The frame, the symbols and the distances A and R_i are those of the crate's front page.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Geometry {
+    balls: usize,
+    ball_diameter: f64,
+    pitch_diameter: f64,
+    contact_angle: f64,
+    rolling_angle: f64,
+    groove_factor_inner: f64,
+    groove_factor_outer: f64,
+}
+
+/// How the free position of the races is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FreePosition {
+    /// Free contact angle α0 in rad (angular contact bearing).
+    ContactAngle(f64),
+    /// Diametral clearance P_d in m (deep-groove bearing): α0 = acos(1 − P_d/(2A)).
+    DiametralClearance(f64),
+    /// Radial clearance in m of a literature model that knows no contact angle: the races stand
+    /// as with `DiametralClearance` of twice the value, the balls roll as at 0°.
+    RadialClearance(f64),
+}
+
+impl Geometry {
+    /// Fewest balls that are taken for a bearing.
+    pub const FEWEST_BALLS: usize = 3;
+    /// Most balls that are taken for a bearing.
+    pub const MOST_BALLS: usize = 200;
+    /// Largest free contact angle, rad.
+    pub const LARGEST_CONTACT_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
+
+    /// Checks the dimensions: lengths in m, groove factors f = r/D dimensionless.
+    ///
+    /// # Errors
+    /// [`GeometryError`] with the offending number and the range that it must be in.
+    pub fn new(
+        balls: usize,
+        ball_diameter: f64,
+        pitch_diameter: f64,
+        free_position: FreePosition,
+        groove_factor_inner: f64,
+        groove_factor_outer: f64,
+    ) -> Result<Self, GeometryError> {
+        if !(Self::FEWEST_BALLS..=Self::MOST_BALLS).contains(&balls) {
+            return Err(GeometryError::Balls { balls });
+        }
+        for (name, value) in [
+            ("ball diameter", ball_diameter),
+            ("pitch diameter", pitch_diameter),
+        ] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(GeometryError::Length { name, value });
+            }
+        }
+        for (race, value) in [
+            ("inner", groove_factor_inner),
+            ("outer", groove_factor_outer),
+        ] {
+            if !(value > 0.5 && value <= 1.0) {
+                return Err(GeometryError::GrooveFactor { race, value });
+            }
+        }
+        let largest =
+            (std::f64::consts::PI / (ball_diameter / pitch_diameter).min(1.0).asin()) as usize;
+        if balls > largest {
+            return Err(GeometryError::Overlap {
+                balls,
+                ball_diameter,
+                pitch_diameter,
+                largest,
+            });
+        }
+        let groove_centre_distance =
+            (groove_factor_inner + groove_factor_outer - 1.0) * ball_diameter;
+        let (contact_angle, rolling_angle) = match free_position {
+            FreePosition::ContactAngle(angle) => (checked_angle(angle)?, angle),
+            FreePosition::DiametralClearance(clearance) => {
+                let angle = angle_of_clearance(clearance, groove_centre_distance)?;
+                (angle, angle)
+            }
+            FreePosition::RadialClearance(clearance) => (
+                angle_of_clearance(2.0 * clearance, groove_centre_distance)?,
+                0.0,
+            ),
+        };
+        Ok(Self {
+            balls,
+            ball_diameter,
+            pitch_diameter,
+            contact_angle,
+            rolling_angle,
+            groove_factor_inner,
+            groove_factor_outer,
+        })
+    }
+
+    /// Number of balls Z.
+    pub fn balls(&self) -> usize {
+        self.balls
+    }
+
+    /// Ball diameter D, m.
+    pub fn ball_diameter(&self) -> f64 {
+        self.ball_diameter
+    }
+
+    /// Pitch diameter d_m, m.
+    pub fn pitch_diameter(&self) -> f64 {
+        self.pitch_diameter
+    }
+
+    /// Free contact angle α0, rad.
+    pub fn contact_angle(&self) -> f64 {
+        self.contact_angle
+    }
+
+    /// Groove factor of the inner race f_i = r_i/D.
+    pub fn groove_factor_inner(&self) -> f64 {
+        self.groove_factor_inner
+    }
+
+    /// Groove factor of the outer race f_o = r_o/D.
+    pub fn groove_factor_outer(&self) -> f64 {
+        self.groove_factor_outer
+    }
+
+    /// γ = D cos α/d_m, the ratio that governs rolling and curvature.
+    pub fn gamma(&self) -> f64 {
+        self.ball_diameter * self.rolling_angle.cos() / self.pitch_diameter
+    }
+
+    /// Distance of the groove centres in the unloaded bearing, A = (f_i + f_o − 1)D, m.
+    pub fn groove_centre_distance(&self) -> f64 {
+        (self.groove_factor_inner + self.groove_factor_outer - 1.0) * self.ball_diameter
+    }
+
+    /// Radius of the circle of inner groove centres, R_i = d_m/2 + (f_i − 1/2)D cos α0, m.
+    pub fn inner_groove_radius(&self) -> f64 {
+        0.5 * self.pitch_diameter
+            + (self.groove_factor_inner - 0.5) * self.ball_diameter * self.contact_angle.cos()
+    }
+
+    /// Axial distance of the groove centres at zero displacement, A sin α0, m.
+    pub fn free_axial(&self) -> f64 {
+        self.groove_centre_distance() * self.contact_angle.sin()
+    }
+
+    /// Radial distance of the groove centres at zero displacement, A cos α0, m.
+    pub fn free_radial(&self) -> f64 {
+        self.groove_centre_distance() * self.contact_angle.cos()
+    }
+}
+
+fn checked_angle(angle: f64) -> Result<f64, GeometryError> {
+    if (0.0..=Geometry::LARGEST_CONTACT_ANGLE).contains(&angle) {
+        Ok(angle)
+    } else {
+        Err(GeometryError::ContactAngle {
+            degrees: angle.to_degrees(),
+        })
+    }
+}
+
+/// α0 = acos(1 − P_d/(2A)), in the form that keeps its digits for small clearances.
+fn angle_of_clearance(clearance: f64, distance: f64) -> Result<f64, GeometryError> {
+    // 1 − cos α0 = 2 sin²(α0/2)
+    let largest = 4.0 * distance * (0.5 * Geometry::LARGEST_CONTACT_ANGLE).sin().powi(2);
+    if !(0.0..=largest).contains(&clearance) {
+        return Err(GeometryError::Clearance { clearance, largest });
+    }
+    Ok(2.0 * (clearance / (4.0 * distance)).sqrt().asin())
+}

@@ -1,0 +1,32 @@
+//! What the user chooses about the integration, and what it costs.
+
+/// Integration method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Dormand–Prince 5(4).
+    Dopri5,
+    /// Dormand–Prince 8(5,3).
+    Dop853,
+}
+
+/// Method, tolerance and limits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Method.
+    pub method: Method,
+    /// Local error per step allowed, relative to the scale of the motion.
+    pub tolerance: f64,
+    /// Largest number of steps, accepted and rejected together.
+    pub step_limit: u64,
+}
+
+/// Work done by an integration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Counters {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Evaluations of the derivative.
+    pub evaluations: u64,
+}

@@ -1,0 +1,7 @@
+//! placeholder
+pub mod analysis;
+pub mod bearing;
+pub mod integrate;
+pub mod physics;
+pub mod rotor;
+pub mod simulate;

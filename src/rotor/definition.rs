@@ -1,0 +1,107 @@
+//! What a shaft is and what acts on it: plain data, before any computation.
+
+/// Standard acceleration of gravity, m/s² (ISO 80000-3).
+pub const STANDARD_GRAVITY: f64 = 9.806_65;
+
+/// Number of freedoms of the inner ring: x, y, z, θx, θy.
+pub const FREEDOMS: usize = 5;
+
+/// Which freedoms of the shaft move; the rest is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Freedoms {
+    /// x and y.
+    Radial,
+    /// x, y and z.
+    Translational,
+    /// x, y, z and both tilts.
+    All,
+}
+
+impl Freedoms {
+    /// How many of (x, y, z, θx, θy), in this order, move.
+    pub fn count(self) -> usize {
+        match self {
+            Self::Radial => 2,
+            Self::Translational => 3,
+            Self::All => 5,
+        }
+    }
+}
+
+/// The concentrated mass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shaft {
+    /// Mass m, kg.
+    pub mass: f64,
+    /// Moment of inertia about a transverse axis I_t, kg m²; used where tilts move.
+    pub inertia_transverse: f64,
+    /// Moment of inertia about the shaft axis I_p, kg m²; used where tilts move.
+    pub inertia_polar: f64,
+    /// Mass eccentricity e, m. The heavy side points along +X at shaft angle 0.
+    pub eccentricity: f64,
+    /// Freedoms that move.
+    pub freedoms: Freedoms,
+    /// Whether the weight m g acts along −Y.
+    pub gravity: bool,
+}
+
+/// How the viscous damping is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Damping {
+    /// None: a free vibration does not decay.
+    Undamped,
+    /// Coefficients for x, y, z in N s/m and for θx, θy in N m s/rad.
+    Coefficients([f64; FREEDOMS]),
+    /// Ratio ζ of the critical value of each diagonal of K at the static equilibrium.
+    Ratio(f64),
+    /// c = τ K with K at the static equilibrium, τ in s.
+    StiffnessTime(f64),
+}
+
+/// How the balls go round.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CageMotion {
+    /// The cage rolls at its nominal speed: the compliance varies with the ball pass.
+    Rolling,
+    /// The cage stands: no variable compliance.
+    Frozen,
+}
+
+/// Where the motion starts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InitialState {
+    /// State that the given values below replace.
+    pub from: InitialPosition,
+    /// Displacements in m and rad that replace those of `from`.
+    pub displacement: [Option<f64>; FREEDOMS],
+    /// Velocities in m/s and rad/s that replace zero.
+    pub velocity: [Option<f64>; FREEDOMS],
+}
+
+/// Position at the start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InitialPosition {
+    /// Static equilibrium under the loads at t = 0, without unbalance.
+    Equilibrium,
+    /// q = 0.
+    Origin,
+}
+
+/// A shaft, its speed, what damps it and what loads it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RotorDefinition {
+    /// The concentrated mass.
+    pub shaft: Shaft,
+    /// Angular speed ω, rad/s, zero or positive.
+    pub speed: f64,
+    /// Motion of the cages.
+    pub cage: CageMotion,
+    /// Viscous damping.
+    pub damping: Damping,
+    /// Constant external load: forces x, y, z in N, moments about X and Y in N m.
+    pub load: [f64; FREEDOMS],
+    /// State at t = 0.
+    pub initial: InitialState,
+    /// Bearings that carry the shaft, at least one.
+    pub bearings: Vec<crate::bearing::MountedBearing>,
+}
