@@ -1,0 +1,45 @@
+//! The seam of the design: the law of one ball.
+
+/// What the inner ring presses onto one ball, in the ball's own plane.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BallForce {
+    /// Axial force F_a, N.
+    pub axial: f64,
+    /// Radial force F_r, N.
+    pub radial: f64,
+    /// Moment about the inner groove centre, N m; zero without gyroscopic friction. The moment of
+    /// the ball about the shaft axis' normal is `N = R_i F_a + couple`.
+    pub couple: f64,
+}
+
+/// Exact derivative of a [`BallForce`]: rows axial, radial, couple; columns A1, A2.
+pub type BallTangent = [[f64; 2]; 3];
+
+/// State of one ball's two contacts, for people to read.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct BallContact {
+    /// Normal load at the inner race, N.
+    pub load_inner: f64,
+    /// Normal load at the outer race, N.
+    pub load_outer: f64,
+    /// Contact angle at the inner race, rad.
+    pub angle_inner: f64,
+    /// Contact angle at the outer race, rad.
+    pub angle_outer: f64,
+}
+
+/// The law of one ball: from the place of the inner groove centre to the force that holds it there.
+///
+/// `axial` (A1) and `radial` (A2) are measured from the outer groove centre in m, `speed` is the
+/// angular speed of the shaft in rad/s. An implementation is a pure function: the same arguments
+/// give the same bytes, and every position, contact or none, has an answer.
+pub trait BallLaw {
+    /// Force at a position. Branch-free where speed counts: it runs in the innermost loop.
+    fn force(&self, axial: f64, radial: f64, speed: f64) -> BallForce;
+
+    /// Force and its exact derivative by position.
+    fn force_and_tangent(&self, axial: f64, radial: f64, speed: f64) -> (BallForce, BallTangent);
+
+    /// Loads and angles of both contacts.
+    fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact;
+}
