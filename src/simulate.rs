@@ -3,7 +3,7 @@
 use crate::analysis::{Peak, Spectrum, Window};
 use crate::integrate::{Counters, Settings};
 use crate::physics::BallPass;
-use crate::rotor::{FREEDOMS, RotorDefinition, Sample};
+use crate::rotor::{FREEDOMS, NaturalFrequency, RotorDefinition, Sample};
 
 /// How often the motion is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,15 +31,6 @@ pub struct Model {
     pub verify: bool,
     /// Window of the spectra; `None` leaves the spectra out, and memory is flat in the duration.
     pub spectrum: Option<Window>,
-}
-
-/// A natural frequency of the system linearised at its static equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NaturalFrequency {
-    /// Undamped natural frequency |λ|/2π, Hz.
-    pub frequency: f64,
-    /// Damping ratio −Re λ/|λ|.
-    pub damping_ratio: f64,
 }
 
 /// The static equilibrium that the run starts from, or is linearised about.

@@ -154,11 +154,7 @@ impl<L: BallLaw> Ring<L> {
     }
 
     /// Every ball at its azimuth, with the place of its inner groove centre.
-    fn placed(
-        &self,
-        displacement: Vector5,
-        cage: CageAngle,
-    ) -> impl Iterator<Item = PlacedBall> {
+    fn placed(&self, displacement: Vector5, cage: CageAngle) -> impl Iterator<Item = PlacedBall> {
         let [x, y, z, tilt_x, tilt_y] = displacement;
         self.azimuths.iter().map(move |azimuth| {
             let (sin_0, cos_0) = azimuth.sin_cos();

@@ -30,3 +30,12 @@ pub struct Counters {
     /// Evaluations of the derivative.
     pub evaluations: u64,
 }
+
+impl Counters {
+    /// Adds the work of a further part.
+    pub fn add(&mut self, part: &Self) {
+        self.steps += part.steps;
+        self.rejected += part.rejected;
+        self.evaluations += part.evaluations;
+    }
+}
