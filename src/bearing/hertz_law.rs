@@ -36,36 +36,43 @@ pub struct HertzLaw {
 const SMALLEST_DISTANCE: f64 = f64::MIN_POSITIVE;
 
 impl HertzLaw {
-    /// Load Q and unit vector (axial, radial) of the line of groove centres, and their distance.
+    /// Distance d of the groove centres and approach max(δ, 0).
     #[inline(always)]
-    fn load_and_direction(&self, axial: f64, radial: f64) -> (f64, [f64; 2], f64, f64) {
+    fn distance_and_approach(&self, axial: f64, radial: f64) -> (f64, f64) {
         let distance = (axial * axial + radial * radial).sqrt();
         let reach = distance - self.distance;
         // δ ≤ 0: separated
-        let approach = if reach > 0.0 { reach } else { 0.0 };
-        let inverse = 1.0 / (distance + SMALLEST_DISTANCE);
-        // Q = K_n δ^(3/2)
-        let load = self.load_deflection_constant * approach * approach.sqrt();
-        (load, [axial * inverse, radial * inverse], inverse, approach)
+        (
+            distance + SMALLEST_DISTANCE,
+            if reach > 0.0 { reach } else { 0.0 },
+        )
+    }
+
+    /// Q = K_n δ^(3/2)
+    #[inline(always)]
+    fn load(&self, approach: f64) -> f64 {
+        self.load_deflection_constant * approach * approach.sqrt()
     }
 }
 
 impl BallLaw for HertzLaw {
     #[inline(always)]
     fn force(&self, axial: f64, radial: f64, _speed: f64) -> BallForce {
-        let (load, direction, _, _) = self.load_and_direction(axial, radial);
+        let (distance, approach) = self.distance_and_approach(axial, radial);
+        let lateral = self.load(approach) / distance;
         BallForce {
-            axial: load * direction[0],
-            radial: load * direction[1],
+            axial: lateral * axial,
+            radial: lateral * radial,
             couple: 0.0,
         }
     }
 
     fn force_and_tangent(&self, axial: f64, radial: f64, speed: f64) -> (BallForce, BallTangent) {
-        let (load, [n_a, n_r], inverse, approach) = self.load_and_direction(axial, radial);
+        let (distance, approach) = self.distance_and_approach(axial, radial);
+        let (n_a, n_r) = (axial / distance, radial / distance);
         // dF_i/dA_j = (dQ/dδ) n_i n_j + (Q/d)(δ_ij − n_i n_j)
         let normal = 1.5 * self.load_deflection_constant * approach.sqrt();
-        let lateral = load * inverse;
+        let lateral = self.load(approach) / distance;
         let cross = (normal - lateral) * n_a * n_r;
         let tangent = [
             [normal * n_a * n_a + lateral * n_r * n_r, cross],
@@ -76,8 +83,8 @@ impl BallLaw for HertzLaw {
     }
 
     fn contact(&self, axial: f64, radial: f64, _speed: f64) -> BallContact {
-        let (load, [n_a, n_r], _, _) = self.load_and_direction(axial, radial);
-        let angle = n_a.atan2(n_r);
+        let (_, approach) = self.distance_and_approach(axial, radial);
+        let (load, angle) = (self.load(approach), axial.atan2(radial));
         BallContact {
             load_inner: load,
             load_outer: load,

@@ -34,7 +34,7 @@ impl CageAngle {
 /// Balls that are worked on side by side.
 const LANES: usize = 4;
 
-/// Azimuths of a few balls in the cage's frame; a lane without a ball has zero weight.
+/// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
 #[derive(Debug, Clone, Copy)]
 struct Lanes {
     cos: [f64; LANES],
@@ -85,27 +85,33 @@ impl<L: BallLaw> Ring<L> {
     #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = into_cage(displacement, cage);
-        let (axial_0, arm) = (self.free_axial + z, self.arm);
+        let (axial_0, swing_x, swing_y) =
+            (self.free_axial + z, self.arm * tilt_x, self.arm * tilt_y);
         let mut sums = [[0.0; LANES]; 5];
-        for balls in &self.lanes {
-            for lane in 0..LANES {
-                let (cos, sin, weight) = (balls.cos[lane], balls.sin[lane], balls.weight[lane]);
-                let axial = axial_0 + arm * (tilt_x * sin - tilt_y * cos);
-                let radial = self.free_radial + x * cos + y * sin;
-                let ball = self.law.force(axial, radial, speed);
-                let (f_a, f_r) = (weight * ball.axial, weight * ball.radial);
-                let moment = arm * f_a + weight * ball.couple;
-                sums[0][lane] += f_r * cos;
-                sums[1][lane] += f_r * sin;
-                sums[2][lane] += f_a;
-                sums[3][lane] += moment * sin;
-                sums[4][lane] -= moment * cos;
+        for Lanes { cos, sin, weight } in &self.lanes {
+            let axial = each_lane(|i| axial_0 + swing_x * sin[i] - swing_y * cos[i]);
+            let radial = each_lane(|i| self.free_radial + x * cos[i] + y * sin[i]);
+            let (mut f_a, mut f_r, mut couple) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+            for i in 0..LANES {
+                let ball = self.law.force(axial[i], radial[i], speed);
+                (f_a[i], f_r[i], couple[i]) = (ball.axial, ball.radial, ball.couple);
             }
+            // moments by the arm, so that without a couple the arm stays out of the loop
+            let moment = each_lane(|i| {
+                if L::HAS_COUPLE {
+                    f_a[i] + couple[i] / self.arm
+                } else {
+                    f_a[i]
+                }
+            });
+            add(&mut sums[0], each_lane(|i| f_r[i] * cos[i]));
+            add(&mut sums[1], each_lane(|i| f_r[i] * sin[i]));
+            add(&mut sums[2], each_lane(|i| f_a[i] * weight[i]));
+            add(&mut sums[3], each_lane(|i| moment[i] * sin[i]));
+            add(&mut sums[4], each_lane(|i| moment[i] * cos[i]));
         }
-        out_of_cage(
-            &sums.map(|lane| (lane[0] + lane[1]) + (lane[2] + lane[3])),
-            cage,
-        )
+        let [f_x, f_y, f_z, m_x, m_y] = sums.map(|lane| lane.iter().sum::<f64>());
+        out_of_cage(&[f_x, f_y, f_z, self.arm * m_x, -self.arm * m_y], cage)
     }
 
     /// Force as by [`Ring::force`] and its exact derivative K = ∂F/∂q.
@@ -170,6 +176,18 @@ impl<L: BallLaw> Ring<L> {
     }
 }
 
+#[inline(always)]
+fn each_lane(value: impl FnMut(usize) -> f64) -> [f64; LANES] {
+    std::array::from_fn(value)
+}
+
+#[inline(always)]
+fn add(sum: &mut [f64; LANES], part: [f64; LANES]) {
+    for (total, value) in sum.iter_mut().zip(part) {
+        *total += value;
+    }
+}
+
 struct PlacedBall {
     axial: f64,
     radial: f64,
@@ -179,7 +197,7 @@ struct PlacedBall {
 
 fn lanes_of(azimuths: &[f64]) -> Lanes {
     let mut lanes = Lanes {
-        cos: [1.0; LANES],
+        cos: [0.0; LANES],
         sin: [0.0; LANES],
         weight: [0.0; LANES],
     };

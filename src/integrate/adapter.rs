@@ -107,7 +107,7 @@ fn outcome<S, const N: usize, const M: usize>(
 ) -> Outcome<N> {
     let time = |x: f64| block.start + x * block.scaling.time;
     let end = recorder.end.get();
-    let reached = time(end[N]);
+    let reached = time(recorder.end_x.get());
     let rejected = match &result {
         Ok(stats) => u64::from(stats.rejected_steps),
         Err(IntegrationError::MaxNumStepReached { n_step, .. }) => {
@@ -161,6 +161,7 @@ struct Recorder<const M: usize> {
     accepted: Cell<u64>,
     /// State at the end of the latest accepted step.
     end: Cell<SVector<f64, M>>,
+    end_x: Cell<f64>,
     /// Sizes of the latest accepted steps.
     steps: Cell<[f64; 3]>,
     /// Whether an evaluation since the latest accepted step was not finite.
@@ -175,6 +176,7 @@ impl<const M: usize> Recorder<M> {
             evaluations: Cell::new(0),
             accepted: Cell::new(0),
             end: Cell::new(start),
+            end_x: Cell::new(0.0),
             steps: Cell::new([0.0; 3]),
             fault: Cell::new(false),
             stopped: Cell::new(false),
@@ -190,19 +192,22 @@ impl<const M: usize> Recorder<M> {
         }
     }
 
-    /// Takes note of a step that ended at `x`, by the latest evaluation there.
-    fn accepted(&self, x: f64) {
+    /// Takes note of a step that ended at `x`, if one did: Dopri5 announces dense points as well,
+    /// and those were not evaluated.
+    fn announced(&self, x: f64) {
         let (count, evaluated) = (self.evaluations.get() as usize, self.evaluated.borrow());
-        let latest = (1..=REMEMBERED.min(count))
+        let state = (1..=REMEMBERED.min(count))
             .map(|back| &evaluated[(count - back) % REMEMBERED])
-            .find(|(at, _)| *at == x);
-        if let Some((_, state)) = latest {
+            .find(|(at, _)| *at == x && x > self.end_x.get())
+            .map(|(_, state)| *state);
+        if let Some(state) = state {
             let [_, second, third] = self.steps.get();
-            self.steps.set([second, third, x - self.end.get()[M - 1]]);
-            self.end.set(*state);
+            self.steps.set([second, third, x - self.end_x.get()]);
+            self.end_x.set(x);
+            self.end.set(state);
+            self.accepted.set(self.accepted.get() + 1);
+            self.fault.set(false);
         }
-        self.accepted.set(self.accepted.get() + 1);
-        self.fault.set(false);
     }
 
     /// The last step may be cut short by the end of the block; one of those before was not.
@@ -238,7 +243,7 @@ impl<S: System<N>, const N: usize, const M: usize> LibrarySystem<f64, SVector<f6
     }
 
     fn solout(&mut self, x: f64, _stale: &SVector<f64, M>, _rate: &SVector<f64, M>) -> bool {
-        self.recorder.accepted(x);
+        self.recorder.announced(x);
         let stop = self.block.stop.load(Ordering::Relaxed);
         self.recorder.stopped.set(stop);
         stop

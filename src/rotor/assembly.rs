@@ -1,10 +1,7 @@
 //! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
 
-use nalgebra::DMatrix;
-
-use super::{
-    Damping, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
-};
+use super::damping::DampingMatrix;
+use super::{FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY};
 use crate::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
 use crate::bearing::{BearingError, Facing, Preload, Support, Vector5};
 
@@ -71,7 +68,7 @@ impl Rotor {
             cage: definition.cage,
             unbalance: shaft.mass * shaft.eccentricity * definition.speed * definition.speed,
             load,
-            damping: damping_matrix(definition, &equilibrium, &mass),
+            damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             supports,
             initial: initial_state(definition, &equilibrium),
             equilibrium,
@@ -172,25 +169,6 @@ fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
         return Some(0.0);
     }
     supports.first().map(Support::centred_axial)
-}
-
-/// Damping matrix of the kept freedoms.
-fn damping_matrix(
-    definition: &RotorDefinition,
-    equilibrium: &Equilibrium,
-    mass: &Vector5,
-) -> DMatrix<f64> {
-    let kept = definition.shaft.freedoms.count();
-    let stiffness = &equilibrium.stiffness;
-    DMatrix::from_fn(kept, kept, |row, column| match definition.damping {
-        // c = τ K
-        Damping::StiffnessTime(time) => time * stiffness[(row, column)],
-        _ if row != column => 0.0,
-        Damping::Undamped => 0.0,
-        Damping::Coefficients(coefficients) => coefficients[row],
-        // c = 2 ζ √(K m)
-        Damping::Ratio(ratio) => 2.0 * ratio * (stiffness[(row, row)].max(0.0) * mass[row]).sqrt(),
-    })
 }
 
 /// Displacement and velocity at t = 0.

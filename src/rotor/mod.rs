@@ -4,6 +4,7 @@
 //! of it a [`Rotor`], whose derivative is a pure function of time and state.
 
 mod assembly;
+mod damping;
 mod definition;
 mod modes;
 mod motion;

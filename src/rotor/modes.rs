@@ -44,7 +44,8 @@ impl Rotor {
             for column in 0..kept {
                 let inverse_mass = self.inverse_mass[row];
                 matrix[(kept + row, column)] = -stiffness[(row, column)] * inverse_mass;
-                matrix[(kept + row, kept + column)] = -self.damping[(row, column)] * inverse_mass;
+                matrix[(kept + row, kept + column)] =
+                    -self.damping.entry(row, column) * inverse_mass;
             }
         }
         if kept == FREEDOMS {

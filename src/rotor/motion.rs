@@ -1,7 +1,6 @@
 //! The shaft in motion: the right-hand side of its equations, and what can be seen of it.
 
-use nalgebra::DMatrix;
-
+use super::damping::DampingMatrix;
 use super::{CageMotion, FREEDOMS, Sample};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{CageAngle, Support, Vector5};
@@ -34,7 +33,7 @@ pub struct Rotor {
     /// m e ω², N.
     pub(super) unbalance: f64,
     pub(super) load: Vector5,
-    pub(super) damping: DMatrix<f64>,
+    pub(super) damping: DampingMatrix,
     pub(super) supports: Vec<Support>,
     pub(super) equilibrium: Equilibrium,
     /// Displacement and velocity at t = 0.
@@ -146,13 +145,10 @@ impl<const N: usize> System<N> for Rotor {
             push[3] -= self.gyroscopic * velocity[4];
             push[4] += self.gyroscopic * velocity[3];
         }
-        for row in 0..kept {
-            let mut damped = 0.0;
-            for column in 0..kept {
-                damped += self.damping[(row, column)] * velocity[column];
-            }
-            rate[row] = velocity[row];
-            rate[kept + row] = (push[row] - force[row] - damped) * self.inverse_mass[row];
+        self.damping.brake(velocity, &mut push);
+        for axis in 0..kept {
+            rate[axis] = velocity[axis];
+            rate[kept + axis] = (push[axis] - force[axis]) * self.inverse_mass[axis];
         }
     }
 }

@@ -5,8 +5,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::{CageMotion, FREEDOMS, Rotor};
 use crate::bearing::{CageAngle, Support};
 
-/// Smallest length that a motion is measured by, relative to the groove centre distance.
-const SMALLEST_MOTION: f64 = 1e-9;
+/// Round-off of a position between the races, relative to the groove centre distance.
+const POSITION_ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 /// Positions of the cage within one ball spacing at which the varying force is looked at.
 const CAGE_POSITIONS: usize = 8;
 
@@ -21,15 +21,23 @@ pub struct MotionScale {
     pub frequency: f64,
 }
 
+impl MotionScale {
+    /// Length that turns component `axis` of x, y, z, θx, θy into a displacement.
+    pub fn lever(&self, axis: usize) -> f64 {
+        lever(axis, self.arm)
+    }
+}
+
 impl Rotor {
     /// Estimates the motion before it is known, from the linearised rotor.
     ///
     /// The length is the largest of: the forced response to unbalance and to the force that varies
-    /// with the cage angle, and the distance of the initial state from equilibrium.
-    pub fn motion_scale(&self) -> MotionScale {
+    /// with the cage angle, and the distance of the initial state from equilibrium. It is at least
+    /// so large that `tolerance` times the length stays above the round-off of a position.
+    pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
         let arm = self.supports.iter().map(arm_of).fold(0.0, f64::max);
         let frequency = self.highest_frequency();
-        let smallest = SMALLEST_MOTION * self.groove_centre_distance();
+        let smallest = POSITION_ROUND_OFF / tolerance * self.groove_centre_distance();
         let length = smallest
             .max(self.unbalance_response(arm))
             .max(self.varying_compliance(arm))
@@ -84,7 +92,7 @@ impl Rotor {
             } else {
                 0.0
             };
-            let damping = self.damping[(row, column)];
+            let damping = self.damping.entry(row, column);
             Complex::new(stiffness[(row, column)] - inertia, omega * damping)
         });
         let mut force = DVector::from_element(kept, zero);
@@ -147,8 +155,7 @@ fn arm_of(support: &Support) -> f64 {
     support.definition().bearing.geometry.inner_groove_radius()
 }
 
-/// Length that turns component `axis` into a displacement.
-pub(crate) fn lever(axis: usize, arm: f64) -> f64 {
+fn lever(axis: usize, arm: f64) -> f64 {
     if axis < 3 { 1.0 } else { arm }
 }
 
