@@ -3,5 +3,6 @@ pub mod analysis;
 pub mod bearing;
 pub mod integrate;
 pub mod physics;
+pub mod report;
 pub mod rotor;
 pub mod simulate;

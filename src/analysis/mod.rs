@@ -1,7 +1,17 @@
 //! From samples to spectra: windows, one-sided amplitudes, peaks and what they are.
 
+mod causes;
+mod channel;
 mod peaks;
+mod recorder;
 mod spectrum;
+mod transform;
+mod window;
 
-pub use peaks::{Line, LineKind, Peak};
-pub use spectrum::{Channel, ChannelSpectrum, Spectrum, Window};
+pub use causes::{Line, LineKind, causes, nearest_cause};
+pub use channel::Channel;
+pub use peaks::{MOST_PEAKS, Peak};
+pub use recorder::{Analysis, Recorder};
+pub use spectrum::{ChannelSpectrum, Spectrum};
+pub use transform::Transform;
+pub use window::Window;

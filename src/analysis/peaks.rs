@@ -1,43 +1,20 @@
-//! Peaks of a spectrum and the causes that they are named by.
+//! Peaks of a spectrum, refined between the bins.
+//!
+//! They are sought in the Hann-weighted spectrum whatever window the output uses: its side lobes
+//! fall by 18 dB an octave, and the ratio of two neighbouring bins gives the frequency exactly.
 
-use super::Channel;
+use std::f64::consts::PI;
 
-/// What a spectral line can be caused by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LineKind {
-    /// k × shaft frequency.
-    ShaftOrder(u32),
-    /// k × ball-pass frequency of the outer race of bearing number `bearing` (from 0), ± sideband × shaft.
-    BallPassOuter {
-        /// Bearing, from 0.
-        bearing: usize,
-        /// Multiple.
-        multiple: u32,
-        /// Shaft orders added.
-        sideband: i32,
-    },
-    /// k × cage frequency of bearing `bearing`.
-    Cage {
-        /// Bearing, from 0.
-        bearing: usize,
-        /// Multiple.
-        multiple: u32,
-    },
-    /// Natural frequency number `mode` (from 0) of the linearised system.
-    Natural {
-        /// Mode, from 0, lowest first.
-        mode: usize,
-    },
-}
+use super::{Channel, Line, Transform, Window, nearest_cause};
 
-/// A frequency at which a cause would show.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Line {
-    /// The cause.
-    pub kind: LineKind,
-    /// Its frequency, Hz.
-    pub frequency: f64,
-}
+/// Largest number of peaks kept of one channel.
+pub const MOST_PEAKS: usize = 12;
+
+/// A peak below this part of the channel's strongest is not reported.
+const RELATIVE_THRESHOLD: f64 = 1e-4;
+
+/// A peak below this part of the channel's largest component, mean included, is numerical noise.
+const NOISE: f64 = 1e-10;
 
 /// A local maximum of an amplitude spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +25,122 @@ pub struct Peak {
     pub frequency: f64,
     /// Amplitude (peak value) in the unit of the channel.
     pub amplitude: f64,
-    /// The nearest known cause within a bin and a half, if any.
+    /// The nearest known cause within three quarters of a bin, if any.
     pub line: Option<Line>,
+}
+
+/// Peaks of one channel, strongest first, each with its nearest cause.
+///
+/// `resolution` is the width of a bin in Hz.
+pub(super) fn peaks(
+    channel: Channel,
+    transform: &Transform,
+    resolution: f64,
+    causes: &[Line],
+) -> Vec<Peak> {
+    let noise = NOISE * transform.largest();
+    let hann = HannSpectrum::new(transform);
+    let mut found: Vec<Refined> = hann.maxima().filter_map(|k| hann.refine(k)).collect();
+    found.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+    let strongest = found.first().map_or(0.0, |peak| peak.amplitude);
+    let threshold = noise.max(RELATIVE_THRESHOLD * strongest);
+    found
+        .into_iter()
+        .take_while(|peak| peak.amplitude > threshold)
+        .take(MOST_PEAKS)
+        .map(|Refined { bin, amplitude }| Peak {
+            channel,
+            frequency: bin * resolution,
+            amplitude,
+            line: nearest_cause(bin * resolution, resolution, causes),
+        })
+        .collect()
+}
+
+/// A maximum between the bins.
+struct Refined {
+    /// Frequency in bins.
+    bin: f64,
+    /// Peak value.
+    amplitude: f64,
+}
+
+/// Hann-weighted amplitudes of a signal less its mean.
+struct HannSpectrum {
+    amplitude: Vec<f64>,
+    length: f64,
+}
+
+impl HannSpectrum {
+    fn new(transform: &Transform) -> Self {
+        let centred = transform.clone().without_mean();
+        Self {
+            amplitude: (0..centred.bins())
+                .map(|k| centred.amplitude(k, Window::Hann))
+                .collect(),
+            length: centred.length() as f64,
+        }
+    }
+
+    /// Bins that stand above both neighbours; the first and the last have only one.
+    fn maxima(&self) -> impl Iterator<Item = usize> {
+        let triples = self.amplitude.windows(3).enumerate();
+        triples
+            .filter(|(_, three)| three[1] > three[0] && three[1] >= three[2])
+            .map(|(k, _)| k + 1)
+    }
+
+    /// The line that makes the maximum at bin `k`; none where the maximum is narrower than the
+    /// main lobe of the window, as beside bin 0 where the mean was taken away.
+    fn refine(&self, k: usize) -> Option<Refined> {
+        let amplitude = &self.amplitude;
+        let last = amplitude.len() - 1;
+        // Bin 0 and the last bin are mixed with the image of the line.
+        let upwards = k == 1 || (k + 1 < last && amplitude[k + 1] >= amplitude[k - 1]);
+        let neighbour = if upwards { k + 1 } else { k - 1 };
+        let offset = hann_offset(amplitude[neighbour] / amplitude[k], self.length);
+        if offset < -0.5 {
+            return None;
+        }
+        Some(Refined {
+            bin: k as f64 + if upwards { offset } else { -offset },
+            amplitude: amplitude[k] / hann_response(offset, self.length),
+        })
+    }
+}
+
+/// Offset δ in bins of a line from bin k towards k + 1, from the ratio α = |Y_{k+1}|/|Y_k|.
+///
+/// ```text
+/// s T² + (1 + α cos 2h) T + s (1 − 2α) = 0,   s = sin h cos h,  h = π/N,   δ = arctan(T)/h
+/// ```
+///
+/// This is exact for a single complex line and the periodic Hann window of any length N; for
+/// large N it becomes δ = (2α − 1)/(α + 1).
+///
+/// Source: the limit in D. C. Rife & G. A. Vincent, Bell Syst. Tech. J. 49 (1970) 197–228; the
+/// exact form follows from [`hann_response`] at δ and δ − 1.
+fn hann_offset(ratio: f64, length: f64) -> f64 {
+    let h = PI / length;
+    let s = h.sin() * h.cos();
+    let b = 1.0 + ratio * (2.0 * h).cos();
+    // The root that vanishes with s, in the form without cancellation.
+    let t =
+        2.0 * s * (2.0 * ratio - 1.0) / (b + (b * b + 4.0 * s * s * (2.0 * ratio - 1.0)).sqrt());
+    t.atan() / h
+}
+
+/// Amplitude that the Hann window of length N shows of a unit line δ bins beside the bin.
+///
+/// `|H(δ)| = sin²h cos a sin πδ / [N sin a (sin²h − sin²a)]`, `a = hδ`, `h = π/N`; H(0) = 1
+fn hann_response(offset: f64, length: f64) -> f64 {
+    let h = PI / length;
+    let a = h * offset;
+    // sin πδ/(N sin a) → 1 at δ = 0
+    let dirichlet = if a == 0.0 {
+        1.0
+    } else {
+        (PI * offset).sin() / (length * a.sin())
+    };
+    dirichlet * a.cos() * h.sin().powi(2) / ((h - a).sin() * (h + a).sin())
 }

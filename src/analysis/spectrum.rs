@@ -1,24 +1,6 @@
 //! One-sided amplitude spectra.
 
-/// Window of a spectrum.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Window {
-    /// No weighting: exact for lines on a bin, as on whole revolutions at constant speed.
-    Rectangular,
-    /// Hann: narrow lines, 15 % amplitude error at the worst place between bins.
-    Hann,
-    /// Flat top: amplitudes within 1 % anywhere between bins.
-    FlatTop,
-}
-
-/// A quantity of the trace that a spectrum is taken of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Channel {
-    /// Displacement or tilt of freedom 0 … 4: x, y, z in m, θx, θy in rad.
-    Displacement(usize),
-    /// Force of the bearings on the shaft along freedom 0 … 4, N or N m.
-    Force(usize),
-}
+use super::{Channel, Transform, Window};
 
 /// Amplitude and phase of one channel.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +11,21 @@ pub struct ChannelSpectrum {
     pub amplitude: Vec<f64>,
     /// Phases in rad of `cos(2πft + phase)`, time counted from the start of the window.
     pub phase: Vec<f64>,
+}
+
+impl ChannelSpectrum {
+    /// Amplitudes and phases of a transformed channel under a window.
+    pub fn new(channel: Channel, transform: &Transform, window: Window) -> Self {
+        let bins = 0..transform.bins();
+        Self {
+            channel,
+            amplitude: bins
+                .clone()
+                .map(|k| transform.amplitude(k, window))
+                .collect(),
+            phase: bins.map(|k| transform.phase(k, window)).collect(),
+        }
+    }
 }
 
 /// One-sided amplitude spectra of all channels on one frequency axis.
@@ -46,4 +43,28 @@ pub struct Spectrum {
     pub window: Window,
     /// One entry a channel.
     pub channels: Vec<ChannelSpectrum>,
+}
+
+impl Spectrum {
+    /// Number of frequencies.
+    pub fn bins(&self) -> usize {
+        self.channels
+            .first()
+            .map_or(0, |channel| channel.amplitude.len())
+    }
+
+    /// Frequency of bin `k`, Hz.
+    pub fn frequency(&self, k: usize) -> f64 {
+        k as f64 * self.resolution
+    }
+
+    /// Frequency of bin `k` as a multiple of the shaft frequency, if the shaft turns.
+    pub fn order(&self, k: usize) -> Option<f64> {
+        (self.shaft_frequency > 0.0).then(|| self.frequency(k) / self.shaft_frequency)
+    }
+
+    /// Spectrum of one channel, if it was recorded.
+    pub fn channel(&self, channel: Channel) -> Option<&ChannelSpectrum> {
+        self.channels.iter().find(|entry| entry.channel == channel)
+    }
 }

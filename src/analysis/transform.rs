@@ -1,0 +1,111 @@
+//! The discrete Fourier transform of a real signal, and the same seen through any window.
+
+use realfft::RealFftPlanner;
+use realfft::num_complex::Complex;
+
+use super::Window;
+
+/// Discrete Fourier transform of real samples, divided by their number.
+///
+/// `X_k = (1/N) Σ_n x_n exp(−2πikn/N)`
+///
+/// A window that is a sum of cosines is applied here, after the transform: it mixes neighbouring
+/// bins with its own coefficients. One transform so serves every window.
+///
+/// ```
+/// use jeffcott::analysis::{Transform, Window};
+/// let samples = (0..10).map(|n| 3.0 + (std::f64::consts::TAU * 0.2 * n as f64).cos()).collect();
+/// let transform = Transform::new(samples);
+/// assert!((transform.amplitude(0, Window::Rectangular) - 3.0).abs() < 1e-14);
+/// assert!((transform.amplitude(2, Window::Rectangular) - 1.0).abs() < 1e-14);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Transform {
+    length: usize,
+    bins: Vec<Complex<f64>>,
+}
+
+impl Transform {
+    /// Transforms samples of any number.
+    pub fn new(mut samples: Vec<f64>) -> Self {
+        let length = samples.len();
+        if length == 0 {
+            return Self {
+                length,
+                bins: Vec::new(),
+            };
+        }
+        let plan = RealFftPlanner::new().plan_fft_forward(length);
+        let mut bins = plan.make_output_vec();
+        plan.process(&mut samples, &mut bins)
+            .expect("the output was made by the plan for this very length");
+        let scale = 1.0 / length as f64;
+        bins.iter_mut().for_each(|bin| *bin *= scale);
+        Self { length, bins }
+    }
+
+    /// Number of samples N.
+    pub fn length(&self) -> usize {
+        self.length
+    }
+
+    /// Number of bins of the one-sided spectrum, ⌊N/2⌋ + 1, or none without samples.
+    pub fn bins(&self) -> usize {
+        self.bins.len()
+    }
+
+    /// The signal less its mean.
+    pub fn without_mean(mut self) -> Self {
+        if let Some(mean) = self.bins.first_mut() {
+            *mean = Complex::ZERO;
+        }
+        self
+    }
+
+    /// One-sided amplitude (peak value) at bin `k` under `window`.
+    ///
+    /// Every line inside counts twice, for its image at −f; the mean and the line at half the
+    /// sampling rate have none.
+    pub fn amplitude(&self, k: usize, window: Window) -> f64 {
+        let sides = if self.has_image(k) { 2.0 } else { 1.0 };
+        sides * self.windowed(k, window).norm()
+    }
+
+    /// Phase in rad of `cos(2πft + phase)` at bin `k` under `window`, t from the first sample.
+    pub fn phase(&self, k: usize, window: Window) -> f64 {
+        self.windowed(k, window).arg()
+    }
+
+    /// Largest magnitude of a bin: a scale of the signal, mean included.
+    pub(super) fn largest(&self) -> f64 {
+        self.bins.iter().map(|bin| bin.norm()).fold(0.0, f64::max)
+    }
+
+    fn has_image(&self, k: usize) -> bool {
+        k > 0 && 2 * k < self.length
+    }
+
+    /// X_k of the weighted samples, divided by the coherent gain.
+    ///
+    /// `Y_k = X_k + Σ_j (−1)^j (a_j/2a_0)(X_{k−j} + X_{k+j})`
+    fn windowed(&self, k: usize, window: Window) -> Complex<f64> {
+        let coefficients = window.coefficients();
+        let mut sum = self.bins[k];
+        let mut sign = -1.0;
+        for (j, a) in coefficients.iter().enumerate().skip(1) {
+            let pair = self.bin(k as isize - j as isize) + self.bin(k as isize + j as isize);
+            sum += pair * (sign * a / (2.0 * coefficients[0]));
+            sign = -sign;
+        }
+        sum
+    }
+
+    /// X at any index: periodic in N, and conjugate at the negative.
+    fn bin(&self, k: isize) -> Complex<f64> {
+        let k = k.rem_euclid(self.length as isize) as usize;
+        match self.bins.get(k) {
+            Some(bin) => *bin,
+            None => self.bins[self.length - k].conj(),
+        }
+    }
+}

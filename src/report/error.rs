@@ -1,0 +1,64 @@
+//! What can go wrong between a result and its file.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What was being done to a file or folder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileAction {
+    /// Create a file or folder.
+    Create,
+    /// Write into a file.
+    Write,
+    /// Give a finished file its name.
+    Rename,
+    /// Remove the file of an earlier run.
+    Remove,
+}
+
+impl fmt::Display for FileAction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Create => "create",
+            Self::Write => "write",
+            Self::Rename => "rename",
+            Self::Remove => "remove",
+        })
+    }
+}
+
+/// Why a result did not get into its file.
+#[derive(Debug, thiserror::Error)]
+pub enum ReportError {
+    /// The file system refused.
+    #[error("cannot {action} {}", path.display())]
+    File {
+        /// What was tried.
+        action: FileAction,
+        /// On what.
+        path: PathBuf,
+        /// The answer of the system.
+        source: io::Error,
+    },
+    /// A figure could not be drawn.
+    #[error("cannot draw {figure}")]
+    Draw {
+        /// File name of the figure.
+        figure: &'static str,
+        /// What the drawing library says.
+        source: Box<dyn std::error::Error + Send + Sync>,
+    },
+}
+
+impl ReportError {
+    /// Adds action and path to an answer of the file system.
+    pub(super) fn file(action: FileAction, path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.to_owned();
+        move |source| Self::File {
+            action,
+            path,
+            source,
+        }
+    }
+}

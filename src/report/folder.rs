@@ -1,0 +1,156 @@
+//! The folder of a run: either the whole of one run stands there, or it does not look whole.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use super::{FileAction, ReportError};
+
+/// The file that says that a folder is whole: removed before the first rename, renamed last.
+const SEAL: &str = "summary.json";
+
+/// Files that a run may leave besides the seal; those of an earlier run do not outlive the next.
+const OUTPUTS: [&str; 4] = ["trace.csv", "spectrum.csv", "trace.svg", "spectrum.svg"];
+
+/// A folder that takes the files of one run.
+///
+/// Files are written under a temporary name and renamed together by [`RunFolder::commit`]. Until
+/// then an earlier run in the same folder stands as it was; a run that ends before leaves nothing
+/// behind, and one that is killed while it renames leaves a folder without `summary.json`.
+#[derive(Debug)]
+pub struct RunFolder {
+    path: PathBuf,
+}
+
+impl RunFolder {
+    /// Opens the folder, creating it and its parents where they are missing.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created.
+    pub fn open(path: &Path) -> Result<Self, ReportError> {
+        fs::create_dir_all(path).map_err(ReportError::file(FileAction::Create, path))?;
+        Ok(Self {
+            path: path.to_owned(),
+        })
+    }
+
+    /// Starts the file `name` under its temporary name `.name.partial`.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created.
+    pub fn create(&self, name: &str) -> Result<PartialFile, ReportError> {
+        let pending = Pending {
+            temporary: self.path.join(format!(".{name}.partial")),
+            path: self.path.join(name),
+        };
+        let file = File::create(&pending.temporary)
+            .map_err(ReportError::file(FileAction::Create, &pending.temporary))?;
+        Ok(PartialFile {
+            writer: BufWriter::with_capacity(1 << 16, file),
+            pending,
+        })
+    }
+
+    /// Writes a file of known content.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created or written.
+    pub fn write(&self, name: &str, content: &[u8]) -> Result<WholeFile, ReportError> {
+        let mut file = self.create(name)?;
+        file.write_all(content)
+            .map_err(ReportError::file(FileAction::Write, &file.pending.path))?;
+        file.close()
+    }
+
+    /// Gives all files their names, `summary.json` with the content `summary` last, and removes
+    /// what an earlier run left under the names of outputs that this one does not have.
+    ///
+    /// Returns the paths of all files.
+    ///
+    /// # Errors
+    /// [`ReportError::File`]; the folder then has no `summary.json`.
+    pub fn commit(
+        self,
+        mut files: Vec<WholeFile>,
+        summary: &[u8],
+    ) -> Result<Vec<PathBuf>, ReportError> {
+        files.push(self.write(SEAL, summary)?);
+        for name in std::iter::once(SEAL).chain(OUTPUTS) {
+            let path = self.path.join(name);
+            remove_if_there(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
+        }
+        files.into_iter().map(WholeFile::rename).collect()
+    }
+}
+
+fn remove_if_there(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
+/// A temporary file, removed when dropped.
+#[derive(Debug)]
+struct Pending {
+    temporary: PathBuf,
+    path: PathBuf,
+}
+
+impl Drop for Pending {
+    fn drop(&mut self) {
+        // After the rename it is gone; otherwise there is nobody left to tell of a failure.
+        let _ = fs::remove_file(&self.temporary);
+    }
+}
+
+/// A file being written under its temporary name; dropping it removes it.
+#[derive(Debug)]
+pub struct PartialFile {
+    writer: BufWriter<File>,
+    pending: Pending,
+}
+
+impl PartialFile {
+    /// Path that the file will have.
+    pub fn path(&self) -> &Path {
+        &self.pending.path
+    }
+
+    /// Writes what is buffered and closes the file, which keeps its temporary name.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where the last bytes cannot be written.
+    pub fn close(mut self) -> Result<WholeFile, ReportError> {
+        self.writer
+            .flush()
+            .map_err(ReportError::file(FileAction::Write, &self.pending.path))?;
+        Ok(WholeFile {
+            pending: self.pending,
+        })
+    }
+}
+
+impl Write for PartialFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.writer.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.writer.flush()
+    }
+}
+
+/// A file written to its end that still has its temporary name; dropping it removes it.
+#[derive(Debug)]
+pub struct WholeFile {
+    pending: Pending,
+}
+
+impl WholeFile {
+    fn rename(self) -> Result<PathBuf, ReportError> {
+        let Pending { temporary, path } = &self.pending;
+        fs::rename(temporary, path).map_err(ReportError::file(FileAction::Rename, path))?;
+        Ok(path.clone())
+    }
+}

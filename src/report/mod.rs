@@ -1,0 +1,26 @@
+//! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
+
+mod columns;
+
+mod decimator;
+mod error;
+mod figure;
+mod figure_spectrum;
+mod figure_trace;
+mod folder;
+mod run_report;
+mod spectrum_csv;
+mod summary;
+mod text;
+mod trace_csv;
+
+pub use decimator::{Bucket, Decimator};
+pub use error::{FileAction, ReportError};
+pub use figure_spectrum::spectrum_figure;
+pub use figure_trace::TraceFigure;
+pub use folder::{PartialFile, RunFolder, WholeFile};
+pub use run_report::{Outputs, RunReport};
+pub use spectrum_csv::write_spectrum;
+pub use summary::summary;
+pub use text::text;
+pub use trace_csv::{TRACE_COLUMNS, TraceCsv};

@@ -1,0 +1,129 @@
+//! The summary of a run as JSON.
+
+use serde_json::{Map, Value, json};
+
+use super::columns::value_column;
+use crate::analysis::{Channel, Peak, Spectrum};
+use crate::integrate::Counters;
+use crate::physics::BallPass;
+use crate::rotor::FREEDOMS;
+use crate::simulate::{MeasuredError, Model, NaturalFrequency, Run, StaticState};
+
+/// Everything that a run answers except trace and spectra, every number with its unit in its name.
+///
+/// `scenario` is echoed as it is. The same run gives the same bytes: there is no date and no wall
+/// time in it.
+pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value {
+    json!({
+        "jeffcott": env!("CARGO_PKG_VERSION"),
+        "title": title,
+        "scenario": scenario,
+        "equilibrium": equilibrium(&run.equilibrium),
+        "stiffness": stiffness(&run.equilibrium.stiffness),
+        "natural_frequencies": run
+            .equilibrium
+            .natural_frequencies
+            .iter()
+            .map(natural_frequency)
+            .collect::<Value>(),
+        "ball_pass": run.ball_pass.iter().map(ball_pass).collect::<Value>(),
+        "spectrum": run.spectrum.as_ref().map(spectrum),
+        "peaks": run
+            .peaks
+            .iter()
+            .map(|peak| named_peak(peak, run.spectrum.as_ref()))
+            .collect::<Value>(),
+        "counters": counters(&run.counters),
+        "measured_error": run
+            .measured_error
+            .as_ref()
+            .map(|error| measured_error(error, model.integrator.tolerance)),
+        "samples": run.samples,
+        "warnings": run.warnings,
+    })
+}
+
+fn equilibrium(state: &StaticState) -> Value {
+    let mut entries: Map<String, Value> = (0..FREEDOMS)
+        .map(Channel::Displacement)
+        .zip(state.displacement)
+        .map(|(channel, value)| (value_column(channel), value.into()))
+        .collect();
+    entries.insert("residual".into(), state.residual.into());
+    entries.insert("newton_steps".into(), state.newton_steps.into());
+    entries.into()
+}
+
+fn stiffness(matrix: &[[f64; FREEDOMS]; FREEDOMS]) -> Value {
+    let names = |channel: fn(usize) -> Channel| -> Value {
+        (0..FREEDOMS).map(channel).map(value_column).collect()
+    };
+    json!({
+        "meaning": "forces and moments that the bearings need per displacement and tilt at the \
+                    static equilibrium; the unit of an entry is that of its row over that of its \
+                    column",
+        "rows": names(Channel::Force),
+        "columns": names(Channel::Displacement),
+        "matrix": matrix,
+    })
+}
+
+fn natural_frequency(natural: &NaturalFrequency) -> Value {
+    json!({
+        "frequency_Hz": natural.frequency,
+        "damping_ratio": natural.damping_ratio,
+    })
+}
+
+fn ball_pass(pass: &BallPass) -> Value {
+    json!({
+        "outer_Hz": pass.outer,
+        "inner_Hz": pass.inner,
+        "spin_Hz": pass.spin,
+        "cage_Hz": pass.cage,
+    })
+}
+
+fn spectrum(spectrum: &Spectrum) -> Value {
+    json!({
+        "window": spectrum.window.name(),
+        "length": spectrum.length,
+        "resolution_Hz": spectrum.resolution,
+        "shaft_frequency_Hz": spectrum.shaft_frequency,
+        "start_s": spectrum.start,
+        "scaling": "one-sided, peak values; phase of cos(2 pi f t + phase) with t from start_s",
+    })
+}
+
+fn named_peak(peak: &Peak, spectrum: Option<&Spectrum>) -> Value {
+    let order = spectrum
+        .filter(|spectrum| spectrum.shaft_frequency > 0.0)
+        .map(|spectrum| peak.frequency / spectrum.shaft_frequency);
+    json!({
+        "channel": peak.channel.name(),
+        "frequency_Hz": peak.frequency,
+        "order": order,
+        "amplitude": peak.amplitude,
+        "unit": peak.channel.unit(),
+        "label": peak.line.map(|line| line.kind.to_string()),
+        "distance_Hz": peak.line.map(|line| peak.frequency - line.frequency),
+    })
+}
+
+fn counters(counters: &Counters) -> Value {
+    json!({
+        "steps": counters.steps,
+        "rejected": counters.rejected,
+        "evaluations": counters.evaluations,
+    })
+}
+
+fn measured_error(error: &MeasuredError, tolerance: f64) -> Value {
+    json!({
+        "displacement_m": error.displacement,
+        "relative": error.relative,
+        "tolerance": tolerance,
+        "reference_tolerance": error.reference_tolerance,
+        "reference_counters": counters(&error.counters),
+    })
+}
