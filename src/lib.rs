@@ -4,4 +4,5 @@ pub mod bearing;
 pub mod integrate;
 pub mod physics;
 pub mod rotor;
+pub mod scenario;
 pub mod simulate;
