@@ -54,7 +54,11 @@ impl ScenarioError {
             rendered.push_str(&renderer.render(&[self.group(issue)]));
             rendered.push_str("\n\n");
         }
-        let noun = if self.issues.len() == 1 { "problem" } else { "problems" };
+        let noun = if self.issues.len() == 1 {
+            "problem"
+        } else {
+            "problems"
+        };
         let hidden = match self.issues.len().saturating_sub(MOST_SHOWN) {
             0 => String::new(),
             count => format!(", {count} of them not shown"),
@@ -88,8 +92,8 @@ impl ScenarioError {
             .annotations(others)
     }
 
-    /// The same for programs: file, and for each problem key, line, column, message and help.
-    pub fn to_json(&self) -> Value {
+    /// The same for programs: for each problem its key, message, line, column and help.
+    pub fn issues_json(&self) -> Value {
         let issues = self.issues.iter().map(|issue| {
             let place = issue.span.as_ref().map(|span| self.line_column(span.start));
             json!({
@@ -100,7 +104,7 @@ impl ScenarioError {
                 "help": issue.help,
             })
         });
-        json!({ "file": self.name, "issues": issues.collect::<Vec<_>>() })
+        Value::Array(issues.collect())
     }
 
     /// Line and column of a byte, both from 1, the column in characters.

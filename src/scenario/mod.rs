@@ -80,18 +80,27 @@ pub struct Scenario {
 pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
     let name = path.display().to_string();
     let unreadable = |message: String| ScenarioError::new(&name, "", vec![Issue::new("", message)]);
-    let extension = path.extension().map(|extension| extension.to_ascii_lowercase());
+    let extension = path
+        .extension()
+        .map(|extension| extension.to_ascii_lowercase());
     let format = match extension.as_ref().and_then(|extension| extension.to_str()) {
         Some("toml") => Format::Toml,
         Some("json") => Format::Json,
-        _ => return Err(unreadable("a scenario file ends in .toml or .json".to_owned())),
+        _ => {
+            return Err(unreadable(
+                "a scenario file ends in .toml or .json".to_owned(),
+            ));
+        }
     };
-    let bytes = std::fs::read(path).map_err(|error| unreadable(format!("cannot read the file: {error}")))?;
+    let bytes = std::fs::read(path)
+        .map_err(|error| unreadable(format!("cannot read the file: {error}")))?;
     match String::from_utf8(bytes) {
         Ok(text) => parse(&text, &name, format),
         Err(error) => {
             let place = error.utf8_error().valid_up_to();
-            Err(unreadable(format!("the file is not UTF-8 text: byte {place} is wrong")))
+            Err(unreadable(format!(
+                "the file is not UTF-8 text: byte {place} is wrong"
+            )))
         }
     }
 }
@@ -112,8 +121,8 @@ pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, Scenari
 
 fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
     let mut problems = Problems::new(root);
-    let spec = walk::value(root, schema(), "", &mut problems)
-        .and_then(|value| fill(value, &mut problems));
+    let spec =
+        walk::value(root, schema(), "", &mut problems).and_then(|value| fill(value, &mut problems));
     let model = spec.as_ref().and_then(|spec| spec.build(&mut problems));
     let (issues, warnings) = problems.finish();
     match (spec, model) {
@@ -137,7 +146,10 @@ fn fill(value: Value, problems: &mut Problems<'_>) -> Option<ScenarioSpec> {
 
 fn stem(name: &str) -> String {
     let stem = Path::new(name).file_stem();
-    stem.map_or_else(|| name.to_owned(), |stem| stem.to_string_lossy().into_owned())
+    stem.map_or_else(
+        || name.to_owned(),
+        |stem| stem.to_string_lossy().into_owned(),
+    )
 }
 
 /// The scenario as JSON, without the keys that are not given and have no default.

@@ -53,7 +53,9 @@ impl<'a> Problems<'a> {
         }
         issue.span = self.root.locate(&issue.path);
         let places = others.iter().filter_map(|path| self.root.locate(path));
-        issue.related = places.filter(|place| Some(place) != issue.span.as_ref()).collect();
+        issue.related = places
+            .filter(|place| Some(place) != issue.span.as_ref())
+            .collect();
         self.issues.push(issue);
     }
 

@@ -40,10 +40,12 @@ pub(super) fn parse(text: &str, dimension: Dimension) -> Result<Parsed, Quantity
     let (number, rest) = split_number(text.trim());
     let Ok(number) = number.parse::<f64>() else {
         let word = text.trim().trim_start_matches(['+', '-']);
-        return Err(match word.get(..3).map(str::to_ascii_lowercase).as_deref() {
-            Some("nan" | "inf") => QuantityError::NotFinite { text: owned() },
-            _ => QuantityError::NoNumber { text: owned() },
-        });
+        return Err(
+            match word.get(..3).map(str::to_ascii_lowercase).as_deref() {
+                Some("nan" | "inf") => QuantityError::NotFinite { text: owned() },
+                _ => QuantityError::NoNumber { text: owned() },
+            },
+        );
     };
     if rest.is_empty() {
         return Err(QuantityError::NoUnit { text: owned() });
@@ -75,7 +77,12 @@ pub(super) fn parse(text: &str, dimension: Dimension) -> Result<Parsed, Quantity
 /// Splits after the longest prefix of the form `[+-] digits [. digits] [e [+-] digits]`.
 fn split_number(text: &str) -> (&str, &str) {
     let bytes = text.as_bytes();
-    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+    let digits = |from: usize| {
+        bytes[from..]
+            .iter()
+            .take_while(|b| b.is_ascii_digit())
+            .count()
+    };
     let at = |place: usize, set: &[u8]| bytes.get(place).is_some_and(|b| set.contains(b));
 
     let mut end = usize::from(at(0, b"+-"));
@@ -87,7 +94,11 @@ fn split_number(text: &str) -> (&str, &str) {
         let mantissa = end;
         let first = end + 1 + usize::from(at(end + 1, b"+-"));
         let exponent = digits(first.min(bytes.len()));
-        end = if exponent > 0 { first + exponent } else { mantissa };
+        end = if exponent > 0 {
+            first + exponent
+        } else {
+            mantissa
+        };
     }
     let (number, rest) = text.split_at(end);
     (number, rest.trim_start())
@@ -214,7 +225,11 @@ impl<D: Measure> JsonSchema for Quantity<D> {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let units: Vec<_> = D::DIMENSION.units().iter().map(|unit| unit.symbol).collect();
+        let units: Vec<_> = D::DIMENSION
+            .units()
+            .iter()
+            .map(|unit| unit.symbol)
+            .collect();
         json_schema!({
             "type": "string",
             "pattern": r"^\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*\D.*$",

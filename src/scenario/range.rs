@@ -39,14 +39,20 @@ impl Range {
 
     /// The range in words, each limit converted for the reader, with the unit.
     pub fn words(&self, convert: impl Fn(f64) -> f64, unit: &str) -> String {
-        let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
+        let unit = if unit.is_empty() {
+            String::new()
+        } else {
+            format!(" {unit}")
+        };
         let shown = |limit: f64| readable(convert(limit));
         let lower = match (self.minimum, self.above) {
             (Some(minimum), _) => Some(format!("at least {}", shown(minimum))),
             (None, Some(above)) => Some(format!("above {}", shown(above))),
             (None, None) => None,
         };
-        let upper = self.maximum.map(|maximum| format!("at most {}", shown(maximum)));
+        let upper = self
+            .maximum
+            .map(|maximum| format!("at most {}", shown(maximum)));
         let limits: Vec<_> = lower.into_iter().chain(upper).collect();
         limits.join(" and ") + &unit
     }

@@ -90,7 +90,10 @@ fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
         _ => ("a string", Some("write it in quotes".to_owned())),
     };
     let key = if key.is_empty() { "scenario" } else { key };
-    let mut issue = Issue::new(path, format!("`{key}` must be {due}, not {}", content.kind()));
+    let mut issue = Issue::new(
+        path,
+        format!("`{key}` must be {due}, not {}", content.kind()),
+    );
     issue.help = help;
     issue
 }
@@ -107,7 +110,11 @@ fn in_range(
     if range.contains(number) {
         return Some(Value::Number(value));
     }
-    let message = format!("`{}` must be {}, not {value}", last(path), range.words(|limit| limit, ""));
+    let message = format!(
+        "`{}` must be {}, not {value}",
+        last(path),
+        range.words(|limit| limit, "")
+    );
     problems.add(Issue::new(path, message).at(Some(node.span.clone())));
     None
 }
@@ -134,7 +141,8 @@ fn choice(node: &Node, choices: &[&str], path: &str, problems: &mut Problems<'_>
     };
     let message = format!("`{key}` must be one of {}", quoted.join(", "));
     let mut issue = Issue::new(path, message).at(Some(node.span.clone()));
-    issue.help = nearest(written, choices.iter().copied()).map(|word| format!("did you mean \"{word}\"?"));
+    issue.help =
+        nearest(written, choices.iter().copied()).map(|word| format!("did you mean \"{word}\"?"));
     problems.add(issue);
     None
 }
@@ -146,14 +154,27 @@ fn list(
     path: &str,
     problems: &mut Problems<'_>,
 ) -> Option<Value> {
-    if schema["minItems"].as_u64().is_some_and(|least| (items.len() as u64) < least) {
+    if schema["minItems"]
+        .as_u64()
+        .is_some_and(|least| (items.len() as u64) < least)
+    {
         let message = format!("`{}` must have at least one entry", last(path));
         problems.add(Issue::new(path, message).at(Some(node.span.clone())));
         return None;
     }
-    let read = |(index, item)| value(item, &schema["items"], &format!("{path}[{index}]"), problems);
+    let read = |(index, item)| {
+        value(
+            item,
+            &schema["items"],
+            &format!("{path}[{index}]"),
+            problems,
+        )
+    };
     let values: Vec<_> = items.iter().enumerate().map(read).collect();
-    values.into_iter().collect::<Option<Vec<_>>>().map(Value::Array)
+    values
+        .into_iter()
+        .collect::<Option<Vec<_>>>()
+        .map(Value::Array)
 }
 
 fn table(
@@ -179,7 +200,11 @@ fn table(
     exclusive_keys(node, entries, schema, path, problems);
     if entries.is_empty() && schema["minProperties"].as_u64() == Some(1) {
         let known: Vec<_> = properties.keys().map(String::as_str).collect();
-        let message = format!("{} needs at least one of {}", table_name(path), quoted(&known, ", "));
+        let message = format!(
+            "{} needs at least one of {}",
+            table_name(path),
+            quoted(&known, ", ")
+        );
         problems.add(Issue::new(path, message).at(place_of(node, path)));
     }
     let required = schema["required"].as_array().into_iter().flatten();
@@ -274,7 +299,9 @@ fn exclusive_keys(
     problems: &mut Problems<'_>,
 ) {
     for (extension, one_is_due) in [("x-at-most-one", false), ("x-exactly-one", true)] {
-        let Some(group) = schema[extension].as_array() else { continue };
+        let Some(group) = schema[extension].as_array() else {
+            continue;
+        };
         let group: Vec<_> = group.iter().filter_map(Value::as_str).collect();
         let given: Vec<_> = entries
             .iter()
@@ -287,7 +314,11 @@ fn exclusive_keys(
         }
         if given.len() > 1 {
             let keys: Vec<_> = given.iter().map(|entry| entry.key.as_str()).collect();
-            let message = format!("{} cannot have {} together", table_name(path), quoted(&keys, " and "));
+            let message = format!(
+                "{} cannot have {} together",
+                table_name(path),
+                quoted(&keys, " and ")
+            );
             let mut issue = Issue::new(join(path, keys[1]), message).help("keep one of them");
             issue.related = given
                 .iter()

@@ -21,7 +21,11 @@ pub(super) fn quantity(
         Content::Text(text) => check(text, schema, path).map(|()| Value::from(text.clone())),
         Content::Integer(_) | Content::Number(_) => Err(needs_unit(schema, path)),
         content => {
-            let message = format!("`{}` must be a number and a unit in quotes, not {}", last(path), content.kind());
+            let message = format!(
+                "`{}` must be a number and a unit in quotes, not {}",
+                last(path),
+                content.kind()
+            );
             Err(Issue::new(path, message).help(as_in(schema)))
         }
     };
@@ -72,10 +76,18 @@ fn refusal(error: QuantityError, dimension: Dimension, schema: &Value, path: &st
                 Some(known) => format!("did you mean `{known}`? {units}"),
                 None => units,
             };
-            Issue::new(path, format!("`{key}`: `{unit}` is not a unit of {}", dimension.name())).help(help)
+            Issue::new(
+                path,
+                format!("`{key}`: `{unit}` is not a unit of {}", dimension.name()),
+            )
+            .help(help)
         }
         QuantityError::WrongDimension { text, found } => {
-            let message = format!("`{key}` is {}, but `{text}` is {}", dimension.with_article(), found.with_article());
+            let message = format!(
+                "`{key}` is {}, but `{text}` is {}",
+                dimension.with_article(),
+                found.with_article()
+            );
             Issue::new(path, message).help(units)
         }
         QuantityError::DecimalComma { .. } => Issue::new(path, format!("`{key}`: {error}")),

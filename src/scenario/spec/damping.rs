@@ -45,14 +45,12 @@ pub struct Coefficients {
 }
 
 /// The damping; none, with a warning, where the table is absent.
-pub fn build(
-    spec: Option<&DampingSpec>,
-    freedoms: Freedoms,
-    problems: &mut Problems<'_>,
-) -> Model {
+pub fn build(spec: Option<&DampingSpec>, freedoms: Freedoms, problems: &mut Problems<'_>) -> Model {
     let Some(spec) = spec else {
         if !problems.distrusts("damping") {
-            problems.warn("no `[damping]`: a free vibration does not decay, the start is never forgotten");
+            problems.warn(
+                "no `[damping]`: a free vibration does not decay, the start is never forgotten",
+            );
         }
         return Model::Undamped;
     };
@@ -83,7 +81,9 @@ impl Coefficients {
                 refuse_held_key("damping.coefficients", key, freedoms, problems);
             }
             if value.is_none() && moves {
-                problems.warn(format!("`damping.coefficients` has no `{key}`: it is not damped"));
+                problems.warn(format!(
+                    "`damping.coefficients` has no `{key}`: it is not damped"
+                ));
             }
         }
         let [x, y, z, tilt] = given.map(|(_, _, value)| value.unwrap_or(0.0));

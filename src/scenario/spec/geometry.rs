@@ -74,13 +74,24 @@ impl Sources<'_> {
         let pitch_diameter = self.need("pitch_diameter", pitch_diameter, problems);
         let free = self.free_position(problems);
         let any = self.grooves_cancel(freedoms).then_some(ANY_GROOVE_FACTOR);
-        let inner = spec.groove_factor_inner.or(entry.map(|e| e.groove_factor_inner));
+        let inner = spec
+            .groove_factor_inner
+            .or(entry.map(|e| e.groove_factor_inner));
         let inner = self.need("groove_factor_inner", inner.or(any), problems);
-        let outer = spec.groove_factor_outer.or(entry.map(|e| e.groove_factor_outer));
+        let outer = spec
+            .groove_factor_outer
+            .or(entry.map(|e| e.groove_factor_outer));
         let outer = self.need("groove_factor_outer", outer.or(any), problems);
-        Geometry::new(balls?, ball_diameter?, pitch_diameter?, free?, inner?, outer?)
-            .map_err(|error| self.refuse(&error, problems))
-            .ok()
+        Geometry::new(
+            balls?,
+            ball_diameter?,
+            pitch_diameter?,
+            free?,
+            inner?,
+            outer?,
+        )
+        .map_err(|error| self.refuse(&error, problems))
+        .ok()
     }
 
     /// Path of a key.
@@ -90,7 +101,10 @@ impl Sources<'_> {
 
     fn need<T>(&self, key: &str, value: Option<T>, problems: &mut Problems<'_>) -> Option<T> {
         if value.is_none() {
-            let message = format!("`{}` needs `{key}` where no catalogue bearing gives it", self.path);
+            let message = format!(
+                "`{}` needs `{key}` where no catalogue bearing gives it",
+                self.path
+            );
             problems.refuse(Issue::new(self.key(key), message), &[]);
         }
         value
@@ -125,7 +139,9 @@ impl Sources<'_> {
     fn refuse(&self, error: &GeometryError, problems: &mut Problems<'_>) {
         let (key, others): (_, &[&str]) = match error {
             GeometryError::Balls { .. } => ("balls", &[]),
-            GeometryError::Length { name, .. } if name.starts_with("pitch") => ("pitch_diameter", &[]),
+            GeometryError::Length { name, .. } if name.starts_with("pitch") => {
+                ("pitch_diameter", &[])
+            }
             GeometryError::Length { .. } => ("ball_diameter", &[]),
             GeometryError::GrooveFactor { race: "inner", .. } => ("groove_factor_inner", &[]),
             GeometryError::GrooveFactor { .. } => ("groove_factor_outer", &[]),

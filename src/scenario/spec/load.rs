@@ -20,17 +20,14 @@ pub struct LoadSpec {
 }
 
 /// Sum of all loads, N and N m.
-pub fn sum(
-    loads: &[LoadSpec],
-    freedoms: Freedoms,
-    problems: &mut Problems<'_>,
-) -> [f64; FREEDOMS] {
+pub fn sum(loads: &[LoadSpec], freedoms: Freedoms, problems: &mut Problems<'_>) -> [f64; FREEDOMS] {
     // An axial load acts on a held z too, moments on held tilts do not.
     let first_held = freedoms.count().max(3);
     let mut total = [0.0; FREEDOMS];
     for (index, load) in loads.iter().enumerate() {
         let path = format!("load[{index}].constant");
-        load.constant.refuse_held(&path, first_held, freedoms, problems);
+        load.constant
+            .refuse_held(&path, first_held, freedoms, problems);
         for (sum, value) in total.iter_mut().zip(load.constant.values()) {
             *sum += value.unwrap_or(0.0);
         }

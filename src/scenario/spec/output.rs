@@ -96,7 +96,8 @@ impl OutputSpec {
         let sampling = match &self.sample_rate {
             Some(rate) => Sampling::Rate(rate.si()),
             None if speed > 0.0 => Sampling::PerRevolution(
-                self.samples_per_revolution.unwrap_or(SAMPLES_PER_REVOLUTION),
+                self.samples_per_revolution
+                    .unwrap_or(SAMPLES_PER_REVOLUTION),
             ),
             None => {
                 self.refuse_angle_grid(problems);
@@ -120,7 +121,10 @@ impl OutputSpec {
                 "output.samples_per_revolution",
                 "a standing shaft makes no revolutions to sample",
             ),
-            None => ("output.sample_rate", "`output` needs `sample_rate` where the shaft stands"),
+            None => (
+                "output.sample_rate",
+                "`output` needs `sample_rate` where the shaft stands",
+            ),
         };
         let issue = Issue::new(path, message).help("for instance: sample_rate = \"20 kHz\"");
         problems.refuse(issue, &["speed.constant".to_owned()]);
@@ -133,8 +137,10 @@ impl OutputSpec {
                 Some(_) => "output.sample_rate",
                 None => "output.samples_per_revolution",
             };
-            let message = format!("{count:.3e} samples are too many: at most {MOST_SAMPLES:e} in a run");
-            let issue = Issue::new("time.duration", message).help("shorten it or sample less often");
+            let message =
+                format!("{count:.3e} samples are too many: at most {MOST_SAMPLES:e} in a run");
+            let issue =
+                Issue::new("time.duration", message).help("shorten it or sample less often");
             problems.refuse(issue, &[key.to_owned(), "speed.constant".to_owned()]);
         }
     }
@@ -150,9 +156,8 @@ fn check_window(speed: f64, rate: f64, time: &TimeSpec, problems: &mut Problems<
     } else {
         return;
     };
-    let message = format!(
-        "the spectrum has {window:.4e} s after `settle`, and {what} {needed:.4e} s"
-    );
+    let message =
+        format!("the spectrum has {window:.4e} s after `settle`, and {what} {needed:.4e} s");
     let shortest = time.settle.si() + needed;
     let issue = Issue::new("time.duration", message).help(format!(
         "make it longer than {shortest:.4} s, or set `spectrum = false` in `[output]`"
