@@ -33,6 +33,14 @@ fn fragment() -> impl Strategy<Value = String> {
     ]
 }
 
+#[test]
+fn deep_keys_and_many_unknown_keys_are_refused_in_time() {
+    read(&format!("{}a = 1", "a.".repeat(100_000)), Format::Toml);
+    read(&format!("[{}a]\nb = 1", "a.".repeat(100_000)), Format::Toml);
+    let many: String = (0..20_000).map(|key| format!("key{key} = 1\n")).collect();
+    read(&many, Format::Toml);
+}
+
 proptest! {
     #[test]
     fn arbitrary_text_is_read_or_refused(text: String) {

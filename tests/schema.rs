@@ -2,7 +2,9 @@
 //! keeps to it.
 
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
+use jeffcott::bearing::catalogue::CATALOGUE;
 use jeffcott::scenario::{self, Format};
 
 fn scenarios() -> PathBuf {
@@ -60,5 +62,32 @@ fn the_echo_of_a_scenario_is_the_same_scenario() {
         let again =
             scenario::parse(&echo, &name, Format::Json).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(again, original);
+    }
+}
+
+fn jeffcott(arguments: &[&str]) -> Vec<u8> {
+    let output = Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+        .args(arguments)
+        .output()
+        .expect("the binary runs");
+    assert!(output.status.success(), "{arguments:?}");
+    output.stdout
+}
+
+#[test]
+fn the_command_prints_the_schema() {
+    let committed = std::fs::read(scenarios().join("scenario.schema.json")).unwrap();
+    assert!(jeffcott(&["schema"]) == committed);
+}
+
+#[test]
+fn the_command_lists_the_catalogue_with_its_sources() {
+    let listed: Vec<serde_json::Value> =
+        serde_json::from_slice(&jeffcott(&["catalogue", "--json"])).unwrap();
+    let table = String::from_utf8(jeffcott(&["catalogue"])).unwrap();
+    assert_eq!(listed.len(), CATALOGUE.len());
+    for (record, entry) in listed.iter().zip(CATALOGUE) {
+        assert_eq!(record["designation"], entry.designation);
+        assert!(table.contains(entry.designation) && table.contains(entry.source));
     }
 }

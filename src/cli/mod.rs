@@ -15,7 +15,12 @@ use clap::{Parser, Subcommand};
 
 /// Simulates a shaft on ball bearings: transient response and spectra.
 #[derive(Debug, Parser)]
-#[command(name = "jeffcott", version, arg_required_else_help = true)]
+#[command(
+    name = "jeffcott",
+    version,
+    arg_required_else_help = true,
+    after_help = "Example:\n  jeffcott check scenarios/steady-7205c.toml"
+)]
 struct Arguments {
     #[command(subcommand)]
     verb: Verb,

@@ -168,6 +168,11 @@ impl Dimension {
     }
 }
 
+/// A number with the four significant digits that a message needs.
+pub(super) fn significant(number: f64) -> f64 {
+    format!("{number:.3e}").parse().unwrap_or(number)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -94,8 +94,11 @@ impl ScenarioError {
 
     /// The same for programs: for each problem its key, message, line, column and help.
     pub fn issues_json(&self) -> Value {
+        let newlines = self.text.match_indices('\n').map(|(place, _)| place + 1);
+        let lines: Vec<_> = std::iter::once(0).chain(newlines).collect();
         let issues = self.issues.iter().map(|issue| {
-            let place = issue.span.as_ref().map(|span| self.line_column(span.start));
+            let place = issue.span.as_ref();
+            let place = place.map(|span| self.line_column(span.start, &lines));
             json!({
                 "key": issue.path,
                 "message": issue.message,
@@ -107,11 +110,11 @@ impl ScenarioError {
         Value::Array(issues.collect())
     }
 
-    /// Line and column of a byte, both from 1, the column in characters.
-    fn line_column(&self, byte: usize) -> (usize, usize) {
-        let before = self.text.get(..byte).unwrap_or(&self.text);
-        let line = before.matches('\n').count() + 1;
-        let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        (line, before[start..].chars().count() + 1)
+    /// Line and column of a byte, both from 1, the column in characters; `lines` holds the byte
+    /// that each line starts at.
+    fn line_column(&self, byte: usize, lines: &[usize]) -> (usize, usize) {
+        let line = lines.partition_point(|start| *start <= byte);
+        let before = &self.text.as_bytes()[lines[line - 1]..byte.min(self.text.len())];
+        (line, String::from_utf8_lossy(before).chars().count() + 1)
     }
 }

@@ -17,13 +17,11 @@ mod issue;
 mod node;
 mod problems;
 mod quantity;
-mod range;
 mod read_json;
 mod read_toml;
 mod schema;
 mod spec;
 mod walk;
-mod walk_quantity;
 
 use std::path::Path;
 

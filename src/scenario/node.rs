@@ -51,8 +51,14 @@ impl Content {
 }
 
 impl Node {
-    /// Where the value of a path such as `bearing[0].geometry.balls` stands; of a value that is
-    /// missing, the innermost table that should hold it. The whole file has no place.
+    /// The value of a path such as `bearing[0].geometry.balls`.
+    pub fn find(&self, path: &str) -> Option<&Self> {
+        path.split(['.', '['])
+            .try_fold(self, |node, step| node.child(step))
+    }
+
+    /// Where the value of a path stands; of a value that is missing, the innermost table that
+    /// should hold it. The whole file has no place.
     pub fn locate(&self, path: &str) -> Option<Range<usize>> {
         let mut node = self;
         let mut found = None;

@@ -52,7 +52,8 @@ impl<'a> Problems<'a> {
             return;
         }
         issue.span = self.root.locate(&issue.path);
-        let places = others.iter().filter_map(|path| self.root.locate(path));
+        let given = others.iter().filter_map(|path| self.root.find(path));
+        let places = given.map(|node| node.span.clone());
         issue.related = places
             .filter(|place| Some(place) != issue.span.as_ref())
             .collect();

@@ -7,6 +7,7 @@ use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{FreePosition, Geometry, GeometryError};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
+use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Angle, ContactStiffness, Length, Quantity};
 
@@ -146,15 +147,53 @@ impl Sources<'_> {
             GeometryError::GrooveFactor { race: "inner", .. } => ("groove_factor_inner", &[]),
             GeometryError::GrooveFactor { .. } => ("groove_factor_outer", &[]),
             GeometryError::ContactAngle { .. } => ("contact_angle", &[]),
-            GeometryError::Clearance { .. } if self.spec.radial_clearance.is_some() => {
-                ("radial_clearance", &["ball_diameter"])
-            }
-            GeometryError::Clearance { .. } => ("diametral_clearance", &["ball_diameter"]),
+            GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
         };
         let others: Vec<_> = others.iter().map(|key| self.key(key)).collect();
-        problems.refuse(Issue::new(self.key(key), error.to_string()), &others);
+        problems.refuse(Issue::new(self.key(key), self.message(error)), &others);
     }
+
+    /// The message of the error, with lengths in the units of a drawing.
+    fn message(&self, error: &GeometryError) -> String {
+        match *error {
+            GeometryError::Clearance { largest, .. } => {
+                let key = self.clearance_key();
+                let largest = if key == "radial_clearance" {
+                    largest / 2.0
+                } else {
+                    largest
+                };
+                format!(
+                    "`{key}` must be at most {}: there the free contact angle reaches 60 deg",
+                    millimetres(largest)
+                )
+            }
+            GeometryError::Overlap {
+                balls,
+                ball_diameter,
+                pitch_diameter,
+                largest,
+            } => format!(
+                "{balls} balls of {} overlap on a pitch circle of {}: at most {largest} fit",
+                millimetres(ball_diameter),
+                millimetres(pitch_diameter)
+            ),
+            _ => error.to_string(),
+        }
+    }
+
+    fn clearance_key(&self) -> &'static str {
+        match self.spec.radial_clearance {
+            Some(_) => "radial_clearance",
+            None => "diametral_clearance",
+        }
+    }
+}
+
+/// A length in mm with four significant digits.
+fn millimetres(length: f64) -> String {
+    format!("{} mm", significant(length * 1e3))
 }
 
 fn si<D>(quantity: &Option<Quantity<D>>) -> Option<f64> {

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::time::TimeSpec;
 use crate::analysis::Window;
+use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity};
 use crate::scenario::{Issue, OutputChoice};
@@ -122,12 +123,13 @@ impl OutputSpec {
                 "a standing shaft makes no revolutions to sample",
             ),
             None => (
-                "output.sample_rate",
-                "`output` needs `sample_rate` where the shaft stands",
+                "speed.constant",
+                "a standing shaft needs a `sample_rate` in `[output]`",
             ),
         };
         let issue = Issue::new(path, message).help("for instance: sample_rate = \"20 kHz\"");
-        problems.refuse(issue, &["speed.constant".to_owned()]);
+        let others = ["speed.constant", "output.sample_rate"];
+        problems.refuse(issue, &others.map(str::to_owned));
     }
 
     fn check_count(&self, rate: f64, time: &TimeSpec, problems: &mut Problems<'_>) {
@@ -156,11 +158,15 @@ fn check_window(speed: f64, rate: f64, time: &TimeSpec, problems: &mut Problems<
     } else {
         return;
     };
-    let message =
-        format!("the spectrum has {window:.4e} s after `settle`, and {what} {needed:.4e} s");
-    let shortest = time.settle.si() + needed;
+    let message = format!(
+        "the spectrum has {} s after `settle`, and {what} {} s",
+        significant(window),
+        significant(needed)
+    );
+    // Rounded up to the microsecond, so that the advice holds.
+    let shortest = ((time.settle.si() + needed) * 1e6).ceil() / 1e6;
     let issue = Issue::new("time.duration", message).help(format!(
-        "make it longer than {shortest:.4} s, or set `spectrum = false` in `[output]`"
+        "make it {shortest} s or longer, or set `spectrum = false` in `[output]`"
     ));
     let others = ["time.settle", "speed.constant", "output.sample_rate"];
     problems.refuse(issue, &others.map(str::to_owned));

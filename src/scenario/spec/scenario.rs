@@ -17,10 +17,11 @@ use crate::rotor::RotorDefinition;
 use crate::scenario::problems::Problems;
 use crate::simulate::Model;
 
-/// A scenario of jeffcott: a shaft on ball bearings, what drives and loads it, how long and how
+/// A shaft on ball bearings, what drives and loads it, how long and how
 /// exactly to simulate it, and what to keep. What has a dimension is a string with its unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "Scenario of jeffcott")]
 pub struct ScenarioSpec {
     /// Where an editor finds the schema of this file; without effect on the run.
     #[serde(rename = "$schema")]

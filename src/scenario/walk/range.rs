@@ -30,7 +30,7 @@ impl Range {
         }
     }
 
-    /// Whether the number is inside. A limit converted from other units gives way by round-off.
+    /// Whether the number is inside.
     pub fn contains(&self, number: f64) -> bool {
         self.minimum.is_none_or(|minimum| number >= minimum)
             && self.above.is_none_or(|above| number > above)

@@ -2,13 +2,13 @@
 
 use serde_json::Value;
 
-use super::Issue;
-use super::dimension::Dimension;
-use super::node::{Content, Node};
-use super::problems::Problems;
-use super::quantity::{QuantityError, parse};
 use super::range::Range;
-use super::walk::{last, nearest};
+use super::{last, nearest};
+use crate::scenario::Issue;
+use crate::scenario::dimension::Dimension;
+use crate::scenario::node::{Content, Node};
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{QuantityError, parse};
 
 /// The text of the quantity, if it is one of the right dimension and in its range.
 pub(super) fn quantity(
