@@ -14,11 +14,20 @@ fn read(text: &str, format: Format) {
     }
 }
 
-/// The shipped scenario with one stretch of characters replaced.
-fn mutated(start: usize, length: usize, insert: &str) -> String {
-    let head: String = SCENARIO.chars().take(start).collect();
-    let tail: String = SCENARIO.chars().skip(start + length).collect();
+/// A text with one stretch of characters replaced.
+fn mutated(text: &str, start: usize, length: usize, insert: &str) -> String {
+    let head: String = text.chars().take(start).collect();
+    let tail: String = text.chars().skip(start + length).collect();
     head + insert + &tail
+}
+
+/// The shipped scenario in JSON.
+fn as_json() -> String {
+    let scenario = scenario::parse(SCENARIO, "fuzz", Format::Toml);
+    scenario.map_or_else(
+        |error| panic!("{error}"),
+        |scenario| scenario.echo.to_string(),
+    )
 }
 
 /// Fragments that are near to valid.
@@ -52,7 +61,8 @@ proptest! {
     fn mutated_scenarios_are_read_or_refused(
         start in 0..SCENARIO.len(), length in 0..40_usize, insert in fragment(),
     ) {
-        read(&mutated(start, length, &insert), Format::Toml);
+        read(&mutated(SCENARIO, start, length, &insert), Format::Toml);
+        read(&mutated(&as_json(), start, length, &insert), Format::Json);
     }
 
     #[test]

@@ -29,11 +29,13 @@ pub struct ScenarioSpec {
     /// One line on what the scenario shows. Default: the name of the file.
     pub title: Option<String>,
     /// The shaft, a concentrated mass with an eccentricity.
+    #[schemars(extend("examples" = [{ "mass": "5 kg", "freedoms": "translational" }]))]
     pub shaft: ShaftSpec,
     /// How fast the shaft turns.
+    #[schemars(extend("examples" = [{ "constant": "500 rad/s" }]))]
     pub speed: SpeedSpec,
     /// The bearings that carry the shaft, one `[[bearing]]` for each, at least one.
-    #[schemars(extend("minItems" = 1))]
+    #[schemars(extend("minItems" = 1, "examples" = [[{ "catalogue": "7205C" }]]))]
     pub bearing: Vec<BearingSpec>,
     /// Which physics to simulate.
     #[serde(default)]
@@ -47,6 +49,7 @@ pub struct ScenarioSpec {
     #[serde(default)]
     pub initial: InitialSpec,
     /// How long to simulate.
+    #[schemars(extend("examples" = [{ "duration": "0.5 s" }]))]
     pub time: TimeSpec,
     /// How to integrate and how exactly.
     #[serde(default)]

@@ -41,21 +41,36 @@ pub(super) fn table(
         );
         problems.add(Issue::new(path, message).at(place_of(node, path)));
     }
+    let complete = fill_required(node, &given, &mut values, schema, path, problems);
+    complete.then_some(Value::Object(values))
+}
+
+/// Reports the required keys that are missing and puts examples in place of those that are
+/// missing or wrong; false where there is none to put.
+fn fill_required(
+    node: &Node,
+    given: &HashSet<&str>,
+    values: &mut Map<String, Value>,
+    schema: &Value,
+    path: &str,
+    problems: &mut Problems<'_>,
+) -> bool {
     let required = schema["required"].as_array().into_iter().flatten();
     let mut complete = true;
     for key in required.filter_map(Value::as_str) {
         let inner = join(path, key);
+        let property = &schema["properties"][key];
         if !given.contains(key) && !problems.distrusts(&inner) {
-            problems.add(missing_key(&inner, path, &properties[key]).at(place_of(node, path)));
+            problems.add(missing_key(&inner, path, property).at(place_of(node, path)));
         }
         if !values.contains_key(key) {
-            match example(&properties[key]) {
+            match example(property) {
                 Some(example) => drop(values.insert(key.to_owned(), example)),
                 None => complete = false,
             }
         }
     }
-    complete.then_some(Value::Object(values))
+    complete
 }
 
 fn join(path: &str, key: &str) -> String {
