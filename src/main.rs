@@ -1,2 +1,7 @@
 //! The command `jeffcott`.
-fn main() {}
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    jeffcott::cli::run(std::env::args_os())
+}

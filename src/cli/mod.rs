@@ -1,0 +1,78 @@
+//! What was typed, to an exit code: 0 done, 1 a run failed or a comparison differs, 2 the input
+//! or the command line is wrong.
+//!
+//! Results go to stdout, messages to stderr, each verb in its own file.
+
+mod catalogue;
+mod check;
+mod progress;
+mod run;
+mod schema;
+mod stream;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Simulates a shaft on ball bearings: transient response and spectra.
+#[derive(Debug, Parser)]
+#[command(
+    name = "jeffcott",
+    version,
+    arg_required_else_help = true,
+    after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml"
+)]
+struct Arguments {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Debug, Subcommand)]
+enum Verb {
+    Run(run::Arguments),
+    Check(check::Arguments),
+    Catalogue(catalogue::Arguments),
+    Schema(schema::Arguments),
+}
+
+/// How a verb ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    Done,
+    Failed,
+    WrongInput,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Done => Self::SUCCESS,
+            Outcome::Failed => Self::FAILURE,
+            Outcome::WrongInput => Self::from(2),
+        }
+    }
+}
+
+/// Runs the command line, the name of the program first.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let verb = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments.verb,
+        Err(usage) => {
+            // A closed terminal is no reason to fail: the exit code already tells.
+            let _ = usage.print();
+            return if usage.use_stderr() {
+                Outcome::WrongInput.into()
+            } else {
+                ExitCode::SUCCESS
+            };
+        }
+    };
+    let outcome = match verb {
+        Verb::Run(arguments) => run::run(&arguments),
+        Verb::Check(arguments) => check::run(&arguments),
+        Verb::Catalogue(arguments) => catalogue::run(&arguments),
+        Verb::Schema(_) => schema::run(),
+    };
+    stream::finish(outcome)
+}
