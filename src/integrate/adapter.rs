@@ -63,7 +63,7 @@ pub(super) fn integrate<S: System<N>, const N: usize, const M: usize>(
     };
     let dx = block.interval / block.scaling.time;
     let end = dx * block.intervals as f64;
-    let tolerance = block.settings.tolerance;
+    let tolerance = LOCAL_PART * block.settings.tolerance;
     let step_limit = u32::try_from(block.steps_left).unwrap_or(u32::MAX);
     let first_step = (block.first_step / block.scaling.time).min(end);
     macro_rules! solve {
@@ -96,6 +96,8 @@ pub(super) fn integrate<S: System<N>, const N: usize, const M: usize>(
     }
 }
 
+/// Error allowed in one step, as a part of the error aimed at over the run: local errors add up.
+const LOCAL_PART: f64 = 0.25;
 /// Accepted steps between two looks for stiffness.
 const STIFFNESS_TEST_EVERY: u32 = 1000;
 

@@ -14,7 +14,8 @@ pub enum Method {
 pub struct Settings {
     /// Method.
     pub method: Method,
-    /// Local error per step allowed, relative to the scale of the motion.
+    /// Error aimed at, relative to the scale of the motion; a step's own error is kept at a quarter
+    /// of it.
     pub tolerance: f64,
     /// Largest number of steps, accepted and rejected together.
     pub step_limit: u64,
