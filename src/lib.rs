@@ -1,4 +1,96 @@
-//! placeholder
+//! `jeffcott` simulates a shaft that spins on ball bearings: a concentrated, eccentric mass (a
+//! Jeffcott rotor) whose restoring force is the quasi-static model of a real bearing. A scenario
+//! goes in; traces, spectra and the measured error of the answer come out.
+//!
+//! # Floors
+//!
+//! Data climbs once; code depends downwards only.
+//!
+//! | floor | what it does |
+//! |---|---|
+//! | [`cli`] | what was typed → exit code, one file a verb |
+//! | [`report`] | results → CSV, JSON, SVG |
+//! | [`scenario`] | text → checked, typed model; units; every message |
+//! | [`mod@simulate`] | the stair: a model in, a run out |
+//! | [`analysis`] | samples → spectra, peaks and their causes |
+//! | [`rotor`] | shaft, loads, speed, supports → derivative |
+//! | [`integrate`] | derivative → states on a time grid, with error control |
+//! | [`bearing`] | geometry, catalogue, ball laws, ring sum, equilibrium, stiffness |
+//! | [`physics`] | closed-form laws: material, curvature, Hertz contact, kinematics |
+//!
+//! The seam that carries the design is [`bearing::BallLaw`]: a pure function from the place of a
+//! ball's inner groove centre to the force there and its exact derivative. A [`bearing::Ring`] sums
+//! it over the balls; the [`rotor::Rotor`] never knows which law runs.
+//!
+//! # Frame and signs
+//!
+//! SI units inside: m, N, kg, s, rad, Pa. Units appear only in scenario files and column headers.
+//! The frame is right-handed and fixed in the housing: Z along the shaft, X horizontal, Y up;
+//! gravity acts along −Y. The shaft turns by ψ = ωt > 0 about +Z; the unbalance points along +X at
+//! ψ = 0. The azimuth φ of a ball counts from +X towards +Y. F(q) is what the shaft presses onto the
+//! bearing at the displacement q = (x, y, z, θx, θy) of the inner ring; the bearing's force on the
+//! shaft is −F(q), and K = ∂F/∂q.
+//!
+//! # Symbols
+//!
+//! | symbol | meaning | in the code |
+//! |---|---|---|
+//! | Z, D, d_m | number and diameter of the balls, pitch diameter | `balls`, `ball_diameter`, `pitch_diameter` |
+//! | f_i, f_o | groove radius over ball diameter, inner and outer race | `groove_factor_inner`, `groove_factor_outer` |
+//! | A | distance of the groove centres, unloaded: (f_i + f_o − 1)D | `groove_centre_distance` |
+//! | α0, α | contact angle, free and loaded | `contact_angle`, `angle_inner`, `angle_outer` |
+//! | γ | D cos α0/d_m | `gamma` |
+//! | R_i | radius of the circle of inner groove centres | `inner_groove_radius` |
+//! | A1, A2 | place of the inner groove centre from the outer one | `axial`, `radial` |
+//! | Q, δ, K_n | ball load, approach, load–deflection constant: Q = K_n δ^1.5 | `load`, `approach`, `load_deflection_constant` |
+//! | e, ω, ψ | mass eccentricity, angular speed and angle of the shaft | `eccentricity`, `speed`, `angle` |
+//! | ω_c, ψ_c | speed and angle of the cage | `cage_speed`, `CageAngle` |
+//! | ζ, τ | damping ratio, stiffness time c = τK | `Damping` |
+//!
+//! # A run from Rust
+//!
+//! ```
+//! use std::sync::atomic::AtomicBool;
+//! use jeffcott::rotor::Sample;
+//! use jeffcott::scenario::{self, Format};
+//! use jeffcott::simulate::{Monitor, TraceSink, simulate};
+//!
+//! struct Highest(f64);
+//! impl TraceSink for Highest {
+//!     fn sample(&mut self, sample: &Sample) -> std::io::Result<()> {
+//!         self.0 = self.0.max(sample.largest_ball_load);
+//!         Ok(())
+//!     }
+//! }
+//!
+//! let text = r#"
+//!     [shaft]
+//!     mass = "5 kg"
+//!     eccentricity = "0.01 mm"
+//!     freedoms = "translational"
+//!     [speed]
+//!     constant = "500 rad/s"
+//!     [[bearing]]
+//!     catalogue = "7205C"
+//!     [damping]
+//!     ratio = 0.02
+//!     [[load]]
+//!     constant = { z = "1000 N" }
+//!     [time]
+//!     duration = "0.1 s"
+//! "#;
+//! let scenario = scenario::parse(text, "example.toml", Format::Toml)?;
+//! let (stop, mut highest) = (AtomicBool::new(false), Highest(0.0));
+//! let run = simulate(
+//!     &scenario.model,
+//!     &mut highest,
+//!     &mut Monitor { stop: &stop, progress: &mut |_part| {} },
+//! )?;
+//! assert!((250.0..260.0).contains(&highest.0)); // N
+//! assert!(run.measured_error.is_some_and(|error| error.relative < 1e-7));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
 pub mod analysis;
 pub mod bearing;
 pub mod cli;

@@ -1,0 +1,101 @@
+//! Every command and every scenario in the README works as it stands.
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+use jeffcott::scenario::{self, Format};
+
+/// Where the crate lies.
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The fenced blocks of the README in one language.
+fn blocks(language: &str) -> Vec<String> {
+    let text = fs::read_to_string(root().join("README.md")).expect("README.md");
+    let fence = format!("```{language}\n");
+    text.split(&fence)
+        .skip(1)
+        .map(|rest| rest.split("```").next().unwrap_or_default().to_owned())
+        .collect()
+}
+
+/// The command lines of all shell blocks.
+fn commands() -> Vec<String> {
+    let lines = blocks("sh").join("\n");
+    lines
+        .lines()
+        .map(str::to_owned)
+        .filter(|line| !line.is_empty())
+        .collect()
+}
+
+#[test]
+fn every_jeffcott_command_ends_well() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    copy(&root().join("scenarios"), &folder.path().join("scenarios"));
+    let mut run = 0;
+    for line in commands() {
+        let Some(arguments) = line
+            .strip_prefix("cargo run --release -- ")
+            .or_else(|| line.strip_prefix("jeffcott "))
+        else {
+            continue;
+        };
+        let words: Vec<&str> = arguments
+            .split_whitespace()
+            .take_while(|word| *word != ">")
+            .collect();
+        let output = Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+            .args(&words)
+            .current_dir(&folder)
+            .output()
+            .expect("the command starts");
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{line}: {message}");
+        run += 1;
+    }
+    assert!(run >= 4, "only {run} commands found in the README");
+}
+
+#[test]
+fn the_other_commands_are_the_ones_that_are_known_to_work() {
+    for line in commands() {
+        let known = [
+            "cargo run --release -- ",
+            "jeffcott ",
+            "cargo test",
+            "cargo install --path .",
+            "cargo bench",
+        ];
+        assert!(
+            known.iter().any(|start| line.starts_with(start)),
+            "untested command: {line}"
+        );
+    }
+}
+
+#[test]
+fn every_scenario_is_right() {
+    let scenarios = blocks("toml");
+    assert!(!scenarios.is_empty(), "the README shows no scenario");
+    for text in scenarios {
+        if let Err(error) = scenario::parse(&text, "README.md", Format::Toml) {
+            panic!("{}", error.render(false));
+        }
+    }
+}
+
+fn copy(from: &Path, to: &Path) {
+    fs::create_dir_all(to).expect("a writable folder");
+    for entry in fs::read_dir(from).expect("a readable folder") {
+        let path = entry.expect("a readable entry").path();
+        let target = to.join(path.file_name().expect("a name"));
+        if path.is_dir() {
+            copy(&path, &target);
+        } else {
+            fs::copy(&path, &target).expect("a copy");
+        }
+    }
+}
