@@ -1,0 +1,228 @@
+//! The command as a user meets it: exit codes, files, interrupts.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+/// A scenario of the crate.
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("scenarios")
+        .join(name)
+}
+
+fn jeffcott() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+}
+
+fn run(arguments: &[&str]) -> Output {
+    jeffcott()
+        .args(arguments)
+        .output()
+        .expect("the command starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// All scenario files of the crate, sorted.
+fn scenarios() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios");
+    let mut files: Vec<PathBuf> = fs::read_dir(folder)
+        .expect("a readable folder")
+        .map(|entry| entry.expect("a readable entry").path())
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|extension| extension == "toml")
+        })
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn every_shipped_scenario_runs_and_states_its_error() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let files = scenarios();
+    assert!(files.len() >= 5);
+    let output = jeffcott()
+        .arg("run")
+        .args(&files)
+        .args(["--json", "--out"])
+        .arg(folder.path())
+        .output()
+        .expect("the command starts");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let summaries: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    for (summary, file) in summaries.as_array().expect("an array").iter().zip(&files) {
+        let error = &summary["measured_error"]["relative"];
+        assert!(
+            error.as_f64().is_some_and(|error| error < 1e-4),
+            "{}: {error}",
+            file.display()
+        );
+    }
+    for file in files {
+        let run = folder.path().join(file.file_stem().expect("a stem"));
+        for name in [
+            "trace.csv",
+            "spectrum.csv",
+            "trace.svg",
+            "spectrum.svg",
+            "summary.json",
+        ] {
+            let size = fs::metadata(run.join(name))
+                .map(|data| data.len())
+                .unwrap_or(0);
+            assert!(size > 500, "{} of {} has {size} bytes", name, run.display());
+        }
+    }
+}
+
+#[test]
+fn the_same_scenario_gives_the_same_bytes() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let scenario = shipped("steady-7205c.toml");
+    let [first, second] = ["a", "b"].map(|name| folder.path().join(name));
+    for out in [&first, &second] {
+        let status = jeffcott()
+            .arg("run")
+            .arg(&scenario)
+            .arg("--out")
+            .arg(out)
+            .output();
+        assert!(status.expect("the command starts").status.success());
+    }
+    for name in [
+        "trace.csv",
+        "spectrum.csv",
+        "trace.svg",
+        "spectrum.svg",
+        "summary.json",
+    ] {
+        let read = |out: &Path| fs::read(out.join("steady-7205c").join(name)).expect("a file");
+        assert!(read(&first) == read(&second), "{name} differs");
+    }
+}
+
+#[test]
+fn a_wrong_file_is_code_2_and_nothing_runs() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let bad = folder.path().join("bad.toml");
+    fs::write(&bad, "[shaft]\nmass = 5\n").expect("a written file");
+    let good = shipped("steady-7205c.toml");
+    let out = folder.path().join("out");
+    let output = jeffcott()
+        .arg("run")
+        .arg(&good)
+        .arg(&bad)
+        .arg("--out")
+        .arg(&out)
+        .output();
+    let output = output.expect("the command starts");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("`mass` needs a unit"));
+    assert!(!out.exists());
+}
+
+#[test]
+fn two_files_of_one_name_are_refused() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let copy = folder.path().join("steady-7205c.toml");
+    fs::copy(shipped("steady-7205c.toml"), &copy).expect("a copy");
+    let output = jeffcott()
+        .arg("run")
+        .arg(&copy)
+        .arg(shipped("steady-7205c.toml"))
+        .output();
+    let output = output.expect("the command starts");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("would both write to"));
+}
+
+#[test]
+fn a_load_that_nothing_carries_is_code_1_and_leaves_no_files() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("loose.toml");
+    let text_of = fs::read_to_string(shipped("linear-7205c.toml")).expect("a shipped scenario");
+    fs::write(&file, text_of.replace("1000 N", "3 MN")).expect("a written file");
+    let output = jeffcott()
+        .arg("run")
+        .arg(&file)
+        .arg("--out")
+        .arg(folder.path())
+        .output();
+    let output = output.expect("the command starts");
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    assert!(
+        text(&output.stderr).contains("no static equilibrium"),
+        "{}",
+        text(&output.stderr)
+    );
+    let left = fs::read_dir(folder.path().join("loose"))
+        .expect("the folder")
+        .count();
+    assert_eq!(left, 0);
+}
+
+#[test]
+fn an_unwritable_folder_is_code_1_before_the_run() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let blocked = folder.path().join("file");
+    fs::write(&blocked, "not a folder").expect("a written file");
+    let output = jeffcott()
+        .arg("run")
+        .arg(shipped("steady-7205c.toml"))
+        .arg("--out")
+        .arg(&blocked)
+        .output()
+        .expect("the command starts");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(
+        text(&output.stderr).contains("cannot create"),
+        "{}",
+        text(&output.stderr)
+    );
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_the_run_and_leaves_no_file_that_looks_whole() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("long.toml");
+    let text_of = fs::read_to_string(shipped("steady-7205c.toml")).expect("a shipped scenario");
+    fs::write(&file, text_of.replace("0.5 s", "5000 s")).expect("a written file");
+    let mut child = jeffcott()
+        .arg("run")
+        .arg(&file)
+        .arg("--out")
+        .arg(folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    let partial = folder.path().join("long/.trace.csv.partial");
+    while fs::metadata(&partial).map(|data| data.len()).unwrap_or(0) == 0 {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let kill = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(kill.expect("kill starts").success());
+    assert_eq!(child.wait().expect("an exit status").code(), Some(1));
+    assert_eq!(
+        fs::read_dir(folder.path().join("long"))
+            .expect("the folder")
+            .count(),
+        0
+    );
+}
+
+#[test]
+fn usage_errors_are_code_2_and_help_is_code_0() {
+    assert_eq!(run(&["run"]).status.code(), Some(2));
+    assert_eq!(run(&["fly"]).status.code(), Some(2));
+    assert_eq!(run(&["--help"]).status.code(), Some(0));
+    assert!(text(&run(&["run", "--help"]).stdout).contains("Example:"));
+}
