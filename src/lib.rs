@@ -1,6 +1,7 @@
 //! placeholder
 pub mod analysis;
 pub mod bearing;
+pub mod cli;
 pub mod integrate;
 pub mod physics;
 pub mod report;

@@ -1,0 +1,63 @@
+//! What was typed, to an exit code: 0 done, 1 a run failed or a comparison differs, 2 the input
+//! or the command line is wrong.
+//!
+//! Results go to stdout, messages to stderr, each verb in its own file.
+
+mod compare;
+mod stream;
+
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Simulates a shaft on ball bearings: transient response and spectra.
+#[derive(Debug, Parser)]
+#[command(name = "jeffcott", version, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Debug, Subcommand)]
+enum Verb {
+    Compare(compare::Arguments),
+}
+
+/// How a verb ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    Done,
+    Differs,
+    WrongInput,
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Done => Self::SUCCESS,
+            Outcome::Differs => Self::from(1),
+            Outcome::WrongInput => Self::from(2),
+        }
+    }
+}
+
+/// Runs the command line, the name of the program first.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let verb = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments.verb,
+        Err(usage) => {
+            // A closed terminal is no reason to fail: the exit code already tells.
+            let _ = usage.print();
+            return if usage.use_stderr() {
+                Outcome::WrongInput.into()
+            } else {
+                ExitCode::SUCCESS
+            };
+        }
+    };
+    let outcome = match verb {
+        Verb::Compare(arguments) => compare::run(&arguments),
+    };
+    stream::finish(outcome)
+}
