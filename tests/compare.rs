@@ -171,6 +171,7 @@ fn what_cannot_be_compared_says_why() {
         "the absolute tolerance is -2",
     );
     unusable(&[&a, folder.path()], &[], "is a folder");
+    unusable(&[folder.path(), Path::new("gone")], &[], "cannot read gone");
     unusable(
         &[folder.path(), folder.path()],
         &[],

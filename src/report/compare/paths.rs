@@ -1,5 +1,6 @@
 //! Compares two files, or the tables of two run folders.
 
+use std::fs;
 use std::path::Path;
 
 use super::rows::compare_tables;
@@ -33,6 +34,12 @@ pub fn compare(
     second: &Path,
     tolerances: &Tolerances,
 ) -> Result<Comparison, CompareError> {
+    for path in [first, second] {
+        fs::metadata(path).map_err(|source| CompareError::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+    }
     let comparison = match (first.is_dir(), second.is_dir()) {
         (true, true) => compare_folders(first, second, tolerances)?,
         (false, false) => Comparison {

@@ -96,7 +96,10 @@ pub(super) fn compare_tables(
     }
     let scale = |place: Place| left_scales[place.first].max(right_scales[place.second]);
     let rules = shared.rules(scale, tolerances);
-    let columns = compare_rows(&shared, &rules, [Table::open(first)?, Table::open(second)?])?;
+    for table in &mut tables {
+        table.rewind()?;
+    }
+    let columns = compare_rows(&shared, &rules, &mut tables)?;
     let axis = columns.first().filter(|column| !column.agrees());
     if let Some(axis) = axis.filter(|axis| known.first() == Some(&axis.name)) {
         differences.push(Difference::Axis {
@@ -184,7 +187,7 @@ fn scales(table: &mut Table) -> Result<(u64, Vec<f64>), CompareError> {
 fn compare_rows(
     shared: &Shared,
     rules: &[Rule],
-    [mut left, mut right]: [Table; 2],
+    [left, right]: &mut [Table; 2],
 ) -> Result<Vec<ColumnComparison>, CompareError> {
     let names = shared.0.iter().map(|(name, _)| ColumnComparison {
         name: name.clone(),

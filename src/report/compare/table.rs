@@ -10,6 +10,8 @@ pub(super) struct Table {
     path: PathBuf,
     columns: Vec<String>,
     reader: csv::Reader<File>,
+    /// Place of the first row.
+    start: csv::Position,
     record: csv::StringRecord,
 }
 
@@ -39,6 +41,7 @@ impl Table {
         Ok(Self {
             path: path.to_owned(),
             columns,
+            start: reader.position().clone(),
             reader,
             record: csv::StringRecord::new(),
         })
@@ -52,6 +55,14 @@ impl Table {
     /// Path of the file.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Goes back to the first row; a pipe cannot.
+    pub fn rewind(&mut self) -> Result<(), CompareError> {
+        let start = self.start.clone();
+        self.reader
+            .seek(start)
+            .map_err(|source| bad_csv(&self.path, source))
     }
 
     /// Reads the next row into `row`; `false` at the end.
