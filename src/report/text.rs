@@ -89,7 +89,7 @@ fn natural(state: &StaticState) -> String {
 }
 
 /// The strongest peaks of x, y and z, which have one unit and so one order.
-fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> Table {
+fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> String {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_header([
         "channel",
@@ -122,7 +122,7 @@ fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> Table {
             column.set_cell_alignment(CellAlignment::Right);
         }
     }
-    table
+    table.trim_fmt()
 }
 
 /// Four decimals, without a minus sign before zeros.

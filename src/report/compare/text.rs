@@ -122,7 +122,7 @@ impl fmt::Display for Comparison {
     }
 }
 
-fn worst_places(table: &TableComparison) -> Table {
+fn worst_places(table: &TableComparison) -> String {
     let axis = table.known.first().map_or("row", String::as_str);
     let mut out = Table::new();
     out.load_style(presets::NOTHING).set_header([
@@ -142,7 +142,7 @@ fn worst_places(table: &TableComparison) -> Table {
             column.set_cell_alignment(CellAlignment::Right);
         }
     }
-    out
+    out.trim_fmt()
 }
 
 fn worst_place(column: &ColumnComparison) -> [String; 7] {
