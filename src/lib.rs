@@ -6,4 +6,5 @@ pub mod integrate;
 pub mod physics;
 pub mod report;
 pub mod rotor;
+pub mod scenario;
 pub mod simulate;

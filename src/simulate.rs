@@ -1,9 +1,13 @@
 //! The stair: a [`Model`] goes in, a [`Run`] comes out. No files, no clock, no printing.
 
-use crate::analysis::{Peak, Spectrum, Window};
-use crate::integrate::{Counters, Settings};
+use std::sync::atomic::AtomicBool;
+
+use crate::analysis::{Analysis, Peak, Recorder, Spectrum, Window, causes};
+use crate::integrate::{Counters, Grid, IntegrateError, Integration, Scaling, Settings};
 use crate::physics::BallPass;
-use crate::rotor::{FREEDOMS, RotorDefinition, Sample};
+use crate::rotor::{
+    FREEDOMS, MotionScale, NaturalFrequency, Rotor, RotorDefinition, RotorError, Sample,
+};
 
 /// How often the motion is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,15 +37,6 @@ pub struct Model {
     pub spectrum: Option<Window>,
 }
 
-/// A natural frequency of the system linearised at its static equilibrium.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NaturalFrequency {
-    /// Undamped natural frequency |λ|/2π, Hz.
-    pub frequency: f64,
-    /// Damping ratio −Re λ/|λ|.
-    pub damping_ratio: f64,
-}
-
 /// The static equilibrium that the run starts from, or is linearised about.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticState {
@@ -62,7 +57,8 @@ pub struct StaticState {
 pub struct MeasuredError {
     /// Largest difference of a displacement (tilts times their arm), m.
     pub displacement: f64,
-    /// The same relative to the largest excursion from the static equilibrium.
+    /// The same relative to the motion: the largest excursion from the static equilibrium, or the
+    /// smallest motion that the tolerance resolves above round-off.
     pub relative: f64,
     /// Tolerance of the second pass.
     pub reference_tolerance: f64,
@@ -98,4 +94,280 @@ pub trait TraceSink {
     /// # Errors
     /// Whatever keeps the sink from taking it; the run ends there.
     fn sample(&mut self, sample: &Sample) -> std::io::Result<()>;
+}
+
+/// How a run is watched and stopped from outside.
+pub struct Monitor<'a> {
+    /// Set to end the run at its next step.
+    pub stop: &'a AtomicBool,
+    /// Called now and then with the part of the run that is done, 0 … 1.
+    pub progress: &'a mut dyn FnMut(f64),
+}
+
+/// Why a run failed.
+#[derive(Debug, thiserror::Error)]
+pub enum SimulateError {
+    /// The rotor cannot be assembled.
+    #[error(transparent)]
+    Rotor(#[from] RotorError),
+    /// The integration cannot go on.
+    #[error(transparent)]
+    Integrate(#[from] IntegrateError),
+    /// The sink refused a sample.
+    #[error("the trace cannot be written: {0}")]
+    Sink(#[from] std::io::Error),
+    /// No uniform grid of angle exists for a shaft that stands.
+    #[error("the shaft does not turn: give samples per second instead of samples per revolution")]
+    NoRevolution,
+}
+
+/// Samples that are integrated, checked and written at a time.
+const BLOCK: usize = 1024;
+
+/// Runs a model: every sample goes to `sink`, everything else is returned.
+///
+/// # Errors
+/// [`SimulateError`]; the samples before the failure have gone to the sink.
+pub fn simulate(
+    model: &Model,
+    sink: &mut dyn TraceSink,
+    monitor: &mut Monitor<'_>,
+) -> Result<Run, SimulateError> {
+    let rotor = Rotor::assemble(&model.rotor)?;
+    // N states of the kept freedoms, and M = N + 1 with the time
+    match rotor.kept() {
+        2 => run::<4, 5>(model, &rotor, sink, monitor),
+        3 => run::<6, 7>(model, &rotor, sink, monitor),
+        _ => run::<10, 11>(model, &rotor, sink, monitor),
+    }
+}
+
+fn run<const N: usize, const M: usize>(
+    model: &Model,
+    rotor: &Rotor,
+    sink: &mut dyn TraceSink,
+    monitor: &mut Monitor<'_>,
+) -> Result<Run, SimulateError> {
+    let scale = rotor.motion_scale(reference_settings(model).tolerance);
+    let grid = grid(model)?;
+    let mut recorder = model.spectrum.map(|_| recorder(model, rotor));
+    let start = |settings| {
+        let (scaling, state) = (scaling(rotor, &scale), initial_state(rotor));
+        Integration::<_, N, M>::new(rotor, scaling, grid, settings, monitor.stop, &state)
+    };
+    let mut main = start(model.integrator);
+    let mut reference = model
+        .verify
+        .then(|| Reference::new(start(reference_settings(model))));
+    let mut states = Vec::with_capacity(BLOCK);
+    while main.done() < grid.count {
+        let first = main.done();
+        states.clear();
+        let result = main.advance(BLOCK, &mut states);
+        if let Some(reference) = &mut reference {
+            reference.compare(&states, rotor, &scale);
+        }
+        for (index, state) in states.iter().enumerate() {
+            let sample = rotor.sample(grid.time(first + index as u64), state);
+            sink.sample(&sample)?;
+            if let Some(recorder) = &mut recorder {
+                recorder.record(&sample);
+            }
+        }
+        result?;
+        (monitor.progress)(main.done() as f64 / grid.count as f64);
+    }
+    let measured_error = reference.and_then(|reference| reference.measured(model, &scale));
+    let analysis = recorder.zip(model.spectrum).and_then(|(recorder, window)| {
+        let natural: Vec<f64> = rotor
+            .natural_frequencies()
+            .iter()
+            .map(|mode| mode.frequency)
+            .collect();
+        recorder.finish(
+            window,
+            &causes(shaft_frequency(rotor), &ball_pass(rotor), &natural),
+        )
+    });
+    let (spectrum, peaks) = match analysis {
+        Some(Analysis { spectrum, peaks }) => (Some(spectrum), peaks),
+        None => (None, Vec::new()),
+    };
+    Ok(Run {
+        equilibrium: static_state(rotor),
+        ball_pass: ball_pass(rotor),
+        counters: main.counters(),
+        samples: grid.count,
+        warnings: warnings(model, measured_error.as_ref()),
+        measured_error,
+        spectrum,
+        peaks,
+    })
+}
+
+/// The sample times: the first at 0, the last not after the duration.
+fn grid(model: &Model) -> Result<Grid, SimulateError> {
+    let interval = match model.sampling {
+        Sampling::Rate(rate) => 1.0 / rate,
+        Sampling::PerRevolution(_) if model.rotor.speed == 0.0 => {
+            return Err(SimulateError::NoRevolution);
+        }
+        Sampling::PerRevolution(samples) => {
+            std::f64::consts::TAU / (model.rotor.speed * f64::from(samples))
+        }
+    };
+    // a duration of whole intervals keeps its last sample in spite of round-off
+    let intervals = (model.duration / interval * (1.0 + 4.0 * f64::EPSILON)).floor();
+    Ok(Grid {
+        interval,
+        count: intervals as u64 + 1,
+    })
+}
+
+fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
+    let (kept, shaft) = (rotor.kept(), shaft_frequency(rotor));
+    match model.sampling {
+        Sampling::PerRevolution(samples) => {
+            Recorder::on_angle_grid(kept, model.settle, shaft, samples)
+        }
+        Sampling::Rate(rate) => Recorder::on_time_grid(kept, model.settle, shaft, rate),
+    }
+}
+
+fn shaft_frequency(rotor: &Rotor) -> f64 {
+    rotor.speed() / std::f64::consts::TAU
+}
+
+fn ball_pass(rotor: &Rotor) -> Vec<BallPass> {
+    let pass = |support: &crate::bearing::Support| support.ball_pass(rotor.speed());
+    rotor.supports().iter().map(pass).collect()
+}
+
+fn scaling<const N: usize>(rotor: &Rotor, scale: &MotionScale) -> Scaling<N> {
+    let place = &rotor.equilibrium().displacement;
+    Scaling {
+        origin: std::array::from_fn(|index| if index < N / 2 { place[index] } else { 0.0 }),
+        scale: rotor.state_scale(scale),
+        time: 1.0 / scale.frequency,
+    }
+}
+
+fn initial_state<const N: usize>(rotor: &Rotor) -> [f64; N] {
+    let [displacement, velocity] = rotor.initial_state();
+    std::array::from_fn(|index| {
+        if index < N / 2 {
+            displacement[index]
+        } else {
+            velocity[index - N / 2]
+        }
+    })
+}
+
+fn static_state(rotor: &Rotor) -> StaticState {
+    let equilibrium = rotor.equilibrium();
+    let stiffness = &equilibrium.stiffness;
+    StaticState {
+        displacement: equilibrium.displacement,
+        stiffness: std::array::from_fn(|row| {
+            std::array::from_fn(|column| stiffness[(row, column)])
+        }),
+        residual: equilibrium.residual,
+        newton_steps: equilibrium.newton_steps,
+        natural_frequencies: rotor.natural_frequencies(),
+    }
+}
+
+/// Factor between the tolerances of the two passes.
+const REFERENCE_FACTOR: f64 = 0.1;
+/// Below this tolerance the second pass is the looser one: round-off allows none that is tighter.
+const TIGHTEST_WITH_REFERENCE: f64 = 1e-12;
+
+fn reference_settings(model: &Model) -> Settings {
+    let tolerance = model.integrator.tolerance;
+    let factor = if tolerance >= TIGHTEST_WITH_REFERENCE {
+        REFERENCE_FACTOR
+    } else {
+        1.0 / REFERENCE_FACTOR
+    };
+    Settings {
+        tolerance: tolerance * factor,
+        ..model.integrator
+    }
+}
+
+/// The second pass, and how far the first is from it.
+struct Reference<'a, const N: usize, const M: usize> {
+    integration: Integration<'a, Rotor, N, M>,
+    states: Vec<[f64; N]>,
+    difference: f64,
+    excursion: f64,
+    failed: bool,
+}
+
+impl<'a, const N: usize, const M: usize> Reference<'a, N, M> {
+    fn new(integration: Integration<'a, Rotor, N, M>) -> Self {
+        Self {
+            integration,
+            states: Vec::new(),
+            difference: 0.0,
+            excursion: 0.0,
+            failed: false,
+        }
+    }
+
+    /// Goes on over as many samples as `states` has and compares displacements.
+    fn compare(&mut self, states: &[[f64; N]], rotor: &Rotor, scale: &MotionScale) {
+        if self.failed {
+            return;
+        }
+        self.states.clear();
+        self.failed = self
+            .integration
+            .advance(states.len(), &mut self.states)
+            .is_err();
+        let place = &rotor.equilibrium().displacement;
+        for (state, reference) in states.iter().zip(&self.states) {
+            for axis in 0..N / 2 {
+                let lever = scale.lever(axis);
+                self.difference = self
+                    .difference
+                    .max(lever * (state[axis] - reference[axis]).abs());
+                self.excursion = self
+                    .excursion
+                    .max(lever * (reference[axis] - place[axis]).abs());
+            }
+        }
+    }
+
+    fn measured(&self, model: &Model, scale: &MotionScale) -> Option<MeasuredError> {
+        let relative = self.difference / self.excursion.max(scale.length);
+        (!self.failed).then(|| MeasuredError {
+            displacement: self.difference,
+            relative,
+            reference_tolerance: reference_settings(model).tolerance,
+            counters: self.integration.counters(),
+        })
+    }
+}
+
+/// A measured error above this many tolerances is worth a warning.
+const PROMISE: f64 = 10.0;
+
+fn warnings(model: &Model, error: Option<&MeasuredError>) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let tolerance = model.integrator.tolerance;
+    match error {
+        Some(error) if error.relative > PROMISE * tolerance => warnings.push(format!(
+            "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
+             {tolerance:.0e}: the motion may be irregular or rest on contact changes; trust \
+             statistics rather than the single trace",
+            error.relative
+        )),
+        None if model.verify => warnings.push(
+            "the second pass that measures the error failed; the error of this run is unknown"
+                .to_owned(),
+        ),
+        _ => {}
+    }
+    warnings
 }

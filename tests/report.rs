@@ -1,5 +1,7 @@
 //! The files of a run: their form, and that a folder never looks whole when it is not.
 
+#![allow(clippy::unwrap_used)] // a test that cannot go on fails
+
 use std::f64::consts::TAU;
 use std::fs;
 use std::path::{Path, PathBuf};

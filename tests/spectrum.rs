@@ -1,5 +1,7 @@
 //! Spectra against signals whose Fourier series is known in closed form.
 
+#![allow(clippy::unwrap_used)] // a test that cannot go on fails
+
 use std::f64::consts::{PI, TAU};
 
 use jeffcott::analysis::{

@@ -34,6 +34,9 @@ pub struct BallContact {
 /// angular speed of the shaft in rad/s. An implementation is a pure function: the same arguments
 /// give the same bytes, and every position, contact or none, has an answer.
 pub trait BallLaw {
+    /// Whether [`BallForce::couple`] can differ from zero; the ring leaves it out otherwise.
+    const HAS_COUPLE: bool = false;
+
     /// Force at a position. Branch-free where speed counts: it runs in the innermost loop.
     fn force(&self, axial: f64, radial: f64, speed: f64) -> BallForce;
 

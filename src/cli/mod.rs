@@ -3,7 +3,12 @@
 //!
 //! Results go to stdout, messages to stderr, each verb in its own file.
 
+mod catalogue;
+mod check;
 mod compare;
+mod progress;
+mod run;
+mod schema;
 mod stream;
 
 use std::ffi::OsString;
@@ -13,7 +18,12 @@ use clap::{Parser, Subcommand};
 
 /// Simulates a shaft on ball bearings: transient response and spectra.
 #[derive(Debug, Parser)]
-#[command(name = "jeffcott", version, arg_required_else_help = true)]
+#[command(
+    name = "jeffcott",
+    version,
+    arg_required_else_help = true,
+    after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml"
+)]
 struct Arguments {
     #[command(subcommand)]
     verb: Verb,
@@ -21,13 +31,18 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Verb {
+    Run(run::Arguments),
+    Check(check::Arguments),
     Compare(compare::Arguments),
+    Catalogue(catalogue::Arguments),
+    Schema(schema::Arguments),
 }
 
 /// How a verb ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     Done,
+    Failed,
     Differs,
     WrongInput,
 }
@@ -36,7 +51,7 @@ impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> Self {
         match outcome {
             Outcome::Done => Self::SUCCESS,
-            Outcome::Differs => Self::from(1),
+            Outcome::Failed | Outcome::Differs => Self::FAILURE,
             Outcome::WrongInput => Self::from(2),
         }
     }
@@ -57,7 +72,11 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let outcome = match verb {
+        Verb::Run(arguments) => run::run(&arguments),
+        Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
+        Verb::Catalogue(arguments) => catalogue::run(&arguments),
+        Verb::Schema(_) => schema::run(),
     };
     stream::finish(outcome)
 }

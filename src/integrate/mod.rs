@@ -1,5 +1,16 @@
 //! From a derivative to states on a time grid, with error control.
+//!
+//! A [`System`] is a pure function of time and state. An [`Integration`] carries its state along a
+//! uniform [`Grid`] of times and hands out the states there, a block at a time, so that memory does
+//! not grow with the duration.
 
+mod adapter;
+mod error;
+mod integration;
 mod settings;
+mod system;
 
+pub use error::IntegrateError;
+pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};
+pub use system::{Scaling, System};

@@ -14,7 +14,8 @@ pub enum Method {
 pub struct Settings {
     /// Method.
     pub method: Method,
-    /// Local error per step allowed, relative to the scale of the motion.
+    /// Error aimed at, relative to the scale of the motion; a step's own error is kept at a quarter
+    /// of it.
     pub tolerance: f64,
     /// Largest number of steps, accepted and rejected together.
     pub step_limit: u64,
@@ -29,4 +30,13 @@ pub struct Counters {
     pub rejected: u64,
     /// Evaluations of the derivative.
     pub evaluations: u64,
+}
+
+impl Counters {
+    /// Adds the work of a further part.
+    pub fn add(&mut self, part: &Self) {
+        self.steps += part.steps;
+        self.rejected += part.rejected;
+        self.evaluations += part.evaluations;
+    }
 }

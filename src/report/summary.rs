@@ -7,7 +7,8 @@ use crate::analysis::{Channel, Peak, Spectrum};
 use crate::integrate::Counters;
 use crate::physics::BallPass;
 use crate::rotor::FREEDOMS;
-use crate::simulate::{MeasuredError, Model, NaturalFrequency, Run, StaticState};
+use crate::rotor::NaturalFrequency;
+use crate::simulate::{MeasuredError, Model, Run, StaticState};
 
 /// Everything that a run answers except trace and spectra, every number with its unit in its name.
 ///

@@ -1,10 +1,22 @@
 //! The shaft as a concentrated mass: freedoms, unbalance, loads, damping, supports.
+//!
+//! A [`RotorDefinition`] is plain data; [`Rotor::assemble`] finds its static equilibrium and makes
+//! of it a [`Rotor`], whose derivative is a pure function of time and state.
 
+mod assembly;
+mod damping;
 mod definition;
+mod modes;
+mod motion;
+mod motion_scale;
 mod sample;
 
+pub use assembly::RotorError;
 pub use definition::{
     CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
     STANDARD_GRAVITY, Shaft,
 };
+pub use modes::NaturalFrequency;
+pub use motion::Rotor;
+pub use motion_scale::MotionScale;
 pub use sample::Sample;

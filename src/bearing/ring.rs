@@ -1,0 +1,233 @@
+//! The ring sum: one ball law, Z balls, five freedoms.
+
+use nalgebra::SMatrix;
+
+use super::{BallContact, BallLaw, Geometry};
+
+/// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
+pub type Vector5 = [f64; 5];
+
+/// Derivative of a force by a displacement, both of five components.
+pub type Matrix5 = SMatrix<f64, 5, 5>;
+
+/// Cosine and sine of the cage angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CageAngle {
+    /// cos ψ_c.
+    pub cos: f64,
+    /// sin ψ_c.
+    pub sin: f64,
+}
+
+impl CageAngle {
+    /// The cage where it stands at the start.
+    pub const START: Self = Self { cos: 1.0, sin: 0.0 };
+
+    /// The cage turned by `angle` in rad.
+    #[inline]
+    pub fn new(angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self { cos, sin }
+    }
+}
+
+/// Balls that are worked on side by side.
+const LANES: usize = 4;
+
+/// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
+#[derive(Debug, Clone, Copy)]
+struct Lanes {
+    cos: [f64; LANES],
+    sin: [f64; LANES],
+    weight: [f64; LANES],
+}
+
+/// All balls of a bearing under one law: the force that holds the inner ring in place.
+///
+/// ```text
+/// A1_j = A sin α0 + z + R_i (θx sin φ_j − θy cos φ_j)   A2_j = A cos α0 + x cos φ_j + y sin φ_j
+/// N_j = R_i F_a,j + couple_j
+/// F = Σ_j (F_r cos φ, F_r sin φ, F_a, N sin φ, −N cos φ)
+/// ```
+///
+/// The balls never move in the tables: the displacement is turned into the cage's frame once, and
+/// the force back, so that the azimuths' cosines and sines are constants.
+///
+/// Source: Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), ch. 7; Jones (1960).
+#[derive(Debug, Clone)]
+pub struct Ring<L> {
+    law: L,
+    lanes: Vec<Lanes>,
+    azimuths: Vec<f64>,
+    free_axial: f64,
+    free_radial: f64,
+    arm: f64,
+}
+
+impl<L: BallLaw> Ring<L> {
+    /// Places the balls of `geometry` evenly from azimuth `first_ball` in rad.
+    pub fn new(geometry: &Geometry, first_ball: f64, law: L) -> Self {
+        let balls = geometry.balls();
+        let azimuths: Vec<f64> = (0..balls)
+            .map(|ball| first_ball + std::f64::consts::TAU * ball as f64 / balls as f64)
+            .collect();
+        Self {
+            law,
+            lanes: azimuths.chunks(LANES).map(lanes_of).collect(),
+            azimuths,
+            free_axial: geometry.free_axial(),
+            free_radial: geometry.free_radial(),
+            arm: geometry.inner_groove_radius(),
+        }
+    }
+
+    /// Force and moment that hold the inner ring at `displacement`, in N and N m.
+    #[inline]
+    pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        let [x, y, z, tilt_x, tilt_y] = into_cage(displacement, cage);
+        let (axial_0, swing_x, swing_y) =
+            (self.free_axial + z, self.arm * tilt_x, self.arm * tilt_y);
+        let mut sums = [[0.0; LANES]; 5];
+        for Lanes { cos, sin, weight } in &self.lanes {
+            let axial = each_lane(|i| axial_0 + swing_x * sin[i] - swing_y * cos[i]);
+            let radial = each_lane(|i| self.free_radial + x * cos[i] + y * sin[i]);
+            let (mut f_a, mut f_r, mut couple) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+            for i in 0..LANES {
+                let ball = self.law.force(axial[i], radial[i], speed);
+                (f_a[i], f_r[i], couple[i]) = (ball.axial, ball.radial, ball.couple);
+            }
+            // moments by the arm, so that without a couple the arm stays out of the loop
+            let moment = each_lane(|i| {
+                if L::HAS_COUPLE {
+                    f_a[i] + couple[i] / self.arm
+                } else {
+                    f_a[i]
+                }
+            });
+            add(&mut sums[0], each_lane(|i| f_r[i] * cos[i]));
+            add(&mut sums[1], each_lane(|i| f_r[i] * sin[i]));
+            add(&mut sums[2], each_lane(|i| f_a[i] * weight[i]));
+            add(&mut sums[3], each_lane(|i| moment[i] * sin[i]));
+            add(&mut sums[4], each_lane(|i| moment[i] * cos[i]));
+        }
+        let [f_x, f_y, f_z, m_x, m_y] = sums.map(|lane| lane.iter().sum::<f64>());
+        out_of_cage(&[f_x, f_y, f_z, self.arm * m_x, -self.arm * m_y], cage)
+    }
+
+    /// Force as by [`Ring::force`] and its exact derivative K = ∂F/∂q.
+    pub fn force_and_stiffness(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Vector5, Matrix5) {
+        let (mut force, mut stiffness) = ([0.0; 5], Matrix5::zeros());
+        for ball in self.placed(*displacement, cage) {
+            let (push, tangent) = self.law.force_and_tangent(ball.axial, ball.radial, speed);
+            let (sin, cos) = (ball.sin, ball.cos);
+            let moment = self.arm * push.axial + push.couple;
+            let moment_rate = [0, 1].map(|j| self.arm * tangent[0][j] + tangent[2][j]);
+            // dA1/dq and dA2/dq
+            let axial_rate = [0.0, 0.0, 1.0, self.arm * sin, -self.arm * cos];
+            let radial_rate = [cos, sin, 0.0, 0.0, 0.0];
+            let rows = [
+                (cos, push.radial, tangent[1]),
+                (sin, push.radial, tangent[1]),
+                (1.0, push.axial, tangent[0]),
+                (sin, moment, moment_rate),
+                (-cos, moment, moment_rate),
+            ];
+            for (row, (factor, value, rate)) in rows.into_iter().enumerate() {
+                force[row] += factor * value;
+                for column in 0..5 {
+                    stiffness[(row, column)] +=
+                        factor * (rate[0] * axial_rate[column] + rate[1] * radial_rate[column]);
+                }
+            }
+        }
+        (force, stiffness)
+    }
+
+    /// Loads and contact angles of every ball, ball 0 first.
+    pub fn contacts(
+        &self,
+        displacement: Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> impl Iterator<Item = BallContact> {
+        self.placed(displacement, cage)
+            .map(move |ball| self.law.contact(ball.axial, ball.radial, speed))
+    }
+
+    /// Every ball at its azimuth, with the place of its inner groove centre.
+    fn placed(&self, displacement: Vector5, cage: CageAngle) -> impl Iterator<Item = PlacedBall> {
+        let [x, y, z, tilt_x, tilt_y] = displacement;
+        self.azimuths.iter().map(move |azimuth| {
+            let (sin_0, cos_0) = azimuth.sin_cos();
+            let cos = cos_0 * cage.cos - sin_0 * cage.sin;
+            let sin = sin_0 * cage.cos + cos_0 * cage.sin;
+            PlacedBall {
+                axial: self.free_axial + z + self.arm * (tilt_x * sin - tilt_y * cos),
+                radial: self.free_radial + x * cos + y * sin,
+                cos,
+                sin,
+            }
+        })
+    }
+}
+
+#[inline(always)]
+fn each_lane(value: impl FnMut(usize) -> f64) -> [f64; LANES] {
+    std::array::from_fn(value)
+}
+
+#[inline(always)]
+fn add(sum: &mut [f64; LANES], part: [f64; LANES]) {
+    for (total, value) in sum.iter_mut().zip(part) {
+        *total += value;
+    }
+}
+
+struct PlacedBall {
+    axial: f64,
+    radial: f64,
+    cos: f64,
+    sin: f64,
+}
+
+fn lanes_of(azimuths: &[f64]) -> Lanes {
+    let mut lanes = Lanes {
+        cos: [0.0; LANES],
+        sin: [0.0; LANES],
+        weight: [0.0; LANES],
+    };
+    for (lane, azimuth) in azimuths.iter().enumerate() {
+        (lanes.sin[lane], lanes.cos[lane]) = azimuth.sin_cos();
+        lanes.weight[lane] = 1.0;
+    }
+    lanes
+}
+
+/// Components of a displacement along the axes that turn with the cage.
+#[inline(always)]
+fn into_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
+    let CageAngle { cos, sin } = cage;
+    let [x, y, z, tilt_x, tilt_y] = *vector;
+    [
+        x * cos + y * sin,
+        y * cos - x * sin,
+        z,
+        tilt_x * cos + tilt_y * sin,
+        tilt_y * cos - tilt_x * sin,
+    ]
+}
+
+/// The inverse of [`into_cage`].
+#[inline(always)]
+fn out_of_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
+    let back = CageAngle {
+        cos: cage.cos,
+        sin: -cage.sin,
+    };
+    into_cage(vector, back)
+}

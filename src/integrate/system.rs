@@ -1,0 +1,44 @@
+//! What can be integrated.
+
+/// A system of N first-order differential equations.
+///
+/// The derivative must be a pure function of time and state, or the error estimate lies. Where it
+/// has no value it writes NaN; the integration then ends with an error that says when.
+pub trait System<const N: usize> {
+    /// Writes `d(state)/dt` at a time in s into `rate`.
+    fn derivative(&self, time: f64, state: &[f64; N], rate: &mut [f64; N]);
+}
+
+/// Makes every component of a state a number of order one: `scaled = (state − origin)/scale`.
+///
+/// Tolerances then mean the same for a displacement of a nanometre and a speed of a metre per
+/// second.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scaling<const N: usize> {
+    /// State that becomes zero.
+    pub origin: [f64; N],
+    /// Size of one unit of each component, positive.
+    pub scale: [f64; N],
+    /// Unit of time, s, positive.
+    pub time: f64,
+}
+
+impl<const N: usize> Scaling<N> {
+    /// The scaling that changes nothing.
+    pub const IDENTITY: Self = Self {
+        origin: [0.0; N],
+        scale: [1.0; N],
+        time: 1.0,
+    };
+
+    /// The state that scaled numbers stand for.
+    #[inline]
+    pub fn state(&self, scaled: &[f64]) -> [f64; N] {
+        std::array::from_fn(|i| self.origin[i] + self.scale[i] * scaled[i])
+    }
+
+    /// Scaled numbers of a state.
+    pub fn scaled(&self, state: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| (state[i] - self.origin[i]) / self.scale[i])
+    }
+}

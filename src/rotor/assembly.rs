@@ -1,0 +1,197 @@
+//! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
+
+use super::damping::DampingMatrix;
+use super::{FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY};
+use crate::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
+use crate::bearing::{BearingError, Facing, Preload, Support, Vector5};
+
+/// Why a rotor cannot be assembled.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RotorError {
+    /// A bearing cannot be built.
+    #[error("bearing {number}: {source}")]
+    Bearing {
+        /// Number of the bearing, counted from 1.
+        number: usize,
+        /// What is wrong with it.
+        source: BearingError,
+    },
+    /// The shaft has no static equilibrium.
+    #[error(transparent)]
+    Equilibrium(#[from] EquilibriumError),
+    /// A quantity is outside its range.
+    #[error("{name} is {value}; it must be {rule}")]
+    Range {
+        /// Name of the quantity.
+        name: &'static str,
+        /// Value as given, SI.
+        value: f64,
+        /// What it must be.
+        rule: &'static str,
+    },
+    /// No bearing was given.
+    #[error("the shaft has no bearing; give at least one")]
+    NoBearing,
+}
+
+impl Rotor {
+    /// Builds the supports, finds the static equilibrium and fixes everything that follows from it.
+    ///
+    /// # Errors
+    /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
+    /// outside its range.
+    pub fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
+        check_ranges(definition)?;
+        let mut supports = build_supports(definition)?;
+        let load = static_load(definition);
+        let equilibrium = find_equilibrium(definition, &supports, load)?;
+        for support in &mut supports {
+            support.freeze(&equilibrium.displacement, definition.speed);
+        }
+        let shaft = &definition.shaft;
+        let mass = [
+            shaft.mass,
+            shaft.mass,
+            shaft.mass,
+            shaft.inertia_transverse,
+            shaft.inertia_transverse,
+        ];
+        let kept = shaft.freedoms.count();
+        Ok(Self {
+            kept,
+            mass,
+            inverse_mass: std::array::from_fn(
+                |axis| if axis < kept { 1.0 / mass[axis] } else { 0.0 },
+            ),
+            gyroscopic: shaft.inertia_polar * definition.speed,
+            speed: definition.speed,
+            cage: definition.cage,
+            unbalance: shaft.mass * shaft.eccentricity * definition.speed * definition.speed,
+            load,
+            damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
+            supports,
+            initial: initial_state(definition, &equilibrium),
+            equilibrium,
+        })
+    }
+}
+
+fn check_ranges(definition: &RotorDefinition) -> Result<(), RotorError> {
+    let shaft = &definition.shaft;
+    let positive = |name, value: f64| range(name, value, value > 0.0, "positive and finite");
+    let not_negative =
+        |name, value: f64| range(name, value, value >= 0.0, "zero or positive, finite");
+    positive("the mass in kg", shaft.mass)?;
+    if shaft.freedoms == Freedoms::All {
+        positive(
+            "the transverse moment of inertia in kg m²",
+            shaft.inertia_transverse,
+        )?;
+    }
+    not_negative("the polar moment of inertia in kg m²", shaft.inertia_polar)?;
+    not_negative("the eccentricity in m", shaft.eccentricity)?;
+    not_negative("the speed in rad/s", definition.speed)?;
+    if definition.bearings.is_empty() {
+        return Err(RotorError::NoBearing);
+    }
+    Ok(())
+}
+
+fn range(name: &'static str, value: f64, fits: bool, rule: &'static str) -> Result<(), RotorError> {
+    if fits && value.is_finite() {
+        Ok(())
+    } else {
+        Err(RotorError::Range { name, value, rule })
+    }
+}
+
+fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support>, RotorError> {
+    let build = |(index, bearing)| {
+        Support::new(bearing).map_err(|source| RotorError::Bearing {
+            number: index + 1,
+            source,
+        })
+    };
+    definition.bearings.iter().enumerate().map(build).collect()
+}
+
+/// Constant loads and the weight.
+fn static_load(definition: &RotorDefinition) -> Vector5 {
+    let mut load = definition.load;
+    if definition.shaft.gravity {
+        load[1] -= definition.shaft.mass * STANDARD_GRAVITY;
+    }
+    load
+}
+
+/// The static equilibrium under the constant loads, without unbalance.
+fn find_equilibrium(
+    definition: &RotorDefinition,
+    supports: &[Support],
+    load: Vector5,
+) -> Result<Equilibrium, EquilibriumError> {
+    let kept = definition.shaft.freedoms.count();
+    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < kept);
+    let mut start = [0.0; FREEDOMS];
+    if !free[2] {
+        match held_axial(supports, load[2]) {
+            Some(place) => start[2] = place,
+            None => free[2] = true,
+        }
+    }
+    StaticProblem {
+        supports,
+        load,
+        free,
+        start,
+        speed: definition.speed,
+    }
+    .solve()
+}
+
+/// Where a radial scene holds the axial displacement; `None`: where the equilibrium puts it.
+///
+/// An axial load or two bearings that face each other fix it by equilibrium. A preset offset fixes
+/// it by itself, at z = 0. A bearing with neither stands axially centred.
+fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
+    let faces = |facing| {
+        supports
+            .iter()
+            .any(|support| support.definition().facing == facing)
+    };
+    if axial_load != 0.0 || (faces(Facing::PlusZ) && faces(Facing::MinusZ)) {
+        return None;
+    }
+    let preset = |support: &Support| match support.definition().preload {
+        Preload::AxialOffset(value) | Preload::Force(value) => value != 0.0,
+    };
+    if supports.iter().any(preset) {
+        return Some(0.0);
+    }
+    supports.first().map(Support::centred_axial)
+}
+
+/// Displacement and velocity at t = 0.
+fn initial_state(definition: &RotorDefinition, equilibrium: &Equilibrium) -> [Vector5; 2] {
+    let kept = definition.shaft.freedoms.count();
+    let initial = &definition.initial;
+    let displacement = std::array::from_fn(|axis| {
+        let from = match initial.from {
+            InitialPosition::Origin if axis < kept => 0.0,
+            _ => equilibrium.displacement[axis],
+        };
+        if axis < kept {
+            initial.displacement[axis].unwrap_or(from)
+        } else {
+            from
+        }
+    });
+    let velocity = std::array::from_fn(|axis| {
+        if axis < kept {
+            initial.velocity[axis].unwrap_or(0.0)
+        } else {
+            0.0
+        }
+    });
+    [displacement, velocity]
+}

@@ -1,0 +1,169 @@
+//! How large the motion will be: what a tolerance is relative to.
+
+use nalgebra::{Complex, DMatrix, DVector};
+
+use super::{CageMotion, FREEDOMS, Rotor};
+use crate::bearing::{CageAngle, Support};
+
+/// Round-off of a position between the races, relative to the groove centre distance.
+const POSITION_ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+/// Positions of the cage within one ball spacing at which the varying force is looked at.
+const CAGE_POSITIONS: usize = 8;
+
+/// Length and time that make the states of the integration numbers of order one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MotionScale {
+    /// Length of the motion, m.
+    pub length: f64,
+    /// Length that turns tilts into displacements, m.
+    pub arm: f64,
+    /// Angular frequency that turns velocities into displacements, rad/s.
+    pub frequency: f64,
+}
+
+impl MotionScale {
+    /// Length that turns component `axis` of x, y, z, θx, θy into a displacement.
+    pub fn lever(&self, axis: usize) -> f64 {
+        lever(axis, self.arm)
+    }
+}
+
+impl Rotor {
+    /// Estimates the motion before it is known, from the linearised rotor.
+    ///
+    /// The length is the largest of: the forced response to unbalance and to the force that varies
+    /// with the cage angle, and the distance of the initial state from equilibrium. It is at least
+    /// so large that `tolerance` times the length stays above the round-off of a position.
+    pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
+        let arm = self.supports.iter().map(arm_of).fold(0.0, f64::max);
+        let frequency = self.highest_frequency();
+        let smallest = POSITION_ROUND_OFF / tolerance * self.groove_centre_distance();
+        let length = smallest
+            .max(self.unbalance_response(arm))
+            .max(self.varying_compliance(arm))
+            .max(self.initial_distance(arm, frequency));
+        MotionScale {
+            length,
+            arm,
+            frequency,
+        }
+    }
+
+    /// Scales of the state (q, q̇) of the kept freedoms.
+    pub fn state_scale<const N: usize>(&self, scale: &MotionScale) -> [f64; N] {
+        std::array::from_fn(|index| {
+            let axis = index % (N / 2);
+            let displacement = scale.length / lever(axis, scale.arm);
+            if index < N / 2 {
+                displacement
+            } else {
+                displacement * scale.frequency
+            }
+        })
+    }
+
+    fn highest_frequency(&self) -> f64 {
+        let stiffness = &self.equilibrium.stiffness;
+        (0..self.kept)
+            .map(|axis| (stiffness[(axis, axis)].max(0.0) * self.inverse_mass[axis]).sqrt())
+            .fold(self.speed, f64::max)
+            .max(f64::MIN_POSITIVE.sqrt())
+    }
+
+    fn groove_centre_distance(&self) -> f64 {
+        let distance = |support: &Support| {
+            support
+                .definition()
+                .bearing
+                .geometry
+                .groove_centre_distance()
+        };
+        self.supports.iter().map(distance).fold(0.0, f64::max)
+    }
+
+    /// Largest amplitude under the unbalance: `|(K − ω²M + iωC)⁻¹ F|`.
+    fn unbalance_response(&self, arm: f64) -> f64 {
+        let kept = self.kept;
+        let (zero, omega) = (Complex::new(0.0, 0.0), self.speed);
+        let stiffness = &self.equilibrium.stiffness;
+        let dynamic = DMatrix::from_fn(kept, kept, |row, column| {
+            let inertia = if row == column {
+                omega * omega * self.mass[row]
+            } else {
+                0.0
+            };
+            let damping = self.damping.entry(row, column);
+            Complex::new(stiffness[(row, column)] - inertia, omega * damping)
+        });
+        let mut force = DVector::from_element(kept, zero);
+        force[0] = Complex::new(self.unbalance, 0.0);
+        force[1] = Complex::new(0.0, -self.unbalance);
+        let Some(response) = dynamic.lu().solve(&force) else {
+            return 0.0;
+        };
+        largest(response.iter().map(|part| part.norm()), arm)
+    }
+
+    /// Static displacement under the change of force as the cage turns by one ball spacing.
+    fn varying_compliance(&self, arm: f64) -> f64 {
+        if self.cage == CageMotion::Frozen || self.speed == 0.0 {
+            return 0.0;
+        }
+        let kept = self.kept;
+        let stiffness = self
+            .equilibrium
+            .stiffness
+            .view((0, 0), (kept, kept))
+            .into_owned();
+        let factors = stiffness.lu();
+        (1..CAGE_POSITIONS)
+            .filter_map(|position| {
+                let part = position as f64 / CAGE_POSITIONS as f64;
+                let change = DVector::from_vec(self.force_change(part)[..kept].to_vec());
+                factors.solve(&change)
+            })
+            .map(|shift| largest(shift.iter().copied(), arm))
+            .fold(0.0, f64::max)
+    }
+
+    /// Change of force at the equilibrium when every cage has turned by a part of its ball spacing.
+    fn force_change(&self, part: f64) -> [f64; FREEDOMS] {
+        let place = &self.equilibrium.displacement;
+        let mut change = [0.0; FREEDOMS];
+        for support in &self.supports {
+            let spacing =
+                std::f64::consts::TAU / support.definition().bearing.geometry.balls() as f64;
+            let turned = support.force(place, CageAngle::new(part * spacing), self.speed);
+            let still = support.force(place, CageAngle::START, self.speed);
+            for axis in 0..FREEDOMS {
+                change[axis] += turned[axis] - still[axis];
+            }
+        }
+        change
+    }
+
+    fn initial_distance(&self, arm: f64, frequency: f64) -> f64 {
+        let [displacement, velocity] = &self.initial;
+        let shift =
+            (0..self.kept).map(|axis| displacement[axis] - self.equilibrium.displacement[axis]);
+        let swing = velocity.iter().map(|velocity| velocity / frequency);
+        largest(shift, arm).max(largest(swing, arm))
+    }
+}
+
+fn arm_of(support: &Support) -> f64 {
+    support.definition().bearing.geometry.inner_groove_radius()
+}
+
+fn lever(axis: usize, arm: f64) -> f64 {
+    if axis < 3 { 1.0 } else { arm }
+}
+
+/// Largest component as a displacement; what is not a number does not count.
+fn largest(components: impl Iterator<Item = f64>, arm: f64) -> f64 {
+    components
+        .enumerate()
+        .map(|(axis, value)| value.abs() * lever(axis, arm))
+        .filter(|value| value.is_finite())
+        .fold(0.0, f64::max)
+}

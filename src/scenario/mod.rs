@@ -1,0 +1,169 @@
+//! Scenario files: text in, checked and typed model out.
+//!
+//! A file is read into one tree for both formats, the tree is checked against the schema that
+//! the structs of `spec` give, the structs are filled, and each builds its part of the model.
+//! Every step reports all that it finds; the messages carry the place in the text.
+//!
+//! ```
+//! use jeffcott::scenario::{self, Format};
+//!
+//! let error = scenario::parse("[shaft]\nmass = 5\n", "shaft.toml", Format::Toml).unwrap_err();
+//! assert!(error.render(false).contains("`mass` needs a unit, as in \"5 kg\""));
+//! ```
+
+mod dimension;
+mod error;
+mod issue;
+mod node;
+mod problems;
+mod quantity;
+mod read_json;
+mod read_toml;
+mod schema;
+mod spec;
+mod walk;
+
+use std::path::Path;
+
+use serde_json::Value;
+
+pub use error::ScenarioError;
+pub use issue::Issue;
+pub use schema::schema;
+
+use crate::simulate::Model;
+use node::Node;
+use problems::Problems;
+use spec::ScenarioSpec;
+
+/// Language of a scenario file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// TOML 1.0.
+    Toml,
+    /// JSON of the same structure.
+    Json,
+}
+
+/// What a run writes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OutputChoice {
+    /// Whether the trace is written.
+    pub trace: bool,
+    /// Whether spectra are taken and written.
+    pub spectrum: bool,
+    /// Whether figures are drawn.
+    pub figures: bool,
+}
+
+/// A checked scenario.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scenario {
+    /// Its title, or the name of its file.
+    pub title: String,
+    /// What to simulate.
+    pub model: Model,
+    /// What to write.
+    pub output: OutputChoice,
+    /// The scenario with its defaults written out; itself a valid scenario in JSON.
+    pub echo: Value,
+    /// What the user should know although the scenario can be run.
+    pub warnings: Vec<String>,
+}
+
+/// Reads and checks a scenario file, `.toml` or `.json`.
+///
+/// # Errors
+/// [`ScenarioError`] with everything that is wrong, also where the file cannot be read.
+pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
+    let name = path.display().to_string();
+    let unreadable = |message: String| ScenarioError::new(&name, "", vec![Issue::new("", message)]);
+    let extension = path
+        .extension()
+        .map(|extension| extension.to_ascii_lowercase());
+    let format = match extension.as_ref().and_then(|extension| extension.to_str()) {
+        Some("toml") => Format::Toml,
+        Some("json") => Format::Json,
+        _ => {
+            return Err(unreadable(
+                "a scenario file ends in .toml or .json".to_owned(),
+            ));
+        }
+    };
+    let bytes = std::fs::read(path)
+        .map_err(|error| unreadable(format!("cannot read the file: {error}")))?;
+    match String::from_utf8(bytes) {
+        Ok(text) => parse(&text, &name, format),
+        Err(error) => {
+            let place = error.utf8_error().valid_up_to();
+            Err(unreadable(format!(
+                "the file is not UTF-8 text: byte {place} is wrong"
+            )))
+        }
+    }
+}
+
+/// Reads and checks the text of a scenario; `name` is what messages call it.
+///
+/// # Errors
+/// [`ScenarioError`] with everything that is wrong.
+pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, ScenarioError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let tree = match format {
+        Format::Toml => read_toml::read(text),
+        Format::Json => read_json::read(text),
+    };
+    tree.and_then(|root| check(&root, name))
+        .map_err(|issues| ScenarioError::new(name, text, issues))
+}
+
+fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
+    let mut problems = Problems::new(root);
+    let spec =
+        walk::value(root, schema(), "", &mut problems).and_then(|value| fill(value, &mut problems));
+    let model = spec.as_ref().and_then(|spec| spec.build(&mut problems));
+    let (issues, warnings) = problems.finish();
+    match (spec, model) {
+        (Some(spec), Some(model)) if issues.is_empty() => Ok(Scenario {
+            title: spec.title.clone().unwrap_or_else(|| stem(name)),
+            model,
+            output: spec.output.choice(),
+            echo: echo(&spec),
+            warnings,
+        }),
+        _ => Err(issues),
+    }
+}
+
+/// The structs of a value that the schema has passed.
+fn fill(value: Value, problems: &mut Problems<'_>) -> Option<ScenarioSpec> {
+    serde_json::from_value(value)
+        .map_err(|error| problems.add(Issue::new("", error.to_string())))
+        .ok()
+}
+
+fn stem(name: &str) -> String {
+    let stem = Path::new(name).file_stem();
+    stem.map_or_else(
+        || name.to_owned(),
+        |stem| stem.to_string_lossy().into_owned(),
+    )
+}
+
+/// The scenario as JSON, without the keys that are not given and have no default.
+fn echo(spec: &ScenarioSpec) -> Value {
+    let mut value = serde_json::to_value(spec).unwrap_or_default();
+    remove_null(&mut value);
+    value
+}
+
+fn remove_null(value: &mut Value) {
+    match value {
+        Value::Object(entries) => {
+            entries.retain(|_, entry| !entry.is_null());
+            entries.values_mut().for_each(remove_null);
+        }
+        Value::Array(items) => items.iter_mut().for_each(remove_null),
+        _ => {}
+    }
+}

@@ -1,0 +1,72 @@
+//! Collects what is wrong with a scenario while it is read and checked.
+
+use super::Issue;
+use super::node::Node;
+
+/// Everything found so far, with the keys that later checks must not be believed about.
+pub(super) struct Problems<'a> {
+    root: &'a Node,
+    issues: Vec<Issue>,
+    faulty: Vec<String>,
+    warnings: Vec<String>,
+}
+
+impl<'a> Problems<'a> {
+    /// Nothing found yet.
+    pub fn new(root: &'a Node) -> Self {
+        Self {
+            root,
+            issues: Vec::new(),
+            faulty: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Adds a problem of one key; what it stands for is not trusted from here on.
+    pub fn add(&mut self, issue: Issue) {
+        self.distrust(&issue.path);
+        let place = issue.span.clone();
+        let place = place.or_else(|| self.root.locate(&issue.path));
+        self.issues.push(issue.at(place));
+    }
+
+    /// Leaves a key out of later checks: it is known to be wrong or misspelled.
+    pub fn distrust(&mut self, path: &str) {
+        self.faulty.push(path.to_owned());
+    }
+
+    /// Whether a key, or a table that it stands in, has a problem already.
+    pub fn distrusts(&self, path: &str) -> bool {
+        let holds = |faulty: &String| {
+            path.strip_prefix(faulty.as_str())
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+        };
+        self.faulty.iter().any(holds)
+    }
+
+    /// Adds a problem of a checked value, unless a key that it rests on has one already. The
+    /// issue's own path is the key to change; `others` are the keys it disagrees with.
+    pub fn refuse(&mut self, mut issue: Issue, others: &[String]) {
+        let mut paths = std::iter::once(&issue.path).chain(others);
+        if paths.any(|path| self.distrusts(path)) {
+            return;
+        }
+        issue.span = self.root.locate(&issue.path);
+        let given = others.iter().filter_map(|path| self.root.find(path));
+        let places = given.map(|node| node.span.clone());
+        issue.related = places
+            .filter(|place| Some(place) != issue.span.as_ref())
+            .collect();
+        self.issues.push(issue);
+    }
+
+    /// Notes what the user should know although the scenario can be run.
+    pub fn warn(&mut self, warning: impl Into<String>) {
+        self.warnings.push(warning.into());
+    }
+
+    /// The problems and the warnings.
+    pub fn finish(self) -> (Vec<Issue>, Vec<String>) {
+        (self.issues, self.warnings)
+    }
+}

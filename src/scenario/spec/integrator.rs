@@ -1,0 +1,59 @@
+//! `[integrator]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::integrate::{Method, Settings};
+
+/// How to integrate and how exactly.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct IntegratorSpec {
+    /// Integration method. Default: "dop853".
+    pub method: MethodChoice,
+    /// Local error allowed per step, relative to the scale of the motion, 1e-13 to 1e-2.
+    /// Default: 1e-8.
+    #[schemars(range(min = 1e-13, max = 1e-2))]
+    pub tolerance: f64,
+    /// Largest number of steps, accepted and rejected together. Default: 100 million.
+    #[schemars(range(min = 1, max = 1_000_000_000_000_i64))]
+    pub step_limit: u64,
+    /// Whether a second run at a tenth of the tolerance measures the error of the first.
+    /// Default: true.
+    pub verify: bool,
+}
+
+/// Integration method.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MethodChoice {
+    /// Dormand–Prince 5(4): for coarse tolerances.
+    Dopri5,
+    /// Dormand–Prince 8(5,3): for fine tolerances.
+    Dop853,
+}
+
+impl Default for IntegratorSpec {
+    fn default() -> Self {
+        Self {
+            method: MethodChoice::Dop853,
+            tolerance: 1e-8,
+            step_limit: 100_000_000,
+            verify: true,
+        }
+    }
+}
+
+impl IntegratorSpec {
+    /// Method, tolerance and limit.
+    pub fn build(&self) -> Settings {
+        Settings {
+            method: match self.method {
+                MethodChoice::Dopri5 => Method::Dopri5,
+                MethodChoice::Dop853 => Method::Dop853,
+            },
+            tolerance: self.tolerance,
+            step_limit: self.step_limit,
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! The tables of a scenario file, one a file: plain structs that mirror the text, the
+//! descriptions that editors show, and what each table becomes in the model.
+
+mod bearing;
+mod components;
+mod damping;
+mod geometry;
+mod initial;
+mod integrator;
+mod load;
+mod material;
+mod model;
+mod output;
+mod scenario;
+mod shaft;
+mod speed;
+mod time;
+
+pub use scenario::ScenarioSpec;

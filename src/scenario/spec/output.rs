@@ -1,0 +1,173 @@
+//! `[output]`.
+
+use std::f64::consts::PI;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::time::TimeSpec;
+use crate::analysis::Window;
+use crate::scenario::dimension::significant;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Frequency, Quantity};
+use crate::scenario::{Issue, OutputChoice};
+use crate::simulate::Sampling;
+
+/// Samples per revolution where neither key is given.
+const SAMPLES_PER_REVOLUTION: u32 = 128;
+/// Most samples of a run.
+const MOST_SAMPLES: f64 = 1e9;
+/// Fewest samples that a spectrum is taken of.
+const FEWEST_IN_SPECTRUM: f64 = 8.0;
+
+/// What to keep of the run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+#[schemars(extend("x-at-most-one" = ["samples_per_revolution", "sample_rate"]))]
+pub struct OutputSpec {
+    /// Samples per shaft revolution, 8 to 65536. Default: 128.
+    #[schemars(range(min = 8, max = 65_536))]
+    pub samples_per_revolution: Option<u32>,
+    /// Samples per second, for instance "20 kHz", instead of samples per revolution; needed
+    /// where the shaft stands.
+    #[schemars(extend("x-minimum" = 1e-3))]
+    pub sample_rate: Option<Quantity<Frequency>>,
+    /// Window of the spectra. Default: "rectangular", exact on whole revolutions.
+    pub window: WindowChoice,
+    /// Whether the trace is written. Default: true.
+    pub trace: bool,
+    /// Whether spectra are taken. Default: true.
+    pub spectrum: bool,
+    /// Whether figures are drawn. Default: true.
+    pub figures: bool,
+}
+
+/// Window of the spectra.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum WindowChoice {
+    /// No weighting: exact for lines on a bin, as on whole revolutions at constant speed.
+    Rectangular,
+    /// Hann: narrow lines, amplitudes up to 15 % low between bins.
+    Hann,
+    /// Flat top: amplitudes within 1 % anywhere between bins.
+    FlatTop,
+}
+
+impl From<WindowChoice> for Window {
+    fn from(choice: WindowChoice) -> Self {
+        match choice {
+            WindowChoice::Rectangular => Self::Rectangular,
+            WindowChoice::Hann => Self::Hann,
+            WindowChoice::FlatTop => Self::FlatTop,
+        }
+    }
+}
+
+impl Default for OutputSpec {
+    fn default() -> Self {
+        Self {
+            samples_per_revolution: None,
+            sample_rate: None,
+            window: WindowChoice::Rectangular,
+            trace: true,
+            spectrum: true,
+            figures: true,
+        }
+    }
+}
+
+impl OutputSpec {
+    /// What to write.
+    pub fn choice(&self) -> OutputChoice {
+        OutputChoice {
+            trace: self.trace,
+            spectrum: self.spectrum,
+            figures: self.figures,
+        }
+    }
+
+    /// Sampling of the run, where it suits the speed (rad/s) and the time.
+    pub fn sampling(
+        &self,
+        speed: f64,
+        time: &TimeSpec,
+        problems: &mut Problems<'_>,
+    ) -> Option<Sampling> {
+        let sampling = match &self.sample_rate {
+            Some(rate) => Sampling::Rate(rate.si()),
+            None if speed > 0.0 => Sampling::PerRevolution(
+                self.samples_per_revolution
+                    .unwrap_or(SAMPLES_PER_REVOLUTION),
+            ),
+            None => {
+                self.refuse_angle_grid(problems);
+                return None;
+            }
+        };
+        let rate = match sampling {
+            Sampling::Rate(rate) => rate,
+            Sampling::PerRevolution(samples) => f64::from(samples) * speed / (2.0 * PI),
+        };
+        self.check_count(rate, time, problems);
+        if self.spectrum && time.window() > 0.0 {
+            check_window(speed, rate, time, problems);
+        }
+        Some(sampling)
+    }
+
+    fn refuse_angle_grid(&self, problems: &mut Problems<'_>) {
+        let (path, message) = match self.samples_per_revolution {
+            Some(_) => (
+                "output.samples_per_revolution",
+                "a standing shaft makes no revolutions to sample",
+            ),
+            None => (
+                "speed.constant",
+                "a standing shaft needs a `sample_rate` in `[output]`",
+            ),
+        };
+        let issue = Issue::new(path, message).help("for instance: sample_rate = \"20 kHz\"");
+        let others = ["speed.constant", "output.sample_rate"];
+        problems.refuse(issue, &others.map(str::to_owned));
+    }
+
+    fn check_count(&self, rate: f64, time: &TimeSpec, problems: &mut Problems<'_>) {
+        let count = time.duration.si() * rate;
+        if count > MOST_SAMPLES {
+            let key = match self.sample_rate {
+                Some(_) => "output.sample_rate",
+                None => "output.samples_per_revolution",
+            };
+            let message =
+                format!("{count:.3e} samples are too many: at most {MOST_SAMPLES:e} in a run");
+            let issue =
+                Issue::new("time.duration", message).help("shorten it or sample less often");
+            problems.refuse(issue, &[key.to_owned(), "speed.constant".to_owned()]);
+        }
+    }
+}
+
+/// Refuses a spectrum of less than one revolution, or of hardly any samples.
+fn check_window(speed: f64, rate: f64, time: &TimeSpec, problems: &mut Problems<'_>) {
+    let window = time.window();
+    let (needed, what) = if speed > 0.0 && window < 2.0 * PI / speed {
+        (2.0 * PI / speed, "one revolution takes")
+    } else if window * rate < FEWEST_IN_SPECTRUM {
+        (FEWEST_IN_SPECTRUM / rate, "eight samples take")
+    } else {
+        return;
+    };
+    let message = format!(
+        "the spectrum has {} s after `settle`, and {what} {} s",
+        significant(window),
+        significant(needed)
+    );
+    // Rounded up to the microsecond, so that the advice holds.
+    let shortest = ((time.settle.si() + needed) * 1e6).ceil() / 1e6;
+    let issue = Issue::new("time.duration", message).help(format!(
+        "make it {shortest} s or longer, or set `spectrum = false` in `[output]`"
+    ));
+    let others = ["time.settle", "speed.constant", "output.sample_rate"];
+    problems.refuse(issue, &others.map(str::to_owned));
+}

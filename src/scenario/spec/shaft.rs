@@ -1,0 +1,101 @@
+//! `[shaft]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::rotor::{Freedoms, Shaft};
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Inertia, Length, Mass, Quantity};
+
+/// The shaft: a rigid, concentrated mass.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShaftSpec {
+    /// Mass of everything that moves with the shaft, for instance "5 kg".
+    #[schemars(extend("x-minimum" = 1e-6))]
+    pub mass: Quantity<Mass>,
+    /// Distance of the centre of mass from the axis of rotation, for instance "0.01 mm". The
+    /// heavy side points along +X at shaft angle 0. Default: "0 m", a balanced shaft.
+    #[serde(default)]
+    #[schemars(extend("examples" = ["0.01 mm"], "x-minimum" = 0.0))]
+    pub eccentricity: Quantity<Length>,
+    /// Which freedoms move: "radial" (x, y), "translational" (x, y, z) or "all" (x, y, z and
+    /// both tilts). The rest is held.
+    pub freedoms: FreedomsChoice,
+    /// Whether the weight acts, along −Y. Default: false.
+    #[serde(default)]
+    pub gravity: bool,
+    /// Moment of inertia about a transverse axis through the centre of mass, for instance
+    /// "0.01 kg m^2". Needed for freedoms = "all".
+    #[schemars(extend("x-minimum" = 1e-12))]
+    pub inertia_transverse: Option<Quantity<Inertia>>,
+    /// Moment of inertia about the shaft axis, for instance "0.004 kg m^2"; at most twice the
+    /// transverse one. Needed for freedoms = "all".
+    #[schemars(extend("examples" = ["0.004 kg m^2"], "x-minimum" = 0.0))]
+    pub inertia_polar: Option<Quantity<Inertia>>,
+}
+
+/// Freedoms that move.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum FreedomsChoice {
+    /// x and y.
+    Radial,
+    /// x, y and z.
+    Translational,
+    /// x, y, z and both tilts.
+    All,
+}
+
+impl From<FreedomsChoice> for Freedoms {
+    fn from(choice: FreedomsChoice) -> Self {
+        match choice {
+            FreedomsChoice::Radial => Self::Radial,
+            FreedomsChoice::Translational => Self::Translational,
+            FreedomsChoice::All => Self::All,
+        }
+    }
+}
+
+impl ShaftSpec {
+    /// The shaft; its inertia is zero where no tilt moves.
+    pub fn build(&self, problems: &mut Problems<'_>) -> Shaft {
+        self.check_inertia(problems);
+        let si = |inertia: &Option<Quantity<Inertia>>| inertia.as_ref().map_or(0.0, Quantity::si);
+        Shaft {
+            mass: self.mass.si(),
+            inertia_transverse: si(&self.inertia_transverse),
+            inertia_polar: si(&self.inertia_polar),
+            eccentricity: self.eccentricity.si(),
+            freedoms: self.freedoms.into(),
+            gravity: self.gravity,
+        }
+    }
+
+    fn check_inertia(&self, problems: &mut Problems<'_>) {
+        let given = [
+            ("inertia_transverse", &self.inertia_transverse),
+            ("inertia_polar", &self.inertia_polar),
+        ];
+        for (key, inertia) in given {
+            let path = format!("shaft.{key}");
+            if self.freedoms != FreedomsChoice::All && inertia.is_some() {
+                problems.warn(format!("`{path}` has no effect: the tilts are held"));
+            }
+            if self.freedoms == FreedomsChoice::All && inertia.is_none() {
+                let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
+                let issue = Issue::new(path, message)
+                    .help(format!("for instance: {key} = \"0.01 kg m^2\""));
+                problems.refuse(issue, &["shaft.freedoms".to_owned()]);
+            }
+        }
+        if let (Some(transverse), Some(polar)) = (&self.inertia_transverse, &self.inertia_polar)
+            && polar.si() > 2.0 * transverse.si()
+        {
+            let message = "no body has an `inertia_polar` above twice its `inertia_transverse`";
+            let issue = Issue::new("shaft.inertia_polar", message);
+            problems.refuse(issue, &["shaft.inertia_transverse".to_owned()]);
+        }
+    }
+}
