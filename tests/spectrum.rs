@@ -1,8 +1,13 @@
 //! Spectra against signals whose Fourier series is known in closed form.
 
+#![allow(clippy::unwrap_used)] // a test that cannot go on fails
+
 use std::f64::consts::{PI, TAU};
 
-use jeffcott::analysis::{Analysis, Channel, MOST_PEAKS, Peak, Recorder, Transform, Window};
+use jeffcott::analysis::{
+    Analysis, Channel, Line, MOST_PEAKS, Peak, Recorder, Transform, Window, causes, nearest_cause,
+};
+use jeffcott::physics::BallPass;
 use jeffcott::rotor::Sample;
 use proptest::prelude::*;
 
@@ -183,6 +188,57 @@ fn less_than_a_revolution_makes_no_spectrum() {
         recorder.record(&sample(f64::from(n) / 320.0, 0.0));
     }
     assert_eq!(recorder.finish(Window::Hann, &[]), None);
+}
+
+fn cause(frequency: f64, resolution: f64, lines: &[Line]) -> Option<String> {
+    nearest_cause(frequency, resolution, lines).map(|line| line.kind.to_string())
+}
+
+#[test]
+fn the_simplest_of_equally_near_causes_names_a_line() {
+    let pass = BallPass {
+        outer: 400.0,
+        inner: 600.0,
+        spin: 200.0,
+        cage: 40.0,
+    };
+    let lines = causes(100.0, &[pass], &[600.0]);
+    // 4× = BPFO, 6× = BPFI = natural frequency, 5× = BPFO + 1×.
+    for (frequency, name) in [(400.0, "4×"), (600.0, "6×"), (500.0, "5×"), (40.0, "cage")] {
+        assert_eq!(cause(frequency, 1.0, &lines).as_deref(), Some(name));
+    }
+    assert_eq!(cause(400.8, 1.0, &lines), None);
+}
+
+#[test]
+fn bearings_are_told_apart_only_where_their_frequencies_differ() {
+    let bearing = |scale| BallPass {
+        outer: 358.5 * scale,
+        inner: 541.5 * scale,
+        spin: 235.7 * scale,
+        cage: 39.8 * scale,
+    };
+    let lines = causes(100.0, &[bearing(1.0), bearing(1.0), bearing(1.1)], &[]);
+    let name = |frequency| cause(frequency, 0.1, &lines);
+    assert_eq!(name(717.0).as_deref(), Some("2×BPFO"));
+    assert_eq!(name(441.5).as_deref(), Some("BPFI − 1×"));
+    assert_eq!(name(788.7).as_deref(), Some("2×BPFO of bearing 3"));
+}
+
+#[test]
+fn a_shaft_that_stands_has_natural_frequencies_only() {
+    let pass = BallPass {
+        outer: 0.0,
+        inner: 0.0,
+        spin: 0.0,
+        cage: 0.0,
+    };
+    let lines = causes(0.0, &[pass], &[50.0, 80.0]);
+    assert_eq!(lines.len(), 2);
+    assert_eq!(
+        cause(80.0, 1.0, &lines).as_deref(),
+        Some("natural frequency 2")
+    );
 }
 
 proptest! {

@@ -14,7 +14,7 @@ pub const MOST_PEAKS: usize = 12;
 const RELATIVE_THRESHOLD: f64 = 1e-4;
 
 /// A peak below this part of the channel's largest component, mean included, is numerical noise.
-const NOISE: f64 = 1e-10;
+const NOISE: f64 = 1e-9;
 
 /// A local maximum of an amplitude spectrum.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,7 @@
 //! Collects the samples of a run and turns them into spectra at its end.
 
+use realfft::RealFftPlanner;
+
 use super::peaks::peaks;
 use super::{Channel, ChannelSpectrum, Line, Peak, Spectrum, Transform, Window};
 use crate::rotor::Sample;
@@ -118,10 +120,11 @@ impl Recorder {
             window,
             channels: Vec::with_capacity(self.channels.len()),
         };
+        let mut planner = RealFftPlanner::new();
         let mut found = Vec::new();
         for (channel, mut values) in self.channels {
             values.drain(..skipped);
-            let transform = Transform::new(values);
+            let transform = Transform::planned(values, &mut planner);
             found.extend(peaks(channel, &transform, spectrum.resolution, causes));
             let entry = ChannelSpectrum::new(channel, &transform, window);
             spectrum.channels.push(entry);

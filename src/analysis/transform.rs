@@ -27,7 +27,12 @@ pub struct Transform {
 
 impl Transform {
     /// Transforms samples of any number.
-    pub fn new(mut samples: Vec<f64>) -> Self {
+    pub fn new(samples: Vec<f64>) -> Self {
+        Self::planned(samples, &mut RealFftPlanner::new())
+    }
+
+    /// The same with a planner that remembers the lengths it has met.
+    pub(super) fn planned(mut samples: Vec<f64>, planner: &mut RealFftPlanner<f64>) -> Self {
         let length = samples.len();
         if length == 0 {
             return Self {
@@ -35,7 +40,7 @@ impl Transform {
                 bins: Vec::new(),
             };
         }
-        let plan = RealFftPlanner::new().plan_fft_forward(length);
+        let plan = planner.plan_fft_forward(length);
         let mut bins = plan.make_output_vec();
         plan.process(&mut samples, &mut bins)
             .expect("the output was made by the plan for this very length");

@@ -5,6 +5,7 @@
 
 mod catalogue;
 mod check;
+mod compare;
 mod progress;
 mod run;
 mod schema;
@@ -32,6 +33,7 @@ struct Arguments {
 enum Verb {
     Run(run::Arguments),
     Check(check::Arguments),
+    Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
     Schema(schema::Arguments),
 }
@@ -41,6 +43,7 @@ enum Verb {
 enum Outcome {
     Done,
     Failed,
+    Differs,
     WrongInput,
 }
 
@@ -48,7 +51,7 @@ impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> Self {
         match outcome {
             Outcome::Done => Self::SUCCESS,
-            Outcome::Failed => Self::FAILURE,
+            Outcome::Failed | Outcome::Differs => Self::FAILURE,
             Outcome::WrongInput => Self::from(2),
         }
     }
@@ -71,6 +74,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let outcome = match verb {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
+        Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
         Verb::Schema(_) => schema::run(),
     };

@@ -1,6 +1,7 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
 mod columns;
+pub mod compare;
 
 mod decimator;
 mod error;

@@ -1,6 +1,6 @@
 //! The files of one run, from the opening of the folder to the last rename.
 
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
@@ -27,6 +27,7 @@ pub struct Outputs {
 ///
 /// Opened before the run, so that a folder that cannot be written costs no computing time; while
 /// the run goes on, it streams the trace. Dropped before [`RunReport::finish`] it leaves nothing.
+#[derive(Debug)]
 pub struct RunReport {
     folder: RunFolder,
     title: String,
@@ -37,6 +38,7 @@ pub struct RunReport {
 }
 
 /// `trace.csv` being written.
+#[derive(Debug)]
 struct OpenTrace {
     path: PathBuf,
     csv: TraceCsv<PartialFile>,
@@ -124,11 +126,9 @@ fn open_trace(folder: &RunFolder) -> Result<OpenTrace, ReportError> {
 }
 
 fn close_trace(trace: OpenTrace) -> Result<WholeFile, ReportError> {
-    let mut file = trace
+    let file = trace
         .csv
         .finish()
-        .map_err(ReportError::file(FileAction::Write, &trace.path))?;
-    file.flush()
         .map_err(ReportError::file(FileAction::Write, &trace.path))?;
     file.close()
 }

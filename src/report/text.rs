@@ -74,7 +74,7 @@ fn equilibrium(state: &StaticState, freedoms: Freedoms) -> String {
         ("θy", "µrad"),
     ];
     let kept = names.iter().zip(state.displacement).take(freedoms.count());
-    kept.map(|((name, unit), value)| format!("{name} {:.4} {unit}", MICRO * value))
+    kept.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value)))
         .collect::<Vec<_>>()
         .join(", ")
 }
@@ -88,10 +88,10 @@ fn natural(state: &StaticState) -> String {
         .join(", ")
 }
 
-/// The strongest peaks of the displacements, then none of the forces: their unit is another.
-fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> Table {
+/// The strongest peaks of x, y and z, which have one unit and so one order.
+fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> String {
     let mut table = Table::new();
-    table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header([
+    table.load_style(presets::NOTHING).set_header([
         "channel",
         "frequency",
         "order",
@@ -111,7 +111,7 @@ fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> Table {
             peak.channel.name().to_owned(),
             format!("{:.3} Hz", peak.frequency),
             order.unwrap_or_default(),
-            format!("{:.4e} µm", MICRO * peak.amplitude),
+            format!("{} µm", significant(MICRO * peak.amplitude)),
             peak.line
                 .map(|line| line.kind.to_string())
                 .unwrap_or_default(),
@@ -122,5 +122,20 @@ fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> Table {
             column.set_cell_alignment(CellAlignment::Right);
         }
     }
-    table
+    table.trim_fmt()
+}
+
+/// Four decimals, without a minus sign before zeros.
+fn decimal(value: f64) -> String {
+    let rounded = (value * 1e4).round() / 1e4;
+    format!("{:.4}", rounded + 0.0)
+}
+
+/// Four decimals, or powers of ten where they would not show the value.
+fn significant(value: f64) -> String {
+    if (1e-2..1e5).contains(&value) {
+        format!("{value:.4}")
+    } else {
+        format!("{value:.3e}")
+    }
 }

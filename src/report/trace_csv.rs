@@ -40,6 +40,7 @@ type Row = (
 );
 
 /// Writes samples as rows of CSV; numbers in the shortest form that reads back to the same value.
+#[derive(Debug)]
 pub struct TraceCsv<W: Write> {
     writer: csv::Writer<W>,
 }

@@ -1,0 +1,83 @@
+//! Why two results cannot be compared at all.
+
+use std::io;
+use std::path::PathBuf;
+
+/// Why two results cannot be compared at all; that they differ is not an error.
+#[derive(Debug, thiserror::Error)]
+pub enum CompareError {
+    /// A file cannot be opened or read.
+    #[error("cannot read {}", path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The answer of the system.
+        source: io::Error,
+    },
+    /// A file is not CSV.
+    #[error("{} is not a table of comma-separated values", path.display())]
+    Csv {
+        /// The file.
+        path: PathBuf,
+        /// Where it breaks the form.
+        source: csv::Error,
+    },
+    /// A file has no header or no row.
+    #[error("{} has no rows to compare: a header line and at least one row are needed", path.display())]
+    Empty {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Two columns have the same name.
+    #[error("{} has two columns named {column:?}", path.display())]
+    Duplicate {
+        /// The file.
+        path: PathBuf,
+        /// Name of both.
+        column: String,
+    },
+    /// A field is not a number.
+    #[error("{}, line {line}, column {column:?}: {text:?} is not a number", path.display())]
+    Number {
+        /// The file.
+        path: PathBuf,
+        /// Line, from 1.
+        line: u64,
+        /// Name of the column.
+        column: String,
+        /// What stands there.
+        text: String,
+    },
+    /// A tolerance is negative or not a number.
+    #[error("the {kind} tolerance is {value}; it must be zero or positive and finite")]
+    Tolerance {
+        /// `relative` or `absolute`.
+        kind: &'static str,
+        /// Value as given.
+        value: f64,
+    },
+    /// A tolerance is given for a column that none of the tables has.
+    #[error("no table has a column {name:?}; there are: {}", known.join(", "))]
+    UnknownColumn {
+        /// Name as given.
+        name: String,
+        /// Names of all columns.
+        known: Vec<String>,
+    },
+    /// A folder was to be compared with a file.
+    #[error("{} is a folder and {} is not: give two run folders or two files", folder.display(), file.display())]
+    FolderAndFile {
+        /// The folder.
+        folder: PathBuf,
+        /// The other.
+        file: PathBuf,
+    },
+    /// Two folders hold no table.
+    #[error("neither {} nor {} holds a trace.csv or spectrum.csv", first.display(), second.display())]
+    NoTables {
+        /// First folder.
+        first: PathBuf,
+        /// Second folder.
+        second: PathBuf,
+    },
+}

@@ -1,0 +1,116 @@
+//! The rule of one column: what is compared, and how far it may be apart.
+
+use std::f64::consts::{PI, TAU};
+
+use super::Tolerances;
+
+/// Where a column stands in the two tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Place {
+    /// In the first table.
+    pub first: usize,
+    /// In the second table.
+    pub second: usize,
+}
+
+/// Two values of a row and the judgement on them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Judgement {
+    /// Their difference; infinite where one is no number.
+    pub difference: f64,
+    /// Difference allowed.
+    pub allowed: f64,
+}
+
+/// What is compared of a column.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Rule {
+    /// The values themselves.
+    Value {
+        /// Difference allowed.
+        allowed: f64,
+    },
+    /// An angle, modulo 2π, where the amplitude is significant.
+    Phase {
+        /// Difference allowed whatever the amplitude.
+        allowed: f64,
+        /// Where the amplitude stands.
+        amplitude: Place,
+        /// Difference allowed of the amplitude.
+        amplitude_allowed: f64,
+    },
+}
+
+impl Rule {
+    /// The rule of column `name`; `scale` is the largest magnitude of a column in both tables,
+    /// `place` tells where a column stands that both have.
+    pub fn new<'a>(
+        name: &str,
+        columns: impl Iterator<Item = (&'a str, Place)>,
+        scale: impl Fn(Place) -> f64,
+        place: Place,
+        tolerances: &Tolerances,
+    ) -> Self {
+        let tolerance = tolerances.of(name);
+        let amplitude = name.strip_suffix("_phase_rad").and_then(|quantity| {
+            let prefix = format!("{quantity}_amplitude_");
+            columns
+                .into_iter()
+                .find(|(other, _)| other.starts_with(&prefix))
+        });
+        match amplitude {
+            None => Self::Value {
+                allowed: tolerance.allowed(scale(place)),
+            },
+            Some((other, amplitude)) => Self::Phase {
+                allowed: tolerance.allowed(PI),
+                amplitude,
+                amplitude_allowed: tolerances.of(other).allowed(scale(amplitude)),
+            },
+        }
+    }
+
+    /// Judges the values at `place` of two rows; `None` where there is nothing to compare.
+    pub fn judge(&self, place: Place, first: &[f64], second: &[f64]) -> Option<Judgement> {
+        let (a, b) = (first[place.first], second[place.second]);
+        match *self {
+            Self::Value { allowed } => Some(Judgement {
+                difference: distance(a, b),
+                allowed,
+            }),
+            Self::Phase {
+                allowed,
+                amplitude,
+                amplitude_allowed,
+            } => {
+                let size = first[amplitude.first].max(second[amplitude.second]);
+                (size > amplitude_allowed).then(|| Judgement {
+                    difference: turn(distance(a, b)),
+                    allowed: allowed + amplitude_allowed / size,
+                })
+            }
+        }
+    }
+}
+
+/// |a − b|; zero for equal infinities and for two NaN, infinite where only one is a number.
+fn distance(a: f64, b: f64) -> f64 {
+    if a == b || (a.is_nan() && b.is_nan()) {
+        return 0.0;
+    }
+    let difference = (a - b).abs();
+    if difference.is_nan() {
+        f64::INFINITY
+    } else {
+        difference
+    }
+}
+
+/// The shorter way round the circle.
+fn turn(angle: f64) -> f64 {
+    if angle.is_infinite() {
+        return angle;
+    }
+    let angle = angle.rem_euclid(TAU);
+    angle.min(TAU - angle)
+}
