@@ -91,6 +91,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#![warn(clippy::panic, clippy::unwrap_used)]
+
 pub mod analysis;
 pub mod bearing;
 pub mod cli;

@@ -219,7 +219,7 @@ impl StaticProblem<'_> {
         let limit = RUNAWAY * self.groove_centre_distance();
         (0..5).any(|axis| {
             let travel = (state.displacement[axis] - self.start[axis]) * state.lengths[axis];
-            !(travel.abs() <= limit)
+            travel.is_nan() || travel.abs() > limit
         })
     }
 

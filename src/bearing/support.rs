@@ -21,9 +21,9 @@ struct LinearForce {
 
 impl LinearForce {
     fn force(&self, displacement: &Vector5) -> Vector5 {
+        let shift: Vector5 = std::array::from_fn(|axis| displacement[axis] - self.origin[axis]);
         let mut force = self.force;
-        for column in 0..5 {
-            let shift = displacement[column] - self.origin[column];
+        for (column, shift) in shift.into_iter().enumerate() {
             for (row, value) in force.iter_mut().enumerate() {
                 *value += self.stiffness[(row, column)] * shift;
             }
