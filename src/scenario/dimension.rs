@@ -139,7 +139,7 @@ impl Dimension {
             Self::Length => const { &[times("m", 1.0), per("mm", 1e3), per("um", 1e6), per("nm", 1e9), per("cm", 1e2), times("in", 0.0254)] },
             Self::Angle => const { &[times("rad", 1.0), times("deg", PI / 180.0), per("mrad", 1e3), per("urad", 1e6)] },
             Self::Time => const { &[times("s", 1.0), per("ms", 1e3), per("us", 1e6), times("min", 60.0)] },
-            Self::Force => const { &[times("N", 1.0), times("kN", 1e3), per("mN", 1e3), times("lbf", 4.448_221_615_260_5)] },
+            Self::Force => const { &[times("N", 1.0), times("kN", 1e3), times("MN", 1e6), per("mN", 1e3), times("lbf", 4.448_221_615_260_5)] },
             Self::Moment => const { &[times("N m", 1.0), per("N mm", 1e3), times("kN m", 1e3)] },
             Self::Inertia => const { &[times("kg m^2", 1.0), per("kg mm^2", 1e6), per("kg cm^2", 1e4), per("g m^2", 1e3), per("g cm^2", 1e7), per("g mm^2", 1e9)] },
             Self::AngularSpeed => const { &[times("rad/s", 1.0), times("rpm", PI / 30.0), times("1/min", PI / 30.0), times("rev/s", 2.0 * PI), times("deg/s", PI / 180.0), per("mrad/s", 1e3)] },
