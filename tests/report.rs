@@ -15,11 +15,10 @@ use jeffcott::report::{
     TraceFigure, spectrum_figure, text, write_spectrum,
 };
 use jeffcott::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, RotorDefinition, Sample, Shaft,
+    CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency,
+    RotorDefinition, Sample, Shaft,
 };
-use jeffcott::simulate::{
-    MeasuredError, Model, NaturalFrequency, Run, Sampling, StaticState, TraceSink,
-};
+use jeffcott::simulate::{MeasuredError, Model, Run, Sampling, StaticState, TraceSink};
 use tempfile::TempDir;
 
 const SPEED: f64 = 500.0;
