@@ -207,6 +207,12 @@ fn the_simplest_of_equally_near_causes_names_a_line() {
     for (frequency, name) in [(400.0, "4×"), (600.0, "6×"), (500.0, "5×"), (40.0, "cage")] {
         assert_eq!(cause(frequency, 1.0, &lines).as_deref(), Some(name));
     }
+    for (frequency, name) in [(250.0, "5/2×"), (325.0, "none")] {
+        assert_eq!(
+            cause(frequency, 1.0, &lines).as_deref().unwrap_or("none"),
+            name
+        );
+    }
     assert_eq!(cause(400.8, 1.0, &lines), None);
 }
 
@@ -222,6 +228,7 @@ fn bearings_are_told_apart_only_where_their_frequencies_differ() {
     let name = |frequency| cause(frequency, 0.1, &lines);
     assert_eq!(name(717.0).as_deref(), Some("2×BPFO"));
     assert_eq!(name(441.5).as_deref(), Some("BPFI − 1×"));
+    assert_eq!(name(537.75).as_deref(), Some("3/2×BPFO"));
     assert_eq!(name(788.7).as_deref(), Some("2×BPFO of bearing 3"));
 }
 

@@ -43,6 +43,16 @@ pub enum LineKind {
         /// Shaft orders added.
         sideband: i32,
     },
+    /// Odd number of halves of the shaft frequency: motion that repeats after two revolutions.
+    ShaftHalves(u32),
+    /// Odd number of halves of the ball-pass frequency of the outer race: motion that repeats after
+    /// two ball passes.
+    BallPassHalves {
+        /// Bearing, from 0.
+        bearing: usize,
+        /// Number of halves.
+        halves: u32,
+    },
     /// k × cage frequency of bearing `bearing`.
     Cage {
         /// Bearing, from 0.
@@ -74,17 +84,19 @@ impl LineKind {
             } => (2, multiple),
             Self::Natural { mode } => (3, mode as u32),
             Self::Cage { multiple, .. } => (4, multiple),
+            Self::ShaftHalves(halves) => (5, halves),
+            Self::BallPassHalves { halves, .. } => (6, halves),
             Self::BallPassOuter {
                 multiple, sideband, ..
-            } => (5, multiple + sideband.unsigned_abs()),
+            } => (7, multiple + sideband.unsigned_abs()),
             Self::BallPassInner {
                 multiple, sideband, ..
-            } => (6, multiple + sideband.unsigned_abs()),
+            } => (8, multiple + sideband.unsigned_abs()),
         }
     }
 }
 
-/// `1×`, `2×BPFO`, `BPFI − 1×`, `cage`, `natural frequency 1`; bearings after the first by number.
+/// `1×`, `2×BPFO`, `BPFI − 1×`, `5/2×BPFO`, `cage`, `natural frequency 1`; bearings after the first by number.
 impl fmt::Display for LineKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -99,6 +111,11 @@ impl fmt::Display for LineKind {
                 multiple,
                 sideband,
             } => write_ball_line(f, "BPFI", multiple, sideband, bearing),
+            Self::ShaftHalves(halves) => write!(f, "{halves}/2×"),
+            Self::BallPassHalves { bearing, halves } => {
+                write!(f, "{halves}/2×BPFO")?;
+                write_bearing(f, bearing)
+            }
             Self::Cage { bearing, multiple } => write_ball_line(f, "cage", multiple, 0, bearing),
             Self::Natural { mode } => write!(f, "natural frequency {}", mode + 1),
         }
@@ -116,13 +133,18 @@ fn write_ball_line(
         write!(f, "{multiple}×")?;
     }
     write!(f, "{name}")?;
-    if bearing > 0 {
-        write!(f, " of bearing {}", bearing + 1)?;
-    }
+    write_bearing(f, bearing)?;
     match sideband {
         0 => Ok(()),
         1.. => write!(f, " + {sideband}×"),
         _ => write!(f, " − {}×", sideband.unsigned_abs()),
+    }
+}
+
+fn write_bearing(f: &mut fmt::Formatter<'_>, bearing: usize) -> fmt::Result {
+    match bearing {
+        0 => Ok(()),
+        _ => write!(f, " of bearing {}", bearing + 1),
     }
 }
 
@@ -156,6 +178,10 @@ pub fn causes(shaft_frequency: f64, ball_pass: &[BallPass], natural: &[f64]) -> 
         kind: LineKind::ShaftOrder(order),
         frequency: f64::from(order) * shaft_frequency,
     });
+    let halves = odd(SHAFT_ORDERS).map(|halves| Line {
+        kind: LineKind::ShaftHalves(halves),
+        frequency: 0.5 * f64::from(halves) * shaft_frequency,
+    });
     let modes = natural.iter().enumerate().map(|(mode, frequency)| Line {
         kind: LineKind::Natural { mode },
         frequency: *frequency,
@@ -165,7 +191,7 @@ pub fn causes(shaft_frequency: f64, ball_pass: &[BallPass], natural: &[f64]) -> 
         .enumerate()
         .filter(|(bearing, pass)| !ball_pass[..*bearing].contains(pass))
         .flat_map(|(bearing, pass)| bearing_lines(bearing, pass, shaft_frequency));
-    let mut lines: Vec<Line> = orders.chain(modes).chain(balls).collect();
+    let mut lines: Vec<Line> = orders.chain(halves).chain(modes).chain(balls).collect();
     lines.retain(|line| line.frequency > 0.0);
     lines
 }
@@ -193,6 +219,10 @@ fn bearing_lines(bearing: usize, pass: &BallPass, shaft_frequency: f64) -> Vec<L
             });
         }
     }
+    lines.extend(odd(BALL_PASS_MULTIPLES).map(|halves| Line {
+        kind: LineKind::BallPassHalves { bearing, halves },
+        frequency: 0.5 * f64::from(halves) * pass.outer,
+    }));
     lines.extend((1..=CAGE_MULTIPLES).map(|multiple| Line {
         kind: LineKind::Cage { bearing, multiple },
         frequency: f64::from(multiple) * pass.cage,
@@ -200,10 +230,15 @@ fn bearing_lines(bearing: usize, pass: &BallPass, shaft_frequency: f64) -> Vec<L
     lines
 }
 
+/// Odd numbers of halves up to the whole number `largest`.
+fn odd(largest: u32) -> impl Iterator<Item = u32> {
+    (1..2 * largest).step_by(2)
+}
+
 /// The cause nearest to `frequency`, no further than three quarters of a bin of `resolution` Hz.
 ///
 /// Causes that are equally near within a tenth of a bin are ranked by simplicity: shaft order,
-/// ball pass, natural frequency, cage, sidebands.
+/// ball pass, natural frequency, cage, halves, sidebands.
 pub fn nearest_cause(frequency: f64, resolution: f64, causes: &[Line]) -> Option<Line> {
     let distance = |line: &Line| (line.frequency - frequency).abs();
     let nearest = causes.iter().map(distance).fold(f64::INFINITY, f64::min);

@@ -11,7 +11,7 @@ use super::{Channel, Line, Transform, Window, nearest_cause};
 pub const MOST_PEAKS: usize = 12;
 
 /// A peak below this part of the channel's strongest is not reported.
-const RELATIVE_THRESHOLD: f64 = 1e-4;
+const RELATIVE_THRESHOLD: f64 = 1e-6;
 
 /// A peak below this part of the channel's largest component, mean included, is numerical noise.
 const NOISE: f64 = 1e-9;
