@@ -1,0 +1,11 @@
+//! Law of a ball with inertia, after Jones.
+
+mod balance;
+mod direction;
+mod inertia;
+mod law;
+mod rate;
+mod solve;
+mod start;
+
+pub use law::{BallState, JonesLaw};

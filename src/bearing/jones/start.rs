@@ -1,0 +1,90 @@
+//! Explicit first guess of a ball's place.
+
+use nalgebra::Vector2;
+
+use super::balance::Ball;
+use super::direction::Direction;
+
+/// Stiffness constants of dry contacts as the first guess needs them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct StartConstants {
+    /// K_o^(−2/3), m N^(−2/3).
+    outer_compliance: f64,
+    /// K_n of both races in series, N/m^1.5.
+    series: f64,
+    /// Share of the outer race in the approach under equal loads.
+    outer_share: f64,
+}
+
+impl StartConstants {
+    /// From the stiffness constants of both races, N/m^1.5.
+    pub(super) fn new(inner: f64, outer: f64) -> Self {
+        let (inner, outer) = (inner.cbrt().powi(-2), outer.cbrt().powi(-2));
+        Self {
+            outer_compliance: outer,
+            series: (inner + outer).powf(-1.5),
+            outer_share: outer / (inner + outer),
+        }
+    }
+}
+
+impl Ball {
+    /// First guess of the ball's centre with the inner groove centre at `groove`.
+    ///
+    /// Thrown outwards, the ball rests on the outer race alone. Where the inner race is in its
+    /// way, it is wedged between both: the overlap S of the races grows as the ball is pushed
+    /// off the line of the groove centres, `S = δ + c Δ²` for an angle Δ between the contacts,
+    /// until `K_n S^(3/2) Δ` holds the inertia forces across that line: `S³ (S − δ) = c φ²`.
+    #[inline]
+    pub(super) fn start(
+        &self,
+        constants: &StartConstants,
+        groove: Vector2<f64>,
+        force_scale: f64,
+    ) -> Vector2<f64> {
+        let line = Direction::new(groove);
+        let (sin, cos) = (line.normal.x, line.normal.y);
+        // (ω_m/ω)² at equal contact angles
+        let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio * cos);
+        let centrifugal = force_scale * orbit * orbit;
+        let thrown = self.thrown_out(constants, centrifugal);
+        if (groove - thrown).norm() <= self.free_inner {
+            return thrown;
+        }
+        let distance = line.length;
+        let overlap = distance - self.free_inner - self.free_outer;
+        let lever = 0.5 * self.free_inner * self.free_outer / distance;
+        let across = 1.4 * centrifugal * sin / constants.series;
+        let wedged = wedge(overlap, lever * across * across);
+        let length_outer = self.free_outer + constants.outer_share * wedged;
+        let length_inner = self.free_inner + (1.0 - constants.outer_share) * wedged;
+        // triangle over the line of groove centres, its apex on the outward side
+        let along = (distance * distance + length_outer * length_outer
+            - length_inner * length_inner)
+            / (2.0 * distance);
+        let height = (length_outer * length_outer - along * along).max(0.0).sqrt();
+        let outward = Vector2::new(-cos, sin) * sin.signum();
+        along * line.normal + height * outward
+    }
+
+    /// Place of a ball on the outer race alone under a centrifugal force in N.
+    #[inline]
+    fn thrown_out(&self, constants: &StartConstants, centrifugal: f64) -> Vector2<f64> {
+        let approach = constants.outer_compliance * (centrifugal * centrifugal).cbrt();
+        Vector2::new(0.0, self.free_outer + approach)
+    }
+}
+
+/// Overlap S ≥ max(δ, 0) of `S³ (S − δ) = C`, from above, roughly.
+#[inline]
+fn wedge(overlap: f64, constant: f64) -> f64 {
+    let mut s = overlap.max(0.0) + constant.sqrt().sqrt();
+    for _ in 0..3 {
+        let cube = s * s * s;
+        let slope = s * s * (4.0 * s - 3.0 * overlap);
+        if slope > 0.0 {
+            s -= (cube * (s - overlap) - constant) / slope;
+        }
+    }
+    s
+}
