@@ -1,10 +1,9 @@
 //! Balance of forces on one ball at a trial position.
 
-use nalgebra::{Matrix2, RowVector2, Vector2};
+use nalgebra::{Matrix2, Vector2};
 
-use super::direction::Direction;
+use super::contact::Contact;
 use super::inertia::{InertiaForces, InertiaLaw};
-use super::rate::Rate;
 use crate::bearing::contact_spring::ContactSpring;
 use crate::bearing::{BallForce, BallTangent};
 
@@ -20,65 +19,16 @@ pub(super) struct Ball {
     pub(super) inertia: InertiaLaw,
 }
 
-/// One contact at a trial position.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Contact {
-    pub(super) direction: Direction,
-    /// Normal load Q, N.
-    pub(super) load: f64,
-    /// dQ/ds, N/m.
-    pub(super) stiffness: f64,
-}
-
-impl Contact {
-    #[inline]
-    fn new(vector: Vector2<f64>, free_length: f64, spring: &impl ContactSpring) -> Self {
-        let direction = Direction::new(vector);
-        let (load, stiffness) = spring.load_and_stiffness(direction.length - free_length);
-        Self {
-            direction,
-            load,
-            stiffness,
-        }
-    }
-
-    /// Force `Q n + T t` and its derivatives by this contact's length and angle, and by the other
-    /// contact's angle; T is a rate by variables of which `own` is this angle and `other` that.
-    #[inline]
-    fn force(&self, friction: &Rate, own: usize, other: usize) -> ContactForce {
-        let (n, t) = (self.direction.normal, self.direction.tangent());
-        ContactForce {
-            value: self.load * n + friction.value * t,
-            by_length: self.stiffness * n,
-            by_load_inner: friction.by[0] * t,
-            by_angle: (self.load + friction.by[own]) * t - friction.value * n,
-            by_other_angle: friction.by[other] * t,
-        }
-    }
-}
-
-struct ContactForce {
-    value: Vector2<f64>,
-    by_length: Vector2<f64>,
-    by_load_inner: Vector2<f64>,
-    by_angle: Vector2<f64>,
-    by_other_angle: Vector2<f64>,
-}
-
-/// Forces on a ball at a trial position, with what Newton's method and the tangent need.
+/// Forces on a ball at a trial position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Balance {
     pub(super) inner: Contact,
     pub(super) outer: Contact,
     pub(super) inertia: InertiaForces,
     /// Force that the inner race presses onto the ball, N.
-    pub(super) ring_force: Vector2<f64>,
+    ring_force: Vector2<f64>,
     /// Sum of all forces on the ball, N.
     pub(super) residual: Vector2<f64>,
-    ring_by_inner: Matrix2<f64>,
-    ring_by_outer: Matrix2<f64>,
-    residual_by_inner: Matrix2<f64>,
-    residual_by_outer: Matrix2<f64>,
 }
 
 impl Ball {
@@ -99,30 +49,15 @@ impl Ball {
     ) -> Balance {
         let inner = Contact::new(groove - centre, self.free_inner, &springs[0]);
         let outer = Contact::new(centre, self.free_outer, &springs[1]);
-        let inertia = self
-            .inertia
-            .forces(inner.load, &inner.direction, &outer.direction, force_scale);
-        let from_inner = inner.force(&inertia.friction_inner, 1, 2);
-        let from_outer = outer.force(&inertia.friction_outer, 2, 1);
-        let up = Vector2::y();
-        let [by_load, by_alpha_i, by_alpha_o] = inertia.centrifugal.by.into();
-        let ring_by_length = from_inner.by_length + inner.stiffness * from_inner.by_load_inner;
-        let residual_by_length =
-            ring_by_length + inner.stiffness * (by_load * up - from_outer.by_load_inner);
-        let no_length = Vector2::zeros();
+        let inertia = self.inertia.forces(&inner, &outer, force_scale);
+        let ring_force =
+            inner.load * inner.normal + inertia.friction_inner.value * inner.tangent();
+        let outer_force =
+            outer.load * outer.normal + inertia.friction_outer.value * outer.tangent();
+        let centrifugal = Vector2::new(0.0, inertia.centrifugal.value);
         Balance {
-            ring_force: from_inner.value,
-            residual: from_inner.value - from_outer.value + inertia.centrifugal.value * up,
-            ring_by_inner: inner.direction.chain(ring_by_length, from_inner.by_angle),
-            ring_by_outer: outer.direction.chain(no_length, from_inner.by_other_angle),
-            residual_by_inner: inner.direction.chain(
-                residual_by_length,
-                from_inner.by_angle - from_outer.by_other_angle + by_alpha_i * up,
-            ),
-            residual_by_outer: outer.direction.chain(
-                -from_outer.by_length,
-                from_inner.by_other_angle - from_outer.by_angle + by_alpha_o * up,
-            ),
+            residual: ring_force - outer_force + centrifugal,
+            ring_force,
             inner,
             outer,
             inertia,
@@ -144,27 +79,21 @@ impl Ball {
     /// following so that its balance keeps: `dX/dA = −(∂r/∂X)⁻¹ ∂r/∂A`.
     #[inline]
     pub(super) fn tangent(&self, balance: &Balance) -> BallTangent {
+        let slopes = balance.slopes();
         // no load, no force; and without inertia nothing then holds the ball anywhere
-        if balance.inner.load == 0.0 {
-            return [[0.0; 2]; 3];
-        }
-        let Some(inverse) = balance.jacobian().try_inverse() else {
+        let Some(inverse) = inverse(&slopes.by_centre()).filter(|_| balance.inner.load > 0.0)
+        else {
             return [[0.0; 2]; 3];
         };
-        let outer_follows = -inverse * balance.residual_by_inner;
+        let outer_follows = -(inverse * slopes.residual_by_inner);
         let inner_follows = Matrix2::identity() - outer_follows;
-        let force =
-            balance.ring_by_inner * inner_follows + balance.ring_by_outer * outer_follows;
-        let friction = &balance.inertia.friction_inner.by;
+        let force = slopes.ring_by_inner * inner_follows + slopes.ring_by_outer * outer_follows;
+        let friction = &balance.inertia.friction_inner;
         let (inner, outer) = (&balance.inner, &balance.outer);
-        let by_inner: RowVector2<f64> = friction[0]
-            * inner.stiffness
-            * inner.direction.normal.transpose()
-            + friction[1] / inner.direction.length * inner.direction.tangent().transpose();
-        let by_outer: RowVector2<f64> =
-            friction[2] / outer.direction.length * outer.direction.tangent().transpose();
-        let couple =
-            -self.groove_radius * (by_inner * inner_follows + by_outer * outer_follows);
+        let by_inner = friction.by_length * inner.normal + friction.by_inner * inner.angle_row();
+        let by_outer = friction.by_outer * outer.angle_row();
+        let couple = -self.groove_radius
+            * (inner_follows.tr_mul(&by_inner) + outer_follows.tr_mul(&by_outer));
         [
             [force.m11, force.m12],
             [force.m21, force.m22],
@@ -173,10 +102,64 @@ impl Ball {
     }
 }
 
-impl Balance {
+/// Derivatives of the forces by the vectors ball → inner groove centre (`inner`) and outer groove
+/// centre → ball (`outer`), N/m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Slopes {
+    ring_by_inner: Matrix2<f64>,
+    ring_by_outer: Matrix2<f64>,
+    residual_by_inner: Matrix2<f64>,
+    residual_by_outer: Matrix2<f64>,
+}
+
+impl Slopes {
     /// ∂r/∂X, the derivative of the residual by the ball's centre.
     #[inline]
-    pub(super) fn jacobian(&self) -> Matrix2<f64> {
+    pub(super) fn by_centre(&self) -> Matrix2<f64> {
         self.residual_by_outer - self.residual_by_inner
     }
+}
+
+impl Balance {
+    /// Derivatives of ring force and residual, by way of the lengths and angles of the contacts.
+    #[inline]
+    pub(super) fn slopes(&self) -> Slopes {
+        let Self { inner, outer, .. } = self;
+        let InertiaForces {
+            centrifugal: f_c,
+            friction_inner: t_i,
+            friction_outer: t_o,
+        } = &self.inertia;
+        let (n_i, tangent_i) = (inner.normal, inner.tangent());
+        let (n_o, tangent_o) = (outer.normal, outer.tangent());
+        // Q_i n_i + T_i t_i
+        let ring_by_length = inner.stiffness * n_i + t_i.by_length * tangent_i;
+        let ring_by_angle = (inner.load + t_i.by_inner) * tangent_i - t_i.value * n_i;
+        let ring_by_other = t_i.by_outer * tangent_i;
+        // Q_o n_o + T_o t_o
+        let outer_by_length = outer.stiffness * n_o;
+        let outer_by_angle = (outer.load + t_o.by_outer) * tangent_o - t_o.value * n_o;
+        let up = Vector2::y();
+        Slopes {
+            ring_by_inner: inner.chain(ring_by_length, ring_by_angle),
+            ring_by_outer: ring_by_other * outer.angle_row().transpose(),
+            residual_by_inner: inner.chain(
+                ring_by_length - t_o.by_length * tangent_o + f_c.by_length * up,
+                ring_by_angle - t_o.by_inner * tangent_o + f_c.by_inner * up,
+            ),
+            residual_by_outer: outer.chain(
+                -outer_by_length,
+                ring_by_other - outer_by_angle + f_c.by_outer * up,
+            ),
+        }
+    }
+}
+
+/// Inverse of a regular matrix.
+#[inline]
+pub(super) fn inverse(matrix: &Matrix2<f64>) -> Option<Matrix2<f64>> {
+    let scale = 1.0 / (matrix.m11 * matrix.m22 - matrix.m12 * matrix.m21);
+    scale
+        .is_finite()
+        .then(|| Matrix2::new(matrix.m22, -matrix.m12, -matrix.m21, matrix.m11) * scale)
 }

@@ -16,6 +16,7 @@ use crate::physics::{BallMotion, HertzContact, RaceControl, ball_mass};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JonesLaw<R = DryRaces> {
     ball: Ball,
+    diameter: f64,
     start: StartConstants,
     races: R,
 }
@@ -103,6 +104,7 @@ impl<R: Races> JonesLaw<R> {
         };
         Ok(Self {
             ball,
+            diameter,
             start: StartConstants::new(inner.stiffness(), outer.stiffness()),
             races,
         })
@@ -138,7 +140,7 @@ impl<R: Races> JonesLaw<R> {
             contact,
             centrifugal_force: inertia.centrifugal.value,
             // T_i + T_o = 2 M_g/D
-            gyroscopic_moment: 0.25 * friction * (2.0 * self.ball.groove_radius),
+            gyroscopic_moment: 0.5 * friction * self.diameter,
             motion: BallMotion::new(
                 self.ball.inertia.control,
                 self.ball.inertia.diameter_ratio,
@@ -170,7 +172,7 @@ fn contact_of(balance: &Balance) -> BallContact {
     BallContact {
         load_inner: inner.load,
         load_outer: outer.load,
-        angle_inner: angle(&inner.direction.normal),
-        angle_outer: angle(&outer.direction.normal),
+        angle_inner: angle(&inner.normal),
+        angle_outer: angle(&outer.normal),
     }
 }

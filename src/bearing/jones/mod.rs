@@ -1,7 +1,7 @@
 //! Law of a ball with inertia, after Jones.
 
 mod balance;
-mod direction;
+mod contact;
 mod inertia;
 mod law;
 mod rate;

@@ -1,69 +1,51 @@
 //! A number that carries its derivatives by the state of a ball.
 
-use std::ops::{Add, Mul, Sub};
-
-use nalgebra::Vector3;
-
-/// Value and derivatives by (Q_i, α_i, α_o): load at the inner race, contact angles.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Value and derivatives by the length at the inner race and by both contact angles.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Rate {
     pub(super) value: f64,
-    pub(super) by: Vector3<f64>,
+    /// By the distance L_i of ball and inner groove centre, 1/m.
+    pub(super) by_length: f64,
+    /// By the contact angle α_i, 1/rad.
+    pub(super) by_inner: f64,
+    /// By the contact angle α_o, 1/rad.
+    pub(super) by_outer: f64,
 }
 
 impl Rate {
-    pub(super) fn new(value: f64, by: [f64; 3]) -> Self {
+    /// `weight` × `self` + (1 − `weight`) × `other`; the weight depends on the length alone.
+    #[inline]
+    pub(super) fn blend(&self, other: &Self, weight: &Self) -> Self {
+        let (mine, others) = (weight.value, 1.0 - weight.value);
         Self {
-            value,
-            by: Vector3::from(by),
+            value: mine * self.value + others * other.value,
+            by_length: mine * self.by_length
+                + others * other.by_length
+                + weight.by_length * (self.value - other.value),
+            by_inner: mine * self.by_inner + others * other.by_inner,
+            by_outer: mine * self.by_outer + others * other.by_outer,
         }
     }
 
-    pub(super) fn constant(value: f64) -> Self {
-        Self::new(value, [0.0; 3])
-    }
-}
-
-impl Add for Rate {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            by: self.by + other.by,
-        }
-    }
-}
-
-impl Sub for Rate {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
+    /// `self` − `other`
+    #[inline]
+    pub(super) fn minus(&self, other: &Self) -> Self {
         Self {
             value: self.value - other.value,
-            by: self.by - other.by,
+            by_length: self.by_length - other.by_length,
+            by_inner: self.by_inner - other.by_inner,
+            by_outer: self.by_outer - other.by_outer,
         }
     }
-}
 
-impl Mul for Rate {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
+    /// `self` × `factor`
+    #[inline]
+    pub(super) fn scaled(&self, factor: f64) -> Self {
         Self {
-            value: self.value * other.value,
-            by: self.by * other.value + other.by * self.value,
-        }
-    }
-}
-
-impl Mul<Rate> for f64 {
-    type Output = Rate;
-
-    fn mul(self, rate: Rate) -> Rate {
-        Rate {
-            value: self * rate.value,
-            by: rate.by * self,
+            value: self.value * factor,
+            by_length: self.by_length * factor,
+            by_inner: self.by_inner * factor,
+            by_outer: self.by_outer * factor,
         }
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::Vector2;
 
 use super::balance::Ball;
-use super::direction::Direction;
+use super::contact::length_and_direction;
 
 /// Stiffness constants of dry contacts as the first guess needs them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,8 +42,8 @@ impl Ball {
         groove: Vector2<f64>,
         force_scale: f64,
     ) -> Vector2<f64> {
-        let line = Direction::new(groove);
-        let (sin, cos) = (line.normal.x, line.normal.y);
+        let (distance, line) = length_and_direction(groove);
+        let (sin, cos) = (line.x, line.y);
         // (ω_m/ω)² at equal contact angles
         let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio * cos);
         let centrifugal = force_scale * orbit * orbit;
@@ -51,7 +51,6 @@ impl Ball {
         if (groove - thrown).norm() <= self.free_inner {
             return thrown;
         }
-        let distance = line.length;
         let overlap = distance - self.free_inner - self.free_outer;
         let lever = 0.5 * self.free_inner * self.free_outer / distance;
         let across = 1.4 * centrifugal * sin / constants.series;
@@ -64,7 +63,7 @@ impl Ball {
             / (2.0 * distance);
         let height = (length_outer * length_outer - along * along).max(0.0).sqrt();
         let outward = Vector2::new(-cos, sin) * sin.signum();
-        along * line.normal + height * outward
+        along * line + height * outward
     }
 
     /// Place of a ball on the outer race alone under a centrifugal force in N.
