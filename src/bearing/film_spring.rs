@@ -76,22 +76,40 @@ impl ContactSpring for FilmSpring {
 /// e^y and dy/dσ of `σ = e^(2y/3) − e^(−0.067 y)`, to round-off for any σ.
 ///
 /// Halley's iteration in y from a fit that is right to 0.07 everywhere: the first step leaves
-/// 2e-5, the second less than round-off.
+/// 2e-5, the second less than round-off. Both exponentials are carried along by factors.
 #[inline]
 fn reduced_load(sigma: f64) -> (f64, f64) {
-    let mut y = reduced_load_start(sigma);
+    let start = reduced_load_start(sigma);
+    // e^(y/3), of which the Hertz term is the square and the load the cube, and e^(−0.067 y)
+    let mut third = (start / 3.0).exp();
+    let mut film = (-FILM * start).exp();
     for _ in 0..2 {
-        let (hertz, film) = ((HERTZ * y).exp(), (-FILM * y).exp());
+        let hertz = third * third;
         // Halley: Δy = −2 f f'/(2 f'² − f f'')
         let f = hertz - film - sigma;
         let slope = HERTZ * hertz + FILM * film;
         let curvature = HERTZ * HERTZ * hertz - FILM * FILM * film;
-        y -= 2.0 * f * slope / (2.0 * slope * slope - f * curvature);
+        let step = -2.0 * f * slope / (2.0 * slope * slope - f * curvature);
+        third *= exp_of_small(step / 3.0);
+        film *= exp_of_small(-FILM * step);
     }
-    // e^y = (e^(y/3))³: the Hertz term is its square
-    let third = (y / 3.0).exp();
-    let slope = HERTZ * third * third + FILM * (-FILM * y).exp();
+    let slope = HERTZ * third * third + FILM * film;
     (third * third * third, 1.0 / slope)
+}
+
+/// e^x to round-off for |x| ≤ 0.03, by its series.
+#[inline]
+fn exp_of_small(x: f64) -> f64 {
+    const SERIES: [f64; 7] = [
+        1.0 / 5040.0,
+        1.0 / 720.0,
+        1.0 / 120.0,
+        1.0 / 24.0,
+        1.0 / 6.0,
+        0.5,
+        1.0,
+    ];
+    1.0 + x * SERIES.iter().fold(0.0, |sum, c| sum * x + c)
 }
 
 /// y(σ) to 0.07: Hertz above, film below, a fitted polynomial between.

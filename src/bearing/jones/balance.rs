@@ -4,6 +4,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::contact::Contact;
 use super::inertia::{InertiaForces, InertiaLaw};
+use super::plane::{apply, inverse, product};
 use crate::bearing::contact_spring::ContactSpring;
 use crate::bearing::{BallForce, BallTangent};
 
@@ -85,15 +86,17 @@ impl Ball {
         else {
             return [[0.0; 2]; 3];
         };
-        let outer_follows = -(inverse * slopes.residual_by_inner);
+        let outer_follows = -product(&inverse, &slopes.residual_by_inner);
         let inner_follows = Matrix2::identity() - outer_follows;
-        let force = slopes.ring_by_inner * inner_follows + slopes.ring_by_outer * outer_follows;
+        let force = product(&slopes.ring_by_inner, &inner_follows)
+            + product(&slopes.ring_by_outer, &outer_follows);
         let friction = &balance.inertia.friction_inner;
         let (inner, outer) = (&balance.inner, &balance.outer);
         let by_inner = friction.by_length * inner.normal + friction.by_inner * inner.angle_row();
         let by_outer = friction.by_outer * outer.angle_row();
         let couple = -self.groove_radius
-            * (inner_follows.tr_mul(&by_inner) + outer_follows.tr_mul(&by_outer));
+            * (apply(&inner_follows.transpose(), by_inner)
+                + apply(&outer_follows.transpose(), by_outer));
         [
             [force.m11, force.m12],
             [force.m21, force.m22],
@@ -142,7 +145,7 @@ impl Balance {
         let up = Vector2::y();
         Slopes {
             ring_by_inner: inner.chain(ring_by_length, ring_by_angle),
-            ring_by_outer: ring_by_other * outer.angle_row().transpose(),
+            ring_by_outer: outer.chain(Vector2::zeros(), ring_by_other),
             residual_by_inner: inner.chain(
                 ring_by_length - t_o.by_length * tangent_o + f_c.by_length * up,
                 ring_by_angle - t_o.by_inner * tangent_o + f_c.by_inner * up,
@@ -153,13 +156,4 @@ impl Balance {
             ),
         }
     }
-}
-
-/// Inverse of a regular matrix.
-#[inline]
-pub(super) fn inverse(matrix: &Matrix2<f64>) -> Option<Matrix2<f64>> {
-    let scale = 1.0 / (matrix.m11 * matrix.m22 - matrix.m12 * matrix.m21);
-    scale
-        .is_finite()
-        .then(|| Matrix2::new(matrix.m22, -matrix.m12, -matrix.m21, matrix.m11) * scale)
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix2, Vector2};
 
+use super::plane::{dyads, length_and_direction};
 use crate::bearing::contact_spring::ContactSpring;
 
 /// Distance, direction and load between the ball's centre and a groove centre.
@@ -43,23 +44,12 @@ impl Contact {
     /// Derivative by the vector from those by its length and angle: `a nᵀ + b tᵀ/L`.
     #[inline]
     pub(super) fn chain(&self, by_length: Vector2<f64>, by_angle: Vector2<f64>) -> Matrix2<f64> {
-        by_length * self.normal.transpose() + by_angle * self.angle_row().transpose()
+        dyads(by_length, self.normal, by_angle, self.angle_row())
     }
 
     /// t/L: derivative of the angle by the vector, 1/m.
     #[inline]
     pub(super) fn angle_row(&self) -> Vector2<f64> {
         self.tangent() * (1.0 / self.length)
-    }
-}
-
-/// Length and unit vector; a vanishing vector is taken for a radial one.
-#[inline]
-pub(super) fn length_and_direction(vector: Vector2<f64>) -> (f64, Vector2<f64>) {
-    let length = vector.norm();
-    if length > 0.0 {
-        (length, vector * (1.0 / length))
-    } else {
-        (f64::MIN_POSITIVE, Vector2::y())
     }
 }

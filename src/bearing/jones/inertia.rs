@@ -16,7 +16,7 @@ pub(super) struct InertiaForces {
 }
 
 /// Load at the inner race above which its friction is full, in units of F_0.
-const FULL_GRIP: f64 = 0.05;
+const FULL_GRIP: f64 = 0.25;
 /// Distance of ball and inner groove centre above which Jones's kinematics hold, in units of the
 /// distance at first touch.
 const NEAR: f64 = 0.9;

@@ -4,6 +4,7 @@ mod balance;
 mod contact;
 mod inertia;
 mod law;
+mod plane;
 mod rate;
 mod solve;
 mod start;

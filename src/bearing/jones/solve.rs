@@ -2,7 +2,8 @@
 
 use nalgebra::Vector2;
 
-use super::balance::{Balance, Ball, inverse};
+use super::balance::{Balance, Ball};
+use super::plane::{apply, inverse, square};
 use crate::bearing::contact_spring::ContactSpring;
 
 /// Newton steps after which a solve ends with what it has.
@@ -31,16 +32,16 @@ impl Ball {
             let Some(mut step) = balance.newton_step() else {
                 break;
             };
-            let length = step.norm();
+            let length = square(step).sqrt();
             if length > longest {
                 step *= longest / length;
             }
-            let error = balance.residual.norm_squared();
+            let error = square(balance.residual);
             let mut better = None;
             for _ in 0..MOST_HALVINGS {
                 let trial = self.balance(groove, centre + step, springs, force_scale);
                 trials += 1;
-                if trial.residual.norm_squared() < error {
+                if square(trial.residual) < error {
                     better = Some(trial);
                     break;
                 }
@@ -66,10 +67,10 @@ impl Balance {
         let stiffness = jacobian.m11.abs().max(jacobian.m22.abs());
         let round_off = f64::EPSILON
             * (stiffness * (inner.length + outer.length) + inner.load + outer.load);
-        if self.residual.norm_squared() <= round_off * round_off {
+        if square(self.residual) <= round_off * round_off {
             return None;
         }
-        inverse(&jacobian).map(|inverse| -(inverse * self.residual))
+        inverse(&jacobian).map(|inverse| -apply(&inverse, self.residual))
     }
 
     /// As `newton_step` measures it.

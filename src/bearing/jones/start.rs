@@ -3,7 +3,7 @@
 use nalgebra::Vector2;
 
 use super::balance::Ball;
-use super::contact::length_and_direction;
+use super::plane::{length_and_direction, square};
 
 /// Stiffness constants of dry contacts as the first guess needs them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,15 +48,19 @@ impl Ball {
         let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio * cos);
         let centrifugal = force_scale * orbit * orbit;
         let thrown = self.thrown_out(constants, centrifugal);
-        if (groove - thrown).norm() <= self.free_inner {
+        if square(groove - thrown) <= self.free_inner * self.free_inner {
             return thrown;
         }
         let overlap = distance - self.free_inner - self.free_outer;
         let lever = 0.5 * self.free_inner * self.free_outer / distance;
         let across = 1.4 * centrifugal * sin / constants.series;
         let wedged = wedge(overlap, lever * across * across);
-        let length_outer = self.free_outer + constants.outer_share * wedged;
-        let length_inner = self.free_inner + (1.0 - constants.outer_share) * wedged;
+        // the outer race bears F_c cos α more than the inner one
+        let (share_outer, share_inner) = (constants.outer_share, 1.0 - constants.outer_share);
+        let stiffness = 1.5 * constants.series * wedged.sqrt() / (share_inner * share_outer);
+        let shift = (centrifugal * cos / stiffness).clamp(0.0, 0.5 * share_inner * wedged);
+        let length_outer = self.free_outer + share_outer * wedged + shift;
+        let length_inner = self.free_inner + share_inner * wedged - shift;
         // triangle over the line of groove centres, its apex on the outward side
         let along = (distance * distance + length_outer * length_outer
             - length_inner * length_inner)
