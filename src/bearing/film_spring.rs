@@ -81,7 +81,7 @@ impl ContactSpring for FilmSpring {
 fn reduced_load(sigma: f64) -> (f64, f64) {
     let start = reduced_load_start(sigma);
     // e^(y/3), of which the Hertz term is the square and the load the cube, and e^(−0.067 y)
-    let mut third = (start / 3.0).exp();
+    let mut third = (start * (1.0 / 3.0)).exp();
     let mut film = (-FILM * start).exp();
     for _ in 0..2 {
         let hertz = third * third;
@@ -90,26 +90,22 @@ fn reduced_load(sigma: f64) -> (f64, f64) {
         let slope = HERTZ * hertz + FILM * film;
         let curvature = HERTZ * HERTZ * hertz - FILM * FILM * film;
         let step = -2.0 * f * slope / (2.0 * slope * slope - f * curvature);
-        third *= exp_of_small(step / 3.0);
+        third *= exp_of_small(step * (1.0 / 3.0));
         film *= exp_of_small(-FILM * step);
     }
     let slope = HERTZ * third * third + FILM * film;
     (third * third * third, 1.0 / slope)
 }
 
-/// e^x to round-off for |x| ≤ 0.03, by its series.
+/// e^x to round-off for |x| ≤ 0.03: its series to x⁷, grouped so that the terms do not wait for
+/// one another.
 #[inline]
 fn exp_of_small(x: f64) -> f64 {
-    const SERIES: [f64; 7] = [
-        1.0 / 5040.0,
-        1.0 / 720.0,
-        1.0 / 120.0,
-        1.0 / 24.0,
-        1.0 / 6.0,
-        0.5,
-        1.0,
-    ];
-    1.0 + x * SERIES.iter().fold(0.0, |sum, c| sum * x + c)
+    let square = x * x;
+    let low = 0.5 + x * (1.0 / 6.0);
+    let middle = 1.0 / 24.0 + x * (1.0 / 120.0);
+    let high = 1.0 / 720.0 + x * (1.0 / 5040.0);
+    1.0 + (x + square * (low + square * (middle + square * high)))
 }
 
 /// y(σ) to 0.07: Hertz above, film below, a fitted polynomial between.
@@ -118,7 +114,7 @@ fn reduced_load_start(sigma: f64) -> f64 {
     if sigma > 0.5 {
         1.5 * (sigma + 0.92).ln()
     } else if sigma < -1.7 {
-        -(-sigma).ln() / FILM
+        (-sigma).ln() * (-1.0 / FILM)
     } else {
         const FIT: [f64; 6] = [-0.0275, 1.4403, -0.0025, -0.0642, -1.8324, -0.6685];
         FIT.iter().rev().fold(0.0, |sum, c| sum * sigma + c)

@@ -21,7 +21,7 @@ pub(super) struct Ball {
 }
 
 /// Forces on a ball at a trial position.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Balance {
     pub(super) inner: Contact,
     pub(super) outer: Contact,
@@ -40,7 +40,7 @@ impl Ball {
     /// r = Q_i n_i + T_i t_i − Q_o n_o − T_o t_o + (0, F_c)
     /// n = (sin α, cos α)   t = (cos α, −sin α)
     /// ```
-    #[inline]
+    #[inline(always)]
     pub(super) fn balance(
         &self,
         groove: Vector2<f64>,
@@ -66,7 +66,7 @@ impl Ball {
     }
 
     /// Force of the inner ring onto the ball.
-    #[inline]
+    #[inline(always)]
     pub(super) fn force(&self, balance: &Balance) -> BallForce {
         BallForce {
             axial: balance.ring_force.x,
@@ -78,9 +78,8 @@ impl Ball {
 
     /// Derivative of the force by the position of the inner groove centre, the ball's centre
     /// following so that its balance keeps: `dX/dA = −(∂r/∂X)⁻¹ ∂r/∂A`.
-    #[inline]
-    pub(super) fn tangent(&self, balance: &Balance) -> BallTangent {
-        let slopes = balance.slopes();
+    #[inline(always)]
+    pub(super) fn tangent(&self, balance: &Balance, slopes: &Slopes) -> BallTangent {
         // no load, no force; and without inertia nothing then holds the ball anywhere
         let Some(inverse) = inverse(&slopes.by_centre()).filter(|_| balance.inner.load > 0.0)
         else {
@@ -107,7 +106,7 @@ impl Ball {
 
 /// Derivatives of the forces by the vectors ball → inner groove centre (`inner`) and outer groove
 /// centre → ball (`outer`), N/m.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Slopes {
     ring_by_inner: Matrix2<f64>,
     ring_by_outer: Matrix2<f64>,
@@ -117,7 +116,7 @@ pub(super) struct Slopes {
 
 impl Slopes {
     /// ∂r/∂X, the derivative of the residual by the ball's centre.
-    #[inline]
+    #[inline(always)]
     pub(super) fn by_centre(&self) -> Matrix2<f64> {
         self.residual_by_outer - self.residual_by_inner
     }
@@ -125,7 +124,7 @@ impl Slopes {
 
 impl Balance {
     /// Derivatives of ring force and residual, by way of the lengths and angles of the contacts.
-    #[inline]
+    #[inline(always)]
     pub(super) fn slopes(&self) -> Slopes {
         let Self { inner, outer, .. } = self;
         let InertiaForces {

@@ -6,7 +6,7 @@ use super::plane::{dyads, length_and_direction};
 use crate::bearing::contact_spring::ContactSpring;
 
 /// Distance, direction and load between the ball's centre and a groove centre.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Contact {
     /// Distance of the centres L, m.
     pub(super) length: f64,
@@ -22,7 +22,7 @@ pub(super) struct Contact {
 
 impl Contact {
     /// Contact along a vector (axial, radial) in m; a vanishing one is taken for radial.
-    #[inline]
+    #[inline(always)]
     pub(super) fn new(vector: Vector2<f64>, free_length: f64, spring: &impl ContactSpring) -> Self {
         let (length, normal) = length_and_direction(vector);
         let (load, stiffness) = spring.load_and_stiffness(length - free_length);
@@ -36,19 +36,19 @@ impl Contact {
     }
 
     /// t = dn/dα = (cos α, −sin α).
-    #[inline]
+    #[inline(always)]
     pub(super) fn tangent(&self) -> Vector2<f64> {
         Vector2::new(self.normal.y, -self.normal.x)
     }
 
     /// Derivative by the vector from those by its length and angle: `a nᵀ + b tᵀ/L`.
-    #[inline]
+    #[inline(always)]
     pub(super) fn chain(&self, by_length: Vector2<f64>, by_angle: Vector2<f64>) -> Matrix2<f64> {
         dyads(by_length, self.normal, by_angle, self.angle_row())
     }
 
     /// t/L: derivative of the angle by the vector, 1/m.
-    #[inline]
+    #[inline(always)]
     pub(super) fn angle_row(&self) -> Vector2<f64> {
         self.tangent() * (1.0 / self.length)
     }

@@ -5,7 +5,7 @@ use super::rate::Rate;
 use crate::physics::RaceControl;
 
 /// Inertia forces of a ball with their derivatives.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct InertiaForces {
     /// Centrifugal force F_c, N.
     pub(super) centrifugal: Rate,
@@ -50,7 +50,7 @@ pub(super) struct InertiaLaw {
 
 impl InertiaLaw {
     /// Inertia forces of a ball between two contacts; `force_scale` is F_0 in N.
-    #[inline]
+    #[inline(always)]
     pub(super) fn forces(
         &self,
         inner: &Contact,
@@ -98,7 +98,7 @@ impl InertiaLaw {
     }
 
     /// F_c and 2 M_g/D under outer race control.
-    #[inline]
+    #[inline(always)]
     fn outer_control(&self, angles: &Angles, force_scale: f64) -> [Rate; 2] {
         let gamma = self.diameter_ratio;
         let Angles { sin_i, cos_i, sin_o, cos_o, share, turn } = *angles;
@@ -122,7 +122,7 @@ impl InertiaLaw {
     }
 
     /// F_c and 2 M_g/D under inner race control.
-    #[inline]
+    #[inline(always)]
     fn inner_control(&self, angles: &Angles, force_scale: f64) -> [Rate; 2] {
         let gamma = self.diameter_ratio;
         let Angles { sin_i, cos_i, sin_o, cos_o, share, turn } = *angles;
@@ -182,7 +182,7 @@ struct Angles {
 }
 
 impl Angles {
-    #[inline]
+    #[inline(always)]
     fn new(inner: &Contact, outer: &Contact) -> Self {
         let (sin_i, cos_i) = (inner.normal.x, inner.normal.y);
         let (sin_o, cos_o) = (outer.normal.x, outer.normal.y);
@@ -196,7 +196,7 @@ impl Angles {
 
 /// c itself where Jones's kinematics hold; below, a parabola down to c = 0, then constant. With
 /// its derivative.
-#[inline]
+#[inline(always)]
 fn bounded_cosine(c: f64) -> (f64, f64) {
     if c >= FARTHEST {
         (c, 1.0)
@@ -207,7 +207,7 @@ fn bounded_cosine(c: f64) -> (f64, f64) {
 }
 
 /// Share of the inner race's friction that its load can hold: 1 above a small load, 0 at none.
-#[inline]
+#[inline(always)]
 fn grip(inner: &Contact, force_scale: f64) -> Rate {
     let full = FULL_GRIP * force_scale;
     if inner.load >= full {
@@ -221,7 +221,7 @@ fn grip(inner: &Contact, force_scale: f64) -> Rate {
 }
 
 /// 3x² − 2x³ of x = length/end in 0 … 1: from 0 to 1 without a kink.
-#[inline]
+#[inline(always)]
 fn smooth_step(length: f64, end: f64) -> Rate {
     let x = length / end;
     Rate {

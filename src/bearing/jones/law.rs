@@ -3,6 +3,7 @@
 use nalgebra::Vector2;
 
 use super::balance::{Balance, Ball};
+use super::solve::Rest;
 use super::inertia::InertiaLaw;
 use super::start::StartConstants;
 use crate::bearing::film_spring::LubricatedContact;
@@ -112,17 +113,17 @@ impl<R: Races> JonesLaw<R> {
 
     /// Number of trial positions of the ball's centre that a solve takes.
     pub fn trials(&self, axial: f64, radial: f64, speed: f64) -> usize {
-        self.solve(axial, radial, speed).1
+        self.solve(axial, radial, speed).trials
     }
 
     /// Largest force in N that is left over in the ball's balance.
     pub fn residual(&self, axial: f64, radial: f64, speed: f64) -> (f64, f64, f64) {
-        let b = self.solve(axial, radial, speed).0;
-        (b.residual.norm(), b.outer.load + b.inner.load, b.round_off())
+        let r = self.solve(axial, radial, speed); let b=&r.balance;
+        (b.residual.norm(), b.outer.load + b.inner.load, b.round_off(&r.slopes))
     }
 
     #[inline]
-    fn solve(&self, axial: f64, radial: f64, speed: f64) -> (Balance, usize) {
+    fn solve(&self, axial: f64, radial: f64, speed: f64) -> Rest {
         let groove = Vector2::new(axial, radial);
         let springs = self.races.at_speed(speed);
         let force_scale = self.ball.inertia.scale * speed * speed;
@@ -132,7 +133,7 @@ impl<R: Races> JonesLaw<R> {
 
     /// Everything about the ball in its place.
     pub fn state(&self, axial: f64, radial: f64, speed: f64) -> BallState {
-        let (balance, _) = self.solve(axial, radial, speed);
+        let Rest { balance, .. } = self.solve(axial, radial, speed);
         let contact = contact_of(&balance);
         let inertia = &balance.inertia;
         let friction = inertia.friction_inner.value + inertia.friction_outer.value;
@@ -153,16 +154,19 @@ impl<R: Races> JonesLaw<R> {
 
 impl<R: Races> BallLaw for JonesLaw<R> {
     fn force(&self, axial: f64, radial: f64, speed: f64) -> BallForce {
-        self.ball.force(&self.solve(axial, radial, speed).0)
+        self.ball.force(&self.solve(axial, radial, speed).balance)
     }
 
     fn force_and_tangent(&self, axial: f64, radial: f64, speed: f64) -> (BallForce, BallTangent) {
-        let (balance, _) = self.solve(axial, radial, speed);
-        (self.ball.force(&balance), self.ball.tangent(&balance))
+        let rest = self.solve(axial, radial, speed);
+        (
+            self.ball.force(&rest.balance),
+            self.ball.tangent(&rest.balance, &rest.slopes),
+        )
     }
 
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact {
-        contact_of(&self.solve(axial, radial, speed).0)
+        contact_of(&self.solve(axial, radial, speed).balance)
     }
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, Vector2};
 
 /// `a xᵀ + b yᵀ`
-#[inline]
+#[inline(always)]
 pub(super) fn dyads(
     a: Vector2<f64>,
     x: Vector2<f64>,
@@ -19,7 +19,7 @@ pub(super) fn dyads(
 }
 
 /// `A B`
-#[inline]
+#[inline(always)]
 pub(super) fn product(a: &Matrix2<f64>, b: &Matrix2<f64>) -> Matrix2<f64> {
     Matrix2::new(
         a.m11 * b.m11 + a.m12 * b.m21,
@@ -30,13 +30,13 @@ pub(super) fn product(a: &Matrix2<f64>, b: &Matrix2<f64>) -> Matrix2<f64> {
 }
 
 /// `A x`
-#[inline]
+#[inline(always)]
 pub(super) fn apply(a: &Matrix2<f64>, x: Vector2<f64>) -> Vector2<f64> {
     Vector2::new(a.m11 * x.x + a.m12 * x.y, a.m21 * x.x + a.m22 * x.y)
 }
 
 /// `A⁻¹`; nothing for a singular matrix.
-#[inline]
+#[inline(always)]
 pub(super) fn inverse(a: &Matrix2<f64>) -> Option<Matrix2<f64>> {
     let scale = 1.0 / (a.m11 * a.m22 - a.m12 * a.m21);
     scale.is_finite().then(|| {
@@ -50,13 +50,13 @@ pub(super) fn inverse(a: &Matrix2<f64>) -> Option<Matrix2<f64>> {
 }
 
 /// `|x|²`
-#[inline]
+#[inline(always)]
 pub(super) fn square(x: Vector2<f64>) -> f64 {
     x.x * x.x + x.y * x.y
 }
 
 /// Length and unit vector; a vanishing vector is taken for a radial one.
-#[inline]
+#[inline(always)]
 pub(super) fn length_and_direction(x: Vector2<f64>) -> (f64, Vector2<f64>) {
     let length = square(x).sqrt();
     if length > 0.0 {

@@ -14,7 +14,7 @@ pub(super) struct Rate {
 
 impl Rate {
     /// `weight` × `self` + (1 − `weight`) × `other`; the weight depends on the length alone.
-    #[inline]
+    #[inline(always)]
     pub(super) fn blend(&self, other: &Self, weight: &Self) -> Self {
         let (mine, others) = (weight.value, 1.0 - weight.value);
         Self {
@@ -28,7 +28,7 @@ impl Rate {
     }
 
     /// `self` − `other`
-    #[inline]
+    #[inline(always)]
     pub(super) fn minus(&self, other: &Self) -> Self {
         Self {
             value: self.value - other.value,
@@ -39,7 +39,7 @@ impl Rate {
     }
 
     /// `self` × `factor`
-    #[inline]
+    #[inline(always)]
     pub(super) fn scaled(&self, factor: f64) -> Self {
         Self {
             value: self.value * factor,

@@ -2,82 +2,85 @@
 
 use nalgebra::Vector2;
 
-use super::balance::{Balance, Ball};
+use super::balance::{Balance, Ball, Slopes};
 use super::plane::{apply, inverse, square};
 use crate::bearing::contact_spring::ContactSpring;
 
-/// Newton steps after which a solve ends with what it has.
-const MOST_STEPS: usize = 60;
-/// Halvings of a step after which it cannot matter any more.
-const MOST_HALVINGS: usize = 30;
+/// Trial positions after which a solve ends with what it has.
+pub(super) const MOST_TRIALS: usize = 100;
+
+/// A ball at rest.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Rest {
+    pub(super) balance: Balance,
+    pub(super) slopes: Slopes,
+    /// Number of trial positions that it took.
+    pub(super) trials: usize,
+}
 
 impl Ball {
-    /// Balance at the ball's place of rest, and the number of trial positions that it took.
+    /// Balance at the ball's place of rest.
     ///
-    /// Newton's method on the sum of forces. A step that does not lower it is halved; the
-    /// springs being convex, their force has no other place where it cannot be lowered.
-    #[inline]
+    /// Newton's method on the sum of forces. A step that does not lower it is halved; the springs
+    /// being convex, their force has no other place where it cannot be lowered.
+    #[inline(always)]
     pub(super) fn solve(
         &self,
         groove: Vector2<f64>,
         start: Vector2<f64>,
         springs: &[impl ContactSpring; 2],
         force_scale: f64,
-    ) -> (Balance, usize) {
+    ) -> Rest {
         let longest = 0.5 * self.free_inner.min(self.free_outer);
         let mut centre = start;
-        let mut balance = self.balance(groove, centre, springs, force_scale);
-        let mut trials = 1;
-        for _ in 0..MOST_STEPS {
-            let Some(mut step) = balance.newton_step() else {
-                break;
-            };
-            let length = square(step).sqrt();
-            if length > longest {
-                step *= longest / length;
-            }
-            let error = square(balance.residual);
-            let mut better = None;
-            for _ in 0..MOST_HALVINGS {
-                let trial = self.balance(groove, centre + step, springs, force_scale);
-                trials += 1;
-                if square(trial.residual) < error {
-                    better = Some(trial);
+        let mut step = Vector2::new(0.0, 0.0);
+        let mut error = f64::INFINITY;
+        let mut rest = Rest::default();
+        for trials in 1..=MOST_TRIALS {
+            let trial = self.balance(groove, centre + step, springs, force_scale);
+            if square(trial.residual) < error {
+                centre += step;
+                error = square(trial.residual);
+                let slopes = trial.slopes();
+                rest = Rest {
+                    balance: trial,
+                    slopes,
+                    trials,
+                };
+                let Some(newton) = trial.newton_step(&slopes) else {
+                    break;
+                };
+                let length = square(newton).sqrt();
+                step = newton * (longest / length.max(longest));
+            } else {
+                step *= 0.5;
+                if square(step) < f64::EPSILON * f64::EPSILON * square(centre) {
                     break;
                 }
-                step *= 0.5;
             }
-            let Some(trial) = better else {
-                break;
-            };
-            centre += step;
-            balance = trial;
         }
-        (balance, trials)
+        rest
     }
 }
 
 impl Balance {
     /// `−J⁻¹ r`; nothing where the residual is round-off already, or no step is defined.
-    #[inline]
-    fn newton_step(&self) -> Option<Vector2<f64>> {
-        let jacobian = self.slopes().by_centre();
-        // what rounding of the distances alone can leave
-        let (inner, outer) = (&self.inner, &self.outer);
-        let stiffness = jacobian.m11.abs().max(jacobian.m22.abs());
-        let round_off = f64::EPSILON
-            * (stiffness * (inner.length + outer.length) + inner.load + outer.load);
+    #[inline(always)]
+    fn newton_step(&self, slopes: &Slopes) -> Option<Vector2<f64>> {
+        let jacobian = slopes.by_centre();
+        let round_off = self.round_off(slopes);
         if square(self.residual) <= round_off * round_off {
             return None;
         }
         inverse(&jacobian).map(|inverse| -apply(&inverse, self.residual))
     }
 
-    /// As `newton_step` measures it.
-    pub(super) fn round_off(&self) -> f64 {
-        let jacobian = self.slopes().by_centre();
-        let (inner, outer) = (&self.inner, &self.outer);
+    /// Residual in N that rounding of lengths and loads alone can leave.
+    #[inline(always)]
+    pub(super) fn round_off(&self, slopes: &Slopes) -> f64 {
+        let jacobian = slopes.by_centre();
         let stiffness = jacobian.m11.abs().max(jacobian.m22.abs());
+        let (inner, outer) = (&self.inner, &self.outer);
         f64::EPSILON * (stiffness * (inner.length + outer.length) + inner.load + outer.load)
     }
 }

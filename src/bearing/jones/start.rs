@@ -4,12 +4,13 @@ use nalgebra::Vector2;
 
 use super::balance::Ball;
 use super::plane::{length_and_direction, square};
+use crate::physics::series_stiffness;
 
 /// Stiffness constants of dry contacts as the first guess needs them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct StartConstants {
-    /// K_o^(−2/3), m N^(−2/3).
-    outer_compliance: f64,
+    /// K_o, N/m^1.5.
+    outer: f64,
     /// K_n of both races in series, N/m^1.5.
     series: f64,
     /// Share of the outer race in the approach under equal loads.
@@ -19,11 +20,12 @@ pub(super) struct StartConstants {
 impl StartConstants {
     /// From the stiffness constants of both races, N/m^1.5.
     pub(super) fn new(inner: f64, outer: f64) -> Self {
-        let (inner, outer) = (inner.cbrt().powi(-2), outer.cbrt().powi(-2));
+        // shares of the approach are as the compliances K^(−2/3)
+        let ratio = (inner / outer).cbrt().powi(2);
         Self {
-            outer_compliance: outer,
-            series: (inner + outer).powf(-1.5),
-            outer_share: outer / (inner + outer),
+            outer,
+            series: series_stiffness(inner, outer),
+            outer_share: ratio / (1.0 + ratio),
         }
     }
 }
@@ -35,7 +37,7 @@ impl Ball {
     /// way, it is wedged between both: the overlap S of the races grows as the ball is pushed
     /// off the line of the groove centres, `S = δ + c Δ²` for an angle Δ between the contacts,
     /// until `K_n S^(3/2) Δ` holds the inertia forces across that line: `S³ (S − δ) = c φ²`.
-    #[inline]
+    #[inline(always)]
     pub(super) fn start(
         &self,
         constants: &StartConstants,
@@ -47,11 +49,16 @@ impl Ball {
         // (ω_m/ω)² at equal contact angles
         let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio * cos);
         let centrifugal = force_scale * orbit * orbit;
-        let thrown = self.thrown_out(constants, centrifugal);
-        if square(groove - thrown) <= self.free_inner * self.free_inner {
-            return thrown;
-        }
         let overlap = distance - self.free_inner - self.free_outer;
+        // K_o δ^(3/2) > F_c: no outward yielding of the ball can undo the overlap
+        let wedged_for_sure =
+            overlap * constants.outer * overlap.max(0.0).sqrt() > centrifugal;
+        if !wedged_for_sure {
+            let thrown = self.thrown_out(constants, centrifugal);
+            if square(groove - thrown) <= self.free_inner * self.free_inner {
+                return thrown;
+            }
+        }
         let lever = 0.5 * self.free_inner * self.free_outer / distance;
         let across = 1.4 * centrifugal * sin / constants.series;
         let wedged = wedge(overlap, lever * across * across);
@@ -71,23 +78,26 @@ impl Ball {
     }
 
     /// Place of a ball on the outer race alone under a centrifugal force in N.
-    #[inline]
+    #[inline(always)]
     fn thrown_out(&self, constants: &StartConstants, centrifugal: f64) -> Vector2<f64> {
-        let approach = constants.outer_compliance * (centrifugal * centrifugal).cbrt();
+        // s_o = (F_c/K_o)^(2/3)
+        let root = (centrifugal / constants.outer).cbrt();
+        let approach = root * root;
         Vector2::new(0.0, self.free_outer + approach)
     }
 }
 
-/// Overlap S ≥ max(δ, 0) of `S³ (S − δ) = C`, from above, roughly.
-#[inline]
+/// Overlap S ≥ max(δ, 0) of `S³ (S − δ) = C`: two steps of Newton's method from above.
+#[inline(always)]
 fn wedge(overlap: f64, constant: f64) -> f64 {
-    let mut s = overlap.max(0.0) + constant.sqrt().sqrt();
-    for _ in 0..3 {
-        let cube = s * s * s;
-        let slope = s * s * (4.0 * s - 3.0 * overlap);
-        if slope > 0.0 {
-            s -= (cube * (s - overlap) - constant) / slope;
-        }
+    let floor = overlap.max(0.0);
+    // S − δ is less than C/δ³ and than C^(1/4)
+    let above = constant.sqrt().sqrt().min(constant / (floor * floor * floor));
+    let mut s = floor + above;
+    for _ in 0..2 {
+        let square = s * s;
+        let slope = square * (4.0 * s - 3.0 * overlap);
+        s -= (square * s * (s - overlap) - constant) / slope.max(f64::MIN_POSITIVE);
     }
     s
 }
