@@ -71,6 +71,19 @@ impl ContactSpring for FilmSpring {
         let load = self.load_scale * ratio;
         (load, load * slope / self.film_scale)
     }
+
+    #[inline]
+    fn approach(&self, load: f64) -> f64 {
+        if self.film_scale == 0.0 || load == 0.0 {
+            return self.dry.approach(load);
+        }
+        self.dry.approach(load) - self.film_scale * (load / self.load_scale).powf(-FILM)
+    }
+
+    #[inline]
+    fn lift(&self) -> f64 {
+        self.film_scale
+    }
 }
 
 /// e^y and dy/dσ of `σ = e^(2y/3) − e^(−0.067 y)`, to round-off for any σ.

@@ -79,7 +79,8 @@ impl Ball {
     /// Derivative of the force by the position of the inner groove centre, the ball's centre
     /// following so that its balance keeps: `dX/dA = −(∂r/∂X)⁻¹ ∂r/∂A`.
     #[inline(always)]
-    pub(super) fn tangent(&self, balance: &Balance, slopes: &Slopes) -> BallTangent {
+    pub(super) fn tangent(&self, balance: &Balance) -> BallTangent {
+        let slopes = balance.slopes();
         // no load, no force; and without inertia nothing then holds the ball anywhere
         let Some(inverse) = inverse(&slopes.by_centre()).filter(|_| balance.inner.load > 0.0)
         else {

@@ -119,7 +119,7 @@ impl<R: Races> JonesLaw<R> {
     /// Largest force in N that is left over in the ball's balance.
     pub fn residual(&self, axial: f64, radial: f64, speed: f64) -> (f64, f64, f64) {
         let r = self.solve(axial, radial, speed); let b=&r.balance;
-        (b.residual.norm(), b.outer.load + b.inner.load, b.round_off(&r.slopes))
+        (b.residual.norm(), b.outer.load + b.inner.load, b.round_off())
     }
 
     #[inline]
@@ -127,7 +127,7 @@ impl<R: Races> JonesLaw<R> {
         let groove = Vector2::new(axial, radial);
         let springs = self.races.at_speed(speed);
         let force_scale = self.ball.inertia.scale * speed * speed;
-        let start = self.ball.start(&self.start, groove, force_scale);
+        let start = self.ball.start(&self.start, groove, &springs, force_scale);
         self.ball.solve(groove, start, &springs, force_scale)
     }
 
@@ -161,7 +161,7 @@ impl<R: Races> BallLaw for JonesLaw<R> {
         let rest = self.solve(axial, radial, speed);
         (
             self.ball.force(&rest.balance),
-            self.ball.tangent(&rest.balance, &rest.slopes),
+            self.ball.tangent(&rest.balance),
         )
     }
 

@@ -2,18 +2,17 @@
 
 use nalgebra::Vector2;
 
-use super::balance::{Balance, Ball, Slopes};
+use super::balance::{Balance, Ball};
 use super::plane::{apply, inverse, square};
 use crate::bearing::contact_spring::ContactSpring;
 
 /// Trial positions after which a solve ends with what it has.
-pub(super) const MOST_TRIALS: usize = 100;
+pub(super) const MOST_TRIALS: usize = 200;
 
 /// A ball at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Rest {
     pub(super) balance: Balance,
-    pub(super) slopes: Slopes,
     /// Number of trial positions that it took.
     pub(super) trials: usize,
 }
@@ -41,17 +40,19 @@ impl Ball {
             if square(trial.residual) < error {
                 centre += step;
                 error = square(trial.residual);
-                let slopes = trial.slopes();
                 rest = Rest {
                     balance: trial,
-                    slopes,
                     trials,
                 };
-                let Some(newton) = trial.newton_step(&slopes) else {
+                let Some(newton) = trial.newton_step() else {
                     break;
                 };
-                let length = square(newton).sqrt();
-                step = newton * (longest / length.max(longest));
+                let size = square(newton);
+                step = if size > longest * longest {
+                    newton * (longest / size.sqrt())
+                } else {
+                    newton
+                };
             } else {
                 step *= 0.5;
                 if square(step) < f64::EPSILON * f64::EPSILON * square(centre) {
@@ -66,21 +67,19 @@ impl Ball {
 impl Balance {
     /// `−J⁻¹ r`; nothing where the residual is round-off already, or no step is defined.
     #[inline(always)]
-    fn newton_step(&self, slopes: &Slopes) -> Option<Vector2<f64>> {
-        let jacobian = slopes.by_centre();
-        let round_off = self.round_off(slopes);
+    fn newton_step(&self) -> Option<Vector2<f64>> {
+        let round_off = self.round_off();
         if square(self.residual) <= round_off * round_off {
             return None;
         }
-        inverse(&jacobian).map(|inverse| -apply(&inverse, self.residual))
+        inverse(&self.slopes().by_centre()).map(|inverse| -apply(&inverse, self.residual))
     }
 
     /// Residual in N that rounding of lengths and loads alone can leave.
     #[inline(always)]
-    pub(super) fn round_off(&self, slopes: &Slopes) -> f64 {
-        let jacobian = slopes.by_centre();
-        let stiffness = jacobian.m11.abs().max(jacobian.m22.abs());
+    pub(super) fn round_off(&self) -> f64 {
         let (inner, outer) = (&self.inner, &self.outer);
+        let stiffness = inner.stiffness + outer.stiffness;
         f64::EPSILON * (stiffness * (inner.length + outer.length) + inner.load + outer.load)
     }
 }

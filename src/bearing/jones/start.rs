@@ -4,6 +4,7 @@ use nalgebra::Vector2;
 
 use super::balance::Ball;
 use super::plane::{length_and_direction, square};
+use crate::bearing::contact_spring::ContactSpring;
 use crate::physics::series_stiffness;
 
 /// Stiffness constants of dry contacts as the first guess needs them.
@@ -42,32 +43,34 @@ impl Ball {
         &self,
         constants: &StartConstants,
         groove: Vector2<f64>,
+        springs: &[impl ContactSpring; 2],
         force_scale: f64,
     ) -> Vector2<f64> {
+        let free_inner = self.free_inner - springs[0].lift();
+        let free_outer = self.free_outer - springs[1].lift();
         let (distance, line) = length_and_direction(groove);
         let (sin, cos) = (line.x, line.y);
         // (ω_m/ω)² at equal contact angles
         let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio * cos);
         let centrifugal = force_scale * orbit * orbit;
-        let overlap = distance - self.free_inner - self.free_outer;
+        let overlap = distance - free_inner - free_outer;
         // K_o δ^(3/2) > F_c: no outward yielding of the ball can undo the overlap
-        let wedged_for_sure =
-            overlap * constants.outer * overlap.max(0.0).sqrt() > centrifugal;
-        if !wedged_for_sure {
-            let thrown = self.thrown_out(constants, centrifugal);
-            if square(groove - thrown) <= self.free_inner * self.free_inner {
+        let floor = overlap.max(0.0);
+        if constants.outer * floor * floor.sqrt() <= centrifugal {
+            let thrown = Vector2::new(0.0, self.free_outer + springs[1].approach(centrifugal));
+            if square(groove - thrown) <= free_inner * free_inner {
                 return thrown;
             }
         }
-        let lever = 0.5 * self.free_inner * self.free_outer / distance;
+        let lever = 0.5 * free_inner * free_outer / distance;
         let across = 1.4 * centrifugal * sin / constants.series;
         let wedged = wedge(overlap, lever * across * across);
         // the outer race bears F_c cos α more than the inner one
         let (share_outer, share_inner) = (constants.outer_share, 1.0 - constants.outer_share);
         let stiffness = 1.5 * constants.series * wedged.sqrt() / (share_inner * share_outer);
         let shift = (centrifugal * cos / stiffness).clamp(0.0, 0.5 * share_inner * wedged);
-        let length_outer = self.free_outer + share_outer * wedged + shift;
-        let length_inner = self.free_inner + share_inner * wedged - shift;
+        let length_outer = free_outer + share_outer * wedged + shift;
+        let length_inner = free_inner + share_inner * wedged - shift;
         // triangle over the line of groove centres, its apex on the outward side
         let along = (distance * distance + length_outer * length_outer
             - length_inner * length_inner)
@@ -75,15 +78,6 @@ impl Ball {
         let height = (length_outer * length_outer - along * along).max(0.0).sqrt();
         let outward = Vector2::new(-cos, sin) * sin.signum();
         along * line + height * outward
-    }
-
-    /// Place of a ball on the outer race alone under a centrifugal force in N.
-    #[inline(always)]
-    fn thrown_out(&self, constants: &StartConstants, centrifugal: f64) -> Vector2<f64> {
-        // s_o = (F_c/K_o)^(2/3)
-        let root = (centrifugal / constants.outer).cbrt();
-        let approach = root * root;
-        Vector2::new(0.0, self.free_outer + approach)
     }
 }
 
