@@ -1,6 +1,6 @@
 //! Place of a ball between its races: damped Newton from an explicit start.
 
-use nalgebra::Vector2;
+use nalgebra::{Matrix2, Vector2};
 
 use super::balance::{Balance, Ball};
 use super::plane::{apply, inverse, square};
@@ -20,8 +20,11 @@ pub(super) struct Rest {
 impl Ball {
     /// Balance at the ball's place of rest.
     ///
-    /// Newton's method on the sum of forces. A step that does not lower it is halved; the springs
-    /// being convex, their force has no other place where it cannot be lowered.
+    /// Newton's method on the sum of forces r. A step is halved until the next one, with the same
+    /// slopes, is shorter: the natural monotonicity test, which measures the error in metres and
+    /// so is not misled by contacts that are stiff along their normal and soft across it.
+    ///
+    /// Source: P. Deuflhard, *Newton Methods for Nonlinear Problems* (2004), sec. 3.3.
     #[inline(always)]
     pub(super) fn solve(
         &self,
@@ -30,49 +33,59 @@ impl Ball {
         springs: &[impl ContactSpring; 2],
         force_scale: f64,
     ) -> Rest {
-        let longest = 0.5 * self.free_inner.min(self.free_outer);
         let mut centre = start;
         let mut step = Vector2::new(0.0, 0.0);
-        let mut error = f64::INFINITY;
+        let mut slopes_inverse = Matrix2::zeros();
+        let mut longest_next = f64::INFINITY;
         let mut rest = Rest::default();
         for trials in 1..=MOST_TRIALS {
             let trial = self.balance(groove, centre + step, springs, force_scale);
-            if square(trial.residual) < error {
+            let next = square(apply(&slopes_inverse, trial.residual));
+            if next < longest_next {
                 centre += step;
-                error = square(trial.residual);
                 rest = Rest {
                     balance: trial,
                     trials,
                 };
-                let Some(newton) = trial.newton_step() else {
+                let Some(inverse) = trial.slopes_inverse() else {
                     break;
                 };
-                let size = square(newton);
-                step = if size > longest * longest {
-                    newton * (longest / size.sqrt())
-                } else {
-                    newton
-                };
-            } else {
-                step *= 0.5;
-                if square(step) < f64::EPSILON * f64::EPSILON * square(centre) {
-                    break;
+                slopes_inverse = inverse;
+                step = -apply(&inverse, trial.residual);
+                longest_next = square(step);
+                let longest = self.longest_step(&trial);
+                if longest_next > longest {
+                    step *= (longest / longest_next).sqrt();
                 }
+            } else if square(step) > f64::EPSILON * f64::EPSILON * square(centre) {
+                step *= 0.5;
+            } else {
+                break;
             }
         }
         rest
     }
+
+    /// Square of the step in m² whose sagitta is as large as the present approaches: a longer one
+    /// leaves the slopes it was computed from.
+    #[inline(always)]
+    fn longest_step(&self, balance: &Balance) -> f64 {
+        let (inner, outer) = (&balance.inner, &balance.outer);
+        let approach =
+            (inner.length - self.free_inner).abs() + (outer.length - self.free_outer).abs();
+        4.0 * self.free_inner.min(self.free_outer) * approach
+    }
 }
 
 impl Balance {
-    /// `−J⁻¹ r`; nothing where the residual is round-off already, or no step is defined.
+    /// `(∂r/∂X)⁻¹`; nothing where the residual is round-off already, or there is none.
     #[inline(always)]
-    fn newton_step(&self) -> Option<Vector2<f64>> {
+    fn slopes_inverse(&self) -> Option<Matrix2<f64>> {
         let round_off = self.round_off();
         if square(self.residual) <= round_off * round_off {
             return None;
         }
-        inverse(&self.slopes().by_centre()).map(|inverse| -apply(&inverse, self.residual))
+        inverse(&self.slopes().by_centre())
     }
 
     /// Residual in N that rounding of lengths and loads alone can leave.
