@@ -54,8 +54,8 @@ impl HertzFilmLaw {
     /// # Errors
     /// [`BallLawError`] where ball and races form no contact or the oil is none.
     pub fn new(bearing: &Bearing, oil: Oil, prepared_speed: f64) -> Result<Self, BallLawError> {
-        let (inner, outer) = (bearing.inner_contact()?, bearing.outer_contact()?);
-        let films = RaceFilms::new(bearing, &inner, &outer, &oil)?;
+        let contacts = [bearing.inner_contact()?, bearing.outer_contact()?];
+        let films = RaceFilms::new(bearing, &contacts, &oil)?;
         // equal loads and equal exponents: the two films add up to one
         let contact = LubricatedContact::new(
             bearing.load_deflection_constant()?,

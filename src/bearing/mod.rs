@@ -17,6 +17,6 @@ pub use definition::{Bearing, BearingError, ContactLaw, Facing, MountedBearing, 
 pub use film_spring::FilmSpring;
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use hertz_film_law::HertzFilmLaw;
-pub use jones::{BallState, JonesLaw};
+pub use jones::{BallState, JonesFilmLaw, JonesLaw};
 pub use oil::{BallLawError, Oil};
 pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};

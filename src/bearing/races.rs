@@ -3,9 +3,7 @@
 use super::contact_spring::{ContactSpring, HertzSpring};
 use super::film_spring::{FilmSpring, LubricatedContact};
 use super::{BallLawError, Bearing, Oil};
-use crate::physics::{
-    FilmContact, FilmInputs, HertzContact, contact_modulus, entrainment_speed,
-};
+use crate::physics::{FilmContact, FilmInputs, HertzContact, contact_modulus, entrainment_speed};
 
 /// The contacts of a ball with both races.
 pub trait Races {
@@ -21,8 +19,8 @@ pub trait Races {
 pub struct DryRaces([HertzSpring; 2]);
 
 impl DryRaces {
-    pub(super) fn new(inner: &HertzContact, outer: &HertzContact) -> Self {
-        Self([inner, outer].map(|contact| HertzSpring {
+    pub(super) fn new(contacts: &[HertzContact; 2]) -> Self {
+        Self(contacts.each_ref().map(|contact| HertzSpring {
             stiffness: contact.stiffness(),
         }))
     }
@@ -41,17 +39,28 @@ impl Races for DryRaces {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LubricatedRaces {
     contacts: [LubricatedContact; 2],
+    films: RaceFilms,
     prepared_speed: f64,
     prepared: [FilmSpring; 2],
 }
 
 impl LubricatedRaces {
-    pub(super) fn new(contacts: [LubricatedContact; 2], prepared_speed: f64) -> Self {
+    pub(super) fn new(
+        contacts: [LubricatedContact; 2],
+        films: RaceFilms,
+        prepared_speed: f64,
+    ) -> Self {
         Self {
             contacts,
+            films,
             prepared_speed,
             prepared: contacts.map(|contact| contact.at_speed(prepared_speed)),
         }
+    }
+
+    /// Oil films of both races.
+    pub fn films(&self) -> &RaceFilms {
+        &self.films
     }
 }
 
@@ -78,8 +87,7 @@ pub struct RaceFilms {
 impl RaceFilms {
     pub(super) fn new(
         bearing: &Bearing,
-        inner: &HertzContact,
-        outer: &HertzContact,
+        [inner, outer]: &[HertzContact; 2],
         oil: &Oil,
     ) -> Result<Self, BallLawError> {
         oil.check()?;

@@ -11,6 +11,8 @@ use crate::bearing::{BallForce, BallTangent};
 /// Dimensions of a ball's plane, and its inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Ball {
+    /// D, m.
+    pub(super) diameter: f64,
     /// (f_i − 1/2)D, m.
     pub(super) free_inner: f64,
     /// (f_o − 1/2)D, m.
@@ -51,8 +53,7 @@ impl Ball {
         let inner = Contact::new(groove - centre, self.free_inner, &springs[0]);
         let outer = Contact::new(centre, self.free_outer, &springs[1]);
         let inertia = self.inertia.forces(&inner, &outer, force_scale);
-        let ring_force =
-            inner.load * inner.normal + inertia.friction_inner.value * inner.tangent();
+        let ring_force = inner.load * inner.normal + inertia.friction_inner.value * inner.tangent();
         let outer_force =
             outer.load * outer.normal + inertia.friction_outer.value * outer.tangent();
         let centrifugal = Vector2::new(0.0, inertia.centrifugal.value);

@@ -16,7 +16,7 @@ pub(super) struct InertiaForces {
 }
 
 /// Load at the inner race above which its friction is full, in units of F_0.
-const FULL_GRIP: f64 = 0.25;
+const FULL_GRIP: f64 = 0.1;
 /// Distance of ball and inner groove centre above which Jones's kinematics hold, in units of the
 /// distance at first touch.
 const NEAR: f64 = 0.9;
@@ -101,7 +101,14 @@ impl InertiaLaw {
     #[inline(always)]
     fn outer_control(&self, angles: &Angles, force_scale: f64) -> [Rate; 2] {
         let gamma = self.diameter_ratio;
-        let Angles { sin_i, cos_i, sin_o, cos_o, share, turn } = *angles;
+        let Angles {
+            sin_i,
+            cos_i,
+            sin_o,
+            cos_o,
+            share,
+            turn,
+        } = *angles;
         // ω_m/ω = (1 − γ' cos α_i)/(1 + c)
         let orbit = (1.0 - gamma * cos_i) * share;
         let orbit_by_outer = -orbit * turn;
@@ -125,7 +132,14 @@ impl InertiaLaw {
     #[inline(always)]
     fn inner_control(&self, angles: &Angles, force_scale: f64) -> [Rate; 2] {
         let gamma = self.diameter_ratio;
-        let Angles { sin_i, cos_i, sin_o, cos_o, share, turn } = *angles;
+        let Angles {
+            sin_i,
+            cos_i,
+            sin_o,
+            cos_o,
+            share,
+            turn,
+        } = *angles;
         // ω_m/ω = (c − γ' cos α_o)/(1 + c) = 1 − (1 + γ' cos α_o)/(1 + c)
         let rest = (1.0 + gamma * cos_o) * share;
         let rest_by_inner = rest * turn;
@@ -190,7 +204,14 @@ impl Angles {
         let share = 1.0 / (1.0 + c);
         // ∂ cos(α_i − α_o)/∂α_o = sin(α_i − α_o)
         let turn = slope * (sin_i * cos_o - cos_i * sin_o) * share;
-        Self { sin_i, cos_i, sin_o, cos_o, share, turn }
+        Self {
+            sin_i,
+            cos_i,
+            sin_o,
+            cos_o,
+            share,
+            turn,
+        }
     }
 }
 
@@ -211,7 +232,10 @@ fn bounded_cosine(c: f64) -> (f64, f64) {
 fn grip(inner: &Contact, force_scale: f64) -> Rate {
     let full = FULL_GRIP * force_scale;
     if inner.load >= full {
-        return Rate { value: 1.0, ..Rate::default() };
+        return Rate {
+            value: 1.0,
+            ..Rate::default()
+        };
     }
     let by_load = smooth_step(inner.load, full);
     Rate {

@@ -39,14 +39,9 @@ pub(super) fn apply(a: &Matrix2<f64>, x: Vector2<f64>) -> Vector2<f64> {
 #[inline(always)]
 pub(super) fn inverse(a: &Matrix2<f64>) -> Option<Matrix2<f64>> {
     let scale = 1.0 / (a.m11 * a.m22 - a.m12 * a.m21);
-    scale.is_finite().then(|| {
-        Matrix2::new(
-            a.m22 * scale,
-            -a.m12 * scale,
-            -a.m21 * scale,
-            a.m11 * scale,
-        )
-    })
+    scale
+        .is_finite()
+        .then(|| Matrix2::new(a.m22 * scale, -a.m12 * scale, -a.m21 * scale, a.m11 * scale))
 }
 
 /// `|x|²`

@@ -75,7 +75,9 @@ impl Ball {
         let along = (distance * distance + length_outer * length_outer
             - length_inner * length_inner)
             / (2.0 * distance);
-        let height = (length_outer * length_outer - along * along).max(0.0).sqrt();
+        let height = (length_outer * length_outer - along * along)
+            .max(0.0)
+            .sqrt();
         let outward = Vector2::new(-cos, sin) * sin.signum();
         along * line + height * outward
     }
@@ -86,7 +88,10 @@ impl Ball {
 fn wedge(overlap: f64, constant: f64) -> f64 {
     let floor = overlap.max(0.0);
     // S − δ is less than C/δ³ and than C^(1/4)
-    let above = constant.sqrt().sqrt().min(constant / (floor * floor * floor));
+    let above = constant
+        .sqrt()
+        .sqrt()
+        .min(constant / (floor * floor * floor));
     let mut s = floor + above;
     for _ in 0..2 {
         let square = s * s;
