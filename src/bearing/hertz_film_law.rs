@@ -2,7 +2,7 @@
 
 use super::contact_spring::ContactSpring;
 use super::film_spring::{FilmSpring, LubricatedContact};
-use super::races::{FilmThickness, RaceFilms};
+use super::races::RaceFilms;
 use super::{BallContact, BallForce, BallLaw, BallLawError, BallTangent, Bearing, Oil};
 
 /// Law of a ball between two lubricated races, its inertia neglected.
@@ -70,10 +70,9 @@ impl HertzFilmLaw {
         })
     }
 
-    /// Film thickness at the inner and the outer race.
-    pub fn film_thickness(&self, axial: f64, radial: f64, speed: f64) -> [FilmThickness; 2] {
-        let (_, load, _) = self.solve(axial, radial, speed);
-        self.films.thickness([load, load], speed)
+    /// Oil films of both races: their thickness under the loads of a [`BallContact`].
+    pub fn films(&self) -> &RaceFilms {
+        &self.films
     }
 
     /// Distance of the groove centres in m, load in N and its derivative by the distance in N/m.

@@ -8,7 +8,7 @@ use super::solve::Rest;
 use super::start::StartConstants;
 use super::state::{BallState, SpinResistance, contact_of};
 use crate::bearing::film_spring::LubricatedContact;
-use crate::bearing::races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
+use crate::bearing::races::{DryRaces, LubricatedRaces, RaceFilms, Races};
 use crate::bearing::{BallContact, BallForce, BallLaw, BallLawError, BallTangent, Bearing, Oil};
 use crate::physics::{HertzContact, RaceControl, ball_mass};
 
@@ -42,7 +42,7 @@ use crate::physics::{HertzContact, RaceControl, ball_mass};
 ///
 /// Where the books' formulas say nothing the law goes on smoothly:
 /// - friction and control of the inner race fade out, to the outer race, below
-///   `Q_i = 0.05 m_b d_m ω²` (less than half of F_c): what bears nothing cannot rub;
+///   `Q_i = 0.05 m_b d_m ω²` (about half of F_c): what bears nothing cannot rub;
 /// - once the ball is off the inner race by a tenth of (f_i − ½)D, its orbital speed goes over to
 ///   the cage's, for an angle to a race far away has no meaning;
 /// - in the kinematics, contacts more than 75° apart count as at most 83° apart.
@@ -111,11 +111,9 @@ impl JonesLaw<LubricatedRaces> {
         Self::with_races(bearing, control, &contacts, races)
     }
 
-    /// Film thickness at the inner and the outer race.
-    pub fn film_thickness(&self, axial: f64, radial: f64, speed: f64) -> [FilmThickness; 2] {
-        let contact = self.contact(axial, radial, speed);
-        let loads = [contact.load_inner, contact.load_outer];
-        self.races.films().thickness(loads, speed)
+    /// Oil films of both races: their thickness under the loads of a [`BallContact`].
+    pub fn films(&self) -> &RaceFilms {
+        self.races.films()
     }
 }
 
