@@ -21,13 +21,15 @@ fn at_rest_jones_is_hertz() {
         let case = random.case();
         let (load, angle) = hertz(&case.bearing, case.axial, case.radial);
         let stiffness = case.bearing.load_deflection_constant().unwrap();
-        let round_off =
-            1e-15 * stiffness * (load / stiffness).cbrt() * case.axial.hypot(case.radial);
+        // what a rounding of the distance by a few units leaves in the load
+        let distance = case.axial.hypot(case.radial);
+        let approach = (load / stiffness).cbrt().powi(2) + 8.0 * f64::EPSILON * distance;
+        let round_off = stiffness * approach.powf(1.5) - load;
         for control in [RaceControl::Outer, RaceControl::Inner, RaceControl::Even] {
             let law = JonesLaw::new(&case.bearing, control).unwrap();
             let contact = law.contact(case.axial, case.radial, 0.0);
-            assert!((contact.load_inner - load).abs() <= 1e-13 * load + 4.0 * round_off);
-            assert!((contact.load_outer - load).abs() <= 1e-13 * load + 4.0 * round_off);
+            assert!((contact.load_inner - load).abs() <= 1e-13 * load + round_off);
+            assert!((contact.load_outer - load).abs() <= 1e-13 * load + round_off);
             if load > 1e-3 {
                 assert!((contact.angle_inner - angle).abs() < 1e-9);
                 assert!((contact.angle_outer - angle).abs() < 1e-9);
@@ -91,7 +93,7 @@ fn inertia_vanishes_with_the_square_of_speed() {
 fn a_ball_without_inner_contact_rests_on_the_outer_race() {
     let bearing = bearing_7205c();
     let geometry = &bearing.geometry;
-    let (axial, radial) = (geometry.free_axial(), geometry.free_radial() - 10e-6);
+    let (axial, radial) = (geometry.free_axial(), geometry.free_radial() - 60e-6);
     for control in [RaceControl::Outer, RaceControl::Inner, RaceControl::Even] {
         let law = JonesLaw::new(&bearing, control).unwrap();
         let state = law.state(axial, radial, 3000.0);
