@@ -21,9 +21,9 @@ fn at_rest_jones_is_hertz() {
         let case = random.case();
         let (load, angle) = hertz(&case.bearing, case.axial, case.radial);
         let stiffness = case.bearing.load_deflection_constant().unwrap();
-        // what a rounding of the distance by a few units leaves in the load
-        let distance = case.axial.hypot(case.radial);
-        let approach = (load / stiffness).cbrt().powi(2) + 8.0 * f64::EPSILON * distance;
+        // what rounding leaves: groove factors near 1 are rounded to ε, distances are ε D
+        let rounding = 2.0 * f64::EPSILON * case.bearing.geometry.ball_diameter();
+        let approach = (load / stiffness).cbrt().powi(2) + rounding;
         let round_off = stiffness * approach.powf(1.5) - load;
         for control in [RaceControl::Outer, RaceControl::Inner, RaceControl::Even] {
             let law = JonesLaw::new(&case.bearing, control).unwrap();

@@ -68,7 +68,9 @@ impl Ball {
         // the outer race bears F_c cos α more than the inner one
         let (share_outer, share_inner) = (constants.outer_share, 1.0 - constants.outer_share);
         let stiffness = 1.5 * constants.series * wedged.sqrt() / (share_inner * share_outer);
-        let shift = (centrifugal * cos / stiffness).clamp(0.0, 0.5 * share_inner * wedged);
+        let shift = (centrifugal * cos / stiffness)
+            .min(0.5 * share_inner * wedged)
+            .max(0.0);
         let length_outer = free_outer + share_outer * wedged + shift;
         let length_inner = free_inner + share_inner * wedged - shift;
         // triangle over the line of groove centres, its apex on the outward side
