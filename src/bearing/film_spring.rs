@@ -52,7 +52,7 @@ impl LubricatedContact {
 ///
 /// `Q*` is the load at which film and Hertz approach are equal, `h*` that length. With
 /// `y = ln(Q/Q*)` and `σ = s/h*` every contact has the same law
-/// `σ = e^(2y/3) − e^(−0.067 y)`, strictly increasing, which [`reduced_load`] inverts. Without
+/// `σ = e^(2y/3) − e^(−0.067 y)`, strictly increasing, which is inverted to round-off. Without
 /// speed the spring is the dry one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FilmSpring {
@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn the_reduced_law_is_inverted_to_round_off() {
-        for step in -40_000..40_000 {
+        for step in -20_000..20_000 {
             let sigma = (f64::from(step) * 1e-3).sinh() * 1e-3 + 1e-4 * f64::from(step);
             let (ratio, _) = reduced_load(sigma);
             let (hertz, film) = (ratio.powf(HERTZ), ratio.powf(-FILM));
