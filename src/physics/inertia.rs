@@ -22,7 +22,7 @@ pub fn ball_mass(diameter: f64, density: f64) -> f64 {
 /// ```
 /// use jeffcott::physics::ball_inertia;
 /// // 7205C: 2.0428 g, D = 7.938 mm.
-/// assert!((ball_inertia(2.0428e-3, 7.938e-3) - 1.28723e-8).abs() < 5e-13);
+/// assert!((ball_inertia(2.0428e-3, 7.938e-3) - 1.28721e-8).abs() < 5e-14);
 /// ```
 pub fn ball_inertia(mass: f64, diameter: f64) -> f64 {
     mass * diameter * diameter / 10.0
