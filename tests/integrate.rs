@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use jeffcott::integrate::{Grid, IntegrateError, Integration, Method, Scaling, Settings, System};
+use jeffcott::integrate::{Grid, Integration, Method, Scaling, Settings, System};
 
 /// y' = cos(t) y, y(0) = 1: y = exp(sin t). The time enters, so a wrong node shows.
 struct Swelling;

@@ -6,18 +6,30 @@
 
 mod ball_law;
 pub mod catalogue;
+mod contact_spring;
 mod definition;
 pub mod equilibrium;
+mod film_spring;
 mod geometry;
+mod hertz_film_law;
 mod hertz_law;
+mod jones;
+mod oil;
+mod races;
 mod ring;
 mod support;
 mod thrust;
 
 pub use ball_law::{BallContact, BallForce, BallLaw, BallTangent};
+pub use contact_spring::{ContactSpring, HertzSpring};
 pub use definition::{Bearing, BearingError, ContactLaw, Facing, MountedBearing, Preload};
+pub use film_spring::FilmSpring;
 pub use geometry::{FreePosition, Geometry, GeometryError};
+pub use hertz_film_law::HertzFilmLaw;
 pub use hertz_law::HertzLaw;
+pub use jones::{BallState, JonesFilmLaw, JonesLaw};
+pub use oil::{BallLawError, Oil};
+pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
 pub use ring::{CageAngle, Matrix5, Ring, Vector5};
 pub use support::Support;
 pub use thrust::Thrust;

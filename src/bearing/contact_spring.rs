@@ -1,0 +1,44 @@
+//! A ball's contact as a spring: from the approach of two groove centres to the load.
+
+/// Load of one contact (or of two in series) as a function of the approach.
+///
+/// The load never decreases with the approach and is never negative.
+pub trait ContactSpring {
+    /// Load Q in N and stiffness dQ/ds in N/m at an approach `s` in m, negative when apart.
+    fn load_and_stiffness(&self, approach: f64) -> (f64, f64);
+
+    /// Approach s in m under a load in N: the inverse.
+    fn approach(&self, load: f64) -> f64;
+
+    /// Roughly by how much a film holds the surfaces apart under load, m.
+    fn lift(&self) -> f64;
+}
+
+/// Dry contact: `Q = K s^(3/2)` for s > 0, nothing otherwise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HertzSpring {
+    /// Stiffness constant K, N/m^1.5.
+    pub stiffness: f64,
+}
+
+impl ContactSpring for HertzSpring {
+    #[inline]
+    fn load_and_stiffness(&self, approach: f64) -> (f64, f64) {
+        let s = approach.max(0.0);
+        // dQ/ds = 3/2 K √s,  Q = K s √s
+        let root = self.stiffness * s.sqrt();
+        (root * s, 1.5 * root)
+    }
+
+    #[inline]
+    fn approach(&self, load: f64) -> f64 {
+        // s = (Q/K)^(2/3)
+        let root = (load / self.stiffness).cbrt();
+        root * root
+    }
+
+    #[inline]
+    fn lift(&self) -> f64 {
+        0.0
+    }
+}

@@ -1,0 +1,136 @@
+//! The two contacts of a ball, dry or lubricated, ready for a speed.
+
+use super::contact_spring::{ContactSpring, HertzSpring};
+use super::film_spring::{FilmSpring, LubricatedContact};
+use super::{BallLawError, Bearing, Oil};
+use crate::physics::{FilmContact, FilmInputs, HertzContact, contact_modulus, entrainment_speed};
+
+/// The contacts of a ball with both races.
+pub trait Races {
+    /// What a contact is at one speed.
+    type Spring: ContactSpring;
+
+    /// Springs of the inner and the outer race at a shaft speed in rad/s.
+    fn at_speed(&self, speed: f64) -> [Self::Spring; 2];
+}
+
+/// Hertz contacts without oil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DryRaces([HertzSpring; 2]);
+
+impl DryRaces {
+    pub(super) fn new(contacts: &[HertzContact; 2]) -> Self {
+        Self(contacts.each_ref().map(|contact| HertzSpring {
+            stiffness: contact.stiffness(),
+        }))
+    }
+}
+
+impl Races for DryRaces {
+    type Spring = HertzSpring;
+
+    #[inline]
+    fn at_speed(&self, _speed: f64) -> [HertzSpring; 2] {
+        self.0
+    }
+}
+
+/// Hertz contacts behind oil films; prepared for one speed, right at every speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LubricatedRaces {
+    contacts: [LubricatedContact; 2],
+    films: RaceFilms,
+    prepared_speed: f64,
+    prepared: [FilmSpring; 2],
+}
+
+impl LubricatedRaces {
+    pub(super) fn new(
+        contacts: [LubricatedContact; 2],
+        films: RaceFilms,
+        prepared_speed: f64,
+    ) -> Self {
+        Self {
+            contacts,
+            films,
+            prepared_speed,
+            prepared: contacts.map(|contact| contact.at_speed(prepared_speed)),
+        }
+    }
+
+    /// Oil films of both races.
+    pub fn films(&self) -> &RaceFilms {
+        &self.films
+    }
+}
+
+impl Races for LubricatedRaces {
+    type Spring = FilmSpring;
+
+    #[inline]
+    fn at_speed(&self, speed: f64) -> [FilmSpring; 2] {
+        if speed == self.prepared_speed {
+            self.prepared
+        } else {
+            self.contacts.map(|contact| contact.at_speed(speed))
+        }
+    }
+}
+
+/// Oil films of both races, inner first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RaceFilms {
+    contacts: [FilmContact; 2],
+    entrainment_ratio: f64,
+}
+
+impl RaceFilms {
+    pub(super) fn new(
+        bearing: &Bearing,
+        [inner, outer]: &[HertzContact; 2],
+        oil: &Oil,
+    ) -> Result<Self, BallLawError> {
+        oil.check()?;
+        let geometry = &bearing.geometry;
+        let gamma = geometry.gamma();
+        let film = |contact: &HertzContact, curvature: f64| {
+            FilmContact::new(FilmInputs {
+                // R_x = D(1 ∓ γ)/2
+                radius: 0.5 * geometry.ball_diameter() * (1.0 + curvature),
+                modulus: 2.0 * contact_modulus(&bearing.ball_material, &bearing.ring_material),
+                ellipticity: contact.ellipticity(),
+                viscosity: oil.viscosity,
+                pressure_viscosity: oil.pressure_viscosity,
+            })
+        };
+        Ok(Self {
+            contacts: [film(inner, -gamma), film(outer, gamma)],
+            entrainment_ratio: entrainment_speed(geometry.pitch_diameter(), gamma, 1.0),
+        })
+    }
+
+    /// Constants c in m of `h = c ω^0.67 Q^(−0.067)`, inner race first.
+    pub(super) fn central_constants(&self) -> [f64; 2] {
+        let growth = self.entrainment_ratio.powf(FilmContact::SPEED_EXPONENT);
+        self.contacts.map(|film| film.central_constant() * growth)
+    }
+
+    /// Central and minimum thickness in m at the inner and the outer race, for their loads in N
+    /// at a shaft speed in rad/s.
+    pub fn thickness(&self, loads: [f64; 2], speed: f64) -> [FilmThickness; 2] {
+        let entrainment = self.entrainment_ratio * speed.abs();
+        std::array::from_fn(|race| FilmThickness {
+            central: self.contacts[race].central(entrainment, loads[race]),
+            minimum: self.contacts[race].minimum(entrainment, loads[race]),
+        })
+    }
+}
+
+/// Thickness of the oil film in one contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FilmThickness {
+    /// Central thickness h_c, m.
+    pub central: f64,
+    /// Minimum thickness h_min, m.
+    pub minimum: f64,
+}
