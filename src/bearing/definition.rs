@@ -1,8 +1,8 @@
 //! What a bearing is made of and how it sits on the shaft: plain data, before any computation.
 
-use super::{Geometry, GeometryError};
+use super::{Geometry, GeometryError, Oil};
 use crate::physics::{
-    HertzContact, HertzError, Material, contact_modulus, inner_race_curvature,
+    HertzContact, HertzError, Material, RaceControl, contact_modulus, inner_race_curvature,
     outer_race_curvature, series_stiffness,
 };
 
@@ -19,6 +19,29 @@ pub enum BearingError {
         race: &'static str,
         /// What is wrong with it.
         source: HertzError,
+    },
+    /// A property of the oil is no positive number.
+    #[error("the oil's {name} is {value} in SI units; it must be positive and finite")]
+    Oil {
+        /// Which property.
+        name: &'static str,
+        /// Value as given.
+        value: f64,
+    },
+    /// The balls have no mass.
+    #[error("the density of the balls is {density} kg/m³; it must be positive and finite")]
+    Density {
+        /// Density as given, kg/m³.
+        density: f64,
+    },
+    /// A stiffness given for both races together cannot be told apart.
+    #[error(
+        "a contact stiffness of {stiffness} N/m^1.5 is given for both races together; ball inertia \
+         loads them differently, so give the geometry's own contacts instead"
+    )]
+    SeriesStiffness {
+        /// Stiffness constant K_n as given, N/m^1.5.
+        stiffness: f64,
     },
     /// A bearing's preload has no axial position that gives it.
     #[error(
@@ -110,10 +133,12 @@ impl Bearing {
 /// Force law between the rings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ContactLaw {
-    /// F = F0 + K (q − q0), frozen at the static equilibrium.
+    /// F = F0 + K (q − q0): the law `Hertz`, frozen at the static equilibrium.
     Linear,
     /// Hertz contact of each ball with both races in series, ball inertia neglected.
     Hertz,
+    /// Jones's ball equilibrium with centrifugal force and gyroscopic moment.
+    Jones(RaceControl),
 }
 
 /// Which way along Z the inner ring must move to load the bearing.
@@ -140,8 +165,11 @@ impl Facing {
 pub enum Preload {
     /// Inner ring displaced by this much in m the way its facing loads it: z_local = s z + offset.
     AxialOffset(f64),
-    /// The offset at which the bearing alone carries this axial force in N.
+    /// The offset at which the bearing alone, standing, carries this axial force in N.
     Force(f64),
+    /// The outer ring floats axially and a soft spring presses it with this force in N, the way that
+    /// loads the bearing, wherever the shaft is.
+    Spring(f64),
 }
 
 /// A bearing and its place on the shaft.
@@ -151,6 +179,8 @@ pub struct MountedBearing {
     pub bearing: Bearing,
     /// Force law that stands for it.
     pub law: ContactLaw,
+    /// Oil whose films part the surfaces; `None` leaves films out.
+    pub oil: Option<Oil>,
     /// Position along the shaft from the centre of mass, m.
     pub position: f64,
     /// Orientation.

@@ -3,7 +3,7 @@
 use super::contact_spring::ContactSpring;
 use super::film_spring::{FilmSpring, LubricatedContact};
 use super::races::RaceFilms;
-use super::{BallContact, BallForce, BallLaw, BallLawError, BallTangent, Bearing, Oil};
+use super::{BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, Oil};
 
 /// Law of a ball between two lubricated races, its inertia neglected.
 ///
@@ -52,8 +52,8 @@ impl HertzFilmLaw {
     /// Law of one ball of a bearing; fastest at `prepared_speed` in rad/s, right at every speed.
     ///
     /// # Errors
-    /// [`BallLawError`] where ball and races form no contact or the oil is none.
-    pub fn new(bearing: &Bearing, oil: Oil, prepared_speed: f64) -> Result<Self, BallLawError> {
+    /// [`BearingError`] where ball and races form no contact or the oil is none.
+    pub fn new(bearing: &Bearing, oil: Oil, prepared_speed: f64) -> Result<Self, BearingError> {
         let contacts = [bearing.inner_contact()?, bearing.outer_contact()?];
         let films = RaceFilms::new(bearing, &contacts, &oil)?;
         // equal loads and equal exponents: the two films add up to one

@@ -4,6 +4,7 @@
 //! a [`Ring`] (sum over the balls) to a [`Support`] (the bearing at its place on the shaft) and the
 //! [`equilibrium`] of any number of them under a load.
 
+mod any_ring;
 mod ball_law;
 pub mod catalogue;
 mod contact_spring;
@@ -17,6 +18,7 @@ mod jones;
 mod oil;
 mod races;
 mod ring;
+mod seat;
 mod support;
 mod thrust;
 
@@ -28,7 +30,7 @@ pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use hertz_film_law::HertzFilmLaw;
 pub use hertz_law::HertzLaw;
 pub use jones::{BallState, JonesFilmLaw, JonesLaw};
-pub use oil::{BallLawError, Oil};
+pub use oil::Oil;
 pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
 pub use ring::{CageAngle, Matrix5, Ring, Vector5};
 pub use support::Support;

@@ -1,4 +1,4 @@
-//! The oil in the bearing, and why a law cannot be built with it.
+//! The oil in the bearing.
 
 use super::BearingError;
 
@@ -13,47 +13,16 @@ pub struct Oil {
 
 impl Oil {
     /// # Errors
-    /// [`BallLawError::Oil`] where a property is not positive and finite.
-    pub(super) fn check(&self) -> Result<(), BallLawError> {
+    /// [`BearingError::Oil`] where a property is not positive and finite.
+    pub(super) fn check(&self) -> Result<(), BearingError> {
         for (name, value) in [
             ("viscosity", self.viscosity),
             ("pressure–viscosity coefficient", self.pressure_viscosity),
         ] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(BallLawError::Oil { name, value });
+                return Err(BearingError::Oil { name, value });
             }
         }
         Ok(())
     }
-}
-
-/// Why the law of one ball cannot be built.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum BallLawError {
-    /// Ball and races do not make contacts.
-    #[error(transparent)]
-    Bearing(#[from] BearingError),
-    /// A property of the oil is no positive number.
-    #[error("the oil's {name} is {value} in SI units; it must be positive and finite")]
-    Oil {
-        /// Which property.
-        name: &'static str,
-        /// Value as given.
-        value: f64,
-    },
-    /// The balls have no mass.
-    #[error("the density of the balls is {density} kg/m³; it must be positive and finite")]
-    Density {
-        /// Density as given, kg/m³.
-        density: f64,
-    },
-    /// A stiffness given for both races together cannot be told apart.
-    #[error(
-        "a contact stiffness of {stiffness} N/m^1.5 is given for both races together; ball inertia \
-         loads them differently, so give the geometry's own contacts instead"
-    )]
-    SeriesStiffness {
-        /// Stiffness constant K_n as given, N/m^1.5.
-        stiffness: f64,
-    },
 }

@@ -2,7 +2,7 @@
 
 use super::contact_spring::{ContactSpring, HertzSpring};
 use super::film_spring::{FilmSpring, LubricatedContact};
-use super::{BallLawError, Bearing, Oil};
+use super::{Bearing, BearingError, Oil};
 use crate::physics::{FilmContact, FilmInputs, HertzContact, contact_modulus, entrainment_speed};
 
 /// The contacts of a ball with both races.
@@ -89,7 +89,7 @@ impl RaceFilms {
         bearing: &Bearing,
         [inner, outer]: &[HertzContact; 2],
         oil: &Oil,
-    ) -> Result<Self, BallLawError> {
+    ) -> Result<Self, BearingError> {
         oil.check()?;
         let geometry = &bearing.geometry;
         let gamma = geometry.gamma();

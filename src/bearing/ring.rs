@@ -81,6 +81,11 @@ impl<L: BallLaw> Ring<L> {
         }
     }
 
+    /// Law of its balls.
+    pub fn law(&self) -> &L {
+        &self.law
+    }
+
     /// Force and moment that hold the inner ring at `displacement`, in N and N m.
     #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {

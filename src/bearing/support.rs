@@ -1,15 +1,10 @@
 //! A mounted bearing as a restoring force on the shaft.
 
-use super::ring::{CageAngle, Matrix5, Ring, Vector5};
-use super::{BallContact, BearingError, ContactLaw, HertzLaw, MountedBearing, Preload, Thrust};
+use super::any_ring::AnyRing;
+use super::ring::{CageAngle, Matrix5, Vector5};
+use super::seat::Seat;
+use super::{BallContact, BearingError, ContactLaw, MountedBearing};
 use crate::physics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
-
-/// The force law of a bearing, chosen once; the loop over the balls is compiled for each.
-#[derive(Debug, Clone)]
-enum Force {
-    Hertz(Ring<HertzLaw>),
-    Linear(LinearForce),
-}
 
 /// F = F0 + K (q − q0).
 #[derive(Debug, Clone)]
@@ -37,41 +32,35 @@ impl LinearForce {
 /// Orientation s and position a map the shaft's displacement q to the bearing's own:
 ///
 /// ```text
-/// x + a θy,  y − a θx,  s z + offset,  s θx,  s θy
+/// x + a θy,  y − a θx,  s z (+ the seat's offset),  s θx,  s θy
 /// ```
 ///
 /// and the force back by virtual work.
 #[derive(Debug, Clone)]
 pub struct Support {
-    force: Force,
+    ring: AnyRing,
+    seat: Seat,
+    /// Set once the bearing is linear.
+    frozen: Option<LinearForce>,
     definition: MountedBearing,
     sign: f64,
-    axial_offset: f64,
 }
 
 impl Support {
-    /// Builds the Hertz ring of a bearing and finds the offset of its preload.
+    /// Builds the ring of a bearing, fastest at `speed` in rad/s, and finds the seat of its preload.
     ///
     /// A bearing of the linear law starts as Hertz, too, until [`Support::freeze`] knows where.
     ///
     /// # Errors
     /// [`BearingError`] where the contact cannot be formed or the preload cannot be reached.
-    pub fn new(definition: &MountedBearing) -> Result<Self, BearingError> {
-        let bearing = &definition.bearing;
-        let law = HertzLaw {
-            load_deflection_constant: bearing.load_deflection_constant()?,
-            distance: bearing.geometry.groove_centre_distance(),
-        };
-        let ring = Ring::new(&bearing.geometry, definition.first_ball, law);
-        let axial_offset = match definition.preload {
-            Preload::AxialOffset(offset) => offset,
-            Preload::Force(preload) => Thrust::new(&bearing.geometry, law).displacement(preload)?,
-        };
+    pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
+        let ring = AnyRing::new(definition, speed)?;
         Ok(Self {
-            force: Force::Hertz(ring),
+            seat: Seat::new(definition, &ring)?,
+            ring,
+            frozen: None,
             definition: *definition,
             sign: definition.facing.sign(),
-            axial_offset,
         })
     }
 
@@ -82,22 +71,20 @@ impl Support {
 
     /// Axial preset of the inner ring the way its facing loads it, m.
     pub fn axial_offset(&self) -> f64 {
-        self.axial_offset
+        self.seat.offset()
     }
 
     /// Axial shaft displacement at which the races of this bearing stand axially centred, m.
     pub fn centred_axial(&self) -> f64 {
-        self.sign * (-self.definition.bearing.geometry.free_axial() - self.axial_offset)
+        self.sign * (-self.definition.bearing.geometry.free_axial() - self.seat.offset())
     }
 
     /// Replaces the force by its tangent at `displacement` of the shaft where the law is linear.
     pub fn freeze(&mut self, displacement: &Vector5, speed: f64) {
-        if self.definition.law == ContactLaw::Linear
-            && let Force::Hertz(ring) = &self.force
-        {
-            let origin = self.local(displacement);
-            let (force, stiffness) = ring.force_and_stiffness(&origin, CageAngle::START, speed);
-            self.force = Force::Linear(LinearForce {
+        if self.definition.law == ContactLaw::Linear {
+            let origin = self.imposed(displacement);
+            let (force, stiffness) = self.local_tangent(&origin, CageAngle::START, speed);
+            self.frozen = Some(LinearForce {
                 origin,
                 force,
                 stiffness,
@@ -108,10 +95,13 @@ impl Support {
     /// Force and moment that hold the shaft at `displacement` against this bearing.
     #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        let local = self.local(displacement);
-        let force = match &self.force {
-            Force::Hertz(ring) => ring.force(&local, cage, speed),
-            Force::Linear(linear) => linear.force(&local),
+        let imposed = self.imposed(displacement);
+        let force = match &self.frozen {
+            Some(linear) => linear.force(&imposed),
+            None => {
+                let place = self.seat.settle(&self.ring, &imposed, cage, speed);
+                self.ring.force(&place, cage, speed)
+            }
         };
         self.on_shaft(&force)
     }
@@ -123,10 +113,10 @@ impl Support {
         cage: CageAngle,
         speed: f64,
     ) -> (Vector5, Matrix5) {
-        let local = self.local(displacement);
-        let (force, stiffness) = match &self.force {
-            Force::Hertz(ring) => ring.force_and_stiffness(&local, cage, speed),
-            Force::Linear(linear) => (linear.force(&local), linear.stiffness),
+        let imposed = self.imposed(displacement);
+        let (force, stiffness) = match &self.frozen {
+            Some(linear) => (linear.force(&imposed), linear.stiffness),
+            None => self.local_tangent(&imposed, cage, speed),
         };
         let transform = self.transform();
         (
@@ -135,20 +125,36 @@ impl Support {
         )
     }
 
-    /// Loads and contact angles of every ball; none where the law knows no balls.
-    pub fn contacts(
+    fn local_tangent(&self, imposed: &Vector5, cage: CageAngle, speed: f64) -> (Vector5, Matrix5) {
+        let place = self.seat.settle(&self.ring, imposed, cage, speed);
+        let (force, stiffness) = self.ring.force_and_stiffness(&place, cage, speed);
+        (force, self.seat.condense(stiffness))
+    }
+
+    /// Displacement of the inner ring from the outer one, in the bearing's own orientation.
+    pub fn ring_displacement(
         &self,
         displacement: &Vector5,
         cage: CageAngle,
         speed: f64,
-    ) -> impl Iterator<Item = BallContact> {
-        let local = self.local(displacement);
-        let ring = match &self.force {
-            Force::Hertz(ring) => Some(ring),
-            Force::Linear(_) => None,
-        };
-        ring.into_iter()
-            .flat_map(move |ring| ring.contacts(local, cage, speed))
+    ) -> Vector5 {
+        let imposed = self.imposed(displacement);
+        self.seat.settle(&self.ring, &imposed, cage, speed)
+    }
+
+    /// Hands the loads and contact angles of every ball to `visit`, ball 0 first; none where the
+    /// bearing is frozen: a linear law knows no balls.
+    pub fn for_each_contact(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+        visit: &mut dyn FnMut(BallContact),
+    ) {
+        if self.frozen.is_none() {
+            let place = self.ring_displacement(displacement, cage, speed);
+            self.ring.for_each_contact(&place, cage, speed, visit);
+        }
     }
 
     /// Nominal speed of the cage at a shaft speed, rad/s.
@@ -168,14 +174,15 @@ impl Support {
         )
     }
 
+    /// What the shaft's displacement imposes on the inner ring.
     #[inline(always)]
-    fn local(&self, displacement: &Vector5) -> Vector5 {
+    fn imposed(&self, displacement: &Vector5) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = *displacement;
         let (s, a) = (self.sign, self.definition.position);
         [
             x + a * tilt_y,
             y - a * tilt_x,
-            s * z + self.axial_offset,
+            s * z,
             s * tilt_x,
             s * tilt_y,
         ]

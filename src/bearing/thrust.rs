@@ -8,17 +8,17 @@ use super::{BallLaw, BearingError, Geometry};
 ///
 /// Source: Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), eqs. 7.33–7.36.
 #[derive(Debug, Clone, Copy)]
-pub struct Thrust<L> {
-    law: L,
+pub struct Thrust<'a, L> {
+    law: &'a L,
     balls: f64,
     free_axial: f64,
     free_radial: f64,
     distance: f64,
 }
 
-impl<L: BallLaw> Thrust<L> {
+impl<'a, L: BallLaw> Thrust<'a, L> {
     /// Takes the dimensions of a bearing and the law of its balls.
-    pub fn new(geometry: &Geometry, law: L) -> Self {
+    pub fn new(geometry: &Geometry, law: &'a L) -> Self {
         Self {
             law,
             balls: geometry.balls() as f64,
@@ -28,18 +28,19 @@ impl<L: BallLaw> Thrust<L> {
         }
     }
 
-    /// Axial displacement in m under the thrust `force` in N at zero speed: Newton in a bracket.
+    /// Axial displacement in m under the thrust `force` in N at a shaft speed in rad/s: Newton in a
+    /// bracket.
     ///
     /// # Errors
     /// [`BearingError::Preload`] where no displacement up to the distance of the groove centres
     /// gives the force.
-    pub fn displacement(&self, force: f64) -> Result<f64, BearingError> {
+    pub fn displacement(&self, force: f64, speed: f64) -> Result<f64, BearingError> {
         let unreachable = BearingError::Preload { preload: force };
         let (mut low, mut high) = (-self.free_axial, self.distance);
         let excess = |z: f64| {
             let (push, tangent) =
                 self.law
-                    .force_and_tangent(self.free_axial + z, self.free_radial, 0.0);
+                    .force_and_tangent(self.free_axial + z, self.free_radial, speed);
             (self.balls * push.axial - force, self.balls * tangent[0][0])
         };
         if !(force >= 0.0 && excess(high).0 >= 0.0) {

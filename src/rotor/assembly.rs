@@ -107,7 +107,7 @@ fn range(name: &'static str, value: f64, fits: bool, rule: &'static str) -> Resu
 
 fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support>, RotorError> {
     let build = |(index, bearing)| {
-        Support::new(bearing).map_err(|source| RotorError::Bearing {
+        Support::new(bearing, definition.speed).map_err(|source| RotorError::Bearing {
             number: index + 1,
             source,
         })
@@ -163,7 +163,9 @@ fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
         return None;
     }
     let preset = |support: &Support| match support.definition().preload {
-        Preload::AxialOffset(value) | Preload::Force(value) => value != 0.0,
+        Preload::AxialOffset(value) | Preload::Force(value) | Preload::Spring(value) => {
+            value != 0.0
+        }
     };
     if supports.iter().any(preset) {
         return Some(0.0);

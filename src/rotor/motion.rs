@@ -101,11 +101,11 @@ impl Rotor {
         let velocity = self.full(&[0.0; FREEDOMS], &state[N / 2..]);
         let (mut largest, mut loaded) = (0.0_f64, 0);
         self.for_each_support(time, |support, cage| {
-            for ball in support.contacts(&displacement, cage, self.speed) {
+            support.for_each_contact(&displacement, cage, self.speed, &mut |ball| {
                 let load = ball.load_inner.max(ball.load_outer);
                 largest = largest.max(load);
-                loaded += u32::from(load > 0.0);
-            }
+                loaded += u32::from(ball.load_inner > 0.0);
+            });
         });
         Sample {
             time,

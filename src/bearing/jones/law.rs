@@ -9,7 +9,7 @@ use super::start::StartConstants;
 use super::state::{BallState, SpinResistance, contact_of};
 use crate::bearing::film_spring::LubricatedContact;
 use crate::bearing::races::{DryRaces, LubricatedRaces, RaceFilms, Races};
-use crate::bearing::{BallContact, BallForce, BallLaw, BallLawError, BallTangent, Bearing, Oil};
+use crate::bearing::{BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, Oil};
 use crate::physics::{HertzContact, RaceControl, ball_mass};
 
 /// Law of a ball with centrifugal force and gyroscopic moment.
@@ -81,9 +81,9 @@ impl JonesLaw<DryRaces> {
     /// Law of one ball of a bearing without oil films.
     ///
     /// # Errors
-    /// [`BallLawError`] where ball and races form no contacts, where one stiffness is given for
+    /// [`BearingError`] where ball and races form no contacts, where one stiffness is given for
     /// both of them together, or where the ball has no mass.
-    pub fn new(bearing: &Bearing, control: RaceControl) -> Result<Self, BallLawError> {
+    pub fn new(bearing: &Bearing, control: RaceControl) -> Result<Self, BearingError> {
         let contacts = contacts(bearing)?;
         Self::with_races(bearing, control, &contacts, DryRaces::new(&contacts))
     }
@@ -94,13 +94,13 @@ impl JonesLaw<LubricatedRaces> {
     /// at every speed.
     ///
     /// # Errors
-    /// [`BallLawError`] as [`JonesLaw::new`], and where the oil is none.
+    /// [`BearingError`] as [`JonesLaw::new`], and where the oil is none.
     pub fn with_film(
         bearing: &Bearing,
         control: RaceControl,
         oil: Oil,
         prepared_speed: f64,
-    ) -> Result<Self, BallLawError> {
+    ) -> Result<Self, BearingError> {
         let contacts = contacts(bearing)?;
         let films = RaceFilms::new(bearing, &contacts, &oil)?;
         let constants = films.central_constants();
@@ -118,9 +118,9 @@ impl JonesLaw<LubricatedRaces> {
 }
 
 /// Contacts with the inner and the outer race.
-fn contacts(bearing: &Bearing) -> Result<[HertzContact; 2], BallLawError> {
+fn contacts(bearing: &Bearing) -> Result<[HertzContact; 2], BearingError> {
     if let Some(stiffness) = bearing.contact_stiffness {
-        return Err(BallLawError::SeriesStiffness { stiffness });
+        return Err(BearingError::SeriesStiffness { stiffness });
     }
     Ok([bearing.inner_contact()?, bearing.outer_contact()?])
 }
@@ -131,11 +131,11 @@ impl<R: Races> JonesLaw<R> {
         control: RaceControl,
         contacts: &[HertzContact; 2],
         races: R,
-    ) -> Result<Self, BallLawError> {
+    ) -> Result<Self, BearingError> {
         let geometry = &bearing.geometry;
         let density = bearing.ball_material.density;
         if !(density > 0.0 && density.is_finite()) {
-            return Err(BallLawError::Density { density });
+            return Err(BearingError::Density { density });
         }
         let diameter = geometry.ball_diameter();
         let mass = ball_mass(diameter, density);

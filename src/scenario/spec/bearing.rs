@@ -97,6 +97,7 @@ impl BearingSpec {
         Some(MountedBearing {
             bearing,
             law: self.contact.unwrap_or(contact).into(),
+            oil: None,
             position: self.position.si(),
             facing: match self.facing {
                 FacingChoice::PlusZ => Facing::PlusZ,

@@ -1,0 +1,93 @@
+//! A ring under whichever ball law its bearing asks for.
+
+use super::{
+    BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw,
+    JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
+};
+
+/// The law is chosen once a call; the loop over the balls is compiled for each.
+#[derive(Debug, Clone)]
+pub(super) enum AnyRing {
+    Hertz(Ring<HertzLaw>),
+    HertzFilm(Ring<HertzFilmLaw>),
+    Jones(Ring<JonesLaw>),
+    JonesFilm(Ring<JonesFilmLaw>),
+}
+
+/// Evaluates an expression for the ring inside, whatever its law.
+macro_rules! with_ring {
+    ($any:expr, $ring:ident => $value:expr) => {
+        match $any {
+            AnyRing::Hertz($ring) => $value,
+            AnyRing::HertzFilm($ring) => $value,
+            AnyRing::Jones($ring) => $value,
+            AnyRing::JonesFilm($ring) => $value,
+        }
+    };
+}
+
+impl AnyRing {
+    /// The ring of a mounted bearing, fastest at `speed` in rad/s. A linear bearing is a Hertz ring
+    /// until it is frozen.
+    pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
+        let (bearing, first) = (&definition.bearing, definition.first_ball);
+        let geometry = &bearing.geometry;
+        Ok(match (definition.law, definition.oil) {
+            (ContactLaw::Linear | ContactLaw::Hertz, None) => {
+                let law = HertzLaw {
+                    load_deflection_constant: bearing.load_deflection_constant()?,
+                    distance: geometry.groove_centre_distance(),
+                };
+                Self::Hertz(Ring::new(geometry, first, law))
+            }
+            (ContactLaw::Linear | ContactLaw::Hertz, Some(oil)) => Self::HertzFilm(Ring::new(
+                geometry,
+                first,
+                HertzFilmLaw::new(bearing, oil, speed)?,
+            )),
+            (ContactLaw::Jones(control), None) => {
+                Self::Jones(Ring::new(geometry, first, JonesLaw::new(bearing, control)?))
+            }
+            (ContactLaw::Jones(control), Some(oil)) => {
+                let law = JonesFilmLaw::with_film(bearing, control, oil, speed)?;
+                Self::JonesFilm(Ring::new(geometry, first, law))
+            }
+        })
+    }
+
+    #[inline]
+    pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        with_ring!(self, ring => ring.force(displacement, cage, speed))
+    }
+
+    pub fn force_and_stiffness(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Vector5, Matrix5) {
+        with_ring!(self, ring => ring.force_and_stiffness(displacement, cage, speed))
+    }
+
+    /// Hands the contacts of every ball to `visit`, ball 0 first.
+    pub fn for_each_contact(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+        visit: &mut dyn FnMut(BallContact),
+    ) {
+        with_ring!(self, ring => ring.contacts(*displacement, cage, speed).for_each(visit));
+    }
+
+    /// Axial displacement under a centred thrust at a speed.
+    pub fn thrust_displacement(
+        &self,
+        definition: &MountedBearing,
+        thrust: f64,
+        speed: f64,
+    ) -> Result<f64, BearingError> {
+        let geometry = &definition.bearing.geometry;
+        with_ring!(self, ring => Thrust::new(geometry, ring.law()).displacement(thrust, speed))
+    }
+}

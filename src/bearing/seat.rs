@@ -1,0 +1,86 @@
+//! How the outer ring of a mounted bearing is held axially.
+
+use super::any_ring::AnyRing;
+use super::{BearingError, CageAngle, Matrix5, MountedBearing, Preload, Vector5};
+
+/// Component z.
+const AXIAL: usize = 2;
+
+/// Axial seat of the outer ring.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Seat {
+    /// Fixed, with the inner ring preset by this much in m.
+    Fixed { offset: f64 },
+    /// Floating, pressed by a soft spring: the axial force is `force` in N wherever the shaft is.
+    Spring { force: f64, start: f64, reach: f64 },
+}
+
+impl Seat {
+    /// The seat that gives the preload of a bearing, at standstill.
+    pub fn new(definition: &MountedBearing, ring: &AnyRing) -> Result<Self, BearingError> {
+        Ok(match definition.preload {
+            Preload::AxialOffset(offset) => Self::Fixed { offset },
+            Preload::Force(force) => Self::Fixed {
+                offset: ring.thrust_displacement(definition, force, 0.0)?,
+            },
+            Preload::Spring(force) => Self::Spring {
+                force,
+                start: ring.thrust_displacement(definition, force, 0.0)?,
+                reach: 0.25 * definition.bearing.geometry.groove_centre_distance(),
+            },
+        })
+    }
+
+    /// Axial preset of the inner ring when the shaft is in its place, m.
+    pub fn offset(&self) -> f64 {
+        match *self {
+            Self::Fixed { offset } => offset,
+            Self::Spring { start, .. } => start,
+        }
+    }
+
+    /// Displacement of the inner ring from the outer one; `shaft` is what the shaft imposes.
+    #[inline]
+    pub fn settle(&self, ring: &AnyRing, shaft: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        let mut place = *shaft;
+        match *self {
+            Self::Fixed { offset } => place[AXIAL] += offset,
+            Self::Spring {
+                force,
+                start,
+                reach,
+            } => {
+                place[AXIAL] = start;
+                press(ring, &mut place, cage, speed, force, reach);
+            }
+        }
+        place
+    }
+
+    /// Derivative of the force by what the shaft imposes: a floating ring follows without resistance.
+    pub fn condense(&self, stiffness: Matrix5) -> Matrix5 {
+        match self {
+            Self::Fixed { .. } => stiffness,
+            Self::Spring { .. } => {
+                let axial = stiffness[(AXIAL, AXIAL)];
+                stiffness - stiffness.column(AXIAL) * stiffness.row(AXIAL) / axial
+            }
+        }
+    }
+}
+
+/// Newton steps of a floating ring.
+const STEP_LIMIT: usize = 60;
+
+/// Moves `place` axially until the ring carries `force`: Newton, its step at most `reach`.
+fn press(ring: &AnyRing, place: &mut Vector5, cage: CageAngle, speed: f64, force: f64, reach: f64) {
+    for _ in 0..STEP_LIMIT {
+        let (carried, stiffness) = ring.force_and_stiffness(place, cage, speed);
+        let step = ((force - carried[AXIAL]) / stiffness[(AXIAL, AXIAL)]).clamp(-reach, reach);
+        let next = place[AXIAL] + if step.is_nan() { reach } else { step };
+        if (next - place[AXIAL]).abs() <= f64::EPSILON * reach {
+            return;
+        }
+        place[AXIAL] = next;
+    }
+}
