@@ -11,23 +11,18 @@ use crate::support::{assert_near, assert_printed, bearing, half_last_digit, moun
 fn case_western_6205() {
     let (ball, pitch) = (0.3126, 1.537);
     let pass = ball_pass_frequencies(TAU, 9, ball, pitch, ball / pitch);
-    assert_printed("FTF", pass.cage, "0.39828");
-    // The printed multiples belong to a ball-to-pitch ratio that is not quite the printed one: in
-    // the last digit BPFO and BPFI leave it by as much as that ratio's own rounding, half a unit
-    // of the ball's last digit, moves them.
-    let rounding = |slope: f64| slope * half_last_digit("0.3126") / pitch;
+    // The printed multiples belong to more digits of ball and pitch than are printed: half a unit
+    // of the last digit of both is allowed for.
+    let ratio = ball / pitch;
+    let rounding = ratio * (half_last_digit("0.3126") / ball + half_last_digit("1.537") / pitch);
     for (name, value, printed, slope) in [
+        ("FTF", pass.cage, "0.39828", 0.5),
         ("BPFO", pass.outer, "3.5848", 4.5),
         ("BPFI", pass.inner, "5.4152", 4.5),
-        (
-            "2×BSF",
-            2.0 * pass.spin,
-            "4.7135",
-            (pitch / ball).powi(2) + 1.0,
-        ),
+        ("2×BSF", 2.0 * pass.spin, "4.7135", ratio.powi(-2) + 1.0),
     ] {
         let expected = printed.parse().expect("a number");
-        let tolerance = half_last_digit(printed) + rounding(slope);
+        let tolerance = half_last_digit(printed) + slope * rounding;
         assert_near(name, value, expected, tolerance);
     }
 }
