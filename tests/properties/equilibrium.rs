@@ -1,5 +1,7 @@
 //! Static equilibrium of the bearing and of pairs, under any load.
 
+use std::cell::Cell;
+
 use jeffcott::bearing::equilibrium::EquilibriumError;
 use jeffcott::bearing::{Bearing, FreePosition, Geometry, MountedBearing, Vector5};
 use proptest::prelude::*;
@@ -48,56 +50,57 @@ fn every_load_finds_its_equilibrium_or_the_freedom_that_gives_way() {
         failure_persistence: None,
         ..ProptestConfig::with_cases(2000)
     };
-    let mut most_steps = 0;
-    let (mut found, mut refused) = (0, 0);
+    let tally = Tally::default();
     let cases = (bearings(), load(), any::<[bool; 5]>());
     TestRunner::new(config)
         .run(&cases, |(bearings, load, free)| {
-            check(
-                &bearings,
-                load,
-                free,
-                &mut most_steps,
-                [&mut found, &mut refused],
-            )
+            check(&bearings, load, free, &tally)
         })
         .unwrap_or_else(|failure| panic!("{failure}"));
-    println!("most Newton steps {most_steps}, {found} found, {refused} refused");
-    assert!(most_steps <= MOST_NEWTON_STEPS, "{most_steps} Newton steps");
+    println!("{tally:?}");
+    assert!(tally.most_steps.get() <= MOST_NEWTON_STEPS, "{tally:?}");
     assert!(
-        found > 1000 && refused > 100,
-        "{found} found, {refused} refused"
+        tally.found.get() > 1000 && tally.refused.get() > 100,
+        "{tally:?}"
     );
+}
+
+/// What became of the random cases.
+#[derive(Debug, Default)]
+struct Tally {
+    most_steps: Cell<usize>,
+    found: Cell<usize>,
+    refused: Cell<usize>,
 }
 
 fn check(
     bearings: &[MountedBearing],
     load: Vector5,
     free: [bool; 5],
-    most_steps: &mut usize,
-    [found, refused]: [&mut usize; 2],
+    tally: &Tally,
 ) -> Result<(), TestCaseError> {
     match equilibrium(bearings, load, free) {
         Ok(equilibrium) => {
-            *found += 1;
-            *most_steps = equilibrium.newton_steps.max(*most_steps);
+            tally.found.set(tally.found.get() + 1);
+            let steps = equilibrium.newton_steps.max(tally.most_steps.get());
+            tally.most_steps.set(steps);
             prop_assert!(equilibrium.residual <= 1e-9);
-            let largest = equilibrium
-                .force
-                .iter()
-                .fold(1.0_f64, |a, b| a.max(b.abs()));
-            for axis in (0..5).filter(|&axis| free[axis]) {
-                // the residual is relative to the forces in play, moments by an arm below 0.1 m
-                prop_assert!((equilibrium.force[axis] - load[axis]).abs() <= 1e-7 * largest);
-            }
-            for axis in (0..5).filter(|&axis| !free[axis]) {
-                prop_assert_eq!(equilibrium.displacement[axis], 0.0);
+            let forces = equilibrium.force.iter();
+            let largest = forces.fold(1.0_f64, |a, b| a.max(b.abs()));
+            for axis in 0..5 {
+                if free[axis] {
+                    // the residual is relative to the forces in play of single bearings
+                    let excess = equilibrium.force[axis] - load[axis];
+                    prop_assert!(excess.abs() <= 1e-7 * largest);
+                } else {
+                    prop_assert_eq!(equilibrium.displacement[axis], 0.0);
+                }
             }
         }
         Err(EquilibriumError::NotCarried {
             freedom, residual, ..
         }) => {
-            *refused += 1;
+            tally.refused.set(tally.refused.get() + 1);
             prop_assert!(residual != 0.0 && residual.is_finite(), "{}", freedom);
             // a pair that faces both ways carries every load of this size
             prop_assert!(bearings.len() == 1);
