@@ -9,8 +9,8 @@ use proptest::test_runner::{RngSeed, TestRunner};
 
 use crate::support::{assert_near, back_to_back_pair, bearing, equilibrium, mounted};
 
-/// More Newton steps than any of the random cases took.
-const MOST_NEWTON_STEPS: usize = 60;
+/// Twice the Newton steps that the hardest of the random cases takes, 21.
+const MOST_NEWTON_STEPS: usize = 40;
 
 /// Forces to 5 kN, moments to 20 N m; on a tenth of the axes none at all.
 fn load() -> impl Strategy<Value = Vector5> {
@@ -44,81 +44,79 @@ fn with_clearance(clearance: f64) -> Bearing {
 }
 
 #[test]
-fn every_load_finds_its_equilibrium_or_the_freedom_that_gives_way() {
+fn every_load_finds_its_equilibrium_in_a_few_newton_steps() {
     let config = ProptestConfig {
         rng_seed: RngSeed::Fixed(3),
         failure_persistence: None,
         ..ProptestConfig::with_cases(2000)
     };
-    let tally = Tally::default();
+    let most_steps = Cell::new(0);
     let cases = (bearings(), load(), any::<[bool; 5]>());
     TestRunner::new(config)
         .run(&cases, |(bearings, load, free)| {
-            check(&bearings, load, free, &tally)
+            let steps = check(&bearings, load, free)?;
+            most_steps.set(steps.max(most_steps.get()));
+            Ok(())
         })
         .unwrap_or_else(|failure| panic!("{failure}"));
-    println!("{tally:?}");
-    assert!(tally.most_steps.get() <= MOST_NEWTON_STEPS, "{tally:?}");
-    assert!(
-        tally.found.get() > 1000 && tally.refused.get() > 100,
-        "{tally:?}"
-    );
+    let most_steps = most_steps.get();
+    println!("most Newton steps: {most_steps}");
+    assert!(most_steps <= MOST_NEWTON_STEPS, "{most_steps} Newton steps");
 }
 
-/// What became of the random cases.
-#[derive(Debug, Default)]
-struct Tally {
-    most_steps: Cell<usize>,
-    found: Cell<usize>,
-    refused: Cell<usize>,
-}
-
+/// Checks one case and returns its Newton steps. Groove centres that overshoot carry a load the
+/// other way, so bearings of this size carry every load of this size.
 fn check(
     bearings: &[MountedBearing],
     load: Vector5,
     free: [bool; 5],
-    tally: &Tally,
-) -> Result<(), TestCaseError> {
-    match equilibrium(bearings, load, free) {
-        Ok(equilibrium) => {
-            tally.found.set(tally.found.get() + 1);
-            let steps = equilibrium.newton_steps.max(tally.most_steps.get());
-            tally.most_steps.set(steps);
-            prop_assert!(equilibrium.residual <= 1e-9);
-            let forces = equilibrium.force.iter();
-            let largest = forces.fold(1.0_f64, |a, b| a.max(b.abs()));
-            for axis in 0..5 {
-                if free[axis] {
-                    // the residual is relative to the forces in play of single bearings
-                    let excess = equilibrium.force[axis] - load[axis];
-                    prop_assert!(excess.abs() <= 1e-7 * largest);
-                } else {
-                    prop_assert_eq!(equilibrium.displacement[axis], 0.0);
-                }
-            }
+) -> Result<usize, TestCaseError> {
+    let found = equilibrium(bearings, load, free)
+        .map_err(|error| TestCaseError::fail(error.to_string()))?;
+    prop_assert!(found.residual <= 1e-9);
+    let largest = found.force.iter().fold(1.0_f64, |a, b| a.max(b.abs()));
+    for axis in 0..5 {
+        if free[axis] {
+            // the residual is relative to the forces in play, those of single bearings: a pair's
+            // preload and the arm of moments may make them a hundred times the sum
+            prop_assert!((found.force[axis] - load[axis]).abs() <= 1e-7 * largest);
+        } else {
+            prop_assert_eq!(found.displacement[axis], 0.0);
         }
-        Err(EquilibriumError::NotCarried {
-            freedom, residual, ..
-        }) => {
-            tally.refused.set(tally.refused.get() + 1);
-            prop_assert!(residual != 0.0 && residual.is_finite(), "{}", freedom);
-            // a pair that faces both ways carries every load of this size
-            prop_assert!(bearings.len() == 1);
-        }
-        Err(error) => return Err(TestCaseError::fail(error.to_string())),
     }
-    Ok(())
+    Ok(found.newton_steps)
 }
 
 #[test]
-fn thrust_off_the_grooves_is_refused_by_the_name_of_its_freedom() {
-    let load = [0.0, 0.0, -100.0, 0.0, 0.0];
-    let error =
-        equilibrium(&[mounted(bearing("7205C"))], load, [true; 5]).expect_err("nothing carries it");
+fn a_thrust_that_no_ball_can_carry_is_refused_by_the_name_of_its_freedom() {
+    let bearings = [mounted(with_clearance(20e-6))];
+    let free = [false, false, true, false, false];
+    let load = [0.0, 0.0, 1e9, 0.0, 0.0];
+    let error = equilibrium(&bearings, load, free).expect_err("no ball is so stiff");
     let EquilibriumError::NotCarried { freedom, load, .. } = error else {
         panic!("{error}");
     };
-    assert_eq!((freedom, load), ("z", -100.0));
+    assert_eq!((freedom, load), ("z", 1e9));
+}
+
+/// Once a panic: an unbalanced force of 1e-182 N, whose square is rounded to zero.
+#[test]
+fn a_residual_whose_square_underflows_is_no_residual() {
+    let bearings = [mounted(with_clearance(20e-6))];
+    let load = [1625.6567711927128, 0.0, 0.0, 0.0, 0.0];
+    let found = equilibrium(&bearings, load, [true, false, true, true, false]).expect("carried");
+    assert!(found.residual <= 1e-9);
+}
+
+#[test]
+fn loads_too_small_to_square_have_an_answer() {
+    for load in [1e-150, 1e-200, 1e-300, f64::MIN_POSITIVE, 5e-324] {
+        for bearing in [bearing("7205C"), bearing("6305"), with_clearance(20e-6)] {
+            // found or refused: what counts is that neither panics
+            let answer = equilibrium(&[mounted(bearing)], [load; 5], [true; 5]);
+            assert!(!matches!(answer, Err(EquilibriumError::NotFinite { .. })));
+        }
+    }
 }
 
 #[test]

@@ -72,8 +72,9 @@ fn energy(displacement: &Vector5) -> f64 {
     (0..geometry.balls()).map(ball).sum()
 }
 
-/// Derivative along one axis from four values: error h⁴/30 times the fifth derivative, which a
-/// kink at the edge of contact makes h^(5/2) of the third.
+/// Derivative along one axis from four values. Its error is of fourth order in the step where no ball
+/// comes into contact within it; where one does, K_n h^(3/2) of an energy and K_n h^(1/2) of a force,
+/// 0.025 N and 1.2e6 N/m: those set the tolerances below.
 fn slope(axis: usize, at: &Vector5, value: impl Fn(&Vector5) -> f64) -> f64 {
     let step = if axis < 3 { 2e-8 } else { 1e-6 };
     let shifted = |part: f64| {
@@ -137,7 +138,7 @@ proptest! {
         let gradient = std::array::from_fn(|axis| slope(axis, &place, energy));
         let size = in_newton(&force).iter().fold(100.0_f64, |size, part| size.max(part.abs()));
         for (a, b) in in_newton(&force).into_iter().zip(in_newton(&gradient)) {
-            prop_assert!((a - b).abs() <= 1e-6 * size, "{:?} {:?}", force, gradient);
+            prop_assert!((a - b).abs() <= 1e-4 * size, "{:?} {:?}", force, gradient);
         }
     }
 

@@ -69,8 +69,9 @@ fn a_balanced_shaft_has_lines_at_multiples_of_the_ball_pass_only() {
     let amplitudes = amplitudes(0.0);
     let (on, off) = on_and_off(&amplitudes, |bin| bin % PASSES == 0);
     println!("balanced: {on:e} µm on the lines, {off:e} µm elsewhere");
+    // twelve balls hide their passing well: tens of picometres
     assert!(
-        amplitudes[PASSES] > 1e-4,
+        amplitudes[PASSES] > 1e-5,
         "{} µm at the ball pass",
         amplitudes[PASSES]
     );
