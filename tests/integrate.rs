@@ -1,8 +1,13 @@
 //! The integration methods on problems with known solutions.
 
+// a test that meets the wrong error says so and fails
+#![allow(clippy::panic)]
+
 use std::sync::atomic::AtomicBool;
 
-use jeffcott::integrate::{Grid, Integration, Method, Scaling, Settings, System};
+use jeffcott::integrate::{
+    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, System,
+};
 
 /// y' = cos(t) y, y(0) = 1: y = exp(sin t). The time enters, so a wrong node shows.
 struct Swelling;
@@ -69,4 +74,141 @@ fn dop853_has_order_eight_where_time_enters() {
 fn dopri5_has_order_five_where_time_enters() {
     let order = observed_order(Method::Dopri5, 1e-5, 1e-10);
     assert!((4.5..6.0).contains(&order), "observed order {order}");
+}
+
+/// y'' = −y from (1, 0), with a fault from a time on.
+struct Swing {
+    fault_from: f64,
+}
+
+impl System<2> for Swing {
+    fn derivative(&self, time: f64, state: &[f64; 2], rate: &mut [f64; 2]) {
+        *rate = [state[1], -state[0]];
+        if time >= self.fault_from {
+            rate[1] = f64::NAN;
+        }
+    }
+}
+
+const SOUND: Swing = Swing {
+    fault_from: f64::INFINITY,
+};
+
+const TWENTY_SECONDS: Grid = Grid {
+    interval: 0.01,
+    count: 2001,
+};
+
+/// States, work and end of an integration in blocks of so many points.
+fn integrate(
+    system: &Swing,
+    settings: Settings,
+    points: usize,
+    stop: &AtomicBool,
+) -> (Vec<[f64; 2]>, Counters, Result<(), IntegrateError>) {
+    let (scaling, start) = (Scaling::IDENTITY, [1.0, 0.0]);
+    let mut integration =
+        Integration::<_, 2, 3>::new(system, scaling, TWENTY_SECONDS, settings, stop, &start);
+    let mut states = Vec::new();
+    let mut result = Ok(());
+    while result.is_ok() && integration.done() < TWENTY_SECONDS.count {
+        result = integration.advance(points, &mut states);
+    }
+    assert_eq!(states.len() as u64, integration.done());
+    (states, integration.counters(), result)
+}
+
+const METHODS: [Method; 2] = [Method::Dopri5, Method::Dop853];
+
+#[test]
+fn blocks_end_where_one_long_block_passes() {
+    let stop = AtomicBool::new(false);
+    for method in METHODS {
+        for points in [1, 7, 100, 5000] {
+            let (states, _, result) = integrate(&SOUND, settings(method, 1e-10), points, &stop);
+            result.expect("a smooth problem");
+            assert_eq!(states.len(), 2001);
+            for (index, [place, speed]) in states.into_iter().enumerate() {
+                let time = TWENTY_SECONDS.time(index as u64);
+                let error = (place - time.cos()).abs().max((speed + time.sin()).abs());
+                // the error aimed at over each of the twenty seconds
+                assert!(
+                    error < 2e-9,
+                    "{method:?}, {points} points, t = {time}: {error:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn work_is_counted() {
+    let stop = AtomicBool::new(false);
+    for (method, stages) in [(Method::Dopri5, 6), (Method::Dop853, 11)] {
+        let (_, work, _) = integrate(&SOUND, settings(method, 1e-8), 5000, &stop);
+        let tried = work.steps + work.rejected;
+        assert!(work.steps > 20 && work.rejected < work.steps, "{work:?}");
+        // at least the stages of every step, at most five more for the step and its dense output
+        assert!(work.evaluations >= stages * tried, "{method:?} {work:?}");
+        assert!(
+            work.evaluations <= (stages + 5) * tried + 2,
+            "{method:?} {work:?}"
+        );
+        let (_, tighter, _) = integrate(&SOUND, settings(method, 1e-11), 5000, &stop);
+        assert!(tighter.steps > work.steps && tighter.evaluations > work.evaluations);
+    }
+}
+
+#[test]
+fn a_derivative_that_is_not_a_number_ends_the_integration_at_its_time() {
+    let (stop, fault) = (AtomicBool::new(false), Swing { fault_from: 12.345 });
+    for method in METHODS {
+        let (states, _, result) = integrate(&fault, settings(method, 1e-8), 100, &stop);
+        let Err(IntegrateError::NotFinite { time }) = result else {
+            panic!("{method:?}: {result:?}");
+        };
+        assert!(
+            time <= 12.345 && time > 11.0,
+            "{method:?}: stopped at {time} s"
+        );
+        let last = TWENTY_SECONDS.time(states.len() as u64 - 1);
+        assert!(
+            last <= time + 1e-12 && time - last < 1.0,
+            "{method:?}: {last} s of {time} s"
+        );
+        assert!(states.iter().flatten().all(|value| value.is_finite()));
+    }
+}
+
+#[test]
+fn the_limit_holds_for_all_blocks_together() {
+    let stop = AtomicBool::new(false);
+    for method in METHODS {
+        let limited = Settings {
+            step_limit: 30,
+            ..settings(method, 1e-10)
+        };
+        let (states, work, result) = integrate(&SOUND, limited, 100, &stop);
+        let Err(IntegrateError::StepLimit { time, limit: 30 }) = result else {
+            panic!("{method:?}: {result:?}");
+        };
+        assert!(time > 0.0 && time < 20.0 && !states.is_empty());
+        assert!(
+            (29..=31).contains(&(work.steps + work.rejected)),
+            "{method:?} {work:?}"
+        );
+    }
+}
+
+#[test]
+fn a_set_flag_interrupts() {
+    for method in METHODS {
+        let stop = AtomicBool::new(true);
+        let (states, _, result) = integrate(&SOUND, settings(method, 1e-8), 100, &stop);
+        assert!(
+            matches!(result, Err(IntegrateError::Interrupted { .. })),
+            "{method:?}: {result:?}"
+        );
+        assert!(states.len() < 100);
+    }
 }

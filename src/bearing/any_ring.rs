@@ -55,7 +55,7 @@ impl AnyRing {
         })
     }
 
-    #[inline]
+    #[inline(always)]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         with_ring!(self, ring => ring.force(displacement, cage, speed))
     }

@@ -132,6 +132,9 @@ impl CatalogueEntry {
             ring_material: Material::BEARING_STEEL,
             ball_material: Material::BEARING_STEEL,
             contact_stiffness: None,
+            dynamic_rating: Some(self.dynamic_rating),
+            roughness: None,
+            shoulder_angle: None,
         })
     }
 }

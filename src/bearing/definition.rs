@@ -66,6 +66,13 @@ pub struct Bearing {
     /// Load–deflection constant K_n of a ball between both races in N/m^1.5 where it is given
     /// directly, as literature models do; otherwise it follows from Hertz's theory.
     pub contact_stiffness: Option<f64>,
+    /// Basic dynamic load rating C, N; the life needs it.
+    pub dynamic_rating: Option<f64>,
+    /// Composite root-mean-square roughness σ of ball and race, m; the film ratio λ needs it.
+    pub roughness: Option<f64>,
+    /// Angle at which the shoulders of the races end, from the radial plane, rad; where it is given,
+    /// contacts that reach it are told.
+    pub shoulder_angle: Option<f64>,
 }
 
 impl Bearing {

@@ -10,6 +10,8 @@ pub const FREEDOM_NAMES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
 
 /// Residual that is accepted as equilibrium, relative to the forces in play.
 const ACCEPTED_RESIDUAL: f64 = 1e-9;
+/// Residual that cannot be told from none: the square of round-off.
+const NO_RESIDUAL: f64 = f64::EPSILON * f64::EPSILON;
 /// Newton steps before giving up.
 const STEP_LIMIT: usize = 200;
 /// Displacement, in groove centre distances, beyond which no ball bearing is in one piece.
@@ -89,7 +91,7 @@ impl StaticProblem<'_> {
         let mut reach = 0.5 * self.groove_centre_distance();
         let mut state = self.evaluate(self.start);
         for newton_steps in 0..STEP_LIMIT {
-            if state.imbalance() == 0.0 {
+            if state.imbalance() <= NO_RESIDUAL {
                 return Ok(state.into_equilibrium(newton_steps));
             }
             let (step, shortened) = state.step(reach);
@@ -290,7 +292,9 @@ impl State {
                 break;
             }
         }
-        (self.excess * (-reach / self.excess.norm()), true)
+        // unit first: the norm of a tiny excess would be rounded to zero
+        let direction = self.excess / self.excess.amax();
+        (direction * (-reach / direction.norm()), true)
     }
 
     fn free_diagonal(&self) -> f64 {

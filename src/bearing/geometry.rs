@@ -45,6 +45,19 @@ pub enum GeometryError {
         /// Largest clearance that the grooves allow, m.
         largest: f64,
     },
+    /// A change of clearance leaves no contact angle.
+    #[error(
+        "a change of the diametral clearance by {change} m does not fit: it must be in {smallest} … \
+         {largest} m, where the free contact angle goes from 0° to 60°"
+    )]
+    ClearanceChange {
+        /// Change as given, m.
+        change: f64,
+        /// Smallest change that fits, m.
+        smallest: f64,
+        /// Largest change that fits, m.
+        largest: f64,
+    },
     /// The balls overlap on the pitch circle.
     #[error(
         "{balls} balls of {ball_diameter} m overlap on a pitch circle of {pitch_diameter} m: at \
@@ -158,6 +171,42 @@ impl Geometry {
             rolling_angle,
             groove_factor_inner,
             groove_factor_outer,
+        })
+    }
+
+    /// The bearing with its diametral clearance changed by `change` in m, as fits, temperature or a
+    /// speed that widens the rings do; negative tightens.
+    ///
+    /// `A cos α0' = A cos α0 − ΔP_d/2`: the change moves the groove centres radially.
+    ///
+    /// # Errors
+    /// [`GeometryError::ClearanceChange`] where no contact angle in 0° … 60° belongs to the result.
+    pub fn with_clearance_change(&self, change: f64) -> Result<Self, GeometryError> {
+        let distance = self.groove_centre_distance();
+        let cosine = self.contact_angle.cos() - change / (2.0 * distance);
+        let smallest = 2.0 * distance * (self.contact_angle.cos() - 1.0);
+        let largest =
+            2.0 * distance * (self.contact_angle.cos() - Self::LARGEST_CONTACT_ANGLE.cos());
+        if change == 0.0 {
+            return Ok(*self);
+        }
+        if !(smallest..=largest).contains(&change) {
+            return Err(GeometryError::ClearanceChange {
+                change,
+                smallest,
+                largest,
+            });
+        }
+        let contact_angle = cosine.min(1.0).acos();
+        let rolling_angle = if self.rolling_angle == 0.0 {
+            0.0
+        } else {
+            contact_angle
+        };
+        Ok(Self {
+            contact_angle,
+            rolling_angle,
+            ..*self
         })
     }
 

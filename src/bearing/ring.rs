@@ -87,7 +87,7 @@ impl<L: BallLaw> Ring<L> {
     }
 
     /// Force and moment that hold the inner ring at `displacement`, in N and N m.
-    #[inline]
+    #[inline(always)]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = into_cage(displacement, cage);
         let (axial_0, swing_x, swing_y) =

@@ -40,7 +40,7 @@ impl Seat {
     }
 
     /// Displacement of the inner ring from the outer one; `shaft` is what the shaft imposes.
-    #[inline]
+    #[inline(always)]
     pub fn settle(&self, ring: &AnyRing, shaft: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         let mut place = *shaft;
         match *self {

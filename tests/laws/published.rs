@@ -118,6 +118,9 @@ fn high_speed_case_of_a_public_program() {
         ring_material: material,
         ball_material: material,
         contact_stiffness: None,
+        dynamic_rating: None,
+        roughness: None,
+        shoulder_angle: None,
     };
     let speed = 50_000.0 * std::f64::consts::TAU / 60.0;
     let law = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();

@@ -55,6 +55,9 @@ impl Random {
             ring_material: Material::BEARING_STEEL,
             ball_material,
             contact_stiffness: None,
+            dynamic_rating: None,
+            roughness: None,
+            shoulder_angle: None,
         }
     }
 

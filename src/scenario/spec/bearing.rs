@@ -92,6 +92,9 @@ impl BearingSpec {
             ring_material,
             ball_material: material::build(self.ball_material.as_ref(), ring_material),
             contact_stiffness: spec.contact_stiffness.as_ref().map(Quantity::si),
+            dynamic_rating: entry.map(|entry| entry.dynamic_rating),
+            roughness: None,
+            shoulder_angle: None,
         };
         check_contact(&bearing, &sources, problems);
         Some(MountedBearing {

@@ -148,6 +148,7 @@ impl Sources<'_> {
             GeometryError::GrooveFactor { .. } => ("groove_factor_outer", &[]),
             GeometryError::ContactAngle { .. } => ("contact_angle", &[]),
             GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
+            GeometryError::ClearanceChange { .. } => ("clearance_change", &[]),
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
         };
         let others: Vec<_> = others.iter().map(|key| self.key(key)).collect();

@@ -1,0 +1,101 @@
+//! What the tolerance promises.
+
+use jeffcott::integrate::Method;
+use jeffcott::rotor::Sample;
+use jeffcott::simulate::Model;
+
+use crate::support::{model, samples, settings, thrust_rotor, try_run};
+
+/// An unbalanced 7205C under an uneven load, from rest at its equilibrium: 0.02 s of Hertz contact.
+fn uneven() -> Model {
+    let mut definition = thrust_rotor();
+    definition.shaft.eccentricity = 2e-6;
+    definition.load = [0.0, -400.0, 1000.0, 0.0, 0.0];
+    model(definition, 0.02, 20_000.0)
+}
+
+fn at(method: Method, tolerance: f64) -> Model {
+    let mut model = uneven();
+    model.integrator = settings(tolerance);
+    model.integrator.method = method;
+    model
+}
+
+/// Largest distance of two traces, m.
+fn distance(left: &[Sample], right: &[Sample]) -> f64 {
+    assert_eq!(left.len(), right.len());
+    let axes = |(a, b): (&Sample, &Sample)| {
+        (0..3)
+            .map(|k| (a.displacement[k] - b.displacement[k]).abs())
+            .fold(0.0, f64::max)
+    };
+    left.iter().zip(right).map(axes).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_tighter_tolerance_never_moves_the_trace_by_more_than_the_looser_one_did() {
+    for method in [Method::Dopri5, Method::Dop853] {
+        let traces: Vec<Vec<Sample>> = [1e-4, 1e-6, 1e-8, 1e-10]
+            .into_iter()
+            .map(|tolerance| samples(&at(method, tolerance), 0.0))
+            .collect();
+        let moved: Vec<f64> = traces
+            .windows(2)
+            .map(|pair| distance(&pair[0], &pair[1]))
+            .collect();
+        println!("{method:?} moved by {moved:?} m");
+        assert!(
+            moved.windows(2).all(|pair| pair[1] <= pair[0]),
+            "{method:?}: {moved:?}"
+        );
+    }
+}
+
+#[test]
+fn the_two_methods_agree_within_their_measured_errors() {
+    let run = |method| {
+        let mut model = at(method, 1e-8);
+        model.verify = true;
+        let (result, samples) = try_run(&model, 0.0);
+        let error = result
+            .expect("a run")
+            .measured_error
+            .expect("a second pass");
+        (error.displacement, samples)
+    };
+    let (fifth_error, fifth) = run(Method::Dopri5);
+    let (eighth_error, eighth) = run(Method::Dop853);
+    let apart = distance(&fifth, &eighth);
+    println!("{apart:e} m apart, measured {fifth_error:e} and {eighth_error:e} m");
+    // the second passes, at a tenth of the tolerance, have a tenth of the error themselves
+    assert!(apart <= 1.2 * (fifth_error + eighth_error));
+}
+
+#[test]
+fn the_measured_error_is_the_distance_from_the_truth() {
+    let mut model = at(Method::Dop853, 1e-6);
+    model.verify = true;
+    let (result, trace) = try_run(&model, 0.0);
+    let error = result
+        .expect("a run")
+        .measured_error
+        .expect("a second pass");
+    let truth = samples(&at(Method::Dop853, 1e-12), 0.0);
+    let true_error = distance(&trace, &truth);
+    println!("measured {:e} m, true {true_error:e} m", error.displacement);
+    assert!((0.5..2.0).contains(&(error.displacement / true_error)));
+}
+
+#[test]
+fn the_same_model_gives_the_same_bits_twice() {
+    let (first, second) = (samples(&uneven(), 0.0), samples(&uneven(), 0.0));
+    assert_eq!(first, second);
+}
+
+/// The second pass only watches.
+#[test]
+fn verifying_changes_no_sample() {
+    let mut verified = uneven();
+    verified.verify = true;
+    assert_eq!(samples(&uneven(), 0.0), samples(&verified, 0.0));
+}

@@ -1,0 +1,16 @@
+//! Sentences of physics, one test each: of a ball, of a bearing, and of the shaft in motion.
+
+// a test that meets the wrong error says so and fails
+#![allow(clippy::panic)]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod accuracy;
+mod ball_law;
+mod energy;
+mod equilibrium;
+mod interruption;
+mod linear_rotor;
+mod ring;
+mod spectral_lines;

@@ -1,0 +1,11 @@
+//! Published and independently computed numbers, one file per source.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod harris;
+mod jis_6306_varying_compliance;
+mod kinematics;
+mod masta_6305;
+mod quasi_static_7205c;
+mod tiwari_6204;
