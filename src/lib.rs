@@ -98,6 +98,7 @@ pub mod bearing;
 pub mod cli;
 pub mod integrate;
 pub mod physics;
+pub mod quasi_static;
 pub mod report;
 pub mod rotor;
 pub mod scenario;

@@ -3,14 +3,15 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Lowest first; `simulate` is a single file. The integrator knows no rotor: it is the rotor that
+/// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is the rotor that
 /// implements the integrator's trait.
-const FLOORS: [&str; 9] = [
+const FLOORS: [&str; 10] = [
     "physics",
     "bearing",
     "integrate",
     "rotor",
     "analysis",
+    "quasi_static",
     "simulate",
     "scenario",
     "report",

@@ -19,6 +19,7 @@ mod oil;
 mod races;
 mod ring;
 mod seat;
+mod state;
 mod support;
 mod thrust;
 
@@ -33,5 +34,6 @@ pub use jones::{BallState, JonesFilmLaw, JonesLaw};
 pub use oil::Oil;
 pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
 pub use ring::{CageAngle, Matrix5, Ring, Vector5};
+pub use state::{BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares};
 pub use support::Support;
 pub use thrust::Thrust;

@@ -3,7 +3,7 @@
 use super::any_ring::AnyRing;
 use super::ring::{CageAngle, Matrix5, Vector5};
 use super::seat::Seat;
-use super::{BallContact, BearingError, ContactLaw, MountedBearing};
+use super::{BallContact, BearingError, BearingState, ContactLaw, MountedBearing, Preload};
 use crate::physics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
 
 /// F = F0 + K (q − q0).
@@ -72,6 +72,15 @@ impl Support {
     /// Axial preset of the inner ring the way its facing loads it, m.
     pub fn axial_offset(&self) -> f64 {
         self.seat.offset()
+    }
+
+    /// Whether the bearing is preset axially.
+    pub fn is_preloaded(&self) -> bool {
+        match self.definition.preload {
+            Preload::AxialOffset(value) | Preload::Force(value) | Preload::Spring(value) => {
+                value != 0.0
+            }
+        }
     }
 
     /// Axial shaft displacement at which the races of this bearing stand axially centred, m.
@@ -154,6 +163,26 @@ impl Support {
         if self.frozen.is_none() {
             let place = self.ring_displacement(displacement, cage, speed);
             self.ring.for_each_contact(&place, cage, speed, visit);
+        }
+    }
+
+    /// What is known of the bearing with the shaft at `displacement`, its cage where it starts.
+    pub fn state(&self, displacement: &Vector5, speed: f64) -> BearingState {
+        let cage = CageAngle::START;
+        let place = self.ring_displacement(displacement, cage, speed);
+        let (force, stiffness) = self.ring.force_and_stiffness(&place, cage, speed);
+        BearingState {
+            displacement: place,
+            force,
+            stiffness: self.seat.condense(stiffness),
+            shares: None,
+            balls: Vec::new(),
+            balls_loaded: 0,
+            life: None,
+            static_safety: None,
+            friction_moment: super::FrictionMoment::default(),
+            ball_pass: self.ball_pass(speed),
+            warnings: Vec::new(),
         }
     }
 

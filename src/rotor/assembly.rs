@@ -3,7 +3,7 @@
 use super::damping::DampingMatrix;
 use super::{FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY};
 use crate::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
-use crate::bearing::{BearingError, Facing, Preload, Support, Vector5};
+use crate::bearing::{BearingError, Facing, Support, Vector5};
 
 /// Why a rotor cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -41,9 +41,8 @@ impl Rotor {
     /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
     /// outside its range.
     pub fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
-        check_ranges(definition)?;
         let mut supports = build_supports(definition)?;
-        let load = static_load(definition);
+        let load = definition.static_load();
         let equilibrium = find_equilibrium(definition, &supports, load)?;
         for support in &mut supports {
             support.freeze(&equilibrium.displacement, definition.speed);
@@ -66,7 +65,7 @@ impl Rotor {
             gyroscopic: shaft.inertia_polar * definition.speed,
             speed: definition.speed,
             cage: definition.cage,
-            unbalance: shaft.mass * shaft.eccentricity * definition.speed * definition.speed,
+            unbalance: definition.unbalance_force(),
             load,
             damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             supports,
@@ -105,7 +104,9 @@ fn range(name: &'static str, value: f64, fits: bool, rule: &'static str) -> Resu
     }
 }
 
-fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support>, RotorError> {
+/// Checks a definition and builds its bearings.
+pub(crate) fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support>, RotorError> {
+    check_ranges(definition)?;
     let build = |(index, bearing)| {
         Support::new(bearing, definition.speed).map_err(|source| RotorError::Bearing {
             number: index + 1,
@@ -115,13 +116,20 @@ fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support>, RotorErr
     definition.bearings.iter().enumerate().map(build).collect()
 }
 
-/// Constant loads and the weight.
-fn static_load(definition: &RotorDefinition) -> Vector5 {
-    let mut load = definition.load;
-    if definition.shaft.gravity {
-        load[1] -= definition.shaft.mass * STANDARD_GRAVITY;
+impl RotorDefinition {
+    /// Constant loads and the weight, N and N m.
+    pub fn static_load(&self) -> Vector5 {
+        let mut load = self.load;
+        if self.shaft.gravity {
+            load[1] -= self.shaft.mass * STANDARD_GRAVITY;
+        }
+        load
     }
-    load
+
+    /// Unbalance force m e ω², N.
+    pub fn unbalance_force(&self) -> f64 {
+        self.shaft.mass * self.shaft.eccentricity * self.speed * self.speed
+    }
 }
 
 /// The static equilibrium under the constant loads, without unbalance.
@@ -130,23 +138,34 @@ fn find_equilibrium(
     supports: &[Support],
     load: Vector5,
 ) -> Result<Equilibrium, EquilibriumError> {
-    let kept = definition.shaft.freedoms.count();
-    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < kept);
-    let mut start = [0.0; FREEDOMS];
-    if !free[2] {
-        match held_axial(supports, load[2]) {
-            Some(place) => start[2] = place,
-            None => free[2] = true,
-        }
-    }
+    let (free, start) = static_start(definition, supports, load[2]);
+    let speed = definition.speed;
     StaticProblem {
         supports,
         load,
         free,
         start,
-        speed: definition.speed,
+        speed,
     }
     .solve()
+}
+
+/// Which freedoms find their place, and where the search starts and the others stay.
+pub(crate) fn static_start(
+    definition: &RotorDefinition,
+    supports: &[Support],
+    axial_load: f64,
+) -> ([bool; FREEDOMS], Vector5) {
+    let kept = definition.shaft.freedoms.count();
+    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < kept);
+    let mut start = [0.0; FREEDOMS];
+    if !free[2] {
+        match held_axial(supports, axial_load) {
+            Some(place) => start[2] = place,
+            None => free[2] = true,
+        }
+    }
+    (free, start)
 }
 
 /// Where a radial scene holds the axial displacement; `None`: where the equilibrium puts it.
@@ -162,12 +181,7 @@ fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
     if axial_load != 0.0 || (faces(Facing::PlusZ) && faces(Facing::MinusZ)) {
         return None;
     }
-    let preset = |support: &Support| match support.definition().preload {
-        Preload::AxialOffset(value) | Preload::Force(value) | Preload::Spring(value) => {
-            value != 0.0
-        }
-    };
-    if supports.iter().any(preset) {
+    if supports.iter().any(Support::is_preloaded) {
         return Some(0.0);
     }
     supports.first().map(Support::centred_axial)

@@ -12,6 +12,7 @@ mod motion_scale;
 mod sample;
 
 pub use assembly::RotorError;
+pub(crate) use assembly::{build_supports, static_start};
 pub use definition::{
     CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
     STANDARD_GRAVITY, Shaft,

@@ -1,0 +1,198 @@
+//! The other stair: a [`StaticQuestion`] goes in, a [`QuasiStatic`] answer comes out. No time passes.
+
+use nalgebra::DMatrix;
+
+use crate::bearing::equilibrium::{Equilibrium, StaticProblem};
+use crate::bearing::{BearingState, Matrix5, Support, Vector5};
+use crate::rotor::{FREEDOMS, RotorDefinition, RotorError, build_supports, static_start};
+
+/// Twist of the shaft's middle segment, `θz = M_z L/(G I_p)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Torsion {
+    /// Length L of the segment, m.
+    pub length: f64,
+    /// Shear modulus G, Pa.
+    pub shear_modulus: f64,
+    /// Polar second moment of area I_p, m⁴.
+    pub polar_second_moment: f64,
+    /// What is given of moment and twist.
+    pub cause: TorsionCause,
+}
+
+/// What is given of moment and twist.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TorsionCause {
+    /// The moment is the friction moment of all bearings.
+    Friction,
+    /// The moment M_z, N m.
+    Moment(f64),
+    /// The twist θz, rad.
+    Angle(f64),
+}
+
+/// A static question about a shaft on its bearings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StaticQuestion {
+    /// Shaft, bearings, loads and speed; the kept freedoms find their place, the others are held.
+    pub rotor: RotorDefinition,
+    /// Displacements that are given instead of loads: those freedoms are held there.
+    pub displacement: [Option<f64>; FREEDOMS],
+    /// Whether the unbalance force m e ω² acts as a static load along +X.
+    pub unbalance: bool,
+    /// Torsion of the shaft, the sixth freedom.
+    pub torsion: Option<Torsion>,
+}
+
+/// Moment and twist of the shaft about its axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Twist {
+    /// Moment M_z, N m.
+    pub moment: f64,
+    /// Twist θz, rad.
+    pub angle: f64,
+}
+
+/// The answer to a [`StaticQuestion`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct QuasiStatic {
+    /// Displacement x, y, z in m and θx, θy in rad.
+    pub displacement: Vector5,
+    /// Force of the shaft onto the bearings, N and N m: the load of the free freedoms, and what it
+    /// takes to hold the others.
+    pub force: Vector5,
+    /// Which freedoms found their own place.
+    pub free: [bool; FREEDOMS],
+    /// K = ∂F/∂q, rows and columns x, y, z, θx, θy.
+    pub stiffness: Matrix5,
+    /// Condition of K of the free freedoms, tilts taken by their arm; infinite where it is singular.
+    pub condition: f64,
+    /// Largest unbalanced force relative to the forces in play.
+    pub residual: f64,
+    /// Newton steps taken.
+    pub newton_steps: usize,
+    /// Moment and twist about the shaft's axis, where torsion was asked for.
+    pub twist: Option<Twist>,
+    /// Every bearing, in the order given.
+    pub bearings: Vec<BearingState>,
+    /// What the reader should know, each with its numbers.
+    pub warnings: Vec<String>,
+}
+
+/// Answers a static question.
+///
+/// # Errors
+/// [`RotorError`] where a bearing cannot be built, a number is outside its range, or nothing carries
+/// the load.
+pub fn quasi_static(question: &StaticQuestion) -> Result<QuasiStatic, RotorError> {
+    let rotor = &question.rotor;
+    let supports = build_supports(rotor)?;
+    let equilibrium = equilibrium(question, &supports)?;
+    let bearings: Vec<BearingState> = supports
+        .iter()
+        .map(|support| support.state(&equilibrium.1.displacement, rotor.speed))
+        .collect();
+    let (free, equilibrium) = equilibrium;
+    let friction = bearings
+        .iter()
+        .map(|bearing| bearing.friction_moment.total())
+        .sum();
+    Ok(QuasiStatic {
+        displacement: equilibrium.displacement,
+        force: equilibrium.force,
+        free,
+        stiffness: equilibrium.stiffness,
+        condition: condition(&equilibrium.stiffness, &free, arm(&supports)),
+        residual: equilibrium.residual,
+        newton_steps: equilibrium.newton_steps,
+        twist: question.torsion.map(|torsion| torsion.twist(friction)),
+        warnings: warnings(&supports, &bearings),
+        bearings,
+    })
+}
+
+/// The free freedoms and the equilibrium.
+fn equilibrium(
+    question: &StaticQuestion,
+    supports: &[Support],
+) -> Result<([bool; FREEDOMS], Equilibrium), RotorError> {
+    let rotor = &question.rotor;
+    let mut load = rotor.static_load();
+    if question.unbalance {
+        load[0] += rotor.unbalance_force();
+    }
+    let (mut free, mut start) = static_start(rotor, supports, load[2]);
+    for (axis, given) in question.displacement.iter().enumerate() {
+        if let Some(place) = *given {
+            free[axis] = false;
+            start[axis] = place;
+        }
+    }
+    let problem = StaticProblem {
+        supports,
+        load,
+        free,
+        start,
+        speed: rotor.speed,
+    };
+    Ok((free, problem.solve()?))
+}
+
+/// Length that makes tilts comparable to displacements.
+fn arm(supports: &[Support]) -> f64 {
+    let arm = |support: &Support| support.definition().bearing.geometry.inner_groove_radius();
+    supports.iter().map(arm).fold(0.0, f64::max)
+}
+
+/// Largest over smallest singular value of K of the free freedoms.
+fn condition(stiffness: &Matrix5, free: &[bool; FREEDOMS], arm: f64) -> f64 {
+    let lengths = [1.0, 1.0, 1.0, arm, arm];
+    let axes: Vec<usize> = (0..FREEDOMS).filter(|&axis| free[axis]).collect();
+    let scaled = DMatrix::from_fn(axes.len(), axes.len(), |row, column| {
+        let (row, column) = (axes[row], axes[column]);
+        stiffness[(row, column)] / (lengths[row] * lengths[column])
+    });
+    let values = scaled.singular_values();
+    match (
+        values.iter().copied().reduce(f64::max),
+        values.iter().copied().reduce(f64::min),
+    ) {
+        (Some(largest), Some(smallest)) => largest / smallest,
+        _ => 1.0,
+    }
+}
+
+fn warnings(supports: &[Support], bearings: &[BearingState]) -> Vec<String> {
+    let mut warnings = Vec::new();
+    for (index, (support, bearing)) in supports.iter().zip(bearings).enumerate() {
+        let number = index + 1;
+        let balls = support.definition().bearing.geometry.balls();
+        if support.is_preloaded() && bearing.balls_loaded < balls {
+            warnings.push(format!(
+                "bearing {number}: the preload is lost on {} of {balls} balls",
+                balls - bearing.balls_loaded
+            ));
+        }
+        warnings.extend(
+            bearing
+                .warnings
+                .iter()
+                .map(|text| format!("bearing {number}: {text}")),
+        );
+    }
+    warnings
+}
+
+impl Torsion {
+    /// Moment and twist, with the friction moment of all bearings in N m where that is the cause.
+    ///
+    /// `θz = M_z L/(G I_p)`
+    fn twist(&self, friction: f64) -> Twist {
+        let compliance = self.length / (self.shear_modulus * self.polar_second_moment);
+        let (moment, angle) = match self.cause {
+            TorsionCause::Friction => (friction, friction * compliance),
+            TorsionCause::Moment(moment) => (moment, moment * compliance),
+            TorsionCause::Angle(angle) => (angle / compliance, angle),
+        };
+        Twist { moment, angle }
+    }
+}
