@@ -39,6 +39,8 @@ impl LinearForce {
 #[derive(Debug, Clone)]
 pub struct Support {
     ring: AnyRing,
+    /// A cheap neighbour of the ring, where there is one.
+    coarse: Option<AnyRing>,
     seat: Seat,
     /// Set once the bearing is linear.
     frozen: Option<LinearForce>,
@@ -57,6 +59,7 @@ impl Support {
         let ring = AnyRing::new(definition, speed)?;
         Ok(Self {
             seat: Seat::new(definition, &ring)?,
+            coarse: ring.coarse(definition)?,
             ring,
             frozen: None,
             definition: *definition,
@@ -92,7 +95,8 @@ impl Support {
     pub fn freeze(&mut self, displacement: &Vector5, speed: f64) {
         if self.definition.law == ContactLaw::Linear {
             let origin = self.imposed(displacement);
-            let (force, stiffness) = self.local_tangent(&origin, CageAngle::START, speed);
+            let (force, stiffness) =
+                self.local_tangent(&self.ring, &origin, CageAngle::START, speed);
             self.frozen = Some(LinearForce {
                 origin,
                 force,
@@ -122,10 +126,36 @@ impl Support {
         cage: CageAngle,
         speed: f64,
     ) -> (Vector5, Matrix5) {
+        self.tangent_on_shaft(&self.ring, displacement, cage, speed)
+    }
+
+    /// Whether [`Support::coarse_force_and_stiffness`] is cheaper than the exact one.
+    pub(super) fn has_coarse_ring(&self) -> bool {
+        self.coarse.is_some()
+    }
+
+    /// As [`Support::force_and_stiffness`], of plain Hertz contacts.
+    pub(super) fn coarse_force_and_stiffness(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Vector5, Matrix5) {
+        let ring = self.coarse.as_ref().unwrap_or(&self.ring);
+        self.tangent_on_shaft(ring, displacement, cage, speed)
+    }
+
+    fn tangent_on_shaft(
+        &self,
+        ring: &AnyRing,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Vector5, Matrix5) {
         let imposed = self.imposed(displacement);
         let (force, stiffness) = match &self.frozen {
             Some(linear) => (linear.force(&imposed), linear.stiffness),
-            None => self.local_tangent(&imposed, cage, speed),
+            None => self.local_tangent(ring, &imposed, cage, speed),
         };
         let transform = self.transform();
         (
@@ -134,9 +164,15 @@ impl Support {
         )
     }
 
-    fn local_tangent(&self, imposed: &Vector5, cage: CageAngle, speed: f64) -> (Vector5, Matrix5) {
-        let place = self.seat.settle(&self.ring, imposed, cage, speed);
-        let (force, stiffness) = self.ring.force_and_stiffness(&place, cage, speed);
+    fn local_tangent(
+        &self,
+        ring: &AnyRing,
+        imposed: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Vector5, Matrix5) {
+        let place = self.seat.settle(ring, imposed, cage, speed);
+        let (force, stiffness) = ring.force_and_stiffness(&place, cage, speed);
         (force, self.seat.condense(stiffness))
     }
 
