@@ -101,7 +101,7 @@ fn case(seed: u64) -> Case {
         position: 0.0,
         facing: Facing::PlusZ,
         preload: Preload::AxialOffset(0.0),
-        first_ball: dice.between(0.0, 6.28),
+        first_ball: dice.between(0.0, std::f64::consts::TAU),
     };
     let mut definitions = vec![mounted];
     if pair {
