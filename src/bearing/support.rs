@@ -129,6 +129,34 @@ impl Support {
         self.tangent_on_shaft(&self.ring, displacement, cage, speed)
     }
 
+    /// K, and the derivative of the force by the angle of the cage.
+    ///
+    /// Turning the cage is turning the displacement back and the force forth:
+    /// `∂F/∂ψ_c = S F − K S q` with S the generator of rotations about Z.
+    pub fn slopes(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Matrix5, Vector5) {
+        let imposed = self.imposed(displacement);
+        let transform = self.transform();
+        let (stiffness, by_cage_angle) = match &self.frozen {
+            Some(linear) => (linear.stiffness, [0.0; 5]),
+            None => {
+                let (force, stiffness) = self.local_tangent(&self.ring, &imposed, cage, speed);
+                let turned = stiffness * nalgebra::SVector::from(quarter_turn(&imposed));
+                let force = quarter_turn(&force);
+                (
+                    stiffness,
+                    std::array::from_fn(|axis| force[axis] - turned[axis]),
+                )
+            }
+        };
+        let stiffness = transform.transpose() * stiffness * transform;
+        (stiffness, self.on_shaft(&by_cage_angle))
+    }
+
     /// Whether [`Support::coarse_force_and_stiffness`] is cheaper than the exact one.
     pub(super) fn has_coarse_ring(&self) -> bool {
         self.coarse.is_some()
@@ -268,4 +296,10 @@ impl Support {
         transform[(1, 3)] = -a;
         transform
     }
+}
+
+/// A vector turned by a right angle about Z: the generator of rotations.
+fn quarter_turn(vector: &Vector5) -> Vector5 {
+    let [x, y, _, tilt_x, tilt_y] = *vector;
+    [-y, x, 0.0, -tilt_y, tilt_x]
 }
