@@ -33,7 +33,7 @@ pub use hertz_law::HertzLaw;
 pub use jones::{BallState, JonesFilmLaw, JonesLaw};
 pub use oil::Oil;
 pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
-pub use ring::{CageAngle, Matrix5, Ring, Vector5};
+pub use ring::{Around, CageAngle, Matrix5, Ring, Vector5};
 pub use state::{BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares};
 pub use support::Support;
 pub use thrust::Thrust;

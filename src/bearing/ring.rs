@@ -31,6 +31,17 @@ impl CageAngle {
     }
 }
 
+/// What a ball at some azimuth bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Around {
+    /// Azimuth φ, rad, from +X towards +Y.
+    pub azimuth: f64,
+    /// Change of the distance of the groove centres from the unloaded one, m.
+    pub deformation: f64,
+    /// Loads and contact angles.
+    pub contact: BallContact,
+}
+
 /// Balls that are worked on side by side.
 const LANES: usize = 4;
 
@@ -162,6 +173,35 @@ impl<L: BallLaw> Ring<L> {
     ) -> impl Iterator<Item = BallContact> {
         self.placed(displacement, cage)
             .map(move |ball| self.law.contact(ball.axial, ball.radial, speed))
+    }
+
+    /// What a ball at each of `positions` azimuths from +X on would bear, or, where `None`, what
+    /// every ball bears with the cage where it starts.
+    pub fn around(
+        &self,
+        displacement: &Vector5,
+        speed: f64,
+        positions: Option<usize>,
+    ) -> Vec<Around> {
+        let at = |azimuth| self.at_azimuth(displacement, azimuth, speed);
+        match positions {
+            None => self.azimuths.iter().copied().map(at).collect(),
+            Some(count) => (0..count)
+                .map(|index| at(std::f64::consts::TAU * index as f64 / count as f64))
+                .collect(),
+        }
+    }
+
+    fn at_azimuth(&self, displacement: &Vector5, azimuth: f64, speed: f64) -> Around {
+        let [x, y, z, tilt_x, tilt_y] = *displacement;
+        let (sin, cos) = azimuth.sin_cos();
+        let axial = self.free_axial + z + self.arm * (tilt_x * sin - tilt_y * cos);
+        let radial = self.free_radial + x * cos + y * sin;
+        Around {
+            azimuth,
+            deformation: axial.hypot(radial) - self.free_axial.hypot(self.free_radial),
+            contact: self.law.contact(axial, radial, speed),
+        }
     }
 
     /// Every ball at its azimuth, with the place of its inner groove centre.

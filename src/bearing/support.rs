@@ -3,7 +3,7 @@
 use super::any_ring::AnyRing;
 use super::ring::{CageAngle, Matrix5, Vector5};
 use super::seat::Seat;
-use super::{BallContact, BearingError, BearingState, ContactLaw, MountedBearing, Preload};
+use super::{Around, BallContact, BearingError, BearingState, ContactLaw, MountedBearing, Preload};
 use crate::physics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
 
 /// F = F0 + K (q − q0).
@@ -164,6 +164,18 @@ impl Support {
             let place = self.ring_displacement(displacement, cage, speed);
             self.ring.for_each_contact(&place, cage, speed, visit);
         }
+    }
+
+    /// What a ball at each of `positions` azimuths from +X on would bear with the shaft at
+    /// `displacement`, or, where `None`, what every ball bears with the cage where it starts.
+    pub fn around(
+        &self,
+        displacement: &Vector5,
+        speed: f64,
+        positions: Option<usize>,
+    ) -> Vec<Around> {
+        let place = self.ring_displacement(displacement, CageAngle::START, speed);
+        self.ring.around(&place, speed, positions)
     }
 
     /// What is known of the bearing with the shaft at `displacement`, its cage where it starts.
