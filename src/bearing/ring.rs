@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::{BallContact, BallLaw, Geometry};
+use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry};
 
 /// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
 pub type Vector5 = [f64; 5];
@@ -126,10 +126,23 @@ impl<L: BallLaw> Ring<L> {
         cage: CageAngle,
         speed: f64,
     ) -> (Vector5, Matrix5) {
+        self.assemble(displacement, cage, |axial, radial| {
+            self.law.force_and_tangent(axial, radial, speed)
+        })
+    }
+
+    /// Sum over the balls of what `ball` gives for the place (A1, A2) of its inner groove centre.
+    #[inline]
+    pub(super) fn assemble(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        mut ball: impl FnMut(f64, f64) -> (BallForce, BallTangent),
+    ) -> (Vector5, Matrix5) {
         let (mut force, mut stiffness) = ([0.0; 5], Matrix5::zeros());
-        for ball in self.placed(*displacement, cage) {
-            let (push, tangent) = self.law.force_and_tangent(ball.axial, ball.radial, speed);
-            let (sin, cos) = (ball.sin, ball.cos);
+        for place in self.placed(*displacement, cage) {
+            let (push, tangent) = ball(place.axial, place.radial);
+            let (sin, cos) = (place.sin, place.cos);
             let moment = self.arm * push.axial + push.couple;
             let moment_rate = [0, 1].map(|j| self.arm * tangent[0][j] + tangent[2][j]);
             // dA1/dq and dA2/dq
@@ -162,6 +175,16 @@ impl<L: BallLaw> Ring<L> {
     ) -> impl Iterator<Item = BallContact> {
         self.placed(displacement, cage)
             .map(move |ball| self.law.contact(ball.axial, ball.radial, speed))
+    }
+
+    /// Azimuths of the balls, their cage where it starts, with the place (A1, A2) of their inner
+    /// groove centres.
+    pub(super) fn places(&self, displacement: Vector5) -> impl Iterator<Item = (f64, [f64; 2])> {
+        self.azimuths
+            .iter()
+            .copied()
+            .zip(self.placed(displacement, CageAngle::START))
+            .map(|(azimuth, ball)| (azimuth, [ball.axial, ball.radial]))
     }
 
     /// Every ball at its azimuth, with the place of its inner groove centre.
