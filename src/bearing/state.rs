@@ -54,8 +54,8 @@ pub struct BallLine {
     /// Azimuth φ, rad, from +X towards +Y.
     pub azimuth: f64,
     /// Change of the distance of the groove centres from the unloaded one, d − A, m: the total
-    /// deformation of both contacts where it is positive, a gap where it is negative; oil films
-    /// fill the gap and add to the deformation.
+    /// deformation of both contacts less the oil films between them; a gap of dry races where it is
+    /// negative.
     pub deformation: f64,
     /// Contact with the inner race.
     pub inner: RaceContact,
