@@ -16,6 +16,9 @@ const MICRO: f64 = 1e6;
 /// rad → mrad, N m → N mm.
 const MILLI: f64 = 1e3;
 
+/// A coupling below this part of its diagonal terms is what round-off left of zero.
+const ROUND_OFF: f64 = 1e-12;
+
 /// Names of the freedoms, and how displacements and forces along them are shown.
 const NAMES: [&str; FREEDOMS] = ["x", "y", "z", "θx", "θy"];
 const PLACES: [&str; FREEDOMS] = ["µm", "µm", "µm", "µrad", "µrad"];
@@ -35,7 +38,7 @@ pub fn answer_text(title: &str, answer: &QuasiStatic, files: &[PathBuf]) -> Stri
     line(&mut out, "force", &force(answer));
     line(&mut out, "twist", &twist(answer));
     line(&mut out, "stiffness", &diagonal(&answer.stiffness));
-    line(&mut out, "condition", &format!("{:.4e}", answer.condition));
+    line(&mut out, "condition", &condition(answer.condition));
     let steps = answer.newton_steps;
     let search = format!("{steps} Newton steps, residual {:.1e}", answer.residual);
     line(&mut out, "search", &search);
@@ -91,18 +94,23 @@ fn twist(answer: &QuasiStatic) -> String {
 
 /// K_x … K_θy in N/µm and N m/mrad.
 fn diagonal(stiffness: &Matrix5) -> String {
-    let shown = NAMES.iter().enumerate().map(|(axis, name)| {
-        let (unit, scale) = if axis < 3 {
-            ("N/µm", MICRO)
-        } else {
-            ("N m/mrad", MILLI)
-        };
-        format!(
-            "K_{name} {} {unit}",
-            digits(stiffness[(axis, axis)] / scale)
-        )
-    });
-    shown.collect::<Vec<_>>().join(", ")
+    let shown = |axes: std::ops::Range<usize>, scale: f64| {
+        let terms = axes.map(|axis| {
+            let term = stiffness[(axis, axis)] / scale;
+            format!("K_{} {}", NAMES[axis], digits(term))
+        });
+        terms.collect::<Vec<_>>().join(", ")
+    };
+    let (along, about) = (shown(0..3, MICRO), shown(3..FREEDOMS, MILLI));
+    format!("{along} N/µm; {about} N m/mrad")
+}
+
+fn condition(condition: f64) -> String {
+    if condition.is_finite() {
+        digits(condition)
+    } else {
+        "infinite: the stiffness is singular".to_owned()
+    }
 }
 
 /// K, a micrometre or a milliradian a column.
@@ -112,7 +120,10 @@ fn stiffness_table(stiffness: &Matrix5) -> Table {
     let rows = FORCES.iter().enumerate().map(|(row, (name, unit))| {
         let cells = (0..FREEDOMS).map(|column| {
             let scale = if column < 3 { MICRO } else { MILLI };
-            digits(stiffness[(row, column)] / scale)
+            let term = stiffness[(row, column)];
+            let diagonal = stiffness[(row, row)] * stiffness[(column, column)];
+            let noise = ROUND_OFF * diagonal.abs().sqrt();
+            digits(if term.abs() < noise { 0.0 } else { term / scale })
         });
         std::iter::once(format!("{name} in {unit}"))
             .chain(cells)
