@@ -15,7 +15,10 @@ fn model(name: &str) -> Model {
     let file = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("scenarios")
         .join(name);
-    scenario::load(&file).expect("a shipped scenario").model
+    scenario::load(&file)
+        .expect("a shipped scenario")
+        .model
+        .expect("a motion")
 }
 
 fn ball_and_ring(criterion: &mut Criterion) {

@@ -36,7 +36,10 @@ fn shipped(criterion: &mut Criterion) {
         "back-to-back-7205c",
     ] {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("scenarios/{name}.toml"));
-        let mut model = scenario::load(&file).expect("a shipped scenario").model;
+        let mut model = scenario::load(&file)
+            .expect("a shipped scenario")
+            .model
+            .expect("a motion");
         for method in [Method::Dop853, Method::Dopri5] {
             model.integrator.method = method;
             model.verify = true;

@@ -11,7 +11,9 @@
 //! | [`cli`] | what was typed → exit code, one file a verb |
 //! | [`report`] | results → CSV, JSON, SVG |
 //! | [`scenario`] | text → checked, typed model; units; every message |
+//! | [`study`] | many static questions in a row |
 //! | [`mod@simulate`] | the stair: a model in, a run out |
+//! | [`mod@quasi_static`] | the other stair: a static question in, an answer out; no time passes |
 //! | [`analysis`] | samples → spectra, peaks and their causes |
 //! | [`rotor`] | shaft, loads, speed, supports → derivative |
 //! | [`integrate`] | derivative → states on a time grid, with error control |
@@ -82,7 +84,7 @@
 //! let scenario = scenario::parse(text, "example.toml", Format::Toml)?;
 //! let (stop, mut highest) = (AtomicBool::new(false), Highest(0.0));
 //! let run = simulate(
-//!     &scenario.model,
+//!     &scenario.model.ok_or("no [time]")?,
 //!     &mut highest,
 //!     &mut Monitor { stop: &stop, progress: &mut |_part| {} },
 //! )?;
@@ -103,3 +105,4 @@ pub mod report;
 pub mod rotor;
 pub mod scenario;
 pub mod simulate;
+pub mod study;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is the rotor that
 /// implements the integrator's trait.
-const FLOORS: [&str; 10] = [
+const FLOORS: [&str; 11] = [
     "physics",
     "bearing",
     "integrate",
@@ -13,6 +13,7 @@ const FLOORS: [&str; 10] = [
     "analysis",
     "quasi_static",
     "simulate",
+    "study",
     "scenario",
     "report",
     "cli",

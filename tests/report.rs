@@ -11,8 +11,8 @@ use jeffcott::bearing::catalogue;
 use jeffcott::integrate::{Counters, Method, Settings};
 use jeffcott::physics::ball_pass_frequencies;
 use jeffcott::report::{
-    Decimator, FileAction, Outputs, ReportError, RunFolder, RunReport, TRACE_COLUMNS, TraceCsv,
-    TraceFigure, spectrum_figure, text, write_spectrum,
+    Decimator, FileAction, FileSet, Outputs, ReportError, RunFolder, RunReport, TRACE_COLUMNS,
+    TraceCsv, TraceFigure, spectrum_figure, text, write_spectrum,
 };
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency,
@@ -189,11 +189,15 @@ fn an_unfinished_run_leaves_an_earlier_one_as_it_was() {
 fn a_run_killed_while_it_renames_has_no_summary() {
     let folder = TempDir::new().unwrap();
     write(folder.path(), ALL);
-    let run = RunFolder::open(folder.path()).unwrap();
+    let run = RunFolder::open(folder.path(), FileSet::MOTION).unwrap();
     let file = run.write("trace.csv", b"new").unwrap();
     // The rename fails: a folder with something in it stands in the way.
     fs::remove_file(folder.path().join("trace.csv")).unwrap();
-    let blocked = RunFolder::open(&folder.path().join("blocked.csv").join("x")).unwrap();
+    let blocked = RunFolder::open(
+        &folder.path().join("blocked.csv").join("x"),
+        FileSet::MOTION,
+    )
+    .unwrap();
     let other = run.write("blocked.csv", b"new").unwrap();
     drop(blocked);
     let error = run.commit(vec![file, other], b"{}").unwrap_err();
@@ -225,7 +229,7 @@ fn a_folder_that_cannot_be_made_is_named_with_its_cause() {
     let folder = TempDir::new().unwrap();
     let file = folder.path().join("file");
     fs::write(&file, "").unwrap();
-    let error = RunFolder::open(&file.join("run")).unwrap_err();
+    let error = RunFolder::open(&file.join("run"), FileSet::MOTION).unwrap_err();
     assert!(error.to_string().starts_with("cannot create "));
     assert!(std::error::Error::source(&error).is_some());
 }

@@ -23,7 +23,7 @@ fn read(text: &str) -> Scenario {
 }
 
 fn model(tables: &str) -> Model {
-    read(&format!("{SMALLEST}{tables}")).model
+    read(&format!("{SMALLEST}{tables}")).model.unwrap()
 }
 
 const BEARING: &str = "[[bearing]]\ncatalogue = \"7205C\"\n";
@@ -38,7 +38,7 @@ fn the_smallest_scenario_has_the_documented_defaults() {
         "undamped: {:?}",
         scenario.warnings
     );
-    let model = scenario.model;
+    let model = scenario.model.unwrap();
     assert_eq!(model.rotor.shaft.freedoms, Freedoms::Translational);
     assert_eq!(model.rotor.shaft.eccentricity, 0.0);
     assert!(!model.rotor.shaft.gravity);
@@ -74,7 +74,7 @@ fn single_catalogue_values_can_be_overridden() {
 #[test]
 fn a_literature_model_needs_no_grooves() {
     let scenario = include_str!("../scenarios/varying-compliance-6306.toml");
-    let bearing = read(scenario).model.rotor.bearings[0].bearing;
+    let bearing = read(scenario).question.rotor.bearings[0].bearing;
     assert_eq!(bearing.contact_stiffness, Some(1.334e10));
     let clearance = FreePosition::RadialClearance(3e-6);
     let expected = Geometry::new(8, 11.9062 / 1e3, 52.0 / 1e3, clearance, 0.52, 0.52).unwrap();
@@ -93,7 +93,7 @@ fn loads_add_up() {
 #[test]
 fn a_pair_of_bearings_keeps_its_places() {
     let pair = read(include_str!("../scenarios/back-to-back-7205c.toml"))
-        .model
+        .question
         .rotor;
     let places = pair
         .bearings
@@ -115,7 +115,7 @@ fn a_spectrum_that_is_not_wanted_is_not_planned() {
     let scenario = read(&format!(
         "{SMALLEST}{BEARING}[output]\nspectrum = false\nfigures = false\n"
     ));
-    assert!(scenario.model.spectrum.is_none());
+    assert!(scenario.model.unwrap().spectrum.is_none());
     assert!(scenario.output.trace && !scenario.output.spectrum && !scenario.output.figures);
 }
 

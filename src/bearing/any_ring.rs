@@ -1,7 +1,7 @@
 //! A ring under whichever ball law its bearing asks for.
 
 use super::{
-    BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw,
+    Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw,
     JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
 };
 
@@ -91,6 +91,16 @@ impl AnyRing {
         visit: &mut dyn FnMut(BallContact),
     ) {
         with_ring!(self, ring => ring.contacts(*displacement, cage, speed).for_each(visit));
+    }
+
+    /// What a ball at each of `positions` azimuths would bear; the balls' own where `None`.
+    pub fn around(
+        &self,
+        displacement: &Vector5,
+        speed: f64,
+        positions: Option<usize>,
+    ) -> Vec<Around> {
+        with_ring!(self, ring => ring.around(displacement, speed, positions))
     }
 
     /// Axial displacement under a centred thrust at a speed.

@@ -21,6 +21,23 @@ pub struct HertzSpring {
     pub stiffness: f64,
 }
 
+impl HertzSpring {
+    /// Stiffness under a load in N, N/m.
+    ///
+    /// `dQ/ds = 3/2 K^(2/3) Q^(1/3)`
+    ///
+    /// ```
+    /// use jeffcott::bearing::HertzSpring;
+    /// // K = 8, Q = 27: s = (27/8)^(2/3) = 9/4 and 3/2 K √s = 18.
+    /// let spring = HertzSpring { stiffness: 8.0 };
+    /// assert!((spring.stiffness_under(27.0) - 18.0).abs() < 1e-14);
+    /// ```
+    pub fn stiffness_under(&self, load: f64) -> f64 {
+        // 3/2 K^(2/3) Q^(1/3)
+        1.5 * self.stiffness.cbrt().powi(2) * load.cbrt()
+    }
+}
+
 impl ContactSpring for HertzSpring {
     #[inline]
     fn load_and_stiffness(&self, approach: f64) -> (f64, f64) {

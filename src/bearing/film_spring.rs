@@ -26,6 +26,13 @@ impl LubricatedContact {
         }
     }
 
+    /// The contact without its film.
+    pub(super) fn elastic(&self) -> HertzSpring {
+        HertzSpring {
+            stiffness: self.stiffness,
+        }
+    }
+
     /// The spring at a shaft speed in rad/s.
     pub(super) fn at_speed(&self, speed: f64) -> FilmSpring {
         // Q* grows as c^(1/(2/3 + 0.067)), c as ω^0.67
@@ -35,9 +42,7 @@ impl LubricatedContact {
         let load_scale = self.load_scale * growth;
         let film_scale = (load_scale / self.stiffness).cbrt().powi(2);
         FilmSpring {
-            dry: HertzSpring {
-                stiffness: self.stiffness,
-            },
+            dry: self.elastic(),
             load_scale,
             film_scale,
         }

@@ -85,6 +85,7 @@ pub struct Geometry {
     pitch_diameter: f64,
     contact_angle: f64,
     rolling_angle: f64,
+    nominal_angle: f64,
     groove_factor_inner: f64,
     groove_factor_outer: f64,
 }
@@ -152,14 +153,15 @@ impl Geometry {
         }
         let groove_centre_distance =
             (groove_factor_inner + groove_factor_outer - 1.0) * ball_diameter;
-        let (contact_angle, rolling_angle) = match free_position {
-            FreePosition::ContactAngle(angle) => (checked_angle(angle)?, angle),
+        let (contact_angle, rolling_angle, nominal_angle) = match free_position {
+            FreePosition::ContactAngle(angle) => (checked_angle(angle)?, angle, angle),
             FreePosition::DiametralClearance(clearance) => {
                 let angle = angle_of_clearance(clearance, groove_centre_distance)?;
-                (angle, angle)
+                (angle, angle, 0.0)
             }
             FreePosition::RadialClearance(clearance) => (
                 angle_of_clearance(2.0 * clearance, groove_centre_distance)?,
+                0.0,
                 0.0,
             ),
         };
@@ -169,6 +171,7 @@ impl Geometry {
             pitch_diameter,
             contact_angle,
             rolling_angle,
+            nominal_angle,
             groove_factor_inner,
             groove_factor_outer,
         })
@@ -228,6 +231,26 @@ impl Geometry {
     /// Free contact angle α0, rad.
     pub fn contact_angle(&self) -> f64 {
         self.contact_angle
+    }
+
+    /// Nominal contact angle α of the standards' ratings (ISO 281, ISO/TS 16281), rad: the free
+    /// contact angle of an angular contact bearing as made, before any change of clearance; zero
+    /// for a bearing given by its clearance.
+    ///
+    /// ```
+    /// use jeffcott::bearing::{FreePosition, Geometry};
+    /// let angular = FreePosition::ContactAngle(15f64.to_radians());
+    /// let angular = Geometry::new(12, 7.938e-3, 38.5e-3, angular, 0.52, 0.53)?;
+    /// assert_eq!(angular.nominal_angle(), 15f64.to_radians());
+    /// let tightened = angular.with_clearance_change(-5e-6)?;
+    /// assert_eq!(tightened.nominal_angle(), 15f64.to_radians());
+    /// let groove = FreePosition::DiametralClearance(10e-6);
+    /// let groove = Geometry::new(7, 11.5e-3, 43.5e-3, groove, 0.52, 0.53)?;
+    /// assert_eq!(groove.nominal_angle(), 0.0);
+    /// # Ok::<(), jeffcott::bearing::GeometryError>(())
+    /// ```
+    pub fn nominal_angle(&self) -> f64 {
+        self.nominal_angle
     }
 
     /// Groove factor of the inner race f_i = r_i/D.

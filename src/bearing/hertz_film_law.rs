@@ -75,6 +75,11 @@ impl HertzFilmLaw {
         &self.films
     }
 
+    /// Stiffness of both elastic contacts in series under a load in N, N/m.
+    pub(super) fn elastic_stiffness(&self, load: f64) -> f64 {
+        self.contact.elastic().stiffness_under(load)
+    }
+
     /// Distance of the groove centres in m, load in N and its derivative by the distance in N/m.
     #[inline]
     fn solve(&self, axial: f64, radial: f64, speed: f64) -> (f64, f64, f64) {

@@ -5,23 +5,30 @@
 //! [`equilibrium`] of any number of them under a load.
 
 mod any_ring;
+mod assessment;
 mod ball_law;
+mod ball_line;
+mod ball_reading;
 pub mod catalogue;
 mod contact_spring;
 mod definition;
 pub mod equilibrium;
+mod film_shares;
 mod film_spring;
 mod geometry;
 mod hertz_film_law;
 mod hertz_law;
 mod jones;
+mod life;
 mod oil;
 mod races;
 mod ring;
 mod seat;
 mod state;
+mod static_safety;
 mod support;
 mod thrust;
+mod warnings;
 
 pub use ball_law::{BallContact, BallForce, BallLaw, BallTangent};
 pub use contact_spring::{ContactSpring, HertzSpring};
@@ -31,9 +38,11 @@ pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use hertz_film_law::HertzFilmLaw;
 pub use hertz_law::HertzLaw;
 pub use jones::{BallState, JonesFilmLaw, JonesLaw};
+pub use life::reference_rating_life;
 pub use oil::Oil;
 pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
-pub use ring::{CageAngle, Matrix5, Ring, Vector5};
+pub use ring::{Around, CageAngle, Matrix5, Ring, Vector5};
 pub use state::{BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares};
+pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub use support::Support;
 pub use thrust::Thrust;

@@ -62,6 +62,11 @@ impl LubricatedRaces {
     pub fn films(&self) -> &RaceFilms {
         &self.films
     }
+
+    /// Stiffness of the elastic contacts alone under their loads in N, inner race first, N/m.
+    pub(super) fn elastic_stiffness(&self, loads: [f64; 2]) -> [f64; 2] {
+        std::array::from_fn(|race| self.contacts[race].elastic().stiffness_under(loads[race]))
+    }
 }
 
 impl Races for LubricatedRaces {
@@ -122,6 +127,18 @@ impl RaceFilms {
         std::array::from_fn(|race| FilmThickness {
             central: self.contacts[race].central(entrainment, loads[race]),
             minimum: self.contacts[race].minimum(entrainment, loads[race]),
+        })
+    }
+
+    /// Stiffness Q/(0.067 h) in N/m of the films at the inner and the outer race, for their loads
+    /// in N at a shaft speed in rad/s; infinite at rest, zero without load.
+    pub fn stiffness(&self, loads: [f64; 2], speed: f64) -> [f64; 2] {
+        let entrainment = self.entrainment_ratio * speed.abs();
+        // k = |dQ/dh|
+        std::array::from_fn(|race| {
+            1.0 / self.contacts[race]
+                .central_slope(entrainment, loads[race])
+                .abs()
         })
     }
 }

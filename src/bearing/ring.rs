@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::{BallContact, BallLaw, Geometry};
+use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry};
 
 /// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
 pub type Vector5 = [f64; 5];
@@ -29,6 +29,17 @@ impl CageAngle {
         let (sin, cos) = angle.sin_cos();
         Self { cos, sin }
     }
+}
+
+/// What a ball at some azimuth bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Around {
+    /// Azimuth φ, rad, from +X towards +Y.
+    pub azimuth: f64,
+    /// Change of the distance of the groove centres from the unloaded one, m.
+    pub deformation: f64,
+    /// Loads and contact angles.
+    pub contact: BallContact,
 }
 
 /// Balls that are worked on side by side.
@@ -126,10 +137,23 @@ impl<L: BallLaw> Ring<L> {
         cage: CageAngle,
         speed: f64,
     ) -> (Vector5, Matrix5) {
+        self.assemble(displacement, cage, |axial, radial| {
+            self.law.force_and_tangent(axial, radial, speed)
+        })
+    }
+
+    /// Sum over the balls of what `ball` gives for the place (A1, A2) of its inner groove centre.
+    #[inline]
+    pub(super) fn assemble(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        mut ball: impl FnMut(f64, f64) -> (BallForce, BallTangent),
+    ) -> (Vector5, Matrix5) {
         let (mut force, mut stiffness) = ([0.0; 5], Matrix5::zeros());
-        for ball in self.placed(*displacement, cage) {
-            let (push, tangent) = self.law.force_and_tangent(ball.axial, ball.radial, speed);
-            let (sin, cos) = (ball.sin, ball.cos);
+        for place in self.placed(*displacement, cage) {
+            let (push, tangent) = ball(place.axial, place.radial);
+            let (sin, cos) = (place.sin, place.cos);
             let moment = self.arm * push.axial + push.couple;
             let moment_rate = [0, 1].map(|j| self.arm * tangent[0][j] + tangent[2][j]);
             // dA1/dq and dA2/dq
@@ -164,20 +188,63 @@ impl<L: BallLaw> Ring<L> {
             .map(move |ball| self.law.contact(ball.axial, ball.radial, speed))
     }
 
+    /// What a ball at each of `positions` azimuths from +X on would bear, or, where `None`, what
+    /// every ball bears with the cage where it starts.
+    pub fn around(
+        &self,
+        displacement: &Vector5,
+        speed: f64,
+        positions: Option<usize>,
+    ) -> Vec<Around> {
+        let at = |azimuth| self.at_azimuth(displacement, azimuth, speed);
+        match positions {
+            None => self.azimuths.iter().copied().map(at).collect(),
+            Some(count) => (0..count)
+                .map(|index| at(std::f64::consts::TAU * index as f64 / count as f64))
+                .collect(),
+        }
+    }
+
+    fn at_azimuth(&self, displacement: &Vector5, azimuth: f64, speed: f64) -> Around {
+        let (sin, cos) = azimuth.sin_cos();
+        let ball = self.place(displacement, sin, cos);
+        let distance = ball.axial.hypot(ball.radial);
+        Around {
+            azimuth,
+            deformation: distance - self.free_axial.hypot(self.free_radial),
+            contact: self.law.contact(ball.axial, ball.radial, speed),
+        }
+    }
+
+    /// Azimuths of the balls, their cage where it starts, with the place (A1, A2) of their inner
+    /// groove centres.
+    pub(super) fn places(&self, displacement: Vector5) -> impl Iterator<Item = (f64, [f64; 2])> {
+        self.azimuths
+            .iter()
+            .copied()
+            .zip(self.placed(displacement, CageAngle::START))
+            .map(|(azimuth, ball)| (azimuth, [ball.axial, ball.radial]))
+    }
+
     /// Every ball at its azimuth, with the place of its inner groove centre.
     fn placed(&self, displacement: Vector5, cage: CageAngle) -> impl Iterator<Item = PlacedBall> {
-        let [x, y, z, tilt_x, tilt_y] = displacement;
         self.azimuths.iter().map(move |azimuth| {
             let (sin_0, cos_0) = azimuth.sin_cos();
             let cos = cos_0 * cage.cos - sin_0 * cage.sin;
             let sin = sin_0 * cage.cos + cos_0 * cage.sin;
-            PlacedBall {
-                axial: self.free_axial + z + self.arm * (tilt_x * sin - tilt_y * cos),
-                radial: self.free_radial + x * cos + y * sin,
-                cos,
-                sin,
-            }
+            self.place(&displacement, sin, cos)
         })
+    }
+
+    /// The inner groove centre at an azimuth.
+    fn place(&self, displacement: &Vector5, sin: f64, cos: f64) -> PlacedBall {
+        let [x, y, z, tilt_x, tilt_y] = *displacement;
+        PlacedBall {
+            axial: self.free_axial + z + self.arm * (tilt_x * sin - tilt_y * cos),
+            radial: self.free_radial + x * cos + y * sin,
+            cos,
+            sin,
+        }
     }
 }
 

@@ -4,6 +4,9 @@ use super::ring::{Matrix5, Vector5};
 use crate::physics::{BallPass, Race};
 
 /// One contact of one ball.
+///
+/// Ellipse, pressure, approach and stiffness are those of the geometry's own Hertz contact under the
+/// load, for a bearing whose `contact_stiffness` is given for both races together, too.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RaceContact {
     /// Normal load Q, N.
@@ -18,14 +21,17 @@ pub struct RaceContact {
     pub semi_minor: f64,
     /// Largest contact pressure, Pa.
     pub peak_pressure: f64,
-    /// Stiffness of the elastic contact along its normal, N/m.
+    /// Stiffness of the elastic contact along its normal, `3/2 K^(2/3) Q^(1/3)`, N/m.
     pub contact_stiffness: f64,
-    /// Oil film, where the bearing has oil and the ball is loaded.
+    /// Oil film, where the bearing has oil, turns, and the ball is loaded.
     pub film: Option<FilmState>,
-    /// Spin-to-roll ratio, dimensionless; zero at standstill.
+    /// Spin-to-roll ratio, dimensionless; zero at standstill and without load. A law without inertia
+    /// has no race control of its own: there the ball rolls as under outer control, without spin at
+    /// the outer race.
     pub spin_to_roll: f64,
     /// Angle from the contact's centre line to the shoulder less the half-angle of the ellipse, rad;
-    /// negative where the ellipse is cut off. Known where a shoulder angle is given.
+    /// negative where the ellipse is cut off: `α_s − |α| − asin(a/(f D))`. Known where a shoulder
+    /// angle is given and the ball is loaded.
     pub shoulder_margin: Option<f64>,
 }
 
@@ -47,8 +53,9 @@ pub struct FilmState {
 pub struct BallLine {
     /// Azimuth φ, rad, from +X towards +Y.
     pub azimuth: f64,
-    /// Change of the distance of the groove centres from the unloaded one, m: the total deformation
-    /// of both contacts where it is positive, a gap where it is negative.
+    /// Change of the distance of the groove centres from the unloaded one, d − A, m: the total
+    /// deformation of both contacts less the oil films between them; a gap of dry races where it is
+    /// negative.
     pub deformation: f64,
     /// Contact with the inner race.
     pub inner: RaceContact,
@@ -73,25 +80,35 @@ pub struct BearingState {
     /// ∂F/∂q in the bearing's own orientation.
     pub stiffness: Matrix5,
     /// Stiffness of the elastic contacts alone and of the oil films alone at the same ball loads;
-    /// none without oil.
+    /// none without oil or at rest.
     pub shares: Option<StiffnessShares>,
     /// Ball by ball, ball 0 first.
     pub balls: Vec<BallLine>,
-    /// Number of balls loaded at the inner race.
+    /// Number of balls loaded at the inner race: by more than a millionth of the largest load there,
+    /// for behind oil films no load quite vanishes.
     pub balls_loaded: usize,
-    /// Basic reference rating life L10r, 10⁶ revolutions; none without a dynamic load rating or load.
+    /// Basic reference rating life L10r, [`super::reference_rating_life`], 10⁶ revolutions; none without a dynamic load rating or load.
     pub life: Option<f64>,
-    /// Permissible static ball load of ISO 76 over the largest one; none without load.
+    /// Permissible static ball load of ISO 76, [`super::permissible_static_load`], over the largest
+    /// one, at the race where that is less; none without load.
     pub static_safety: Option<f64>,
-    /// Friction moment, N m.
+    /// Friction moment, [`crate::physics::FrictionFactors`], of an oil of
+    /// [`crate::physics::MINERAL_OIL_DENSITY`].
     pub friction_moment: FrictionMoment,
-    /// Ball-pass frequencies at the mean operating contact angle, Hz.
+    /// Ball-pass frequencies at the mean operating contact angle, Hz: its size, weighted by the load
+    /// at the inner race; of each ball the mean of both races. Nominal without load.
     pub ball_pass: BallPass,
     /// What the reader should know, each with its numbers.
     pub warnings: Vec<String>,
 }
 
-/// Series springs that a bearing with oil is made of.
+/// Series springs that a bearing with oil is made of, both at the present loads and contact angles.
+///
+/// Ball by ball the spring along the contact normal is replaced: by the elastic contacts of both
+/// races, `3/2 K^(2/3) Q^(1/3)`, or by both films, `1/k = 0.067 (h_i/Q_i + h_o/Q_o)` along the
+/// normal of the inner race. What stiffness comes from the turning of loaded contacts (Q/d) and, under
+/// Jones's law, what yields by the ball's own balance, is part of `contacts` only. So along its normal
+/// the compliances of a ball without inertia add up: `1/k = 1/k_contacts + 1/k_films`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StiffnessShares {
     /// K of the elastic contacts alone, films taken as rigid.

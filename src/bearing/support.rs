@@ -1,10 +1,11 @@
 //! A mounted bearing as a restoring force on the shaft.
 
 use super::any_ring::AnyRing;
+use super::assessment::Assessment;
 use super::ring::{CageAngle, Matrix5, Vector5};
 use super::seat::Seat;
-use super::{BallContact, BearingError, BearingState, ContactLaw, MountedBearing, Preload};
-use crate::physics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
+use super::{Around, BallContact, BearingError, BearingState, ContactLaw, MountedBearing, Preload};
+use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
 
 /// F = F0 + K (q − q0).
 #[derive(Debug, Clone)]
@@ -42,6 +43,8 @@ pub struct Support {
     /// A cheap neighbour of the ring, where there is one.
     coarse: Option<AnyRing>,
     seat: Seat,
+    /// Hertz contacts of the geometry, inner race first.
+    contacts: [HertzContact; 2],
     /// Set once the bearing is linear.
     frozen: Option<LinearForce>,
     definition: MountedBearing,
@@ -57,7 +60,9 @@ impl Support {
     /// [`BearingError`] where the contact cannot be formed or the preload cannot be reached.
     pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
         let ring = AnyRing::new(definition, speed)?;
+        let bearing = &definition.bearing;
         Ok(Self {
+            contacts: [bearing.inner_contact()?, bearing.outer_contact()?],
             seat: Seat::new(definition, &ring)?,
             coarse: ring.coarse(definition)?,
             ring,
@@ -230,24 +235,32 @@ impl Support {
         }
     }
 
+    /// What a ball at each of `positions` azimuths from +X on would bear with the shaft at
+    /// `displacement`, or, where `None`, what every ball bears with the cage where it starts.
+    pub fn around(
+        &self,
+        displacement: &Vector5,
+        speed: f64,
+        positions: Option<usize>,
+    ) -> Vec<Around> {
+        let place = self.ring_displacement(displacement, CageAngle::START, speed);
+        self.ring.around(&place, speed, positions)
+    }
+
     /// What is known of the bearing with the shaft at `displacement`, its cage where it starts.
+    ///
+    /// A linear bearing knows no balls: its state is that of the Hertz law at this displacement,
+    /// force and stiffness, too.
     pub fn state(&self, displacement: &Vector5, speed: f64) -> BearingState {
-        let cage = CageAngle::START;
-        let place = self.ring_displacement(displacement, cage, speed);
-        let (force, stiffness) = self.ring.force_and_stiffness(&place, cage, speed);
-        BearingState {
-            displacement: place,
-            force,
-            stiffness: self.seat.condense(stiffness),
-            shares: None,
-            balls: Vec::new(),
-            balls_loaded: 0,
-            life: None,
-            static_safety: None,
-            friction_moment: super::FrictionMoment::default(),
-            ball_pass: self.ball_pass(speed),
-            warnings: Vec::new(),
+        Assessment {
+            definition: &self.definition,
+            ring: &self.ring,
+            seat: &self.seat,
+            contacts: &self.contacts,
+            place: self.ring_displacement(displacement, CageAngle::START, speed),
+            speed,
         }
+        .state()
     }
 
     /// Nominal speed of the cage at a shaft speed, rad/s.

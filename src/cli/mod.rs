@@ -3,9 +3,11 @@
 //!
 //! Results go to stdout, messages to stderr, each verb in its own file.
 
+mod bearing;
 mod catalogue;
 mod check;
 mod compare;
+mod jobs;
 mod progress;
 mod run;
 mod schema;
@@ -32,6 +34,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Verb {
     Run(run::Arguments),
+    Bearing(bearing::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
@@ -73,6 +76,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let outcome = match verb {
         Verb::Run(arguments) => run::run(&arguments),
+        Verb::Bearing(arguments) => bearing::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),

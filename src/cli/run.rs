@@ -1,19 +1,19 @@
 //! `jeffcott run`.
 
-use std::collections::HashMap;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use serde_json::Value;
 
+use super::jobs::{Job, document, jobs};
 use super::progress::Progress;
 use super::{Outcome, stream};
 use crate::integrate::IntegrateError;
 use crate::report::{self, Outputs, RunReport};
-use crate::scenario::{self, Scenario};
-use crate::simulate::{Monitor, Run, SimulateError, simulate};
+use crate::scenario::Scenario;
+use crate::simulate::{Model, Monitor, Run, SimulateError, simulate};
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
@@ -40,77 +40,53 @@ static STOP: AtomicBool = AtomicBool::new(false);
 
 /// Checks all files, then runs them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let Some(jobs) = jobs(arguments) else {
+    let jobs = jobs(&arguments.files, &arguments.out);
+    let Some(motions) = jobs.and_then(motions) else {
         return Ok(Outcome::WrongInput);
     };
     // Without a handler an interrupt ends the process at once; the run folder stays safe as well.
     let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
     let mut outcome = Outcome::Done;
     let mut summaries = Vec::new();
-    for job in &jobs {
+    for motion in &motions {
         if STOP.load(Ordering::Relaxed) {
             break;
         }
-        match job.run() {
-            Ok(done) if arguments.json => summaries.push(done.json(&job.scenario)),
-            Ok(done) => done.print(&job.scenario)?,
+        match motion.run() {
+            Ok(done) if arguments.json => summaries.push(done.json(motion)),
+            Ok(done) => done.print(motion)?,
             Err(failure) => {
-                stream::tell(&format!("error: {}: {failure}\n", job.name));
+                stream::tell(&format!("error: {}: {failure}\n", motion.job.name));
                 outcome = Outcome::Failed;
             }
         }
     }
     if arguments.json {
-        let document = match (jobs.len(), summaries.pop()) {
-            (1, Some(summary)) => summary,
-            (_, last) => summaries.into_iter().chain(last).collect(),
-        };
-        stream::print(&format!("{document:#}\n"))?;
+        stream::print(&document(motions.len(), summaries))?;
     }
     Ok(outcome)
 }
 
-/// A checked scenario and where its results go.
-struct Job {
-    name: String,
-    scenario: Scenario,
-    folder: PathBuf,
+/// A checked scenario, its motion and where its results go.
+struct Motion {
+    job: Job,
+    model: Model,
 }
 
-/// One job a file; `None` where a file is wrong, after telling all that is wrong with all of them.
-fn jobs(arguments: &Arguments) -> Option<Vec<Job>> {
-    let mut jobs = Vec::new();
-    let mut folders: HashMap<PathBuf, &Path> = HashMap::new();
-    let mut complete = true;
-    for file in &arguments.files {
-        let name = file.display().to_string();
-        let scenario = match scenario::load(file) {
-            Ok(scenario) => scenario,
-            Err(error) => {
-                stream::tell(&error.render(stream::color()));
-                complete = false;
-                continue;
-            }
-        };
-        let folder = arguments.out.join(file.file_stem().unwrap_or_default());
-        if let Some(other) = folders.insert(folder.clone(), file) {
+/// The motions of all jobs; `None` where a scenario has none, after telling of all of them.
+fn motions(jobs: Vec<Job>) -> Option<Vec<Motion>> {
+    let motion = |mut job: Job| {
+        let model = job.scenario.model.take();
+        if model.is_none() {
             stream::tell(&format!(
-                "error: {name} and {} would both write to {}; rename one or run them apart\n",
-                other.display(),
-                folder.display()
+                "error: {}: `run` needs a table `[time]`; `jeffcott bearing` does without\n",
+                job.name
             ));
-            complete = false;
         }
-        for warning in &scenario.warnings {
-            stream::tell(&format!("warning: {name}: {warning}\n"));
-        }
-        jobs.push(Job {
-            name,
-            scenario,
-            folder,
-        });
-    }
-    complete.then_some(jobs)
+        model.map(|model| Motion { job, model })
+    };
+    let motions: Vec<_> = jobs.into_iter().map(motion).collect();
+    motions.into_iter().collect()
 }
 
 /// Why a job failed, in words.
@@ -124,23 +100,23 @@ enum Failure {
     Interrupted(IntegrateError),
 }
 
-impl Job {
+impl Motion {
     fn run(&self) -> Result<Done, Failure> {
         let started = Instant::now();
+        let (job, model) = (&self.job, &self.model);
         let Scenario {
             title,
-            model,
             output,
             echo,
             ..
-        } = &self.scenario;
+        } = &job.scenario;
         let outputs = Outputs {
             trace: output.trace,
             spectrum: output.spectrum,
             figures: output.figures,
         };
         let kept = model.rotor.shaft.freedoms.count();
-        let mut report = RunReport::open(&self.folder, outputs, title, echo.clone(), kept)?;
+        let mut report = RunReport::open(&job.folder, outputs, title, echo.clone(), kept)?;
         let mut progress = Progress::new(title);
         let mut monitor = Monitor {
             stop: &STOP,
@@ -153,7 +129,7 @@ impl Job {
             other => other.into(),
         })?;
         for warning in &run.warnings {
-            stream::tell(&format!("warning: {}: {warning}\n", self.name));
+            stream::tell(&format!("warning: {}: {warning}\n", job.name));
         }
         let files = report.finish(model, &run)?;
         Ok(Done {
@@ -172,18 +148,17 @@ struct Done {
 }
 
 impl Done {
-    fn print(&self, scenario: &Scenario) -> io::Result<()> {
-        let text = report::text(&scenario.title, &scenario.model, &self.run, &self.files);
+    fn print(&self, motion: &Motion) -> io::Result<()> {
+        let title = &motion.job.scenario.title;
+        let text = report::text(title, &motion.model, &self.run, &self.files);
         stream::print(&text)?;
         stream::tell(&format!("done in {:.3} s\n", self.seconds));
         Ok(())
     }
 
-    fn json(&self, scenario: &Scenario) -> Value {
-        let Scenario {
-            title, model, echo, ..
-        } = scenario;
-        let mut summary = report::summary(title, echo, model, &self.run);
+    fn json(&self, motion: &Motion) -> Value {
+        let Scenario { title, echo, .. } = &motion.job.scenario;
+        let mut summary = report::summary(title, echo, &motion.model, &self.run);
         let files = self.files.iter().map(|file| file.display().to_string());
         if let Value::Object(entries) = &mut summary {
             entries.insert("wall_time_s".to_owned(), self.seconds.into());

@@ -6,31 +6,72 @@ use std::path::{Path, PathBuf};
 
 use super::{FileAction, ReportError};
 
-/// The file that says that a folder is whole: removed before the first rename, renamed last.
-const SEAL: &str = "summary.json";
+/// Names of the files that one verb leaves in a folder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FileSet {
+    /// The file that says that the set is whole: removed before the first rename, renamed last.
+    pub seal: &'static str,
+    /// Files that may stand beside the seal; those of an earlier run do not outlive the next.
+    pub others: &'static [&'static str],
+}
 
-/// Files that a run may leave besides the seal; those of an earlier run do not outlive the next.
-const OUTPUTS: [&str; 4] = ["trace.csv", "spectrum.csv", "trace.svg", "spectrum.svg"];
+impl FileSet {
+    /// What a motion leaves.
+    pub const MOTION: Self = Self {
+        seal: "summary.json",
+        others: &["trace.csv", "spectrum.csv", "trace.svg", "spectrum.svg"],
+    };
+    /// What the answer to a static question leaves; a study of the same name does not outlive it.
+    pub const BEARING: Self = Self {
+        seal: "bearing.json",
+        others: &[
+            "balls.csv",
+            "balls.svg",
+            "study.json",
+            "study.csv",
+            "around.csv",
+            "stiffness.svg",
+            "deformation.svg",
+            "contact_angle.svg",
+        ],
+    };
+    /// What a study leaves; a single answer of the same name does not outlive it.
+    pub const STUDY: Self = Self {
+        seal: "study.json",
+        others: &[
+            "study.csv",
+            "around.csv",
+            "stiffness.svg",
+            "deformation.svg",
+            "contact_angle.svg",
+            "bearing.json",
+            "balls.csv",
+            "balls.svg",
+        ],
+    };
+}
 
 /// A folder that takes the files of one run.
 ///
 /// Files are written under a temporary name and renamed together by [`RunFolder::commit`]. Until
 /// then an earlier run in the same folder stands as it was; a run that ends before leaves nothing
-/// behind, and one that is killed while it renames leaves a folder without `summary.json`.
+/// behind, and one that is killed while it renames leaves a folder without the seal of its set.
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
+    set: FileSet,
 }
 
 impl RunFolder {
-    /// Opens the folder, creating it and its parents where they are missing.
+    /// Opens the folder for a set of files, creating it and its parents where they are missing.
     ///
     /// # Errors
     /// [`ReportError::File`] where it cannot be created.
-    pub fn open(path: &Path) -> Result<Self, ReportError> {
+    pub fn open(path: &Path, set: FileSet) -> Result<Self, ReportError> {
         fs::create_dir_all(path).map_err(ReportError::file(FileAction::Create, path))?;
         Ok(Self {
             path: path.to_owned(),
+            set,
         })
     }
 
@@ -62,20 +103,20 @@ impl RunFolder {
         file.close()
     }
 
-    /// Gives all files their names, `summary.json` with the content `summary` last, and removes
+    /// Gives all files their names, the seal with the content `sealed` last, and removes
     /// what an earlier run left under the names of outputs that this one does not have.
     ///
     /// Returns the paths of all files.
     ///
     /// # Errors
-    /// [`ReportError::File`]; the folder then has no `summary.json`.
+    /// [`ReportError::File`]; the folder then has no seal.
     pub fn commit(
         self,
         mut files: Vec<WholeFile>,
-        summary: &[u8],
+        sealed: &[u8],
     ) -> Result<Vec<PathBuf>, ReportError> {
-        files.push(self.write(SEAL, summary)?);
-        for name in std::iter::once(SEAL).chain(OUTPUTS) {
+        files.push(self.write(self.set.seal, sealed)?);
+        for name in std::iter::once(&self.set.seal).chain(self.set.others) {
             let path = self.path.join(name);
             remove_if_there(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
         }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::{
-    FileAction, PartialFile, ReportError, RunFolder, TraceCsv, TraceFigure, WholeFile,
+    FileAction, FileSet, PartialFile, ReportError, RunFolder, TraceCsv, TraceFigure, WholeFile,
     spectrum_figure, summary, write_spectrum,
 };
 use crate::rotor::Sample;
@@ -58,7 +58,7 @@ impl RunReport {
         scenario: Value,
         freedoms: usize,
     ) -> Result<Self, ReportError> {
-        let folder = RunFolder::open(folder)?;
+        let folder = RunFolder::open(folder, FileSet::MOTION)?;
         let trace = outputs.trace.then(|| open_trace(&folder)).transpose()?;
         Ok(Self {
             folder,

@@ -2,10 +2,10 @@
 
 use serde_json::{Map, Value, json};
 
-use super::columns::value_column;
+use super::columns::{ball_pass, matrix, value_column};
 use crate::analysis::{Channel, Peak, Spectrum};
+use crate::bearing::Matrix5;
 use crate::integrate::Counters;
-use crate::physics::BallPass;
 use crate::rotor::FREEDOMS;
 use crate::rotor::NaturalFrequency;
 use crate::simulate::{MeasuredError, Model, Run, StaticState};
@@ -55,33 +55,14 @@ fn equilibrium(state: &StaticState) -> Value {
     entries.into()
 }
 
-fn stiffness(matrix: &[[f64; FREEDOMS]; FREEDOMS]) -> Value {
-    let names = |channel: fn(usize) -> Channel| -> Value {
-        (0..FREEDOMS).map(channel).map(value_column).collect()
-    };
-    json!({
-        "meaning": "forces and moments that the bearings need per displacement and tilt at the \
-                    static equilibrium; the unit of an entry is that of its row over that of its \
-                    column",
-        "rows": names(Channel::Force),
-        "columns": names(Channel::Displacement),
-        "matrix": matrix,
-    })
+fn stiffness(rows: &[[f64; FREEDOMS]; FREEDOMS]) -> Value {
+    matrix(&Matrix5::from_fn(|row, column| rows[row][column]))
 }
 
 fn natural_frequency(natural: &NaturalFrequency) -> Value {
     json!({
         "frequency_Hz": natural.frequency,
         "damping_ratio": natural.damping_ratio,
-    })
-}
-
-fn ball_pass(pass: &BallPass) -> Value {
-    json!({
-        "outer_Hz": pass.outer,
-        "inner_Hz": pass.inner,
-        "spin_Hz": pass.spin,
-        "cage_Hz": pass.cage,
     })
 }
 

@@ -126,7 +126,7 @@ fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> String {
 }
 
 /// Four decimals, without a minus sign before zeros.
-fn decimal(value: f64) -> String {
+pub(super) fn decimal(value: f64) -> String {
     let rounded = (value * 1e4).round() / 1e4;
     format!("{:.4}", rounded + 0.0)
 }

@@ -1,7 +1,7 @@
 //! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
 
 use super::damping::DampingMatrix;
-use super::{FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY};
+use super::{FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, Shaft};
 use crate::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
 use crate::bearing::{BearingError, Facing, Support, Vector5};
 
@@ -41,6 +41,7 @@ impl Rotor {
     /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
     /// outside its range.
     pub fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
+        check_inertia(&definition.shaft)?;
         let mut supports = build_supports(definition)?;
         let load = definition.static_load();
         let equilibrium = find_equilibrium(definition, &supports, load)?;
@@ -75,25 +76,34 @@ impl Rotor {
     }
 }
 
-fn check_ranges(definition: &RotorDefinition) -> Result<(), RotorError> {
-    let shaft = &definition.shaft;
-    let positive = |name, value: f64| range(name, value, value > 0.0, "positive and finite");
-    let not_negative =
-        |name, value: f64| range(name, value, value >= 0.0, "zero or positive, finite");
-    positive("the mass in kg", shaft.mass)?;
+/// What only a motion needs.
+fn check_inertia(shaft: &Shaft) -> Result<(), RotorError> {
     if shaft.freedoms == Freedoms::All {
         positive(
             "the transverse moment of inertia in kg m²",
             shaft.inertia_transverse,
         )?;
     }
-    not_negative("the polar moment of inertia in kg m²", shaft.inertia_polar)?;
+    not_negative("the polar moment of inertia in kg m²", shaft.inertia_polar)
+}
+
+fn check_ranges(definition: &RotorDefinition) -> Result<(), RotorError> {
+    let shaft = &definition.shaft;
+    positive("the mass in kg", shaft.mass)?;
     not_negative("the eccentricity in m", shaft.eccentricity)?;
     not_negative("the speed in rad/s", definition.speed)?;
     if definition.bearings.is_empty() {
         return Err(RotorError::NoBearing);
     }
     Ok(())
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), RotorError> {
+    range(name, value, value > 0.0, "positive and finite")
+}
+
+fn not_negative(name: &'static str, value: f64) -> Result<(), RotorError> {
+    range(name, value, value >= 0.0, "zero or positive, finite")
 }
 
 fn range(name: &'static str, value: f64, fits: bool, rule: &'static str) -> Result<(), RotorError> {

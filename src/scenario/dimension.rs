@@ -25,6 +25,7 @@ pub(super) enum Dimension {
     Stiffness,
     Viscosity,
     PressureViscosity,
+    SecondMoment,
 }
 
 /// How a number in some unit becomes one in SI. Dividing by a power of ten is exact where
@@ -74,7 +75,7 @@ const fn per(symbol: &'static str, divisor: f64) -> Unit {
 
 impl Dimension {
     /// Every dimension.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::Mass,
         Self::Length,
         Self::Angle,
@@ -93,6 +94,7 @@ impl Dimension {
         Self::Stiffness,
         Self::Viscosity,
         Self::PressureViscosity,
+        Self::SecondMoment,
     ];
 
     /// Name in messages and in the schema.
@@ -116,6 +118,7 @@ impl Dimension {
             Self::Stiffness => "stiffness",
             Self::Viscosity => "viscosity",
             Self::PressureViscosity => "pressure-viscosity coefficient",
+            Self::SecondMoment => "second moment of area",
         }
     }
 
@@ -153,6 +156,7 @@ impl Dimension {
             Self::Stiffness => const { &[times("N/m", 1.0), times("N/mm", 1e3), times("N/um", 1e6), times("kN/mm", 1e6)] },
             Self::Viscosity => const { &[times("Pa s", 1.0), per("mPa s", 1e3), per("cP", 1e3)] },
             Self::PressureViscosity => const { &[times("1/Pa", 1.0), per("1/MPa", 1e6), per("1/GPa", 1e9), per("mm^2/N", 1e6)] },
+            Self::SecondMoment => const { &[times("m^4", 1.0), per("mm^4", 1e12), per("cm^4", 1e8)] },
         }
     }
 

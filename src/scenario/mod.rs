@@ -19,8 +19,10 @@ mod problems;
 mod quantity;
 mod read_json;
 mod read_toml;
+mod scalar;
 mod schema;
 mod spec;
+mod vary;
 mod walk;
 
 use std::path::Path;
@@ -31,10 +33,12 @@ pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
 
+use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
+use crate::study::Study;
 use node::Node;
 use problems::Problems;
-use spec::ScenarioSpec;
+use spec::{Questions, ScenarioSpec};
 
 /// Language of a scenario file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,8 +65,12 @@ pub struct OutputChoice {
 pub struct Scenario {
     /// Its title, or the name of its file.
     pub title: String,
-    /// What to simulate.
-    pub model: Model,
+    /// Where the shaft stands.
+    pub question: StaticQuestion,
+    /// How it moves; none without a `[time]`.
+    pub model: Option<Model>,
+    /// The static question at many values of one number.
+    pub study: Option<Study>,
     /// What to write.
     pub output: OutputChoice,
     /// The scenario with its defaults written out; itself a valid scenario in JSON.
@@ -119,20 +127,36 @@ pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, Scenari
 
 fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
     let mut problems = Problems::new(root);
-    let spec =
-        walk::value(root, schema(), "", &mut problems).and_then(|value| fill(value, &mut problems));
-    let model = spec.as_ref().and_then(|spec| spec.build(&mut problems));
+    let built = build(root, &mut problems);
+    let echo = built.as_ref().map(|(spec, _)| echo(spec));
+    let study = match (&built, &echo) {
+        (Some((spec, _)), Some(echo)) if problems.is_clean() => spec
+            .study
+            .as_ref()
+            .and_then(|study| vary::build(study, echo, &mut problems)),
+        _ => None,
+    };
     let (issues, warnings) = problems.finish();
-    match (spec, model) {
-        (Some(spec), Some(model)) if issues.is_empty() => Ok(Scenario {
+    match (built, echo) {
+        (Some((spec, questions)), Some(echo)) if issues.is_empty() => Ok(Scenario {
             title: spec.title.clone().unwrap_or_else(|| stem(name)),
-            model,
+            question: questions.question,
+            model: questions.model,
+            study,
             output: spec.output.choice(),
-            echo: echo(&spec),
+            echo,
             warnings,
         }),
         _ => Err(issues),
     }
+}
+
+/// The tables of a tree and what they ask.
+fn build(root: &Node, problems: &mut Problems<'_>) -> Option<(ScenarioSpec, Questions)> {
+    let value = walk::value(root, schema(), "", problems)?;
+    let spec = fill(value, problems)?;
+    let questions = spec.build(problems)?;
+    Some((spec, questions))
 }
 
 /// The structs of a value that the schema has passed.

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use serde_json::Value;
+
 /// A value and where it stands.
 #[derive(Debug)]
 pub(super) struct Node {
@@ -33,6 +35,37 @@ pub(super) struct Entry {
     pub key_span: Range<usize>,
     /// The value.
     pub node: Node,
+}
+
+impl From<&Value> for Node {
+    /// The tree of a value that no text holds.
+    fn from(value: &Value) -> Self {
+        let content = match value {
+            Value::Null => Content::Null,
+            Value::Bool(switch) => Content::Switch(*switch),
+            Value::Number(number) => number.as_i64().map_or_else(
+                || Content::Number(number.as_f64().unwrap_or(f64::NAN)),
+                Content::Integer,
+            ),
+            Value::String(text) => Content::Text(text.clone()),
+            Value::Array(items) => Content::List(items.iter().map(Self::from).collect()),
+            Value::Object(entries) => Content::Table(entries.iter().map(Entry::from).collect()),
+        };
+        Self {
+            span: 0..0,
+            content,
+        }
+    }
+}
+
+impl From<(&String, &Value)> for Entry {
+    fn from((key, value): (&String, &Value)) -> Self {
+        Self {
+            key: key.clone(),
+            key_span: 0..0,
+            node: value.into(),
+        }
+    }
 }
 
 impl Content {

@@ -60,6 +60,16 @@ impl<'a> Problems<'a> {
         self.issues.push(issue);
     }
 
+    /// The value of a path as it was written.
+    pub fn node(&self, path: &str) -> Option<&'a Node> {
+        self.root.find(path)
+    }
+
+    /// Whether nothing is wrong so far.
+    pub fn is_clean(&self) -> bool {
+        self.issues.is_empty()
+    }
+
     /// Notes what the user should know although the scenario can be run.
     pub fn warn(&mut self, warning: impl Into<String>) {
         self.warnings.push(warning.into());

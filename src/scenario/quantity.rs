@@ -167,6 +167,9 @@ measures! {
     Damping "200 N s/m" 1e12,
     TiltDamping "0.1 N m s/rad" 1e12,
     ContactStiffness "1.334e10 N/m^1.5" 1e16,
+    Viscosity "0.04 Pa s" 1e4,
+    PressureViscosity "22 1/GPa" 1e-3,
+    SecondMoment "2.5e-8 m^4" 1e6,
 }
 
 /// A quantity of dimension `D`, kept as it was written and in SI units.

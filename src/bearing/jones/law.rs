@@ -115,6 +115,19 @@ impl JonesLaw<LubricatedRaces> {
     pub fn films(&self) -> &RaceFilms {
         self.races.films()
     }
+
+    /// Derivative of the force at the same loads, angles and inertia forces with the films rigid.
+    pub(in crate::bearing) fn rigid_film_tangent(
+        &self,
+        axial: f64,
+        radial: f64,
+        speed: f64,
+    ) -> BallTangent {
+        let mut balance = self.solve(axial, radial, speed).balance;
+        let loads = [balance.inner.load, balance.outer.load];
+        [balance.inner.stiffness, balance.outer.stiffness] = self.races.elastic_stiffness(loads);
+        self.ball.tangent(&balance)
+    }
 }
 
 /// Contacts with the inner and the outer race.

@@ -1,13 +1,17 @@
 //! `[[bearing]]`.
 
+use std::f64::consts::FRAC_PI_2;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::geometry::{GeometrySpec, Sources};
 use super::material::{self, MaterialSpec};
-use super::model::ContactChoice;
+use super::model::{ContactChoice, ModelSpec, RaceControlChoice};
+use super::oil::OilSpec;
+use super::set::ArrangementChoice;
 use crate::bearing::catalogue::{self, CATALOGUE, CatalogueEntry};
-use crate::bearing::{Bearing, BearingError, Facing, MountedBearing, Preload};
+use crate::bearing::{Bearing, BearingError, Facing, MountedBearing, Oil, Preload};
 use crate::physics::Material;
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
@@ -18,7 +22,7 @@ use crate::scenario::walk::nearest;
 /// A ball bearing and its place on the shaft.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("x-at-most-one" = ["axial_offset", "preload"]))]
+#[schemars(extend("x-at-most-one" = ["axial_offset", "preload", "spring_preload"]))]
 pub struct BearingSpec {
     /// Designation of a bearing that `jeffcott catalogue` lists, for instance "7205C". Without
     /// it `[bearing.geometry]` must be complete.
@@ -28,9 +32,15 @@ pub struct BearingSpec {
     #[serde(default)]
     #[schemars(extend("examples" = ["-30 mm"]))]
     pub position: Quantity<Length>,
-    /// Which way along Z the shaft must move to load the bearing. Default: "+z".
-    #[serde(default)]
-    pub facing: FacingChoice,
+    /// Makes a set of two bearings of this one, symmetric about the position and `spacing` apart:
+    /// "back-to-back", "face-to-face" or "tandem".
+    pub arrangement: Option<ArrangementChoice>,
+    /// Distance of the two bearings of a set, for instance "15 mm".
+    #[schemars(extend("examples" = ["15 mm"], "x-above" = 0.0))]
+    pub spacing: Option<Quantity<Length>>,
+    /// Which way along Z the shaft must move to load the bearing, or both bearings of a tandem
+    /// set. Default: "+z".
+    pub facing: Option<FacingChoice>,
     /// Azimuth of one ball at the start, from +X towards +Y. Default: "0 rad".
     #[serde(default)]
     #[schemars(extend("examples" = ["-90 deg"]))]
@@ -43,8 +53,35 @@ pub struct BearingSpec {
     /// displaced, for instance "200 N"; instead of axial_offset.
     #[schemars(extend("examples" = ["200 N"], "x-minimum" = 0.0))]
     pub preload: Option<Quantity<Force>>,
+    /// Axial preset by a soft spring that presses the floating outer ring with this force
+    /// wherever the shaft is, for instance "200 N"; instead of axial_offset and preload.
+    #[schemars(extend("examples" = ["200 N"], "x-above" = 0.0))]
+    pub spring_preload: Option<Quantity<Force>>,
     /// Force law of this bearing. Default: that of `[model]`.
     pub contact: Option<ContactChoice>,
+    /// Whether oil films part the surfaces of this bearing. Default: that of `[model]`.
+    pub film: Option<bool>,
+    /// Race control of this bearing. Default: that of `[model]`.
+    pub race_control: Option<RaceControlChoice>,
+    /// Change of the diametral clearance by fits and temperature, for instance "-5 um": negative
+    /// tightens and makes the contact angle smaller. Default: "0 m".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["-5 um"]))]
+    pub clearance_change: Quantity<Length>,
+    /// Composite root-mean-square roughness of ball and race, for instance "0.1 um"; the film
+    /// ratio needs it.
+    #[schemars(extend("examples" = ["0.1 um"], "x-above" = 0.0))]
+    pub roughness: Option<Quantity<Length>>,
+    /// Angle from the radial plane at which the shoulders of the races end, for instance
+    /// "35 deg"; contacts that reach it are told.
+    #[schemars(extend("examples" = ["35 deg"], "x-above" = 0.0, "x-maximum" = FRAC_PI_2))]
+    pub shoulder_angle: Option<Quantity<Angle>>,
+    /// Basic dynamic load rating C, for instance "16.6 kN"; the life needs it. Default: that of
+    /// the catalogue.
+    #[schemars(extend("examples" = ["16.6 kN"], "x-above" = 0.0))]
+    pub dynamic_rating: Option<Quantity<Force>>,
+    /// Oil in the bearing; without `film` it is known but parts nothing.
+    pub oil: Option<OilSpec>,
     /// Internal dimensions; with a catalogue bearing, those that differ.
     pub geometry: Option<GeometrySpec>,
     /// Material of the rings, and of the balls unless they differ. Default: bearing steel.
@@ -65,54 +102,163 @@ pub enum FacingChoice {
     MinusZ,
 }
 
+impl From<FacingChoice> for Facing {
+    fn from(choice: FacingChoice) -> Self {
+        match choice {
+            FacingChoice::PlusZ => Self::PlusZ,
+            FacingChoice::MinusZ => Self::MinusZ,
+        }
+    }
+}
+
 fn designations() -> Vec<&'static str> {
     CATALOGUE.iter().map(|entry| entry.designation).collect()
 }
 
 impl BearingSpec {
-    /// The mounted bearing, as far as nothing contradicts it.
+    /// Force law of the bearing, where `[model]` has the given one.
+    pub fn contact(&self, model: &ModelSpec) -> ContactChoice {
+        self.contact.unwrap_or(model.contact)
+    }
+
+    /// The mounted bearing, or both of a set, as far as nothing contradicts it.
     pub fn build(
         &self,
         index: usize,
-        contact: ContactChoice,
+        model: &ModelSpec,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Option<Vec<MountedBearing>> {
+        let path = format!("bearing[{index}]");
+        let mounted = self.build_one(&path, model, freedoms, problems);
+        let places = self.places(&path, problems);
+        let mounted = mounted?;
+        let place = |(position, facing)| MountedBearing {
+            position,
+            facing,
+            ..mounted
+        };
+        Some(places?.into_iter().map(place).collect())
+    }
+
+    /// The bearing at its nominal position.
+    fn build_one(
+        &self,
+        path: &str,
+        model: &ModelSpec,
         freedoms: Freedoms,
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
-        let path = format!("bearing[{index}]");
-        let entry = self.entry(&path, problems)?;
+        let entry = self.entry(path, problems)?;
         let spec = self.geometry.clone().unwrap_or_default();
         let sources = Sources {
             spec: &spec,
             entry,
-            path: format!("{path}.geometry"),
+            clearance_change: self.clearance_change.si(),
+            path: path.to_owned(),
         };
+        let si = |length: &Option<Quantity<Length>>| length.as_ref().map(Quantity::si);
+        let rating = self.dynamic_rating.as_ref().map(Quantity::si);
         let ring_material = material::build(self.material.as_ref(), Material::BEARING_STEEL);
         let bearing = Bearing {
             geometry: sources.build(freedoms, problems)?,
             ring_material,
             ball_material: material::build(self.ball_material.as_ref(), ring_material),
             contact_stiffness: spec.contact_stiffness.as_ref().map(Quantity::si),
-            dynamic_rating: entry.map(|entry| entry.dynamic_rating),
-            roughness: None,
-            shoulder_angle: None,
+            dynamic_rating: rating.or(entry.map(|entry| entry.dynamic_rating)),
+            roughness: si(&self.roughness),
+            shoulder_angle: self.shoulder_angle.as_ref().map(Quantity::si),
         };
         check_contact(&bearing, &sources, problems);
+        self.check_law(path, model, problems);
+        let control = self.race_control.or(model.race_control);
         Some(MountedBearing {
             bearing,
-            law: self.contact.unwrap_or(contact).into(),
-            oil: None,
+            law: self.contact(model).law(control),
+            oil: self.film_oil(path, model, problems),
             position: self.position.si(),
-            facing: match self.facing {
-                FacingChoice::PlusZ => Facing::PlusZ,
-                FacingChoice::MinusZ => Facing::MinusZ,
-            },
-            preload: match (&self.preload, &self.axial_offset) {
-                (Some(force), _) => Preload::Force(force.si()),
-                (None, Some(offset)) => Preload::AxialOffset(offset.si()),
-                (None, None) => Preload::AxialOffset(0.0),
-            },
+            facing: Facing::PlusZ,
+            preload: self.preload(),
             first_ball: self.first_ball.si(),
         })
+    }
+
+    /// Refuses what the force law of the bearing does not know.
+    fn check_law(&self, path: &str, model: &ModelSpec, problems: &mut Problems<'_>) {
+        let jones = self.contact(model) == ContactChoice::Jones;
+        let law = [format!("{path}.contact"), "model.contact".to_owned()];
+        if self.race_control.is_some() && !jones {
+            let message =
+                "`race_control` needs contact = \"jones\": other laws know no ball inertia";
+            let issue = Issue::new(format!("{path}.race_control"), message);
+            problems.refuse(issue.help("remove it, or set contact = \"jones\""), &law);
+        }
+        let given = self.geometry.as_ref();
+        if jones && given.is_some_and(|spec| spec.contact_stiffness.is_some()) {
+            let message = "`contact_stiffness` is that of both races together, and \"jones\" \
+                           loads them differently";
+            let issue = Issue::new(format!("{path}.geometry.contact_stiffness"), message)
+                .help("remove it, or set contact = \"hertz\"");
+            problems.refuse(issue, &law);
+        }
+    }
+
+    /// The oil, where its films part the surfaces.
+    fn film_oil(&self, path: &str, model: &ModelSpec, problems: &mut Problems<'_>) -> Option<Oil> {
+        if !self.film.unwrap_or(model.film) {
+            return None;
+        }
+        if self.oil.is_none() {
+            let message = format!("`{path}` needs `oil` where film = true");
+            let issue = Issue::new(format!("{path}.oil"), message).help(
+                "add [bearing.oil] with viscosity = \"0.04 Pa s\" and pressure_viscosity = \
+                 \"22 1/GPa\", or set film = false",
+            );
+            problems.refuse(issue, &[format!("{path}.film"), "model.film".to_owned()]);
+        }
+        self.oil.as_ref().map(OilSpec::build)
+    }
+
+    fn preload(&self) -> Preload {
+        let force = |force: &Option<Quantity<Force>>| force.as_ref().map(Quantity::si);
+        let offset = self.axial_offset.as_ref().map_or(0.0, Quantity::si);
+        force(&self.spring_preload)
+            .map(Preload::Spring)
+            .or_else(|| force(&self.preload).map(Preload::Force))
+            .unwrap_or(Preload::AxialOffset(offset))
+    }
+
+    /// Position in m and orientation of the bearing, or of both of a set.
+    fn places(&self, path: &str, problems: &mut Problems<'_>) -> Option<Vec<(f64, Facing)>> {
+        let key = |key: &str| format!("{path}.{key}");
+        let centre = self.position.si();
+        let facing = self.facing.unwrap_or_default().into();
+        match (self.arrangement, &self.spacing) {
+            (None, None) => Some(vec![(centre, facing)]),
+            (None, Some(_)) => {
+                let message = "`spacing` needs an `arrangement`: one bearing has none";
+                let issue = Issue::new(key("spacing"), message)
+                    .help("for instance: arrangement = \"back-to-back\"");
+                problems.refuse(issue, &[key("arrangement")]);
+                None
+            }
+            (Some(_), None) => {
+                let message = "a set of bearings needs a `spacing`";
+                let issue =
+                    Issue::new(key("spacing"), message).help("for instance: spacing = \"15 mm\"");
+                problems.refuse(issue, &[key("arrangement")]);
+                None
+            }
+            (Some(arrangement), Some(spacing)) => {
+                if self.facing.is_some() && arrangement != ArrangementChoice::Tandem {
+                    let message = "`facing` is for \"tandem\": the two bearings of this set face \
+                                   each other or away";
+                    let issue = Issue::new(key("facing"), message).help("remove it");
+                    problems.refuse(issue, &[key("arrangement")]);
+                }
+                Some(arrangement.places(centre, spacing.si(), facing).to_vec())
+            }
+        }
     }
 
     /// The catalogue entry, `Some(None)` where the geometry stands alone, `None` where neither

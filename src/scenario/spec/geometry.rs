@@ -58,7 +58,9 @@ pub struct Sources<'a> {
     pub spec: &'a GeometrySpec,
     /// The catalogue bearing that it overrides.
     pub entry: Option<&'a CatalogueEntry>,
-    /// Path of the table.
+    /// Change of the diametral clearance, m.
+    pub clearance_change: f64,
+    /// Path of the bearing.
     pub path: String,
 }
 
@@ -91,19 +93,20 @@ impl Sources<'_> {
             inner?,
             outer?,
         )
+        .and_then(|geometry| geometry.with_clearance_change(self.clearance_change))
         .map_err(|error| self.refuse(&error, problems))
         .ok()
     }
 
     /// Path of a key.
     pub fn key(&self, key: &str) -> String {
-        format!("{}.{key}", self.path)
+        format!("{}.geometry.{key}", self.path)
     }
 
     fn need<T>(&self, key: &str, value: Option<T>, problems: &mut Problems<'_>) -> Option<T> {
         if value.is_none() {
             let message = format!(
-                "`{}` needs `{key}` where no catalogue bearing gives it",
+                "`{}.geometry` needs `{key}` where no catalogue bearing gives it",
                 self.path
             );
             problems.refuse(Issue::new(self.key(key), message), &[]);
@@ -120,7 +123,7 @@ impl Sources<'_> {
             .or_else(|| self.entry.map(CatalogueEntry::free_position));
         if given.is_none() {
             let message = format!(
-                "`{}` needs one of `contact_angle`, `diametral_clearance`, `radial_clearance`",
+                "`{}.geometry` needs one of `contact_angle`, `diametral_clearance`, `radial_clearance`",
                 self.path
             );
             let others = ["diametral_clearance", "radial_clearance"].map(|key| self.key(key));
@@ -148,7 +151,10 @@ impl Sources<'_> {
             GeometryError::GrooveFactor { .. } => ("groove_factor_outer", &[]),
             GeometryError::ContactAngle { .. } => ("contact_angle", &[]),
             GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
-            GeometryError::ClearanceChange { .. } => ("clearance_change", &[]),
+            GeometryError::ClearanceChange { .. } => {
+                let key = format!("{}.clearance_change", self.path);
+                return problems.refuse(Issue::new(key, self.message(error)), &[]);
+            }
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
         };
         let others: Vec<_> = others.iter().map(|key| self.key(key)).collect();
@@ -170,6 +176,14 @@ impl Sources<'_> {
                     millimetres(largest)
                 )
             }
+            GeometryError::ClearanceChange {
+                smallest, largest, ..
+            } => format!(
+                "`clearance_change` must be in {} … {}, where the free contact angle goes from \
+                 0 deg to 60 deg",
+                micrometres(smallest),
+                micrometres(largest)
+            ),
             GeometryError::Overlap {
                 balls,
                 ball_diameter,
@@ -195,6 +209,11 @@ impl Sources<'_> {
 /// A length in mm with four significant digits.
 fn millimetres(length: f64) -> String {
     format!("{} mm", significant(length * 1e3))
+}
+
+/// A length in µm with four significant digits.
+fn micrometres(length: f64) -> String {
+    format!("{} um", significant(length * 1e6))
 }
 
 fn si<D>(quantity: &Option<Quantity<D>>) -> Option<f64> {

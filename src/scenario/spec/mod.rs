@@ -10,10 +10,16 @@ mod integrator;
 mod load;
 mod material;
 mod model;
+mod oil;
 mod output;
 mod scenario;
+mod set;
 mod shaft;
 mod speed;
+mod statics;
+mod study;
 mod time;
+mod torsion;
 
-pub use scenario::ScenarioSpec;
+pub use scenario::{Questions, ScenarioSpec};
+pub use study::StudySpec;

@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::bearing::ContactLaw;
+use crate::physics::RaceControl;
 use crate::rotor::CageMotion;
 
 /// Which physics to simulate.
@@ -12,6 +13,11 @@ use crate::rotor::CageMotion;
 pub struct ModelSpec {
     /// Force law of the bearings. Default: "hertz".
     pub contact: ContactChoice,
+    /// Whether oil films part balls and races; the bearings then need `[bearing.oil]`.
+    /// Default: false.
+    pub film: bool,
+    /// Which race the balls roll on without spinning, with contact = "jones". Default: "outer".
+    pub race_control: Option<RaceControlChoice>,
     /// How the balls go round. Default: "rolling".
     pub cage: CageChoice,
 }
@@ -25,6 +31,21 @@ pub enum ContactChoice {
     /// Hertz contact of each ball with both races; the inertia of the balls is neglected.
     #[default]
     Hertz,
+    /// Jones's ball equilibrium: as "hertz", with the centrifugal force and the gyroscopic moment
+    /// of every ball.
+    Jones,
+}
+
+/// Race on which the balls roll without spinning.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum RaceControlChoice {
+    /// The outer race, which then holds the gyroscopic moment alone: what holds at speed.
+    Outer,
+    /// The inner race, which then holds the gyroscopic moment alone.
+    Inner,
+    /// Rolling as under outer control, both races holding the gyroscopic moment evenly.
+    Even,
 }
 
 /// Motion of the balls around the bearing.
@@ -38,11 +59,23 @@ pub enum CageChoice {
     Frozen,
 }
 
-impl From<ContactChoice> for ContactLaw {
-    fn from(choice: ContactChoice) -> Self {
+impl ContactChoice {
+    /// The force law; the race control plays a part in Jones's only.
+    pub fn law(self, control: Option<RaceControlChoice>) -> ContactLaw {
+        match self {
+            Self::Linear => ContactLaw::Linear,
+            Self::Hertz => ContactLaw::Hertz,
+            Self::Jones => ContactLaw::Jones(control.map(Into::into).unwrap_or_default()),
+        }
+    }
+}
+
+impl From<RaceControlChoice> for RaceControl {
+    fn from(choice: RaceControlChoice) -> Self {
         match choice {
-            ContactChoice::Linear => Self::Linear,
-            ContactChoice::Hertz => Self::Hertz,
+            RaceControlChoice::Outer => Self::Outer,
+            RaceControlChoice::Inner => Self::Inner,
+            RaceControlChoice::Even => Self::Even,
         }
     }
 }

@@ -8,12 +8,18 @@ use super::damping::{self, DampingSpec};
 use super::initial::InitialSpec;
 use super::integrator::IntegratorSpec;
 use super::load::{self, LoadSpec};
-use super::model::ModelSpec;
+use super::model::{ContactChoice, ModelSpec};
 use super::output::OutputSpec;
 use super::shaft::ShaftSpec;
 use super::speed::SpeedSpec;
+use super::statics::StaticSpec;
+use super::study::StudySpec;
 use super::time::TimeSpec;
-use crate::rotor::RotorDefinition;
+use super::torsion::TorsionSpec;
+use crate::bearing::MountedBearing;
+use crate::quasi_static::StaticQuestion;
+use crate::rotor::{Damping, Freedoms, RotorDefinition};
+use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::simulate::Model;
 
@@ -48,43 +54,109 @@ pub struct ScenarioSpec {
     /// Where the motion starts.
     #[serde(default)]
     pub initial: InitialSpec,
-    /// How long to simulate.
+    /// How long to simulate. Without this table only static questions (`jeffcott bearing`) are
+    /// asked.
     #[schemars(extend("examples" = [{ "duration": "0.5 s" }]))]
-    pub time: TimeSpec,
+    pub time: Option<TimeSpec>,
     /// How to integrate and how exactly.
     #[serde(default)]
     pub integrator: IntegratorSpec,
     /// What to keep of the run.
     #[serde(default)]
     pub output: OutputSpec,
+    /// What only static questions ask.
+    #[serde(default, rename = "static")]
+    pub statics: StaticSpec,
+    /// A number that takes many values in a static question.
+    pub study: Option<StudySpec>,
+}
+
+/// What a scenario asks.
+pub struct Questions {
+    /// Where the shaft stands.
+    pub question: StaticQuestion,
+    /// How it moves, where `[time]` is given.
+    pub model: Option<Model>,
 }
 
 impl ScenarioSpec {
-    /// The model, as far as nothing contradicts it.
-    pub fn build(&self, problems: &mut Problems<'_>) -> Option<Model> {
-        let shaft = self.shaft.build(problems);
-        let speed = self.speed.constant.si();
-        let mounted = |(index, bearing): (usize, &BearingSpec)| {
-            bearing.build(index, self.model.contact, shaft.freedoms, problems)
+    /// The questions, as far as nothing contradicts them.
+    pub fn build(&self, problems: &mut Problems<'_>) -> Option<Questions> {
+        let rotor = self.rotor(problems);
+        let displacement = self.statics.displacement(&self.load, problems);
+        let model = match &self.time {
+            Some(time) => Some(self.model(time, rotor.clone(), problems)?),
+            None => None,
         };
-        let bearings: Vec<_> = self.bearing.iter().enumerate().map(mounted).collect();
-        let damping = damping::build(self.damping.as_ref(), shaft.freedoms, problems);
-        let load = load::sum(&self.load, shaft.freedoms, problems);
-        let initial = self.initial.build(shaft.freedoms, problems);
-        self.time.check(problems);
-        let sampling = self.output.sampling(speed, &self.time, problems)?;
-        Some(Model {
-            rotor: RotorDefinition {
-                shaft,
-                speed,
-                cage: self.model.cage.into(),
-                damping,
-                load,
-                initial,
-                bearings: bearings.into_iter().collect::<Option<_>>()?,
+        Some(Questions {
+            question: StaticQuestion {
+                rotor: rotor?,
+                displacement,
+                unbalance: self.statics.unbalance,
+                torsion: self.shaft.torsion.as_ref().map(TorsionSpec::build),
             },
-            duration: self.time.duration.si(),
-            settle: self.time.settle.si(),
+            model,
+        })
+    }
+
+    fn rotor(&self, problems: &mut Problems<'_>) -> Option<RotorDefinition> {
+        let shaft = self.shaft.build(self.time.is_some(), problems);
+        let freedoms = shaft.freedoms;
+        self.check_race_control(problems);
+        let bearings = self.bearings(freedoms, problems);
+        let damping = match (&self.damping, &self.time) {
+            (None, None) => Damping::Undamped,
+            (spec, _) => damping::build(spec.as_ref(), freedoms, problems),
+        };
+        Some(RotorDefinition {
+            shaft,
+            speed: self.speed.constant.si(),
+            cage: self.model.cage.into(),
+            damping,
+            load: load::sum(&self.load, freedoms, problems),
+            initial: self.initial.build(freedoms, problems),
+            bearings: bearings?,
+        })
+    }
+
+    fn bearings(
+        &self,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Option<Vec<MountedBearing>> {
+        let mount = |(index, bearing): (usize, &BearingSpec)| {
+            bearing.build(index, &self.model, freedoms, problems)
+        };
+        let sets: Vec<_> = self.bearing.iter().enumerate().map(mount).collect();
+        let sets: Option<Vec<_>> = sets.into_iter().collect();
+        Some(sets?.into_iter().flatten().collect())
+    }
+
+    /// Refuses a race control that no bearing's law knows.
+    fn check_race_control(&self, problems: &mut Problems<'_>) {
+        let jones = |bearing: &BearingSpec| bearing.contact(&self.model) == ContactChoice::Jones;
+        if self.model.race_control.is_some() && !self.bearing.iter().any(jones) {
+            let message =
+                "`race_control` needs contact = \"jones\": other laws know no ball inertia";
+            let issue = Issue::new("model.race_control", message)
+                .help("remove it, or set contact = \"jones\"");
+            problems.refuse(issue, &["model.contact".to_owned()]);
+        }
+    }
+
+    fn model(
+        &self,
+        time: &TimeSpec,
+        rotor: Option<RotorDefinition>,
+        problems: &mut Problems<'_>,
+    ) -> Option<Model> {
+        time.check(problems);
+        let speed = self.speed.constant.si();
+        let sampling = self.output.sampling(speed, time, problems)?;
+        Some(Model {
+            rotor: rotor?,
+            duration: time.duration.si(),
+            settle: time.settle.si(),
             sampling,
             integrator: self.integrator.build(),
             verify: self.integrator.verify,

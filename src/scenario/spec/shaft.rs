@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::torsion::TorsionSpec;
 use crate::rotor::{Freedoms, Shaft};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
@@ -27,13 +28,15 @@ pub struct ShaftSpec {
     #[serde(default)]
     pub gravity: bool,
     /// Moment of inertia about a transverse axis through the centre of mass, for instance
-    /// "0.01 kg m^2". Needed for freedoms = "all".
+    /// "0.01 kg m^2". Needed for a motion with freedoms = "all".
     #[schemars(extend("x-minimum" = 1e-12))]
     pub inertia_transverse: Option<Quantity<Inertia>>,
     /// Moment of inertia about the shaft axis, for instance "0.004 kg m^2"; at most twice the
-    /// transverse one. Needed for freedoms = "all".
+    /// transverse one. Needed for a motion with freedoms = "all".
     #[schemars(extend("examples" = ["0.004 kg m^2"], "x-minimum" = 0.0))]
     pub inertia_polar: Option<Quantity<Inertia>>,
+    /// The segment that a moment about the shaft axis twists.
+    pub torsion: Option<TorsionSpec>,
 }
 
 /// Freedoms that move.
@@ -59,9 +62,9 @@ impl From<FreedomsChoice> for Freedoms {
 }
 
 impl ShaftSpec {
-    /// The shaft; its inertia is zero where no tilt moves.
-    pub fn build(&self, problems: &mut Problems<'_>) -> Shaft {
-        self.check_inertia(problems);
+    /// The shaft; its inertia is zero where no tilt moves, and where nothing `moves` it may be.
+    pub fn build(&self, moves: bool, problems: &mut Problems<'_>) -> Shaft {
+        self.check_inertia(moves, problems);
         let si = |inertia: &Option<Quantity<Inertia>>| inertia.as_ref().map_or(0.0, Quantity::si);
         Shaft {
             mass: self.mass.si(),
@@ -73,7 +76,7 @@ impl ShaftSpec {
         }
     }
 
-    fn check_inertia(&self, problems: &mut Problems<'_>) {
+    fn check_inertia(&self, moves: bool, problems: &mut Problems<'_>) {
         let given = [
             ("inertia_transverse", &self.inertia_transverse),
             ("inertia_polar", &self.inertia_polar),
@@ -83,7 +86,7 @@ impl ShaftSpec {
             if self.freedoms != FreedomsChoice::All && inertia.is_some() {
                 problems.warn(format!("`{path}` has no effect: the tilts are held"));
             }
-            if self.freedoms == FreedomsChoice::All && inertia.is_none() {
+            if moves && self.freedoms == FreedomsChoice::All && inertia.is_none() {
                 let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
                 let issue = Issue::new(path, message)
                     .help(format!("for instance: {key} = \"0.01 kg m^2\""));

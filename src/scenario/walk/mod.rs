@@ -29,6 +29,9 @@ pub(super) fn value(
     if !choices.is_empty() {
         return choice(node, &choices, path, problems);
     }
+    if schema["type"].is_array() {
+        return scalar(node, path, problems);
+    }
     match (schema["type"].as_str()?, &node.content) {
         ("object", Content::Table(entries)) => table::table(node, entries, schema, path, problems),
         ("array", Content::List(items)) => list(node, items, schema, path, problems),
@@ -106,6 +109,24 @@ fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
     issue
 }
 
+/// A quantity or a number, whose key is known only later.
+fn scalar(node: &Node, path: &str, problems: &mut Problems<'_>) -> Option<Value> {
+    let value = match &node.content {
+        Content::Text(text) => Some(Value::from(text.clone())),
+        Content::Integer(integer) => Some(Value::from(*integer)),
+        Content::Number(number) => Number::from_f64(*number).map(Value::Number),
+        _ => None,
+    };
+    if value.is_none() {
+        let message = format!(
+            "`{}` must be a finite number, or a number and a unit in quotes",
+            last(path)
+        );
+        problems.add(Issue::new(path, message).at(Some(node.span.clone())));
+    }
+    value
+}
+
 fn in_range(
     number: f64,
     value: Number,
@@ -167,6 +188,13 @@ fn list(
         .is_some_and(|least| (items.len() as u64) < least)
     {
         let message = format!("`{}` must have at least one entry", last(path));
+        problems.add(Issue::new(path, message).at(Some(node.span.clone())));
+        return None;
+    }
+    if let Some(most) = schema["maxItems"].as_u64()
+        && items.len() as u64 > most
+    {
+        let message = format!("`{}` must have at most {most} entries", last(path));
         problems.add(Issue::new(path, message).at(Some(node.span.clone())));
         return None;
     }

@@ -1,0 +1,41 @@
+//! A study as JSON.
+
+use serde_json::{Value, json};
+
+use super::super::statics::answer;
+use super::column_name;
+use crate::bearing::Around;
+use crate::study::{Study, StudyRow};
+
+/// The whole study, with the scenario as it is.
+pub fn study_json(title: &str, scenario: &Value, study: &Study, rows: &[StudyRow]) -> Value {
+    let varied = column_name(&study.variable);
+    json!({
+        "jeffcott": env!("CARGO_PKG_VERSION"),
+        "title": title,
+        "scenario": scenario,
+        "varied": { "key": study.variable.key, "unit": study.variable.unit },
+        "rows": rows.iter().map(|found| row(&varied, found)).collect::<Value>(),
+    })
+}
+
+fn row(varied: &str, row: &StudyRow) -> Value {
+    let mut entries = answer(&row.answer);
+    entries[varied] = row.value.into();
+    let around = row.around.iter();
+    entries["around"] = around
+        .map(|places| places.iter().map(place).collect::<Value>())
+        .collect();
+    entries
+}
+
+fn place(place: &Around) -> Value {
+    json!({
+        "azimuth_rad": place.azimuth,
+        "deformation_m": place.deformation,
+        "load_inner_N": place.contact.load_inner,
+        "load_outer_N": place.contact.load_outer,
+        "angle_inner_rad": place.contact.angle_inner,
+        "angle_outer_rad": place.contact.angle_outer,
+    })
+}

@@ -1,0 +1,100 @@
+//! A study: one row a value, and the bearings all around at every value.
+
+mod around_csv;
+mod csv;
+mod figures;
+mod json;
+mod text;
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+pub use self::json::study_json;
+pub use self::text::study_text;
+use super::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
+use crate::study::{Study, StudyRow, Variable};
+
+/// Writes `study.csv`, `around.csv`, three figures and, last, `study.json` into `folder`; returns
+/// their paths.
+///
+/// # Errors
+/// [`ReportError`] where a file cannot be written or drawn.
+pub fn write_study(
+    folder: &Path,
+    title: &str,
+    scenario: &Value,
+    study: &Study,
+    rows: &[StudyRow],
+) -> Result<Vec<PathBuf>, ReportError> {
+    let folder = RunFolder::open(folder, FileSet::STUDY)?;
+    let variable = &study.variable;
+    let mut files = vec![
+        written(&folder, "study.csv", |file| {
+            csv::write(variable, rows, file)
+        })?,
+        written(&folder, "around.csv", |file| {
+            around_csv::write(variable, rows, file)
+        })?,
+    ];
+    for (name, svg) in [
+        ("stiffness.svg", figures::stiffness(title, variable, rows)?),
+        (
+            "deformation.svg",
+            figures::deformation(title, variable, rows)?,
+        ),
+        (
+            "contact_angle.svg",
+            figures::contact_angle(title, variable, rows)?,
+        ),
+    ] {
+        files.push(folder.write(name, svg.as_bytes())?);
+    }
+    let json = study_json(title, scenario, study, rows);
+    folder.commit(files, format!("{json:#}\n").as_bytes())
+}
+
+fn written(
+    folder: &RunFolder,
+    name: &str,
+    write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
+) -> Result<WholeFile, ReportError> {
+    let mut file = folder.create(name)?;
+    let path = file.path().to_owned();
+    write(&mut file).map_err(ReportError::file(FileAction::Write, &path))?;
+    file.close()
+}
+
+/// The variable as the name of a column: `load_0_constant_z_N`.
+fn column_name(variable: &Variable) -> String {
+    let words: Vec<_> = variable
+        .key
+        .split(['.', '[', ']'])
+        .filter(|word| !word.is_empty())
+        .collect();
+    let name = words.join("_");
+    if variable.unit.is_empty() {
+        name
+    } else {
+        format!("{name}_{}", super::columns::unit_name(variable.unit))
+    }
+}
+
+/// The variable as the name of an axis: `load[0].constant.z in N`.
+fn axis_name(variable: &Variable) -> String {
+    if variable.shown_unit.is_empty() {
+        variable.key.clone()
+    } else {
+        format!("{} in {}", variable.key, variable.shown_unit)
+    }
+}
+
+/// A value of the variable in the unit that it was written in: `200 N`.
+fn shown(variable: &Variable, value: f64) -> String {
+    let number = variable.shown(value);
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    format!("{rounded} {}", variable.shown_unit)
+        .trim_end()
+        .to_owned()
+}

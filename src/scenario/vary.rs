@@ -1,0 +1,252 @@
+//! From `[study]` to its questions: each value is put into the checked scenario, which is then
+//! checked again.
+
+use serde_json::{Map, Number, Value};
+
+use super::dimension::{Dimension, Unit};
+use super::issue::Issue;
+use super::node::Node;
+use super::problems::Problems;
+use super::schema::schema;
+use super::spec::StudySpec;
+use super::walk::{self, nearest};
+use super::{build as build_scenario, quantity};
+use crate::quasi_static::StaticQuestion;
+use crate::study::{Study, StudyPoint, Variable};
+
+/// Tables that play no part in a static question.
+const MOTION: [&str; 5] = ["damping", "initial", "time", "integrator", "output"];
+
+/// A key that can vary.
+struct Key<'a> {
+    path: String,
+    schema: &'a Value,
+}
+
+/// A value of the key, and where it was given.
+struct Given {
+    value: Value,
+    path: String,
+}
+
+/// The study, as far as nothing contradicts it; `echo` is the scenario with its defaults.
+pub(super) fn build(spec: &StudySpec, echo: &Value, problems: &mut Problems<'_>) -> Option<Study> {
+    let base = without_motion(echo);
+    let key = find(&spec.vary, &base, problems)?;
+    let given = match &spec.values {
+        Some(values) => listed(values.len(), spec, &key, problems)?,
+        None => spaced(spec, &key, problems)?,
+    };
+    let mut points = Vec::with_capacity(given.len());
+    for Given { value, path } in &given {
+        let question = question(&base, &key.path, value)
+            .map_err(|issue| problems.refuse(at_value(issue, &key.path, value, path), &[]))
+            .ok()?;
+        let value = key.si(value);
+        points.push(StudyPoint { value, question });
+    }
+    Some(Study {
+        variable: key.variable(&given.first()?.value),
+        points,
+        positions: spec.positions.map(|positions| positions as usize),
+    })
+}
+
+/// The scenario as far as a static question goes.
+fn without_motion(echo: &Value) -> Value {
+    let mut base = echo.clone();
+    if let Value::Object(tables) = &mut base {
+        tables.retain(|name, _| name != "study" && !MOTION.contains(&name.as_str()));
+    }
+    base
+}
+
+/// The key of a path, refused with the nearest one where there is none.
+fn find(path: &str, base: &Value, problems: &mut Problems<'_>) -> Option<Key<'static>> {
+    let mut keys = Vec::new();
+    collect(schema(), Some(base), "", &mut keys);
+    if let Some(place) = keys.iter().position(|key| key.path == path) {
+        return Some(keys.swap_remove(place));
+    }
+    let root = path.split(['.', '[']).next().unwrap_or_default();
+    let message = if MOTION.contains(&root) {
+        format!("`{path}` plays no part in a static question")
+    } else {
+        format!("the scenario has no number `{path}`")
+    };
+    let help = match nearest(path, keys.iter().map(|key| key.path.as_str())) {
+        Some(known) => format!("did you mean `{known}`?"),
+        None => "for instance: vary = \"speed.constant\"".to_owned(),
+    };
+    problems.refuse(Issue::new("study.vary", message).help(help), &[]);
+    None
+}
+
+/// Every key of a number below `path`; lists have as many entries as `given` has.
+fn collect<'a>(schema: &'a Value, given: Option<&Value>, path: &str, keys: &mut Vec<Key<'a>>) {
+    let is_number = matches!(schema["type"].as_str(), Some("integer" | "number"));
+    if is_number || schema.get("x-dimension").is_some() {
+        let path = path.to_owned();
+        keys.push(Key { path, schema });
+    }
+    for (name, property) in schema["properties"].as_object().into_iter().flatten() {
+        let inner = if path.is_empty() {
+            name.clone()
+        } else {
+            format!("{path}.{name}")
+        };
+        if !MOTION.contains(&inner.as_str()) && inner != "study" {
+            collect(
+                property,
+                given.and_then(|table| table.get(name)),
+                &inner,
+                keys,
+            );
+        }
+    }
+    let items = given.and_then(Value::as_array).into_iter().flatten();
+    for (index, item) in items.enumerate() {
+        let path = format!("{path}[{index}]");
+        collect(&schema["items"], Some(item), &path, keys);
+    }
+}
+
+/// The values of the list.
+fn listed(
+    count: usize,
+    spec: &StudySpec,
+    key: &Key<'_>,
+    problems: &mut Problems<'_>,
+) -> Option<Vec<Given>> {
+    for (name, value) in [("from", &spec.from), ("to", &spec.to)] {
+        if value.is_some() {
+            let message = format!("`{name}` needs `count`, not `values`");
+            let issue = Issue::new(format!("study.{name}"), message).help("remove it");
+            problems.refuse(issue, &["study.values".to_owned()]);
+        }
+    }
+    let values: Vec<_> = (0..count)
+        .map(|index| key.read(format!("study.values[{index}]"), problems))
+        .collect();
+    values.into_iter().collect()
+}
+
+/// Evenly spaced values.
+fn spaced(spec: &StudySpec, key: &Key<'_>, problems: &mut Problems<'_>) -> Option<Vec<Given>> {
+    for (name, value) in [("from", &spec.from), ("to", &spec.to)] {
+        if value.is_none() {
+            let message = format!("`study` needs `{name}` where `count` is given");
+            let issue = Issue::new(format!("study.{name}"), message);
+            problems.refuse(issue, &["study.count".to_owned()]);
+        }
+    }
+    if key.schema["type"] == "integer" {
+        let message = format!("`{}` is a whole number: list its `values`", spec.vary);
+        let issue = Issue::new("study.vary", message);
+        problems.refuse(issue, &["study.count".to_owned()]);
+        return None;
+    }
+    let ends = ["from", "to"].map(|name| key.read(format!("study.{name}"), problems));
+    let [Some(first), Some(last)] = ends else {
+        return None;
+    };
+    let steps = spec.count?.checked_sub(1)?;
+    let inner = (1..steps).map(|step| {
+        let part = f64::from(step) / f64::from(steps);
+        let si = key.si(&first.value) * (1.0 - part) + key.si(&last.value) * part;
+        let value = key.written(si);
+        let path = "study.vary".to_owned();
+        Given { value, path }
+    });
+    let inner: Vec<_> = inner.collect();
+    Some(std::iter::once(first).chain(inner).chain([last]).collect())
+}
+
+impl Key<'_> {
+    /// The value that stands at `path` of the file, if this key can have it.
+    fn read(&self, path: String, problems: &mut Problems<'_>) -> Option<Given> {
+        let node = problems.node(&path)?;
+        let value = walk::value(node, self.schema, &path, problems)?;
+        Some(Given { value, path })
+    }
+
+    fn dimension(&self) -> Option<Dimension> {
+        Dimension::named(self.schema["x-dimension"].as_str()?)
+    }
+
+    /// SI value and unit of a quantity.
+    fn parsed(&self, value: &Value) -> Option<(f64, &'static Unit)> {
+        let parsed = quantity::parse(value.as_str()?, self.dimension()?).ok()?;
+        Some((parsed.si, parsed.unit))
+    }
+
+    /// The number that a checked value is, in SI units.
+    fn si(&self, value: &Value) -> f64 {
+        let quantity = self.parsed(value).map(|(si, _)| si);
+        quantity.or(value.as_f64()).unwrap_or(f64::NAN)
+    }
+
+    /// The value that this key has for a number in SI units.
+    fn written(&self, si: f64) -> Value {
+        match self.dimension() {
+            Some(dimension) => format!("{si} {}", dimension.units()[0].symbol).into(),
+            None => Number::from_f64(si).map_or(Value::Null, Value::Number),
+        }
+    }
+
+    /// What varies, shown in the unit of `value`.
+    fn variable(&self, value: &Value) -> Variable {
+        let shown = self.parsed(value).map(|(_, unit)| unit);
+        Variable {
+            key: self.path.clone(),
+            unit: self
+                .dimension()
+                .map_or("", |dimension| dimension.units()[0].symbol),
+            shown_unit: shown.map_or("", |unit| unit.symbol),
+            shown_size: shown.map_or(1.0, |unit| unit.si(1.0)),
+        }
+    }
+}
+
+/// The static question of the scenario with one value put in.
+fn question(base: &Value, path: &str, value: &Value) -> Result<StaticQuestion, Issue> {
+    let mut scenario = base.clone();
+    put(&mut scenario, path, value);
+    let root = Node::from(&scenario);
+    let mut problems = Problems::new(&root);
+    let built = build_scenario(&root, &mut problems);
+    let (issues, _) = problems.finish();
+    match (built, issues.into_iter().next()) {
+        (Some((_, questions)), None) => Ok(questions.question),
+        (_, Some(issue)) => Err(issue),
+        (None, None) => Err(Issue::new("", "the scenario asks nothing")),
+    }
+}
+
+/// Puts a value into a tree, making the tables on its way.
+fn put(tree: &mut Value, path: &str, value: &Value) {
+    let mut place = tree;
+    for step in path.split(['.', '[']) {
+        let index = step.strip_suffix(']').and_then(|index| index.parse().ok());
+        place = match index {
+            Some(index) => match place.get_mut::<usize>(index) {
+                Some(item) => item,
+                None => return,
+            },
+            None => {
+                if !place.is_object() {
+                    *place = Value::Object(Map::new());
+                }
+                &mut place[step]
+            }
+        };
+    }
+    *place = value.clone();
+}
+
+/// A problem that one value makes, as a problem of where the value was given.
+fn at_value(issue: Issue, key: &str, value: &Value, path: &str) -> Issue {
+    let mut moved = Issue::new(path, format!("with {key} = {value}: {}", issue.message));
+    moved.help = issue.help;
+    moved
+}
