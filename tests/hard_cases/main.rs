@@ -46,7 +46,8 @@ fn try_run(text: &str) -> (Result<Run, SimulateError>, Extremes) {
         stop: &stop,
         progress: &mut |_part| {},
     };
-    let result = simulate(&scenario.model, &mut extremes, &mut monitor);
+    let model = scenario.model.expect("a scene with a time");
+    let result = simulate(&model, &mut extremes, &mut monitor);
     (result, extremes)
 }
 
