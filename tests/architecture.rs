@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is the rotor that
-/// implements the integrator's trait.
+/// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
+/// the rotor that implements the integrator's trait.
 const FLOORS: [&str; 11] = [
     "physics",
     "bearing",

@@ -2,8 +2,10 @@
 
 use std::f64::consts::PI;
 
-use jeffcott::bearing::{ContactLaw, Facing, FreePosition, Geometry, Preload};
+use jeffcott::bearing::{ContactLaw, Facing, FreePosition, Geometry, MountedBearing, Preload};
 use jeffcott::integrate::Method;
+use jeffcott::physics::RaceControl;
+use jeffcott::quasi_static::{StaticQuestion, TorsionCause, quasi_static};
 use jeffcott::rotor::{Damping, Freedoms, InitialPosition};
 use jeffcott::scenario::{self, Format, Scenario};
 use jeffcott::simulate::{Model, Sampling};
@@ -123,4 +125,167 @@ fn a_spectrum_that_is_not_wanted_is_not_planned() {
 fn whole_numbers_may_be_written_with_an_exponent() {
     let model = model(&format!("{BEARING}[integrator]\nstep_limit = 1e6\n"));
     assert_eq!(model.integrator.step_limit, 1_000_000);
+}
+
+/// The first bearing of a scenario without motion.
+fn first_bearing(keys: &str, tables: &str) -> MountedBearing {
+    static_question(&format!("{BEARING}{keys}{tables}"))
+        .rotor
+        .bearings[0]
+}
+
+fn static_question(tables: &str) -> StaticQuestion {
+    let text = format!("{STANDING}{tables}");
+    let scenario = read(&text);
+    assert!(scenario.model.is_none() && scenario.warnings.is_empty());
+    scenario.question
+}
+
+/// A shaft that nobody asks to move; no inertia is needed then.
+const STANDING: &str = "
+[shaft]
+mass = \"5 kg\"
+freedoms = \"all\"
+[speed]
+constant = \"500 rad/s\"
+";
+
+#[test]
+fn without_time_there_is_a_static_question_only() {
+    let question = static_question(BEARING);
+    assert_eq!(question.displacement, [None; 5]);
+    assert!(!question.unbalance && question.torsion.is_none());
+}
+
+#[test]
+fn a_static_question_and_a_motion_share_the_rotor() {
+    let scenario = read(&format!("{SMALLEST}{BEARING}"));
+    assert_eq!(scenario.question.rotor, scenario.model.unwrap().rotor);
+}
+
+#[test]
+fn given_displacements_and_unbalance_belong_to_the_static_question() {
+    let tables =
+        "[static]\nunbalance = true\ndisplacement = { z = \"2 um\", tilt_y = \"1 mrad\" }\n";
+    let question = static_question(&format!("{BEARING}{tables}"));
+    assert!(question.unbalance);
+    assert_eq!(
+        question.displacement,
+        [None, None, Some(2e-6), None, Some(1e-3)]
+    );
+}
+
+#[test]
+fn torsion_has_a_section_and_a_cause() {
+    let torsion = |keys: &str| {
+        let table = format!("[shaft.torsion]\nlength = \"0.2 m\"\n{keys}");
+        static_question(&format!("{BEARING}{table}"))
+            .torsion
+            .unwrap()
+    };
+    let round = torsion("diameter = \"20 mm\"\n");
+    assert_eq!(round.cause, TorsionCause::Friction);
+    assert_eq!((round.length, round.shear_modulus), (0.2, 79.4e9));
+    let expected = PI * 0.02f64.powi(4) / 32.0;
+    assert!((round.polar_second_moment / expected - 1.0).abs() < 1e-15);
+    let moment = torsion("polar_second_moment = \"5 mm^4\"\nmoment = \"2 N m\"\n");
+    assert_eq!(moment.cause, TorsionCause::Moment(2.0));
+    assert_eq!(moment.polar_second_moment, 5e-12);
+    let angle = torsion("diameter = \"20 mm\"\nshear_modulus = \"80 GPa\"\nangle = \"1 mrad\"\n");
+    assert_eq!(angle.cause, TorsionCause::Angle(1e-3));
+    assert_eq!(angle.shear_modulus, 80e9);
+}
+
+#[test]
+fn a_bearing_overrides_law_film_and_race_control() {
+    let oil = "[bearing.oil]\nviscosity = \"40 mPa s\"\npressure_viscosity = \"22 1/GPa\"\n";
+    let jones = "[model]\ncontact = \"jones\"\nfilm = true\nrace_control = \"inner\"\n";
+    let bearing = first_bearing("", &format!("{oil}{jones}"));
+    assert_eq!(bearing.law, ContactLaw::Jones(RaceControl::Inner));
+    let known = bearing.oil.unwrap();
+    assert_eq!((known.viscosity, known.pressure_viscosity), (0.04, 22e-9));
+
+    let keys = "race_control = \"even\"\nfilm = false\n";
+    let bearing = first_bearing(keys, &format!("{oil}{jones}"));
+    assert_eq!(bearing.law, ContactLaw::Jones(RaceControl::Even));
+    assert_eq!(
+        bearing.oil, None,
+        "oil without film is known but parts nothing"
+    );
+
+    let bearing = first_bearing("contact = \"jones\"\n", "");
+    assert_eq!(bearing.law, ContactLaw::Jones(RaceControl::Outer));
+}
+
+#[test]
+fn a_bearing_has_surfaces_shoulders_and_ratings() {
+    let bearing = first_bearing("", "").bearing;
+    assert_eq!(bearing.dynamic_rating, Some(16_600.0));
+    assert_eq!((bearing.roughness, bearing.shoulder_angle), (None, None));
+    let keys = "roughness = \"0.1 um\"\nshoulder_angle = \"36 deg\"\ndynamic_rating = \"20 kN\"\n";
+    let bearing = first_bearing(keys, "").bearing;
+    assert_eq!(bearing.dynamic_rating, Some(20_000.0));
+    assert_eq!(bearing.roughness, Some(1e-7));
+    assert!((bearing.shoulder_angle.unwrap() - PI / 5.0).abs() < 1e-15);
+}
+
+#[test]
+fn fits_and_temperature_change_the_clearance() {
+    let free = first_bearing("", "").bearing.geometry;
+    let tight = first_bearing("clearance_change = \"-5 um\"\n", "")
+        .bearing
+        .geometry;
+    assert_eq!(tight, free.with_clearance_change(-5e-6).unwrap());
+    assert!(tight.contact_angle() < free.contact_angle());
+}
+
+#[test]
+fn a_preload_is_an_offset_a_force_or_a_spring() {
+    let preload = |key: &str| first_bearing(key, "").preload;
+    assert_eq!(
+        preload("axial_offset = \"5 um\"\n"),
+        Preload::AxialOffset(5e-6)
+    );
+    assert_eq!(preload("preload = \"5 N\"\n"), Preload::Force(5.0));
+    assert_eq!(preload("spring_preload = \"5 N\"\n"), Preload::Spring(5.0));
+}
+
+/// Position and facing of both bearings of a set 20 mm apart about 5 mm.
+fn set(keys: &str) -> Vec<(f64, Facing)> {
+    let keys = format!("{BEARING}position = \"5 mm\"\nspacing = \"20 mm\"\n{keys}");
+    let bearings = static_question(&keys).rotor.bearings;
+    bearings.iter().map(|b| (b.position, b.facing)).collect()
+}
+
+#[test]
+fn a_set_is_two_bearings_about_its_position() {
+    let (low, high) = (-0.005, 0.015);
+    let (plus, minus) = (Facing::PlusZ, Facing::MinusZ);
+    assert_eq!(
+        set("arrangement = \"back-to-back\"\n"),
+        [(low, plus), (high, minus)]
+    );
+    assert_eq!(
+        set("arrangement = \"face-to-face\"\n"),
+        [(low, minus), (high, plus)]
+    );
+    assert_eq!(
+        set("arrangement = \"tandem\"\n"),
+        [(low, plus), (high, plus)]
+    );
+    let tandem = set("arrangement = \"tandem\"\nfacing = \"-z\"\n");
+    assert_eq!(tandem, [(low, minus), (high, minus)]);
+}
+
+#[test]
+fn a_set_back_to_back_resists_tilting_more_than_face_to_face() {
+    let tilt = |arrangement: &str| {
+        let keys =
+            format!("arrangement = \"{arrangement}\"\nspacing = \"20 mm\"\npreload = \"200 N\"\n");
+        let question = static_question(&format!("{BEARING}{keys}"));
+        quasi_static(&question).unwrap().stiffness[(3, 3)]
+    };
+    // moment arms of the contact lines about the middle: d_m/2 tan α ± spacing/2
+    let (back, face) = (tilt("back-to-back"), tilt("face-to-face"));
+    assert!(back > 5.0 * face, "{back} against {face}");
 }

@@ -15,6 +15,10 @@ const TURN: f64 = 360.0;
 const NAMES_HEIGHT: u32 = 24;
 /// Most names in the strip.
 const MOST_NAMES: usize = 8;
+/// Width of the scale to the left of a panel, px.
+const SCALE_WIDTH: u32 = 82;
+/// Most room for a name, px.
+const NAME_WIDTH: u32 = 140;
 
 /// A curve.
 #[derive(Debug, Clone)]
@@ -23,8 +27,8 @@ pub(super) struct Curve {
     pub points: Vec<(f64, f64)>,
     /// Its colour.
     pub colour: RGBColor,
-    /// Whether its points are marked.
-    pub marked: bool,
+    /// Points of it that are marked.
+    pub marks: Vec<(f64, f64)>,
 }
 
 /// Curves over one axis.
@@ -69,11 +73,16 @@ pub(super) fn azimuth_ticks() -> Vec<f64> {
     (0..=8).map(|step| 45.0 * f64::from(step)).collect()
 }
 
-/// A curve all around: azimuths in rad to one turn in degrees, from its start to its end.
-pub(super) fn all_around(values: impl IntoIterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
+/// Values at azimuths in rad, as points over one turn in degrees.
+pub(super) fn turned(values: impl IntoIterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let turned = |(azimuth, value): (f64, f64)| (azimuth.to_degrees().rem_euclid(TURN), value);
     let mut points: Vec<_> = values.into_iter().map(turned).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points
+}
+
+/// The curve through points of one turn, from its start to its end.
+pub(super) fn all_around(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else {
         return points;
     };
@@ -130,12 +139,13 @@ pub(super) fn draw(
 fn draw_names(strip: &Area, names: &[(String, RGBColor)]) -> Result<(), DrawError> {
     let shown = names.len().min(MOST_NAMES);
     let (width, height) = strip.dim_in_pixel();
-    let slot = width as i32 / shown.max(1) as i32;
+    let room = width.saturating_sub(px(SCALE_WIDTH)) / shown.max(1) as u32;
+    let slot = room.min(px(NAME_WIDTH)) as i32;
     let middle = height as i32 / 2;
     for place in 0..shown {
         let index = place * (names.len() - 1) / (shown - 1).max(1);
         let (name, colour) = &names[index];
-        let left = place as i32 * slot + px(16) as i32;
+        let left = place as i32 * slot + px(SCALE_WIDTH) as i32;
         let stroke = [(left, middle), (left + px(18) as i32, middle)];
         strip.draw(&PathElement::new(stroke, colour.stroke_width(2 * LINE)))?;
         let corner = (left + px(23) as i32, middle - px(7) as i32);
@@ -180,11 +190,8 @@ fn draw_panel(area: &Area, panel: &Panel) -> Result<(), DrawError> {
     for curve in &panel.curves {
         let points = curve.points.iter().copied();
         chart.draw_series(LineSeries::new(points, curve.colour.stroke_width(LINE)))?;
-        if curve.marked {
-            let inner = curve.points.iter();
-            let dot = |point: &(f64, f64)| Circle::new(*point, px(3), curve.colour.filled());
-            chart.draw_series(inner.map(dot))?;
-        }
+        let dot = |point: &(f64, f64)| Circle::new(*point, px(3), curve.colour.filled());
+        chart.draw_series(curve.marks.iter().map(dot))?;
     }
     Ok(())
 }
@@ -236,7 +243,10 @@ mod tests {
 
     #[test]
     fn a_turn_is_closed_at_its_seam() {
-        let points = all_around([(-90f64.to_radians(), 4.0), (90f64.to_radians(), 2.0)]);
+        let points = all_around(turned([
+            (-90f64.to_radians(), 4.0),
+            (90f64.to_radians(), 2.0),
+        ]));
         assert_eq!(points[0], (0.0, 3.0));
         assert_eq!(points[3], (360.0, 3.0));
     }

@@ -2,7 +2,9 @@
 
 use super::super::ReportError;
 use super::super::figure::svg;
-use super::super::figure_curves::{Curve, Panel, all_around, azimuth_ticks, distinct, draw};
+use super::super::figure_curves::{
+    Curve, Panel, all_around, azimuth_ticks, distinct, draw, turned,
+};
 use crate::bearing::{BallLine, BearingState, RaceContact};
 use crate::quasi_static::QuasiStatic;
 
@@ -55,10 +57,10 @@ fn panels(number: usize, count: usize, state: &BearingState) -> [Panel; 2] {
 }
 
 fn curve(balls: &[BallLine], race: usize, value: impl Fn(&BallLine) -> f64) -> Curve {
-    let points = balls.iter().map(|line| (line.azimuth, value(line)));
+    let marks = turned(balls.iter().map(|line| (line.azimuth, value(line))));
     Curve {
-        points: all_around(points),
+        points: all_around(marks.clone()),
         colour: distinct(race),
-        marked: false,
+        marks,
     }
 }

@@ -6,7 +6,7 @@ use plotters::style::RGBColor;
 use super::super::ReportError;
 use super::super::figure::svg;
 use super::super::figure_curves::{
-    Curve, Panel, all_around, azimuth_ticks, distinct, draw, graded, round_ticks,
+    Curve, Panel, all_around, azimuth_ticks, distinct, draw, graded, round_ticks, turned,
 };
 use super::{axis_name, shown};
 use crate::bearing::Around;
@@ -69,7 +69,11 @@ fn against(variable: &Variable, rows: &[StudyRow], axis: usize) -> Curve {
     let mut points: Vec<_> = rows.iter().map(point).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     Curve {
-        marked: points.len() <= MOST_MARKS,
+        marks: if points.len() <= MOST_MARKS {
+            points.clone()
+        } else {
+            Vec::new()
+        },
         points,
         colour: distinct(axis),
     }
@@ -117,9 +121,11 @@ fn around(rows: &[StudyRow], index: usize, name: &str, value: fn(&Around) -> f64
         String::new()
     };
     let curve = |(place, row): (usize, &StudyRow)| Curve {
-        points: all_around(row.around[index].iter().map(|at| (at.azimuth, value(at)))),
+        points: all_around(turned(
+            row.around[index].iter().map(|at| (at.azimuth, value(at))),
+        )),
         colour: graded(place, rows.len()),
-        marked: false,
+        marks: Vec::new(),
     };
     Panel {
         x_name: "azimuth φ in deg".to_owned(),
