@@ -84,9 +84,16 @@ pub struct QuasiStatic {
 /// [`RotorError`] where a bearing cannot be built, a number is outside its range, or nothing carries
 /// the load.
 pub fn quasi_static(question: &StaticQuestion) -> Result<QuasiStatic, RotorError> {
+    answer_on(question, &build_supports(&question.rotor)?)
+}
+
+/// Answers a static question about bearings that are built already.
+pub(crate) fn answer_on(
+    question: &StaticQuestion,
+    supports: &[Support],
+) -> Result<QuasiStatic, RotorError> {
     let rotor = &question.rotor;
-    let supports = build_supports(rotor)?;
-    let equilibrium = equilibrium(question, &supports)?;
+    let equilibrium = equilibrium(question, supports)?;
     let bearings: Vec<BearingState> = supports
         .iter()
         .map(|support| support.state(&equilibrium.1.displacement, rotor.speed))
@@ -101,11 +108,11 @@ pub fn quasi_static(question: &StaticQuestion) -> Result<QuasiStatic, RotorError
         force: equilibrium.force,
         free,
         stiffness: equilibrium.stiffness,
-        condition: condition(&equilibrium.stiffness, &free, arm(&supports)),
+        condition: condition(&equilibrium.stiffness, &free, arm(supports)),
         residual: equilibrium.residual,
         newton_steps: equilibrium.newton_steps,
         twist: question.torsion.map(|torsion| torsion.twist(friction)),
-        warnings: warnings(&supports, &bearings),
+        warnings: warnings(supports, &bearings),
         bearings,
     })
 }

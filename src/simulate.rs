@@ -2,8 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
+use nalgebra::Const;
+
 use crate::analysis::{Analysis, Peak, Recorder, Spectrum, Window, causes};
-use crate::integrate::{Counters, Grid, IntegrateError, Integration, Scaling, Settings};
+use crate::integrate::{Counters, Grid, IntegrateError, Integration, Scaling, Settings, Square};
 use crate::physics::BallPass;
 use crate::rotor::{
     FREEDOMS, MotionScale, NaturalFrequency, Rotor, RotorDefinition, RotorError, Sample,
@@ -147,7 +149,10 @@ fn run<const N: usize, const M: usize>(
     rotor: &Rotor,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
-) -> Result<Run, SimulateError> {
+) -> Result<Run, SimulateError>
+where
+    Const<N>: Square,
+{
     let scale = rotor.motion_scale(reference_settings(model).tolerance);
     let grid = grid(model)?;
     let mut recorder = model.spectrum.map(|_| recorder(model, rotor));
@@ -304,7 +309,10 @@ struct Reference<'a, const N: usize, const M: usize> {
     failed: bool,
 }
 
-impl<'a, const N: usize, const M: usize> Reference<'a, N, M> {
+impl<'a, const N: usize, const M: usize> Reference<'a, N, M>
+where
+    Const<N>: Square,
+{
     fn new(integration: Integration<'a, Rotor, N, M>) -> Self {
         Self {
             integration,

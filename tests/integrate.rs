@@ -6,8 +6,9 @@
 use std::sync::atomic::AtomicBool;
 
 use jeffcott::integrate::{
-    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, System,
+    Counters, Grid, IntegrateError, Integration, Linearised, Method, Scaling, Settings, System,
 };
+use nalgebra::{SMatrix, matrix};
 
 /// y' = cos(t) y, y(0) = 1: y = exp(sin t). The time enters, so a wrong node shows.
 struct Swelling;
@@ -15,6 +16,12 @@ struct Swelling;
 impl System<1> for Swelling {
     fn derivative(&self, time: f64, state: &[f64; 1], rate: &mut [f64; 1]) {
         rate[0] = time.cos() * state[0];
+    }
+}
+
+impl Linearised<1> for Swelling {
+    fn linearisation(&self, time: f64, state: &[f64; 1]) -> (SMatrix<f64, 1, 1>, [f64; 1]) {
+        (matrix![time.cos()], [-time.sin() * state[0]])
     }
 }
 
@@ -76,6 +83,59 @@ fn dopri5_has_order_five_where_time_enters() {
     assert!((4.5..6.0).contains(&order), "observed order {order}");
 }
 
+#[test]
+fn rodas_has_order_four_where_time_enters() {
+    let order = observed_order(Method::Rodas, 1e-4, 1e-8);
+    assert!((3.6..5.0).contains(&order), "observed order {order}");
+}
+
+/// Kaps' problem: a slope of −10⁶ beside a slow one; y = (exp(−2t), exp(−t)) whatever the slope.
+///
+/// Source: P. Kaps (1981), in Hairer & Wanner, *Solving Ordinary Differential Equations II*.
+struct Kaps;
+
+const STEEP: f64 = 1e6;
+
+impl System<2> for Kaps {
+    fn derivative(&self, _time: f64, [y, z]: &[f64; 2], rate: &mut [f64; 2]) {
+        *rate = [-(STEEP + 2.0) * y + STEEP * z * z, y - z - z * z];
+    }
+}
+
+impl Linearised<2> for Kaps {
+    fn linearisation(&self, _time: f64, [_, z]: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+        let by_state = matrix![-(STEEP + 2.0), 2.0 * STEEP * z; 1.0, -1.0 - 2.0 * z];
+        (by_state, [0.0; 2])
+    }
+}
+
+#[test]
+fn rodas_steps_over_a_stiff_slope() {
+    let grid = Grid {
+        interval: 0.01,
+        count: 301,
+    };
+    let (stop, settings) = (AtomicBool::new(false), settings(Method::Rodas, 1e-7));
+    let start = [1.0, 1.0];
+    let mut integration =
+        Integration::<_, 2, 3>::new(&Kaps, Scaling::IDENTITY, grid, settings, &stop, &start);
+    let mut states = Vec::new();
+    while integration.done() < grid.count {
+        integration.advance(301, &mut states).expect("no trouble");
+    }
+    for (index, [y, z]) in states.iter().enumerate() {
+        let time = grid.time(index as u64);
+        let slow = (z - (-time).exp()).abs();
+        assert!(slow < 1e-7, "t = {time}: {slow:e}");
+        // between steps the steep component is interpolated at a lower order: measured 1.7e-6
+        let steep = (y - (-2.0 * time).exp()).abs();
+        assert!(steep < 3e-6, "t = {time}: {steep:e}");
+    }
+    // an explicit method needs some million steps over these three seconds
+    let steps = integration.counters().steps;
+    assert!(steps < 300, "{steps} steps");
+}
+
 /// y'' = −y from (1, 0), with a fault from a time on.
 struct Swing {
     fault_from: f64,
@@ -87,6 +147,12 @@ impl System<2> for Swing {
         if time >= self.fault_from {
             rate[1] = f64::NAN;
         }
+    }
+}
+
+impl Linearised<2> for Swing {
+    fn linearisation(&self, _time: f64, _state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+        (matrix![0.0, 1.0; -1.0, 0.0], [0.0; 2])
     }
 }
 
@@ -118,7 +184,7 @@ fn integrate(
     (states, integration.counters(), result)
 }
 
-const METHODS: [Method; 2] = [Method::Dopri5, Method::Dop853];
+const METHODS: [Method; 3] = [Method::Dopri5, Method::Dop853, Method::Rodas];
 
 #[test]
 fn blocks_end_where_one_long_block_passes() {

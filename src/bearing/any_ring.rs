@@ -55,6 +55,19 @@ impl AnyRing {
         })
     }
 
+    /// The same ring of plain Hertz contacts: a cheap neighbour of the costly laws.
+    pub fn coarse(&self, definition: &MountedBearing) -> Result<Option<Self>, BearingError> {
+        if matches!(self, Self::Hertz(_)) {
+            return Ok(None);
+        }
+        let dry = MountedBearing {
+            law: ContactLaw::Hertz,
+            oil: None,
+            ..*definition
+        };
+        Self::new(&dry, 0.0).map(Some)
+    }
+
     #[inline(always)]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         with_ring!(self, ring => ring.force(displacement, cage, speed))

@@ -10,8 +10,12 @@ pub const FREEDOM_NAMES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
 
 /// Residual that is accepted as equilibrium, relative to the forces in play.
 const ACCEPTED_RESIDUAL: f64 = 1e-9;
-/// Residual that cannot be told from none: the square of round-off.
-const NO_RESIDUAL: f64 = f64::EPSILON * f64::EPSILON;
+/// Residual that is round-off: nothing is left to gain.
+const CONVERGED: f64 = 1e-14;
+/// Residual of the coarse laws at which the exact ones take over.
+const GOOD_START: f64 = 1e-3;
+/// Round-off of a position between the races, in groove centre distances.
+const POSITION_ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Newton steps before giving up.
 const STEP_LIMIT: usize = 200;
 /// Displacement, in groove centre distances, beyond which no ball bearing is in one piece.
@@ -61,6 +65,15 @@ pub struct StaticProblem<'a> {
     pub speed: f64,
 }
 
+/// Which ball laws a search goes by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fidelity {
+    /// Plain Hertz contacts in place of costly laws.
+    Coarse,
+    /// The laws that were asked for.
+    Full,
+}
+
 /// A static equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equilibrium {
@@ -82,38 +95,60 @@ impl StaticProblem<'_> {
     /// Newton's step with the exact K is shortened where the force along it overshoots, and turned
     /// towards steepest descent where K is singular (no ball in contact yet). For conservative ball
     /// laws F is the gradient of a convex energy, so this finds the equilibrium from anywhere, if
-    /// there is one; it goes on to round-off.
+    /// there is one; it goes on to round-off. Costly ball laws start where plain Hertz contacts
+    /// would be in balance.
     ///
     /// # Errors
     /// [`EquilibriumError`] names the freedom that nothing carries.
     pub fn solve(&self) -> Result<Equilibrium, EquilibriumError> {
         self.check_finite()?;
+        let start = if self.supports.iter().any(Support::has_coarse_ring) {
+            self.newton(self.start, Fidelity::Coarse, GOOD_START)
+                .map_or(self.start, |(state, _)| state.displacement)
+        } else {
+            self.start
+        };
+        let (state, newton_steps) = self
+            .newton(start, Fidelity::Full, CONVERGED)
+            .or_else(|lost| {
+                let retried = self.newton(self.start, Fidelity::Full, CONVERGED);
+                retried.map_err(|_| lost)
+            })
+            .map_err(|lost| self.not_carried(&lost))?;
+        Ok(state.into_equilibrium(newton_steps))
+    }
+
+    /// Newton from a start until the imbalance is below `enough` or at its round-off; the state and
+    /// the number of steps, or where it got lost.
+    fn newton(
+        &self,
+        start: Vector5,
+        fidelity: Fidelity,
+        enough: f64,
+    ) -> Result<(State, usize), Box<State>> {
         let mut reach = 0.5 * self.groove_centre_distance();
-        let mut state = self.evaluate(self.start);
+        let mut state = self.evaluate(start, fidelity);
         for newton_steps in 0..STEP_LIMIT {
-            if state.imbalance() <= NO_RESIDUAL {
-                return Ok(state.into_equilibrium(newton_steps));
+            if state.imbalance() <= enough {
+                return Ok((state, newton_steps));
             }
             let (step, shortened) = state.step(reach);
             if shortened {
                 reach *= 2.0;
             }
-            let next = self.search(&state, &step);
+            let next = self.search(&state, &step, fidelity);
             let gained = next.imbalance() < 0.5 * state.imbalance();
             if state.imbalance() <= ACCEPTED_RESIDUAL && !gained {
-                let best = if next.imbalance() < state.imbalance() {
-                    next
-                } else {
-                    state
-                };
-                return Ok(best.into_equilibrium(newton_steps + 1));
+                let next_is_better = next.imbalance() < state.imbalance();
+                let best = if next_is_better { next } else { state };
+                return Ok((best, newton_steps + 1));
             }
             state = next;
             if self.has_run_away(&state) {
                 break;
             }
         }
-        Err(self.not_carried(&state))
+        Err(Box::new(state))
     }
 
     fn check_finite(&self) -> Result<(), EquilibriumError> {
@@ -152,13 +187,19 @@ impl StaticProblem<'_> {
         self.supports.iter().map(distance).fold(0.0, f64::max)
     }
 
-    fn evaluate(&self, displacement: Vector5) -> State {
+    fn evaluate(&self, displacement: Vector5, fidelity: Fidelity) -> State {
         let lengths = lengths(self.arm());
         let (mut force, mut stiffness) = ([0.0; 5], Matrix5::zeros());
         let mut scale: f64 = 0.0;
         for support in self.supports {
-            let (share, tangent) =
-                support.force_and_stiffness(&displacement, CageAngle::START, self.speed);
+            let (share, tangent) = match fidelity {
+                Fidelity::Full => {
+                    support.force_and_stiffness(&displacement, CageAngle::START, self.speed)
+                }
+                Fidelity::Coarse => {
+                    support.coarse_force_and_stiffness(&displacement, CageAngle::START, self.speed)
+                }
+            };
             stiffness += tangent;
             for axis in 0..5 {
                 force[axis] += share[axis];
@@ -178,7 +219,7 @@ impl StaticProblem<'_> {
                 };
             }
         }
-        State {
+        let mut state = State {
             displacement,
             force,
             stiffness,
@@ -187,14 +228,18 @@ impl StaticProblem<'_> {
             scale,
             lengths,
             free: self.free,
-        }
+        };
+        // no residual can be told from zero below what round-off of a position makes of it
+        let round_off = POSITION_ROUND_OFF * self.groove_centre_distance() * state.free_diagonal();
+        state.scale = state.scale.max(round_off / ACCEPTED_RESIDUAL);
+        state
     }
 
     /// The state a step further, or nearer where the force along the step overshoots.
-    fn search(&self, state: &State, step: &Scaled) -> State {
+    fn search(&self, state: &State, step: &Scaled, fidelity: Fidelity) -> State {
         let start_slope = state.excess.dot(step);
         let acceptable = 0.5 * start_slope.abs();
-        let mut trial = self.evaluate(state.moved(step, 1.0));
+        let mut trial = self.evaluate(state.moved(step, 1.0), fidelity);
         let mut slope = trial.excess.dot(step);
         let (mut low, mut low_slope) = (0.0, start_slope);
         let (mut high, mut high_slope) = (1.0, slope);
@@ -206,7 +251,7 @@ impl StaticProblem<'_> {
             let secant = (high_slope * low - low_slope * high) / (high_slope - low_slope);
             let margin = 0.1 * (high - low);
             let part = secant.clamp(low + margin, high - margin);
-            trial = self.evaluate(state.moved(step, part));
+            trial = self.evaluate(state.moved(step, part), fidelity);
             slope = trial.excess.dot(step);
             if slope > 0.0 {
                 (high, high_slope) = (part, slope);

@@ -40,6 +40,8 @@ impl LinearForce {
 #[derive(Debug, Clone)]
 pub struct Support {
     ring: AnyRing,
+    /// A cheap neighbour of the ring, where there is one.
+    coarse: Option<AnyRing>,
     seat: Seat,
     /// Hertz contacts of the geometry, inner race first.
     contacts: [HertzContact; 2],
@@ -62,6 +64,7 @@ impl Support {
         Ok(Self {
             contacts: [bearing.inner_contact()?, bearing.outer_contact()?],
             seat: Seat::new(definition, &ring)?,
+            coarse: ring.coarse(definition)?,
             ring,
             frozen: None,
             definition: *definition,
@@ -97,7 +100,8 @@ impl Support {
     pub fn freeze(&mut self, displacement: &Vector5, speed: f64) {
         if self.definition.law == ContactLaw::Linear {
             let origin = self.imposed(displacement);
-            let (force, stiffness) = self.local_tangent(&origin, CageAngle::START, speed);
+            let (force, stiffness) =
+                self.local_tangent(&self.ring, &origin, CageAngle::START, speed);
             self.frozen = Some(LinearForce {
                 origin,
                 force,
@@ -127,10 +131,64 @@ impl Support {
         cage: CageAngle,
         speed: f64,
     ) -> (Vector5, Matrix5) {
+        self.tangent_on_shaft(&self.ring, displacement, cage, speed)
+    }
+
+    /// K, and the derivative of the force by the angle of the cage.
+    ///
+    /// Turning the cage is turning the displacement back and the force forth:
+    /// `∂F/∂ψ_c = S F − K S q` with S the generator of rotations about Z.
+    pub fn slopes(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Matrix5, Vector5) {
+        let imposed = self.imposed(displacement);
+        let transform = self.transform();
+        let (stiffness, by_cage_angle) = match &self.frozen {
+            Some(linear) => (linear.stiffness, [0.0; 5]),
+            None => {
+                let (force, stiffness) = self.local_tangent(&self.ring, &imposed, cage, speed);
+                let turned = stiffness * nalgebra::SVector::from(quarter_turn(&imposed));
+                let force = quarter_turn(&force);
+                (
+                    stiffness,
+                    std::array::from_fn(|axis| force[axis] - turned[axis]),
+                )
+            }
+        };
+        let stiffness = transform.transpose() * stiffness * transform;
+        (stiffness, self.on_shaft(&by_cage_angle))
+    }
+
+    /// Whether [`Support::coarse_force_and_stiffness`] is cheaper than the exact one.
+    pub(super) fn has_coarse_ring(&self) -> bool {
+        self.coarse.is_some()
+    }
+
+    /// As [`Support::force_and_stiffness`], of plain Hertz contacts.
+    pub(super) fn coarse_force_and_stiffness(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Vector5, Matrix5) {
+        let ring = self.coarse.as_ref().unwrap_or(&self.ring);
+        self.tangent_on_shaft(ring, displacement, cage, speed)
+    }
+
+    fn tangent_on_shaft(
+        &self,
+        ring: &AnyRing,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Vector5, Matrix5) {
         let imposed = self.imposed(displacement);
         let (force, stiffness) = match &self.frozen {
             Some(linear) => (linear.force(&imposed), linear.stiffness),
-            None => self.local_tangent(&imposed, cage, speed),
+            None => self.local_tangent(ring, &imposed, cage, speed),
         };
         let transform = self.transform();
         (
@@ -139,9 +197,15 @@ impl Support {
         )
     }
 
-    fn local_tangent(&self, imposed: &Vector5, cage: CageAngle, speed: f64) -> (Vector5, Matrix5) {
-        let place = self.seat.settle(&self.ring, imposed, cage, speed);
-        let (force, stiffness) = self.ring.force_and_stiffness(&place, cage, speed);
+    fn local_tangent(
+        &self,
+        ring: &AnyRing,
+        imposed: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> (Vector5, Matrix5) {
+        let place = self.seat.settle(ring, imposed, cage, speed);
+        let (force, stiffness) = ring.force_and_stiffness(&place, cage, speed);
         (force, self.seat.condense(stiffness))
     }
 
@@ -245,4 +309,10 @@ impl Support {
         transform[(1, 3)] = -a;
         transform
     }
+}
+
+/// A vector turned by a right angle about Z: the generator of rotations.
+fn quarter_turn(vector: &Vector5) -> Vector5 {
+    let [x, y, _, tilt_x, tilt_y] = *vector;
+    [-y, x, 0.0, -tilt_y, tilt_x]
 }

@@ -43,12 +43,12 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let mut answers = Vec::new();
     for job in &jobs {
         let result = match &job.scenario.study {
-            Some(study) => job.study(study),
-            None => job.answer(),
+            Some(study) => job.study(study, arguments.json),
+            None => job.answer(arguments.json),
         };
         match result {
-            Ok(done) if arguments.json => answers.push(done.json),
-            Ok(done) => stream::print(&done.text)?,
+            Ok(Shown::Json(answer)) => answers.push(answer),
+            Ok(Shown::Text(text)) => stream::print(&text)?,
             Err(failure) => {
                 stream::tell(&format!("error: {}: {failure}\n", job.name));
                 outcome = Outcome::Failed;
@@ -72,25 +72,29 @@ enum Failure {
     Study(#[from] StudyError),
 }
 
-/// An answer whose files are written.
-struct Done {
-    text: String,
-    json: Value,
+/// An answer whose files are written, as it is shown.
+enum Shown {
+    Text(String),
+    Json(Value),
 }
 
 impl Job {
-    fn answer(&self) -> Result<Done, Failure> {
+    fn answer(&self, as_json: bool) -> Result<Shown, Failure> {
         let (title, echo) = (&self.scenario.title, &self.scenario.echo);
         let answer = quasi_static(&self.scenario.question)?;
         self.warn("", &answer);
         let files = report::write_answer(&self.folder, title, echo, &answer)?;
-        Ok(Done {
-            text: report::answer_text(title, &answer, &files),
-            json: with_files(report::answer_json(title, echo, &answer), &files),
+        Ok(if as_json {
+            Shown::Json(with_files(
+                report::answer_json(title, echo, &answer),
+                &files,
+            ))
+        } else {
+            Shown::Text(report::answer_text(title, &answer, &files))
         })
     }
 
-    fn study(&self, study: &Study) -> Result<Done, Failure> {
+    fn study(&self, study: &Study, as_json: bool) -> Result<Shown, Failure> {
         let (title, echo) = (&self.scenario.title, &self.scenario.echo);
         let rows = study.run()?;
         for row in &rows {
@@ -100,9 +104,13 @@ impl Job {
             self.warn(&place, &row.answer);
         }
         let files = report::write_study(&self.folder, title, echo, study, &rows)?;
-        Ok(Done {
-            text: report::study_text(title, study, &rows, &files),
-            json: with_files(report::study_json(title, echo, study, &rows), &files),
+        Ok(if as_json {
+            Shown::Json(with_files(
+                report::study_json(title, echo, study, &rows),
+                &files,
+            ))
+        } else {
+            Shown::Text(report::study_text(title, study, &rows, &files))
         })
     }
 

@@ -9,48 +9,27 @@
 //! - Grid times drift by added round-off; callers rebuild them from the index.
 
 use std::cell::{Cell, RefCell};
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use ode_solvers::dop_shared::{IntegrationError, OutputType, Stats};
 use ode_solvers::{Dop853, Dopri5, SVector, System as LibrarySystem};
 
-use super::{Counters, IntegrateError, Method, Scaling, Settings, System};
+use super::block::{Block, Outcome};
+use super::{Counters, IntegrateError, System};
 
 /// Evaluations after an accepted step's own that dense output may add, and that one itself.
 const REMEMBERED: usize = 4;
 
-/// A block of the grid to integrate over.
-pub(super) struct Block<'a, S, const N: usize> {
-    pub system: &'a S,
-    pub scaling: &'a Scaling<N>,
-    pub settings: &'a Settings,
-    pub stop: &'a AtomicBool,
-    /// Time at the start of the block, s.
-    pub start: f64,
-    /// Distance of the grid points, s.
-    pub interval: f64,
-    /// Number of intervals in the block.
-    pub intervals: usize,
-    /// Step size to start with in s; zero lets the method choose.
-    pub first_step: f64,
-    /// Steps that are left of the limit.
-    pub steps_left: u64,
-}
-
-/// What came of a block.
-pub(super) struct Outcome<const N: usize> {
-    /// Scaled states at the grid points, the first at the block's start, the end left out.
-    pub states: Vec<[f64; N]>,
-    /// Scaled state at the end of the block.
-    pub end: [f64; N],
-    /// A good step size to go on with, s.
-    pub last_step: f64,
-    pub counters: Counters,
-    pub error: Option<IntegrateError>,
+/// The methods of the library.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ExplicitMethod {
+    Dopri5,
+    Dop853,
 }
 
 /// Integrates a block from a scaled state. `M` must be `N + 1`: the state and the time.
 pub(super) fn integrate<S: System<N>, const N: usize, const M: usize>(
+    method: ExplicitMethod,
     block: &Block<'_, S, N>,
     start: &[f64; N],
 ) -> Outcome<N> {
@@ -63,7 +42,7 @@ pub(super) fn integrate<S: System<N>, const N: usize, const M: usize>(
     };
     let dx = block.interval / block.scaling.time;
     let end = dx * block.intervals as f64;
-    let tolerance = LOCAL_PART * block.settings.tolerance;
+    let tolerance = block.local_tolerance();
     let step_limit = u32::try_from(block.steps_left).unwrap_or(u32::MAX);
     let first_step = (block.first_step / block.scaling.time).min(end);
     macro_rules! solve {
@@ -90,14 +69,12 @@ pub(super) fn integrate<S: System<N>, const N: usize, const M: usize>(
             outcome(block, &recorder, result, solver.y_out())
         }};
     }
-    match block.settings.method {
-        Method::Dopri5 => solve!(Dopri5, 0.04, 0.2, 10.0),
-        Method::Dop853 => solve!(Dop853, 0.0, 0.333, 6.0),
+    match method {
+        ExplicitMethod::Dopri5 => solve!(Dopri5, 0.04, 0.2, 10.0),
+        ExplicitMethod::Dop853 => solve!(Dop853, 0.0, 0.333, 6.0),
     }
 }
 
-/// Error allowed in one step, as a part of the error aimed at over the run: local errors add up.
-const LOCAL_PART: f64 = 0.25;
 /// Accepted steps between two looks for stiffness.
 const STIFFNESS_TEST_EVERY: u32 = 1000;
 

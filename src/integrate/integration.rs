@@ -2,8 +2,12 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::adapter::{self, Block};
-use super::{Counters, IntegrateError, Scaling, Settings, System};
+use nalgebra::Const;
+
+use super::adapter::{self, ExplicitMethod};
+use super::block::Block;
+use super::rosenbrock;
+use super::{Counters, IntegrateError, Linearised, Method, Scaling, Settings, Square};
 
 /// Uniform grid of times: `t_k = k · interval`, k = 0 … count − 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +40,11 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     counters: Counters,
 }
 
-impl<'a, S: System<N>, const N: usize, const M: usize> Integration<'a, S, N, M> {
+impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
+where
+    S: Linearised<N>,
+    Const<N>: Square,
+{
     /// Starts at time 0 in `state`. Setting `stop` ends the integration at its next step.
     pub fn new(
         system: &'a S,
@@ -97,7 +105,12 @@ impl<'a, S: System<N>, const N: usize, const M: usize> Integration<'a, S, N, M> 
             first_step: self.step,
             steps_left: self.settings.step_limit.saturating_sub(used),
         };
-        let outcome = adapter::integrate::<S, N, M>(&block, &self.scaled);
+        let explicit = |method| adapter::integrate::<S, N, M>(method, &block, &self.scaled);
+        let outcome = match self.settings.method {
+            Method::Dopri5 => explicit(ExplicitMethod::Dopri5),
+            Method::Dop853 => explicit(ExplicitMethod::Dop853),
+            Method::Rodas => rosenbrock::integrate(&block, &self.scaled),
+        };
         states.extend(
             outcome
                 .states

@@ -5,12 +5,14 @@
 //! not grow with the duration.
 
 mod adapter;
+mod block;
 mod error;
 mod integration;
+mod rosenbrock;
 mod settings;
 mod system;
 
 pub use error::IntegrateError;
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};
-pub use system::{Scaling, System};
+pub use system::{Linearised, Scaling, Square, System};

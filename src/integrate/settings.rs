@@ -7,6 +7,8 @@ pub enum Method {
     Dopri5,
     /// Dormand–Prince 8(5,3).
     Dop853,
+    /// RODAS 4(3): linearly implicit, for stiff systems.
+    Rodas,
 }
 
 /// Method, tolerance and limits.

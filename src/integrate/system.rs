@@ -1,5 +1,7 @@
 //! What can be integrated.
 
+use nalgebra::{DimMin, SMatrix};
+
 /// A system of N first-order differential equations.
 ///
 /// The derivative must be a pure function of time and state, or the error estimate lies. Where it
@@ -8,6 +10,17 @@ pub trait System<const N: usize> {
     /// Writes `d(state)/dt` at a time in s into `rate`.
     fn derivative(&self, time: f64, state: &[f64; N], rate: &mut [f64; N]);
 }
+
+/// A system that knows its own slopes, as implicit methods need them.
+pub trait Linearised<const N: usize>: System<N> {
+    /// `∂f/∂y`, rows by component of f, and `∂f/∂t` at fixed state.
+    fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]);
+}
+
+/// A number of states for which square matrices can be factored: every `Const<N>` that is used.
+pub trait Square: DimMin<Self, Output = Self> {}
+
+impl<D: DimMin<D, Output = D>> Square for D {}
 
 /// Makes every component of a state a number of order one: `scaled = (state − origin)/scale`.
 ///

@@ -6,6 +6,7 @@
 mod assembly;
 mod damping;
 mod definition;
+mod linearisation;
 mod modes;
 mod motion;
 mod motion_scale;

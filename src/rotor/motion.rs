@@ -79,15 +79,21 @@ impl Rotor {
         total
     }
 
+    /// Speed of the cage of a bearing, rad/s.
+    #[inline]
+    pub(super) fn cage_speed(&self, support: &Support) -> f64 {
+        match self.cage {
+            CageMotion::Rolling => support.cage_speed(self.speed),
+            CageMotion::Frozen => 0.0,
+        }
+    }
+
     /// Visits every bearing with the angle of its cage; bearings that roll alike share the sine.
     #[inline]
-    fn for_each_support(&self, time: f64, mut visit: impl FnMut(&Support, CageAngle)) {
+    pub(super) fn for_each_support(&self, time: f64, mut visit: impl FnMut(&Support, CageAngle)) {
         let mut known = (0.0, CageAngle::START);
         for support in &self.supports {
-            let cage_speed = match self.cage {
-                CageMotion::Rolling => support.cage_speed(self.speed),
-                CageMotion::Frozen => 0.0,
-            };
+            let cage_speed = self.cage_speed(support);
             if cage_speed != known.0 {
                 known = (cage_speed, CageAngle::new(cage_speed * time));
             }
@@ -123,7 +129,7 @@ impl Rotor {
 
     /// Five components, the kept ones from a state, the others from `held`.
     #[inline(always)]
-    fn full(&self, held: &Vector5, kept: &[f64]) -> Vector5 {
+    pub(super) fn full(&self, held: &Vector5, kept: &[f64]) -> Vector5 {
         let mut full = *held;
         full[..kept.len()].copy_from_slice(kept);
         full

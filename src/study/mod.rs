@@ -1,7 +1,7 @@
 //! Many questions in a row: one number of a scenario takes many values.
 
 use crate::bearing::Around;
-use crate::quasi_static::{QuasiStatic, StaticQuestion, quasi_static};
+use crate::quasi_static::{QuasiStatic, StaticQuestion, answer_on};
 use crate::rotor::{RotorError, build_supports};
 
 /// The number that varies.
@@ -88,9 +88,9 @@ impl Study {
     }
 
     fn answer(&self, point: &StudyPoint) -> Result<StudyRow, RotorError> {
-        let answer = quasi_static(&point.question)?;
         let rotor = &point.question.rotor;
         let supports = build_supports(rotor)?;
+        let answer = answer_on(&point.question, &supports)?;
         let around = supports
             .iter()
             .map(|support| support.around(&answer.displacement, rotor.speed, self.positions))

@@ -3,10 +3,11 @@
 use std::sync::atomic::AtomicBool;
 
 use jeffcott::bearing::{BallLaw, HertzLaw};
-use jeffcott::integrate::{Grid, Integration, Scaling, System};
+use jeffcott::integrate::{Grid, Integration, Linearised, Scaling, System};
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialState, Rotor, RotorDefinition, Sample,
 };
+use nalgebra::{SMatrix, matrix};
 
 use crate::support::{
     AT_EQUILIBRIUM, assert_near, bearing, law, model, mounted, rotor, samples, settings, shaft,
@@ -66,6 +67,14 @@ impl System<2> for OneBall {
             .force(0.0, self.law.distance + state[0], 0.0)
             .radial;
         *rate = [state[1], (self.load - force) / MASS];
+    }
+}
+
+impl Linearised<2> for OneBall {
+    fn linearisation(&self, _time: f64, state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+        let place = self.law.distance + state[0];
+        let (_, tangent) = self.law.force_and_tangent(0.0, place, 0.0);
+        (matrix![0.0, 1.0; -tangent[1][1] / MASS, 0.0], [0.0; 2])
     }
 }
 

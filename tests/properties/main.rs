@@ -12,5 +12,6 @@ mod energy;
 mod equilibrium;
 mod interruption;
 mod linear_rotor;
+mod linearisation;
 mod ring;
 mod spectral_lines;

@@ -5,6 +5,7 @@ mod support;
 
 mod harris;
 mod jis_6306_varying_compliance;
+mod jones_7205c;
 mod kinematics;
 mod masta_6305;
 mod quasi_static_7205c;

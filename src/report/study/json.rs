@@ -7,16 +7,24 @@ use super::column_name;
 use crate::bearing::Around;
 use crate::study::{Study, StudyRow};
 
-/// The whole study, with the scenario as it is.
-pub fn study_json(title: &str, scenario: &Value, study: &Study, rows: &[StudyRow]) -> Value {
-    let varied = column_name(&study.variable);
+/// What a study is about: the scenario as it is, what varies and how often. The numbers are in the
+/// tables beside it.
+pub(super) fn cover(title: &str, scenario: &Value, study: &Study, rows: &[StudyRow]) -> Value {
     json!({
         "jeffcott": env!("CARGO_PKG_VERSION"),
         "title": title,
         "scenario": scenario,
         "varied": { "key": study.variable.key, "unit": study.variable.unit },
-        "rows": rows.iter().map(|found| row(&varied, found)).collect::<Value>(),
+        "points": rows.len(),
     })
+}
+
+/// The whole study with every answer.
+pub fn study_json(title: &str, scenario: &Value, study: &Study, rows: &[StudyRow]) -> Value {
+    let varied = column_name(&study.variable);
+    let mut whole = cover(title, scenario, study, rows);
+    whole["rows"] = rows.iter().map(|found| row(&varied, found)).collect();
+    whole
 }
 
 fn row(varied: &str, row: &StudyRow) -> Value {

@@ -51,8 +51,8 @@ pub fn write_study(
     ] {
         files.push(folder.write(name, svg.as_bytes())?);
     }
-    let json = study_json(title, scenario, study, rows);
-    folder.commit(files, format!("{json:#}\n").as_bytes())
+    let cover = json::cover(title, scenario, study, rows);
+    folder.commit(files, format!("{cover:#}\n").as_bytes())
 }
 
 fn written(

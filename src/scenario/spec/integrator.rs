@@ -11,7 +11,7 @@ use crate::integrate::{Method, Settings};
 pub struct IntegratorSpec {
     /// Integration method. Default: "dop853".
     pub method: MethodChoice,
-    /// Local error allowed per step, relative to the scale of the motion, 1e-13 to 1e-2.
+    /// Error aimed at, relative to the scale of the motion, 1e-13 to 1e-2.
     /// Default: 1e-8.
     #[schemars(range(min = 1e-13, max = 1e-2))]
     pub tolerance: f64,
@@ -31,6 +31,8 @@ pub enum MethodChoice {
     Dopri5,
     /// Dormand–Prince 8(5,3): for fine tolerances.
     Dop853,
+    /// RODAS 4(3), linearly implicit: for stiff scenes, as with strong damping.
+    Rodas,
 }
 
 impl Default for IntegratorSpec {
@@ -51,6 +53,7 @@ impl IntegratorSpec {
             method: match self.method {
                 MethodChoice::Dopri5 => Method::Dopri5,
                 MethodChoice::Dop853 => Method::Dop853,
+                MethodChoice::Rodas => Method::Rodas,
             },
             tolerance: self.tolerance,
             step_limit: self.step_limit,
