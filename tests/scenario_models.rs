@@ -225,7 +225,7 @@ fn a_bearing_has_surfaces_shoulders_and_ratings() {
     let keys = "roughness = \"0.1 um\"\nshoulder_angle = \"36 deg\"\ndynamic_rating = \"20 kN\"\n";
     let bearing = first_bearing(keys, "").bearing;
     assert_eq!(bearing.dynamic_rating, Some(20_000.0));
-    assert_eq!(bearing.roughness, Some(1e-7));
+    assert_eq!(bearing.roughness, Some(0.1 / 1e6));
     assert!((bearing.shoulder_angle.unwrap() - PI / 5.0).abs() < 1e-15);
 }
 
