@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::bearing::equilibrium::{Equilibrium, StaticProblem};
+use crate::bearing::equilibrium::{Equilibrium, FREEDOM_NAMES, StaticProblem};
 use crate::bearing::{BearingState, Matrix5, Support, Vector5};
 use crate::rotor::{FREEDOMS, RotorDefinition, RotorError, build_supports, static_start};
 
@@ -112,7 +112,10 @@ pub(crate) fn answer_on(
         residual: equilibrium.residual,
         newton_steps: equilibrium.newton_steps,
         twist: question.torsion.map(|torsion| torsion.twist(friction)),
-        warnings: warnings(supports, &bearings),
+        warnings: loose(&equilibrium.stiffness, &free)
+            .into_iter()
+            .chain(warnings(supports, &bearings))
+            .collect(),
         bearings,
     })
 }
@@ -166,6 +169,21 @@ fn condition(stiffness: &Matrix5, free: &[bool; FREEDOMS], arm: f64) -> f64 {
         (Some(largest), Some(smallest)) => largest / smallest,
         _ => 1.0,
     }
+}
+
+/// Free freedoms that meet no resistance.
+fn loose(stiffness: &Matrix5, free: &[bool; FREEDOMS]) -> Option<String> {
+    let names: Vec<&str> = (0..FREEDOMS)
+        .filter(|&axis| free[axis] && stiffness[(axis, axis)] == 0.0)
+        .map(|axis| FREEDOM_NAMES[axis])
+        .collect();
+    (!names.is_empty()).then(|| {
+        format!(
+            "nothing resists the shaft along {}: no ball bears there, and its place is one of many; \
+             add a load or a preload, or hold it",
+            names.join(", ")
+        )
+    })
 }
 
 fn warnings(supports: &[Support], bearings: &[BearingState]) -> Vec<String> {

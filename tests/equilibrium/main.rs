@@ -6,6 +6,8 @@ use jeffcott::bearing::{
     catalogue,
 };
 use jeffcott::physics::RaceControl;
+use jeffcott::quasi_static::quasi_static;
+use jeffcott::scenario::{self, Format};
 
 /// Cases over all laws together.
 const CASES: u64 = 10_000;
@@ -167,5 +169,30 @@ fn random_loads_converge_or_say_what_nothing_carries() {
     assert!(
         total <= 10 * CASES as usize,
         "{total} Newton steps in {CASES} cases"
+    );
+}
+
+#[test]
+fn a_shaft_loose_in_its_clearance_is_told_by_the_names_of_its_freedoms() {
+    let text = r#"
+        [shaft]
+        mass = "5 kg"
+        freedoms = "translational"
+        [speed]
+        constant = "100 rad/s"
+        [[bearing]]
+        catalogue = "6205"
+        [bearing.geometry]
+        diametral_clearance = "10 um"
+    "#;
+    let scenario = scenario::parse(text, "loose.toml", Format::Toml).expect("a sound scenario");
+    let answer = quasi_static(&scenario.question).expect("many equilibria are not none");
+    assert!(answer.condition.is_infinite());
+    let [warning] = &answer.warnings[..] else {
+        panic!("{:?}", answer.warnings)
+    };
+    assert!(
+        warning.contains("nothing resists the shaft along x, y, z:"),
+        "{warning}"
     );
 }
