@@ -166,6 +166,7 @@ fn condition(stiffness: &Matrix5, free: &[bool; FREEDOMS], arm: f64) -> f64 {
         values.iter().copied().reduce(f64::max),
         values.iter().copied().reduce(f64::min),
     ) {
+        (Some(_), Some(0.0)) => f64::INFINITY,
         (Some(largest), Some(smallest)) => largest / smallest,
         _ => 1.0,
     }
