@@ -123,7 +123,11 @@ fn stiffness_table(stiffness: &Matrix5) -> Table {
             let term = stiffness[(row, column)];
             let diagonal = stiffness[(row, row)] * stiffness[(column, column)];
             let noise = ROUND_OFF * diagonal.abs().sqrt();
-            digits(if term.abs() < noise { 0.0 } else { term / scale })
+            digits(if term.abs() < noise {
+                0.0
+            } else {
+                term / scale
+            })
         });
         std::iter::once(format!("{name} in {unit}"))
             .chain(cells)
