@@ -137,7 +137,7 @@ pub(super) fn draw(
 
 /// The names side by side, each behind a stroke of its colour; of many, some.
 fn draw_names(strip: &Area, names: &[(String, RGBColor)]) -> Result<(), DrawError> {
-    let shown = names.len().min(MOST_NAMES);
+    let shown = shown_names(names.len());
     let (width, height) = strip.dim_in_pixel();
     let room = width.saturating_sub(px(SCALE_WIDTH)) / shown.max(1) as u32;
     let slot = room.min(px(NAME_WIDTH)) as i32;
@@ -152,6 +152,17 @@ fn draw_names(strip: &Area, names: &[(String, RGBColor)]) -> Result<(), DrawErro
         strip.draw(&Text::new(name.clone(), corner, font(12)))?;
     }
     Ok(())
+}
+
+/// How many of `count` names are shown: of many, as many as can be evenly spaced ones.
+fn shown_names(count: usize) -> usize {
+    if count <= MOST_NAMES {
+        return count;
+    }
+    (4..=MOST_NAMES)
+        .rev()
+        .find(|shown| (count - 1) % (shown - 1) == 0)
+        .unwrap_or(MOST_NAMES)
 }
 
 fn draw_panel(area: &Area, panel: &Panel) -> Result<(), DrawError> {
@@ -239,6 +250,12 @@ mod tests {
             assert!((2..=9).contains(&ticks.len()), "{ticks:?}");
             assert!(ticks[0] <= low && ticks[ticks.len() - 1] >= high);
         }
+    }
+
+    #[test]
+    fn of_many_names_evenly_spaced_ones_are_shown() {
+        let shown = [1, 8, 9, 17, 21, 26, 24].map(shown_names);
+        assert_eq!(shown, [1, 8, 5, 5, 6, 6, 8]);
     }
 
     #[test]

@@ -16,6 +16,8 @@ use crate::study::{StudyRow, Variable};
 const MICRO: f64 = 1e6;
 /// N m/rad → N m/mrad.
 const MILLI: f64 = 1e3;
+/// Panels side by side.
+const COLUMNS: usize = 2;
 /// Height of a row of panels, px.
 const ROW_HEIGHT: u32 = 330;
 /// Height of title and names, px.
@@ -55,7 +57,7 @@ pub(super) fn stiffness(
         "stiffness.svg",
         HEAD_HEIGHT + 2 * ROW_HEIGHT,
         title,
-        |area| draw(area, &names, &panels, 2),
+        |area| draw(area, &names, &panels, COLUMNS),
     )
 }
 
@@ -79,19 +81,24 @@ fn against(variable: &Variable, rows: &[StudyRow], axis: usize) -> Curve {
     }
 }
 
-/// Deformation around every bearing, one curve a value.
+/// Deformation around every bearing, one curve a value; left as it is, right less its mean.
 pub(super) fn deformation(
     title: &str,
     variable: &Variable,
     rows: &[StudyRow],
 ) -> Result<String, ReportError> {
     let value = |place: &Around| MICRO * place.deformation;
-    let panels = (0..bearings(rows)).map(|index| around(rows, index, "deformation δ in µm", value));
+    let panels = (0..bearings(rows)).flat_map(|index| {
+        let whole = around(rows, index, "deformation δ in µm", value);
+        let change = less_mean(&whole, "δ less its mean in µm");
+        [whole, change]
+    });
     let panels: Vec<_> = panels.collect();
-    around_figure("deformation.svg", title, variable, rows, &panels, 1)
+    around_figure("deformation.svg", title, variable, rows, &panels)
 }
 
-/// Contact angles around every bearing, one curve a value; inner race left, outer race right.
+/// Contact angles around every bearing, one curve a value; inner race left, outer race right, each
+/// as it is and below that less its mean.
 pub(super) fn contact_angle(
     title: &str,
     variable: &Variable,
@@ -100,13 +107,16 @@ pub(super) fn contact_angle(
     let inner = |place: &Around| place.contact.angle_inner.to_degrees();
     let outer = |place: &Around| place.contact.angle_outer.to_degrees();
     let panels = (0..bearings(rows)).flat_map(|index| {
-        [
-            around(rows, index, "inner angle α in deg", inner),
-            around(rows, index, "outer angle α in deg", outer),
-        ]
+        let inner = around(rows, index, "inner angle α in deg", inner);
+        let outer = around(rows, index, "outer angle α in deg", outer);
+        let changes = [
+            less_mean(&inner, "inner α less its mean in deg"),
+            less_mean(&outer, "outer α less its mean in deg"),
+        ];
+        [inner, outer].into_iter().chain(changes)
     });
     let panels: Vec<_> = panels.collect();
-    around_figure("contact_angle.svg", title, variable, rows, &panels, 2)
+    around_figure("contact_angle.svg", title, variable, rows, &panels)
 }
 
 fn bearings(rows: &[StudyRow]) -> usize {
@@ -135,21 +145,44 @@ fn around(rows: &[StudyRow], index: usize, name: &str, value: fn(&Around) -> f64
     }
 }
 
+/// The same curves, each less its mean around the bearing: what the load across the shaft does,
+/// however large the rest is.
+fn less_mean(panel: &Panel, name: &str) -> Panel {
+    let curve = |curve: &Curve| {
+        // the ends only close the turn
+        let places = curve.points.iter().skip(1).rev().skip(1);
+        let (count, sum) = places.fold((0.0, 0.0), |(count, sum), point| {
+            (count + 1.0, sum + point.1)
+        });
+        let mean = sum / f64::max(count, 1.0);
+        let points = curve.points.iter();
+        Curve {
+            points: points.map(|&(at, value)| (at, value - mean)).collect(),
+            ..*curve
+        }
+    };
+    Panel {
+        x_name: panel.x_name.clone(),
+        x_ticks: panel.x_ticks.clone(),
+        y_name: name.to_owned(),
+        curves: panel.curves.iter().map(curve).collect(),
+    }
+}
+
 fn around_figure(
     figure: &'static str,
     title: &str,
     variable: &Variable,
     rows: &[StudyRow],
     panels: &[Panel],
-    columns: usize,
 ) -> Result<String, ReportError> {
     let count = rows.len();
     let name = |(index, row): (usize, &StudyRow)| -> (String, RGBColor) {
         (shown(variable, row.value), graded(index, count))
     };
     let names: Vec<_> = rows.iter().enumerate().map(name).collect();
-    let height = HEAD_HEIGHT + bearings(rows) as u32 * ROW_HEIGHT;
+    let height = HEAD_HEIGHT + panels.len().div_ceil(COLUMNS) as u32 * ROW_HEIGHT;
     svg(figure, height, title, |area| {
-        draw(area, &names, panels, columns)
+        draw(area, &names, panels, COLUMNS)
     })
 }
