@@ -158,7 +158,8 @@ fn less_mean(panel: &Panel, name: &str) -> Panel {
         let points = curve.points.iter();
         Curve {
             points: points.map(|&(at, value)| (at, value - mean)).collect(),
-            ..*curve
+            marks: Vec::new(),
+            colour: curve.colour,
         }
     };
     Panel {
