@@ -20,6 +20,7 @@ mod quantity;
 mod read_json;
 mod read_toml;
 mod schema;
+mod series_file;
 mod spec;
 mod walk;
 
@@ -118,7 +119,7 @@ pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, Scenari
 }
 
 fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
-    let mut problems = Problems::new(root);
+    let mut problems = Problems::new(root, Path::new(name).parent().unwrap_or(Path::new("")));
     let spec =
         walk::value(root, schema(), "", &mut problems).and_then(|value| fill(value, &mut problems));
     let model = spec.as_ref().and_then(|spec| spec.build(&mut problems));

@@ -9,7 +9,7 @@ use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Measure, Quantity};
 
 /// Keys of the freedoms, in their order.
-const KEYS: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
+pub const KEYS: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
 
 /// Values along the axes (`T`) and about them (`R`); at least one.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]

@@ -7,7 +7,7 @@ use super::bearing::BearingSpec;
 use super::damping::{self, DampingSpec};
 use super::initial::InitialSpec;
 use super::integrator::IntegratorSpec;
-use super::load::{self, LoadSpec};
+use super::load::{self, LoadSpec, Surroundings};
 use super::model::ModelSpec;
 use super::output::OutputSpec;
 use super::shaft::ShaftSpec;
@@ -63,23 +63,32 @@ impl ScenarioSpec {
     /// The model, as far as nothing contradicts it.
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<Model> {
         let shaft = self.shaft.build(problems);
-        let speed = self.speed.constant.si();
+        let speed = self.speed.build(problems);
         let mounted = |(index, bearing): (usize, &BearingSpec)| {
             bearing.build(index, self.model.contact, shaft.freedoms, problems)
         };
         let bearings: Vec<_> = self.bearing.iter().enumerate().map(mounted).collect();
         let damping = damping::build(self.damping.as_ref(), shaft.freedoms, problems);
-        let load = load::sum(&self.load, shaft.freedoms, problems);
+        let around = Surroundings {
+            freedoms: shaft.freedoms,
+            duration: self.time.duration.si(),
+        };
+        let (load, loads) = load::build(&self.load, around, problems);
         let initial = self.initial.build(shaft.freedoms, problems);
         self.time.check(problems);
-        let sampling = self.output.sampling(speed, &self.time, problems)?;
+        let speed = speed?;
+        let turning = (self.speed.path(), &speed);
+        let sampling = self.output.sampling(turning, &self.time, problems)?;
+        let mut points = speed.points();
         Some(Model {
             rotor: RotorDefinition {
                 shaft,
-                speed,
+                speed: points.next()?.speed,
+                speed_points: points.collect(),
                 cage: self.model.cage.into(),
                 damping,
                 load,
+                loads,
                 initial,
                 bearings: bearings.into_iter().collect::<Option<_>>()?,
             },
