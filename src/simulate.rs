@@ -14,7 +14,8 @@ use crate::rotor::{
 /// How often the motion is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sampling {
-    /// Samples per shaft revolution: the grid is uniform in shaft angle.
+    /// Samples per shaft revolution, at the highest speed where it varies: the grid is uniform in
+    /// time, and at constant speed in shaft angle.
     PerRevolution(u32),
     /// Samples per second.
     Rate(f64),
@@ -73,7 +74,8 @@ pub struct MeasuredError {
 pub struct Run {
     /// Static equilibrium.
     pub equilibrium: StaticState,
-    /// Ball-pass frequencies of each bearing, in the order of the scenario.
+    /// Ball-pass frequencies of each bearing, in the order of the scenario, at the speed after the
+    /// settle time; at the highest speed where it changes there.
     pub ball_pass: Vec<BallPass>,
     /// Work done.
     pub counters: Counters,
@@ -154,7 +156,7 @@ where
     Const<N>: Square,
 {
     let scale = rotor.motion_scale(reference_settings(model).tolerance);
-    let grid = grid(model)?;
+    let grid = grid(model, rotor)?;
     let mut recorder = model.spectrum.map(|_| recorder(model, rotor));
     let start = |settings| {
         let (scaling, state) = (scaling(rotor, &scale), initial_state(rotor));
@@ -191,7 +193,11 @@ where
             .collect();
         recorder.finish(
             window,
-            &causes(shaft_frequency(rotor), &ball_pass(rotor), &natural),
+            &causes(
+                shaft_frequency(model, rotor),
+                &spectral_ball_pass(model, rotor),
+                &natural,
+            ),
         )
     });
     let (spectrum, peaks) = match analysis {
@@ -200,10 +206,10 @@ where
     };
     Ok(Run {
         equilibrium: static_state(rotor),
-        ball_pass: ball_pass(rotor),
+        ball_pass: ball_pass(rotor, reported_speed(model, rotor)),
         counters: main.counters(),
         samples: grid.count,
-        warnings: warnings(model, measured_error.as_ref()),
+        warnings: warnings(model, rotor, measured_error.as_ref()),
         measured_error,
         spectrum,
         peaks,
@@ -211,15 +217,14 @@ where
 }
 
 /// The sample times: the first at 0, the last not after the duration.
-fn grid(model: &Model) -> Result<Grid, SimulateError> {
+fn grid(model: &Model, rotor: &Rotor) -> Result<Grid, SimulateError> {
+    let highest = rotor.speed_profile().highest();
     let interval = match model.sampling {
         Sampling::Rate(rate) => 1.0 / rate,
-        Sampling::PerRevolution(_) if model.rotor.speed == 0.0 => {
+        Sampling::PerRevolution(_) if highest == 0.0 => {
             return Err(SimulateError::NoRevolution);
         }
-        Sampling::PerRevolution(samples) => {
-            std::f64::consts::TAU / (model.rotor.speed * f64::from(samples))
-        }
+        Sampling::PerRevolution(samples) => std::f64::consts::TAU / (highest * f64::from(samples)),
     };
     // a duration of whole intervals keeps its last sample in spite of round-off
     let intervals = (model.duration / interval * (1.0 + 4.0 * f64::EPSILON)).floor();
@@ -229,23 +234,45 @@ fn grid(model: &Model) -> Result<Grid, SimulateError> {
     })
 }
 
+/// On a grid of shaft angle where the speed is steady after the settle time at its highest, and so
+/// makes a whole number of samples a revolution; else on a free grid of time.
 fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
-    let (kept, shaft) = (rotor.kept(), shaft_frequency(rotor));
+    let (kept, shaft) = (rotor.kept(), shaft_frequency(model, rotor));
+    let highest = rotor.speed_profile().highest() / std::f64::consts::TAU;
     match model.sampling {
-        Sampling::PerRevolution(samples) => {
+        Sampling::PerRevolution(samples) if shaft == highest => {
             Recorder::on_angle_grid(kept, model.settle, shaft, samples)
+        }
+        Sampling::PerRevolution(samples) => {
+            let rate = highest * f64::from(samples);
+            Recorder::on_time_grid(kept, model.settle, shaft, rate)
         }
         Sampling::Rate(rate) => Recorder::on_time_grid(kept, model.settle, shaft, rate),
     }
 }
 
-fn shaft_frequency(rotor: &Rotor) -> f64 {
-    rotor.speed() / std::f64::consts::TAU
+/// Frequency of the shaft in the spectra, Hz; zero where it changes after the settle time.
+fn shaft_frequency(model: &Model, rotor: &Rotor) -> f64 {
+    let steady = rotor.speed_profile().steady_from(model.settle);
+    steady.unwrap_or(0.0) / std::f64::consts::TAU
 }
 
-fn ball_pass(rotor: &Rotor) -> Vec<BallPass> {
-    let pass = |support: &crate::bearing::Support| support.ball_pass(rotor.speed());
-    rotor.supports().iter().map(pass).collect()
+/// The speed of the spectra; the highest one where it changes after the settle time, rad/s.
+fn reported_speed(model: &Model, rotor: &Rotor) -> f64 {
+    let profile = rotor.speed_profile();
+    let steady = profile.steady_from(model.settle);
+    steady.unwrap_or_else(|| profile.highest())
+}
+
+fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
+    let supports = rotor.supports().iter();
+    supports.map(|support| support.ball_pass(speed)).collect()
+}
+
+/// Ball passes that make lines: none where the speed changes.
+fn spectral_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
+    let steady = rotor.speed_profile().steady_from(model.settle);
+    steady.map_or_else(Vec::new, |speed| ball_pass(rotor, speed))
 }
 
 fn scaling<const N: usize>(rotor: &Rotor, scale: &MotionScale) -> Scaling<N> {
@@ -361,8 +388,18 @@ where
 /// A measured error above this many tolerances is worth a warning.
 const PROMISE: f64 = 10.0;
 
-fn warnings(model: &Model, error: Option<&MeasuredError>) -> Vec<String> {
+fn warnings(model: &Model, rotor: &Rotor, error: Option<&MeasuredError>) -> Vec<String> {
     let mut warnings = Vec::new();
+    let profile = rotor.speed_profile();
+    if model.spectrum.is_some() && profile.steady_from(model.settle).is_none() {
+        warnings.push(format!(
+            "the speed changes after the settle time of {} s: lines of shaft and bearings smear in \
+             the spectra, which have no orders, and no peak is named after them; ball-pass \
+             frequencies are those at the highest speed, {} rad/s",
+            model.settle,
+            profile.highest()
+        ));
+    }
     let tolerance = model.integrator.tolerance;
     match error {
         Some(error) if error.relative > PROMISE * tolerance => warnings.push(format!(

@@ -25,7 +25,7 @@ const LIBRARIES: [(&str, &[&str]); 14] = [
     ("rustfft", &["analysis"]),
     ("realfft", &["analysis"]),
     ("ellip", &["physics"]),
-    ("csv", &["report"]),
+    ("csv", &["report", "scenario"]),
     ("plotters", &["report"]),
     ("comfy_table", &["report", "cli"]),
     ("clap", &["cli"]),

@@ -22,7 +22,9 @@ fn bad_files() -> Vec<PathBuf> {
     let mut files: Vec<_> = std::fs::read_dir(folder())
         .expect("the folder of bad scenarios is there")
         .map(|entry| entry.expect("its entries can be read").path())
-        .filter(|path| path.extension().is_some_and(|extension| extension != "txt"))
+        .filter(|path| {
+            path.is_file() && path.extension().is_some_and(|extension| extension != "txt")
+        })
         .collect();
     files.sort();
     files

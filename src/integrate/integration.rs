@@ -1,4 +1,4 @@
-//! A state carried along a grid of times, block by block.
+//! A state carried along a grid of times, block by block, and from break to break.
 
 use std::sync::atomic::AtomicBool;
 
@@ -24,6 +24,9 @@ impl Grid {
         index as f64 * self.interval
     }
 }
+
+/// Distance, as a part of the grid's interval, below which a break does not divide a step.
+const BREAK_SLACK: f64 = 1e-6;
 
 /// An integration under way: it knows its state at a grid time and how to go on.
 ///
@@ -89,19 +92,68 @@ where
         states: &mut Vec<[f64; N]>,
     ) -> Result<(), IntegrateError> {
         let left = self.grid.count - self.next;
-        let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
-        if points == 0 {
-            return Ok(());
+        let mut points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
+        while points > 0 {
+            let whole = self.intervals_before_break(points);
+            let before = states.len();
+            let result = match whole {
+                0 => self.cut_interval(states),
+                _ => self.stretch(self.grid.time(self.next), self.grid.interval, whole, states),
+            };
+            self.next += (states.len() - before) as u64;
+            result?;
+            points -= whole.max(1);
         }
+        Ok(())
+    }
+
+    /// Breaks nearer than this to a grid time, or to another break, count as standing there, s.
+    fn slack(&self) -> f64 {
+        BREAK_SLACK * self.grid.interval
+    }
+
+    /// Number of the next intervals, up to `most`, that no break cuts.
+    fn intervals_before_break(&self, most: usize) -> usize {
+        let start = self.grid.time(self.next);
+        let free = self.system.next_break(start + self.slack()) - start;
+        let whole = ((free + self.slack()) / self.grid.interval).floor();
+        // the cast saturates
+        most.min(whole as usize)
+    }
+
+    /// Integrates over one interval from break to break.
+    fn cut_interval(&mut self, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
+        let (mut start, end) = (self.grid.time(self.next), self.grid.time(self.next + 1));
+        let kept = states.len() + 1;
+        while start < end {
+            let next = self.system.next_break(start + self.slack());
+            let stop = if next < end - self.slack() { next } else { end };
+            let result = self.stretch(start, stop - start, 1, states);
+            // the states at the breaks stand on no grid time
+            states.truncate(kept);
+            result?;
+            start = stop;
+        }
+        Ok(())
+    }
+
+    /// Integrates over equal intervals and appends the states at their starts.
+    fn stretch(
+        &mut self,
+        start: f64,
+        interval: f64,
+        intervals: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), IntegrateError> {
         let used = self.counters.steps + self.counters.rejected;
         let block = Block {
             system: self.system,
             scaling: &self.scaling,
             settings: &self.settings,
             stop: self.stop,
-            start: self.grid.time(self.next),
-            interval: self.grid.interval,
-            intervals: points,
+            start,
+            interval,
+            intervals,
             first_step: self.step,
             steps_left: self.settings.step_limit.saturating_sub(used),
         };
@@ -117,7 +169,6 @@ where
                 .iter()
                 .map(|scaled| self.scaling.state(scaled)),
         );
-        self.next += outcome.states.len() as u64;
         self.counters.add(&outcome.counters);
         if let Some(error) = outcome.error {
             return Err(error);

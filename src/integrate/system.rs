@@ -9,6 +9,13 @@ use nalgebra::{DimMin, SMatrix};
 pub trait System<const N: usize> {
     /// Writes `d(state)/dt` at a time in s into `rate`.
     fn derivative(&self, time: f64, state: &[f64; N], rate: &mut [f64; N]);
+
+    /// The first time after `after`, in s, at which the derivative or its slope by time jumps, as
+    /// where a shock begins; infinite where it is smooth from there on. No step reaches over such a
+    /// time, so none can miss what begins there.
+    fn next_break(&self, _after: f64) -> f64 {
+        f64::INFINITY
+    }
 }
 
 /// A system that knows its own slopes, as implicit methods need them.

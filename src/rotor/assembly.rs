@@ -1,7 +1,10 @@
 //! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
 
 use super::damping::DampingMatrix;
-use super::{FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, Shaft};
+use super::{
+    FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, Shaft,
+    SpeedProfile,
+};
 use crate::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
 use crate::bearing::{BearingError, Facing, Support, Vector5};
 
@@ -29,6 +32,16 @@ pub enum RotorError {
         /// What it must be.
         rule: &'static str,
     },
+    /// The times of a speed profile do not rise.
+    #[error("speed point {number} stands at {time} s; it must come after {before} s")]
+    SpeedTimes {
+        /// Number of the point after the start, counted from 1.
+        number: usize,
+        /// Its time, s.
+        time: f64,
+        /// Time of the point before it, s.
+        before: f64,
+    },
     /// No bearing was given.
     #[error("the shaft has no bearing; give at least one")]
     NoBearing,
@@ -43,8 +56,8 @@ impl Rotor {
     pub fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
         check_inertia(&definition.shaft)?;
         let mut supports = build_supports(definition)?;
-        let load = definition.static_load();
-        let equilibrium = find_equilibrium(definition, &supports, load)?;
+        let speed = definition.speed_profile()?;
+        let equilibrium = find_equilibrium(definition, &supports, definition.static_load())?;
         for support in &mut supports {
             support.freeze(&equilibrium.displacement, definition.speed);
         }
@@ -63,11 +76,12 @@ impl Rotor {
             inverse_mass: std::array::from_fn(
                 |axis| if axis < kept { 1.0 / mass[axis] } else { 0.0 },
             ),
-            gyroscopic: shaft.inertia_polar * definition.speed,
-            speed: definition.speed,
+            inertia_polar: shaft.inertia_polar,
+            speed,
             cage: definition.cage,
-            unbalance: definition.unbalance_force(),
-            load,
+            imbalance: shaft.mass * shaft.eccentricity,
+            load: definition.constant_load(),
+            loads: definition.loads.clone(),
             damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             supports,
             initial: initial_state(definition, &equilibrium),
@@ -91,7 +105,7 @@ fn check_ranges(definition: &RotorDefinition) -> Result<(), RotorError> {
     let shaft = &definition.shaft;
     positive("the mass in kg", shaft.mass)?;
     not_negative("the eccentricity in m", shaft.eccentricity)?;
-    not_negative("the speed in rad/s", definition.speed)?;
+    definition.speed_profile()?;
     if definition.bearings.is_empty() {
         return Err(RotorError::NoBearing);
     }
@@ -128,7 +142,7 @@ pub(crate) fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support
 
 impl RotorDefinition {
     /// Constant loads and the weight, N and N m.
-    pub fn static_load(&self) -> Vector5 {
+    fn constant_load(&self) -> Vector5 {
         let mut load = self.load;
         if self.shaft.gravity {
             load[1] -= self.shaft.mass * STANDARD_GRAVITY;
@@ -136,7 +150,27 @@ impl RotorDefinition {
         load
     }
 
-    /// Unbalance force m e ω², N.
+    /// What the static equilibrium carries, N and N m: constant loads, the weight, and of every
+    /// varying load its static part.
+    pub fn static_load(&self) -> Vector5 {
+        let mut sum = self.constant_load();
+        for load in &self.loads {
+            for (sum, part) in sum.iter_mut().zip(load.static_part()) {
+                *sum += part;
+            }
+        }
+        sum
+    }
+
+    /// The speed from t = 0 on.
+    ///
+    /// # Errors
+    /// [`RotorError`] where a speed is negative or not finite, or the times do not rise.
+    pub fn speed_profile(&self) -> Result<SpeedProfile, RotorError> {
+        SpeedProfile::new(self.speed, &self.speed_points)
+    }
+
+    /// Unbalance force m e ω² at t = 0, N.
     pub fn unbalance_force(&self) -> f64 {
         self.shaft.mass * self.shaft.eccentricity * self.speed * self.speed
     }
@@ -169,6 +203,9 @@ pub(crate) fn static_start(
     let kept = definition.shaft.freedoms.count();
     let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < kept);
     let mut start = [0.0; FREEDOMS];
+    for axis in (3..FREEDOMS).filter(|&axis| !free[axis]) {
+        start[axis] = definition.shaft.held_tilt[axis - 3];
+    }
     if !free[2] {
         match held_axial(supports, axial_load) {
             Some(place) => start[2] = place,

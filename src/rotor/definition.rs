@@ -1,5 +1,7 @@
 //! What a shaft is and what acts on it: plain data, before any computation.
 
+use super::{Load, SpeedPoint};
+
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
 
@@ -43,6 +45,8 @@ pub struct Shaft {
     pub freedoms: Freedoms,
     /// Whether the weight m g acts along −Y.
     pub gravity: bool,
+    /// Misalignment: θx and θy in rad that the tilts are held at where they do not move.
+    pub held_tilt: [f64; 2],
 }
 
 /// How the viscous damping is given.
@@ -92,14 +96,20 @@ pub enum InitialPosition {
 pub struct RotorDefinition {
     /// The concentrated mass.
     pub shaft: Shaft,
-    /// Angular speed ω, rad/s, zero or positive.
+    /// Angular speed ω at t = 0, rad/s, zero or positive. The static equilibrium, and with it K,
+    /// damping by ratio and natural frequencies, are those at this speed.
     pub speed: f64,
+    /// Speeds at later times, reached linearly one after the other; the last one is held. None: the
+    /// speed is constant.
+    pub speed_points: Vec<SpeedPoint>,
     /// Motion of the cages.
     pub cage: CageMotion,
     /// Viscous damping.
     pub damping: Damping,
     /// Constant external load: forces x, y, z in N, moments about X and Y in N m.
     pub load: [f64; FREEDOMS],
+    /// Loads that vary with time or shaft angle; they add up.
+    pub loads: Vec<Load>,
     /// State at t = 0.
     pub initial: InitialState,
     /// Bearings that carry the shaft, at least one.

@@ -2,16 +2,20 @@
 
 use nalgebra::SMatrix;
 
-use super::{FREEDOMS, Rotor};
+use super::{FREEDOMS, Rotation, Rotor};
 use crate::bearing::{Matrix5, Vector5};
 use crate::integrate::Linearised;
+
+/// Time over which the change of a load is looked at, s.
+const LOAD_RATE_STEP: f64 = 1e-8;
 
 impl<const N: usize> Linearised<N> for Rotor {
     fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]) {
         let kept = N / 2;
         let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
-        let (stiffness, force_rate) = self.bearing_slopes(&displacement, time);
-        let push_rate = self.push_rate(time);
+        let rotation = self.speed.at(time);
+        let (stiffness, force_rate) = self.bearing_slopes(&displacement, &rotation);
+        let push_rate = self.push_rate(time, &rotation);
         let mut jacobian = SMatrix::zeros();
         let mut by_time = [0.0; N];
         for row in 0..kept {
@@ -25,21 +29,25 @@ impl<const N: usize> Linearised<N> for Rotor {
             by_time[kept + row] = (push_rate[row] - force_rate[row]) * inverse_mass;
         }
         if kept == FREEDOMS {
-            let coupling = self.gyroscopic * self.inverse_mass[3];
+            let inertia = self.inertia_polar * self.inverse_mass[3];
+            let (coupling, change) = (inertia * rotation.speed, inertia * rotation.acceleration);
             jacobian[(kept + 3, kept + 4)] -= coupling;
             jacobian[(kept + 4, kept + 3)] += coupling;
+            by_time[kept + 3] -= change * state[kept + 4];
+            by_time[kept + 4] += change * state[kept + 3];
         }
         (jacobian, by_time)
     }
 }
 
 impl Rotor {
-    /// K of all bearings, and the rate at which their force changes as the cages turn.
-    fn bearing_slopes(&self, displacement: &Vector5, time: f64) -> (Matrix5, Vector5) {
+    /// K of all bearings, and the rate at which their force changes as the cages turn. What a change
+    /// of speed does to the inertia of the balls is left out: it is slow beside the passing of a ball.
+    fn bearing_slopes(&self, displacement: &Vector5, rotation: &Rotation) -> (Matrix5, Vector5) {
         let (mut stiffness, mut rate) = (Matrix5::zeros(), [0.0; FREEDOMS]);
-        self.for_each_support(time, |support, cage| {
-            let (tangent, by_cage_angle) = support.slopes(displacement, cage, self.speed);
-            let cage_speed = self.cage_speed(support);
+        self.for_each_support(rotation.angle, |support, cage| {
+            let (tangent, by_cage_angle) = support.slopes(displacement, cage, rotation.speed);
+            let cage_speed = self.cage_ratio(support) * rotation.speed;
             stiffness += tangent;
             for axis in 0..FREEDOMS {
                 rate[axis] += by_cage_angle[axis] * cage_speed;
@@ -48,12 +56,41 @@ impl Rotor {
         (stiffness, rate)
     }
 
-    /// Time derivative of the forces on the shaft that do not come from bearings.
-    fn push_rate(&self, time: f64) -> Vector5 {
-        let (sin, cos) = (self.speed * time).sin_cos();
+    /// Time derivative of the forces on the shaft that do not come from bearings: unbalance exactly,
+    /// varying loads by a difference over a time that is short against all that they do.
+    fn push_rate(&self, time: f64, rotation: &Rotation) -> Vector5 {
+        let (sin, cos) = rotation.angle.sin_cos();
+        let Rotation {
+            speed,
+            acceleration,
+            ..
+        } = *rotation;
+        // d/dt of m e (ω² cos ψ + ω̇ sin ψ) and m e (ω² sin ψ − ω̇ cos ψ) with ω̈ = 0
+        let (along, inward) = (3.0 * speed * acceleration, speed * speed * speed);
         let mut rate = [0.0; FREEDOMS];
-        rate[0] = -self.unbalance * self.speed * sin;
-        rate[1] = self.unbalance * self.speed * cos;
+        rate[0] = self.imbalance * (along * cos - inward * sin);
+        rate[1] = self.imbalance * (along * sin + inward * cos);
+        for (rate, change) in rate.iter_mut().zip(self.load_rate(time)) {
+            *rate += change;
+        }
         rate
+    }
+
+    /// Rate of change of the varying loads, N/s and N m/s: forward, so that it does not reach back
+    /// over a break that the present step begins at.
+    fn load_rate(&self, time: f64) -> Vector5 {
+        if self.loads.is_empty() {
+            return [0.0; FREEDOMS];
+        }
+        let at = |time: f64| {
+            let (angle, mut sum) = (self.speed.at(time).angle, [0.0; FREEDOMS]);
+            for load in &self.loads {
+                load.add(time, angle, self.mass[0], &mut sum);
+            }
+            sum
+        };
+        let step = LOAD_RATE_STEP;
+        let (now, half, full) = (at(time), at(time + 0.5 * step), at(time + step));
+        std::array::from_fn(|axis| (4.0 * half[axis] - 3.0 * now[axis] - full[axis]) / step)
     }
 }

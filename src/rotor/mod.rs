@@ -7,10 +7,12 @@ mod assembly;
 mod damping;
 mod definition;
 mod linearisation;
+pub mod load;
 mod modes;
 mod motion;
 mod motion_scale;
 mod sample;
+mod speed_profile;
 
 pub use assembly::RotorError;
 pub(crate) use assembly::{build_supports, static_start};
@@ -18,7 +20,9 @@ pub use definition::{
     CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
     STANDARD_GRAVITY, Shaft,
 };
+pub use load::{Load, LoadKind};
 pub use modes::NaturalFrequency;
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;
 pub use sample::Sample;
+pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};

@@ -19,7 +19,7 @@ impl Rotor {
     /// Natural frequencies, lowest first; overdamped and rigid-body modes are left out.
     ///
     /// Eigenvalues λ of `M q̈ + (C + ωG) q̇ + K q = 0`, one of each conjugate pair, with K at the
-    /// static equilibrium and G the gyroscopic coupling of the tilts.
+    /// static equilibrium, G the gyroscopic coupling of the tilts and ω the speed at t = 0.
     pub fn natural_frequencies(&self) -> Vec<NaturalFrequency> {
         let eigenvalues = self.state_matrix().complex_eigenvalues();
         let mut modes: Vec<NaturalFrequency> = eigenvalues
@@ -49,7 +49,7 @@ impl Rotor {
             }
         }
         if kept == FREEDOMS {
-            let coupling = self.gyroscopic * self.inverse_mass[3];
+            let coupling = self.inertia_polar * self.speed() * self.inverse_mass[3];
             matrix[(kept + 3, kept + 4)] -= coupling;
             matrix[(kept + 4, kept + 3)] += coupling;
         }

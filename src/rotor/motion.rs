@@ -1,7 +1,7 @@
 //! The shaft in motion: the right-hand side of its equations, and what can be seen of it.
 
 use super::damping::DampingMatrix;
-use super::{CageMotion, FREEDOMS, Sample};
+use super::{CageMotion, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{CageAngle, Support, Vector5};
 use crate::integrate::System;
@@ -9,15 +9,16 @@ use crate::integrate::System;
 /// A concentrated mass on its bearings, assembled and ready to move.
 ///
 /// ```text
-/// m ẍ  + (C q̇)_x = −F_x + m e ω² cos ψ + P_x
-/// m ÿ  + (C q̇)_y = −F_y + m e ω² sin ψ − m g + P_y
+/// m ẍ  + (C q̇)_x = −F_x + m e (ω² cos ψ + ω̇ sin ψ) + P_x
+/// m ÿ  + (C q̇)_y = −F_y + m e (ω² sin ψ − ω̇ cos ψ) − m g + P_y
 /// m z̈  + (C q̇)_z = −F_z + P_z
 /// I_t θ̈x + (C q̇)_θx + I_p ω θ̇y = −M_x + P_θx
 /// I_t θ̈y + (C q̇)_θy − I_p ω θ̇x = −M_y + P_θy
 /// ```
 ///
-/// with F the force that holds the inner rings at q. Freedoms that the scene does not keep stay
-/// where the static equilibrium has them.
+/// with F the force that holds the inner rings at q, and ψ, ω and ω̇ those of the speed profile. The
+/// cage of a bearing turns by its constant ratio of ψ, at any profile. Freedoms that the scene does
+/// not keep stay where the static equilibrium has them.
 ///
 /// Source: the equations of a Jeffcott rotor with gyroscopic tilt, e.g. Krämer, *Dynamics of Rotors
 /// and Foundations* (1993), ch. 1 and 5.
@@ -26,13 +27,15 @@ pub struct Rotor {
     pub(super) kept: usize,
     pub(super) mass: Vector5,
     pub(super) inverse_mass: Vector5,
-    /// I_p ω, kg m²/s.
-    pub(super) gyroscopic: f64,
-    pub(super) speed: f64,
+    pub(super) inertia_polar: f64,
+    pub(super) speed: SpeedProfile,
     pub(super) cage: CageMotion,
-    /// m e ω², N.
-    pub(super) unbalance: f64,
+    /// m e, kg m.
+    pub(super) imbalance: f64,
+    /// Constant loads and the weight.
     pub(super) load: Vector5,
+    /// Varying loads.
+    pub(super) loads: Vec<Load>,
     pub(super) damping: DampingMatrix,
     pub(super) supports: Vec<Support>,
     pub(super) equilibrium: Equilibrium,
@@ -46,9 +49,14 @@ impl Rotor {
         self.kept
     }
 
-    /// Angular speed of the shaft, rad/s.
+    /// Angular speed of the shaft at t = 0, rad/s.
     pub fn speed(&self) -> f64 {
-        self.speed
+        self.speed.at(0.0).speed
+    }
+
+    /// Speed and angle of the shaft from t = 0 on.
+    pub fn speed_profile(&self) -> &SpeedProfile {
+        &self.speed
     }
 
     /// Static equilibrium under the constant loads, without unbalance.
@@ -66,12 +74,12 @@ impl Rotor {
         self.initial
     }
 
-    /// Force of the shaft onto all bearings at a displacement and a time, N and N m.
+    /// Force of the shaft onto all bearings at a displacement, N and N m.
     #[inline]
-    fn force_on_bearings(&self, displacement: &Vector5, time: f64) -> Vector5 {
+    fn force_on_bearings(&self, displacement: &Vector5, rotation: &Rotation) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        self.for_each_support(time, |support, cage| {
-            let force = support.force(displacement, cage, self.speed);
+        self.for_each_support(rotation.angle, |support, cage| {
+            let force = support.force(displacement, cage, rotation.speed);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
@@ -79,35 +87,52 @@ impl Rotor {
         total
     }
 
-    /// Speed of the cage of a bearing, rad/s.
+    /// Speed of the cage of a bearing over that of the shaft.
     #[inline]
-    pub(super) fn cage_speed(&self, support: &Support) -> f64 {
+    pub(super) fn cage_ratio(&self, support: &Support) -> f64 {
         match self.cage {
-            CageMotion::Rolling => support.cage_speed(self.speed),
+            CageMotion::Rolling => support.cage_speed(1.0),
             CageMotion::Frozen => 0.0,
         }
     }
 
     /// Visits every bearing with the angle of its cage; bearings that roll alike share the sine.
     #[inline]
-    pub(super) fn for_each_support(&self, time: f64, mut visit: impl FnMut(&Support, CageAngle)) {
+    pub(super) fn for_each_support(&self, angle: f64, mut visit: impl FnMut(&Support, CageAngle)) {
         let mut known = (0.0, CageAngle::START);
         for support in &self.supports {
-            let cage_speed = self.cage_speed(support);
-            if cage_speed != known.0 {
-                known = (cage_speed, CageAngle::new(cage_speed * time));
+            let ratio = self.cage_ratio(support);
+            if ratio != known.0 {
+                known = (ratio, CageAngle::new(ratio * angle));
             }
             visit(support, known.1);
         }
+    }
+
+    /// Loads, weight and unbalance on the shaft, N and N m.
+    #[inline]
+    fn push(&self, time: f64, rotation: &Rotation) -> Vector5 {
+        let mut push = self.load;
+        let (sin, cos) = rotation.angle.sin_cos();
+        // m e (ω² cos ψ + ω̇ sin ψ), m e (ω² sin ψ − ω̇ cos ψ)
+        let inward = self.imbalance * rotation.speed * rotation.speed;
+        let along = self.imbalance * rotation.acceleration;
+        push[0] += inward * cos + along * sin;
+        push[1] += inward * sin - along * cos;
+        for load in &self.loads {
+            load.add(time, rotation.angle, self.mass[0], &mut push);
+        }
+        push
     }
 
     /// What is observed in a state at a time.
     pub fn sample<const N: usize>(&self, time: f64, state: &[f64; N]) -> Sample {
         let displacement = self.full(&self.equilibrium.displacement, &state[..N / 2]);
         let velocity = self.full(&[0.0; FREEDOMS], &state[N / 2..]);
+        let rotation = self.speed.at(time);
         let (mut largest, mut loaded) = (0.0_f64, 0);
-        self.for_each_support(time, |support, cage| {
-            support.for_each_contact(&displacement, cage, self.speed, &mut |ball| {
+        self.for_each_support(rotation.angle, |support, cage| {
+            support.for_each_contact(&displacement, cage, rotation.speed, &mut |ball| {
                 let load = ball.load_inner.max(ball.load_outer);
                 largest = largest.max(load);
                 loaded += u32::from(ball.load_inner > 0.0);
@@ -115,12 +140,12 @@ impl Rotor {
         });
         Sample {
             time,
-            angle: self.speed * time,
-            speed: self.speed,
+            angle: rotation.angle,
+            speed: rotation.speed,
             displacement,
             velocity,
             force_on_shaft: self
-                .force_on_bearings(&displacement, time)
+                .force_on_bearings(&displacement, &rotation)
                 .map(|force| -force),
             largest_ball_load: largest,
             balls_loaded: loaded,
@@ -142,19 +167,23 @@ impl<const N: usize> System<N> for Rotor {
         let kept = N / 2;
         let velocity = &state[kept..];
         let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
-        let force = self.force_on_bearings(&displacement, time);
-        let (sin, cos) = (self.speed * time).sin_cos();
-        let mut push = self.load;
-        push[0] += self.unbalance * cos;
-        push[1] += self.unbalance * sin;
+        let rotation = self.speed.at(time);
+        let force = self.force_on_bearings(&displacement, &rotation);
+        let mut push = self.push(time, &rotation);
         if kept == FREEDOMS {
-            push[3] -= self.gyroscopic * velocity[4];
-            push[4] += self.gyroscopic * velocity[3];
+            let gyroscopic = self.inertia_polar * rotation.speed;
+            push[3] -= gyroscopic * velocity[4];
+            push[4] += gyroscopic * velocity[3];
         }
         self.damping.brake(velocity, &mut push);
         for axis in 0..kept {
             rate[axis] = velocity[axis];
             rate[kept + axis] = (push[axis] - force[axis]) * self.inverse_mass[axis];
         }
+    }
+
+    fn next_break(&self, after: f64) -> f64 {
+        let breaks = self.loads.iter().map(|load| load.next_break(after));
+        breaks.fold(self.speed.next_break(after), f64::min)
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::{CageMotion, FREEDOMS, Rotor};
+use super::{CageMotion, FREEDOMS, Load, Rotor};
 use crate::bearing::{CageAngle, Support};
 
 /// Round-off of a position between the races, relative to the groove centre distance.
@@ -31,15 +31,19 @@ impl MotionScale {
 impl Rotor {
     /// Estimates the motion before it is known, from the linearised rotor.
     ///
-    /// The length is the largest of: the forced response to unbalance and to the force that varies
-    /// with the cage angle, and the distance of the initial state from equilibrium. It is at least
-    /// so large that `tolerance` times the length stays above the round-off of a position.
+    /// The length is the largest of: the forced response to unbalance, to the varying loads and to
+    /// the force that varies with the cage angle, and the distance of the initial state from
+    /// equilibrium. Where the speed varies, unbalance counts at the points of its profile: a
+    /// resonance that is passed in between leaves the length, and with it the error, smaller. A
+    /// shock counts as a steady vibration of its length, which is less than what it excites. The
+    /// length is at least so large that `tolerance` times the length stays above the round-off of a position.
     pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
         let arm = self.supports.iter().map(arm_of).fold(0.0, f64::max);
         let frequency = self.highest_frequency();
         let smallest = POSITION_ROUND_OFF / tolerance * self.groove_centre_distance();
         let length = smallest
             .max(self.unbalance_response(arm))
+            .max(self.load_response(arm))
             .max(self.varying_compliance(arm))
             .max(self.initial_distance(arm, frequency));
         MotionScale {
@@ -66,7 +70,7 @@ impl Rotor {
         let stiffness = &self.equilibrium.stiffness;
         (0..self.kept)
             .map(|axis| (stiffness[(axis, axis)].max(0.0) * self.inverse_mass[axis]).sqrt())
-            .fold(self.speed, f64::max)
+            .fold(self.speed.highest(), f64::max)
             .max(f64::MIN_POSITIVE.sqrt())
     }
 
@@ -81,10 +85,33 @@ impl Rotor {
         self.supports.iter().map(distance).fold(0.0, f64::max)
     }
 
-    /// Largest amplitude under the unbalance: `|(K − ω²M + iωC)⁻¹ F|`.
+    /// Largest amplitude under the unbalance at the speeds of the profile.
     fn unbalance_response(&self, arm: f64) -> f64 {
+        let response = |speed: f64| {
+            let inward = self.imbalance * speed * speed;
+            let mut force = [Complex::new(0.0, 0.0); FREEDOMS];
+            force[0] = Complex::new(inward, 0.0);
+            force[1] = Complex::new(0.0, -inward);
+            self.forced_response(&force, speed, arm)
+        };
+        let speeds = self.speed.points().map(|point| point.speed);
+        speeds.map(response).fold(0.0, f64::max)
+    }
+
+    /// Largest amplitude under each of the varying loads by itself.
+    fn load_response(&self, arm: f64) -> f64 {
+        let response = |load: &Load| {
+            let swing = load.swing(self.mass[0]);
+            let force = swing.amplitude.map(|force| Complex::new(force, 0.0));
+            let frequency = swing.frequency + swing.order * self.speed.highest();
+            self.forced_response(&force, frequency, arm)
+        };
+        self.loads.iter().map(response).fold(0.0, f64::max)
+    }
+
+    /// Largest amplitude under a force of angular frequency ω: `|(K − ω²M + iωC)⁻¹ F|`.
+    fn forced_response(&self, force: &[Complex<f64>; FREEDOMS], omega: f64, arm: f64) -> f64 {
         let kept = self.kept;
-        let (zero, omega) = (Complex::new(0.0, 0.0), self.speed);
         let stiffness = &self.equilibrium.stiffness;
         let dynamic = DMatrix::from_fn(kept, kept, |row, column| {
             let inertia = if row == column {
@@ -95,9 +122,7 @@ impl Rotor {
             let damping = self.damping.entry(row, column);
             Complex::new(stiffness[(row, column)] - inertia, omega * damping)
         });
-        let mut force = DVector::from_element(kept, zero);
-        force[0] = Complex::new(self.unbalance, 0.0);
-        force[1] = Complex::new(0.0, -self.unbalance);
+        let force = DVector::from_column_slice(&force[..kept]);
         let Some(response) = dynamic.lu().solve(&force) else {
             return 0.0;
         };
@@ -106,7 +131,7 @@ impl Rotor {
 
     /// Static displacement under the change of force as the cage turns by one ball spacing.
     fn varying_compliance(&self, arm: f64) -> f64 {
-        if self.cage == CageMotion::Frozen || self.speed == 0.0 {
+        if self.cage == CageMotion::Frozen || self.speed.highest() == 0.0 {
             return 0.0;
         }
         let kept = self.kept;
@@ -133,8 +158,8 @@ impl Rotor {
         for support in &self.supports {
             let spacing =
                 std::f64::consts::TAU / support.definition().bearing.geometry.balls() as f64;
-            let turned = support.force(place, CageAngle::new(part * spacing), self.speed);
-            let still = support.force(place, CageAngle::START, self.speed);
+            let turned = support.force(place, CageAngle::new(part * spacing), self.speed());
+            let still = support.force(place, CageAngle::START, self.speed());
             for axis in 0..FREEDOMS {
                 change[axis] += turned[axis] - still[axis];
             }

@@ -16,6 +16,7 @@ pub(super) enum Dimension {
     Inertia,
     AngularSpeed,
     Velocity,
+    Acceleration,
     Frequency,
     Pressure,
     Density,
@@ -75,7 +76,7 @@ const fn per(symbol: &'static str, divisor: f64) -> Unit {
 
 impl Dimension {
     /// Every dimension.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::Mass,
         Self::Length,
         Self::Angle,
@@ -85,6 +86,7 @@ impl Dimension {
         Self::Inertia,
         Self::AngularSpeed,
         Self::Velocity,
+        Self::Acceleration,
         Self::Frequency,
         Self::Pressure,
         Self::Density,
@@ -109,6 +111,7 @@ impl Dimension {
             Self::Inertia => "moment of inertia",
             Self::AngularSpeed => "angular speed",
             Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
             Self::Frequency => "frequency",
             Self::Pressure => "pressure",
             Self::Density => "density",
@@ -147,6 +150,7 @@ impl Dimension {
             Self::Inertia => const { &[times("kg m^2", 1.0), per("kg mm^2", 1e6), per("kg cm^2", 1e4), per("g m^2", 1e3), per("g cm^2", 1e7), per("g mm^2", 1e9)] },
             Self::AngularSpeed => const { &[times("rad/s", 1.0), times("rpm", PI / 30.0), times("1/min", PI / 30.0), times("rev/s", 2.0 * PI), times("deg/s", PI / 180.0), per("mrad/s", 1e3)] },
             Self::Velocity => const { &[times("m/s", 1.0), per("mm/s", 1e3), per("um/s", 1e6)] },
+            Self::Acceleration => const { &[times("m/s^2", 1.0), per("mm/s^2", 1e3), times("gn", 9.806_65)] },
             Self::Frequency => const { &[times("Hz", 1.0), times("kHz", 1e3), times("MHz", 1e6)] },
             Self::Pressure => const { &[times("Pa", 1.0), times("kPa", 1e3), times("MPa", 1e6), times("GPa", 1e9), times("N/mm^2", 1e6), times("psi", 6_894.757_293_168_361)] },
             Self::Density => const { &[times("kg/m^3", 1.0), times("g/cm^3", 1e3)] },

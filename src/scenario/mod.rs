@@ -21,6 +21,7 @@ mod read_json;
 mod read_toml;
 mod scalar;
 mod schema;
+mod series_file;
 mod spec;
 mod vary;
 mod walk;
@@ -126,7 +127,7 @@ pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, Scenari
 }
 
 fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
-    let mut problems = Problems::new(root);
+    let mut problems = Problems::new(root, Path::new(name).parent().unwrap_or(Path::new("")));
     let built = build(root, &mut problems);
     let echo = built.as_ref().map(|(spec, _)| echo(spec));
     let study = match (&built, &echo) {

@@ -1,25 +1,34 @@
 //! Collects what is wrong with a scenario while it is read and checked.
 
+use std::path::Path;
+
 use super::Issue;
 use super::node::Node;
 
 /// Everything found so far, with the keys that later checks must not be believed about.
 pub(super) struct Problems<'a> {
     root: &'a Node,
+    folder: &'a Path,
     issues: Vec<Issue>,
     faulty: Vec<String>,
     warnings: Vec<String>,
 }
 
 impl<'a> Problems<'a> {
-    /// Nothing found yet.
-    pub fn new(root: &'a Node) -> Self {
+    /// Nothing found yet in a scenario whose file lies in `folder`.
+    pub fn new(root: &'a Node, folder: &'a Path) -> Self {
         Self {
             root,
+            folder,
             issues: Vec::new(),
             faulty: Vec::new(),
             warnings: Vec::new(),
         }
+    }
+
+    /// The folder that the files named in the scenario are relative to.
+    pub fn folder(&self) -> &'a Path {
+        self.folder
     }
 
     /// Adds a problem of one key; what it stands for is not trusted from here on.

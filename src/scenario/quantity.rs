@@ -161,6 +161,7 @@ measures! {
     Inertia "0.01 kg m^2" 1e12,
     AngularSpeed "500 rad/s" 1e5,
     Velocity "1 mm/s" 1e5,
+    Acceleration "10 m/s^2" 1e9,
     Frequency "20 kHz" 1e9,
     Pressure "207 GPa" 1e13,
     Density "7800 kg/m^3" 1e6,

@@ -1,6 +1,8 @@
 //! From `[study]` to its questions: each value is put into the checked scenario, which is then
 //! checked again.
 
+use std::path::Path;
+
 use serde_json::{Map, Number, Value};
 
 use super::dimension::{Dimension, Unit};
@@ -39,7 +41,7 @@ pub(super) fn build(spec: &StudySpec, echo: &Value, problems: &mut Problems<'_>)
     };
     let mut points = Vec::with_capacity(given.len());
     for Given { value, path } in &given {
-        let question = question(&base, &key.path, value)
+        let question = question(&base, &key.path, value, problems.folder())
             .map_err(|issue| problems.refuse(at_value(issue, &key.path, value, path), &[]))
             .ok()?;
         let value = key.si(value);
@@ -209,11 +211,16 @@ impl Key<'_> {
 }
 
 /// The static question of the scenario with one value put in.
-fn question(base: &Value, path: &str, value: &Value) -> Result<StaticQuestion, Issue> {
+fn question(
+    base: &Value,
+    path: &str,
+    value: &Value,
+    folder: &Path,
+) -> Result<StaticQuestion, Issue> {
     let mut scenario = base.clone();
     put(&mut scenario, path, value);
     let root = Node::from(&scenario);
-    let mut problems = Problems::new(&root);
+    let mut problems = Problems::new(&root, folder);
     let built = build_scenario(&root, &mut problems);
     let (issues, _) = problems.finish();
     match (built, issues.into_iter().next()) {

@@ -127,6 +127,7 @@ pub fn shaft(freedoms: Freedoms) -> Shaft {
         eccentricity: 0.0,
         freedoms,
         gravity: false,
+        held_tilt: [0.0; 2],
     }
 }
 
@@ -142,9 +143,11 @@ pub fn rotor(shaft: Shaft, bearings: Vec<MountedBearing>) -> RotorDefinition {
     RotorDefinition {
         shaft,
         speed: 0.0,
+        speed_points: Vec::new(),
         cage: CageMotion::Rolling,
         damping: Damping::Undamped,
         load: [0.0; 5],
+        loads: Vec::new(),
         initial: AT_EQUILIBRIUM,
         bearings,
     }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::time::TimeSpec;
 use crate::analysis::Window;
+use crate::rotor::SpeedProfile;
 use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity};
@@ -25,7 +26,8 @@ const FEWEST_IN_SPECTRUM: f64 = 8.0;
 #[serde(deny_unknown_fields, default)]
 #[schemars(extend("x-at-most-one" = ["samples_per_revolution", "sample_rate"]))]
 pub struct OutputSpec {
-    /// Samples per shaft revolution, 8 to 65536. Default: 128.
+    /// Samples per shaft revolution, 8 to 65536; where the speed varies, per revolution at its
+    /// highest: the samples stand at equal times. Default: 128.
     #[schemars(range(min = 8, max = 65_536))]
     pub samples_per_revolution: Option<u32>,
     /// Samples per second, for instance "20 kHz", instead of samples per revolution; needed
@@ -87,13 +89,14 @@ impl OutputSpec {
         }
     }
 
-    /// Sampling of the run, where it suits the speed (rad/s) and the time.
+    /// Sampling of the run, where it suits the time and the speed, which is given with its key.
     pub fn sampling(
         &self,
-        speed: f64,
+        (key, profile): (&str, &SpeedProfile),
         time: &TimeSpec,
         problems: &mut Problems<'_>,
     ) -> Option<Sampling> {
+        let speed = profile.highest();
         let sampling = match &self.sample_rate {
             Some(rate) => Sampling::Rate(rate.si()),
             None if speed > 0.0 => Sampling::PerRevolution(
@@ -101,7 +104,7 @@ impl OutputSpec {
                     .unwrap_or(SAMPLES_PER_REVOLUTION),
             ),
             None => {
-                self.refuse_angle_grid(problems);
+                self.refuse_angle_grid(key, problems);
                 return None;
             }
         };
@@ -109,30 +112,32 @@ impl OutputSpec {
             Sampling::Rate(rate) => rate,
             Sampling::PerRevolution(samples) => f64::from(samples) * speed / (2.0 * PI),
         };
-        self.check_count(rate, time, problems);
+        self.check_count(rate, key, time, problems);
         if self.spectrum && time.window() > 0.0 {
-            check_window(speed, rate, time, problems);
+            // where the speed changes, a spectrum rests on no revolution
+            let speed = profile.steady_from(time.settle.si()).unwrap_or(0.0);
+            check_window((key, speed), rate, time, problems);
         }
         Some(sampling)
     }
 
-    fn refuse_angle_grid(&self, problems: &mut Problems<'_>) {
+    fn refuse_angle_grid(&self, speed: &str, problems: &mut Problems<'_>) {
         let (path, message) = match self.samples_per_revolution {
             Some(_) => (
                 "output.samples_per_revolution",
                 "a standing shaft makes no revolutions to sample",
             ),
             None => (
-                "speed.constant",
+                speed,
                 "a standing shaft needs a `sample_rate` in `[output]`",
             ),
         };
         let issue = Issue::new(path, message).help("for instance: sample_rate = \"20 kHz\"");
-        let others = ["speed.constant", "output.sample_rate"];
+        let others = [speed, "output.sample_rate"];
         problems.refuse(issue, &others.map(str::to_owned));
     }
 
-    fn check_count(&self, rate: f64, time: &TimeSpec, problems: &mut Problems<'_>) {
+    fn check_count(&self, rate: f64, speed: &str, time: &TimeSpec, problems: &mut Problems<'_>) {
         let count = time.duration.si() * rate;
         if count > MOST_SAMPLES {
             let key = match self.sample_rate {
@@ -143,13 +148,18 @@ impl OutputSpec {
                 format!("{count:.3e} samples are too many: at most {MOST_SAMPLES:e} in a run");
             let issue =
                 Issue::new("time.duration", message).help("shorten it or sample less often");
-            problems.refuse(issue, &[key.to_owned(), "speed.constant".to_owned()]);
+            problems.refuse(issue, &[key.to_owned(), speed.to_owned()]);
         }
     }
 }
 
 /// Refuses a spectrum of less than one revolution, or of hardly any samples.
-fn check_window(speed: f64, rate: f64, time: &TimeSpec, problems: &mut Problems<'_>) {
+fn check_window(
+    (key, speed): (&str, f64),
+    rate: f64,
+    time: &TimeSpec,
+    problems: &mut Problems<'_>,
+) {
     let window = time.window();
     let (needed, what) = if speed > 0.0 && window < 2.0 * PI / speed {
         (2.0 * PI / speed, "one revolution takes")
@@ -168,6 +178,6 @@ fn check_window(speed: f64, rate: f64, time: &TimeSpec, problems: &mut Problems<
     let issue = Issue::new("time.duration", message).help(format!(
         "make it {shortest} s or longer, or set `spectrum = false` in `[output]`"
     ));
-    let others = ["time.settle", "speed.constant", "output.sample_rate"];
+    let others = ["time.settle", key, "output.sample_rate"];
     problems.refuse(issue, &others.map(str::to_owned));
 }

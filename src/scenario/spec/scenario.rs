@@ -7,7 +7,7 @@ use super::bearing::BearingSpec;
 use super::damping::{self, DampingSpec};
 use super::initial::InitialSpec;
 use super::integrator::IntegratorSpec;
-use super::load::{self, LoadSpec};
+use super::load::{self, LoadSpec, Surroundings};
 use super::model::{ContactChoice, ModelSpec};
 use super::output::OutputSpec;
 use super::shaft::ShaftSpec;
@@ -108,13 +108,23 @@ impl ScenarioSpec {
             (None, None) => Damping::Undamped,
             (spec, _) => damping::build(spec.as_ref(), freedoms, problems),
         };
+        let around = Surroundings {
+            freedoms,
+            duration: self.time.as_ref().map_or(0.0, |time| time.duration.si()),
+        };
+        let (load, loads) = load::build(&self.load, around, problems);
+        let initial = self.initial.build(freedoms, problems);
+        let speed = self.speed.build(problems)?;
+        let mut points = speed.points();
         Some(RotorDefinition {
             shaft,
-            speed: self.speed.constant.si(),
+            speed: points.next()?.speed,
+            speed_points: points.collect(),
             cage: self.model.cage.into(),
             damping,
-            load: load::sum(&self.load, freedoms, problems),
-            initial: self.initial.build(freedoms, problems),
+            load,
+            loads,
+            initial,
             bearings: bearings?,
         })
     }
@@ -151,10 +161,12 @@ impl ScenarioSpec {
         problems: &mut Problems<'_>,
     ) -> Option<Model> {
         time.check(problems);
-        let speed = self.speed.constant.si();
-        let sampling = self.output.sampling(speed, time, problems)?;
+        let rotor = rotor?;
+        let speed = rotor.speed_profile().ok()?;
+        let turning = (self.speed.path(), &speed);
+        let sampling = self.output.sampling(turning, time, problems)?;
         Some(Model {
-            rotor: rotor?,
+            rotor,
             duration: time.duration.si(),
             settle: time.settle.si(),
             sampling,

@@ -7,7 +7,7 @@ use super::torsion::TorsionSpec;
 use crate::rotor::{Freedoms, Shaft};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Inertia, Length, Mass, Quantity};
+use crate::scenario::quantity::{Angle, Inertia, Length, Mass, Quantity};
 
 /// The shaft: a rigid, concentrated mass.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -37,6 +37,13 @@ pub struct ShaftSpec {
     pub inertia_polar: Option<Quantity<Inertia>>,
     /// The segment that a moment about the shaft axis twists.
     pub torsion: Option<TorsionSpec>,
+    /// Misalignment: tilt about X that the shaft is held at where the tilts do not move, for
+    /// instance "0.5 mrad". Default: "0 rad".
+    #[schemars(extend("examples" = ["0.5 mrad"], "x-minimum" = -0.1, "x-maximum" = 0.1))]
+    pub tilt_x: Option<Quantity<Angle>>,
+    /// The same about Y.
+    #[schemars(extend("examples" = ["0.5 mrad"], "x-minimum" = -0.1, "x-maximum" = 0.1))]
+    pub tilt_y: Option<Quantity<Angle>>,
 }
 
 /// Freedoms that move.
@@ -65,6 +72,8 @@ impl ShaftSpec {
     /// The shaft; its inertia is zero where no tilt moves, and where nothing `moves` it may be.
     pub fn build(&self, moves: bool, problems: &mut Problems<'_>) -> Shaft {
         self.check_inertia(moves, problems);
+        self.check_tilt(problems);
+        let tilt = |tilt: &Option<Quantity<Angle>>| tilt.as_ref().map_or(0.0, Quantity::si);
         let si = |inertia: &Option<Quantity<Inertia>>| inertia.as_ref().map_or(0.0, Quantity::si);
         Shaft {
             mass: self.mass.si(),
@@ -73,6 +82,20 @@ impl ShaftSpec {
             eccentricity: self.eccentricity.si(),
             freedoms: self.freedoms.into(),
             gravity: self.gravity,
+            held_tilt: [tilt(&self.tilt_x), tilt(&self.tilt_y)],
+        }
+    }
+
+    /// Refuses a held tilt where the tilts move.
+    fn check_tilt(&self, problems: &mut Problems<'_>) {
+        for (key, tilt) in [("tilt_x", &self.tilt_x), ("tilt_y", &self.tilt_y)] {
+            if tilt.is_some() && self.freedoms == FreedomsChoice::All {
+                let message = format!("`{key}` holds a tilt that freedoms = \"all\" lets move");
+                let issue = Issue::new(format!("shaft.{key}"), message).help(format!(
+                    "to start there: [initial] displacement = {{ {key} = … }}"
+                ));
+                problems.refuse(issue, &["shaft.freedoms".to_owned()]);
+            }
         }
     }
 

@@ -3,14 +3,118 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::scenario::quantity::{AngularSpeed, Quantity};
+use crate::rotor::{SpeedPoint, SpeedProfile};
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{AngularSpeed, Quantity, Time};
 
-/// How fast the shaft turns about +Z.
+/// How fast the shaft turns about +Z, in exactly one of three ways.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = ["constant", "ramp", "profile"]))]
 pub struct SpeedSpec {
     /// Constant speed from the start on, for instance "500 rad/s" or "3000 rpm"; zero or
     /// positive.
     #[schemars(extend("x-minimum" = 0.0))]
-    pub constant: Quantity<AngularSpeed>,
+    pub constant: Option<Quantity<AngularSpeed>>,
+    /// A run-up or coast-down at constant acceleration; the speed that it ends at is held. The
+    /// static equilibrium, damping ratios and natural frequencies are those at the start.
+    pub ramp: Option<RampSpec>,
+    /// Speeds at times, the first at "0 s" and at least two, with straight lines between them;
+    /// the last speed is held.
+    #[schemars(extend("examples" = [[
+        { "at": "0 s", "speed": "0 rpm" }, { "at": "2 s", "speed": "3000 rpm" },
+    ]]))]
+    pub profile: Option<Vec<PointSpec>>,
+}
+
+/// A change of speed at constant acceleration.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RampSpec {
+    /// Speed at the start.
+    #[schemars(extend("examples" = ["0 rpm"], "x-minimum" = 0.0))]
+    pub from: Quantity<AngularSpeed>,
+    /// Speed at the end.
+    #[schemars(extend("examples" = ["3000 rpm"], "x-minimum" = 0.0))]
+    pub to: Quantity<AngularSpeed>,
+    /// Time that it takes.
+    #[schemars(extend("examples" = ["2 s"], "x-minimum" = 1e-6))]
+    pub over: Quantity<Time>,
+}
+
+/// A speed at a time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointSpec {
+    /// Time.
+    #[schemars(extend("examples" = ["0 s"], "x-minimum" = 0.0))]
+    pub at: Quantity<Time>,
+    /// Speed at that time.
+    #[schemars(extend("examples" = ["3000 rpm"], "x-minimum" = 0.0))]
+    pub speed: Quantity<AngularSpeed>,
+}
+
+impl SpeedSpec {
+    /// The key that the speed is given by.
+    pub fn path(&self) -> &'static str {
+        match self {
+            Self { ramp: Some(_), .. } => "speed.ramp",
+            Self {
+                profile: Some(_), ..
+            } => "speed.profile",
+            _ => "speed.constant",
+        }
+    }
+
+    /// The speed from the start on, as far as nothing contradicts it.
+    pub fn build(&self, problems: &mut Problems<'_>) -> Option<SpeedProfile> {
+        let (start, points) = if let Some(ramp) = &self.ramp {
+            let end = SpeedPoint {
+                time: ramp.over.si(),
+                speed: ramp.to.si(),
+            };
+            (ramp.from.si(), vec![end])
+        } else if let Some(profile) = &self.profile {
+            points(profile, problems)?
+        } else {
+            let constant = self.constant.as_ref();
+            (constant.map_or(0.0, Quantity::si), Vec::new())
+        };
+        let refused = |error| problems.refuse(Issue::new(self.path(), format!("{error}")), &[]);
+        SpeedProfile::new(start, &points).map_err(refused).ok()
+    }
+}
+
+/// The speed at the start and the points after it; the times must rise from zero.
+fn points(profile: &[PointSpec], problems: &mut Problems<'_>) -> Option<(f64, Vec<SpeedPoint>)> {
+    let [first, _, ..] = profile else {
+        let message = format!(
+            "`profile` must have at least two points, not {}",
+            profile.len()
+        );
+        let issue = Issue::new("speed.profile", message)
+            .help("for a single speed: constant = \"3000 rpm\"");
+        problems.refuse(issue, &[]);
+        return None;
+    };
+    if first.at.si() != 0.0 {
+        let message = "the first point of `profile` must stand at 0 s";
+        problems.refuse(Issue::new("speed.profile[0].at", message), &[]);
+        return None;
+    }
+    for (index, pair) in profile.windows(2).enumerate() {
+        let (before, time) = (pair[0].at.si(), pair[1].at.si());
+        if time <= before {
+            let message = format!("`at` must rise from point to point: {before} s stands before");
+            let issue = Issue::new(format!("speed.profile[{}].at", index + 1), message);
+            problems.refuse(issue, &[format!("speed.profile[{index}].at")]);
+            return None;
+        }
+    }
+    let point = |point: &PointSpec| SpeedPoint {
+        time: point.at.si(),
+        speed: point.speed.si(),
+    };
+    Some((first.speed.si(), profile[1..].iter().map(point).collect()))
 }

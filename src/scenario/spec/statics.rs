@@ -35,7 +35,10 @@ impl StaticSpec {
         };
         let given = displacement.values();
         for (index, load) in loads.iter().enumerate() {
-            let loaded = load.constant.values();
+            let Some(constant) = &load.constant else {
+                continue;
+            };
+            let loaded = constant.values();
             for (axis, key) in KEYS.into_iter().enumerate() {
                 if given[axis].is_some() && loaded[axis].is_some() {
                     refuse_both(key, index, problems);

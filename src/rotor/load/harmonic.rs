@@ -1,0 +1,66 @@
+//! A cosine of time or of the shaft's angle.
+
+use std::f64::consts::TAU;
+
+use super::Swing;
+use crate::bearing::Vector5;
+
+/// What the phase of a harmonic load runs with.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pace {
+    /// Frequency f, Hz.
+    Frequency(f64),
+    /// Number n of periods per revolution of the shaft.
+    Order(f64),
+}
+
+/// A harmonic load.
+///
+/// ```text
+/// P(t) = P̂ cos(2π f t + φ)   or   P̂ cos(n ψ + φ)
+/// ```
+///
+/// ```
+/// use jeffcott::rotor::load::{Harmonic, Pace};
+/// let load = Harmonic {
+///     amplitude: [10.0, 0.0, 0.0, 0.0, 0.0],
+///     pace: Pace::Frequency(50.0),
+///     phase: 0.0,
+/// };
+/// assert!((load.at(0.01, 0.0)[0] + 10.0).abs() < 1e-12); // half a period later
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Harmonic {
+    /// Amplitudes P̂, N and N m.
+    pub amplitude: Vector5,
+    /// Frequency or order.
+    pub pace: Pace,
+    /// Phase φ, rad.
+    pub phase: f64,
+}
+
+impl Harmonic {
+    /// The load at a time in s and an angle of the shaft in rad.
+    #[inline]
+    pub fn at(&self, time: f64, angle: f64) -> Vector5 {
+        let turned = match self.pace {
+            Pace::Frequency(frequency) => TAU * frequency * time,
+            Pace::Order(order) => order * angle,
+        };
+        let cos = (turned + self.phase).cos();
+        self.amplitude.map(|amplitude| amplitude * cos)
+    }
+
+    /// Its amplitude and pace.
+    pub fn swing(&self) -> Swing {
+        let (frequency, order) = match self.pace {
+            Pace::Frequency(frequency) => (TAU * frequency, 0.0),
+            Pace::Order(order) => (0.0, order),
+        };
+        Swing {
+            amplitude: self.amplitude,
+            frequency,
+            order,
+        }
+    }
+}

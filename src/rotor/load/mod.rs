@@ -1,0 +1,140 @@
+//! Loads that vary with time or with the angle of the shaft, one kind a file.
+//!
+//! Each kind is a pure function of time and angle that allocates nothing. A [`Load`] puts it at its
+//! place along the shaft; the rotor adds them all up.
+
+mod base;
+mod harmonic;
+mod noise;
+mod random;
+mod random_shocks;
+mod series;
+mod shock;
+mod sprocket;
+
+pub use base::BaseAcceleration;
+pub use harmonic::{Harmonic, Pace};
+pub use noise::{Noise, NoiseBand};
+pub use random::SplitMix64;
+pub use random_shocks::{RandomShocks, ShockStatistics};
+pub use series::{Column, Interpolation, Series, SeriesError};
+pub use shock::Shock;
+pub use sprocket::{ChainDrive, Sprocket};
+
+use crate::bearing::Vector5;
+
+/// A varying load at its place along the shaft.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// What acts.
+    pub kind: LoadKind,
+    /// Where it acts along the shaft, from the centre of mass towards +Z, m. A force (P_x, P_y)
+    /// there adds the moments `M_x = −a P_y`, `M_y = a P_x`.
+    pub position: f64,
+}
+
+/// The kinds of varying load.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LoadKind {
+    /// A cosine of time or of the shaft's angle.
+    Harmonic(Harmonic),
+    /// One half-sine shock, or one after the other at a fixed interval.
+    Shock(Shock),
+    /// Half-sine shocks at random times.
+    RandomShocks(RandomShocks),
+    /// The pull of a chain on a sprocket.
+    Sprocket(Sprocket),
+    /// Band-limited noise.
+    Noise(Noise),
+    /// A recorded or computed series.
+    Series(Series),
+    /// Acceleration of the housing.
+    Base(BaseAcceleration),
+}
+
+/// The main vibration of a load: what the size of the motion is estimated from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Swing {
+    /// Amplitudes, N and N m.
+    pub amplitude: Vector5,
+    /// Part of the angular frequency that does not depend on the shaft's speed, rad/s.
+    pub frequency: f64,
+    /// Part that does, as a multiple of the shaft's speed.
+    pub order: f64,
+}
+
+impl Load {
+    /// Adds the load at a time (s) and angle of the shaft (rad) to the forces and moments on it;
+    /// `mass` in kg is that of the shaft.
+    #[inline]
+    pub fn add(&self, time: f64, angle: f64, mass: f64, push: &mut Vector5) {
+        let force = match &self.kind {
+            LoadKind::Harmonic(harmonic) => harmonic.at(time, angle),
+            LoadKind::Shock(shock) => shock.at(time),
+            LoadKind::RandomShocks(shocks) => shocks.at(time),
+            LoadKind::Sprocket(sprocket) => sprocket.at(angle),
+            LoadKind::Noise(noise) => noise.at(time),
+            LoadKind::Series(series) => series.at(time),
+            LoadKind::Base(base) => base.force(mass, time, angle),
+        };
+        for (push, part) in push.iter_mut().zip(self.about_centre(&force)) {
+            *push += part;
+        }
+    }
+
+    /// What the static equilibrium carries of it: the mean pull of a chain, the value of a series at
+    /// t = 0; nothing of what merely vibrates or strikes.
+    pub fn static_part(&self) -> Vector5 {
+        match &self.kind {
+            LoadKind::Sprocket(sprocket) => self.about_centre(&sprocket.mean()),
+            LoadKind::Series(series) => self.about_centre(&series.at(0.0)),
+            _ => [0.0; 5],
+        }
+    }
+
+    /// Its main vibration; `mass` in kg is that of the shaft.
+    pub fn swing(&self, mass: f64) -> Swing {
+        let swing = match &self.kind {
+            LoadKind::Harmonic(harmonic) => harmonic.swing(),
+            LoadKind::Shock(shock) => shock.swing(),
+            LoadKind::RandomShocks(shocks) => shocks.swing(),
+            LoadKind::Sprocket(sprocket) => sprocket.swing(),
+            LoadKind::Noise(noise) => noise.swing(),
+            LoadKind::Series(series) => series.swing(),
+            LoadKind::Base(base) => base.swing(mass),
+        };
+        Swing {
+            amplitude: self.about_centre(&swing.amplitude),
+            ..swing
+        }
+    }
+
+    /// The first time after `after` at which the load or its slope jumps, s.
+    pub fn next_break(&self, after: f64) -> f64 {
+        match &self.kind {
+            LoadKind::Shock(shock) => shock.next_break(after),
+            LoadKind::RandomShocks(shocks) => shocks.next_break(after),
+            LoadKind::Series(series) => series.next_break(after),
+            LoadKind::Base(base) => base.next_break(after),
+            LoadKind::Harmonic(_) | LoadKind::Sprocket(_) | LoadKind::Noise(_) => f64::INFINITY,
+        }
+    }
+
+    /// The same load about the centre of mass.
+    fn about_centre(&self, load: &Vector5) -> Vector5 {
+        let [x, y, z, tilt_x, tilt_y] = *load;
+        [
+            x,
+            y,
+            z,
+            tilt_x - self.position * y,
+            tilt_y + self.position * x,
+        ]
+    }
+}
+
+/// The earliest of times that lie after `after`; infinite where none does.
+fn earliest(times: impl IntoIterator<Item = f64>, after: f64) -> f64 {
+    let later = times.into_iter().filter(|time| *time > after);
+    later.fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,102 @@
+//! Band-limited noise.
+
+use std::f64::consts::TAU;
+
+use super::{SplitMix64, Swing};
+use crate::bearing::Vector5;
+
+/// What noise is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoiseBand {
+    /// Root mean square of each component, N and N m.
+    pub rms: Vector5,
+    /// Lowest frequency, Hz.
+    pub low: f64,
+    /// Highest frequency, Hz.
+    pub high: f64,
+    /// Number of cosines of each component.
+    pub lines: u32,
+    /// Seed: the same one gives the same noise.
+    pub seed: u64,
+}
+
+/// Noise of a flat spectrum between two frequencies: a sum of cosines.
+///
+/// ```text
+/// P(t) = P_rms √(2/N) Σ_k cos(2π f_k t + φ_k),   k = 0 … N−1
+/// f_k = f_low + (k + u_k)(f_high − f_low)/N,     φ_k = 2π u'_k,   u, u' uniform in 0 … 1
+/// ```
+///
+/// Exactly limited to its band and a pure function of time. The frequencies stand irregularly, so
+/// it does not repeat; its values are Gaussian for many lines. Components are independent. An
+/// evaluation costs N cosines for each component: about 10 ns each.
+///
+/// Source: Shinozuka & Deodatis, *Simulation of stochastic processes by spectral representation*,
+/// Appl. Mech. Rev. 44 (1991) 191, eq. 41; shifted frequencies: Shinozuka & Jan, J. Sound Vib. 25
+/// (1972) 111.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Noise {
+    rms: Vector5,
+    lowest: f64,
+    /// Component, angular frequency in rad/s, phase in rad, and amplitude of every cosine.
+    lines: Vec<Line>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Line {
+    axis: usize,
+    frequency: f64,
+    phase: f64,
+    amplitude: f64,
+}
+
+impl Noise {
+    /// The noise of a band and a seed.
+    pub fn new(band: &NoiseBand) -> Self {
+        let count = f64::from(band.lines);
+        let width = (band.high - band.low) / count;
+        let mut lines = Vec::new();
+        for (axis, rms) in band
+            .rms
+            .into_iter()
+            .enumerate()
+            .filter(|(_, rms)| *rms > 0.0)
+        {
+            let random = SplitMix64::new(band.seed).stream(axis as u64);
+            lines.extend((0..band.lines).map(|k| {
+                let (shift, phase) = (2 * u64::from(k), 2 * u64::from(k) + 1);
+                let frequency = band.low + (f64::from(k) + random.uniform(shift)) * width;
+                Line {
+                    axis,
+                    frequency: TAU * frequency,
+                    phase: TAU * random.uniform(phase),
+                    amplitude: rms * (2.0 / count).sqrt(),
+                }
+            }));
+        }
+        Self {
+            rms: band.rms,
+            lowest: TAU * band.low,
+            lines,
+        }
+    }
+
+    /// The load at a time in s.
+    #[inline]
+    pub fn at(&self, time: f64) -> Vector5 {
+        let mut sum = [0.0; 5];
+        for line in &self.lines {
+            sum[line.axis] += line.amplitude * (line.frequency * time + line.phase).cos();
+        }
+        sum
+    }
+
+    /// Its root mean square at its lowest frequency.
+    pub fn swing(&self) -> Swing {
+        Swing {
+            amplitude: self.rms,
+            frequency: self.lowest,
+            order: 0.0,
+        }
+    }
+}
