@@ -12,5 +12,7 @@ mod energy;
 mod equilibrium;
 mod interruption;
 mod linear_rotor;
+mod loads;
 mod ring;
 mod spectral_lines;
+mod speed;
