@@ -15,7 +15,11 @@ use std::io;
 use jeffcott::bearing::CageAngle;
 use jeffcott::integrate::System;
 use jeffcott::report::TraceCsv;
-use jeffcott::rotor::{Freedoms, Rotor, RotorDefinition, Sample};
+use jeffcott::rotor::load::{
+    ChainDrive, Column, Interpolation, Noise, NoiseBand, RandomShocks, Series, ShockStatistics,
+    Sprocket,
+};
+use jeffcott::rotor::{Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample, SpeedPoint};
 use jeffcott::simulate::{Model, TraceSink};
 
 use support::{back_to_back_pair, bearing, model, ring, settings, shaft, simulate_into};
@@ -85,10 +89,62 @@ fn the_allocator_counts() {
     assert_eq!((count, peak), (1, 1000));
 }
 
+/// One load of each kind that keeps a list.
+fn varying_loads() -> Vec<Load> {
+    let peak = [10.0, 0.0, 0.0, 0.0, 0.0];
+    let statistics = ShockStatistics {
+        peak,
+        least: 0.5,
+        duration: 1e-3,
+        rate: 1000.0,
+        seed: 1,
+    };
+    let drive = ChainDrive {
+        teeth: 8,
+        pitch: 0.05,
+        span: 0.5,
+        force: 100.0,
+        direction: 0.0,
+        harmonics: 8,
+    };
+    let band = NoiseBand {
+        rms: peak,
+        low: 10.0,
+        high: 100.0,
+        lines: 8,
+        seed: 1,
+    };
+    let column = Column {
+        axis: 1,
+        values: vec![0.0, 5.0, 1.0],
+    };
+    let series = Series::new(
+        vec![0.0, 0.01, 0.05],
+        vec![column],
+        Interpolation::MonotoneCubic,
+    );
+    let kinds = [
+        LoadKind::RandomShocks(RandomShocks::new(&statistics, 0.1)),
+        LoadKind::Sprocket(Sprocket::new(&drive)),
+        LoadKind::Noise(Noise::new(&band)),
+        LoadKind::Series(series.expect("a series")),
+    ];
+    let load = |kind| Load {
+        kind,
+        position: 0.01,
+    };
+    kinds.map(load).into()
+}
+
 #[test]
 fn the_right_hand_side_allocates_nothing() {
     let pair = RotorDefinition {
         speed: 500.0,
+        speed_points: vec![SpeedPoint {
+            time: 0.05,
+            speed: 600.0,
+        }],
+        loads: varying_loads(),
         ..rotor(shaft(Freedoms::All), back_to_back_pair())
     };
     let pair = Rotor::assemble(&pair).expect("a rotor");

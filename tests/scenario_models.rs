@@ -6,7 +6,7 @@ use jeffcott::bearing::{ContactLaw, Facing, FreePosition, Geometry, MountedBeari
 use jeffcott::integrate::Method;
 use jeffcott::physics::RaceControl;
 use jeffcott::quasi_static::{StaticQuestion, TorsionCause, quasi_static};
-use jeffcott::rotor::{Damping, Freedoms, InitialPosition};
+use jeffcott::rotor::{Damping, Freedoms, InitialPosition, LoadKind, SpeedPoint};
 use jeffcott::scenario::{self, Format, Scenario};
 use jeffcott::simulate::{Model, Sampling};
 
@@ -288,4 +288,46 @@ fn a_set_back_to_back_resists_tilting_more_than_face_to_face() {
     // moment arms of the contact lines about the middle: d_m/2 tan α ± spacing/2
     let (back, face) = (tilt("back-to-back"), tilt("face-to-face"));
     assert!(back > 5.0 * face, "{back} against {face}");
+}
+
+fn with_speed(speed: &str) -> Model {
+    let text = SMALLEST.replace("constant = \"3000 rpm\"", speed);
+    read(&format!("{text}{BEARING}")).model
+}
+
+#[test]
+fn a_ramp_and_a_profile_of_the_same_speeds_are_the_same() {
+    let ramp = "from = \"10 rad/s\"\nto = \"50 rad/s\"\nover = \"2 s\"";
+    let profile = "profile = [{ at = \"0 s\", speed = \"10 rad/s\" }, \
+                   { at = \"2 s\", speed = \"50 rad/s\" }]";
+    let [ramp, profile] = [ramp, profile].map(with_speed);
+    assert_eq!(ramp.rotor.speed, 10.0);
+    let end = SpeedPoint {
+        time: 2.0,
+        speed: 50.0,
+    };
+    assert_eq!(ramp.rotor.speed_points, [end]);
+    assert_eq!(ramp, profile);
+}
+
+#[test]
+fn a_force_at_a_place_is_a_moment_where_the_tilts_move() {
+    let text = SMALLEST.replace(
+        "\"translational\"",
+        "\"all\"\ninertia_transverse = \"1 g m^2\"\ninertia_polar = \"1 g m^2\"",
+    );
+    let loads = "[[load]]\nconstant = { x = \"10 N\", y = \"20 N\" }\nposition = \"50 mm\"\n\
+                 [[load]]\nshock = { peak = { y = \"1 kN\" }, duration = \"1 ms\" }\nposition = \"-1 m\"\n";
+    let rotor = read(&format!("{text}{BEARING}{loads}")).model.rotor;
+    assert_eq!(rotor.load, [10.0, 20.0, 0.0, -1.0, 0.5]);
+    assert_eq!(rotor.loads.len(), 1);
+    assert_eq!(rotor.loads[0].position, -1.0);
+    assert!(matches!(rotor.loads[0].kind, LoadKind::Shock(_)));
+}
+
+#[test]
+fn a_misaligned_shaft_is_held_at_its_tilt() {
+    let text = SMALLEST.replace("[speed]", "tilt_y = \"1 mrad\"\n[speed]");
+    let rotor = read(&format!("{text}{BEARING}")).model.rotor;
+    assert_eq!(rotor.shaft.held_tilt, [0.0, 1e-3]);
 }

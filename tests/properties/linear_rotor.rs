@@ -9,7 +9,7 @@ use crate::support::{
     AT_EQUILIBRIUM, assert_near, back_to_back_pair, model, rotor, samples, shaft, thrust_rotor,
 };
 
-fn linear(definition: RotorDefinition) -> RotorDefinition {
+pub fn linear(definition: RotorDefinition) -> RotorDefinition {
     let bearings = definition.bearings.iter().map(|bearing| MountedBearing {
         law: ContactLaw::Linear,
         ..*bearing
@@ -21,7 +21,7 @@ fn linear(definition: RotorDefinition) -> RotorDefinition {
 }
 
 /// √(K_xx/m) at the static equilibrium, rad/s.
-fn natural_speed(definition: &RotorDefinition) -> f64 {
+pub fn natural_speed(definition: &RotorDefinition) -> f64 {
     let rotor = Rotor::assemble(definition).expect("a rotor");
     (rotor.equilibrium().stiffness[(0, 0)] / definition.shaft.mass).sqrt()
 }

@@ -13,5 +13,7 @@ mod equilibrium;
 mod interruption;
 mod linear_rotor;
 mod linearisation;
+mod loads;
 mod ring;
 mod spectral_lines;
+mod speed;

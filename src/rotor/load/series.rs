@@ -25,7 +25,7 @@ pub struct Column {
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SeriesError {
     /// Nothing to interpolate between.
-    #[error("{rows} rows are too few: at least two")]
+    #[error("a series needs at least two rows; this one has {rows}")]
     TooFew {
         /// Number of rows.
         rows: usize,

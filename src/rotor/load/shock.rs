@@ -73,7 +73,14 @@ impl Shock {
     /// The next begin or end of a shock after a time, s.
     pub fn next_break(&self, after: f64) -> f64 {
         let begin = self.begin_before(after);
-        let next = self.every.map_or(begin, |every| begin + every);
-        earliest([begin, begin + self.duration, next], after)
+        let every = self.every.unwrap_or(0.0);
+        // by round-off the shock that begins at `after` itself may count as the next one
+        let begins = [begin, begin + every, begin + 2.0 * every];
+        earliest(
+            begins
+                .into_iter()
+                .flat_map(|begin| [begin, begin + self.duration]),
+            after,
+        )
     }
 }

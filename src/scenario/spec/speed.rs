@@ -8,39 +8,32 @@ use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{AngularSpeed, Quantity, Time};
 
-/// How fast the shaft turns about +Z, in exactly one of three ways.
+/// How fast the shaft turns about +Z, in exactly one of three ways: `constant`; `from`, `to` and
+/// `over`; or `profile`. Static equilibrium, damping ratios and natural frequencies are those at the
+/// start.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("x-exactly-one" = ["constant", "ramp", "profile"]))]
+#[schemars(extend("x-exactly-one" = ["constant", "from", "profile"]))]
 pub struct SpeedSpec {
     /// Constant speed from the start on, for instance "500 rad/s" or "3000 rpm"; zero or
     /// positive.
     #[schemars(extend("x-minimum" = 0.0))]
     pub constant: Option<Quantity<AngularSpeed>>,
-    /// A run-up or coast-down at constant acceleration; the speed that it ends at is held. The
-    /// static equilibrium, damping ratios and natural frequencies are those at the start.
-    pub ramp: Option<RampSpec>,
+    /// Speed at the start of a run-up or coast-down at constant acceleration.
+    #[schemars(extend("examples" = ["0 rpm"], "x-minimum" = 0.0))]
+    pub from: Option<Quantity<AngularSpeed>>,
+    /// Speed at its end, which is held from there on.
+    #[schemars(extend("examples" = ["3000 rpm"], "x-minimum" = 0.0))]
+    pub to: Option<Quantity<AngularSpeed>>,
+    /// Time that it takes.
+    #[schemars(extend("examples" = ["2 s"], "x-minimum" = 1e-6))]
+    pub over: Option<Quantity<Time>>,
     /// Speeds at times, the first at "0 s" and at least two, with straight lines between them;
     /// the last speed is held.
     #[schemars(extend("examples" = [[
         { "at": "0 s", "speed": "0 rpm" }, { "at": "2 s", "speed": "3000 rpm" },
     ]]))]
     pub profile: Option<Vec<PointSpec>>,
-}
-
-/// A change of speed at constant acceleration.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct RampSpec {
-    /// Speed at the start.
-    #[schemars(extend("examples" = ["0 rpm"], "x-minimum" = 0.0))]
-    pub from: Quantity<AngularSpeed>,
-    /// Speed at the end.
-    #[schemars(extend("examples" = ["3000 rpm"], "x-minimum" = 0.0))]
-    pub to: Quantity<AngularSpeed>,
-    /// Time that it takes.
-    #[schemars(extend("examples" = ["2 s"], "x-minimum" = 1e-6))]
-    pub over: Quantity<Time>,
 }
 
 /// A speed at a time.
@@ -59,7 +52,7 @@ impl SpeedSpec {
     /// The key that the speed is given by.
     pub fn path(&self) -> &'static str {
         match self {
-            Self { ramp: Some(_), .. } => "speed.ramp",
+            Self { from: Some(_), .. } => "speed.from",
             Self {
                 profile: Some(_), ..
             } => "speed.profile",
@@ -69,12 +62,9 @@ impl SpeedSpec {
 
     /// The speed from the start on, as far as nothing contradicts it.
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<SpeedProfile> {
-        let (start, points) = if let Some(ramp) = &self.ramp {
-            let end = SpeedPoint {
-                time: ramp.over.si(),
-                speed: ramp.to.si(),
-            };
-            (ramp.from.si(), vec![end])
+        let ramp = self.ramp(problems);
+        let (start, points) = if let Some(from) = &self.from {
+            (from.si(), vec![ramp?])
         } else if let Some(profile) = &self.profile {
             points(profile, problems)?
         } else {
@@ -83,6 +73,36 @@ impl SpeedSpec {
         };
         let refused = |error| problems.refuse(Issue::new(self.path(), format!("{error}")), &[]);
         SpeedProfile::new(start, &points).map_err(refused).ok()
+    }
+
+    /// The end of a run-up or coast-down; its three keys go together.
+    fn ramp(&self, problems: &mut Problems<'_>) -> Option<SpeedPoint> {
+        let given = [
+            ("from", self.from.is_some()),
+            ("to", self.to.is_some()),
+            ("over", self.over.is_some()),
+        ];
+        let named = |there: bool| {
+            let names = given.iter().filter(move |(_, given)| *given == there);
+            names
+                .map(|(name, _)| format!("`{name}`"))
+                .collect::<Vec<_>>()
+        };
+        let (present, missing) = (named(true), named(false));
+        if let (Some(first), false) = (given.iter().find(|(_, given)| *given), missing.is_empty()) {
+            let message = format!(
+                "{} needs {} as well",
+                present.join(" with "),
+                missing.join(" and ")
+            );
+            let issue = Issue::new(format!("speed.{}", first.0), message)
+                .help("a run-up is from = \"0 rpm\", to = \"3000 rpm\", over = \"2 s\"");
+            problems.refuse(issue, &[]);
+        }
+        Some(SpeedPoint {
+            time: self.over.as_ref()?.si(),
+            speed: self.to.as_ref()?.si(),
+        })
     }
 }
 
