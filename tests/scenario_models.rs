@@ -292,7 +292,7 @@ fn a_set_back_to_back_resists_tilting_more_than_face_to_face() {
 
 fn with_speed(speed: &str) -> Model {
     let text = SMALLEST.replace("constant = \"3000 rpm\"", speed);
-    read(&format!("{text}{BEARING}")).model
+    read(&format!("{text}{BEARING}")).model.unwrap()
 }
 
 #[test]
@@ -318,7 +318,7 @@ fn a_force_at_a_place_is_a_moment_where_the_tilts_move() {
     );
     let loads = "[[load]]\nconstant = { x = \"10 N\", y = \"20 N\" }\nposition = \"50 mm\"\n\
                  [[load]]\nshock = { peak = { y = \"1 kN\" }, duration = \"1 ms\" }\nposition = \"-1 m\"\n";
-    let rotor = read(&format!("{text}{BEARING}{loads}")).model.rotor;
+    let rotor = read(&format!("{text}{BEARING}{loads}")).model.unwrap().rotor;
     assert_eq!(rotor.load, [10.0, 20.0, 0.0, -1.0, 0.5]);
     assert_eq!(rotor.loads.len(), 1);
     assert_eq!(rotor.loads[0].position, -1.0);
@@ -328,6 +328,6 @@ fn a_force_at_a_place_is_a_moment_where_the_tilts_move() {
 #[test]
 fn a_misaligned_shaft_is_held_at_its_tilt() {
     let text = SMALLEST.replace("[speed]", "tilt_y = \"1 mrad\"\n[speed]");
-    let rotor = read(&format!("{text}{BEARING}")).model.rotor;
+    let rotor = read(&format!("{text}{BEARING}")).model.unwrap().rotor;
     assert_eq!(rotor.shaft.held_tilt, [0.0, 1e-3]);
 }
