@@ -151,7 +151,7 @@ fn shown_names(count: usize) -> usize {
     }
     (4..=MOST_NAMES)
         .rev()
-        .find(|shown| (count - 1) % (shown - 1) == 0)
+        .find(|shown| (count - 1).is_multiple_of(shown - 1))
         .unwrap_or(MOST_NAMES)
 }
 

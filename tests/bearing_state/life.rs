@@ -68,7 +68,7 @@ fn with_a_diametral_clearance_of_10_micrometre() {
         state.life.expect("a life")
     };
     for (value, printed) in [
-        (radially, 10_795.7948),
+        (radially, 10_795.794_8),
         (life(CLEARANCE, AXIAL, [true; 5]), 3115.8781),
         (life(CLEARANCE, combined, [true; 5]), 1630.5367),
     ] {
