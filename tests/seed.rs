@@ -277,6 +277,8 @@ fn figure_7_deformation_under_axial_force() {
     printed(ends(held), [0.095, 0.059], 3);
     printed(ends(free), [1.158, 0.393], 3);
     for study in [held, free] {
+        let swings = [200.0, 1000.0].map(|force| study.swing_of(force, |place| place.deformation));
+        assert!(swings[1] < swings[0], "{swings:?}");
         for forces in study.column(&study.varied).windows(2) {
             let pairs = study.around(forces[0]).into_iter();
             let mut pairs = pairs.zip(study.around(forces[1]));
@@ -325,6 +327,11 @@ fn figure_9_contact_angle_under_axial_force() {
     let inner = forces.map(|force| held.swing_of(force, |place| place.inner));
     printed(inner, [0.0340, 0.0080], 4);
     printed(ratio(inner), [4.2], 1);
+    for force in held.column(&held.varied) {
+        let [loaded, other] = [0, 180].map(|azimuth| held.place(force, azimuth));
+        assert_eq!(loaded.outer > other.outer, force <= 300.0, "{force}");
+        assert!(loaded.inner < other.inner, "{force}");
+    }
     let mean = forces.map(|force| free.swing(force));
     printed(mean, [1.117, 0.358], 3);
     printed(ratio(mean), [3.1], 1);
