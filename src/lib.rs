@@ -24,6 +24,9 @@
 //! ball's inner groove centre to the force there and its exact derivative. A [`bearing::Ring`] sums
 //! it over the balls; the [`rotor::Rotor`] never knows which law runs.
 //!
+//! [`seed_paper`] holds no code: it says figure by figure where the paper that the crate started from
+//! and this crate agree, and where they cannot.
+//!
 //! # Frame and signs
 //!
 //! SI units inside: m, N, kg, s, rad, Pa. Units appear only in scenario files and column headers.
@@ -106,3 +109,8 @@ pub mod rotor;
 pub mod scenario;
 pub mod simulate;
 pub mod study;
+
+/// The studies of the paper that the crate started from, figure by figure.
+///
+#[doc = include_str!("../scenarios/seed/README.md")]
+pub mod seed_paper {}

@@ -318,7 +318,10 @@ fn a_force_at_a_place_is_a_moment_where_the_tilts_move() {
     );
     let loads = "[[load]]\nconstant = { x = \"10 N\", y = \"20 N\" }\nposition = \"50 mm\"\n\
                  [[load]]\nshock = { peak = { y = \"1 kN\" }, duration = \"1 ms\" }\nposition = \"-1 m\"\n";
-    let rotor = read(&format!("{text}{BEARING}{loads}")).model.unwrap().rotor;
+    let rotor = read(&format!("{text}{BEARING}{loads}"))
+        .model
+        .unwrap()
+        .rotor;
     assert_eq!(rotor.load, [10.0, 20.0, 0.0, -1.0, 0.5]);
     assert_eq!(rotor.loads.len(), 1);
     assert_eq!(rotor.loads[0].position, -1.0);
