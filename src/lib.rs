@@ -31,7 +31,7 @@
 //!
 //! SI units inside: m, N, kg, s, rad, Pa. Units appear only in scenario files and column headers.
 //! The frame is right-handed and fixed in the housing: Z along the shaft, X horizontal, Y up;
-//! gravity acts along −Y. The shaft turns by ψ = ωt > 0 about +Z; the unbalance points along +X at
+//! gravity acts along −Y. The shaft turns by ψ = ∫ω dt ≥ 0 about +Z; the unbalance points along +X at
 //! ψ = 0. The azimuth φ of a ball counts from +X towards +Y. F(q) is what the shaft presses onto the
 //! bearing at the displacement q = (x, y, z, θx, θy) of the inner ring; the bearing's force on the
 //! shaft is −F(q), and K = ∂F/∂q.

@@ -119,10 +119,18 @@ impl Rotor {
         let along = self.imbalance * rotation.acceleration;
         push[0] += inward * cos + along * sin;
         push[1] += inward * sin - along * cos;
-        for load in &self.loads {
-            load.add(time, rotation.angle, self.mass[0], &mut push);
+        if !self.loads.is_empty() {
+            self.add_loads(time, rotation.angle, &mut push);
         }
         push
+    }
+
+    /// Apart from the rest, which stays small where no load varies.
+    #[inline(never)]
+    fn add_loads(&self, time: f64, angle: f64, push: &mut Vector5) {
+        for load in &self.loads {
+            load.add(time, angle, self.mass[0], push);
+        }
     }
 
     /// What is observed in a state at a time.

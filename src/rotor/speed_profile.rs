@@ -135,8 +135,14 @@ impl SpeedProfile {
     pub fn at(&self, time: f64) -> Rotation {
         match &self.pieces[..] {
             [only] => only.at(time),
-            _ => self.pieces[self.piece_at(time)].at(time),
+            _ => self.passing(time),
         }
+    }
+
+    /// Apart from the constant speed, which stays small.
+    #[inline(never)]
+    fn passing(&self, time: f64) -> Rotation {
+        self.pieces[self.piece_at(time)].at(time)
     }
 
     /// Number of the piece that holds a time.

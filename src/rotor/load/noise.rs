@@ -29,10 +29,10 @@ pub struct NoiseBand {
 ///
 /// Exactly limited to its band and a pure function of time. The frequencies stand irregularly, so
 /// it does not repeat; its values are Gaussian for many lines. Components are independent. An
-/// evaluation costs N cosines for each component: about 10 ns each.
+/// evaluation costs N cosines for each component that is not zero.
 ///
 /// Source: Shinozuka & Deodatis, *Simulation of stochastic processes by spectral representation*,
-/// Appl. Mech. Rev. 44 (1991) 191, eq. 41; shifted frequencies: Shinozuka & Jan, J. Sound Vib. 25
+/// Appl. Mech. Rev. 44 (1991) 191; frequencies shifted after Shinozuka & Jan, J. Sound Vib. 25
 /// (1972) 111.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Noise {

@@ -27,7 +27,7 @@ pub struct ShockStatistics {
 /// t_(k+1) = t_k − ln(u)/λ,   p_k = least + (1 − least) u',   u, u' uniform in 0 … 1
 /// ```
 ///
-/// Source: Parzen, *Stochastic Processes* (1962), ch. 4: gaps of a Poisson process are exponential.
+/// Source: Parzen, *Stochastic Processes* (1962): the gaps of a Poisson process are exponential.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RandomShocks {
     peak: Vector5,

@@ -38,8 +38,9 @@ pub struct ChainDrive {
 /// of the near one, so that the strand swings by the rise over its length. Both are kept as Fourier
 /// series in z ψ up to a given harmonic, which rounds the corner at the change of teeth.
 ///
-/// Source: the kinematics of chordal action, Binder, *Mechanics of the Roller Chain Drive* (1956),
-/// ch. 4; Niemann & Winter, *Maschinenelemente* III (1983), sec. 26 (Polygoneffekt).
+/// Source: for the lever and the rise, the kinematics of chordal action: Binder, *Mechanics of the
+/// Roller Chain Drive* (1956); Niemann & Winter, *Maschinenelemente* III (1983), Polygoneffekt. The
+/// forces follow from them by the assumptions above.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sprocket {
     teeth: f64,
