@@ -3,7 +3,7 @@
 use super::damping::DampingMatrix;
 use super::{CageMotion, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
-use crate::bearing::{CageAngle, Support, Vector5};
+use crate::bearing::{BallContact, CageAngle, Support, Vector5};
 use crate::integrate::System;
 
 /// A concentrated mass on its bearings, assembled and ready to move.
@@ -42,6 +42,9 @@ pub struct Rotor {
     /// Displacement and velocity at t = 0.
     pub(super) initial: [Vector5; 2],
 }
+
+/// Part of the largest load that makes a ball a loaded one.
+const LOADED_PART: f64 = 1e-6;
 
 impl Rotor {
     /// Number of freedoms that move: the first so many of x, y, z, θx, θy.
@@ -138,14 +141,7 @@ impl Rotor {
         let displacement = self.full(&self.equilibrium.displacement, &state[..N / 2]);
         let velocity = self.full(&[0.0; FREEDOMS], &state[N / 2..]);
         let rotation = self.speed.at(time);
-        let (mut largest, mut loaded) = (0.0_f64, 0);
-        self.for_each_support(rotation.angle, |support, cage| {
-            support.for_each_contact(&displacement, cage, rotation.speed, &mut |ball| {
-                let load = ball.load_inner.max(ball.load_outer);
-                largest = largest.max(load);
-                loaded += u32::from(ball.load_inner > 0.0);
-            });
-        });
+        let (largest, loaded) = self.ball_loads(&displacement, &rotation);
         Sample {
             time,
             angle: rotation.angle,
@@ -158,6 +154,25 @@ impl Rotor {
             largest_ball_load: largest,
             balls_loaded: loaded,
         }
+    }
+
+    /// Largest load on a ball, N, and the number of balls that are loaded. Behind an oil film no load
+    /// is quite zero: what is less than a millionth of the largest counts as none.
+    fn ball_loads(&self, displacement: &Vector5, rotation: &Rotation) -> (f64, u32) {
+        let visit = |visit: &mut dyn FnMut(BallContact)| {
+            self.for_each_support(rotation.angle, |support, cage| {
+                support.for_each_contact(displacement, cage, rotation.speed, visit);
+            });
+        };
+        let (mut largest, mut largest_inner) = (0.0_f64, 0.0_f64);
+        visit(&mut |ball| {
+            largest = largest.max(ball.load_inner).max(ball.load_outer);
+            largest_inner = largest_inner.max(ball.load_inner);
+        });
+        let mut loaded = 0;
+        let threshold = LOADED_PART * largest_inner;
+        visit(&mut |ball| loaded += u32::from(ball.load_inner > threshold));
+        (largest, loaded)
     }
 
     /// Five components, the kept ones from a state, the others from `held`.

@@ -1,0 +1,34 @@
+//! The question: what to simulate, how exactly, and what to keep.
+
+use crate::analysis::Window;
+use crate::integrate::Settings;
+use crate::rotor::RotorDefinition;
+
+/// How often the motion is sampled.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Sampling {
+    /// Samples per shaft revolution, at the highest speed where it varies: the grid is uniform in
+    /// time, and at constant speed in shaft angle.
+    PerRevolution(u32),
+    /// Samples per second.
+    Rate(f64),
+}
+
+/// A complete, checked question: what to simulate, how exactly, and what to keep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Model {
+    /// Shaft, bearings, loads, speed and start.
+    pub rotor: RotorDefinition,
+    /// Simulated time, s.
+    pub duration: f64,
+    /// Time at the start that the spectra leave out, s.
+    pub settle: f64,
+    /// Sampling of trace and spectra.
+    pub sampling: Sampling,
+    /// Method and tolerance.
+    pub integrator: Settings,
+    /// Whether a second, tighter pass measures the error of the first.
+    pub verify: bool,
+    /// Window of the spectra; `None` leaves the spectra out, and memory is flat in the duration.
+    pub spectrum: Option<Window>,
+}

@@ -1,0 +1,74 @@
+//! The answer: everything about a run except its trace.
+
+use crate::analysis::{Peak, Spectrum};
+use crate::integrate::Counters;
+use crate::physics::BallPass;
+use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
+
+/// The static equilibrium that the run starts from, or is linearised about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StaticState {
+    /// x, y, z in m and θx, θy in rad.
+    pub displacement: [f64; FREEDOMS],
+    /// ∂F/∂q of all bearings, rows and columns x, y, z, θx, θy.
+    pub stiffness: [[f64; FREEDOMS]; FREEDOMS],
+    /// Largest unbalanced force of the kept freedoms relative to the load.
+    pub residual: f64,
+    /// Newton steps taken.
+    pub newton_steps: usize,
+    /// Natural frequencies, lowest first.
+    pub natural_frequencies: Vec<NaturalFrequency>,
+}
+
+/// Difference of the run from a second pass at a tenth of its tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeasuredError {
+    /// Largest difference of a displacement (tilts times their arm), m.
+    pub displacement: f64,
+    /// The same relative to the motion: the largest excursion from the static equilibrium, or the
+    /// smallest motion that the tolerance resolves above round-off.
+    pub relative: f64,
+    /// Tolerance of the second pass.
+    pub reference_tolerance: f64,
+    /// Work of the second pass.
+    pub counters: Counters,
+}
+
+/// Everything that a run answers, except the trace itself, which went to the sink.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Run {
+    /// Static equilibrium.
+    pub equilibrium: StaticState,
+    /// Ball-pass frequencies of each bearing, in the order of the scenario, at the speed after the
+    /// settle time; at the highest speed where it changes there.
+    pub ball_pass: Vec<BallPass>,
+    /// Work done.
+    pub counters: Counters,
+    /// Number of samples written.
+    pub samples: u64,
+    /// Measured error, where asked for.
+    pub measured_error: Option<MeasuredError>,
+    /// Spectra, where asked for.
+    pub spectrum: Option<Spectrum>,
+    /// Peaks of the spectra with their names.
+    pub peaks: Vec<Peak>,
+    /// What the reader of the results should know, each with its numbers.
+    pub warnings: Vec<String>,
+}
+
+impl StaticState {
+    /// What a rotor found before it moved.
+    pub(super) fn of(rotor: &Rotor) -> Self {
+        let equilibrium = rotor.equilibrium();
+        let stiffness = &equilibrium.stiffness;
+        Self {
+            displacement: equilibrium.displacement,
+            stiffness: std::array::from_fn(|row| {
+                std::array::from_fn(|column| stiffness[(row, column)])
+            }),
+            residual: equilibrium.residual,
+            newton_steps: equilibrium.newton_steps,
+            natural_frequencies: rotor.natural_frequencies(),
+        }
+    }
+}

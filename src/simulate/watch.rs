@@ -1,0 +1,40 @@
+//! Who takes the samples, who watches the run, and how it can fail.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::integrate::IntegrateError;
+use crate::rotor::{RotorError, Sample};
+
+/// Takes the samples of a run one by one, in the order of time.
+pub trait TraceSink {
+    /// Takes one sample.
+    ///
+    /// # Errors
+    /// Whatever keeps the sink from taking it; the run ends there.
+    fn sample(&mut self, sample: &Sample) -> std::io::Result<()>;
+}
+
+/// How a run is watched and stopped from outside.
+pub struct Monitor<'a> {
+    /// Set to end the run at its next step.
+    pub stop: &'a AtomicBool,
+    /// Called now and then with the part of the run that is done, 0 … 1.
+    pub progress: &'a mut dyn FnMut(f64),
+}
+
+/// Why a run failed.
+#[derive(Debug, thiserror::Error)]
+pub enum SimulateError {
+    /// The rotor cannot be assembled.
+    #[error(transparent)]
+    Rotor(#[from] RotorError),
+    /// The integration cannot go on.
+    #[error(transparent)]
+    Integrate(#[from] IntegrateError),
+    /// The sink refused a sample.
+    #[error("the trace cannot be written: {0}")]
+    Sink(#[from] std::io::Error),
+    /// No uniform grid of angle exists for a shaft that stands.
+    #[error("the shaft does not turn: give samples per second instead of samples per revolution")]
+    NoRevolution,
+}
