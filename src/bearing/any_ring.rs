@@ -1,8 +1,8 @@
 //! A ring under whichever ball law its bearing asks for.
 
 use super::{
-    Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw,
-    JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
+    Around, BallContact, BallLaw, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw,
+    JonesFilmLaw, JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
 };
 
 /// The law is chosen once a call; the loop over the balls is compiled for each.
@@ -68,9 +68,9 @@ impl AnyRing {
         Self::new(&dry, 0.0).map(Some)
     }
 
-    #[inline(always)]
+    #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        with_ring!(self, ring => ring.force(displacement, cage, speed))
+        with_ring!(self, ring => force_of(ring, *displacement, cage, speed))
     }
 
     pub fn force_and_stiffness(
@@ -113,4 +113,15 @@ impl AnyRing {
         let geometry = &definition.bearing.geometry;
         with_ring!(self, ring => Thrust::new(geometry, ring.law()).displacement(thrust, speed))
     }
+}
+
+/// Force of a ring, out of line: in a function of its own the loop over the balls keeps the registers.
+#[inline(never)]
+fn force_of<L: BallLaw>(
+    ring: &Ring<L>,
+    displacement: Vector5,
+    cage: CageAngle,
+    speed: f64,
+) -> Vector5 {
+    ring.force(&displacement, cage, speed)
 }

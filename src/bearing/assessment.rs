@@ -15,7 +15,7 @@ use crate::physics::{
 
 /// Share of the largest load at the inner race below which a ball counts as unloaded: behind an oil
 /// film the load of a ball never quite vanishes.
-const LOADED_SHARE: f64 = 1e-6;
+pub(crate) const LOADED_SHARE: f64 = 1e-6;
 
 /// A bearing to be assessed at one place and speed.
 pub(super) struct Assessment<'a> {

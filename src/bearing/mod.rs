@@ -30,6 +30,7 @@ mod support;
 mod thrust;
 mod warnings;
 
+pub(crate) use assessment::LOADED_SHARE;
 pub use ball_law::{BallContact, BallForce, BallLaw, BallTangent};
 pub use contact_spring::{ContactSpring, HertzSpring};
 pub use definition::{Bearing, BearingError, ContactLaw, Facing, MountedBearing, Preload};

@@ -42,19 +42,22 @@ impl Seat {
     /// Displacement of the inner ring from the outer one; `shaft` is what the shaft imposes.
     #[inline(always)]
     pub fn settle(&self, ring: &AnyRing, shaft: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        let mut place = *shaft;
+        let [x, y, z, tilt_x, tilt_y] = *shaft;
         match *self {
-            Self::Fixed { offset } => place[AXIAL] += offset,
+            Self::Fixed { offset } => [x, y, z + offset, tilt_x, tilt_y],
             Self::Spring {
                 force,
                 start,
                 reach,
-            } => {
-                place[AXIAL] = start;
-                press(ring, &mut place, cage, speed, force, reach);
-            }
+            } => pressed(
+                ring,
+                [x, y, start, tilt_x, tilt_y],
+                cage,
+                speed,
+                force,
+                reach,
+            ),
         }
-        place
     }
 
     /// Derivative of the force by what the shaft imposes: a floating ring follows without resistance.
@@ -72,15 +75,24 @@ impl Seat {
 /// Newton steps of a floating ring.
 const STEP_LIMIT: usize = 60;
 
-/// Moves `place` axially until the ring carries `force`: Newton, its step at most `reach`.
-fn press(ring: &AnyRing, place: &mut Vector5, cage: CageAngle, speed: f64, force: f64, reach: f64) {
+/// `place` moved axially until the ring carries `force`: Newton, its step at most `reach`.
+#[inline(never)]
+fn pressed(
+    ring: &AnyRing,
+    mut place: Vector5,
+    cage: CageAngle,
+    speed: f64,
+    force: f64,
+    reach: f64,
+) -> Vector5 {
     for _ in 0..STEP_LIMIT {
-        let (carried, stiffness) = ring.force_and_stiffness(place, cage, speed);
+        let (carried, stiffness) = ring.force_and_stiffness(&place, cage, speed);
         let step = ((force - carried[AXIAL]) / stiffness[(AXIAL, AXIAL)]).clamp(-reach, reach);
         let next = place[AXIAL] + if step.is_nan() { reach } else { step };
         if (next - place[AXIAL]).abs() <= f64::EPSILON * reach {
-            return;
+            break;
         }
         place[AXIAL] = next;
     }
+    place
 }

@@ -16,7 +16,8 @@ struct LinearForce {
 }
 
 impl LinearForce {
-    fn force(&self, displacement: &Vector5) -> Vector5 {
+    #[inline(never)]
+    fn force(&self, displacement: Vector5) -> Vector5 {
         let shift: Vector5 = std::array::from_fn(|axis| displacement[axis] - self.origin[axis]);
         let mut force = self.force;
         for (column, shift) in shift.into_iter().enumerate() {
@@ -45,6 +46,8 @@ pub struct Support {
     seat: Seat,
     /// Hertz contacts of the geometry, inner race first.
     contacts: [HertzContact; 2],
+    /// Speed of the cage over that of the shaft.
+    cage_ratio: f64,
     /// Set once the bearing is linear.
     frozen: Option<LinearForce>,
     definition: MountedBearing,
@@ -66,6 +69,7 @@ impl Support {
             seat: Seat::new(definition, &ring)?,
             coarse: ring.coarse(definition)?,
             ring,
+            cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma()),
             frozen: None,
             definition: *definition,
             sign: definition.facing.sign(),
@@ -115,7 +119,7 @@ impl Support {
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         let imposed = self.imposed(displacement);
         let force = match &self.frozen {
-            Some(linear) => linear.force(&imposed),
+            Some(linear) => linear.force(imposed),
             None => {
                 let place = self.seat.settle(&self.ring, &imposed, cage, speed);
                 self.ring.force(&place, cage, speed)
@@ -187,7 +191,7 @@ impl Support {
     ) -> (Vector5, Matrix5) {
         let imposed = self.imposed(displacement);
         let (force, stiffness) = match &self.frozen {
-            Some(linear) => (linear.force(&imposed), linear.stiffness),
+            Some(linear) => (linear.force(imposed), linear.stiffness),
             None => self.local_tangent(ring, &imposed, cage, speed),
         };
         let transform = self.transform();
@@ -263,9 +267,10 @@ impl Support {
         .state()
     }
 
-    /// Nominal speed of the cage at a shaft speed, rad/s.
-    pub fn cage_speed(&self, speed: f64) -> f64 {
-        nominal_cage_speed(speed, self.definition.bearing.geometry.gamma())
+    /// Nominal speed of the cage over that of the shaft.
+    #[inline]
+    pub fn cage_ratio(&self) -> f64 {
+        self.cage_ratio
     }
 
     /// Ball-pass frequencies at the nominal contact angle.

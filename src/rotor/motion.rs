@@ -3,7 +3,7 @@
 use super::damping::DampingMatrix;
 use super::{CageMotion, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
-use crate::bearing::{BallContact, CageAngle, Support, Vector5};
+use crate::bearing::{BallContact, CageAngle, LOADED_SHARE, Support, Vector5};
 use crate::integrate::System;
 
 /// A concentrated mass on its bearings, assembled and ready to move.
@@ -42,9 +42,6 @@ pub struct Rotor {
     /// Displacement and velocity at t = 0.
     pub(super) initial: [Vector5; 2],
 }
-
-/// Part of the largest load that makes a ball a loaded one.
-const LOADED_PART: f64 = 1e-6;
 
 impl Rotor {
     /// Number of freedoms that move: the first so many of x, y, z, θx, θy.
@@ -94,7 +91,7 @@ impl Rotor {
     #[inline]
     pub(super) fn cage_ratio(&self, support: &Support) -> f64 {
         match self.cage {
-            CageMotion::Rolling => support.cage_speed(1.0),
+            CageMotion::Rolling => support.cage_ratio(),
             CageMotion::Frozen => 0.0,
         }
     }
@@ -170,7 +167,7 @@ impl Rotor {
             largest_inner = largest_inner.max(ball.load_inner);
         });
         let mut loaded = 0;
-        let threshold = LOADED_PART * largest_inner;
+        let threshold = LOADED_SHARE * largest_inner;
         visit(&mut |ball| loaded += u32::from(ball.load_inner > threshold));
         (largest, loaded)
     }
