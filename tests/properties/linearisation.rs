@@ -3,14 +3,15 @@
 use jeffcott::bearing::{ContactLaw, MountedBearing, Oil};
 use jeffcott::integrate::{Linearised, System};
 use jeffcott::physics::RaceControl;
-use jeffcott::rotor::{Damping, Freedoms, Rotor, RotorDefinition};
+use jeffcott::rotor::load::{Harmonic, Load, LoadKind, Pace};
+use jeffcott::rotor::{Damping, Freedoms, Rotor, RotorDefinition, SpeedPoint};
 
 use crate::support::{back_to_back_pair, rotor, shaft};
 
 const N: usize = 10;
 
 /// An unbalanced, damped shaft with all freedoms on a pair of bearings of one law.
-fn unbalanced_pair(law: ContactLaw, oil: Option<Oil>) -> Rotor {
+fn unbalanced_pair(law: ContactLaw, oil: Option<Oil>) -> RotorDefinition {
     let mut unbalanced = shaft(Freedoms::All);
     unbalanced.eccentricity = 20e-6;
     unbalanced.gravity = true;
@@ -20,13 +21,12 @@ fn unbalanced_pair(law: ContactLaw, oil: Option<Oil>) -> Rotor {
         ..bearing
     };
     let bearings = back_to_back_pair().into_iter().map(with_law).collect();
-    let definition = RotorDefinition {
+    RotorDefinition {
         speed: 800.0,
         damping: Damping::StiffnessTime(1e-5),
         load: [100.0, -200.0, 50.0, 0.2, -0.1],
         ..rotor(unbalanced, bearings)
-    };
-    Rotor::assemble(&definition).expect("a rotor")
+    }
 }
 
 /// Central difference of the derivative by component `index` of (state…, time), in fourth order.
@@ -46,6 +46,64 @@ fn difference(rotor: &Rotor, time: f64, state: &[f64; N], index: usize, step: f6
     })
 }
 
+/// Asserts that the slopes at one state and time are those of the right-hand side.
+fn check(rotor: &Rotor, words: &str) {
+    let place = rotor.equilibrium().displacement;
+    let state: [f64; N] = std::array::from_fn(|i| {
+        if i < 5 {
+            place[i] + 1e-7 * i as f64
+        } else {
+            1e-3 * i as f64
+        }
+    });
+    let time = 0.0123;
+    let (jacobian, by_time) = rotor.linearisation(time, &state);
+    for index in 0..=N {
+        // steps well inside the contacts, and large against round-off
+        let step = [
+            1e-8, 1e-8, 1e-8, 1e-6, 1e-6, 1e-3, 1e-3, 1e-3, 1e-2, 1e-2, 1e-6,
+        ][index];
+        let expected = difference(rotor, time, &state, index, step);
+        let scale = expected
+            .iter()
+            .fold(1.0, |scale: f64, value| scale.max(value.abs()));
+        for row in 0..N {
+            let slope = if index < N {
+                jacobian[(row, index)]
+            } else {
+                by_time[row]
+            };
+            let error = (slope - expected[row]).abs() / scale;
+            assert!(
+                error < 1e-6,
+                "{words}, {row} {index}: {slope:e} {:e}",
+                expected[row]
+            );
+        }
+    }
+}
+
+#[test]
+fn linearisation_knows_a_run_up_and_varying_loads() {
+    let harmonic = Harmonic {
+        amplitude: [50.0, -20.0, 10.0, 0.1, 0.2],
+        pace: Pace::Frequency(130.0),
+        phase: 0.3,
+    };
+    let definition = RotorDefinition {
+        speed_points: vec![SpeedPoint {
+            time: 0.5,
+            speed: 1200.0,
+        }],
+        loads: vec![Load {
+            kind: LoadKind::Harmonic(harmonic),
+            position: 0.02,
+        }],
+        ..unbalanced_pair(ContactLaw::Hertz, None)
+    };
+    check(&Rotor::assemble(&definition).expect("a rotor"), "run-up");
+}
+
 #[test]
 fn linearisation_is_the_derivative_of_the_right_hand_side() {
     let oil = Oil {
@@ -61,39 +119,7 @@ fn linearisation_is_the_derivative_of_the_right_hand_side() {
         (outer, Some(oil)),
     ];
     for (law, oil) in laws {
-        let rotor = unbalanced_pair(law, oil);
-        let place = rotor.equilibrium().displacement;
-        let state: [f64; N] = std::array::from_fn(|i| {
-            if i < 5 {
-                place[i] + 1e-7 * i as f64
-            } else {
-                1e-3 * i as f64
-            }
-        });
-        let time = 0.0123;
-        let (jacobian, by_time) = rotor.linearisation(time, &state);
-        for index in 0..=N {
-            // steps well inside the contacts, and large against round-off
-            let step = [
-                1e-8, 1e-8, 1e-8, 1e-6, 1e-6, 1e-3, 1e-3, 1e-3, 1e-2, 1e-2, 1e-6,
-            ][index];
-            let expected = difference(&rotor, time, &state, index, step);
-            for row in 0..N {
-                let slope = if index < N {
-                    jacobian[(row, index)]
-                } else {
-                    by_time[row]
-                };
-                let scale: f64 = expected
-                    .iter()
-                    .fold(1.0, |scale, value| scale.max(value.abs()));
-                let error = (slope - expected[row]).abs() / scale;
-                assert!(
-                    error < 1e-6,
-                    "{law:?} {row} {index}: {slope:e} {:e}",
-                    expected[row]
-                );
-            }
-        }
+        let rotor = Rotor::assemble(&unbalanced_pair(law, oil)).expect("a rotor");
+        check(&rotor, &format!("{law:?}"));
     }
 }
