@@ -43,7 +43,7 @@ pub struct Around {
 }
 
 /// Balls that are worked on side by side.
-const LANES: usize = 4;
+const LANES: usize = 2;
 
 /// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
 #[derive(Debug, Clone, Copy)]
