@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use crate::bearing::equilibrium::{Equilibrium, FREEDOM_NAMES, StaticProblem};
-use crate::bearing::{BearingState, Matrix5, Support, Vector5};
+use crate::bearing::{BearingState, Geometry, Matrix5, Support, Vector5};
 use crate::rotor::{FREEDOMS, RotorDefinition, RotorError, build_supports, static_start};
 
 /// Twist of the shaft's middle segment, `θz = M_z L/(G I_p)`.
@@ -108,7 +108,11 @@ pub(crate) fn answer_on(
         force: equilibrium.force,
         free,
         stiffness: equilibrium.stiffness,
-        condition: condition(&equilibrium.stiffness, &free, arm(supports)),
+        condition: condition(
+            &equilibrium.stiffness,
+            &free,
+            Support::largest(supports, Geometry::inner_groove_radius),
+        ),
         residual: equilibrium.residual,
         newton_steps: equilibrium.newton_steps,
         twist: question.torsion.map(|torsion| torsion.twist(friction)),
@@ -145,12 +149,6 @@ fn equilibrium(
         speed: rotor.speed,
     };
     Ok((free, problem.solve()?))
-}
-
-/// Length that makes tilts comparable to displacements.
-fn arm(supports: &[Support]) -> f64 {
-    let arm = |support: &Support| support.definition().bearing.geometry.inner_groove_radius();
-    supports.iter().map(arm).fold(0.0, f64::max)
 }
 
 /// Largest over smallest singular value of K of the free freedoms.

@@ -41,6 +41,34 @@ fn scenarios() -> Vec<PathBuf> {
     files
 }
 
+/// The README's table names some of the scenarios; its errors are those of today, give or take what
+/// another processor's last digits make of them.
+fn check_against_readme(file: &Path, error: f64) {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let readme = fs::read_to_string(readme).expect("README.md");
+    let stem = file.file_stem().expect("a stem").to_string_lossy();
+    let start = format!("| `{stem}`");
+    let tolerance = |line: &&str| {
+        line.split('|')
+            .nth(2)
+            .is_some_and(|cell| cell.trim().starts_with("1e-"))
+    };
+    let Some(line) = readme
+        .lines()
+        .filter(|line| line.starts_with(&start))
+        .find(tolerance)
+    else {
+        return;
+    };
+    let cell = line.split('|').nth(3).expect("a column of errors").trim();
+    let number = cell.split(':').next().unwrap_or(cell);
+    let printed: f64 = number.parse().expect("a number");
+    assert!(
+        (0.5..2.0).contains(&(error / printed)),
+        "{stem}: {error:e}, the README says {number}"
+    );
+}
+
 #[test]
 fn every_shipped_scenario_runs_and_states_its_error() {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -62,6 +90,7 @@ fn every_shipped_scenario_runs_and_states_its_error() {
             "{}: {error}",
             file.display()
         );
+        check_against_readme(file, error.as_f64().unwrap_or(f64::NAN));
     }
     for file in files {
         let run = folder.path().join(file.file_stem().expect("a stem"));

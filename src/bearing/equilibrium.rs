@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-use super::Support;
 use super::ring::{CageAngle, Matrix5, Vector5};
+use super::{Geometry, Support};
 
 /// Names of the five freedoms, as they appear in messages and column headers.
 pub const FREEDOM_NAMES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
@@ -177,14 +177,7 @@ impl StaticProblem<'_> {
     }
 
     fn groove_centre_distance(&self) -> f64 {
-        let distance = |support: &Support| {
-            support
-                .definition()
-                .bearing
-                .geometry
-                .groove_centre_distance()
-        };
-        self.supports.iter().map(distance).fold(0.0, f64::max)
+        Support::largest(self.supports, Geometry::groove_centre_distance)
     }
 
     fn evaluate(&self, displacement: Vector5, fidelity: Fidelity) -> State {

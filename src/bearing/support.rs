@@ -4,7 +4,9 @@ use super::any_ring::AnyRing;
 use super::assessment::Assessment;
 use super::ring::{CageAngle, Matrix5, Vector5};
 use super::seat::Seat;
-use super::{Around, BallContact, BearingError, BearingState, ContactLaw, MountedBearing, Preload};
+use super::{
+    Around, BallContact, BearingError, BearingState, ContactLaw, Geometry, MountedBearing, Preload,
+};
 use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
 
 /// F = F0 + K (q − q0).
@@ -74,6 +76,12 @@ impl Support {
             definition: *definition,
             sign: definition.facing.sign(),
         })
+    }
+
+    /// Largest value of a dimension among the bearings of a shaft.
+    pub(crate) fn largest(supports: &[Self], dimension: fn(&Geometry) -> f64) -> f64 {
+        let of = |support: &Self| dimension(&support.definition.bearing.geometry);
+        supports.iter().map(of).fold(0.0, f64::max)
     }
 
     /// The bearing as it was defined.

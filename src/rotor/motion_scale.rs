@@ -3,7 +3,7 @@
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::{CageMotion, FREEDOMS, Load, Rotor};
-use crate::bearing::{CageAngle, Support};
+use crate::bearing::{CageAngle, Geometry, Support};
 
 /// Round-off of a position between the races, relative to the groove centre distance.
 const POSITION_ROUND_OFF: f64 = 4.0 * f64::EPSILON;
@@ -38,7 +38,7 @@ impl Rotor {
     /// shock counts as a steady vibration of its length, which is less than what it excites. The
     /// length is at least so large that `tolerance` times the length stays above the round-off of a position.
     pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
-        let arm = self.supports.iter().map(arm_of).fold(0.0, f64::max);
+        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
         let frequency = self.highest_frequency();
         let smallest = POSITION_ROUND_OFF / tolerance * self.groove_centre_distance();
         let length = smallest
@@ -75,14 +75,7 @@ impl Rotor {
     }
 
     fn groove_centre_distance(&self) -> f64 {
-        let distance = |support: &Support| {
-            support
-                .definition()
-                .bearing
-                .geometry
-                .groove_centre_distance()
-        };
-        self.supports.iter().map(distance).fold(0.0, f64::max)
+        Support::largest(&self.supports, Geometry::groove_centre_distance)
     }
 
     /// Largest amplitude under the unbalance at the speeds of the profile.
@@ -174,10 +167,6 @@ impl Rotor {
         let swing = velocity.iter().map(|velocity| velocity / frequency);
         largest(shift, arm).max(largest(swing, arm))
     }
-}
-
-fn arm_of(support: &Support) -> f64 {
-    support.definition().bearing.geometry.inner_groove_radius()
 }
 
 fn lever(axis: usize, arm: f64) -> f64 {
