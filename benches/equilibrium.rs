@@ -4,7 +4,9 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use jeffcott::bearing::equilibrium::StaticProblem;
-use jeffcott::bearing::{ContactLaw, Facing, MountedBearing, Oil, Preload, Support, catalogue};
+use jeffcott::bearing::{
+    ContactDamping, ContactLaw, Facing, MountedBearing, Oil, Preload, Support, catalogue,
+};
 use jeffcott::physics::RaceControl;
 
 const OIL: Oil = Oil {
@@ -32,6 +34,7 @@ fn equilibria(criterion: &mut Criterion) {
             position: 0.0,
             facing: Facing::PlusZ,
             preload: Preload::AxialOffset(0.0),
+            contact_damping: ContactDamping::default(),
             first_ball: 0.0,
         };
         let supports = [Support::new(&mounted, 1000.0).expect("a support")];

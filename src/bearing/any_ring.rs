@@ -1,5 +1,6 @@
 //! A ring under whichever ball law its bearing asks for.
 
+use super::contact_damping::DampedRaces;
 use super::{
     Around, BallContact, BallLaw, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw,
     JonesFilmLaw, JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
@@ -80,6 +81,18 @@ impl AnyRing {
         speed: f64,
     ) -> (Vector5, Matrix5) {
         with_ring!(self, ring => ring.force_and_stiffness(displacement, cage, speed))
+    }
+
+    /// Force that moves the ring at `rate`, seen from the cage, against the damping of its contacts.
+    pub fn damping_force(
+        &self,
+        displacement: &Vector5,
+        rate: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+        races: &DampedRaces,
+    ) -> Vector5 {
+        with_ring!(self, ring => ring.damping_force(displacement, rate, cage, speed, races))
     }
 
     /// Hands the contacts of every ball to `visit`, ball 0 first.

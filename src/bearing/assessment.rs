@@ -2,16 +2,15 @@
 
 use super::any_ring::AnyRing;
 use super::ball_line::BallLines;
+use super::bearing_friction::BearingFriction;
 use super::life::reference_rating_life;
 use super::ring::{CageAngle, Vector5};
 use super::seat::Seat;
-use super::static_safety::{static_rating, static_safety};
+use super::static_safety::static_safety;
 use super::{
-    BallLine, Bearing, BearingState, FrictionMoment, MountedBearing, Oil, StiffnessShares, warnings,
+    BallLine, Bearing, BearingState, MountedBearing, StiffnessShares, warnings,
 };
-use crate::physics::{
-    BallPass, FrictionFactors, HertzContact, MINERAL_OIL_DENSITY, ball_pass_frequencies,
-};
+use crate::physics::{BallPass, HertzContact, ball_pass_frequencies};
 
 /// Share of the largest load at the inner race below which a ball counts as unloaded: behind an oil
 /// film the load of a ball never quite vanishes.
@@ -48,7 +47,8 @@ impl Assessment<'_> {
                 .dynamic_rating
                 .and_then(|rating| reference_rating_life(&bearing.geometry, rating, loads())),
             static_safety: static_safety(self.contacts, loads()),
-            friction_moment: self.friction_moment(&force),
+            friction_moment: BearingFriction::new(self.definition, self.contacts)
+                .moment(&force, self.speed),
             ball_pass: self.ball_pass(&balls),
             warnings: warnings::of(bearing, &balls, &loaded(&balls).collect::<Vec<_>>()),
             balls,
@@ -80,26 +80,6 @@ impl Assessment<'_> {
                 contacts: self.seat.condense(shares.contacts),
                 films: self.seat.condense(shares.films),
             })
-    }
-
-    fn friction_moment(&self, force: &Vector5) -> FrictionMoment {
-        let geometry = &self.bearing().geometry;
-        let factors = FrictionFactors::of_contact_angle(geometry.nominal_angle());
-        let pitch_diameter = geometry.pitch_diameter();
-        let viscous = |oil: Oil| {
-            // ν = η0/ρ
-            let viscosity = oil.viscosity / MINERAL_OIL_DENSITY;
-            factors.viscous_moment(viscosity, self.speed, pitch_diameter)
-        };
-        FrictionMoment {
-            load: factors.load_moment(
-                force[0].hypot(force[1]),
-                force[2],
-                static_rating(geometry, self.contacts),
-                pitch_diameter,
-            ),
-            viscous: self.definition.oil.map_or(0.0, viscous),
-        }
     }
 
     /// Frequencies at the mean contact angle of the loaded balls.

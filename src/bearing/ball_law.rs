@@ -28,6 +28,15 @@ pub struct BallContact {
     pub angle_outer: f64,
 }
 
+/// Normal load of one contact, and its slope.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct LoadSlope {
+    /// Normal load Q, N.
+    pub load: f64,
+    /// Its derivatives by A1 and A2, N/m.
+    pub by_place: [f64; 2],
+}
+
 /// The law of one ball: from the place of the inner groove centre to the force that holds it there.
 ///
 /// `axial` (A1) and `radial` (A2) are measured from the outer groove centre in m, `speed` is the
@@ -42,6 +51,9 @@ pub trait BallLaw {
 
     /// Force and its exact derivative by position.
     fn force_and_tangent(&self, axial: f64, radial: f64, speed: f64) -> (BallForce, BallTangent);
+
+    /// Loads at the inner and the outer race and their exact derivatives by position.
+    fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2];
 
     /// Loads and angles of both contacts.
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact;

@@ -1,6 +1,6 @@
 //! What a bearing is made of and how it sits on the shaft: plain data, before any computation.
 
-use super::{Geometry, GeometryError, Oil};
+use super::{ContactDamping, Geometry, GeometryError, Oil};
 use crate::physics::{
     HertzContact, HertzError, Material, RaceControl, contact_modulus, inner_race_curvature,
     outer_race_curvature, series_stiffness,
@@ -42,6 +42,12 @@ pub enum BearingError {
     SeriesStiffness {
         /// Stiffness constant K_n as given, N/m^1.5.
         stiffness: f64,
+    },
+    /// A coefficient of the contact damping is no number that damps.
+    #[error("the contact damping is {value} s/m; it must be zero or positive, finite")]
+    ContactDamping {
+        /// Coefficient as given, s/m.
+        value: f64,
     },
     /// A bearing's preload has no axial position that gives it.
     #[error(
@@ -194,6 +200,8 @@ pub struct MountedBearing {
     pub facing: Facing,
     /// Axial preset.
     pub preload: Preload,
+    /// Damping of the contacts.
+    pub contact_damping: ContactDamping,
     /// Azimuth of ball 0 at the start, from +X towards +Y, rad.
     pub first_ball: f64,
 }

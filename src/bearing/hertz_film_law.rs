@@ -3,7 +3,9 @@
 use super::contact_spring::ContactSpring;
 use super::film_spring::{FilmSpring, LubricatedContact};
 use super::races::RaceFilms;
-use super::{BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, Oil};
+use super::{
+    BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, LoadSlope, Oil,
+};
 
 /// Law of a ball between two lubricated races, its inertia neglected.
 ///
@@ -124,6 +126,12 @@ impl BallLaw for HertzFilmLaw {
             [0.0, 0.0],
         ];
         (force, tangent)
+    }
+
+    fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2] {
+        let (distance, load, stiffness) = self.solve(axial, radial, speed);
+        let by_place = [stiffness * axial / distance, stiffness * radial / distance];
+        [LoadSlope { load, by_place }; 2]
     }
 
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact {

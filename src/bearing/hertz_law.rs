@@ -1,6 +1,6 @@
 //! Ball law of two Hertz contacts in series, ball inertia neglected.
 
-use super::{BallContact, BallForce, BallLaw, BallTangent};
+use super::{BallContact, BallForce, BallLaw, BallTangent, LoadSlope};
 
 /// Hertz contact of a ball with both races, the ball itself without inertia.
 ///
@@ -80,6 +80,17 @@ impl BallLaw for HertzLaw {
             [0.0, 0.0],
         ];
         (self.force(axial, radial, speed), tangent)
+    }
+
+    fn load_slopes(&self, axial: f64, radial: f64, _speed: f64) -> [LoadSlope; 2] {
+        let (distance, approach) = self.distance_and_approach(axial, radial);
+        // ∂Q/∂A = (dQ/dδ) n
+        let normal = 1.5 * self.load_deflection_constant * approach.sqrt();
+        let slope = LoadSlope {
+            load: self.load(approach),
+            by_place: [normal * axial / distance, normal * radial / distance],
+        };
+        [slope; 2]
     }
 
     fn contact(&self, axial: f64, radial: f64, _speed: f64) -> BallContact {

@@ -28,7 +28,9 @@ use super::Geometry;
 ///
 /// ```
 /// use jeffcott::bearing::equilibrium::StaticProblem;
-/// use jeffcott::bearing::{ContactLaw, Facing, MountedBearing, Preload, Support, catalogue};
+/// use jeffcott::bearing::{
+///     ContactDamping, ContactLaw, Facing, MountedBearing, Preload, Support, catalogue,
+/// };
 /// // 6305 of 210 GPa without clearance, the first ball on the load line; a commercial program's
 /// // results as printed in the public repository minzhun/ISO16281:
 /// // F_r = 1000 N → 13 163.019, F_a = 1000 N → 2222.7318 million revolutions. Under radial load the
@@ -44,6 +46,7 @@ use super::Geometry;
 ///     position: 0.0,
 ///     facing: Facing::PlusZ,
 ///     preload: Preload::AxialOffset(0.0),
+///     contact_damping: ContactDamping::default(),
 ///     first_ball: 0.0,
 /// };
 /// let supports = [Support::new(&mounted, 0.0)?];

@@ -156,9 +156,7 @@ impl<L: BallLaw> Ring<L> {
             let (sin, cos) = (place.sin, place.cos);
             let moment = self.arm * push.axial + push.couple;
             let moment_rate = [0, 1].map(|j| self.arm * tangent[0][j] + tangent[2][j]);
-            // dA1/dq and dA2/dq
-            let axial_rate = [0.0, 0.0, 1.0, self.arm * sin, -self.arm * cos];
-            let radial_rate = [cos, sin, 0.0, 0.0, 0.0];
+            let (axial_rate, radial_rate) = self.place_slopes(&place);
             let rows = [
                 (cos, push.radial, tangent[1]),
                 (sin, push.radial, tangent[1]),
@@ -227,13 +225,27 @@ impl<L: BallLaw> Ring<L> {
     }
 
     /// Every ball at its azimuth, with the place of its inner groove centre.
-    fn placed(&self, displacement: Vector5, cage: CageAngle) -> impl Iterator<Item = PlacedBall> {
+    pub(super) fn placed(
+        &self,
+        displacement: Vector5,
+        cage: CageAngle,
+    ) -> impl Iterator<Item = PlacedBall> {
         self.azimuths.iter().map(move |azimuth| {
             let (sin_0, cos_0) = azimuth.sin_cos();
             let cos = cos_0 * cage.cos - sin_0 * cage.sin;
             let sin = sin_0 * cage.cos + cos_0 * cage.sin;
             self.place(&displacement, sin, cos)
         })
+    }
+
+    /// dA1/dq and dA2/dq of a ball.
+    #[inline(always)]
+    pub(super) fn place_slopes(&self, ball: &PlacedBall) -> (Vector5, Vector5) {
+        let (sin, cos) = (ball.sin, ball.cos);
+        (
+            [0.0, 0.0, 1.0, self.arm * sin, -self.arm * cos],
+            [cos, sin, 0.0, 0.0, 0.0],
+        )
     }
 
     /// The inner groove centre at an azimuth.
@@ -260,9 +272,10 @@ fn add(sum: &mut [f64; LANES], part: [f64; LANES]) {
     }
 }
 
-struct PlacedBall {
-    axial: f64,
-    radial: f64,
+/// A ball at its azimuth, with the place (A1, A2) of its inner groove centre.
+pub(super) struct PlacedBall {
+    pub axial: f64,
+    pub radial: f64,
     cos: f64,
     sin: f64,
 }

@@ -60,6 +60,36 @@ impl Seat {
         }
     }
 
+    /// Derivative of the inner ring's displacement by what the shaft imposes, seen from the cage;
+    /// none where it is the identity. `stiffness` is that of the ring in its place.
+    pub fn follows(&self, stiffness: impl FnOnce() -> Matrix5) -> Option<Matrix5> {
+        match self {
+            Self::Fixed { .. } => None,
+            Self::Spring { .. } => {
+                let stiffness = stiffness();
+                let mut follows = Matrix5::identity();
+                // the axial force stays: K_z q̇ = 0
+                for column in 0..5 {
+                    follows[(AXIAL, column)] = if column == AXIAL {
+                        0.0
+                    } else {
+                        -stiffness[(AXIAL, column)] / stiffness[(AXIAL, AXIAL)]
+                    };
+                }
+                Some(follows)
+            }
+        }
+    }
+
+    /// Energy in J of the spring with the inner ring at `place` under what the shaft imposes.
+    pub fn stored_energy(&self, shaft: &Vector5, place: &Vector5) -> f64 {
+        match *self {
+            Self::Fixed { .. } => 0.0,
+            // the outer ring gives way by z_shaft − z
+            Self::Spring { force, .. } => force * (shaft[AXIAL] - place[AXIAL]),
+        }
+    }
+
     /// Derivative of the force by what the shaft imposes: a floating ring follows without resistance.
     pub fn condense(&self, stiffness: Matrix5) -> Matrix5 {
         match self {

@@ -2,10 +2,14 @@
 
 use super::any_ring::AnyRing;
 use super::assessment::Assessment;
+use super::bearing_friction::BearingFriction;
+use super::contact_damping::DampedRaces;
+use super::elastic_energy::{race_springs, stored_energy};
 use super::ring::{CageAngle, Matrix5, Vector5};
 use super::seat::Seat;
 use super::{
-    Around, BallContact, BearingError, BearingState, ContactLaw, Geometry, MountedBearing, Preload,
+    Around, BallContact, BearingError, BearingState, ContactLaw, FrictionMoment, Geometry,
+    HertzSpring, MountedBearing, Preload,
 };
 use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
 
@@ -15,6 +19,8 @@ struct LinearForce {
     origin: Vector5,
     force: Vector5,
     stiffness: Matrix5,
+    /// Damping of the contacts at the origin.
+    damping: Matrix5,
 }
 
 impl LinearForce {
@@ -29,7 +35,20 @@ impl LinearForce {
         }
         force
     }
+
+    /// Work from the origin to a displacement, J: `F0 (q − q0) + ½ (q − q0) K (q − q0)`.
+    fn energy(&self, displacement: &Vector5) -> f64 {
+        let there = self.force(*displacement);
+        (0..5)
+            .map(|axis| {
+                0.5 * (self.force[axis] + there[axis]) * (displacement[axis] - self.origin[axis])
+            })
+            .sum()
+    }
 }
+
+/// Rate at which the damping of a linear bearing is looked at, m/s: so slow that no contact parts.
+const SLOW: f64 = 1e-12;
 
 /// A bearing at its place on the rigid shaft, ready to answer with forces.
 ///
@@ -48,6 +67,11 @@ pub struct Support {
     seat: Seat,
     /// Hertz contacts of the geometry, inner race first.
     contacts: [HertzContact; 2],
+    /// Elastic contacts of the law, inner race first.
+    springs: [HertzSpring; 2],
+    /// The damped contacts, where there is damping.
+    damped: Option<DampedRaces>,
+    friction: BearingFriction,
     /// Speed of the cage over that of the shaft.
     cage_ratio: f64,
     /// Set once the bearing is linear.
@@ -66,8 +90,13 @@ impl Support {
     pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
         let ring = AnyRing::new(definition, speed)?;
         let bearing = &definition.bearing;
+        let contacts = [bearing.inner_contact()?, bearing.outer_contact()?];
+        let springs = race_springs(bearing)?;
         Ok(Self {
-            contacts: [bearing.inner_contact()?, bearing.outer_contact()?],
+            contacts,
+            springs,
+            damped: definition.contact_damping.races(springs)?,
+            friction: BearingFriction::new(definition, &contacts),
             seat: Seat::new(definition, &ring)?,
             coarse: ring.coarse(definition)?,
             ring,
@@ -114,12 +143,110 @@ impl Support {
             let origin = self.imposed(displacement);
             let (force, stiffness) =
                 self.local_tangent(&self.ring, &origin, CageAngle::START, speed);
+            let damping = self.damping_at(&origin, speed);
             self.frozen = Some(LinearForce {
                 origin,
                 force,
                 stiffness,
+                damping,
             });
         }
+    }
+
+    /// Derivative of the damping force by the rate, at rest and with the cage where it starts.
+    fn damping_at(&self, imposed: &Vector5, speed: f64) -> Matrix5 {
+        let mut damping = Matrix5::zeros();
+        if let Some(races) = &self.damped {
+            for column in 0..5 {
+                let mut rate = [0.0; 5];
+                rate[column] = SLOW;
+                let force = self.local_damping(races, imposed, &rate, CageAngle::START, speed);
+                for row in 0..5 {
+                    damping[(row, column)] = force[row] / SLOW;
+                }
+            }
+        }
+        damping
+    }
+
+    /// Whether the contacts of the bearing are damped.
+    pub fn is_damped(&self) -> bool {
+        self.damped.is_some()
+    }
+
+    /// Force and moment that move the shaft at `velocity` against the damping of the contacts, the
+    /// cage turning at `cage_speed` in rad/s.
+    pub fn damping_force(
+        &self,
+        displacement: &Vector5,
+        velocity: &Vector5,
+        cage: CageAngle,
+        [cage_speed, speed]: [f64; 2],
+    ) -> Vector5 {
+        let Some(races) = &self.damped else {
+            return [0.0; 5];
+        };
+        let (place, rate) = (self.imposed(displacement), self.imposed(velocity));
+        let force = match &self.frozen {
+            Some(linear) => (linear.damping * nalgebra::SVector::from(rate)).into(),
+            None => {
+                // seen by one who turns with the cage
+                let turn = quarter_turn(&place);
+                let rate = std::array::from_fn(|axis| rate[axis] - cage_speed * turn[axis]);
+                self.local_damping(races, &place, &rate, cage, speed)
+            }
+        };
+        self.on_shaft(&force)
+    }
+
+    fn local_damping(
+        &self,
+        races: &DampedRaces,
+        imposed: &Vector5,
+        rate: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> Vector5 {
+        let (ring, seat) = (&self.ring, &self.seat);
+        let place = seat.settle(ring, imposed, cage, speed);
+        let follows = seat.follows(|| ring.force_and_stiffness(&place, cage, speed).1);
+        let rate = nalgebra::SVector::from(*rate);
+        let rate = follows.map_or(rate, |follows| follows * rate);
+        let force = ring.damping_force(&place, &rate.into(), cage, speed, races);
+        match follows {
+            None => force,
+            // by virtual work
+            Some(follows) => (follows.transpose() * nalgebra::SVector::from(force)).into(),
+        }
+    }
+
+    /// Energy in J that the contacts store with the shaft at `displacement`: of a linear bearing that
+    /// of its frozen force, zero where it was frozen; of a floating ring less the work of its spring.
+    ///
+    /// Its derivative by the displacement is [`Support::force`] where the law has a potential: under
+    /// every law without ball inertia.
+    pub fn stored_energy(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> f64 {
+        let imposed = self.imposed(displacement);
+        if let Some(linear) = &self.frozen {
+            return linear.energy(&imposed);
+        }
+        let place = self.seat.settle(&self.ring, &imposed, cage, speed);
+        let mut energy = self.seat.stored_energy(&imposed, &place);
+        let films = self.ring.films();
+        self.ring.for_each_contact(&place, cage, speed, &mut |ball| {
+            let loads = [ball.load_inner, ball.load_outer];
+            let films = films.map(|films| films.thickness(loads, speed));
+            for race in 0..2 {
+                let film = films.as_ref().map(|films| &films[race]);
+                energy += stored_energy(&self.springs[race], loads[race], film);
+            }
+        });
+        energy
+    }
+
+    /// Friction moment under a force of the shaft onto this bearing in N at a speed in rad/s.
+    pub fn friction_moment(&self, force: &Vector5, speed: f64) -> FrictionMoment {
+        self.friction.moment(force, speed)
     }
 
     /// Force and moment that hold the shaft at `displacement` against this bearing.

@@ -83,6 +83,7 @@ impl Rotor {
             load: definition.constant_load(),
             loads: definition.loads.clone(),
             damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
+            contacts_damped: supports.iter().any(Support::is_damped),
             supports,
             initial: initial_state(definition, &equilibrium),
             equilibrium,

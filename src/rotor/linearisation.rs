@@ -3,11 +3,15 @@
 use nalgebra::SMatrix;
 
 use super::{FREEDOMS, Rotation, Rotor};
-use crate::bearing::{Matrix5, Vector5};
+use crate::bearing::{Geometry, Matrix5, Support, Vector5};
 use crate::integrate::Linearised;
 
 /// Time over which the change of a load is looked at, s.
 const LOAD_RATE_STEP: f64 = 1e-8;
+/// Steps over which the damping of the contacts is looked at, m and m/s: short against the approach
+/// of a contact and its rate, long against round-off.
+const PLACE_STEP: f64 = 1e-10;
+const RATE_STEP: f64 = 1e-7;
 
 impl<const N: usize> Linearised<N> for Rotor {
     fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]) {
@@ -36,8 +40,28 @@ impl<const N: usize> Linearised<N> for Rotor {
             by_time[kept + 3] -= change * state[kept + 4];
             by_time[kept + 4] += change * state[kept + 3];
         }
+        if self.contacts_damped {
+            let velocity = self.full(&[0.0; FREEDOMS], &state[kept..]);
+            let slopes = self.contact_damping_slopes(time, &displacement, &velocity);
+            for row in 0..kept {
+                let inverse_mass = self.inverse_mass[row];
+                for column in 0..kept {
+                    jacobian[(kept + row, column)] -= slopes.by_place[column][row] * inverse_mass;
+                    jacobian[(kept + row, kept + column)] -=
+                        slopes.by_rate[column][row] * inverse_mass;
+                }
+                by_time[kept + row] -= slopes.by_time[row] * inverse_mass;
+            }
+        }
         (jacobian, by_time)
     }
+}
+
+/// Derivatives of the force against the damping of the contacts, one vector a freedom.
+struct DampingSlopes {
+    by_place: [Vector5; FREEDOMS],
+    by_rate: [Vector5; FREEDOMS],
+    by_time: Vector5,
 }
 
 impl Rotor {
@@ -54,6 +78,51 @@ impl Rotor {
             }
         });
         (stiffness, rate)
+    }
+
+    /// By central differences: the force is smooth and, until a contact parts, linear in the rate.
+    fn contact_damping_slopes(
+        &self,
+        time: f64,
+        displacement: &Vector5,
+        velocity: &Vector5,
+    ) -> DampingSlopes {
+        let rotation = self.speed.at(time);
+        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
+        let lever = |axis: usize| if axis < 3 { 1.0 } else { arm };
+        let moved = |vector: &Vector5, axis: usize, step: f64| {
+            let mut moved = *vector;
+            moved[axis] += step;
+            moved
+        };
+        let slope = |up: Vector5, down: Vector5, step: f64| -> Vector5 {
+            std::array::from_fn(|row| (up[row] - down[row]) / (2.0 * step))
+        };
+        let by_place = |axis: usize| {
+            let step = PLACE_STEP / lever(axis);
+            let at = |step| {
+                self.contact_damping(&moved(displacement, axis, step), velocity, &rotation)
+            };
+            slope(at(step), at(-step), step)
+        };
+        let by_rate = |axis: usize| {
+            let step = RATE_STEP / lever(axis);
+            let at = |step| {
+                self.contact_damping(displacement, &moved(velocity, axis, step), &rotation)
+            };
+            slope(at(step), at(-step), step)
+        };
+        let later = |step: f64| {
+            self.contact_damping(displacement, velocity, &self.speed.at(time + step))
+        };
+        let (now, half, full) = (later(0.0), later(0.5 * LOAD_RATE_STEP), later(LOAD_RATE_STEP));
+        DampingSlopes {
+            by_place: std::array::from_fn(by_place),
+            by_rate: std::array::from_fn(by_rate),
+            by_time: std::array::from_fn(|axis| {
+                (4.0 * half[axis] - 3.0 * now[axis] - full[axis]) / LOAD_RATE_STEP
+            }),
+        }
     }
 
     /// Time derivative of the forces on the shaft that do not come from bearings: unbalance exactly,

@@ -16,7 +16,8 @@ use crate::integrate::System;
 /// I_t θ̈y + (C q̇)_θy − I_p ω θ̇x = −M_y + P_θy
 /// ```
 ///
-/// with F the force that holds the inner rings at q, and ψ, ω and ω̇ those of the speed profile. The
+/// with F the force that holds the inner rings at q and moves them against the damping of their
+/// contacts, and ψ, ω and ω̇ those of the speed profile. The
 /// cage of a bearing turns by its constant ratio of ψ, at any profile. Freedoms that the scene does
 /// not keep stay where the static equilibrium has them.
 ///
@@ -37,6 +38,8 @@ pub struct Rotor {
     /// Varying loads.
     pub(super) loads: Vec<Load>,
     pub(super) damping: DampingMatrix,
+    /// Whether the contacts of any bearing are damped.
+    pub(super) contacts_damped: bool,
     pub(super) supports: Vec<Support>,
     pub(super) equilibrium: Equilibrium,
     /// Displacement and velocity at t = 0.
@@ -80,6 +83,26 @@ impl Rotor {
         let mut total = [0.0; FREEDOMS];
         self.for_each_support(rotation.angle, |support, cage| {
             let force = support.force(displacement, cage, rotation.speed);
+            for axis in 0..FREEDOMS {
+                total[axis] += force[axis];
+            }
+        });
+        total
+    }
+
+    /// Force of the shaft against the damping of all contacts, N and N m; apart from the rest, which
+    /// stays small where no contact is damped.
+    #[inline(never)]
+    pub(super) fn contact_damping(
+        &self,
+        displacement: &Vector5,
+        velocity: &Vector5,
+        rotation: &Rotation,
+    ) -> Vector5 {
+        let mut total = [0.0; FREEDOMS];
+        self.for_each_support(rotation.angle, |support, cage| {
+            let speeds = [self.cage_ratio(support) * rotation.speed, rotation.speed];
+            let force = support.damping_force(displacement, velocity, cage, speeds);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
@@ -145,12 +168,25 @@ impl Rotor {
             speed: rotation.speed,
             displacement,
             velocity,
-            force_on_shaft: self
-                .force_on_bearings(&displacement, &rotation)
-                .map(|force| -force),
+            force_on_shaft: self.force_on_shaft(&displacement, &velocity, &rotation),
             largest_ball_load: largest,
             balls_loaded: loaded,
         }
+    }
+
+    /// Force of all bearings on the shaft, their contacts' damping included.
+    fn force_on_shaft(
+        &self,
+        displacement: &Vector5,
+        velocity: &Vector5,
+        rotation: &Rotation,
+    ) -> Vector5 {
+        let force = self.force_on_bearings(displacement, rotation);
+        if !self.contacts_damped {
+            return force.map(|force| -force);
+        }
+        let damping = self.contact_damping(displacement, velocity, rotation);
+        std::array::from_fn(|axis| -(force[axis] + damping[axis]))
     }
 
     /// Largest load on a ball, N, and the number of balls that are loaded. Behind an oil film no load
@@ -196,6 +232,13 @@ impl<const N: usize> System<N> for Rotor {
             push[4] += gyroscopic * velocity[3];
         }
         self.damping.brake(velocity, &mut push);
+        if self.contacts_damped {
+            let velocity = self.full(&[0.0; FREEDOMS], velocity);
+            let damping = self.contact_damping(&displacement, &velocity, &rotation);
+            for axis in 0..kept {
+                push[axis] -= damping[axis];
+            }
+        }
         for axis in 0..kept {
             rate[axis] = velocity[axis];
             rate[kept + axis] = (push[axis] - force[axis]) * self.inverse_mass[axis];

@@ -22,6 +22,7 @@ pub(super) enum Dimension {
     Density,
     Damping,
     TiltDamping,
+    ContactLoss,
     ContactStiffness,
     Stiffness,
     Viscosity,
@@ -76,7 +77,7 @@ const fn per(symbol: &'static str, divisor: f64) -> Unit {
 
 impl Dimension {
     /// Every dimension.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::Mass,
         Self::Length,
         Self::Angle,
@@ -92,6 +93,7 @@ impl Dimension {
         Self::Density,
         Self::Damping,
         Self::TiltDamping,
+        Self::ContactLoss,
         Self::ContactStiffness,
         Self::Stiffness,
         Self::Viscosity,
@@ -117,6 +119,7 @@ impl Dimension {
             Self::Density => "density",
             Self::Damping => "damping coefficient",
             Self::TiltDamping => "tilt damping coefficient",
+            Self::ContactLoss => "contact damping coefficient",
             Self::ContactStiffness => "contact stiffness",
             Self::Stiffness => "stiffness",
             Self::Viscosity => "viscosity",
@@ -156,6 +159,7 @@ impl Dimension {
             Self::Density => const { &[times("kg/m^3", 1.0), times("g/cm^3", 1e3)] },
             Self::Damping => const { &[times("N s/m", 1.0), times("N s/mm", 1e3), times("kN s/m", 1e3)] },
             Self::TiltDamping => const { &[times("N m s/rad", 1.0), times("N m s", 1.0), per("N mm s/rad", 1e3)] },
+            Self::ContactLoss => const { &[times("s/m", 1.0), times("s/mm", 1e3)] },
             Self::ContactStiffness => const { &[times("N/m^1.5", 1.0), times("N/mm^1.5", 31_622.776_601_683_792)] },
             Self::Stiffness => const { &[times("N/m", 1.0), times("N/mm", 1e3), times("N/um", 1e6), times("kN/mm", 1e6)] },
             Self::Viscosity => const { &[times("Pa s", 1.0), per("mPa s", 1e3), per("cP", 1e3)] },

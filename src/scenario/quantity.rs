@@ -167,6 +167,7 @@ measures! {
     Density "7800 kg/m^3" 1e6,
     Damping "200 N s/m" 1e12,
     TiltDamping "0.1 N m s/rad" 1e12,
+    ContactLoss "0.2 s/m" 1e9,
     ContactStiffness "1.334e10 N/m^1.5" 1e16,
     Viscosity "0.04 Pa s" 1e4,
     PressureViscosity "22 1/GPa" 1e-3,

@@ -2,7 +2,7 @@
 
 use jeffcott::bearing::equilibrium::StaticProblem;
 use jeffcott::bearing::{
-    Bearing, ContactLaw, Facing, FreePosition, Geometry, MountedBearing, Oil, Preload, Support,
+    Bearing, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, MountedBearing, Oil, Preload, Support,
     catalogue,
 };
 use jeffcott::physics::RaceControl;
@@ -103,6 +103,7 @@ fn case(seed: u64) -> Case {
         position: 0.0,
         facing: Facing::PlusZ,
         preload: Preload::AxialOffset(0.0),
+        contact_damping: ContactDamping::default(),
         first_ball: dice.between(0.0, std::f64::consts::TAU),
     };
     let mut definitions = vec![mounted];

@@ -9,7 +9,7 @@ use std::sync::atomic::AtomicBool;
 
 use jeffcott::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
 use jeffcott::bearing::{
-    BallContact, Bearing, CageAngle, ContactLaw, Facing, FreePosition, Geometry, HertzLaw,
+    BallContact, Bearing, CageAngle, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, HertzLaw,
     MountedBearing, Preload, Ring, Support, Vector5, catalogue,
 };
 use jeffcott::integrate::{Method, Settings};
@@ -58,6 +58,7 @@ pub fn mounted(bearing: Bearing) -> MountedBearing {
         position: 0.0,
         facing: Facing::PlusZ,
         preload: Preload::AxialOffset(0.0),
+        contact_damping: ContactDamping::default(),
         first_ball: 0.0,
     }
 }

@@ -6,7 +6,7 @@ use super::contact::Contact;
 use super::inertia::{InertiaForces, InertiaLaw};
 use super::plane::{apply, inverse, product};
 use crate::bearing::contact_spring::ContactSpring;
-use crate::bearing::{BallForce, BallTangent};
+use crate::bearing::{BallForce, BallTangent, LoadSlope};
 
 /// Dimensions of a ball's plane, and its inertia.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,13 +82,9 @@ impl Ball {
     #[inline(always)]
     pub(super) fn tangent(&self, balance: &Balance) -> BallTangent {
         let slopes = balance.slopes();
-        // no load, no force; and without inertia nothing then holds the ball anywhere
-        let Some(inverse) = inverse(&slopes.by_centre()).filter(|_| balance.inner.load > 0.0)
-        else {
+        let Some([inner_follows, outer_follows]) = balance.follows(&slopes) else {
             return [[0.0; 2]; 3];
         };
-        let outer_follows = -product(&inverse, &slopes.residual_by_inner);
-        let inner_follows = Matrix2::identity() - outer_follows;
         let force = product(&slopes.ring_by_inner, &inner_follows)
             + product(&slopes.ring_by_outer, &outer_follows);
         let friction = &balance.inertia.friction_inner;
@@ -103,6 +99,36 @@ impl Ball {
             [force.m21, force.m22],
             [couple.x, couple.y],
         ]
+    }
+}
+
+impl Balance {
+    /// Derivatives of the vectors ball → inner groove centre and outer groove centre → ball by the
+    /// position of the inner groove centre, the balance kept; none where no load holds the ball.
+    #[inline(always)]
+    fn follows(&self, slopes: &Slopes) -> Option<[Matrix2<f64>; 2]> {
+        // no load, no force; and without inertia nothing then holds the ball anywhere
+        let inverse = inverse(&slopes.by_centre()).filter(|_| self.inner.load > 0.0)?;
+        let outer_follows = -product(&inverse, &slopes.residual_by_inner);
+        Some([Matrix2::identity() - outer_follows, outer_follows])
+    }
+
+    /// Loads of both contacts and their derivatives by the position of the inner groove centre.
+    pub(super) fn load_slopes(&self) -> [LoadSlope; 2] {
+        let follows = self.follows(&self.slopes());
+        let contacts = [&self.inner, &self.outer];
+        std::array::from_fn(|race| {
+            let contact = contacts[race];
+            let by_place = follows.as_ref().map_or([0.0; 2], |follows| {
+                // ∂Q/∂A = (dQ/dL) nᵀ ∂(vector)/∂A
+                let row = apply(&follows[race].transpose(), contact.normal);
+                [contact.stiffness * row.x, contact.stiffness * row.y]
+            });
+            LoadSlope {
+                load: contact.load,
+                by_place,
+            }
+        })
     }
 }
 

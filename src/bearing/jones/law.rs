@@ -9,7 +9,9 @@ use super::start::StartConstants;
 use super::state::{BallState, SpinResistance, contact_of};
 use crate::bearing::film_spring::LubricatedContact;
 use crate::bearing::races::{DryRaces, LubricatedRaces, RaceFilms, Races};
-use crate::bearing::{BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, Oil};
+use crate::bearing::{
+    BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, LoadSlope, Oil,
+};
 use crate::physics::{HertzContact, RaceControl, ball_mass};
 
 /// Law of a ball with centrifugal force and gyroscopic moment.
@@ -203,6 +205,10 @@ impl<R: Races> BallLaw for JonesLaw<R> {
             self.ball.force(&rest.balance),
             self.ball.tangent(&rest.balance),
         )
+    }
+
+    fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2] {
+        self.solve(axial, radial, speed).balance.load_slopes()
     }
 
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact {

@@ -11,7 +11,9 @@ use super::model::{ContactChoice, ModelSpec, RaceControlChoice};
 use super::oil::OilSpec;
 use super::set::ArrangementChoice;
 use crate::bearing::catalogue::{self, CATALOGUE, CatalogueEntry};
-use crate::bearing::{Bearing, BearingError, Facing, MountedBearing, Oil, Preload};
+use crate::bearing::{
+    Bearing, BearingError, ContactDamping, Facing, MountedBearing, Oil, Preload,
+};
 use crate::physics::Material;
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
@@ -179,6 +181,7 @@ impl BearingSpec {
             position: self.position.si(),
             facing: Facing::PlusZ,
             preload: self.preload(),
+            contact_damping: ContactDamping::default(),
             first_ball: self.first_ball.si(),
         })
     }

@@ -139,7 +139,12 @@ impl ScenarioSpec {
         };
         let sets: Vec<_> = self.bearing.iter().enumerate().map(mount).collect();
         let sets: Option<Vec<_>> = sets.into_iter().collect();
-        Some(sets?.into_iter().flatten().collect())
+        let contact_damping = damping::contact(self.damping.as_ref());
+        let damped = |bearing| MountedBearing {
+            contact_damping,
+            ..bearing
+        };
+        Some(sets?.into_iter().flatten().map(damped).collect())
     }
 
     /// Refuses a race control that no bearing's law knows.

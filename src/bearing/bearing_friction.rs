@@ -1,0 +1,48 @@
+//! The friction moment of a mounted bearing.
+
+use super::static_safety::static_rating;
+use super::{FrictionMoment, MountedBearing, Vector5};
+use crate::physics::{FrictionFactors, HertzContact, MINERAL_OIL_DENSITY};
+
+/// What the friction moment of a bearing rests on besides load and speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct BearingFriction {
+    factors: FrictionFactors,
+    pitch_diameter: f64,
+    /// C_0, N.
+    static_rating: f64,
+    /// Kinematic viscosity, m²/s; none without oil.
+    viscosity: Option<f64>,
+}
+
+impl BearingFriction {
+    /// Of a bearing with Hertz contacts `contacts`, inner race first.
+    pub fn new(definition: &MountedBearing, contacts: &[HertzContact; 2]) -> Self {
+        let geometry = &definition.bearing.geometry;
+        Self {
+            factors: FrictionFactors::of_contact_angle(geometry.nominal_angle()),
+            pitch_diameter: geometry.pitch_diameter(),
+            static_rating: static_rating(geometry, contacts),
+            // ν = η0/ρ
+            viscosity: definition
+                .oil
+                .map(|oil| oil.viscosity / MINERAL_OIL_DENSITY),
+        }
+    }
+
+    /// Moment under a force of the ring in N at a shaft speed in rad/s.
+    pub fn moment(&self, force: &Vector5, speed: f64) -> FrictionMoment {
+        FrictionMoment {
+            load: self.factors.load_moment(
+                force[0].hypot(force[1]),
+                force[2],
+                self.static_rating,
+                self.pitch_diameter,
+            ),
+            viscous: self.viscosity.map_or(0.0, |viscosity| {
+                self.factors
+                    .viscous_moment(viscosity, speed, self.pitch_diameter)
+            }),
+        }
+    }
+}
