@@ -207,11 +207,16 @@ fn warnings(supports: &[Support], bearings: &[BearingState]) -> Vec<String> {
 }
 
 impl Torsion {
+    /// Twist per moment `L/(G I_p)`, rad/(N m).
+    pub fn compliance(&self) -> f64 {
+        self.length / (self.shear_modulus * self.polar_second_moment)
+    }
+
     /// Moment and twist, with the friction moment of all bearings in N m where that is the cause.
     ///
     /// `θz = M_z L/(G I_p)`
     fn twist(&self, friction: f64) -> Twist {
-        let compliance = self.length / (self.shear_modulus * self.polar_second_moment);
+        let compliance = self.compliance();
         let (moment, angle) = match self.cause {
             TorsionCause::Friction => (friction, friction * compliance),
             TorsionCause::Moment(moment) => (moment, moment * compliance),

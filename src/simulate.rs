@@ -1,5 +1,6 @@
 //! The stair: a [`Model`] goes in, a [`Run`] comes out. No files, no clock, no printing.
 
+mod energy_audit;
 mod model;
 mod reference;
 mod run;
@@ -9,12 +10,14 @@ mod watch;
 
 use nalgebra::Const;
 
+pub use energy_audit::EnergyReport;
 pub use model::{Model, Sampling};
 pub use run::{MeasuredError, Run, StaticState};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
-use crate::integrate::{Integration, Scaling, Square};
-use crate::rotor::{MotionScale, Rotor};
+use crate::integrate::{Integration, Square};
+use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, Moving, Rotor};
+use energy_audit::EnergyAudit;
 use reference::{Reference, reference_settings};
 
 /// Samples that are integrated, checked and written at a time.
@@ -30,45 +33,55 @@ pub fn simulate(
     monitor: &mut Monitor<'_>,
 ) -> Result<Run, SimulateError> {
     let rotor = Rotor::assemble(&model.rotor)?;
+    if model.energy || rotor.is_driven() {
+        let accounted = AccountedRotor::new(&rotor);
+        return run::<_, ACCOUNTED_STATES, { ACCOUNTED_STATES + 1 }>(
+            model, &accounted, sink, monitor,
+        );
+    }
     // N states of the kept freedoms, and M = N + 1 with the time
     match rotor.kept() {
-        2 => run::<4, 5>(model, &rotor, sink, monitor),
-        3 => run::<6, 7>(model, &rotor, sink, monitor),
-        _ => run::<10, 11>(model, &rotor, sink, monitor),
+        2 => run::<_, 4, 5>(model, &rotor, sink, monitor),
+        3 => run::<_, 6, 7>(model, &rotor, sink, monitor),
+        _ => run::<_, 10, 11>(model, &rotor, sink, monitor),
     }
 }
 
-fn run<const N: usize, const M: usize>(
+fn run<S, const N: usize, const M: usize>(
     model: &Model,
-    rotor: &Rotor,
+    system: &S,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
 ) -> Result<Run, SimulateError>
 where
+    S: Moving<N>,
     Const<N>: Square,
 {
+    let rotor = system.rotor();
     let scale = rotor.motion_scale(reference_settings(model).tolerance);
     let grid = sampling::grid(model, rotor)?;
     let mut recorder = model.spectrum.map(|_| sampling::recorder(model, rotor));
     let start = |settings| {
-        let (scaling, state) = (scaling(rotor, &scale), initial_state(rotor));
-        Integration::<_, N, M>::new(rotor, scaling, grid, settings, monitor.stop, &state)
+        let (scaling, state) = (system.scaling(&scale), system.start());
+        Integration::<_, N, M>::new(system, scaling, grid, settings, monitor.stop, &state)
     };
     let mut main = start(model.integrator);
     let mut reference = model
         .verify
         .then(|| Reference::new(start(reference_settings(model))));
     let mut states = Vec::with_capacity(BLOCK);
+    let mut audit = EnergyAudit::default();
     while main.done() < grid.count {
         let first = main.done();
         states.clear();
         let result = main.advance(BLOCK, &mut states);
         if let Some(reference) = &mut reference {
-            reference.compare(&states, rotor, &scale);
+            reference.compare(&states, system, &scale);
         }
         for (index, state) in states.iter().enumerate() {
-            let sample = rotor.sample(grid.time(first + index as u64), state);
+            let sample = system.sample(grid.time(first + index as u64), state);
             sink.sample(&sample)?;
+            audit.sample(&sample);
             if let Some(recorder) = &mut recorder {
                 recorder.record(&sample);
             }
@@ -88,28 +101,8 @@ where
         samples: grid.count,
         warnings: warnings::warnings(model, rotor, measured_error.as_ref()),
         measured_error,
+        energy: audit.finish(),
         spectrum,
         peaks,
-    })
-}
-
-/// States become deviations from the static equilibrium in units of the motion.
-fn scaling<const N: usize>(rotor: &Rotor, scale: &MotionScale) -> Scaling<N> {
-    let place = &rotor.equilibrium().displacement;
-    Scaling {
-        origin: std::array::from_fn(|index| if index < N / 2 { place[index] } else { 0.0 }),
-        scale: rotor.state_scale(scale),
-        time: 1.0 / scale.frequency,
-    }
-}
-
-fn initial_state<const N: usize>(rotor: &Rotor) -> [f64; N] {
-    let [displacement, velocity] = rotor.initial_state();
-    std::array::from_fn(|index| {
-        if index < N / 2 {
-            displacement[index]
-        } else {
-            velocity[index - N / 2]
-        }
     })
 }

@@ -25,6 +25,8 @@ const SPEED: f64 = 500.0;
 const PER_REVOLUTION: u32 = 32;
 const ALL: Outputs = Outputs {
     trace: true,
+    energy: false,
+    drive: false,
     spectrum: true,
     figures: true,
 };
@@ -45,6 +47,7 @@ fn model() -> Model {
             },
             speed: SPEED,
             speed_points: Vec::new(),
+            drive: None,
             cage: CageMotion::Rolling,
             damping: Damping::Ratio(0.02),
             load: [0.0, 0.0, 1000.0, 0.0, 0.0],
@@ -65,6 +68,7 @@ fn model() -> Model {
             step_limit: 1_000_000,
         },
         verify: true,
+        energy: false,
         spectrum: Some(Window::Rectangular),
     }
 }
@@ -82,6 +86,8 @@ fn samples() -> Vec<Sample> {
             force_on_shaft: [angle.cos(), 49.0, -1000.0, 0.0, 0.0],
             largest_ball_load: 180.0,
             balls_loaded: 12,
+            energy: None,
+            drive: None,
         }
     };
     (0..=8 * PER_REVOLUTION).map(sample).collect()
@@ -128,6 +134,7 @@ fn run() -> Run {
             reference_tolerance: 1e-9,
             counters: Counters::default(),
         }),
+        energy: None,
         spectrum: Some(spectrum),
         peaks,
         warnings: vec!["a warning".to_owned()],
@@ -220,6 +227,8 @@ fn outputs_of_an_earlier_run_do_not_stand_beside_a_later_one() {
     write(folder.path(), ALL);
     let trace = Outputs {
         trace: true,
+        energy: false,
+        drive: false,
         spectrum: false,
         figures: false,
     };

@@ -7,9 +7,7 @@ use super::life::reference_rating_life;
 use super::ring::{CageAngle, Vector5};
 use super::seat::Seat;
 use super::static_safety::static_safety;
-use super::{
-    BallLine, Bearing, BearingState, MountedBearing, StiffnessShares, warnings,
-};
+use super::{BallLine, Bearing, BearingState, MountedBearing, StiffnessShares, warnings};
 use crate::physics::{BallPass, HertzContact, ball_pass_frequencies};
 
 /// Share of the largest load at the inner race below which a ball counts as unloaded: behind an oil

@@ -41,7 +41,10 @@ impl ContactDamping {
     ///
     /// # Errors
     /// [`BearingError::ContactDamping`] where a coefficient is negative or not finite.
-    pub(super) fn races(&self, springs: [HertzSpring; 2]) -> Result<Option<DampedRaces>, BearingError> {
+    pub(super) fn races(
+        &self,
+        springs: [HertzSpring; 2],
+    ) -> Result<Option<DampedRaces>, BearingError> {
         for value in [self.inner, self.outer] {
             if !(value >= 0.0 && value.is_finite()) {
                 return Err(BearingError::ContactDamping { value });
@@ -80,12 +83,7 @@ impl<L: BallLaw> Ring<L> {
         for ball in self.placed(*displacement, cage) {
             let (by_axial, by_radial) = self.place_slopes(&ball);
             let [axial_rate, radial_rate] = [dot(&by_axial, rate), dot(&by_radial, rate)];
-            let push = races.push(
-                self.law(),
-                &ball,
-                speed,
-                [axial_rate, radial_rate],
-            );
+            let push = races.push(self.law(), &ball, speed, [axial_rate, radial_rate]);
             for axis in 0..5 {
                 force[axis] += push[0] * by_axial[axis] + push[1] * by_radial[axis];
             }
@@ -96,13 +94,7 @@ impl<L: BallLaw> Ring<L> {
 
 impl DampedRaces {
     /// Axial and radial force on one ball whose inner groove centre moves at a rate in m/s.
-    fn push(
-        &self,
-        law: &impl BallLaw,
-        ball: &PlacedBall,
-        speed: f64,
-        rate: [f64; 2],
-    ) -> [f64; 2] {
+    fn push(&self, law: &impl BallLaw, ball: &PlacedBall, speed: f64, rate: [f64; 2]) -> [f64; 2] {
         let slopes = law.load_slopes(ball.axial, ball.radial, speed);
         let mut push = [0.0; 2];
         for (race, slope) in slopes.iter().enumerate() {

@@ -70,7 +70,10 @@ mod tests {
         let load = law.contact(0.0, end, 0.0).load_inner;
         let stored: f64 = springs.iter().map(|s| stored_energy(s, load, None)).sum();
         let expected = work(&law, law.distance, end, 0.0);
-        assert!((stored / expected - 1.0).abs() < 1e-12, "{stored} {expected}");
+        assert!(
+            (stored / expected - 1.0).abs() < 1e-12,
+            "{stored} {expected}"
+        );
     }
 
     #[test]
@@ -95,6 +98,9 @@ mod tests {
         };
         let expected = work(&law, low, high, 1000.0);
         let stored = energy(high) - energy(low);
-        assert!((stored / expected - 1.0).abs() < 1e-9, "{stored} {expected}");
+        assert!(
+            (stored / expected - 1.0).abs() < 1e-9,
+            "{stored} {expected}"
+        );
     }
 }

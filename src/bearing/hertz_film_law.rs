@@ -3,9 +3,7 @@
 use super::contact_spring::ContactSpring;
 use super::film_spring::{FilmSpring, LubricatedContact};
 use super::races::RaceFilms;
-use super::{
-    BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, LoadSlope, Oil,
-};
+use super::{BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, LoadSlope, Oil};
 
 /// Law of a ball between two lubricated races, its inertia neglected.
 ///

@@ -11,7 +11,9 @@ use super::{
     Around, BallContact, BearingError, BearingState, ContactLaw, FrictionMoment, Geometry,
     HertzSpring, MountedBearing, Preload,
 };
-use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
+use crate::physics::{
+    BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed, series_stiffness,
+};
 
 /// F = F0 + K (q − q0).
 #[derive(Debug, Clone)]
@@ -233,15 +235,38 @@ impl Support {
         let place = self.seat.settle(&self.ring, &imposed, cage, speed);
         let mut energy = self.seat.stored_energy(&imposed, &place);
         let films = self.ring.films();
-        self.ring.for_each_contact(&place, cage, speed, &mut |ball| {
-            let loads = [ball.load_inner, ball.load_outer];
-            let films = films.map(|films| films.thickness(loads, speed));
-            for race in 0..2 {
-                let film = films.as_ref().map(|films| &films[race]);
-                energy += stored_energy(&self.springs[race], loads[race], film);
-            }
-        });
+        self.ring
+            .for_each_contact(&place, cage, speed, &mut |ball| {
+                let loads = [ball.load_inner, ball.load_outer];
+                let films = films.map(|films| films.thickness(loads, speed));
+                for race in 0..2 {
+                    let film = films.as_ref().map(|films| &films[race]);
+                    energy += stored_energy(&self.springs[race], loads[race], film);
+                }
+            });
         energy
+    }
+
+    /// Stiffness of a ball between both races at an approach in m, N/m.
+    pub fn ball_stiffness(&self, approach: f64) -> f64 {
+        let [inner, outer] = self.springs.map(|spring| spring.stiffness);
+        // 3/2 K_n √δ
+        1.5 * series_stiffness(inner, outer) * approach.sqrt()
+    }
+
+    /// Whether the balls go round with the cage: those of a linear bearing are frozen.
+    pub fn follows_cage(&self) -> bool {
+        self.frozen.is_none()
+    }
+
+    /// Whether the force is the derivative of [`Support::stored_energy`], the speed being steady or
+    /// not.
+    pub fn has_potential(&self, steady: bool) -> bool {
+        match self.definition.law {
+            ContactLaw::Linear => true,
+            ContactLaw::Hertz => steady || self.definition.oil.is_none(),
+            ContactLaw::Jones(_) => false,
+        }
     }
 
     /// Friction moment under a force of the shaft onto this bearing in N at a speed in rad/s.

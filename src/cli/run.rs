@@ -20,7 +20,8 @@ use crate::simulate::{Model, Monitor, Run, SimulateError, simulate};
 #[command(
     after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, spectrum.csv,\n\
-                  trace.svg, spectrum.svg and, last, summary.json.\n\n\
+                  trace.svg, spectrum.svg, energy.csv and drive.csv where there is an account of\n\
+                  the energy or a drive, and, last, summary.json.\n\n\
                   Exit code: 0 all runs are done, 1 a run failed or was interrupted, 2 a file is wrong."
 )]
 pub struct Arguments {
@@ -112,6 +113,8 @@ impl Motion {
         } = &job.scenario;
         let outputs = Outputs {
             trace: output.trace,
+            energy: model.energy || model.rotor.drive.is_some(),
+            drive: model.rotor.drive.is_some(),
             spectrum: output.spectrum,
             figures: output.figures,
         };

@@ -11,6 +11,7 @@ mod figure_spectrum;
 mod figure_trace;
 mod folder;
 mod run_report;
+mod sample_table;
 mod spectrum_csv;
 mod statics;
 mod study;

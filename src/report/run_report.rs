@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::sample_table::{SampleTable, TableKind};
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RunFolder, TraceCsv, TraceFigure, WholeFile,
     spectrum_figure, summary, write_spectrum,
@@ -17,6 +18,10 @@ use crate::simulate::{Model, Run, TraceSink};
 pub struct Outputs {
     /// `trace.csv`.
     pub trace: bool,
+    /// `energy.csv`.
+    pub energy: bool,
+    /// `drive.csv`.
+    pub drive: bool,
     /// `spectrum.csv`, where the run has spectra.
     pub spectrum: bool,
     /// `trace.svg`, and `spectrum.svg` where the run has spectra.
@@ -34,6 +39,7 @@ pub struct RunReport {
     scenario: Value,
     outputs: Outputs,
     trace: Option<OpenTrace>,
+    tables: Vec<OpenTable>,
     figure: Option<TraceFigure>,
 }
 
@@ -42,6 +48,13 @@ pub struct RunReport {
 struct OpenTrace {
     path: PathBuf,
     csv: TraceCsv<PartialFile>,
+}
+
+/// A table beside the trace, being written.
+#[derive(Debug)]
+struct OpenTable {
+    path: PathBuf,
+    table: SampleTable<PartialFile>,
 }
 
 impl RunReport {
@@ -60,12 +73,22 @@ impl RunReport {
     ) -> Result<Self, ReportError> {
         let folder = RunFolder::open(folder, FileSet::MOTION)?;
         let trace = outputs.trace.then(|| open_trace(&folder)).transpose()?;
+        let tables = [
+            (outputs.energy, TableKind::ENERGY),
+            (outputs.drive, TableKind::DRIVE),
+        ];
+        let tables = tables
+            .into_iter()
+            .filter(|(asked, _)| *asked)
+            .map(|(_, kind)| OpenTable::open(&folder, kind))
+            .collect::<Result<_, _>>()?;
         Ok(Self {
             folder,
             title: title.to_owned(),
             scenario,
             outputs,
             trace,
+            tables,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
         })
     }
@@ -79,6 +102,9 @@ impl RunReport {
         let mut files = Vec::new();
         if let Some(trace) = self.trace {
             files.push(close_trace(trace)?);
+        }
+        for table in self.tables {
+            files.push(table.close()?);
         }
         if let Some(figure) = self.figure {
             let svg = figure.draw(&self.title)?;
@@ -107,14 +133,38 @@ impl TraceSink for RunReport {
         if let Some(figure) = &mut self.figure {
             figure.sample(sample);
         }
+        for OpenTable { path, table } in &mut self.tables {
+            table.sample(sample).map_err(named(path))?;
+        }
         match &mut self.trace {
             None => Ok(()),
-            Some(OpenTrace { path, csv }) => csv.sample(sample).map_err(|error| {
-                let kind = error.kind();
-                let named = ReportError::file(FileAction::Write, path)(error);
-                io::Error::new(kind, named)
-            }),
+            Some(OpenTrace { path, csv }) => csv.sample(sample).map_err(named(path)),
         }
+    }
+}
+
+/// The error of a file that cannot be written, with its name.
+fn named(path: &Path) -> impl FnOnce(io::Error) -> io::Error + '_ {
+    move |error| {
+        let kind = error.kind();
+        io::Error::new(kind, ReportError::file(FileAction::Write, path)(error))
+    }
+}
+
+impl OpenTable {
+    fn open(folder: &RunFolder, kind: TableKind) -> Result<Self, ReportError> {
+        let file = folder.create(kind.file)?;
+        let path = file.path().to_owned();
+        let table =
+            SampleTable::new(kind, file).map_err(ReportError::file(FileAction::Write, &path))?;
+        Ok(Self { path, table })
+    }
+
+    fn close(self) -> Result<WholeFile, ReportError> {
+        let Self { path, table } = self;
+        let file = table.finish();
+        file.map_err(ReportError::file(FileAction::Write, &path))?
+            .close()
     }
 }
 

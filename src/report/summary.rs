@@ -8,7 +8,7 @@ use crate::bearing::Matrix5;
 use crate::integrate::Counters;
 use crate::rotor::FREEDOMS;
 use crate::rotor::NaturalFrequency;
-use crate::simulate::{MeasuredError, Model, Run, StaticState};
+use crate::simulate::{EnergyReport, MeasuredError, Model, Run, StaticState};
 
 /// Everything that a run answers except trace and spectra, every number with its unit in its name.
 ///
@@ -39,6 +39,7 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
             .measured_error
             .as_ref()
             .map(|error| measured_error(error, model.integrator.tolerance)),
+        "energy": run.energy.as_ref().map(energy),
         "samples": run.samples,
         "warnings": run.warnings,
     })
@@ -89,6 +90,30 @@ fn named_peak(peak: &Peak, spectrum: Option<&Spectrum>) -> Value {
         "unit": peak.channel.unit(),
         "label": peak.line.map(|line| line.kind.to_string()),
         "distance_Hz": peak.line.map(|line| peak.frequency - line.frequency),
+    })
+}
+
+fn energy(energy: &EnergyReport) -> Value {
+    let works = &energy.works;
+    json!({
+        "kinetic_change_J": energy.kinetic_change,
+        "stored_change_J": energy.stored_change,
+        "supplied_J": {
+            "loads": works.loads,
+            "unbalance": works.unbalance,
+            "rotation": works.rotation,
+            "drive": works.drive,
+        },
+        "dissipated_J": {
+            "viscous_damping": works.viscous,
+            "contact_damping": works.contact,
+            "bearing_friction": works.friction,
+            "load_torque": works.load_torque,
+        },
+        "work_on_bearings_J": works.bearings,
+        "bearings_have_potential": energy.conservative,
+        "largest_residual_J": energy.largest_residual,
+        "relative_residual": energy.relative_residual,
     })
 }
 

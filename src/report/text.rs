@@ -55,6 +55,13 @@ fn write_text(
             error.reference_tolerance
         )?;
     }
+    if let Some(energy) = &run.energy {
+        writeln!(
+            out,
+            "  energy        closes to {:.1e} J, {:.1e} of its largest part",
+            energy.largest_residual, energy.relative_residual
+        )?;
+    }
     if !run.peaks.is_empty() {
         writeln!(out, "{}", peak_table(&run.peaks, run.spectrum.as_ref()))?;
     }

@@ -2,7 +2,7 @@
 
 use super::damping::DampingMatrix;
 use super::{
-    FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, Shaft,
+    Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
     SpeedProfile,
 };
 use crate::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
@@ -54,7 +54,7 @@ impl Rotor {
     /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
     /// outside its range.
     pub fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
-        check_inertia(&definition.shaft)?;
+        check_inertia(definition)?;
         let mut supports = build_supports(definition)?;
         let speed = definition.speed_profile()?;
         let equilibrium = find_equilibrium(definition, &supports, definition.static_load())?;
@@ -78,9 +78,11 @@ impl Rotor {
             ),
             inertia_polar: shaft.inertia_polar,
             speed,
+            drive: definition.drive,
             cage: definition.cage,
             imbalance: shaft.mass * shaft.eccentricity,
             load: definition.constant_load(),
+            weight: definition.weight(),
             loads: definition.loads.clone(),
             damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             contacts_damped: supports.iter().any(Support::is_damped),
@@ -92,14 +94,29 @@ impl Rotor {
 }
 
 /// What only a motion needs.
-fn check_inertia(shaft: &Shaft) -> Result<(), RotorError> {
+fn check_inertia(definition: &RotorDefinition) -> Result<(), RotorError> {
+    let shaft = &definition.shaft;
+    let polar = "the polar moment of inertia in kg m²";
     if shaft.freedoms == Freedoms::All {
         positive(
             "the transverse moment of inertia in kg m²",
             shaft.inertia_transverse,
         )?;
     }
-    not_negative("the polar moment of inertia in kg m²", shaft.inertia_polar)
+    if let Some(drive) = &definition.drive {
+        positive(polar, shaft.inertia_polar)?;
+        check_drive(drive)?;
+    }
+    not_negative(polar, shaft.inertia_polar)
+}
+
+fn check_drive(drive: &Drive) -> Result<(), RotorError> {
+    if let Some(speed) = drive.no_load_speed {
+        positive("the no-load speed of the drive in rad/s", speed)?;
+    }
+    not_negative("the torque of the drive in N m", drive.torque)?;
+    not_negative("the load torque in N m", drive.load_torque)?;
+    not_negative("the torsional compliance in rad/(N m)", drive.compliance)
 }
 
 fn check_ranges(definition: &RotorDefinition) -> Result<(), RotorError> {
@@ -145,10 +162,17 @@ impl RotorDefinition {
     /// Constant loads and the weight, N and N m.
     fn constant_load(&self) -> Vector5 {
         let mut load = self.load;
-        if self.shaft.gravity {
-            load[1] -= self.shaft.mass * STANDARD_GRAVITY;
-        }
+        load[1] -= self.weight();
         load
+    }
+
+    /// The weight, N; zero where it does not act.
+    fn weight(&self) -> f64 {
+        if self.shaft.gravity {
+            self.shaft.mass * STANDARD_GRAVITY
+        } else {
+            0.0
+        }
     }
 
     /// What the static equilibrium carries, N and N m: constant loads, the weight, and of every

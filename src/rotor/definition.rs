@@ -1,6 +1,6 @@
 //! What a shaft is and what acts on it: plain data, before any computation.
 
-use super::{Load, SpeedPoint};
+use super::{Drive, Load, SpeedPoint};
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
@@ -37,7 +37,8 @@ pub struct Shaft {
     pub mass: f64,
     /// Moment of inertia about a transverse axis I_t, kg m²; used where tilts move.
     pub inertia_transverse: f64,
-    /// Moment of inertia about the shaft axis I_p, kg m²; used where tilts move.
+    /// Moment of inertia about the shaft axis I_p, kg m²; used where tilts move or a drive turns the
+    /// shaft.
     pub inertia_polar: f64,
     /// Mass eccentricity e, m. The heavy side points along +X at shaft angle 0.
     pub eccentricity: f64,
@@ -102,6 +103,8 @@ pub struct RotorDefinition {
     /// Speeds at later times, reached linearly one after the other; the last one is held. None: the
     /// speed is constant.
     pub speed_points: Vec<SpeedPoint>,
+    /// The drive that decides the speed from t = 0 on, in place of the points above.
+    pub drive: Option<Drive>,
     /// Motion of the cages.
     pub cage: CageMotion,
     /// Viscous damping.
@@ -114,4 +117,14 @@ pub struct RotorDefinition {
     pub initial: InitialState,
     /// Bearings that carry the shaft, at least one.
     pub bearings: Vec<crate::bearing::MountedBearing>,
+}
+
+impl RotorDefinition {
+    /// Highest speed that the shaft is meant for, rad/s: of its points, or the no-load speed of its
+    /// drive.
+    pub fn highest_speed(&self) -> f64 {
+        let idle = self.drive.and_then(|drive| drive.no_load_speed);
+        let points = self.speed_points.iter().map(|point| point.speed);
+        points.chain(idle).fold(self.speed, f64::max)
+    }
 }

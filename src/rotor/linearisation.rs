@@ -100,22 +100,23 @@ impl Rotor {
         };
         let by_place = |axis: usize| {
             let step = PLACE_STEP / lever(axis);
-            let at = |step| {
-                self.contact_damping(&moved(displacement, axis, step), velocity, &rotation)
-            };
+            let at =
+                |step| self.contact_damping(&moved(displacement, axis, step), velocity, &rotation);
             slope(at(step), at(-step), step)
         };
         let by_rate = |axis: usize| {
             let step = RATE_STEP / lever(axis);
-            let at = |step| {
-                self.contact_damping(displacement, &moved(velocity, axis, step), &rotation)
-            };
+            let at =
+                |step| self.contact_damping(displacement, &moved(velocity, axis, step), &rotation);
             slope(at(step), at(-step), step)
         };
-        let later = |step: f64| {
-            self.contact_damping(displacement, velocity, &self.speed.at(time + step))
-        };
-        let (now, half, full) = (later(0.0), later(0.5 * LOAD_RATE_STEP), later(LOAD_RATE_STEP));
+        let later =
+            |step: f64| self.contact_damping(displacement, velocity, &self.speed.at(time + step));
+        let (now, half, full) = (
+            later(0.0),
+            later(0.5 * LOAD_RATE_STEP),
+            later(LOAD_RATE_STEP),
+        );
         DampingSlopes {
             by_place: std::array::from_fn(by_place),
             by_rate: std::array::from_fn(by_rate),

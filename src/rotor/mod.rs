@@ -3,26 +3,34 @@
 //! A [`RotorDefinition`] is plain data; [`Rotor::assemble`] finds its static equilibrium and makes
 //! of it a [`Rotor`], whose derivative is a pure function of time and state.
 
+mod accounted;
 mod assembly;
 mod damping;
 mod definition;
+mod drive;
+mod energy;
 mod linearisation;
 pub mod load;
 mod modes;
 mod motion;
 mod motion_scale;
+mod moving;
 mod sample;
 mod speed_profile;
 
+pub use accounted::{ACCOUNTED_STATES, AccountedRotor};
 pub use assembly::RotorError;
 pub(crate) use assembly::{build_supports, static_start};
 pub use definition::{
     CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
     STANDARD_GRAVITY, Shaft,
 };
+pub use drive::{Drive, DriveMoments};
+pub use energy::{EnergyBalance, Works};
 pub use load::{Load, LoadKind};
 pub use modes::NaturalFrequency;
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;
+pub use moving::Moving;
 pub use sample::Sample;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};

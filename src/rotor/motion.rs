@@ -1,7 +1,7 @@
 //! The shaft in motion: the right-hand side of its equations, and what can be seen of it.
 
 use super::damping::DampingMatrix;
-use super::{CageMotion, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
+use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{BallContact, CageAngle, LOADED_SHARE, Support, Vector5};
 use crate::integrate::System;
@@ -30,11 +30,15 @@ pub struct Rotor {
     pub(super) inverse_mass: Vector5,
     pub(super) inertia_polar: f64,
     pub(super) speed: SpeedProfile,
+    /// Decides the speed in place of the profile, which then holds that of the start.
+    pub(super) drive: Option<Drive>,
     pub(super) cage: CageMotion,
     /// m e, kg m.
     pub(super) imbalance: f64,
     /// Constant loads and the weight.
     pub(super) load: Vector5,
+    /// The part of it that is weight, N.
+    pub(super) weight: f64,
     /// Varying loads.
     pub(super) loads: Vec<Load>,
     pub(super) damping: DampingMatrix,
@@ -60,6 +64,25 @@ impl Rotor {
     /// Speed and angle of the shaft from t = 0 on.
     pub fn speed_profile(&self) -> &SpeedProfile {
         &self.speed
+    }
+
+    /// Highest speed that the shaft is meant for, [`super::RotorDefinition::highest_speed`], rad/s.
+    pub fn highest_speed(&self) -> f64 {
+        let idle = self.drive.and_then(|drive| drive.no_load_speed);
+        self.speed.highest().max(idle.unwrap_or(0.0))
+    }
+
+    /// Whether a drive decides the speed.
+    pub fn is_driven(&self) -> bool {
+        self.drive.is_some()
+    }
+
+    /// The speed that is kept from a time on; `None` where it changes after it.
+    pub fn steady_from(&self, time: f64) -> Option<f64> {
+        if self.is_driven() {
+            return None;
+        }
+        self.speed.steady_from(time)
     }
 
     /// Static equilibrium under the constant loads, without unbalance.
@@ -136,16 +159,47 @@ impl Rotor {
     #[inline]
     fn push(&self, time: f64, rotation: &Rotation) -> Vector5 {
         let mut push = self.load;
-        let (sin, cos) = rotation.angle.sin_cos();
-        // m e (ω² cos ψ + ω̇ sin ψ), m e (ω² sin ψ − ω̇ cos ψ)
-        let inward = self.imbalance * rotation.speed * rotation.speed;
-        let along = self.imbalance * rotation.acceleration;
-        push[0] += inward * cos + along * sin;
-        push[1] += inward * sin - along * cos;
+        let unbalance = self.unbalance(rotation);
+        push[0] += unbalance[0];
+        push[1] += unbalance[1];
         if !self.loads.is_empty() {
             self.add_loads(time, rotation.angle, &mut push);
         }
         push
+    }
+
+    /// Force of the unbalance, N.
+    #[inline(always)]
+    pub(super) fn unbalance(&self, rotation: &Rotation) -> Vector5 {
+        let (sin, cos) = rotation.angle.sin_cos();
+        // m e (ω² cos ψ + ω̇ sin ψ), m e (ω² sin ψ − ω̇ cos ψ)
+        let inward = self.imbalance * rotation.speed * rotation.speed;
+        let along = self.imbalance * rotation.acceleration;
+        let [x, y] = [inward * cos + along * sin, inward * sin - along * cos];
+        [x, y, 0.0, 0.0, 0.0]
+    }
+
+    /// Gyroscopic moments, N m.
+    #[inline(always)]
+    pub(super) fn gyroscopic(&self, velocity: &Vector5, speed: f64) -> Vector5 {
+        let inertia = self.inertia_polar * speed;
+        [0.0, 0.0, 0.0, -inertia * velocity[4], inertia * velocity[3]]
+    }
+
+    /// Loads that act at the centre of mass, and those that act on the shaft's axis, N and N m.
+    pub(super) fn loads_apart(&self, time: f64, angle: f64) -> [Vector5; 2] {
+        let mut on_mass = [0.0, -self.weight, 0.0, 0.0, 0.0];
+        let mut on_axis = self.load;
+        on_axis[1] += self.weight;
+        for load in &self.loads {
+            let sum = if load.acts_on_mass() {
+                &mut on_mass
+            } else {
+                &mut on_axis
+            };
+            load.add(time, angle, self.mass[0], sum);
+        }
+        [on_mass, on_axis]
     }
 
     /// Apart from the rest, which stays small where no load varies.
@@ -160,17 +214,35 @@ impl Rotor {
     pub fn sample<const N: usize>(&self, time: f64, state: &[f64; N]) -> Sample {
         let displacement = self.full(&self.equilibrium.displacement, &state[..N / 2]);
         let velocity = self.full(&[0.0; FREEDOMS], &state[N / 2..]);
-        let rotation = self.speed.at(time);
-        let (largest, loaded) = self.ball_loads(&displacement, &rotation);
+        self.observe(time, &self.speed.at(time), displacement, velocity)
+    }
+
+    /// The first time after `after` at which a load or the acceleration jumps, s.
+    pub(super) fn next_break_after(&self, after: f64) -> f64 {
+        let breaks = self.loads.iter().map(|load| load.next_break(after));
+        breaks.fold(self.speed.next_break(after), f64::min)
+    }
+
+    /// What is observed of a motion.
+    pub(super) fn observe(
+        &self,
+        time: f64,
+        rotation: &Rotation,
+        displacement: Vector5,
+        velocity: Vector5,
+    ) -> Sample {
+        let (largest, loaded) = self.ball_loads(&displacement, rotation);
         Sample {
             time,
             angle: rotation.angle,
             speed: rotation.speed,
             displacement,
             velocity,
-            force_on_shaft: self.force_on_shaft(&displacement, &velocity, &rotation),
+            force_on_shaft: self.force_on_shaft(&displacement, &velocity, rotation),
             largest_ball_load: largest,
             balls_loaded: loaded,
+            energy: None,
+            drive: None,
         }
     }
 
@@ -246,7 +318,6 @@ impl<const N: usize> System<N> for Rotor {
     }
 
     fn next_break(&self, after: f64) -> f64 {
-        let breaks = self.loads.iter().map(|load| load.next_break(after));
-        breaks.fold(self.speed.next_break(after), f64::min)
+        self.next_break_after(after)
     }
 }

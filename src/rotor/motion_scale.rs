@@ -7,6 +7,8 @@ use crate::bearing::{CageAngle, Geometry, Support};
 
 /// Round-off of a position between the races, relative to the groove centre distance.
 const POSITION_ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+/// Approach of a light contact, relative to the groove centre distance.
+const LIGHT_APPROACH: f64 = 1e-3;
 /// Positions of the cage within one ball spacing at which the varying force is looked at.
 const CAGE_POSITIONS: usize = 8;
 
@@ -66,12 +68,24 @@ impl Rotor {
         })
     }
 
+    /// Highest natural frequency of a freedom by itself, rad/s, or the speed where that is higher;
+    /// where nothing resists at the equilibrium, as in the middle of a clearance, that of a light
+    /// contact.
     fn highest_frequency(&self) -> f64 {
         let stiffness = &self.equilibrium.stiffness;
-        (0..self.kept)
+        let highest = (0..self.kept)
             .map(|axis| (stiffness[(axis, axis)].max(0.0) * self.inverse_mass[axis]).sqrt())
-            .fold(self.speed.highest(), f64::max)
-            .max(f64::MIN_POSITIVE.sqrt())
+            .fold(0.0, f64::max);
+        let light = || {
+            let approach = LIGHT_APPROACH * self.groove_centre_distance();
+            let contacts = self.supports.iter();
+            let stiffest = contacts
+                .map(|support| support.ball_stiffness(approach))
+                .fold(0.0, f64::max);
+            (stiffest * self.inverse_mass[0]).sqrt()
+        };
+        let natural = if highest > 0.0 { highest } else { light() };
+        natural.max(self.highest_speed())
     }
 
     fn groove_centre_distance(&self) -> f64 {
@@ -88,7 +102,10 @@ impl Rotor {
             self.forced_response(&force, speed, arm)
         };
         let speeds = self.speed.points().map(|point| point.speed);
-        speeds.map(response).fold(0.0, f64::max)
+        speeds
+            .chain([self.highest_speed()])
+            .map(response)
+            .fold(0.0, f64::max)
     }
 
     /// Largest amplitude under each of the varying loads by itself.
@@ -96,7 +113,7 @@ impl Rotor {
         let response = |load: &Load| {
             let swing = load.swing(self.mass[0]);
             let force = swing.amplitude.map(|force| Complex::new(force, 0.0));
-            let frequency = swing.frequency + swing.order * self.speed.highest();
+            let frequency = swing.frequency + swing.order * self.highest_speed();
             self.forced_response(&force, frequency, arm)
         };
         self.loads.iter().map(response).fold(0.0, f64::max)
@@ -124,7 +141,7 @@ impl Rotor {
 
     /// Static displacement under the change of force as the cage turns by one ball spacing.
     fn varying_compliance(&self, arm: f64) -> f64 {
-        if self.cage == CageMotion::Frozen || self.speed.highest() == 0.0 {
+        if self.cage == CageMotion::Frozen || self.highest_speed() == 0.0 {
             return 0.0;
         }
         let kept = self.kept;

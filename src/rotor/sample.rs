@@ -1,6 +1,6 @@
 //! What is observed of the shaft at one instant.
 
-use super::FREEDOMS;
+use super::{DriveMoments, EnergyBalance, FREEDOMS};
 
 /// State of the shaft and of its bearings at one instant, SI units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,4 +21,8 @@ pub struct Sample {
     pub largest_ball_load: f64,
     /// Number of balls in contact, all bearings together.
     pub balls_loaded: u32,
+    /// Energy, where it is accounted for.
+    pub energy: Option<EnergyBalance>,
+    /// Moments on the shaft, where it is driven.
+    pub drive: Option<DriveMoments>,
 }

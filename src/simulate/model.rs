@@ -29,6 +29,8 @@ pub struct Model {
     pub integrator: Settings,
     /// Whether a second, tighter pass measures the error of the first.
     pub verify: bool,
+    /// Whether the energy is accounted for; that of a driven shaft always is.
+    pub energy: bool,
     /// Window of the spectra; `None` leaves the spectra out, and memory is flat in the duration.
     pub spectrum: Option<Window>,
 }

@@ -4,7 +4,7 @@ use nalgebra::Const;
 
 use super::{MeasuredError, Model};
 use crate::integrate::{Integration, Settings, Square};
-use crate::rotor::{MotionScale, Rotor};
+use crate::rotor::{MotionScale, Moving};
 
 /// Factor between the tolerances of the two passes.
 const REFERENCE_FACTOR: f64 = 0.1;
@@ -25,19 +25,20 @@ pub(super) fn reference_settings(model: &Model) -> Settings {
 }
 
 /// The second pass, and how far the first is from it.
-pub(super) struct Reference<'a, const N: usize, const M: usize> {
-    integration: Integration<'a, Rotor, N, M>,
+pub(super) struct Reference<'a, S, const N: usize, const M: usize> {
+    integration: Integration<'a, S, N, M>,
     states: Vec<[f64; N]>,
     difference: f64,
     excursion: f64,
     failed: bool,
 }
 
-impl<'a, const N: usize, const M: usize> Reference<'a, N, M>
+impl<'a, S, const N: usize, const M: usize> Reference<'a, S, N, M>
 where
+    S: Moving<N>,
     Const<N>: Square,
 {
-    pub fn new(integration: Integration<'a, Rotor, N, M>) -> Self {
+    pub fn new(integration: Integration<'a, S, N, M>) -> Self {
         Self {
             integration,
             states: Vec::new(),
@@ -48,7 +49,7 @@ where
     }
 
     /// Goes on over as many samples as `states` has and compares displacements.
-    pub fn compare(&mut self, states: &[[f64; N]], rotor: &Rotor, scale: &MotionScale) {
+    pub fn compare(&mut self, states: &[[f64; N]], system: &S, scale: &MotionScale) {
         if self.failed {
             return;
         }
@@ -57,9 +58,10 @@ where
             .integration
             .advance(states.len(), &mut self.states)
             .is_err();
+        let rotor = system.rotor();
         let place = &rotor.equilibrium().displacement;
         for (state, reference) in states.iter().zip(&self.states) {
-            for axis in 0..N / 2 {
+            for axis in 0..rotor.kept() {
                 let lever = scale.lever(axis);
                 self.difference = self
                     .difference

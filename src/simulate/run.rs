@@ -1,5 +1,6 @@
 //! The answer: everything about a run except its trace.
 
+use super::EnergyReport;
 use crate::analysis::{Peak, Spectrum};
 use crate::integrate::Counters;
 use crate::physics::BallPass;
@@ -48,6 +49,8 @@ pub struct Run {
     pub samples: u64,
     /// Measured error, where asked for.
     pub measured_error: Option<MeasuredError>,
+    /// Account of the energy, where asked for.
+    pub energy: Option<EnergyReport>,
     /// Spectra, where asked for.
     pub spectrum: Option<Spectrum>,
     /// Peaks of the spectra with their names.

@@ -10,7 +10,7 @@ use crate::rotor::Rotor;
 
 /// The sample times: the first at 0, the last not after the duration.
 pub(super) fn grid(model: &Model, rotor: &Rotor) -> Result<Grid, SimulateError> {
-    let highest = rotor.speed_profile().highest();
+    let highest = rotor.highest_speed();
     let interval = match model.sampling {
         Sampling::Rate(rate) => 1.0 / rate,
         Sampling::PerRevolution(_) if highest == 0.0 => {
@@ -30,7 +30,7 @@ pub(super) fn grid(model: &Model, rotor: &Rotor) -> Result<Grid, SimulateError> 
 /// makes a whole number of samples a revolution; else on a free grid of time.
 pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
     let (kept, shaft) = (rotor.kept(), shaft_frequency(model, rotor));
-    let highest = rotor.speed_profile().highest() / TAU;
+    let highest = rotor.highest_speed() / TAU;
     match model.sampling {
         Sampling::PerRevolution(samples) if shaft == highest => {
             Recorder::on_angle_grid(kept, model.settle, shaft, samples)
@@ -45,15 +45,13 @@ pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
 
 /// Frequency of the shaft in the spectra, Hz; zero where it changes after the settle time.
 fn shaft_frequency(model: &Model, rotor: &Rotor) -> f64 {
-    let steady = rotor.speed_profile().steady_from(model.settle);
-    steady.unwrap_or(0.0) / TAU
+    rotor.steady_from(model.settle).unwrap_or(0.0) / TAU
 }
 
 /// The speed of the spectra; the highest one where it changes after the settle time, rad/s.
 pub(super) fn reported_speed(model: &Model, rotor: &Rotor) -> f64 {
-    let profile = rotor.speed_profile();
-    let steady = profile.steady_from(model.settle);
-    steady.unwrap_or_else(|| profile.highest())
+    let steady = rotor.steady_from(model.settle);
+    steady.unwrap_or_else(|| rotor.highest_speed())
 }
 
 pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
@@ -63,7 +61,7 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
 
 /// Ball passes that make lines: none where the speed changes.
 fn spectral_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
-    let steady = rotor.speed_profile().steady_from(model.settle);
+    let steady = rotor.steady_from(model.settle);
     steady.map_or_else(Vec::new, |speed| ball_pass(rotor, speed))
 }
 

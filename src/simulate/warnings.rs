@@ -8,14 +8,13 @@ const PROMISE: f64 = 10.0;
 
 pub(super) fn warnings(model: &Model, rotor: &Rotor, error: Option<&MeasuredError>) -> Vec<String> {
     let mut warnings = Vec::new();
-    let profile = rotor.speed_profile();
-    if model.spectrum.is_some() && profile.steady_from(model.settle).is_none() {
+    if model.spectrum.is_some() && rotor.steady_from(model.settle).is_none() {
         warnings.push(format!(
             "the speed changes after the settle time of {} s: lines of shaft and bearings smear in \
              the spectra, which have no orders, and no peak is named after them; ball-pass \
              frequencies are those at the highest speed, {} rad/s",
             model.settle,
-            profile.highest()
+            rotor.highest_speed()
         ));
     }
     let tolerance = model.integrator.tolerance;

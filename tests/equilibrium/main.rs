@@ -2,8 +2,8 @@
 
 use jeffcott::bearing::equilibrium::StaticProblem;
 use jeffcott::bearing::{
-    Bearing, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, MountedBearing, Oil, Preload, Support,
-    catalogue,
+    Bearing, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, MountedBearing, Oil,
+    Preload, Support, catalogue,
 };
 use jeffcott::physics::RaceControl;
 use jeffcott::quasi_static::quasi_static;

@@ -1,6 +1,6 @@
 //! The slopes that implicit methods use are those of the equations of motion.
 
-use jeffcott::bearing::{ContactLaw, MountedBearing, Oil};
+use jeffcott::bearing::{ContactDamping, ContactLaw, MountedBearing, Oil};
 use jeffcott::integrate::{Linearised, System};
 use jeffcott::physics::RaceControl;
 use jeffcott::rotor::load::{Harmonic, Load, LoadKind, Pace};
@@ -102,6 +102,22 @@ fn linearisation_knows_a_run_up_and_varying_loads() {
         ..unbalanced_pair(ContactLaw::Hertz, None)
     };
     check(&Rotor::assemble(&definition).expect("a rotor"), "run-up");
+}
+
+#[test]
+fn linearisation_knows_damped_contacts() {
+    let damped = |bearing| MountedBearing {
+        contact_damping: ContactDamping {
+            inner: 0.5,
+            outer: 2.0,
+        },
+        ..bearing
+    };
+    for law in [ContactLaw::Linear, ContactLaw::Hertz] {
+        let mut definition = unbalanced_pair(law, None);
+        definition.bearings = definition.bearings.into_iter().map(damped).collect();
+        check(&Rotor::assemble(&definition).expect("a rotor"), "damped");
+    }
 }
 
 #[test]

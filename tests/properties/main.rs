@@ -8,7 +8,10 @@ mod support;
 
 mod accuracy;
 mod ball_law;
+mod contact_damping;
+mod drive;
 mod energy;
+mod energy_balance;
 mod equilibrium;
 mod interruption;
 mod linear_rotor;

@@ -9,8 +9,8 @@ use std::sync::atomic::AtomicBool;
 
 use jeffcott::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
 use jeffcott::bearing::{
-    BallContact, Bearing, CageAngle, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, HertzLaw,
-    MountedBearing, Preload, Ring, Support, Vector5, catalogue,
+    BallContact, Bearing, CageAngle, ContactDamping, ContactLaw, Facing, FreePosition, Geometry,
+    HertzLaw, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
 };
 use jeffcott::integrate::{Method, Settings};
 use jeffcott::physics::Material;
@@ -145,6 +145,7 @@ pub fn rotor(shaft: Shaft, bearings: Vec<MountedBearing>) -> RotorDefinition {
         shaft,
         speed: 0.0,
         speed_points: Vec::new(),
+        drive: None,
         cage: CageMotion::Rolling,
         damping: Damping::Undamped,
         load: [0.0; 5],
@@ -185,6 +186,7 @@ pub fn model(rotor: RotorDefinition, duration: f64, rate: f64) -> Model {
         sampling: Sampling::Rate(rate),
         integrator: settings(1e-10),
         verify: false,
+        energy: false,
         spectrum: None,
     }
 }

@@ -82,6 +82,12 @@ impl Load {
         }
     }
 
+    /// Whether it acts at the centre of mass: an acceleration of the housing does, everything else on
+    /// the shaft's axis.
+    pub fn acts_on_mass(&self) -> bool {
+        matches!(self.kind, LoadKind::Base(_))
+    }
+
     /// What the static equilibrium carries of it: the mean pull of a chain, the value of a series at
     /// t = 0; nothing of what merely vibrates or strikes.
     pub fn static_part(&self) -> Vector5 {

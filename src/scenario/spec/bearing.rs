@@ -11,9 +11,7 @@ use super::model::{ContactChoice, ModelSpec, RaceControlChoice};
 use super::oil::OilSpec;
 use super::set::ArrangementChoice;
 use crate::bearing::catalogue::{self, CATALOGUE, CatalogueEntry};
-use crate::bearing::{
-    Bearing, BearingError, ContactDamping, Facing, MountedBearing, Oil, Preload,
-};
+use crate::bearing::{Bearing, BearingError, ContactDamping, Facing, MountedBearing, Oil, Preload};
 use crate::physics::Material;
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;

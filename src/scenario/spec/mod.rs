@@ -4,6 +4,7 @@
 mod bearing;
 mod components;
 mod damping;
+mod drive;
 mod geometry;
 mod initial;
 mod integrator;

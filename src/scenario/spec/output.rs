@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 
 use super::time::TimeSpec;
 use crate::analysis::Window;
-use crate::rotor::SpeedProfile;
 use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity};
@@ -38,10 +37,24 @@ pub struct OutputSpec {
     pub window: WindowChoice,
     /// Whether the trace is written. Default: true.
     pub trace: bool,
+    /// Whether energy is accounted for, in `energy.csv` and the summary; that of a driven shaft
+    /// always is. Default: false.
+    pub energy: bool,
     /// Whether spectra are taken. Default: true.
     pub spectrum: bool,
     /// Whether figures are drawn. Default: true.
     pub figures: bool,
+}
+
+/// How the shaft turns, as far as sampling asks.
+#[derive(Clone, Copy)]
+pub struct Turning<'a> {
+    /// The key that says so.
+    pub key: &'a str,
+    /// Highest speed, rad/s.
+    pub highest: f64,
+    /// Speed after the settle time, rad/s; zero where it changes.
+    pub steady: f64,
 }
 
 /// Window of the spectra.
@@ -73,6 +86,7 @@ impl Default for OutputSpec {
             sample_rate: None,
             window: WindowChoice::Rectangular,
             trace: true,
+            energy: false,
             spectrum: true,
             figures: true,
         }
@@ -89,14 +103,14 @@ impl OutputSpec {
         }
     }
 
-    /// Sampling of the run, where it suits the time and the speed, which is given with its key.
+    /// Sampling of the run, where it suits time and speed.
     pub fn sampling(
         &self,
-        (key, profile): (&str, &SpeedProfile),
+        turning: Turning<'_>,
         time: &TimeSpec,
         problems: &mut Problems<'_>,
     ) -> Option<Sampling> {
-        let speed = profile.highest();
+        let (key, speed) = (turning.key, turning.highest);
         let sampling = match &self.sample_rate {
             Some(rate) => Sampling::Rate(rate.si()),
             None if speed > 0.0 => Sampling::PerRevolution(
@@ -115,8 +129,7 @@ impl OutputSpec {
         self.check_count(rate, key, time, problems);
         if self.spectrum && time.window() > 0.0 {
             // where the speed changes, a spectrum rests on no revolution
-            let speed = profile.steady_from(time.settle.si()).unwrap_or(0.0);
-            check_window((key, speed), rate, time, problems);
+            check_window((key, turning.steady), rate, time, problems);
         }
         Some(sampling)
     }
@@ -126,6 +139,10 @@ impl OutputSpec {
             Some(_) => (
                 "output.samples_per_revolution",
                 "a standing shaft makes no revolutions to sample",
+            ),
+            None if speed == "speed.drive" => (
+                speed,
+                "a drive from rest without `no_load_speed` needs a `sample_rate` in `[output]`",
             ),
             None => (
                 speed,

@@ -9,7 +9,7 @@ use super::initial::InitialSpec;
 use super::integrator::IntegratorSpec;
 use super::load::{self, LoadSpec, Surroundings};
 use super::model::{ContactChoice, ModelSpec};
-use super::output::OutputSpec;
+use super::output::{OutputSpec, Turning};
 use super::shaft::ShaftSpec;
 use super::speed::SpeedSpec;
 use super::statics::StaticSpec;
@@ -18,7 +18,7 @@ use super::time::TimeSpec;
 use super::torsion::TorsionSpec;
 use crate::bearing::MountedBearing;
 use crate::quasi_static::StaticQuestion;
-use crate::rotor::{Damping, Freedoms, RotorDefinition};
+use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::simulate::Model;
@@ -100,7 +100,8 @@ impl ScenarioSpec {
     }
 
     fn rotor(&self, problems: &mut Problems<'_>) -> Option<RotorDefinition> {
-        let shaft = self.shaft.build(self.time.is_some(), problems);
+        let turns = self.speed.drive.is_some();
+        let shaft = self.shaft.build(self.time.is_some(), turns, problems);
         let freedoms = shaft.freedoms;
         self.check_race_control(problems);
         let bearings = self.bearings(freedoms, problems);
@@ -120,6 +121,7 @@ impl ScenarioSpec {
             shaft,
             speed: points.next()?.speed,
             speed_points: points.collect(),
+            drive: self.drive(),
             cage: self.model.cage.into(),
             damping,
             load,
@@ -127,6 +129,13 @@ impl ScenarioSpec {
             initial,
             bearings: bearings?,
         })
+    }
+
+    fn drive(&self) -> Option<Drive> {
+        let torsion = self.shaft.torsion.as_ref().map(TorsionSpec::build);
+        let compliance = torsion.map_or(0.0, |torsion| torsion.compliance());
+        let spec = self.speed.drive.as_ref()?;
+        Some(spec.build(compliance))
     }
 
     fn bearings(
@@ -168,7 +177,13 @@ impl ScenarioSpec {
         time.check(problems);
         let rotor = rotor?;
         let speed = rotor.speed_profile().ok()?;
-        let turning = (self.speed.path(), &speed);
+        let driven = rotor.drive.is_some();
+        let steady = speed.steady_from(time.settle.si());
+        let turning = Turning {
+            key: self.speed.path(),
+            highest: rotor.highest_speed(),
+            steady: steady.filter(|_| !driven).unwrap_or(0.0),
+        };
         let sampling = self.output.sampling(turning, time, problems)?;
         Some(Model {
             rotor,
@@ -177,6 +192,7 @@ impl ScenarioSpec {
             sampling,
             integrator: self.integrator.build(),
             verify: self.integrator.verify,
+            energy: self.output.energy,
             spectrum: self.output.spectrum.then_some(self.output.window.into()),
         })
     }

@@ -32,7 +32,7 @@ pub struct ShaftSpec {
     #[schemars(extend("x-minimum" = 1e-12))]
     pub inertia_transverse: Option<Quantity<Inertia>>,
     /// Moment of inertia about the shaft axis, for instance "0.004 kg m^2"; at most twice the
-    /// transverse one. Needed for a motion with freedoms = "all".
+    /// transverse one. Needed for a motion with freedoms = "all" and for a drive.
     #[schemars(extend("examples" = ["0.004 kg m^2"], "x-minimum" = 0.0))]
     pub inertia_polar: Option<Quantity<Inertia>>,
     /// The segment that a moment about the shaft axis twists.
@@ -69,9 +69,10 @@ impl From<FreedomsChoice> for Freedoms {
 }
 
 impl ShaftSpec {
-    /// The shaft; its inertia is zero where no tilt moves, and where nothing `moves` it may be.
-    pub fn build(&self, moves: bool, problems: &mut Problems<'_>) -> Shaft {
-        self.check_inertia(moves, problems);
+    /// The shaft; its inertia is zero where no tilt moves and no drive `turns` it, and where nothing
+    /// `moves` it may be.
+    pub fn build(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) -> Shaft {
+        self.check_inertia(moves, turns, problems);
         self.check_tilt(problems);
         let tilt = |tilt: &Option<Quantity<Angle>>| tilt.as_ref().map_or(0.0, Quantity::si);
         let si = |inertia: &Option<Quantity<Inertia>>| inertia.as_ref().map_or(0.0, Quantity::si);
@@ -99,14 +100,22 @@ impl ShaftSpec {
         }
     }
 
-    fn check_inertia(&self, moves: bool, problems: &mut Problems<'_>) {
+    fn check_inertia(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) {
         let given = [
             ("inertia_transverse", &self.inertia_transverse),
             ("inertia_polar", &self.inertia_polar),
         ];
         for (key, inertia) in given {
             let path = format!("shaft.{key}");
-            if self.freedoms != FreedomsChoice::All && inertia.is_some() {
+            let turned = turns && key == "inertia_polar";
+            if turned && !inertia.as_ref().is_some_and(|inertia| inertia.si() > 0.0) {
+                let message = "`shaft` needs an `inertia_polar` above zero where a drive turns it";
+                let issue =
+                    Issue::new(path, message).help("for instance: inertia_polar = \"0.01 kg m^2\"");
+                problems.refuse(issue, &["speed.drive".to_owned()]);
+                continue;
+            }
+            if self.freedoms != FreedomsChoice::All && inertia.is_some() && !turned {
                 problems.warn(format!("`{path}` has no effect: the tilts are held"));
             }
             if moves && self.freedoms == FreedomsChoice::All && inertia.is_none() {

@@ -3,17 +3,18 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::drive::DriveSpec;
 use crate::rotor::{SpeedPoint, SpeedProfile};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{AngularSpeed, Quantity, Time};
 
-/// How fast the shaft turns about +Z, in exactly one of three ways: `constant`; `from`, `to` and
-/// `over`; or `profile`. Static equilibrium, damping ratios and natural frequencies are those at the
+/// How fast the shaft turns about +Z, in exactly one of four ways: `constant`; `from`, `to` and
+/// `over`; `profile`; or `drive`, where the speed follows from the moments on the shaft. Static equilibrium, damping ratios and natural frequencies are those at the
 /// start.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("x-exactly-one" = ["constant", "from", "profile"]))]
+#[schemars(extend("x-exactly-one" = ["constant", "from", "profile", "drive"]))]
 pub struct SpeedSpec {
     /// Constant speed from the start on, for instance "500 rad/s" or "3000 rpm"; zero or
     /// positive.
@@ -34,6 +35,9 @@ pub struct SpeedSpec {
         { "at": "0 s", "speed": "0 rpm" }, { "at": "2 s", "speed": "3000 rpm" },
     ]]))]
     pub profile: Option<Vec<PointSpec>>,
+    /// A motor; the speed is part of the answer.
+    #[schemars(extend("examples" = [{ "torque": "5 N m", "no_load_speed": "3000 rpm" }]))]
+    pub drive: Option<DriveSpec>,
 }
 
 /// A speed at a time.
@@ -56,17 +60,20 @@ impl SpeedSpec {
             Self {
                 profile: Some(_), ..
             } => "speed.profile",
+            Self { drive: Some(_), .. } => "speed.drive",
             _ => "speed.constant",
         }
     }
 
-    /// The speed from the start on, as far as nothing contradicts it.
+    /// The speed from the start on, as far as nothing contradicts it; of a drive that at the start.
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<SpeedProfile> {
         let ramp = self.ramp(problems);
         let (start, points) = if let Some(from) = &self.from {
             (from.si(), vec![ramp?])
         } else if let Some(profile) = &self.profile {
             points(profile, problems)?
+        } else if let Some(drive) = &self.drive {
+            (drive.start.si(), Vec::new())
         } else {
             let constant = self.constant.as_ref();
             (constant.map_or(0.0, Quantity::si), Vec::new())

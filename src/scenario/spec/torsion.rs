@@ -11,8 +11,9 @@ use crate::scenario::quantity::{Angle, Length, Moment, Pressure, Quantity, Secon
 /// Shear modulus of steel, Pa.
 const STEEL: f64 = 79.4e9;
 
-/// The segment of the shaft that a moment about its axis twists; static questions only. Without
-/// moment and angle the friction moment of the bearings twists it.
+/// The segment of the shaft that a moment about its axis twists: in static questions, and in motion
+/// under a drive, there by the friction moment of the bearings. Without moment and angle that moment
+/// twists it in static questions, too.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend(

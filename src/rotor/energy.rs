@@ -1,0 +1,109 @@
+//! Where the energy of a motion is, where it came from and where it went.
+
+/// Energy of a shaft at one instant, and what has been done on it since t = 0, J.
+///
+/// ```text
+/// T − T_0 + U − U_0 + D_viscous + D_contact + W_friction + W_load torque
+///     = W_loads + W_unbalance + W_rotation + W_drive
+/// ```
+///
+/// Where balls have inertia, or films follow a changing speed, the bearings have no potential; there
+/// `W_bearings`, the work of the shaft on them, takes the place of U − U_0, and the difference of
+/// both is what the rotation exchanges with balls and films.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct EnergyBalance {
+    /// T: of the mass and the tilts; of a driven shaft with its rotation.
+    pub kinetic: f64,
+    /// U: of contacts, films and springs.
+    pub stored: f64,
+    /// Whether the work on the bearings is the change of what they store.
+    pub conservative: bool,
+    /// What went where since t = 0.
+    pub works: Works,
+}
+
+/// Works since t = 0, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Works {
+    /// Supplied by the loads, the weight among them.
+    pub loads: f64,
+    /// Supplied by the rotation through the unbalance; part of the whole where the shaft is driven.
+    pub unbalance: f64,
+    /// Supplied by the rotation of the cages past the displaced shaft; likewise.
+    pub rotation: f64,
+    /// Dissipated by viscous damping.
+    pub viscous: f64,
+    /// Dissipated in the contacts.
+    pub contact: f64,
+    /// Done on the bearings' contacts, by shaft and cages.
+    pub bearings: f64,
+    /// Supplied by the drive.
+    pub drive: f64,
+    /// Taken by the driven machine.
+    pub load_torque: f64,
+    /// Dissipated by the friction of the bearings.
+    pub friction: f64,
+}
+
+impl Works {
+    /// Number of works.
+    pub(super) const COUNT: usize = 9;
+
+    /// From values in the order of [`Works::values`]; what is missing is zero.
+    pub(super) fn from_values(values: &[f64]) -> Self {
+        let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
+        Self {
+            loads: value(0),
+            unbalance: value(1),
+            rotation: value(2),
+            viscous: value(3),
+            contact: value(4),
+            bearings: value(5),
+            drive: value(6),
+            load_torque: value(7),
+            friction: value(8),
+        }
+    }
+
+    /// All of them, in the order in which they stand.
+    pub fn values(&self) -> [f64; Self::COUNT] {
+        [
+            self.loads,
+            self.unbalance,
+            self.rotation,
+            self.viscous,
+            self.contact,
+            self.bearings,
+            self.drive,
+            self.load_torque,
+            self.friction,
+        ]
+    }
+
+    /// Supplied less dissipated.
+    fn gained(&self) -> f64 {
+        let supplied = self.loads + self.unbalance + self.rotation + self.drive;
+        supplied - self.viscous - self.contact - self.load_torque - self.friction
+    }
+}
+
+impl EnergyBalance {
+    /// What does not add up since `start`, J: the error of the integration.
+    pub fn residual(&self, start: &Self) -> f64 {
+        let taken = if self.conservative {
+            self.stored - start.stored
+        } else {
+            self.works.bearings
+        };
+        self.kinetic - start.kinetic + taken - self.works.gained()
+    }
+
+    /// The largest term of the balance since `start`, J.
+    pub fn largest(&self, start: &Self) -> f64 {
+        let works = self.works.values().into_iter();
+        works
+            .chain([self.kinetic - start.kinetic, self.stored - start.stored])
+            .map(f64::abs)
+            .fold(self.kinetic.max(start.kinetic), f64::max)
+    }
+}
