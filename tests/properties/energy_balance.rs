@@ -61,12 +61,7 @@ fn account(definition: RotorDefinition) -> EnergyReport {
         integrator: settings(TOLERANCE),
         ..model(definition, 0.02, 20_000.0)
     };
-    let model = Model {
-        verify: true,
-        ..model
-    };
     let run = simulate_into(&model, &mut Collector::default()).expect("a run");
-    println!("{:?}", run.measured_error);
     run.energy.expect("an account")
 }
 
