@@ -4,6 +4,7 @@
 //! of it a [`Rotor`], whose derivative is a pure function of time and state.
 
 mod assembly;
+mod ball_contacts;
 mod damping;
 mod definition;
 mod linearisation;
@@ -16,6 +17,7 @@ mod speed_profile;
 
 pub use assembly::RotorError;
 pub(crate) use assembly::{build_supports, static_start};
+pub use ball_contacts::BallContacts;
 pub use definition::{
     CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
     STANDARD_GRAVITY, Shaft,
