@@ -1,6 +1,7 @@
 //! The stair: a [`Model`] goes in, a [`Run`] comes out. No files, no clock, no printing.
 
 mod model;
+mod observation;
 mod reference;
 mod run;
 mod sampling;
@@ -10,11 +11,15 @@ mod watch;
 use nalgebra::Const;
 
 pub use model::{Model, Sampling};
+pub use observation::{
+    BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone, Spread,
+};
 pub use run::{MeasuredError, Run, StaticState};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 use crate::integrate::{Integration, Scaling, Square};
 use crate::rotor::{MotionScale, Rotor};
+use observation::Observation;
 use reference::{Reference, reference_settings};
 
 /// Samples that are integrated, checked and written at a time.
@@ -58,6 +63,7 @@ where
     let mut reference = model
         .verify
         .then(|| Reference::new(start(reference_settings(model))));
+    let mut observation = Observation::new(model, rotor);
     let mut states = Vec::with_capacity(BLOCK);
     while main.done() < grid.count {
         let first = main.done();
@@ -67,8 +73,10 @@ where
             reference.compare(&states, rotor, &scale);
         }
         for (index, state) in states.iter().enumerate() {
-            let sample = rotor.sample(grid.time(first + index as u64), state);
+            let time = grid.time(first + index as u64);
+            let sample = rotor.sample(time, state, observation.contacts());
             sink.sample(&sample)?;
+            observation.take(&sample, sink)?;
             if let Some(recorder) = &mut recorder {
                 recorder.record(&sample);
             }
@@ -86,6 +94,7 @@ where
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         counters: main.counters(),
         samples: grid.count,
+        bearings: observation.finish(),
         warnings: warnings::warnings(model, rotor, measured_error.as_ref()),
         measured_error,
         spectrum,

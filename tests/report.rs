@@ -25,6 +25,8 @@ const SPEED: f64 = 500.0;
 const PER_REVOLUTION: u32 = 32;
 const ALL: Outputs = Outputs {
     trace: true,
+    balls: false,
+    events: true,
     spectrum: true,
     figures: true,
 };
@@ -122,6 +124,7 @@ fn run() -> Run {
             evaluations: 14_000,
         },
         samples: 257,
+        bearings: Vec::new(),
         measured_error: Some(MeasuredError {
             displacement: 1e-14,
             relative: 1e-8,
@@ -163,6 +166,7 @@ fn a_finished_run_leaves_its_files_and_nothing_else() {
     let run = folder.path().join("deep").join("run");
     let paths = write(&run, ALL);
     let all = [
+        "events.csv",
         "spectrum.csv",
         "spectrum.svg",
         "summary.json",
@@ -184,7 +188,7 @@ fn an_unfinished_run_leaves_an_earlier_one_as_it_was() {
     let report = open(folder.path(), ALL);
     assert!(names(folder.path()).contains(&".trace.csv.partial".to_owned()));
     drop(report);
-    assert_eq!(names(folder.path()).len(), 5);
+    assert_eq!(names(folder.path()).len(), 6);
     assert_eq!(fs::read(folder.path().join("trace.csv")).unwrap(), before);
 }
 
@@ -220,6 +224,8 @@ fn outputs_of_an_earlier_run_do_not_stand_beside_a_later_one() {
     write(folder.path(), ALL);
     let trace = Outputs {
         trace: true,
+        balls: false,
+        events: false,
         spectrum: false,
         figures: false,
     };

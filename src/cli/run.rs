@@ -19,8 +19,9 @@ use crate::simulate::{Model, Monitor, Run, SimulateError, simulate};
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
-                  Each file writes to DIR/<its name without ending>/: trace.csv, spectrum.csv,\n\
-                  trace.svg, spectrum.svg and, last, summary.json.\n\n\
+                  Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
+                  spectrum.csv, trace.svg, spectrum.svg and, last, summary.json; trace_balls.csv\n\
+                  where the scenario asks for it.\n\n\
                   Exit code: 0 all runs are done, 1 a run failed or was interrupted, 2 a file is wrong."
 )]
 pub struct Arguments {
@@ -112,6 +113,8 @@ impl Motion {
         } = &job.scenario;
         let outputs = Outputs {
             trace: output.trace,
+            balls: output.balls,
+            events: output.events,
             spectrum: output.spectrum,
             figures: output.figures,
         };

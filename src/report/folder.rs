@@ -19,7 +19,14 @@ impl FileSet {
     /// What a motion leaves.
     pub const MOTION: Self = Self {
         seal: "summary.json",
-        others: &["trace.csv", "spectrum.csv", "trace.svg", "spectrum.svg"],
+        others: &[
+            "trace.csv",
+            "trace_balls.csv",
+            "events.csv",
+            "spectrum.csv",
+            "trace.svg",
+            "spectrum.svg",
+        ],
     };
     /// What the answer to a static question leaves; a study of the same name does not outlive it.
     pub const BEARING: Self = Self {

@@ -6,17 +6,21 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::{
-    FileAction, FileSet, PartialFile, ReportError, RunFolder, TraceCsv, TraceFigure, WholeFile,
-    spectrum_figure, summary, write_spectrum,
+    BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RunFolder, TraceCsv,
+    TraceFigure, WholeFile, spectrum_figure, summary, write_spectrum,
 };
-use crate::rotor::Sample;
-use crate::simulate::{Model, Run, TraceSink};
+use crate::rotor::{BallContacts, Sample};
+use crate::simulate::{Event, Model, Run, TraceSink};
 
 /// Which files a run writes besides `summary.json`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Outputs {
     /// `trace.csv`.
     pub trace: bool,
+    /// `trace_balls.csv`.
+    pub balls: bool,
+    /// `events.csv`.
+    pub events: bool,
     /// `spectrum.csv`, where the run has spectra.
     pub spectrum: bool,
     /// `trace.svg`, and `spectrum.svg` where the run has spectra.
@@ -33,15 +37,17 @@ pub struct RunReport {
     title: String,
     scenario: Value,
     outputs: Outputs,
-    trace: Option<OpenTrace>,
+    trace: Option<Open<TraceCsv<PartialFile>>>,
+    balls: Option<Open<BallTraceCsv<PartialFile>>>,
+    events: Option<Open<EventsCsv<PartialFile>>>,
     figure: Option<TraceFigure>,
 }
 
-/// `trace.csv` being written.
+/// A table being written.
 #[derive(Debug)]
-struct OpenTrace {
+struct Open<C> {
     path: PathBuf,
-    csv: TraceCsv<PartialFile>,
+    csv: C,
 }
 
 impl RunReport {
@@ -59,13 +65,25 @@ impl RunReport {
         freedoms: usize,
     ) -> Result<Self, ReportError> {
         let folder = RunFolder::open(folder, FileSet::MOTION)?;
-        let trace = outputs.trace.then(|| open_trace(&folder)).transpose()?;
+        let trace = outputs
+            .trace
+            .then(|| open(&folder, "trace.csv", TraceCsv::new));
+        let balls = outputs.balls.then(|| {
+            open(&folder, "trace_balls.csv", |file| {
+                Ok(BallTraceCsv::new(file))
+            })
+        });
+        let events = outputs
+            .events
+            .then(|| open(&folder, "events.csv", EventsCsv::new));
         Ok(Self {
             folder,
             title: title.to_owned(),
             scenario,
             outputs,
-            trace,
+            trace: trace.transpose()?,
+            balls: balls.transpose()?,
+            events: events.transpose()?,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
         })
     }
@@ -78,7 +96,13 @@ impl RunReport {
         let summary = summary(&self.title, &self.scenario, model, run);
         let mut files = Vec::new();
         if let Some(trace) = self.trace {
-            files.push(close_trace(trace)?);
+            files.push(trace.close(TraceCsv::finish)?);
+        }
+        if let Some(balls) = self.balls {
+            files.push(balls.close(BallTraceCsv::finish)?);
+        }
+        if let Some(events) = self.events {
+            files.push(events.close(EventsCsv::finish)?);
         }
         if let Some(figure) = self.figure {
             let svg = figure.draw(&self.title)?;
@@ -109,26 +133,52 @@ impl TraceSink for RunReport {
         }
         match &mut self.trace {
             None => Ok(()),
-            Some(OpenTrace { path, csv }) => csv.sample(sample).map_err(|error| {
-                let kind = error.kind();
-                let named = ReportError::file(FileAction::Write, path)(error);
-                io::Error::new(kind, named)
-            }),
+            Some(trace) => trace.write(|csv| csv.sample(sample)),
+        }
+    }
+
+    fn balls(&mut self, sample: &Sample, balls: &BallContacts) -> io::Result<()> {
+        match &mut self.balls {
+            None => Ok(()),
+            Some(table) => table.write(|csv| csv.row(sample, balls)),
+        }
+    }
+
+    fn event(&mut self, event: &Event) -> io::Result<()> {
+        match &mut self.events {
+            None => Ok(()),
+            Some(table) => table.write(|csv| csv.row(event)),
         }
     }
 }
 
-fn open_trace(folder: &RunFolder) -> Result<OpenTrace, ReportError> {
-    let file = folder.create("trace.csv")?;
+fn open<C>(
+    folder: &RunFolder,
+    name: &str,
+    start: impl FnOnce(PartialFile) -> io::Result<C>,
+) -> Result<Open<C>, ReportError> {
+    let file = folder.create(name)?;
     let path = file.path().to_owned();
-    let csv = TraceCsv::new(file).map_err(ReportError::file(FileAction::Write, &path))?;
-    Ok(OpenTrace { path, csv })
+    let csv = start(file).map_err(ReportError::file(FileAction::Write, &path))?;
+    Ok(Open { path, csv })
 }
 
-fn close_trace(trace: OpenTrace) -> Result<WholeFile, ReportError> {
-    let file = trace
-        .csv
-        .finish()
-        .map_err(ReportError::file(FileAction::Write, &trace.path))?;
-    file.close()
+impl<C> Open<C> {
+    /// Writes by `row`; what goes wrong is told with the name of the file.
+    fn write(&mut self, row: impl FnOnce(&mut C) -> io::Result<()>) -> io::Result<()> {
+        row(&mut self.csv).map_err(|error| {
+            let kind = error.kind();
+            let named = ReportError::file(FileAction::Write, &self.path)(error);
+            io::Error::new(kind, named)
+        })
+    }
+
+    fn close(
+        self,
+        finish: impl FnOnce(C) -> io::Result<PartialFile>,
+    ) -> Result<WholeFile, ReportError> {
+        finish(self.csv)
+            .map_err(ReportError::file(FileAction::Write, &self.path))?
+            .close()
+    }
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use comfy_table::{CellAlignment, Table, presets};
 
+use super::histories::write_histories;
 use crate::analysis::{Peak, Spectrum};
 use crate::rotor::Freedoms;
 use crate::simulate::{Model, Run, StaticState};
@@ -55,6 +56,7 @@ fn write_text(
             error.reference_tolerance
         )?;
     }
+    write_histories(out, &run.bearings)?;
     if !run.peaks.is_empty() {
         writeln!(out, "{}", peak_table(&run.peaks, run.spectrum.as_ref()))?;
     }

@@ -38,6 +38,12 @@ pub struct OutputSpec {
     pub window: WindowChoice,
     /// Whether the trace is written. Default: true.
     pub trace: bool,
+    /// Whether load and contact angle of every ball at both races are written at every sample, to
+    /// `trace_balls.csv`. Default: false.
+    pub balls: bool,
+    /// Whether every loss and return of contact and preload is written, to `events.csv`; they are
+    /// counted in the summary either way. Default: true.
+    pub events: bool,
     /// Whether spectra are taken. Default: true.
     pub spectrum: bool,
     /// Whether figures are drawn. Default: true.
@@ -73,6 +79,8 @@ impl Default for OutputSpec {
             sample_rate: None,
             window: WindowChoice::Rectangular,
             trace: true,
+            balls: false,
+            events: true,
             spectrum: true,
             figures: true,
         }
@@ -84,6 +92,8 @@ impl OutputSpec {
     pub fn choice(&self) -> OutputChoice {
         OutputChoice {
             trace: self.trace,
+            balls: self.balls,
+            events: self.events,
             spectrum: self.spectrum,
             figures: self.figures,
         }
@@ -119,6 +129,18 @@ impl OutputSpec {
             check_window((key, speed), rate, time, problems);
         }
         Some(sampling)
+    }
+
+    /// Refuses a trace of balls where no bearing knows any.
+    pub fn check_balls(&self, known: bool, problems: &mut Problems<'_>) {
+        if self.balls && !known {
+            let issue = Issue::new(
+                "output.balls",
+                "a linear bearing knows no balls that could be traced",
+            )
+            .help("remove it, or set contact = \"hertz\" or \"jones\" in `[model]`");
+            problems.refuse(issue, &["model.contact".to_owned()]);
+        }
     }
 
     fn refuse_angle_grid(&self, speed: &str, problems: &mut Problems<'_>) {
