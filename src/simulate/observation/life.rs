@@ -123,3 +123,59 @@ impl ConsumedLife {
         self.share += 1e-6 * revolutions * 0.5 * (from.consumption + to.consumption);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bearing::{catalogue, reference_rating_life};
+
+    fn sample(time: f64, angle: f64) -> Sample {
+        Sample {
+            time,
+            angle,
+            speed: 100.0,
+            displacement: [0.0; 5],
+            velocity: [0.0; 5],
+            force_on_shaft: [0.0; 5],
+            largest_ball_load: 0.0,
+            balls_loaded: 0,
+        }
+    }
+
+    /// D = n₁/L₁ + n₂/L₂, whatever the speeds.
+    #[test]
+    fn two_levels_add_up_to_miners_sum() {
+        let bearing = catalogue::find("6305").expect("an entry").bearing();
+        let bearing = bearing.expect("a bearing");
+        let rating = bearing.dynamic_rating.expect("a rating");
+        let balls = |load| {
+            [BallContact {
+                load_inner: load,
+                load_outer: load,
+                ..BallContact::default()
+            }; 7]
+        };
+        let life =
+            |load| reference_rating_life(&bearing.geometry, rating, [[load; 2]; 7].into_iter());
+        let mut sums = LifeSums::new(&bearing.geometry, rating, 0.0);
+        // 30 revolutions in 3 s, then, after a jump, 10 in 4 s
+        for (load, from, to) in [
+            (400.0, [0.0, 0.0], [3.0, 30.0]),
+            (900.0, [3.0, 30.0], [7.0, 40.0]),
+        ] {
+            for part in [0.0, 0.25, 0.7, 1.0] {
+                let [time, turns] = [0, 1].map(|k| from[k] + part * (to[k] - from[k]));
+                sums.take(&sample(time, TAU * turns), &balls(load));
+            }
+        }
+        let consumed = sums.finish().expect("a life").whole_run;
+        let lives = [400.0, 900.0].map(|load| life(load).expect("a life"));
+        let expected = 1e-6 * (30.0 / lives[0] + 10.0 / lives[1]);
+        assert!((consumed.share / expected - 1.0).abs() < 1e-13);
+        // L = n/D: 40 revolutions, and 7 s
+        let life = consumed.rating_life().expect("a life");
+        assert!((life / (40e-6 / expected) - 1.0).abs() < 1e-13);
+        let hours = consumed.hours().expect("hours");
+        assert!((hours / (7.0 / expected / 3600.0) - 1.0).abs() < 1e-13);
+    }
+}
