@@ -424,8 +424,8 @@ fn the_summary_names_units_and_causes() {
     assert!(bearing["events"]["preload_regained"]["first_s"].is_null());
     assert_eq!(bearing["load_zone"]["extent_rad"]["smallest"], 2.5);
     let life = &bearing["life"]["after_settle"];
-    assert_eq!(life["L10r_million_revolutions"], 8e-6 / 4e-9);
-    assert_eq!(life["L10r_h"], 0.1 / 4e-9 / 3600.0);
+    assert_eq!(life["life_Mrev"], 8e-6 / 4e-9);
+    assert_eq!(life["life_h"], 0.1 / 4e-9 / 3600.0);
 }
 
 #[test]

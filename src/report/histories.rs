@@ -47,8 +47,8 @@ fn consumed(life: &ConsumedLife) -> Value {
         "time_s": life.time,
         "revolutions": life.revolutions,
         "consumed_share": life.share,
-        "L10r_million_revolutions": life.rating_life(),
-        "L10r_h": life.hours(),
+        "life_Mrev": life.rating_life(),
+        "life_h": life.hours(),
     })
 }
 
