@@ -2,6 +2,7 @@
 
 mod energy_audit;
 mod model;
+mod observation;
 mod reference;
 mod run;
 mod sampling;
@@ -12,12 +13,16 @@ use nalgebra::Const;
 
 pub use energy_audit::EnergyReport;
 pub use model::{Model, Sampling};
+pub use observation::{
+    BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone, Spread,
+};
 pub use run::{MeasuredError, Run, StaticState};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 use crate::integrate::{Integration, Square};
 use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, Moving, Rotor};
 use energy_audit::EnergyAudit;
+use observation::Observation;
 use reference::{Reference, reference_settings};
 
 /// Samples that are integrated, checked and written at a time.
@@ -69,6 +74,7 @@ where
     let mut reference = model
         .verify
         .then(|| Reference::new(start(reference_settings(model))));
+    let mut observation = Observation::new(model, rotor);
     let mut states = Vec::with_capacity(BLOCK);
     let mut audit = EnergyAudit::default();
     while main.done() < grid.count {
@@ -79,8 +85,10 @@ where
             reference.compare(&states, system, &scale);
         }
         for (index, state) in states.iter().enumerate() {
-            let sample = system.sample(grid.time(first + index as u64), state);
+            let time = grid.time(first + index as u64);
+            let sample = system.sample(time, state, observation.contacts());
             sink.sample(&sample)?;
+            observation.take(&sample, sink)?;
             audit.sample(&sample);
             if let Some(recorder) = &mut recorder {
                 recorder.record(&sample);
@@ -99,6 +107,7 @@ where
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         counters: main.counters(),
         samples: grid.count,
+        bearings: observation.finish(),
         warnings: warnings::warnings(model, rotor, measured_error.as_ref()),
         measured_error,
         energy: audit.finish(),

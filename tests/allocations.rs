@@ -19,11 +19,15 @@ use jeffcott::rotor::load::{
     ChainDrive, Column, Interpolation, Noise, NoiseBand, RandomShocks, Series, ShockStatistics,
     Sprocket,
 };
-use jeffcott::rotor::{Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample, SpeedPoint};
-use jeffcott::simulate::{Model, TraceSink};
+use jeffcott::rotor::{
+    Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample, SpeedPoint,
+};
+use jeffcott::simulate::{EventKind, Model, TraceSink};
 
-use support::{back_to_back_pair, bearing, model, ring, settings, shaft, simulate_into};
-use support::{rotor, thrust_rotor};
+use support::{
+    back_to_back_pair, bearing, literature_bearing, model, mounted, ring, rotor, settings, shaft,
+    simulate_into, thrust_rotor,
+};
 
 /// What a thread has allocated.
 #[derive(Clone, Copy)]
@@ -177,6 +181,20 @@ fn ring_force_stiffness_and_contacts_allocate_nothing() {
     assert_eq!(count, 0);
 }
 
+#[test]
+fn sampling_allocates_nothing_after_its_room() {
+    let pair = rotor(shaft(Freedoms::All), back_to_back_pair());
+    let pair = Rotor::assemble(&pair).expect("a rotor");
+    let mut contacts = pair.ball_contacts();
+    let (count, _) = measured(|| {
+        for step in 0..1000 {
+            let time = f64::from(step) * 1e-5;
+            std::hint::black_box(pair.sample(time, &[1e-6 * time; 10], &mut contacts));
+        }
+    });
+    assert_eq!(count, 0);
+}
+
 /// Takes samples and forgets them.
 struct Nowhere;
 
@@ -224,6 +242,39 @@ fn memory_is_flat_in_the_duration() {
         long as f64 <= 1.2 * short as f64,
         "{short} then {long} bytes"
     );
+}
+
+/// A bearing with clearance that chatters under unbalance and weight: events all along.
+fn chattering(samples: u32) -> Model {
+    let mut shaft = shaft(Freedoms::Radial);
+    shaft.mass = 2.0;
+    shaft.eccentricity = 5e-4;
+    shaft.gravity = true;
+    let loose = literature_bearing(8, [12e-3, 50e-3], 10e-6, 8e9);
+    let definition = RotorDefinition {
+        speed: 300.0,
+        damping: Damping::Coefficients([200.0; 5]),
+        ..rotor(shaft, vec![mounted(loose)])
+    };
+    let mut model = model(definition, f64::from(samples) / 1e4, 1e4);
+    model.integrator = settings(1e-4);
+    model
+}
+
+#[test]
+fn memory_is_flat_in_the_number_of_events() {
+    let measure = |samples| {
+        let (model, mut lost) = (chattering(samples), 0);
+        let (_, peak) = measured(|| {
+            let run = simulate_into(&model, &mut Nowhere).expect("it runs");
+            lost = run.bearings[0].events(EventKind::ContactLost).count;
+        });
+        (lost, peak)
+    };
+    let ((few, short), (many, long)) = (measure(2048), measure(20_480));
+    println!("{few} and {many} losses of contact, peak {short} and {long} bytes");
+    assert!(many > 1000 && many > 5 * few);
+    assert!(long as f64 <= 1.2 * short as f64);
 }
 
 #[test]

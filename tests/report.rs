@@ -2,23 +2,30 @@
 
 #![allow(clippy::unwrap_used)] // a test that cannot go on fails
 
+#[path = "support/mod.rs"]
+mod support;
+
 use std::f64::consts::TAU;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use jeffcott::analysis::{Analysis, Recorder, Spectrum, Window, causes};
-use jeffcott::bearing::catalogue;
+use jeffcott::bearing::{ContactLaw, MountedBearing, catalogue};
 use jeffcott::integrate::{Counters, Method, Settings};
 use jeffcott::physics::ball_pass_frequencies;
 use jeffcott::report::{
-    Decimator, FileAction, FileSet, Outputs, ReportError, RunFolder, RunReport, TRACE_COLUMNS,
-    TraceCsv, TraceFigure, spectrum_figure, text, write_spectrum,
+    BallTraceCsv, Decimator, EventsCsv, FileAction, FileSet, Outputs, ReportError, RunFolder,
+    RunReport, TRACE_COLUMNS, TraceCsv, TraceFigure, spectrum_figure, text, write_spectrum,
 };
 use jeffcott::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency,
+    CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency, Rotor,
     RotorDefinition, Sample, Shaft,
 };
-use jeffcott::simulate::{MeasuredError, Model, Run, Sampling, StaticState, TraceSink};
+use jeffcott::simulate::{
+    BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
+    MeasuredError, Model, Run, Sampling, Spread, StaticState, TraceSink,
+};
+use support::{bearing, mounted};
 use tempfile::TempDir;
 
 const SPEED: f64 = 500.0;
@@ -27,6 +34,8 @@ const ALL: Outputs = Outputs {
     trace: true,
     energy: false,
     drive: false,
+    balls: false,
+    events: true,
     spectrum: true,
     figures: true,
 };
@@ -93,6 +102,37 @@ fn samples() -> Vec<Sample> {
     (0..=8 * PER_REVOLUTION).map(sample).collect()
 }
 
+fn history() -> BearingHistory {
+    let spread = |smallest: f64, largest: f64| Spread {
+        smallest,
+        mean: 0.5 * (smallest + largest),
+        largest,
+    };
+    let life = ConsumedLife {
+        time: 0.1,
+        revolutions: 8.0,
+        share: 4e-9,
+    };
+    let count = |count, span| EventCount { count, span };
+    BearingHistory {
+        balls: 12,
+        events: vec![
+            (EventKind::ContactLost, count(7, Some([0.01, 0.09]))),
+            (EventKind::ContactRegained, count(7, Some([0.02, 0.1]))),
+            (EventKind::PreloadLost, count(1, Some([0.05, 0.05]))),
+            (EventKind::PreloadRegained, count(0, None)),
+        ],
+        load_zone: Some(LoadZone {
+            balls: spread(5.0, 12.0),
+            extent: spread(2.5, TAU),
+        }),
+        life: Some(LifeHistory {
+            whole_run: life,
+            after_settle: life,
+        }),
+    }
+}
+
 fn run() -> Run {
     let geometry = catalogue::find("7205C")
         .unwrap()
@@ -128,6 +168,7 @@ fn run() -> Run {
             evaluations: 14_000,
         },
         samples: 257,
+        bearings: vec![history()],
         measured_error: Some(MeasuredError {
             displacement: 1e-14,
             relative: 1e-8,
@@ -170,6 +211,7 @@ fn a_finished_run_leaves_its_files_and_nothing_else() {
     let run = folder.path().join("deep").join("run");
     let paths = write(&run, ALL);
     let all = [
+        "events.csv",
         "spectrum.csv",
         "spectrum.svg",
         "summary.json",
@@ -191,7 +233,7 @@ fn an_unfinished_run_leaves_an_earlier_one_as_it_was() {
     let report = open(folder.path(), ALL);
     assert!(names(folder.path()).contains(&".trace.csv.partial".to_owned()));
     drop(report);
-    assert_eq!(names(folder.path()).len(), 5);
+    assert_eq!(names(folder.path()).len(), 6);
     assert_eq!(fs::read(folder.path().join("trace.csv")).unwrap(), before);
 }
 
@@ -229,6 +271,8 @@ fn outputs_of_an_earlier_run_do_not_stand_beside_a_later_one() {
         trace: true,
         energy: false,
         drive: false,
+        balls: false,
+        events: false,
         spectrum: false,
         figures: false,
     };
@@ -281,6 +325,72 @@ fn the_trace_has_its_columns_and_reads_back_bit_by_bit() {
     assert_eq!(row[18..], [180.0, 12.0]);
 }
 
+/// Names are those of variables in Matlab and pandas.
+fn is_a_name(column: &str) -> bool {
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
+    column.starts_with(|first: char| first.is_ascii_alphabetic()) && column.bytes().all(plain)
+}
+
+#[test]
+fn the_trace_of_balls_has_four_columns_a_ball_and_reads_back_bit_by_bit() {
+    let mut definition = model().rotor;
+    let linear = MountedBearing {
+        law: ContactLaw::Linear,
+        ..mounted(bearing("7205C"))
+    };
+    definition.bearings = vec![linear, mounted(bearing("6305"))];
+    let rotor = Rotor::assemble(&definition).unwrap();
+    let mut contacts = rotor.ball_contacts();
+    let [place, _] = rotor.initial_state();
+    let state = [place[0], place[1], place[2], 0.0, 0.0, 0.0];
+    let sample = rotor.sample(0.0, &state, &mut contacts);
+    let mut csv = BallTraceCsv::new(Vec::new());
+    csv.row(&sample, &contacts).unwrap();
+    csv.row(&sample, &contacts).unwrap();
+    let text = String::from_utf8(csv.finish().unwrap()).unwrap();
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();
+    // the linear bearing knows no balls, the 6305 has seven
+    let columns = &lines[0];
+    assert_eq!((lines.len(), columns.len()), (3, 2 + 4 * 7));
+    assert_eq!(
+        columns[..3],
+        ["t_s", "angle_rad", "bearing2_ball1_inner_load_N"]
+    );
+    assert_eq!(columns[29], "bearing2_ball7_outer_angle_rad");
+    assert!(columns.iter().all(|column| is_a_name(column)));
+    let row: Vec<f64> = lines[1].iter().map(|cell| cell.parse().unwrap()).collect();
+    for (ball, cells) in contacts.of_bearing(1).iter().zip(row[2..].chunks(4)) {
+        assert!(ball.load_inner > 0.0);
+        let written = [
+            ball.load_inner,
+            ball.angle_inner,
+            ball.load_outer,
+            ball.angle_outer,
+        ];
+        assert_eq!(cells, written);
+    }
+}
+
+#[test]
+fn events_count_bearings_and_balls_from_one() {
+    let mut csv = EventsCsv::new(Vec::new()).unwrap();
+    for (kind, ball) in [
+        (EventKind::ContactLost, Some(0)),
+        (EventKind::PreloadLost, None),
+    ] {
+        let event = Event {
+            time: 0.25,
+            kind,
+            bearing: 1,
+            ball,
+        };
+        csv.row(&event).unwrap();
+    }
+    let text = String::from_utf8(csv.finish().unwrap()).unwrap();
+    let expected = "t_s,event,bearing,ball\n0.25,contact_lost,2,1\n0.25,preload_lost,2,\n";
+    assert_eq!(text, expected);
+}
+
 fn header(spectrum: &Spectrum) -> String {
     let mut bytes = Vec::new();
     write_spectrum(spectrum, &mut bytes).unwrap();
@@ -317,6 +427,14 @@ fn the_summary_names_units_and_causes() {
     assert_eq!(value["peaks"][0]["unit"], "m");
     assert_eq!(value["measured_error"]["tolerance"], 1e-8);
     assert_eq!(value["warnings"][0], "a warning");
+    let bearing = &value["bearings"][0];
+    assert_eq!(bearing["events"]["contact_lost"]["count"], 7);
+    assert_eq!(bearing["events"]["contact_lost"]["last_s"], 0.09);
+    assert!(bearing["events"]["preload_regained"]["first_s"].is_null());
+    assert_eq!(bearing["load_zone"]["extent_rad"]["smallest"], 2.5);
+    let life = &bearing["life"]["after_settle"];
+    assert_eq!(life["life_Mrev"], 8e-6 / 4e-9);
+    assert_eq!(life["life_h"], 0.1 / 4e-9 / 3600.0);
 }
 
 #[test]
@@ -386,6 +504,9 @@ fn the_text_shows_key_numbers_peaks_and_files() {
         "z 17.0000 µm",
         "431.00 Hz (ζ 0.020)",
         "1000 steps, 20 rejected",
+        "5 to 12 of 12 balls loaded, mean 8.50; contact lost 7 times, 0.0100 s to 0.0900 s; \
+         preload lost once, at 0.0500 s",
+        "2.0000e3 million revolutions, 6.944e3 h",
         "1×",
         "wrote output/x/trace.csv",
     ] {

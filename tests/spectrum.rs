@@ -39,6 +39,8 @@ fn sample(time: f64, x: f64) -> Sample {
         force_on_shaft: [0.0; 5],
         largest_ball_load: 0.0,
         balls_loaded: 0,
+        energy: None,
+        drive: None,
     }
 }
 

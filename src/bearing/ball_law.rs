@@ -26,6 +26,10 @@ pub struct BallContact {
     pub angle_inner: f64,
     /// Contact angle at the outer race, rad.
     pub angle_outer: f64,
+    /// Approach of ball and inner race, m: of dry surfaces, so less than the elastic one by the
+    /// film, and negative where they are apart. A law without ball inertia knows only that of both
+    /// races together.
+    pub approach: f64,
 }
 
 /// Normal load of one contact, and its slope.

@@ -80,14 +80,20 @@ impl HertzFilmLaw {
         self.contact.elastic().stiffness_under(load)
     }
 
-    /// Distance of the groove centres in m, load in N and its derivative by the distance in N/m.
+    /// Both races and their films in series at a shaft speed in rad/s.
     #[inline]
-    fn solve(&self, axial: f64, radial: f64, speed: f64) -> (f64, f64, f64) {
-        let spring = if speed == self.prepared_speed {
+    pub(super) fn spring(&self, speed: f64) -> FilmSpring {
+        if speed == self.prepared_speed {
             self.prepared
         } else {
             self.contact.at_speed(speed)
-        };
+        }
+    }
+
+    /// Distance of the groove centres in m, load in N and its derivative by the distance in N/m.
+    #[inline]
+    fn solve(&self, axial: f64, radial: f64, speed: f64) -> (f64, f64, f64) {
+        let spring = self.spring(speed);
         // coinciding centres have no line of centres; any serves, for they press on nothing
         let distance = (axial * axial + radial * radial)
             .sqrt()
@@ -133,9 +139,10 @@ impl BallLaw for HertzFilmLaw {
     }
 
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact {
-        let (_, load, _) = self.solve(axial, radial, speed);
+        let (distance, load, _) = self.solve(axial, radial, speed);
         let angle = axial.atan2(radial);
         BallContact {
+            approach: distance - self.free_distance,
             load_inner: load,
             load_outer: load,
             angle_inner: angle,

@@ -94,9 +94,10 @@ impl BallLaw for HertzLaw {
     }
 
     fn contact(&self, axial: f64, radial: f64, _speed: f64) -> BallContact {
-        let (_, approach) = self.distance_and_approach(axial, radial);
+        let (distance, approach) = self.distance_and_approach(axial, radial);
         let (load, angle) = (self.load(approach), axial.atan2(radial));
         BallContact {
+            approach: distance - self.distance,
             load_inner: load,
             load_outer: load,
             angle_inner: angle,

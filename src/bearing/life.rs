@@ -64,20 +64,49 @@ pub fn reference_rating_life(
     dynamic_rating: f64,
     loads: impl Iterator<Item = [f64; 2]>,
 ) -> Option<f64> {
-    let ratings = race_ratings(geometry, dynamic_rating);
-    let (mut inner, mut outer) = (0.0, 0.0);
-    for [load_inner, load_outer] in loads {
-        inner += load_inner.powi(3);
-        outer += load_outer.powf(10.0 / 3.0);
+    let consumption = RatingLife::new(geometry, dynamic_rating).consumption(loads);
+    (consumption > 0.0).then(|| 1.0 / consumption)
+}
+
+/// How fast a bearing lives under given loads: the reciprocal of [`reference_rating_life`], which
+/// Miner's rule sums along a history of loads.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RatingLife {
+    /// Q_ci^(−10/3)/Z^(10/9) and Q_ce^(−10/3)/Z.
+    weights: [f64; 2],
+}
+
+impl RatingLife {
+    /// Of a bearing with the basic dynamic load rating C in N.
+    pub fn new(geometry: &Geometry, dynamic_rating: f64) -> Self {
+        let [inner, outer] = race_ratings(geometry, dynamic_rating);
+        let balls = geometry.balls() as f64;
+        Self {
+            weights: [
+                inner.powf(-10.0 / 3.0) * balls.powf(-10.0 / 9.0),
+                outer.powf(-10.0 / 3.0) / balls,
+            ],
+        }
     }
-    let balls = geometry.balls() as f64;
-    // Q_ei = (mean of Q_i³)^(1/3), Q_ee = (mean of Q_o^(10/3))^(3/10)
-    let equivalent = [(inner / balls).cbrt(), (outer / balls).powf(0.3)];
-    // (Q_c/Q_e)^(−10/3)
-    let damage = |race: usize| (equivalent[race] / ratings[race]).powf(10.0 / 3.0);
-    let damage = damage(0) + damage(1);
-    // L10r = […]^(−9/10)
-    (damage > 0.0).then(|| damage.powf(-0.9))
+
+    /// 1/L10r per 10⁶ revolutions under the `loads` of every ball in N, inner and outer race; zero
+    /// without load.
+    ///
+    /// ```text
+    /// 1/L10r = [(Q_ei/Q_ci)^(10/3) + (Q_ee/Q_ce)^(10/3)]^(9/10)
+    /// Q_ei^(10/3) = (mean of Q_i³)^(10/9)   Q_ee^(10/3) = mean of Q_o^(10/3)
+    /// ```
+    #[inline]
+    pub fn consumption(&self, loads: impl Iterator<Item = [f64; 2]>) -> f64 {
+        let (mut inner, mut outer) = (0.0, 0.0);
+        for [load_inner, load_outer] in loads {
+            inner += load_inner * load_inner * load_inner;
+            // Q^(10/3) = Q³ Q^(1/3)
+            outer += load_outer * load_outer * load_outer * load_outer.cbrt();
+        }
+        let damage = self.weights[0] * inner.powf(10.0 / 9.0) + self.weights[1] * outer;
+        damage.powf(0.9)
+    }
 }
 
 /// Basic dynamic load ratings Q_ci and Q_ce of one ball at the inner and the outer race, N.

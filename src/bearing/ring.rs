@@ -230,8 +230,9 @@ impl<L: BallLaw> Ring<L> {
         displacement: Vector5,
         cage: CageAngle,
     ) -> impl Iterator<Item = PlacedBall> {
-        self.azimuths.iter().map(move |azimuth| {
-            let (sin_0, cos_0) = azimuth.sin_cos();
+        (0..self.azimuths.len()).map(move |ball| {
+            let lanes = &self.lanes[ball / LANES];
+            let (sin_0, cos_0) = (lanes.sin[ball % LANES], lanes.cos[ball % LANES]);
             let cos = cos_0 * cage.cos - sin_0 * cage.sin;
             let sin = sin_0 * cage.cos + cos_0 * cage.sin;
             self.place(&displacement, sin, cos)

@@ -8,8 +8,8 @@ use super::elastic_energy::{race_springs, stored_energy};
 use super::ring::{CageAngle, Matrix5, Vector5};
 use super::seat::Seat;
 use super::{
-    Around, BallContact, BearingError, BearingState, ContactLaw, FrictionMoment, Geometry,
-    HertzSpring, MountedBearing, Preload,
+    Around, BallContact, BearingError, BearingState, ContactBand, ContactLaw, FrictionMoment,
+    Geometry, HertzSpring, MountedBearing, Preload,
 };
 use crate::physics::{
     BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed, series_stiffness,
@@ -397,6 +397,21 @@ impl Support {
             let place = self.ring_displacement(displacement, cage, speed);
             self.ring.for_each_contact(&place, cage, speed, visit);
         }
+    }
+
+    /// Number of balls that [`Support::for_each_contact`] visits.
+    pub fn known_balls(&self) -> usize {
+        match self.frozen {
+            Some(_) => 0,
+            None => self.definition.bearing.geometry.balls(),
+        }
+    }
+
+    /// Where a ball leaves and meets the inner race at a shaft speed in rad/s.
+    pub fn contact_band(&self, speed: f64) -> ContactBand {
+        ContactBand::new(&self.contacts[0], |load| {
+            self.ring.approach_under(load, speed)
+        })
     }
 
     /// What a ball at each of `positions` azimuths from +X on would bear with the shaft at

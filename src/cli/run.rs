@@ -19,9 +19,9 @@ use crate::simulate::{Model, Monitor, Run, SimulateError, simulate};
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
-                  Each file writes to DIR/<its name without ending>/: trace.csv, spectrum.csv,\n\
-                  trace.svg, spectrum.svg, energy.csv and drive.csv where there is an account of\n\
-                  the energy or a drive, and, last, summary.json.\n\n\
+                  Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
+                  spectrum.csv, trace.svg, spectrum.svg and, last, summary.json; trace_balls.csv and\n\
+                  energy.csv where the scenario asks for them, drive.csv where there is a drive.\n\n\
                   Exit code: 0 all runs are done, 1 a run failed or was interrupted, 2 a file is wrong."
 )]
 pub struct Arguments {
@@ -115,6 +115,8 @@ impl Motion {
             trace: output.trace,
             energy: model.energy || model.rotor.drive.is_some(),
             drive: model.rotor.drive.is_some(),
+            balls: output.balls,
+            events: output.events,
             spectrum: output.spectrum,
             figures: output.figures,
         };

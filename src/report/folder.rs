@@ -23,6 +23,8 @@ impl FileSet {
             "trace.csv",
             "energy.csv",
             "drive.csv",
+            "trace_balls.csv",
+            "events.csv",
             "spectrum.csv",
             "trace.svg",
             "spectrum.svg",

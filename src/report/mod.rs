@@ -1,15 +1,18 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
+mod ball_trace_csv;
 mod columns;
 pub mod compare;
 
 mod decimator;
 mod error;
+mod events_csv;
 mod figure;
 mod figure_curves;
 mod figure_spectrum;
 mod figure_trace;
 mod folder;
+mod histories;
 mod run_report;
 mod sample_table;
 mod spectrum_csv;
@@ -19,8 +22,10 @@ mod summary;
 mod text;
 mod trace_csv;
 
+pub use ball_trace_csv::BallTraceCsv;
 pub use decimator::{Bucket, Decimator};
 pub use error::{FileAction, ReportError};
+pub use events_csv::{EVENT_COLUMNS, EventsCsv};
 pub use figure_spectrum::spectrum_figure;
 pub use figure_trace::TraceFigure;
 pub use folder::{FileSet, PartialFile, RunFolder, WholeFile};

@@ -7,11 +7,11 @@ use serde_json::Value;
 
 use super::sample_table::{SampleTable, TableKind};
 use super::{
-    FileAction, FileSet, PartialFile, ReportError, RunFolder, TraceCsv, TraceFigure, WholeFile,
-    spectrum_figure, summary, write_spectrum,
+    BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RunFolder, TraceCsv,
+    TraceFigure, WholeFile, spectrum_figure, summary, write_spectrum,
 };
-use crate::rotor::Sample;
-use crate::simulate::{Model, Run, TraceSink};
+use crate::rotor::{BallContacts, Sample};
+use crate::simulate::{Event, Model, Run, TraceSink};
 
 /// Which files a run writes besides `summary.json`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,6 +22,10 @@ pub struct Outputs {
     pub energy: bool,
     /// `drive.csv`.
     pub drive: bool,
+    /// `trace_balls.csv`.
+    pub balls: bool,
+    /// `events.csv`.
+    pub events: bool,
     /// `spectrum.csv`, where the run has spectra.
     pub spectrum: bool,
     /// `trace.svg`, and `spectrum.svg` where the run has spectra.
@@ -38,23 +42,18 @@ pub struct RunReport {
     title: String,
     scenario: Value,
     outputs: Outputs,
-    trace: Option<OpenTrace>,
-    tables: Vec<OpenTable>,
+    trace: Option<Open<TraceCsv<PartialFile>>>,
+    tables: Vec<Open<SampleTable<PartialFile>>>,
+    balls: Option<Open<BallTraceCsv<PartialFile>>>,
+    events: Option<Open<EventsCsv<PartialFile>>>,
     figure: Option<TraceFigure>,
 }
 
-/// `trace.csv` being written.
+/// A table being written.
 #[derive(Debug)]
-struct OpenTrace {
+struct Open<C> {
     path: PathBuf,
-    csv: TraceCsv<PartialFile>,
-}
-
-/// A table beside the trace, being written.
-#[derive(Debug)]
-struct OpenTable {
-    path: PathBuf,
-    table: SampleTable<PartialFile>,
+    csv: C,
 }
 
 impl RunReport {
@@ -72,7 +71,17 @@ impl RunReport {
         freedoms: usize,
     ) -> Result<Self, ReportError> {
         let folder = RunFolder::open(folder, FileSet::MOTION)?;
-        let trace = outputs.trace.then(|| open_trace(&folder)).transpose()?;
+        let trace = outputs
+            .trace
+            .then(|| open(&folder, "trace.csv", TraceCsv::new));
+        let balls = outputs.balls.then(|| {
+            open(&folder, "trace_balls.csv", |file| {
+                Ok(BallTraceCsv::new(file))
+            })
+        });
+        let events = outputs
+            .events
+            .then(|| open(&folder, "events.csv", EventsCsv::new));
         let tables = [
             (outputs.energy, TableKind::ENERGY),
             (outputs.drive, TableKind::DRIVE),
@@ -80,15 +89,17 @@ impl RunReport {
         let tables = tables
             .into_iter()
             .filter(|(asked, _)| *asked)
-            .map(|(_, kind)| OpenTable::open(&folder, kind))
+            .map(|(_, kind)| open(&folder, kind.file, |file| SampleTable::new(kind, file)))
             .collect::<Result<_, _>>()?;
         Ok(Self {
             folder,
             title: title.to_owned(),
             scenario,
             outputs,
-            trace,
+            trace: trace.transpose()?,
             tables,
+            balls: balls.transpose()?,
+            events: events.transpose()?,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
         })
     }
@@ -101,10 +112,16 @@ impl RunReport {
         let summary = summary(&self.title, &self.scenario, model, run);
         let mut files = Vec::new();
         if let Some(trace) = self.trace {
-            files.push(close_trace(trace)?);
+            files.push(trace.close(TraceCsv::finish)?);
+        }
+        if let Some(balls) = self.balls {
+            files.push(balls.close(BallTraceCsv::finish)?);
+        }
+        if let Some(events) = self.events {
+            files.push(events.close(EventsCsv::finish)?);
         }
         for table in self.tables {
-            files.push(table.close()?);
+            files.push(table.close(SampleTable::finish)?);
         }
         if let Some(figure) = self.figure {
             let svg = figure.draw(&self.title)?;
@@ -133,52 +150,57 @@ impl TraceSink for RunReport {
         if let Some(figure) = &mut self.figure {
             figure.sample(sample);
         }
-        for OpenTable { path, table } in &mut self.tables {
-            table.sample(sample).map_err(named(path))?;
+        for table in &mut self.tables {
+            table.write(|csv| csv.sample(sample))?;
         }
         match &mut self.trace {
             None => Ok(()),
-            Some(OpenTrace { path, csv }) => csv.sample(sample).map_err(named(path)),
+            Some(trace) => trace.write(|csv| csv.sample(sample)),
+        }
+    }
+
+    fn balls(&mut self, sample: &Sample, balls: &BallContacts) -> io::Result<()> {
+        match &mut self.balls {
+            None => Ok(()),
+            Some(table) => table.write(|csv| csv.row(sample, balls)),
+        }
+    }
+
+    fn event(&mut self, event: &Event) -> io::Result<()> {
+        match &mut self.events {
+            None => Ok(()),
+            Some(table) => table.write(|csv| csv.row(event)),
         }
     }
 }
 
-/// The error of a file that cannot be written, with its name.
-fn named(path: &Path) -> impl FnOnce(io::Error) -> io::Error + '_ {
-    move |error| {
-        let kind = error.kind();
-        io::Error::new(kind, ReportError::file(FileAction::Write, path)(error))
-    }
+fn open<C>(
+    folder: &RunFolder,
+    name: &str,
+    start: impl FnOnce(PartialFile) -> io::Result<C>,
+) -> Result<Open<C>, ReportError> {
+    let file = folder.create(name)?;
+    let path = file.path().to_owned();
+    let csv = start(file).map_err(ReportError::file(FileAction::Write, &path))?;
+    Ok(Open { path, csv })
 }
 
-impl OpenTable {
-    fn open(folder: &RunFolder, kind: TableKind) -> Result<Self, ReportError> {
-        let file = folder.create(kind.file)?;
-        let path = file.path().to_owned();
-        let table =
-            SampleTable::new(kind, file).map_err(ReportError::file(FileAction::Write, &path))?;
-        Ok(Self { path, table })
+impl<C> Open<C> {
+    /// Writes by `row`; what goes wrong is told with the name of the file.
+    fn write(&mut self, row: impl FnOnce(&mut C) -> io::Result<()>) -> io::Result<()> {
+        row(&mut self.csv).map_err(|error| {
+            let kind = error.kind();
+            let named = ReportError::file(FileAction::Write, &self.path)(error);
+            io::Error::new(kind, named)
+        })
     }
 
-    fn close(self) -> Result<WholeFile, ReportError> {
-        let Self { path, table } = self;
-        let file = table.finish();
-        file.map_err(ReportError::file(FileAction::Write, &path))?
+    fn close(
+        self,
+        finish: impl FnOnce(C) -> io::Result<PartialFile>,
+    ) -> Result<WholeFile, ReportError> {
+        finish(self.csv)
+            .map_err(ReportError::file(FileAction::Write, &self.path))?
             .close()
     }
-}
-
-fn open_trace(folder: &RunFolder) -> Result<OpenTrace, ReportError> {
-    let file = folder.create("trace.csv")?;
-    let path = file.path().to_owned();
-    let csv = TraceCsv::new(file).map_err(ReportError::file(FileAction::Write, &path))?;
-    Ok(OpenTrace { path, csv })
-}
-
-fn close_trace(trace: OpenTrace) -> Result<WholeFile, ReportError> {
-    let file = trace
-        .csv
-        .finish()
-        .map_err(ReportError::file(FileAction::Write, &trace.path))?;
-    file.close()
 }

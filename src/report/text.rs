@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use comfy_table::{CellAlignment, Table, presets};
 
+use super::histories::write_histories;
 use crate::analysis::{Peak, Spectrum};
 use crate::rotor::Freedoms;
 use crate::simulate::{Model, Run, StaticState};
@@ -62,6 +63,7 @@ fn write_text(
             energy.largest_residual, energy.relative_residual
         )?;
     }
+    write_histories(out, &run.bearings)?;
     if !run.peaks.is_empty() {
         writeln!(out, "{}", peak_table(&run.peaks, run.spectrum.as_ref()))?;
     }

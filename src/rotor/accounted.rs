@@ -3,7 +3,9 @@
 use nalgebra::SMatrix;
 
 use super::energy::{EnergyBalance, Works};
-use super::{Drive, DriveMoments, FREEDOMS, MotionScale, Moving, Rotation, Rotor, Sample};
+use super::{
+    BallContacts, Drive, DriveMoments, FREEDOMS, MotionScale, Moving, Rotation, Rotor, Sample,
+};
 use crate::bearing::{Support, Vector5};
 use crate::integrate::{Linearised, Scaling, System};
 
@@ -393,7 +395,7 @@ impl Moving<ACCOUNTED_STATES> for AccountedRotor<'_> {
         scaling
     }
 
-    fn sample(&self, time: f64, state: &State) -> Sample {
+    fn sample(&self, time: f64, state: &State, contacts: &mut BallContacts) -> Sample {
         let [place, velocity] = self.motion(state);
         let action = self.rotor.drive.map(|_| self.act(time, state));
         let rotation = match &action {
@@ -403,7 +405,9 @@ impl Moving<ACCOUNTED_STATES> for AccountedRotor<'_> {
         Sample {
             energy: Some(self.balance(time, state)),
             drive: action.and_then(|action| action.moments),
-            ..self.rotor.observe(time, &rotation, place, velocity)
+            ..self
+                .rotor
+                .observe(time, &rotation, [place, velocity], contacts)
         }
     }
 }

@@ -5,6 +5,7 @@
 
 mod accounted;
 mod assembly;
+mod ball_contacts;
 mod damping;
 mod definition;
 mod drive;
@@ -21,6 +22,7 @@ mod speed_profile;
 pub use accounted::{ACCOUNTED_STATES, AccountedRotor};
 pub use assembly::RotorError;
 pub(crate) use assembly::{build_supports, static_start};
+pub use ball_contacts::BallContacts;
 pub use definition::{
     CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
     STANDARD_GRAVITY, Shaft,

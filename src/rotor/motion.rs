@@ -1,9 +1,9 @@
 //! The shaft in motion: the right-hand side of its equations, and what can be seen of it.
 
 use super::damping::DampingMatrix;
-use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
+use super::{BallContacts, CageMotion, Drive, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
-use crate::bearing::{BallContact, CageAngle, LOADED_SHARE, Support, Vector5};
+use crate::bearing::{CageAngle, Support, Vector5};
 use crate::integrate::System;
 
 /// A concentrated mass on its bearings, assembled and ready to move.
@@ -210,11 +210,27 @@ impl Rotor {
         }
     }
 
-    /// What is observed in a state at a time.
-    pub fn sample<const N: usize>(&self, time: f64, state: &[f64; N]) -> Sample {
+    /// Room for what [`Rotor::sample`] observes of the balls.
+    pub fn ball_contacts(&self) -> BallContacts {
+        BallContacts::new(&self.supports)
+    }
+
+    /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
+    /// own [`Rotor::ball_contacts`].
+    pub fn sample<const N: usize>(
+        &self,
+        time: f64,
+        state: &[f64; N],
+        contacts: &mut BallContacts,
+    ) -> Sample {
         let displacement = self.full(&self.equilibrium.displacement, &state[..N / 2]);
         let velocity = self.full(&[0.0; FREEDOMS], &state[N / 2..]);
-        self.observe(time, &self.speed.at(time), displacement, velocity)
+        self.observe(
+            time,
+            &self.speed.at(time),
+            [displacement, velocity],
+            contacts,
+        )
     }
 
     /// The first time after `after` at which a load or the acceleration jumps, s.
@@ -223,61 +239,60 @@ impl Rotor {
         breaks.fold(self.speed.next_break(after), f64::min)
     }
 
-    /// What is observed of a motion.
+    /// What is observed of a motion, displacement first.
     pub(super) fn observe(
         &self,
         time: f64,
         rotation: &Rotation,
-        displacement: Vector5,
-        velocity: Vector5,
+        [displacement, velocity]: [Vector5; 2],
+        contacts: &mut BallContacts,
     ) -> Sample {
-        let (largest, loaded) = self.ball_loads(&displacement, rotation);
+        let mut force = self.observe_bearings(&displacement, rotation, contacts);
+        if self.contacts_damped {
+            let damping = self.contact_damping(&displacement, &velocity, rotation);
+            for axis in 0..FREEDOMS {
+                force[axis] += damping[axis];
+            }
+        }
         Sample {
             time,
             angle: rotation.angle,
             speed: rotation.speed,
             displacement,
             velocity,
-            force_on_shaft: self.force_on_shaft(&displacement, &velocity, rotation),
-            largest_ball_load: largest,
-            balls_loaded: loaded,
+            force_on_shaft: force.map(|force| -force),
+            largest_ball_load: contacts.largest_load(),
+            balls_loaded: contacts.loaded(),
             energy: None,
             drive: None,
         }
     }
 
-    /// Force of all bearings on the shaft, their contacts' damping included.
-    fn force_on_shaft(
+    /// Force of the shaft onto all bearings, N and N m; axial forces and balls go to `contacts`.
+    fn observe_bearings(
         &self,
         displacement: &Vector5,
-        velocity: &Vector5,
         rotation: &Rotation,
+        contacts: &mut BallContacts,
     ) -> Vector5 {
-        let force = self.force_on_bearings(displacement, rotation);
-        if !self.contacts_damped {
-            return force.map(|force| -force);
-        }
-        let damping = self.contact_damping(displacement, velocity, rotation);
-        std::array::from_fn(|axis| -(force[axis] + damping[axis]))
-    }
-
-    /// Largest load on a ball, N, and the number of balls that are loaded. Behind an oil film no load
-    /// is quite zero: what is less than a millionth of the largest counts as none.
-    fn ball_loads(&self, displacement: &Vector5, rotation: &Rotation) -> (f64, u32) {
-        let visit = |visit: &mut dyn FnMut(BallContact)| {
-            self.for_each_support(rotation.angle, |support, cage| {
-                support.for_each_contact(displacement, cage, rotation.speed, visit);
+        let mut total = [0.0; FREEDOMS];
+        let mut balls = contacts.balls.iter_mut();
+        let mut axial_forces = contacts.axial_forces.iter_mut();
+        self.for_each_support(rotation.angle, |support, cage| {
+            let force = support.force(displacement, cage, rotation.speed);
+            for axis in 0..FREEDOMS {
+                total[axis] += force[axis];
+            }
+            if let Some(axial) = axial_forces.next() {
+                *axial = support.definition().facing.sign() * force[2];
+            }
+            support.for_each_contact(displacement, cage, rotation.speed, &mut |contact| {
+                if let Some(ball) = balls.next() {
+                    *ball = contact;
+                }
             });
-        };
-        let (mut largest, mut largest_inner) = (0.0_f64, 0.0_f64);
-        visit(&mut |ball| {
-            largest = largest.max(ball.load_inner).max(ball.load_outer);
-            largest_inner = largest_inner.max(ball.load_inner);
         });
-        let mut loaded = 0;
-        let threshold = LOADED_SHARE * largest_inner;
-        visit(&mut |ball| loaded += u32::from(ball.load_inner > threshold));
-        (largest, loaded)
+        total
     }
 
     /// Five components, the kept ones from a state, the others from `held`.

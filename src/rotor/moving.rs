@@ -1,6 +1,6 @@
 //! What a simulation asks of a shaft in motion, whatever its states are.
 
-use super::{MotionScale, Rotor, Sample};
+use super::{BallContacts, MotionScale, Rotor, Sample};
 use crate::integrate::{Linearised, Scaling};
 
 /// A rotor as a system of N equations: by itself, or with more that is integrated beside it.
@@ -16,8 +16,9 @@ pub trait Moving<const N: usize>: Linearised<N> {
     /// Scaling under which deviations from the static equilibrium are numbers of order one.
     fn scaling(&self, scale: &MotionScale) -> Scaling<N>;
 
-    /// What is observed in a state at a time.
-    fn sample(&self, time: f64, state: &[f64; N]) -> Sample;
+    /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's own
+    /// [`Rotor::ball_contacts`].
+    fn sample(&self, time: f64, state: &[f64; N], contacts: &mut BallContacts) -> Sample;
 }
 
 impl<const N: usize> Moving<N> for Rotor {
@@ -45,7 +46,7 @@ impl<const N: usize> Moving<N> for Rotor {
         }
     }
 
-    fn sample(&self, time: f64, state: &[f64; N]) -> Sample {
-        Self::sample(self, time, state)
+    fn sample(&self, time: f64, state: &[f64; N], contacts: &mut BallContacts) -> Sample {
+        Self::sample(self, time, state, contacts)
     }
 }

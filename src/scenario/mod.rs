@@ -55,6 +55,10 @@ pub enum Format {
 pub struct OutputChoice {
     /// Whether the trace is written.
     pub trace: bool,
+    /// Whether loads and contact angles of every ball are written.
+    pub balls: bool,
+    /// Whether events are written.
+    pub events: bool,
     /// Whether spectra are taken and written.
     pub spectrum: bool,
     /// Whether figures are drawn.

@@ -1,5 +1,6 @@
 //! The answer: everything about a run except its trace.
 
+use super::BearingHistory;
 use super::EnergyReport;
 use crate::analysis::{Peak, Spectrum};
 use crate::integrate::Counters;
@@ -47,6 +48,8 @@ pub struct Run {
     pub counters: Counters,
     /// Number of samples written.
     pub samples: u64,
+    /// What was observed of each bearing, in the order of the scenario.
+    pub bearings: Vec<BearingHistory>,
     /// Measured error, where asked for.
     pub measured_error: Option<MeasuredError>,
     /// Account of the energy, where asked for.

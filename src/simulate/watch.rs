@@ -2,8 +2,9 @@
 
 use std::sync::atomic::AtomicBool;
 
+use super::Event;
 use crate::integrate::IntegrateError;
-use crate::rotor::{RotorError, Sample};
+use crate::rotor::{BallContacts, RotorError, Sample};
 
 /// Takes the samples of a run one by one, in the order of time.
 pub trait TraceSink {
@@ -12,6 +13,24 @@ pub trait TraceSink {
     /// # Errors
     /// Whatever keeps the sink from taking it; the run ends there.
     fn sample(&mut self, sample: &Sample) -> std::io::Result<()>;
+
+    /// Takes the balls of all bearings at the sample that it has just taken; ignores them by
+    /// default.
+    ///
+    /// # Errors
+    /// As [`TraceSink::sample`].
+    fn balls(&mut self, _sample: &Sample, _balls: &BallContacts) -> std::io::Result<()> {
+        Ok(())
+    }
+
+    /// Takes an event between the sample before and the one that it has just taken, in the order
+    /// of time; ignores it by default.
+    ///
+    /// # Errors
+    /// As [`TraceSink::sample`].
+    fn event(&mut self, _event: &Event) -> std::io::Result<()> {
+        Ok(())
+    }
 }
 
 /// How a run is watched and stopped from outside.

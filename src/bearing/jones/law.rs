@@ -181,6 +181,12 @@ impl<R: Races> JonesLaw<R> {
         )
     }
 
+    /// The contact with the inner race at a shaft speed in rad/s.
+    pub(in crate::bearing) fn inner_spring(&self, speed: f64) -> R::Spring {
+        let [inner, _] = self.races.at_speed(speed);
+        inner
+    }
+
     #[inline]
     fn solve(&self, axial: f64, radial: f64, speed: f64) -> Rest {
         let groove = Vector2::new(axial, radial);

@@ -55,6 +55,7 @@ pub(super) fn contact_of(balance: &Balance) -> BallContact {
         load_outer: outer.load,
         angle_inner: angle(&inner.normal),
         angle_outer: angle(&outer.normal),
+        approach: inner.length - inner.free_length,
     }
 }
 

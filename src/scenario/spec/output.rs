@@ -40,6 +40,12 @@ pub struct OutputSpec {
     /// Whether energy is accounted for, in `energy.csv` and the summary; that of a driven shaft
     /// always is. Default: false.
     pub energy: bool,
+    /// Whether load and contact angle of every ball at both races are written at every sample, to
+    /// `trace_balls.csv`. Default: false.
+    pub balls: bool,
+    /// Whether every loss and return of contact and preload is written, to `events.csv`; they are
+    /// counted in the summary either way. Default: true.
+    pub events: bool,
     /// Whether spectra are taken. Default: true.
     pub spectrum: bool,
     /// Whether figures are drawn. Default: true.
@@ -87,6 +93,8 @@ impl Default for OutputSpec {
             window: WindowChoice::Rectangular,
             trace: true,
             energy: false,
+            balls: false,
+            events: true,
             spectrum: true,
             figures: true,
         }
@@ -98,6 +106,8 @@ impl OutputSpec {
     pub fn choice(&self) -> OutputChoice {
         OutputChoice {
             trace: self.trace,
+            balls: self.balls,
+            events: self.events,
             spectrum: self.spectrum,
             figures: self.figures,
         }
@@ -132,6 +142,18 @@ impl OutputSpec {
             check_window((key, turning.steady), rate, time, problems);
         }
         Some(sampling)
+    }
+
+    /// Refuses a trace of balls where no bearing knows any.
+    pub fn check_balls(&self, known: bool, problems: &mut Problems<'_>) {
+        if self.balls && !known {
+            let issue = Issue::new(
+                "output.balls",
+                "a linear bearing knows no balls that could be traced",
+            )
+            .help("remove it, or set contact = \"hertz\" or \"jones\" in `[model]`");
+            problems.refuse(issue, &["model.contact".to_owned()]);
+        }
     }
 
     fn refuse_angle_grid(&self, speed: &str, problems: &mut Problems<'_>) {

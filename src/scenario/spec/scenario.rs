@@ -104,6 +104,10 @@ impl ScenarioSpec {
         let shaft = self.shaft.build(self.time.is_some(), turns, problems);
         let freedoms = shaft.freedoms;
         self.check_race_control(problems);
+        let knows_balls =
+            |bearing: &BearingSpec| bearing.contact(&self.model) != ContactChoice::Linear;
+        self.output
+            .check_balls(self.bearing.iter().any(knows_balls), problems);
         let bearings = self.bearings(freedoms, problems);
         let damping = match (&self.damping, &self.time) {
             (None, None) => Damping::Undamped,

@@ -1,0 +1,112 @@
+//! What a run observed of its bearings, for JSON and for people.
+
+use std::fmt::{self, Write};
+
+use serde_json::{Map, Value, json};
+
+use crate::simulate::{BearingHistory, ConsumedLife, EventCount, EventKind, Spread};
+
+/// One object a bearing.
+pub(super) fn histories_json(bearings: &[BearingHistory]) -> Value {
+    let history = |bearing: &BearingHistory| {
+        json!({
+            "balls": bearing.balls,
+            "events": bearing.events.iter().map(event).collect::<Map<_, _>>(),
+            "load_zone": bearing.load_zone.map(|zone| json!({
+                "balls_loaded": spread(&zone.balls),
+                "extent_rad": spread(&zone.extent),
+            })),
+            "life": bearing.life.map(|life| json!({
+                "whole_run": consumed(&life.whole_run),
+                "after_settle": consumed(&life.after_settle),
+            })),
+        })
+    };
+    bearings.iter().map(history).collect()
+}
+
+fn event((kind, count): &(EventKind, EventCount)) -> (String, Value) {
+    let value = json!({
+        "count": count.count,
+        "first_s": count.span.map(|[first, _]| first),
+        "last_s": count.span.map(|[_, last]| last),
+    });
+    (kind.to_string(), value)
+}
+
+fn spread(spread: &Spread) -> Value {
+    json!({
+        "smallest": spread.smallest,
+        "mean": spread.mean,
+        "largest": spread.largest,
+    })
+}
+
+fn consumed(life: &ConsumedLife) -> Value {
+    json!({
+        "time_s": life.time,
+        "revolutions": life.revolutions,
+        "consumed_share": life.share,
+        "life_Mrev": life.rating_life(),
+        "life_h": life.hours(),
+    })
+}
+
+/// Two lines a bearing: what its balls did, and its life.
+pub(super) fn write_histories(out: &mut String, bearings: &[BearingHistory]) -> fmt::Result {
+    for (index, bearing) in bearings.iter().enumerate() {
+        // one bearing needs no number
+        let name = match bearings.len() {
+            1 => String::new(),
+            _ => format!("bearing {}: ", index + 1),
+        };
+        if let Some(zone) = &bearing.load_zone {
+            let loaded = balls_loaded(&zone.balls, bearing.balls);
+            writeln!(out, "  load zone     {name}{loaded}{}", losses(bearing))?;
+        }
+        // the start is left out where enough remains
+        let life = bearing
+            .life
+            .map(|life| match life.after_settle.rating_life() {
+                Some(_) => life.after_settle,
+                None => life.whole_run,
+            });
+        if let Some((life, hours)) = life.and_then(|life| life.rating_life().zip(life.hours())) {
+            writeln!(
+                out,
+                "  life L10r     {name}{life:.4e} million revolutions, {hours:.3e} h of this motion"
+            )?;
+        }
+    }
+    Ok(())
+}
+
+/// `all 12 balls loaded` or `3 to 5 of 12 balls loaded, mean 4.21`.
+fn balls_loaded(loaded: &Spread, balls: usize) -> String {
+    if loaded.smallest == balls as f64 {
+        return format!("all {balls} balls loaded");
+    }
+    format!(
+        "{} to {} of {balls} balls loaded, mean {:.2}",
+        loaded.smallest, loaded.largest, loaded.mean
+    )
+}
+
+/// `; contact lost 12 times, from 0.1 s to 0.4 s` and the same of a preload, where they happened.
+fn losses(bearing: &BearingHistory) -> String {
+    let mut text = String::new();
+    for (kind, name) in [
+        (EventKind::ContactLost, "contact"),
+        (EventKind::PreloadLost, "preload"),
+    ] {
+        let EventCount { count, span } = bearing.events(kind);
+        match span {
+            None => {}
+            Some([time, _]) if count == 1 => text += &format!("; {name} lost once, at {time:.4} s"),
+            Some([first, last]) => {
+                text += &format!("; {name} lost {count} times, {first:.4} s to {last:.4} s");
+            }
+        }
+    }
+    text
+}

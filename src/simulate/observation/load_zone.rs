@@ -1,0 +1,116 @@
+//! How many balls bear the load, and over which arc.
+
+use std::f64::consts::TAU;
+
+use crate::bearing::BallContact;
+
+/// Smallest, mean and largest value of the samples.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Spread {
+    /// Smallest value.
+    pub smallest: f64,
+    /// Mean value.
+    pub mean: f64,
+    /// Largest value.
+    pub largest: f64,
+}
+
+/// Balls of a bearing that are loaded at the inner race, by the rule of
+/// [`crate::rotor::BallContacts::least_load`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadZone {
+    /// Number of loaded balls.
+    pub balls: Spread,
+    /// Arc that holds all loaded balls, rad: the full circle less the longest row of unloaded ones,
+    /// every ball standing for its share of the circle.
+    pub extent: Spread,
+}
+
+/// Extremes and sum of a whole number.
+#[derive(Debug, Default)]
+struct SpreadSums {
+    smallest: usize,
+    largest: usize,
+    sum: u64,
+}
+
+impl SpreadSums {
+    fn add(&mut self, value: usize, first: bool) {
+        self.smallest = if first {
+            value
+        } else {
+            self.smallest.min(value)
+        };
+        self.largest = self.largest.max(value);
+        self.sum += value as u64;
+    }
+
+    fn spread(&self, samples: u64, unit: f64) -> Spread {
+        Spread {
+            smallest: unit * self.smallest as f64,
+            mean: unit * self.sum as f64 / samples as f64,
+            largest: unit * self.largest as f64,
+        }
+    }
+}
+
+/// Collects the load zone of one bearing.
+#[derive(Debug, Default)]
+pub(super) struct LoadZoneSums {
+    balls: usize,
+    samples: u64,
+    loaded: SpreadSums,
+    spanned: SpreadSums,
+}
+
+impl LoadZoneSums {
+    /// Takes a sample; a ball is loaded by more than `least` in N.
+    pub fn take(&mut self, balls: &[BallContact], least: f64) {
+        let first = self.samples == 0;
+        let loaded = |ball: &BallContact| ball.load_inner > least;
+        self.balls = balls.len();
+        self.samples += 1;
+        self.loaded
+            .add(balls.iter().filter(|ball| loaded(ball)).count(), first);
+        let gap = longest_row(balls.iter().map(|ball| !loaded(ball)));
+        self.spanned.add(balls.len() - gap, first);
+    }
+
+    pub fn finish(self) -> Option<LoadZone> {
+        (self.samples > 0).then(|| LoadZone {
+            balls: self.loaded.spread(self.samples, 1.0),
+            extent: self.spanned.spread(self.samples, TAU / self.balls as f64),
+        })
+    }
+}
+
+/// Length of the longest row of `true` around a circle.
+fn longest_row(circle: impl ExactSizeIterator<Item = bool>) -> usize {
+    let count = circle.len();
+    let (mut longest, mut row, mut leading) = (0, 0, None);
+    for member in circle {
+        if member {
+            row += 1;
+        } else {
+            leading.get_or_insert(row);
+            longest = longest.max(row);
+            row = 0;
+        }
+    }
+    // the last row goes on in the first; without an end there is but one
+    leading.map_or(count, |leading: usize| longest.max(row + leading))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::longest_row;
+
+    #[test]
+    fn rows_close_around_the_circle() {
+        let row = |circle: &str| longest_row(circle.bytes().map(|ball| ball == b'.'));
+        assert_eq!(row("oooo"), 0);
+        assert_eq!(row("...."), 4);
+        assert_eq!(row("o..o...o"), 3);
+        assert_eq!(row("..o..o.."), 4);
+    }
+}
