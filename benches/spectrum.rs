@@ -24,6 +24,8 @@ fn sample(n: u32) -> Sample {
         force_on_shaft: [motion; 5],
         largest_ball_load: 0.0,
         balls_loaded: 0,
+        energy: None,
+        drive: None,
     }
 }
 
