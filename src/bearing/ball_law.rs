@@ -12,6 +12,23 @@ pub struct BallForce {
     pub couple: f64,
 }
 
+/// A few balls side by side.
+pub type Lanes = wide::f64x4;
+
+/// Number of balls side by side.
+pub const LANES: usize = 4;
+
+/// Forces on balls side by side, as [`BallForce`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LaneForces {
+    /// Axial forces F_a, N.
+    pub axial: Lanes,
+    /// Radial forces F_r, N.
+    pub radial: Lanes,
+    /// Moments about the inner groove centres, N m.
+    pub couple: Lanes,
+}
+
 /// Exact derivative of a [`BallForce`]: rows axial, radial, couple; columns A1, A2.
 pub type BallTangent = [[f64; 2]; 3];
 
@@ -52,6 +69,19 @@ pub trait BallLaw {
 
     /// Force at a position. Branch-free where speed counts: it runs in the innermost loop.
     fn force(&self, axial: f64, radial: f64, speed: f64) -> BallForce;
+
+    /// Forces on balls side by side: the same numbers as by [`BallLaw::force`].
+    #[inline(always)]
+    fn forces(&self, axial: Lanes, radial: Lanes, speed: f64) -> LaneForces {
+        let (axial, radial) = (axial.to_array(), radial.to_array());
+        let balls: [BallForce; LANES] =
+            std::array::from_fn(|i| self.force(axial[i], radial[i], speed));
+        LaneForces {
+            axial: balls.map(|ball| ball.axial).into(),
+            radial: balls.map(|ball| ball.radial).into(),
+            couple: balls.map(|ball| ball.couple).into(),
+        }
+    }
 
     /// Force and its exact derivative by position.
     fn force_and_tangent(&self, axial: f64, radial: f64, speed: f64) -> (BallForce, BallTangent);

@@ -33,7 +33,9 @@ impl LubricatedContact {
         }
     }
 
-    /// The spring at a shaft speed in rad/s.
+    /// The spring at a shaft speed in rad/s. Out of line: inlined, its power would be taken in advance
+    /// of loops that may need it, and so by dry bearings, too.
+    #[inline(never)]
     pub(super) fn at_speed(&self, speed: f64) -> FilmSpring {
         // Q* grows as c^(1/(2/3 + 0.067)), c as ω^0.67
         let growth = speed

@@ -1,6 +1,6 @@
 //! Ball law of two Hertz contacts in series, ball inertia neglected.
 
-use super::{BallContact, BallForce, BallLaw, BallTangent, LoadSlope};
+use super::{BallContact, BallForce, BallLaw, BallTangent, LaneForces, Lanes, LoadSlope};
 
 /// Hertz contact of a ball with both races, the ball itself without inertia.
 ///
@@ -64,6 +64,21 @@ impl BallLaw for HertzLaw {
             axial: lateral * axial,
             radial: lateral * radial,
             couple: 0.0,
+        }
+    }
+
+    #[inline(always)]
+    fn forces(&self, axial: Lanes, radial: Lanes, _speed: f64) -> LaneForces {
+        let distance = (axial * axial + radial * radial).sqrt();
+        let reach = distance - Lanes::splat(self.distance);
+        // δ ≤ 0: separated
+        let approach = reach.fast_max(Lanes::ZERO);
+        let load = Lanes::splat(self.load_deflection_constant) * approach * approach.sqrt();
+        let lateral = load / (distance + Lanes::splat(SMALLEST_DISTANCE));
+        LaneForces {
+            axial: lateral * axial,
+            radial: lateral * radial,
+            couple: Lanes::ZERO,
         }
     }
 

@@ -35,7 +35,9 @@ mod thrust;
 mod warnings;
 
 pub(crate) use assessment::LOADED_SHARE;
-pub use ball_law::{BallContact, BallForce, BallLaw, BallTangent, LoadSlope};
+pub use ball_law::{
+    BallContact, BallForce, BallLaw, BallTangent, LANES, LaneForces, Lanes, LoadSlope,
+};
 pub use contact_band::ContactBand;
 pub use contact_damping::ContactDamping;
 pub use contact_spring::{ContactSpring, HertzSpring};

@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry};
+use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry, LANES, Lanes};
 
 /// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
 pub type Vector5 = [f64; 5];
@@ -42,15 +42,12 @@ pub struct Around {
     pub contact: BallContact,
 }
 
-/// Balls that are worked on side by side.
-const LANES: usize = 2;
-
 /// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
 #[derive(Debug, Clone, Copy)]
-struct Lanes {
-    cos: [f64; LANES],
-    sin: [f64; LANES],
-    weight: [f64; LANES],
+struct Azimuths {
+    cos: Lanes,
+    sin: Lanes,
+    weight: Lanes,
 }
 
 /// All balls of a bearing under one law: the force that holds the inner ring in place.
@@ -68,7 +65,7 @@ struct Lanes {
 #[derive(Debug, Clone)]
 pub struct Ring<L> {
     law: L,
-    lanes: Vec<Lanes>,
+    lanes: Vec<Azimuths>,
     azimuths: Vec<f64>,
     free_axial: f64,
     free_radial: f64,
@@ -101,32 +98,27 @@ impl<L: BallLaw> Ring<L> {
     #[inline(always)]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = into_cage(displacement, cage);
-        let (axial_0, swing_x, swing_y) =
-            (self.free_axial + z, self.arm * tilt_x, self.arm * tilt_y);
-        let mut sums = [[0.0; LANES]; 5];
-        for Lanes { cos, sin, weight } in &self.lanes {
-            let axial = each_lane(|i| axial_0 + swing_x * sin[i] - swing_y * cos[i]);
-            let radial = each_lane(|i| self.free_radial + x * cos[i] + y * sin[i]);
-            let (mut f_a, mut f_r, mut couple) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
-            for i in 0..LANES {
-                let ball = self.law.force(axial[i], radial[i], speed);
-                (f_a[i], f_r[i], couple[i]) = (ball.axial, ball.radial, ball.couple);
-            }
+        let [axial_0, radial_0] = [self.free_axial + z, self.free_radial].map(Lanes::splat);
+        let [x, y] = [x, y].map(Lanes::splat);
+        let [swing_x, swing_y] = [self.arm * tilt_x, self.arm * tilt_y].map(Lanes::splat);
+        let mut sums = [Lanes::ZERO; 5];
+        for &Azimuths { cos, sin, weight } in &self.lanes {
+            let axial = axial_0 + swing_x * sin - swing_y * cos;
+            let radial = radial_0 + x * cos + y * sin;
+            let balls = self.law.forces(axial, radial, speed);
             // moments by the arm, so that without a couple the arm stays out of the loop
-            let moment = each_lane(|i| {
-                if L::HAS_COUPLE {
-                    f_a[i] + couple[i] / self.arm
-                } else {
-                    f_a[i]
-                }
-            });
-            add(&mut sums[0], each_lane(|i| f_r[i] * cos[i]));
-            add(&mut sums[1], each_lane(|i| f_r[i] * sin[i]));
-            add(&mut sums[2], each_lane(|i| f_a[i] * weight[i]));
-            add(&mut sums[3], each_lane(|i| moment[i] * sin[i]));
-            add(&mut sums[4], each_lane(|i| moment[i] * cos[i]));
+            let moment = if L::HAS_COUPLE {
+                balls.axial + balls.couple / Lanes::splat(self.arm)
+            } else {
+                balls.axial
+            };
+            sums[0] += balls.radial * cos;
+            sums[1] += balls.radial * sin;
+            sums[2] += balls.axial * weight;
+            sums[3] += moment * sin;
+            sums[4] += moment * cos;
         }
-        let [f_x, f_y, f_z, m_x, m_y] = sums.map(|lane| lane.iter().sum::<f64>());
+        let [f_x, f_y, f_z, m_x, m_y] = sums.map(|lanes| lanes.to_array().iter().sum::<f64>());
         out_of_cage(&[f_x, f_y, f_z, self.arm * m_x, -self.arm * m_y], cage)
     }
 
@@ -232,7 +224,11 @@ impl<L: BallLaw> Ring<L> {
     ) -> impl Iterator<Item = PlacedBall> {
         (0..self.azimuths.len()).map(move |ball| {
             let lanes = &self.lanes[ball / LANES];
-            let (sin_0, cos_0) = (lanes.sin[ball % LANES], lanes.cos[ball % LANES]);
+            let lane = ball % LANES;
+            let (sin_0, cos_0) = (
+                lanes.sin.as_array_ref()[lane],
+                lanes.cos.as_array_ref()[lane],
+            );
             let cos = cos_0 * cage.cos - sin_0 * cage.sin;
             let sin = sin_0 * cage.cos + cos_0 * cage.sin;
             self.place(&displacement, sin, cos)
@@ -261,18 +257,6 @@ impl<L: BallLaw> Ring<L> {
     }
 }
 
-#[inline(always)]
-fn each_lane(value: impl FnMut(usize) -> f64) -> [f64; LANES] {
-    std::array::from_fn(value)
-}
-
-#[inline(always)]
-fn add(sum: &mut [f64; LANES], part: [f64; LANES]) {
-    for (total, value) in sum.iter_mut().zip(part) {
-        *total += value;
-    }
-}
-
 /// A ball at its azimuth, with the place (A1, A2) of its inner groove centre.
 pub(super) struct PlacedBall {
     pub axial: f64,
@@ -281,17 +265,17 @@ pub(super) struct PlacedBall {
     sin: f64,
 }
 
-fn lanes_of(azimuths: &[f64]) -> Lanes {
-    let mut lanes = Lanes {
-        cos: [0.0; LANES],
-        sin: [0.0; LANES],
-        weight: [0.0; LANES],
-    };
+fn lanes_of(azimuths: &[f64]) -> Azimuths {
+    let [mut cos, mut sin, mut weight] = [[0.0; LANES]; 3];
     for (lane, azimuth) in azimuths.iter().enumerate() {
-        (lanes.sin[lane], lanes.cos[lane]) = azimuth.sin_cos();
-        lanes.weight[lane] = 1.0;
+        (sin[lane], cos[lane]) = azimuth.sin_cos();
+        weight[lane] = 1.0;
     }
-    lanes
+    Azimuths {
+        cos: cos.into(),
+        sin: sin.into(),
+        weight: weight.into(),
+    }
 }
 
 /// Components of a displacement along the axes that turn with the cage.

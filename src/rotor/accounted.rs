@@ -88,7 +88,7 @@ impl<'a> AccountedRotor<'a> {
         let friction = rotor.drive.is_some_and(|drive| drive.friction);
         let turn = quarter_turn(place);
         let mut sum = Bearings::default();
-        rotor.for_each_support(rotation.angle, |support, cage| {
+        rotor.for_each_support(rotation.angle, &rotor.phases(rotation), |support, cage| {
             let ratio = if support.follows_cage() {
                 rotor.cage_ratio(support)
             } else {
@@ -158,7 +158,7 @@ impl<'a> AccountedRotor<'a> {
         Action {
             velocity,
             rotation,
-            unbalance: rotor.unbalance(&rotation),
+            unbalance: rotor.unbalance(&rotation, &rotor.phases(&rotation)),
             bearings,
             on_mass,
             on_centre,
@@ -188,8 +188,9 @@ impl<'a> AccountedRotor<'a> {
 
     fn stored(&self, place: &Vector5, rotation: &Rotation) -> f64 {
         let mut stored = 0.0;
+        let phases = self.rotor.phases(rotation);
         self.rotor
-            .for_each_support(rotation.angle, |support, cage| {
+            .for_each_support(rotation.angle, &phases, |support, cage| {
                 stored += support.stored_energy(place, cage, rotation.speed);
             });
         stored

@@ -86,6 +86,7 @@ impl Rotor {
             loads: definition.loads.clone(),
             damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             contacts_damped: supports.iter().any(Support::is_damped),
+            leading_ratio: definition.cage.ratio(&supports[0]),
             supports,
             initial: initial_state(definition, &equilibrium),
             equilibrium,

@@ -1,6 +1,7 @@
 //! What a shaft is and what acts on it: plain data, before any computation.
 
 use super::{Drive, Load, SpeedPoint};
+use crate::bearing::Support;
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
@@ -70,6 +71,17 @@ pub enum CageMotion {
     Rolling,
     /// The cage stands: no variable compliance.
     Frozen,
+}
+
+impl CageMotion {
+    /// Speed of the cage of a bearing over that of the shaft.
+    #[inline]
+    pub(super) fn ratio(self, support: &Support) -> f64 {
+        match self {
+            Self::Rolling => support.cage_ratio(),
+            Self::Frozen => 0.0,
+        }
+    }
 }
 
 /// Where the motion starts.

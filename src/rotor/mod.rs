@@ -16,6 +16,7 @@ mod modes;
 mod motion;
 mod motion_scale;
 mod moving;
+mod phases;
 mod sample;
 mod speed_profile;
 

@@ -1,6 +1,7 @@
 //! The shaft in motion: the right-hand side of its equations, and what can be seen of it.
 
 use super::damping::DampingMatrix;
+use super::phases::Phases;
 use super::{BallContacts, CageMotion, Drive, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{CageAngle, Support, Vector5};
@@ -45,6 +46,8 @@ pub struct Rotor {
     /// Whether the contacts of any bearing are damped.
     pub(super) contacts_damped: bool,
     pub(super) supports: Vec<Support>,
+    /// Speed of the first bearing's cage over that of the shaft.
+    pub(super) leading_ratio: f64,
     pub(super) equilibrium: Equilibrium,
     /// Displacement and velocity at t = 0.
     pub(super) initial: [Vector5; 2],
@@ -102,9 +105,14 @@ impl Rotor {
 
     /// Force of the shaft onto all bearings at a displacement, N and N m.
     #[inline]
-    fn force_on_bearings(&self, displacement: &Vector5, rotation: &Rotation) -> Vector5 {
+    fn force_on_bearings(
+        &self,
+        displacement: &Vector5,
+        rotation: &Rotation,
+        phases: &Phases,
+    ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        self.for_each_support(rotation.angle, |support, cage| {
+        self.for_each_support(rotation.angle, phases, |support, cage| {
             let force = support.force(displacement, cage, rotation.speed);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
@@ -123,7 +131,7 @@ impl Rotor {
         rotation: &Rotation,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        self.for_each_support(rotation.angle, |support, cage| {
+        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
             let speeds = [self.cage_ratio(support) * rotation.speed, rotation.speed];
             let force = support.damping_force(displacement, velocity, cage, speeds);
             for axis in 0..FREEDOMS {
@@ -136,30 +144,40 @@ impl Rotor {
     /// Speed of the cage of a bearing over that of the shaft.
     #[inline]
     pub(super) fn cage_ratio(&self, support: &Support) -> f64 {
-        match self.cage {
-            CageMotion::Rolling => support.cage_ratio(),
-            CageMotion::Frozen => 0.0,
-        }
+        self.cage.ratio(support)
     }
 
-    /// Visits every bearing with the angle of its cage; bearings that roll alike share the sine.
+    /// Where shaft and cages point.
+    #[inline(always)]
+    pub(super) fn phases(&self, rotation: &Rotation) -> Phases {
+        Phases::new(rotation, self.leading_ratio)
+    }
+
+    /// Visits every bearing with the angle of its cage; those that roll as the first one share its
+    /// sine.
     #[inline]
-    pub(super) fn for_each_support(&self, angle: f64, mut visit: impl FnMut(&Support, CageAngle)) {
-        let mut known = (0.0, CageAngle::START);
+    pub(super) fn for_each_support(
+        &self,
+        angle: f64,
+        phases: &Phases,
+        mut visit: impl FnMut(&Support, CageAngle),
+    ) {
         for support in &self.supports {
             let ratio = self.cage_ratio(support);
-            if ratio != known.0 {
-                known = (ratio, CageAngle::new(ratio * angle));
-            }
-            visit(support, known.1);
+            let cage = if ratio == phases.ratio {
+                phases.cage
+            } else {
+                CageAngle::new(ratio * angle)
+            };
+            visit(support, cage);
         }
     }
 
     /// Loads, weight and unbalance on the shaft, N and N m.
     #[inline]
-    fn push(&self, time: f64, rotation: &Rotation) -> Vector5 {
+    fn push(&self, time: f64, rotation: &Rotation, phases: &Phases) -> Vector5 {
         let mut push = self.load;
-        let unbalance = self.unbalance(rotation);
+        let unbalance = self.unbalance(rotation, phases);
         push[0] += unbalance[0];
         push[1] += unbalance[1];
         if !self.loads.is_empty() {
@@ -170,8 +188,8 @@ impl Rotor {
 
     /// Force of the unbalance, N.
     #[inline(always)]
-    pub(super) fn unbalance(&self, rotation: &Rotation) -> Vector5 {
-        let (sin, cos) = rotation.angle.sin_cos();
+    pub(super) fn unbalance(&self, rotation: &Rotation, phases: &Phases) -> Vector5 {
+        let CageAngle { cos, sin } = phases.shaft;
         // m e (ω² cos ψ + ω̇ sin ψ), m e (ω² sin ψ − ω̇ cos ψ)
         let inward = self.imbalance * rotation.speed * rotation.speed;
         let along = self.imbalance * rotation.acceleration;
@@ -278,7 +296,7 @@ impl Rotor {
         let mut total = [0.0; FREEDOMS];
         let mut balls = contacts.balls.iter_mut();
         let mut axial_forces = contacts.axial_forces.iter_mut();
-        self.for_each_support(rotation.angle, |support, cage| {
+        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
             let force = support.force(displacement, cage, rotation.speed);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
@@ -311,8 +329,9 @@ impl<const N: usize> System<N> for Rotor {
         let velocity = &state[kept..];
         let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
         let rotation = self.speed.at(time);
-        let force = self.force_on_bearings(&displacement, &rotation);
-        let mut push = self.push(time, &rotation);
+        let phases = self.phases(&rotation);
+        let force = self.force_on_bearings(&displacement, &rotation, &phases);
+        let mut push = self.push(time, &rotation, &phases);
         if kept == FREEDOMS {
             let gyroscopic = self.inertia_polar * rotation.speed;
             push[3] -= gyroscopic * velocity[4];
