@@ -8,6 +8,7 @@ mod damping;
 mod definition;
 mod linearisation;
 pub mod load;
+mod loose;
 mod modes;
 mod motion;
 mod motion_scale;
@@ -21,6 +22,7 @@ pub use definition::{
     STANDARD_GRAVITY, Shaft,
 };
 pub use load::{Load, LoadKind};
+pub use loose::{LooseError, Looseness, check_loose};
 pub use modes::NaturalFrequency;
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;

@@ -17,7 +17,8 @@ pub struct MotionScale {
     pub length: f64,
     /// Length that turns tilts into displacements, m.
     pub arm: f64,
-    /// Angular frequency that turns velocities into displacements, rad/s.
+    /// Angular frequency that turns velocities into displacements, rad/s: the highest of speed and
+    /// natural frequencies, or that of the shaft on one contact where it stands and nothing holds it.
     pub frequency: f64,
 }
 
@@ -39,7 +40,10 @@ impl Rotor {
     /// length is at least so large that `tolerance` times the length stays above the round-off of a position.
     pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
         let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
-        let frequency = self.highest_frequency();
+        let frequency = match self.highest_frequency() {
+            0.0 => (self.contact_stiffness() * self.inverse_mass[0]).sqrt(),
+            highest => highest,
+        };
         let smallest = POSITION_ROUND_OFF / tolerance * self.groove_centre_distance();
         let length = smallest
             .max(self.unbalance_response(arm))
@@ -71,7 +75,6 @@ impl Rotor {
         (0..self.kept)
             .map(|axis| (stiffness[(axis, axis)].max(0.0) * self.inverse_mass[axis]).sqrt())
             .fold(self.speed.highest(), f64::max)
-            .max(f64::MIN_POSITIVE.sqrt())
     }
 
     fn groove_centre_distance(&self) -> f64 {
@@ -158,6 +161,18 @@ impl Rotor {
             }
         }
         change
+    }
+
+    /// Largest of these changes in every component.
+    pub(super) fn passing_force(&self) -> [f64; FREEDOMS] {
+        let mut largest = [0.0_f64; FREEDOMS];
+        for position in 1..CAGE_POSITIONS {
+            let change = self.force_change(position as f64 / CAGE_POSITIONS as f64);
+            for (largest, change) in largest.iter_mut().zip(change) {
+                *largest = largest.max(change.abs());
+            }
+        }
+        largest
     }
 
     fn initial_distance(&self, arm: f64, frequency: f64) -> f64 {
