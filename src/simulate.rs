@@ -1,21 +1,27 @@
 //! The stair: a [`Model`] goes in, a [`Run`] comes out. No files, no clock, no printing.
 
 mod model;
+mod part;
 mod reference;
 mod run;
 mod sampling;
 mod warnings;
 mod watch;
 
+use std::sync::atomic::Ordering;
+
 use nalgebra::Const;
 
 pub use model::{Model, Sampling};
+pub use part::{Earlier, Part, Standing, StateKeeper, StateSource};
+pub use reference::ReferenceStanding;
 pub use run::{MeasuredError, Run, StaticState};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
-use crate::integrate::{Integration, Scaling, Square};
-use crate::rotor::{MotionScale, Rotor};
+use crate::integrate::{IntegrateError, Integration, Scaling, Square};
+use crate::rotor::{MotionScale, Rotor, check_loose};
 use reference::{Reference, reference_settings};
+use warnings::Outcome;
 
 /// Samples that are integrated, checked and written at a time.
 const BLOCK: usize = 1024;
@@ -29,12 +35,27 @@ pub fn simulate(
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
 ) -> Result<Run, SimulateError> {
+    simulate_part(model, sink, monitor, &mut Part::default())
+}
+
+/// As [`simulate`], but from where an earlier part of the run stopped, and up to where this one is
+/// to stop; the sink takes all samples from the first on.
+///
+/// # Errors
+/// [`SimulateError`], and among them [`SimulateError::Stopped`] at the end of the part;
+/// `part.standing` then says what it takes to go on.
+pub fn simulate_part(
+    model: &Model,
+    sink: &mut dyn TraceSink,
+    monitor: &mut Monitor<'_>,
+    part: &mut Part<'_>,
+) -> Result<Run, SimulateError> {
     let rotor = Rotor::assemble(&model.rotor)?;
     // N states of the kept freedoms, and M = N + 1 with the time
     match rotor.kept() {
-        2 => run::<4, 5>(model, &rotor, sink, monitor),
-        3 => run::<6, 7>(model, &rotor, sink, monitor),
-        _ => run::<10, 11>(model, &rotor, sink, monitor),
+        2 => run::<4, 5>(model, &rotor, sink, monitor, part),
+        3 => run::<6, 7>(model, &rotor, sink, monitor, part),
+        _ => run::<10, 11>(model, &rotor, sink, monitor, part),
     }
 }
 
@@ -43,10 +64,12 @@ fn run<const N: usize, const M: usize>(
     rotor: &Rotor,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
+    part: &mut Part<'_>,
 ) -> Result<Run, SimulateError>
 where
     Const<N>: Square,
 {
+    let loose = check_loose(&model.rotor, rotor)?;
     let scale = rotor.motion_scale(reference_settings(model).tolerance);
     let grid = sampling::grid(model, rotor)?;
     let mut recorder = model.spectrum.map(|_| sampling::recorder(model, rotor));
@@ -58,14 +81,7 @@ where
     let mut reference = model
         .verify
         .then(|| Reference::new(start(reference_settings(model))));
-    let mut states = Vec::with_capacity(BLOCK);
-    while main.done() < grid.count {
-        let first = main.done();
-        states.clear();
-        let result = main.advance(BLOCK, &mut states);
-        if let Some(reference) = &mut reference {
-            reference.compare(&states, rotor, &scale);
-        }
+    let mut take = |first: u64, states: &[[f64; N]]| {
         for (index, state) in states.iter().enumerate() {
             let sample = rotor.sample(grid.time(first + index as u64), state);
             sink.sample(&sample)?;
@@ -73,10 +89,44 @@ where
                 recorder.record(&sample);
             }
         }
+        Ok::<(), SimulateError>(())
+    };
+    let mut states = Vec::with_capacity(BLOCK);
+    part.go_on(&mut main, reference.as_mut())?;
+    let mut replayed = 0;
+    while replayed < main.done() {
+        if monitor.stop.load(Ordering::Relaxed) {
+            let time = grid.time(replayed);
+            return Err(IntegrateError::Interrupted { time }.into());
+        }
+        part.replay(replayed, BLOCK, &mut states)?;
+        take(replayed, &states)?;
+        replayed += states.len() as u64;
+        (monitor.progress)(replayed as f64 / grid.count as f64);
+    }
+    while main.done() < grid.count {
+        part.stand(grid.time(main.done()), &main, reference.as_ref())?;
+        let first = main.done();
+        states.clear();
+        let result = main.advance(BLOCK, &mut states);
+        part.counters = main.counters();
+        if let Some(reference) = &mut reference {
+            reference.compare(&states, rotor, &scale)?;
+        }
+        take(first, &states)?;
         result?;
+        part.keep(&states)?;
         (monitor.progress)(main.done() as f64 / grid.count as f64);
     }
-    let measured_error = reference.and_then(|reference| reference.measured(model, &scale));
+    let measured_error = reference
+        .as_ref()
+        .and_then(|reference| reference.measured(model, &scale));
+    let outcome = Outcome {
+        error: measured_error.as_ref(),
+        error_unknown: reference.as_ref().and_then(Reference::failure),
+        stiffness: main.stiffness(),
+        loose,
+    };
     let analysis = sampling::analyse(model, rotor, recorder);
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
@@ -86,7 +136,7 @@ where
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         counters: main.counters(),
         samples: grid.count,
-        warnings: warnings::warnings(model, rotor, measured_error.as_ref()),
+        warnings: warnings::warnings(model, rotor, &outcome),
         measured_error,
         spectrum,
         peaks,

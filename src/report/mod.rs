@@ -5,11 +5,13 @@ pub mod compare;
 
 mod decimator;
 mod error;
+mod failure;
 mod figure;
 mod figure_curves;
 mod figure_spectrum;
 mod figure_trace;
 mod folder;
+mod restart;
 mod run_report;
 mod spectrum_csv;
 mod statics;
@@ -20,10 +22,12 @@ mod trace_csv;
 
 pub use decimator::{Bucket, Decimator};
 pub use error::{FileAction, ReportError};
+pub use failure::Failure;
 pub use figure_spectrum::spectrum_figure;
 pub use figure_trace::TraceFigure;
 pub use folder::{FileSet, PartialFile, RunFolder, WholeFile};
-pub use run_report::{Outputs, RunReport};
+pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
+pub use run_report::{KeptFiles, Outputs, RunReport};
 pub use spectrum_csv::write_spectrum;
 pub use statics::{answer_json, answer_text, write_answer};
 pub use study::{study_json, study_text, write_study};
