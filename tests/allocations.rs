@@ -11,10 +11,11 @@ use std::alloc::{GlobalAlloc, Layout, System as SystemAllocator};
 use std::cell::Cell;
 use std::fs::File;
 use std::io;
+use std::sync::atomic::AtomicBool;
 
 use jeffcott::bearing::CageAngle;
 use jeffcott::integrate::System;
-use jeffcott::report::TraceCsv;
+use jeffcott::report::{Outputs, RunIdentity, RunReport, TraceCsv};
 use jeffcott::rotor::load::{
     ChainDrive, Column, Interpolation, Noise, NoiseBand, RandomShocks, Series, ShockStatistics,
     Sprocket,
@@ -22,7 +23,7 @@ use jeffcott::rotor::load::{
 use jeffcott::rotor::{
     Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample, SpeedPoint,
 };
-use jeffcott::simulate::{EventKind, Model, TraceSink};
+use jeffcott::simulate::{EventKind, Model, Monitor, Part, TraceSink, simulate_part};
 
 use support::{
     back_to_back_pair, bearing, literature_bearing, model, mounted, ring, rotor, settings, shaft,
@@ -285,6 +286,48 @@ fn memory_is_flat_in_the_duration_when_the_trace_is_written() {
         let mut sink = TraceCsv::new(file).expect("a header");
         let (_, peak, _) = run(&unbalanced(samples, 1e-8), &mut sink);
         sink.finish().expect("the rest is written");
+        peak
+    };
+    let (short, long) = (peak(4096), peak(40_960));
+    println!("peak {short} and {long} bytes");
+    assert!(
+        long as f64 <= 1.2 * short as f64,
+        "{short} then {long} bytes"
+    );
+}
+
+#[test]
+fn memory_is_flat_in_the_duration_when_the_states_are_kept() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let nothing = Outputs {
+        trace: false,
+        energy: false,
+        drive: false,
+        balls: false,
+        events: false,
+        spectrum: false,
+        figures: false,
+    };
+    let peak = |samples: u32| {
+        let (scenario, model) = (serde_json::Value::Null, unbalanced(samples, 1e-8));
+        let report = RunReport::open(folder.path(), nothing, "", scenario.clone(), 3);
+        let identity = RunIdentity {
+            scenario: &scenario,
+            model: &model,
+        };
+        let keeper = report.and_then(|report| report.keep_states(&identity));
+        let mut keeper = keeper.expect("a restart file");
+        let mut monitor = Monitor {
+            stop: &AtomicBool::new(false),
+            progress: &mut |_| {},
+        };
+        let (_, peak) = measured(|| {
+            let mut part = Part {
+                keeper: Some(&mut keeper),
+                ..Part::default()
+            };
+            simulate_part(&model, &mut Nowhere, &mut monitor, &mut part).expect("it runs");
+        });
         peak
     };
     let (short, long) = (peak(4096), peak(40_960));

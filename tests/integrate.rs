@@ -6,7 +6,8 @@
 use std::sync::atomic::AtomicBool;
 
 use jeffcott::integrate::{
-    Counters, Grid, IntegrateError, Integration, Linearised, Method, Scaling, Settings, System,
+    Checkpoint, Counters, Grid, IntegrateError, Integration, Linearised, Method, Scaling, Settings,
+    System,
 };
 use nalgebra::{SMatrix, matrix};
 
@@ -134,6 +135,77 @@ fn rodas_steps_over_a_stiff_slope() {
     // an explicit method needs some million steps over these three seconds
     let steps = integration.counters().steps;
     assert!(steps < 300, "{steps} steps");
+}
+
+/// Three seconds of Kaps' problem by an explicit method: the integration, and how it ended.
+fn kaps(
+    method: Method,
+    step_limit: u64,
+    look: impl FnOnce(&Integration<'_, Kaps, 2, 3>, Result<(), IntegrateError>),
+) {
+    let grid = Grid {
+        interval: 0.01,
+        count: 301,
+    };
+    let (stop, start) = (AtomicBool::new(false), [1.0, 1.0]);
+    let settings = Settings {
+        step_limit,
+        ..settings(method, 1e-7)
+    };
+    let mut integration =
+        Integration::<_, 2, 3>::new(&Kaps, Scaling::IDENTITY, grid, settings, &stop, &start);
+    let mut result = Ok(());
+    while result.is_ok() && integration.done() < grid.count {
+        result = integration.advance(50, &mut Vec::new());
+    }
+    look(&integration, result);
+}
+
+/// Longest step that stability leaves; Dopri5 takes about half of it.
+const STABLE: f64 = 6.5 / STEEP;
+
+#[test]
+fn explicit_methods_cross_a_stiff_slope_and_know_what_held_them() {
+    for method in [Method::Dopri5, Method::Dop853] {
+        kaps(method, 10_000_000, |integration, result| {
+            result.expect("steps enough");
+            let found = integration.stiffness().expect("stiffness");
+            assert!((found.eigenvalue / STEEP - 1.0).abs() < 0.01, "{found:?}");
+            assert!(
+                found.step < STABLE && found.step > 0.2 * STABLE,
+                "{found:?}"
+            );
+            // accuracy asks for some hundred steps in three seconds
+            assert!(found.implicit_step > 1e-3, "{found:?}");
+        });
+    }
+    kaps(Method::Rodas, 10_000_000, |integration, result| {
+        result.expect("steps enough");
+        assert_eq!(integration.stiffness(), None);
+    });
+}
+
+#[test]
+fn a_stiff_slope_that_takes_too_many_steps_ends_the_integration_early() {
+    for method in [Method::Dopri5, Method::Dop853] {
+        kaps(method, 100_000, |integration, result| {
+            let Err(IntegrateError::Stiff {
+                stiffness,
+                needed,
+                limit: 100_000,
+            }) = result
+            else {
+                panic!("{method:?}: {result:?}");
+            };
+            // 3 s in stable steps
+            assert!(
+                (3.0 / STABLE..5.0 * 3.0 / STABLE).contains(&needed),
+                "{needed:e}"
+            );
+            assert!(stiffness.time < 0.02, "{stiffness:?}");
+            assert!(integration.counters().steps <= 2000);
+        });
+    }
 }
 
 /// y'' = −y from (1, 0), with a fault from a time on.
@@ -277,4 +349,60 @@ fn a_set_flag_interrupts() {
         );
         assert!(states.len() < 100);
     }
+}
+
+#[test]
+fn an_integration_goes_on_from_a_checkpoint_to_the_same_bits() {
+    let stop = AtomicBool::new(false);
+    for method in METHODS {
+        let settings = settings(method, 1e-9);
+        let new = || {
+            let (scaling, start) = (Scaling::IDENTITY, [1.0, 0.0]);
+            Integration::<_, 2, 3>::new(&SOUND, scaling, TWENTY_SECONDS, settings, &stop, &start)
+        };
+        let (whole, work, _) = integrate(&SOUND, settings, 100, &stop);
+        let (mut first, mut second, mut states) = (new(), new(), Vec::new());
+        for _ in 0..7 {
+            first.advance(100, &mut states).expect("a smooth problem");
+        }
+        second
+            .go_on_from(&first.checkpoint())
+            .expect("the same system");
+        while second.done() < TWENTY_SECONDS.count {
+            second.advance(100, &mut states).expect("a smooth problem");
+        }
+        assert!(states == whole, "{method:?}");
+        assert_eq!(second.counters(), work);
+    }
+}
+
+#[test]
+fn a_checkpoint_of_another_system_or_grid_is_refused() {
+    let stop = AtomicBool::new(false);
+    let (scaling, settings) = (Scaling::IDENTITY, settings(Method::Dop853, 1e-8));
+    let mut integration = Integration::<_, 2, 3>::new(
+        &SOUND,
+        scaling,
+        TWENTY_SECONDS,
+        settings,
+        &stop,
+        &[1.0, 0.0],
+    );
+    let good = integration.checkpoint();
+    let wider = Checkpoint {
+        scaled: vec![0.0; 6],
+        ..good.clone()
+    };
+    let longer = Checkpoint {
+        next: 2002,
+        ..good.clone()
+    };
+    for (checkpoint, states, next) in [(wider, 6, 0), (longer, 2, 2002)] {
+        let mismatch = integration
+            .go_on_from(&checkpoint)
+            .expect_err("another integration");
+        assert_eq!((mismatch.states, mismatch.next), (states, next));
+        assert_eq!((mismatch.expected, mismatch.count), (2, 2001));
+    }
+    assert_eq!(integration.checkpoint(), good);
 }

@@ -11,9 +11,7 @@ use super::{
     Around, BallContact, BearingError, BearingState, ContactBand, ContactLaw, FrictionMoment,
     Geometry, HertzSpring, MountedBearing, Preload,
 };
-use crate::physics::{
-    BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed, series_stiffness,
-};
+use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
 
 /// F = F0 + K (q − q0).
 #[derive(Debug, Clone)]
@@ -245,13 +243,6 @@ impl Support {
                 }
             });
         energy
-    }
-
-    /// Stiffness of a ball between both races at an approach in m, N/m.
-    pub fn ball_stiffness(&self, approach: f64) -> f64 {
-        let [inner, outer] = self.springs.map(|spring| spring.stiffness);
-        // 3/2 K_n √δ
-        1.5 * series_stiffness(inner, outer) * approach.sqrt()
     }
 
     /// Whether the balls go round with the cage: those of a linear bearing are frozen.

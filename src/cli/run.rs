@@ -7,13 +7,17 @@ use std::time::Instant;
 
 use serde_json::Value;
 
+use super::ending::{Failed, Interrupted, Kept, Stopped};
 use super::jobs::{Job, document, jobs};
+use super::parts::Parts;
 use super::progress::Progress;
 use super::{Outcome, stream};
-use crate::integrate::IntegrateError;
-use crate::report::{self, Outputs, RunReport};
+use crate::integrate::{Counters, IntegrateError};
+use crate::report::{self, Failure as Cause, Outputs, RestartReader, RestartWriter, RunReport};
 use crate::scenario::Scenario;
-use crate::simulate::{Model, Monitor, Run, SimulateError, simulate};
+use crate::simulate::{
+    Earlier, Model, Monitor, Part, Run, SimulateError, Standing, StateKeeper, simulate_part,
+};
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
@@ -21,8 +25,10 @@ use crate::simulate::{Model, Monitor, Run, SimulateError, simulate};
     after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
                   spectrum.csv, trace.svg, spectrum.svg and, last, summary.json; trace_balls.csv and\n\
-                  energy.csv where the scenario asks for them, drive.csv where there is a drive.\n\n\
-                  Exit code: 0 all runs are done, 1 a run failed or was interrupted, 2 a file is wrong."
+                  energy.csv where the scenario asks for them, drive.csv where there is a drive. A run\n\
+                  that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\n\
+                  Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
+                  interrupted, 2 a file is wrong."
 )]
 pub struct Arguments {
     /// Scenario files, .toml or .json
@@ -34,6 +40,19 @@ pub struct Arguments {
     /// Print the summary as JSON, with the wall time: an object, or an array for several files
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    parts: Parts,
+}
+
+impl Arguments {
+    /// What goes on with a stopped run.
+    fn resume_command(&self, job: &Job) -> String {
+        let out = match self.out.to_str() {
+            Some("output") => String::new(),
+            _ => format!(" --out {}", self.out.display()),
+        };
+        format!("jeffcott run {}{out} --resume", job.name)
+    }
 }
 
 /// Set by Ctrl-C and by a request to terminate.
@@ -42,20 +61,29 @@ static STOP: AtomicBool = AtomicBool::new(false);
 /// Checks all files, then runs them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let jobs = jobs(&arguments.files, &arguments.out);
-    let Some(motions) = jobs.and_then(motions) else {
+    let Some(mut motions) = jobs.and_then(|jobs| motions(jobs, arguments)) else {
         return Ok(Outcome::WrongInput);
     };
     // Without a handler an interrupt ends the process at once; the run folder stays safe as well.
     let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
     let mut outcome = Outcome::Done;
     let mut summaries = Vec::new();
-    for motion in &motions {
+    for motion in &mut motions {
         if STOP.load(Ordering::Relaxed) {
-            break;
+            stream::tell(&format!(
+                "error: {}: interrupted before it began\n",
+                motion.job.name
+            ));
+            outcome = Outcome::Failed;
+            continue;
         }
-        match motion.run() {
-            Ok(done) if arguments.json => summaries.push(done.json(motion)),
-            Ok(done) => done.print(motion)?,
+        match motion.run(arguments) {
+            Ok(Ending::Done(done)) if arguments.json => summaries.push(done.json(motion)),
+            Ok(Ending::Done(done)) => done.print(motion)?,
+            Ok(Ending::Stopped(stopped)) if arguments.json => {
+                summaries.push(stopped.json(&motion.job));
+            }
+            Ok(Ending::Stopped(stopped)) => stopped.print(&motion.job)?,
             Err(failure) => {
                 stream::tell(&format!("error: {}: {failure}\n", motion.job.name));
                 outcome = Outcome::Failed;
@@ -68,23 +96,35 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     Ok(outcome)
 }
 
-/// A checked scenario, its motion and where its results go.
+/// A checked scenario, its motion, where its results go, and where it goes on from.
 struct Motion {
     job: Job,
     model: Model,
+    restart: Option<RestartReader>,
 }
 
-/// The motions of all jobs; `None` where a scenario has none, after telling of all of them.
-fn motions(jobs: Vec<Job>) -> Option<Vec<Motion>> {
+/// The motions of all jobs; `None` where a scenario has none, or no restart file where one is to be,
+/// after telling of all of them.
+fn motions(jobs: Vec<Job>, arguments: &Arguments) -> Option<Vec<Motion>> {
     let motion = |mut job: Job| {
-        let model = job.scenario.model.take();
-        if model.is_none() {
+        let Some(model) = job.scenario.model.take() else {
             stream::tell(&format!(
                 "error: {}: `run` needs a table `[time]`; `jeffcott bearing` does without\n",
                 job.name
             ));
+            return None;
+        };
+        match arguments.parts.restart(&job, &model) {
+            Ok(restart) => Some(Motion {
+                job,
+                model,
+                restart,
+            }),
+            Err(error) => {
+                stream::tell(&format!("error: {}: {error}\n", job.name));
+                None
+            }
         }
-        model.map(|model| Motion { job, model })
     };
     let motions: Vec<_> = jobs.into_iter().map(motion).collect();
     motions.into_iter().collect()
@@ -97,52 +137,118 @@ enum Failure {
     Report(#[from] report::ReportError),
     #[error(transparent)]
     Simulate(#[from] SimulateError),
-    #[error("{0}; nothing was written")]
-    Interrupted(IntegrateError),
+    #[error(transparent)]
+    Failed(#[from] Failed),
+    #[error(transparent)]
+    Interrupted(#[from] Box<Interrupted>),
+}
+
+/// How a job ended that did not fail.
+enum Ending {
+    Done(Box<Done>),
+    Stopped(Stopped),
 }
 
 impl Motion {
-    fn run(&self) -> Result<Done, Failure> {
+    fn run(&mut self, arguments: &Arguments) -> Result<Ending, Failure> {
         let started = Instant::now();
-        let (job, model) = (&self.job, &self.model);
+        let mut report = self.open_report()?;
+        let (parts, resumed) = (&arguments.parts, self.restart.is_some());
+        let mut keeper = parts.keeper(&report, &self.job, &self.model)?;
+        let mut part = Part {
+            earlier: self.restart.as_mut().map(|restart| Earlier {
+                standing: restart.standing().clone(),
+                states: restart,
+            }),
+            stop_at: parts.stop_at(),
+            keeper: keeper.as_mut().map(|keeper| keeper as &mut dyn StateKeeper),
+            ..Part::default()
+        };
+        let mut progress = Progress::new(&self.job.scenario.title);
+        let mut monitor = Monitor {
+            stop: &STOP,
+            progress: &mut |part| progress.show(part),
+        };
+        let result = simulate_part(&self.model, &mut report, &mut monitor, &mut part);
+        drop(progress);
+        let (standing, counters) = (part.standing, part.counters);
+        let resume = || arguments.resume_command(&self.job);
+        match result {
+            Ok(run) => Ok(Ending::Done(Box::new(self.finish(report, run, started)?))),
+            Err(SimulateError::Stopped { time }) => Ok(Ending::Stopped(Stopped {
+                time,
+                restart: kept(keeper, standing)?,
+                resume: resume(),
+            })),
+            Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
+                let restart = kept(keeper, standing)?;
+                Err(Box::new(Interrupted::new(error, restart, resumed, resume())).into())
+            }
+            Err(SimulateError::Integrate(error)) => Err(failed(report, error, counters)?.into()),
+            Err(other) => Err(other.into()),
+        }
+    }
+
+    fn open_report(&self) -> Result<RunReport, report::ReportError> {
         let Scenario {
             title,
             output,
             echo,
             ..
-        } = &job.scenario;
+        } = &self.job.scenario;
         let outputs = Outputs {
             trace: output.trace,
-            energy: model.energy || model.rotor.drive.is_some(),
-            drive: model.rotor.drive.is_some(),
+            energy: self.model.energy || self.model.rotor.drive.is_some(),
+            drive: self.model.rotor.drive.is_some(),
             balls: output.balls,
             events: output.events,
             spectrum: output.spectrum,
             figures: output.figures,
         };
-        let kept = model.rotor.shaft.freedoms.count();
-        let mut report = RunReport::open(&job.folder, outputs, title, echo.clone(), kept)?;
-        let mut progress = Progress::new(title);
-        let mut monitor = Monitor {
-            stop: &STOP,
-            progress: &mut |part| progress.show(part),
-        };
-        let run = simulate(model, &mut report, &mut monitor).map_err(|error| match error {
-            SimulateError::Integrate(error @ IntegrateError::Interrupted { .. }) => {
-                Failure::Interrupted(error)
-            }
-            other => other.into(),
-        })?;
+        let kept = self.model.rotor.shaft.freedoms.count();
+        RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)
+    }
+
+    fn finish(&self, report: RunReport, run: Run, started: Instant) -> Result<Done, Failure> {
         for warning in &run.warnings {
-            stream::tell(&format!("warning: {}: {warning}\n", job.name));
+            stream::tell(&format!("warning: {}: {warning}\n", self.job.name));
         }
-        let files = report.finish(model, &run)?;
+        let files = report.finish(&self.model, &run)?;
         Ok(Done {
             run,
             files,
             seconds: started.elapsed().as_secs_f64(),
         })
     }
+}
+
+/// Keeps what there is of a run that cannot go on.
+fn failed(
+    report: RunReport,
+    error: IntegrateError,
+    counters: Counters,
+) -> Result<Failed, report::ReportError> {
+    let cause = Cause {
+        error: &error,
+        counters,
+    };
+    let kept = report.fail(&cause)?;
+    Ok(Failed { error, kept })
+}
+
+/// The restart file of a run that was stopped, and its samples; none where no states were kept.
+fn kept(
+    keeper: Option<RestartWriter>,
+    standing: Option<Standing>,
+) -> Result<Option<Kept>, report::ReportError> {
+    let Some((keeper, standing)) = keeper.zip(standing) else {
+        return Ok(None);
+    };
+    Ok(Some(Kept {
+        samples: standing.main.next,
+        time: standing.time,
+        path: keeper.finish(&standing)?,
+    }))
 }
 
 /// A run whose files are written.

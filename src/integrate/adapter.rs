@@ -7,6 +7,9 @@
 //! - Its derivative cannot fail; a derivative that is not finite is remembered until a step with a
 //!   finite one is accepted, and explains the step-size underflow that follows.
 //! - Grid times drift by added round-off; callers rebuild them from the index.
+//! - Its own look for stiffness comes once in a thousand steps of one solver, and ends runs that
+//!   would end well; it is left out for [`stiffness`], which knows the Jacobian and the limit on
+//!   steps.
 
 use std::cell::{Cell, RefCell};
 use std::sync::atomic::Ordering;
@@ -14,8 +17,11 @@ use std::sync::atomic::Ordering;
 use ode_solvers::dop_shared::{IntegrationError, OutputType, Stats};
 use ode_solvers::{Dop853, Dopri5, SVector, System as LibrarySystem};
 
+use nalgebra::Const;
+
 use super::block::{Block, Outcome};
-use super::{Counters, IntegrateError, System};
+use super::stiffness::stiffness;
+use super::{Counters, IntegrateError, Linearised, Square};
 
 /// Evaluations after an accepted step's own that dense output may add, and that one itself.
 const REMEMBERED: usize = 4;
@@ -27,18 +33,36 @@ pub(super) enum ExplicitMethod {
     Dop853,
 }
 
+impl ExplicitMethod {
+    /// Product of step and largest eigenvalue at which the method ceases to be stable, on the
+    /// negative real axis.
+    ///
+    /// Source: Hairer, Nørsett & Wanner, codes DOPRI5 and DOP853, bounds of their tests for stiffness.
+    pub fn stability_limit(self) -> f64 {
+        match self {
+            Self::Dopri5 => 3.25,
+            Self::Dop853 => 6.1,
+        }
+    }
+}
+
 /// Integrates a block from a scaled state. `M` must be `N + 1`: the state and the time.
-pub(super) fn integrate<S: System<N>, const N: usize, const M: usize>(
+pub(super) fn integrate<S, const N: usize, const M: usize>(
     method: ExplicitMethod,
     block: &Block<'_, S, N>,
     start: &[f64; N],
-) -> Outcome<N> {
+) -> Outcome<N>
+where
+    S: Linearised<N>,
+    Const<N>: Square,
+{
     const { assert!(M == N + 1, "one more state than the system has: the time") };
     let initial = SVector::<f64, M>::from_fn(|row, _| if row < N { start[row] } else { 0.0 });
     let recorder = Recorder::new(initial);
     let bridge = Bridge {
         block,
         recorder: &recorder,
+        method,
     };
     let dx = block.interval / block.scaling.time;
     let end = dx * block.intervals as f64;
@@ -62,11 +86,11 @@ pub(super) fn integrate<S: System<N>, const N: usize, const M: usize>(
                 end,
                 first_step,
                 step_limit,
-                STIFFNESS_TEST_EVERY,
+                NO_TEST_FOR_STIFFNESS,
                 OutputType::Dense,
             );
             let result = solver.integrate();
-            outcome(block, &recorder, result, solver.y_out())
+            outcome(method, block, &recorder, result, solver.y_out())
         }};
     }
     match method {
@@ -75,15 +99,25 @@ pub(super) fn integrate<S: System<N>, const N: usize, const M: usize>(
     }
 }
 
-/// Accepted steps between two looks for stiffness.
-const STIFFNESS_TEST_EVERY: u32 = 1000;
+/// Accepted steps between two of the library's own tests: none comes so far.
+const NO_TEST_FOR_STIFFNESS: u32 = u32::MAX;
+/// Accepted steps between two looks at whether the run comes to its end.
+const OUTLOOK_EVERY: u64 = 1000;
+/// Part of the limit on steps that is used before a run is called hopeless: a short stiff stretch
+/// passes.
+const PATIENCE: f64 = 0.01;
 
 fn outcome<S, const N: usize, const M: usize>(
+    method: ExplicitMethod,
     block: &Block<'_, S, N>,
     recorder: &Recorder<M>,
     result: Result<Stats, IntegrationError>,
     dense: &[SVector<f64, M>],
-) -> Outcome<N> {
+) -> Outcome<N>
+where
+    S: Linearised<N>,
+    Const<N>: Square,
+{
     let time = |x: f64| block.start + x * block.scaling.time;
     let end = recorder.end.get();
     let reached = time(recorder.end_x.get());
@@ -95,19 +129,20 @@ fn outcome<S, const N: usize, const M: usize>(
         Err(_) => 0,
     };
     let error = match result {
+        _ if recorder.hopeless.borrow().is_some() => recorder.hopeless.take(),
         _ if recorder.stopped.get() => Some(IntegrateError::Interrupted { time: reached }),
         Ok(_) => None,
         Err(_) if recorder.fault.get() => Some(IntegrateError::NotFinite { time: reached }),
-        Err(IntegrationError::MaxNumStepReached { .. }) => Some(IntegrateError::StepLimit {
-            time: reached,
-            limit: block.settings.step_limit,
-        }),
-        Err(IntegrationError::StepSizeUnderflow { .. }) => {
-            Some(IntegrateError::StepUnderflow { time: reached })
-        }
-        Err(IntegrationError::StiffnessDetected { .. }) => {
-            Some(IntegrateError::Stiff { time: reached })
-        }
+        Err(IntegrationError::MaxNumStepReached { .. }) => Some(
+            look(method, block, recorder).unwrap_or(IntegrateError::StepLimit {
+                time: reached,
+                limit: block.settings.step_limit,
+            }),
+        ),
+        // the library does not look for stiffness
+        Err(
+            IntegrationError::StepSizeUnderflow { .. } | IntegrationError::StiffnessDetected { .. },
+        ) => Some(IntegrateError::StepUnderflow { time: reached }),
     };
     let states = dense
         .iter()
@@ -128,6 +163,47 @@ fn outcome<S, const N: usize, const M: usize>(
     }
 }
 
+/// The error that ends a run that stability keeps from its end: none where steps are as long as
+/// accuracy allows.
+fn look<S, const N: usize, const M: usize>(
+    method: ExplicitMethod,
+    block: &Block<'_, S, N>,
+    recorder: &Recorder<M>,
+) -> Option<IntegrateError>
+where
+    S: Linearised<N>,
+    Const<N>: Square,
+{
+    let step = recorder.longest_late_step() * block.scaling.time;
+    if step <= 0.0 {
+        return None;
+    }
+    let time = block.start + recorder.end_x.get() * block.scaling.time;
+    let state = without_time(&recorder.end.get());
+    let found = stiffness(block, method.stability_limit(), time, &state, step)?;
+    Some(IntegrateError::Stiff {
+        needed: needed(block, recorder, time, step),
+        limit: block.settings.step_limit,
+        stiffness: found,
+    })
+}
+
+/// Steps of the whole run that goes on with steps of a size.
+fn needed<S, const N: usize, const M: usize>(
+    block: &Block<'_, S, N>,
+    recorder: &Recorder<M>,
+    time: f64,
+    step: f64,
+) -> f64 {
+    used(block, recorder) + (block.run_end - time).max(0.0) / step
+}
+
+/// Steps of the whole run so far.
+fn used<S, const N: usize, const M: usize>(block: &Block<'_, S, N>, recorder: &Recorder<M>) -> f64 {
+    let before = block.settings.step_limit - block.steps_left;
+    (before + recorder.accepted.get()) as f64
+}
+
 fn without_time<const N: usize, const M: usize>(state: &SVector<f64, M>) -> [f64; N] {
     std::array::from_fn(|row| state[row])
 }
@@ -146,6 +222,8 @@ struct Recorder<const M: usize> {
     /// Whether an evaluation since the latest accepted step was not finite.
     fault: Cell<bool>,
     stopped: Cell<bool>,
+    /// Why the run will not come to its end.
+    hopeless: RefCell<Option<IntegrateError>>,
 }
 
 impl<const M: usize> Recorder<M> {
@@ -159,6 +237,7 @@ impl<const M: usize> Recorder<M> {
             steps: Cell::new([0.0; 3]),
             fault: Cell::new(false),
             stopped: Cell::new(false),
+            hopeless: RefCell::new(None),
         }
     }
 
@@ -172,13 +251,14 @@ impl<const M: usize> Recorder<M> {
     }
 
     /// Takes note of a step that ended at `x`, if one did: Dopri5 announces dense points as well,
-    /// and those were not evaluated.
-    fn announced(&self, x: f64) {
+    /// and those were not evaluated. Whether it did.
+    fn announced(&self, x: f64) -> bool {
         let (count, evaluated) = (self.evaluations.get() as usize, self.evaluated.borrow());
         let state = (1..=REMEMBERED.min(count))
             .map(|back| &evaluated[(count - back) % REMEMBERED])
             .find(|(at, _)| *at == x && x > self.end_x.get())
             .map(|(_, state)| *state);
+        let accepted = state.is_some();
         if let Some(state) = state {
             let [_, second, third] = self.steps.get();
             self.steps.set([second, third, x - self.end_x.get()]);
@@ -187,6 +267,7 @@ impl<const M: usize> Recorder<M> {
             self.accepted.set(self.accepted.get() + 1);
             self.fault.set(false);
         }
+        accepted
     }
 
     /// The last step may be cut short by the end of the block; one of those before was not.
@@ -199,10 +280,36 @@ impl<const M: usize> Recorder<M> {
 struct Bridge<'a, S, const N: usize, const M: usize> {
     block: &'a Block<'a, S, N>,
     recorder: &'a Recorder<M>,
+    method: ExplicitMethod,
 }
 
-impl<S: System<N>, const N: usize, const M: usize> LibrarySystem<f64, SVector<f64, M>>
-    for Bridge<'_, S, N, M>
+impl<S, const N: usize, const M: usize> Bridge<'_, S, N, M>
+where
+    S: Linearised<N>,
+    Const<N>: Square,
+{
+    /// Whether stability keeps the run from ending within its limit on steps; looked at now and then.
+    fn is_hopeless(&self) -> bool {
+        let (block, recorder) = (self.block, self.recorder);
+        if !recorder.accepted.get().is_multiple_of(OUTLOOK_EVERY) {
+            return false;
+        }
+        let limit = block.settings.step_limit as f64;
+        let time = block.start + recorder.end_x.get() * block.scaling.time;
+        let step = recorder.longest_late_step() * block.scaling.time;
+        let used = used(block, recorder);
+        if used < PATIENCE * limit || needed(block, recorder, time, step) < limit {
+            return false;
+        }
+        *recorder.hopeless.borrow_mut() = look(self.method, block, recorder);
+        recorder.hopeless.borrow().is_some()
+    }
+}
+
+impl<S, const N: usize, const M: usize> LibrarySystem<f64, SVector<f64, M>> for Bridge<'_, S, N, M>
+where
+    S: Linearised<N>,
+    Const<N>: Square,
 {
     fn system(&self, x: f64, state: &SVector<f64, M>, rate: &mut SVector<f64, M>) {
         let scaling = self.block.scaling;
@@ -222,9 +329,9 @@ impl<S: System<N>, const N: usize, const M: usize> LibrarySystem<f64, SVector<f6
     }
 
     fn solout(&mut self, x: f64, _stale: &SVector<f64, M>, _rate: &SVector<f64, M>) -> bool {
-        self.recorder.announced(x);
+        let accepted = self.recorder.announced(x);
         let stop = self.block.stop.load(Ordering::Relaxed);
         self.recorder.stopped.set(stop);
-        stop
+        stop || (accepted && self.is_hopeless())
     }
 }

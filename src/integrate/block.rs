@@ -22,6 +22,8 @@ pub(super) struct Block<'a, S, const N: usize> {
     pub first_step: f64,
     /// Steps that are left of the limit.
     pub steps_left: u64,
+    /// Time at which the whole integration ends, s.
+    pub run_end: f64,
 }
 
 /// What came of a block.

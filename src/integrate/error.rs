@@ -1,5 +1,7 @@
 //! Why an integration ends early.
 
+use super::Stiffness;
+
 /// Why an integration cannot go on; the samples up to `time` have been handed out.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum IntegrateError {
@@ -23,14 +25,22 @@ pub enum IntegrateError {
         /// Where the integration stands, s.
         time: f64,
     },
-    /// An explicit method is limited by stability, not by accuracy.
+    /// Stability holds the steps of an explicit method so short that the run would not end within
+    /// its limit on steps.
     #[error(
-        "the problem is stiff at t = {time:.6e} s: an explicit method needs steps far below what \
-         the accuracy asks for; lower the damping or the stiffness that causes it"
+        "the problem is stiff: at t = {:.6e} s stability holds the step at {:.1e} s (largest \
+         eigenvalue {:.1e} 1/s), and the run needs about {needed:.1e} steps of the {limit} that \
+         integrator.step_limit allows; set method = \"rodas\" in [integrator], which takes steps of \
+         {:.1e} s there",
+        stiffness.time, stiffness.step, stiffness.eigenvalue, stiffness.implicit_step
     )]
     Stiff {
-        /// Where stiffness was detected, s.
-        time: f64,
+        /// Where and how.
+        stiffness: Stiffness,
+        /// Steps that the whole run needs, as it goes on there.
+        needed: f64,
+        /// The limit.
+        limit: u64,
     },
     /// The derivative is not a number.
     #[error(
@@ -47,4 +57,17 @@ pub enum IntegrateError {
         /// Where the integration stands, s.
         time: f64,
     },
+}
+
+impl IntegrateError {
+    /// Where the integration stands, s.
+    pub fn time(&self) -> f64 {
+        match self {
+            Self::Stiff { stiffness, .. } => stiffness.time,
+            Self::StepLimit { time, .. }
+            | Self::StepUnderflow { time }
+            | Self::NotFinite { time }
+            | Self::Interrupted { time } => *time,
+        }
+    }
 }

@@ -7,7 +7,11 @@ use nalgebra::Const;
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
 use super::rosenbrock;
-use super::{Counters, IntegrateError, Linearised, Method, Scaling, Settings, Square};
+use super::stiffness::stiffness;
+use super::{
+    Checkpoint, CheckpointMismatch, Counters, IntegrateError, Linearised, Method, Scaling,
+    Settings, Square, Stiffness,
+};
 
 /// Uniform grid of times: `t_k = k · interval`, k = 0 … count − 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,6 +45,7 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     next: u64,
     step: f64,
     counters: Counters,
+    stiffness: Option<Stiffness>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -67,12 +72,55 @@ where
             next: 0,
             step: 0.0,
             counters: Counters::default(),
+            stiffness: None,
         }
+    }
+
+    /// What it takes to go on from here another time.
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            scaled: self.scaled.to_vec(),
+            next: self.next,
+            step: self.step,
+            counters: self.counters,
+            stiffness: self.stiffness,
+        }
+    }
+
+    /// Goes on from where another integration of the same system, scaling, grid and settings stood
+    /// between two calls of [`Integration::advance`]; the states that follow are the same, bit by
+    /// bit, where the calls are.
+    ///
+    /// # Errors
+    /// [`CheckpointMismatch`] where it cannot be one of the same system and grid.
+    pub fn go_on_from(&mut self, checkpoint: &Checkpoint) -> Result<(), CheckpointMismatch> {
+        let mismatch = CheckpointMismatch {
+            states: checkpoint.scaled.len(),
+            next: checkpoint.next,
+            expected: N,
+            count: self.grid.count,
+        };
+        let scaled: [f64; N] = checkpoint.scaled[..].try_into().map_err(|_| mismatch)?;
+        if checkpoint.next > self.grid.count {
+            return Err(mismatch);
+        }
+        self.scaled = scaled;
+        self.next = checkpoint.next;
+        self.step = checkpoint.step;
+        self.counters = checkpoint.counters;
+        self.stiffness = checkpoint.stiffness;
+        Ok(())
     }
 
     /// Work done so far.
     pub fn counters(&self) -> Counters {
         self.counters
+    }
+
+    /// Stiffness that an explicit method met, where it was first seen: stability held its steps far
+    /// below what accuracy asks for. [`Integration::advance`] looks for it at its end.
+    pub fn stiffness(&self) -> Option<Stiffness> {
+        self.stiffness
     }
 
     /// Number of grid times handed out so far.
@@ -104,7 +152,46 @@ where
             result?;
             points -= whole.max(1);
         }
+        if self.stiffness.is_none() {
+            self.stiffness = self.look_for_stiffness();
+        }
         Ok(())
+    }
+
+    /// Steps that are longer than the distance of the samples are no burden, whatever holds them.
+    fn look_for_stiffness(&self) -> Option<Stiffness> {
+        let method = self.explicit_method()?;
+        if self.step <= 0.0 || self.step >= self.grid.interval {
+            return None;
+        }
+        let time = self.grid.time(self.next);
+        let here = self.block(time, self.grid.interval, 1);
+        let limit = method.stability_limit();
+        stiffness(&here, limit, time, &self.scaled, self.step)
+    }
+
+    fn explicit_method(&self) -> Option<ExplicitMethod> {
+        match self.settings.method {
+            Method::Dopri5 => Some(ExplicitMethod::Dopri5),
+            Method::Dop853 => Some(ExplicitMethod::Dop853),
+            Method::Rodas => None,
+        }
+    }
+
+    fn block(&self, start: f64, interval: f64, intervals: usize) -> Block<'_, S, N> {
+        let used = self.counters.steps + self.counters.rejected;
+        Block {
+            system: self.system,
+            scaling: &self.scaling,
+            settings: &self.settings,
+            stop: self.stop,
+            start,
+            interval,
+            intervals,
+            first_step: self.step,
+            steps_left: self.settings.step_limit.saturating_sub(used),
+            run_end: self.grid.time(self.grid.count),
+        }
     }
 
     /// Breaks nearer than this to a grid time, or to another break, count as standing there, s.
@@ -145,23 +232,10 @@ where
         intervals: usize,
         states: &mut Vec<[f64; N]>,
     ) -> Result<(), IntegrateError> {
-        let used = self.counters.steps + self.counters.rejected;
-        let block = Block {
-            system: self.system,
-            scaling: &self.scaling,
-            settings: &self.settings,
-            stop: self.stop,
-            start,
-            interval,
-            intervals,
-            first_step: self.step,
-            steps_left: self.settings.step_limit.saturating_sub(used),
-        };
-        let explicit = |method| adapter::integrate::<S, N, M>(method, &block, &self.scaled);
-        let outcome = match self.settings.method {
-            Method::Dopri5 => explicit(ExplicitMethod::Dopri5),
-            Method::Dop853 => explicit(ExplicitMethod::Dop853),
-            Method::Rodas => rosenbrock::integrate(&block, &self.scaled),
+        let block = self.block(start, interval, intervals);
+        let outcome = match self.explicit_method() {
+            Some(method) => adapter::integrate::<S, N, M>(method, &block, &self.scaled),
+            None => rosenbrock::integrate(&block, &self.scaled),
         };
         states.extend(
             outcome

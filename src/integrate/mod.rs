@@ -6,13 +6,17 @@
 
 mod adapter;
 mod block;
+mod checkpoint;
 mod error;
 mod integration;
 mod rosenbrock;
 mod settings;
+mod stiffness;
 mod system;
 
+pub use checkpoint::{Checkpoint, CheckpointMismatch};
 pub use error::IntegrateError;
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};
+pub use stiffness::Stiffness;
 pub use system::{Linearised, Scaling, Square, System};

@@ -13,6 +13,8 @@ pub struct FileSet {
     pub seal: &'static str,
     /// Files that may stand beside the seal; those of an earlier run do not outlive the next.
     pub others: &'static [&'static str],
+    /// Files that a whole set makes needless: removed when it stands.
+    pub spent: &'static [&'static str],
 }
 
 impl FileSet {
@@ -29,6 +31,7 @@ impl FileSet {
             "trace.svg",
             "spectrum.svg",
         ],
+        spent: &["restart.bin", "failure.json", "trace.until-failure.csv"],
     };
     /// What the answer to a static question leaves; a study of the same name does not outlive it.
     pub const BEARING: Self = Self {
@@ -43,6 +46,7 @@ impl FileSet {
             "deformation.svg",
             "contact_angle.svg",
         ],
+        spent: &[],
     };
     /// What a study leaves; a single answer of the same name does not outlive it.
     pub const STUDY: Self = Self {
@@ -57,6 +61,7 @@ impl FileSet {
             "balls.csv",
             "balls.svg",
         ],
+        spent: &[],
     };
 }
 
@@ -119,17 +124,45 @@ impl RunFolder {
     ///
     /// # Errors
     /// [`ReportError::File`]; the folder then has no seal.
-    pub fn commit(
+    pub fn commit(self, files: Vec<WholeFile>, sealed: &[u8]) -> Result<Vec<PathBuf>, ReportError> {
+        let set = self.set;
+        self.commit_as(set, files, sealed)
+    }
+
+    /// As [`RunFolder::commit`], of another set than the folder was opened for.
+    pub(super) fn commit_as(
         self,
+        set: FileSet,
         mut files: Vec<WholeFile>,
         sealed: &[u8],
     ) -> Result<Vec<PathBuf>, ReportError> {
-        files.push(self.write(self.set.seal, sealed)?);
-        for name in std::iter::once(&self.set.seal).chain(self.set.others) {
+        files.push(self.write(set.seal, sealed)?);
+        self.remove(std::iter::once(&set.seal).chain(set.others))?;
+        let paths: Result<_, _> = files.into_iter().map(WholeFile::rename).collect();
+        let paths = paths?;
+        self.remove(set.spent)?;
+        Ok(paths)
+    }
+
+    /// Files of the folder's set, if an earlier run stands here whole.
+    pub(super) fn standing(&self) -> Vec<&'static str> {
+        let is_there = |name: &&str| self.path.join(name).exists();
+        let whole = Some(self.set.seal).filter(is_there);
+        let others = self.set.others.iter().copied().filter(is_there);
+        whole.map_or_else(Vec::new, |seal| {
+            std::iter::once(seal).chain(others).collect()
+        })
+    }
+
+    fn remove<'a>(
+        &self,
+        names: impl IntoIterator<Item = &'a &'static str>,
+    ) -> Result<(), ReportError> {
+        for name in names {
             let path = self.path.join(name);
             remove_if_there(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
         }
-        files.into_iter().map(WholeFile::rename).collect()
+        Ok(())
     }
 }
 
@@ -198,7 +231,13 @@ pub struct WholeFile {
 }
 
 impl WholeFile {
-    fn rename(self) -> Result<PathBuf, ReportError> {
+    /// The same file, to have another name.
+    pub(super) fn named(mut self, name: &str) -> Self {
+        self.pending.path.set_file_name(name);
+        self
+    }
+
+    pub(super) fn rename(self) -> Result<PathBuf, ReportError> {
         let Pending { temporary, path } = &self.pending;
         fs::rename(temporary, path).map_err(ReportError::file(FileAction::Rename, path))?;
         Ok(path.clone())

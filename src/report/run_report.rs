@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
 use super::sample_table::{SampleTable, TableKind};
 use super::{
-    BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RunFolder, TraceCsv,
-    TraceFigure, WholeFile, spectrum_figure, summary, write_spectrum,
+    BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
+    RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, spectrum_figure, summary,
+    write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
@@ -47,6 +49,7 @@ pub struct RunReport {
     balls: Option<Open<BallTraceCsv<PartialFile>>>,
     events: Option<Open<EventsCsv<PartialFile>>>,
     figure: Option<TraceFigure>,
+    samples: u64,
 }
 
 /// A table being written.
@@ -101,6 +104,45 @@ impl RunReport {
             balls: balls.transpose()?,
             events: events.transpose()?,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
+            samples: 0,
+        })
+    }
+
+    /// Starts the file that keeps what it takes to go on.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created.
+    pub fn keep_states(&self, identity: &RunIdentity<'_>) -> Result<RestartWriter, ReportError> {
+        RestartWriter::create(&self.folder, identity)
+    }
+
+    /// Writes what is known of a run that cannot go on: `failure.json` and the trace up to there.
+    ///
+    /// An earlier run in the same folder stands as it was.
+    ///
+    /// # Errors
+    /// [`ReportError`] where a file cannot be written.
+    pub fn fail(self, failure: &Failure<'_>) -> Result<KeptFiles, ReportError> {
+        let earlier = self.folder.standing();
+        let trace = self.trace.is_some();
+        let json = failure_json(
+            &self.title,
+            &self.scenario,
+            failure,
+            self.samples,
+            trace,
+            &earlier,
+        );
+        let trace = self.trace.map(|trace| trace.close(TraceCsv::finish));
+        let trace = trace.transpose()?;
+        let files = trace.map(|file| file.named(TRACE_UNTIL_FAILURE));
+        let files = files.into_iter().collect();
+        let sealed = format!("{json:#}\n");
+        Ok(KeptFiles {
+            files: self
+                .folder
+                .commit_as(FileSet::FAILURE, files, sealed.as_bytes())?,
+            beside_earlier: !earlier.is_empty(),
         })
     }
 
@@ -145,8 +187,18 @@ impl RunReport {
     }
 }
 
+/// What was kept of a run that cannot go on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct KeptFiles {
+    /// Paths of the files.
+    pub files: Vec<PathBuf>,
+    /// Whether the results of an earlier run stand in the same folder.
+    pub beside_earlier: bool,
+}
+
 impl TraceSink for RunReport {
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        self.samples += 1;
         if let Some(figure) = &mut self.figure {
             figure.sample(sample);
         }

@@ -12,6 +12,7 @@ mod drive;
 mod energy;
 mod linearisation;
 pub mod load;
+mod loose;
 mod modes;
 mod motion;
 mod motion_scale;
@@ -31,6 +32,7 @@ pub use definition::{
 pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
 pub use load::{Load, LoadKind};
+pub use loose::{LooseError, Looseness, check_loose};
 pub use modes::NaturalFrequency;
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;

@@ -7,8 +7,6 @@ use crate::bearing::{CageAngle, Geometry, Support};
 
 /// Round-off of a position between the races, relative to the groove centre distance.
 const POSITION_ROUND_OFF: f64 = 4.0 * f64::EPSILON;
-/// Approach of a light contact, relative to the groove centre distance.
-const LIGHT_APPROACH: f64 = 1e-3;
 /// Positions of the cage within one ball spacing at which the varying force is looked at.
 const CAGE_POSITIONS: usize = 8;
 
@@ -19,7 +17,8 @@ pub struct MotionScale {
     pub length: f64,
     /// Length that turns tilts into displacements, m.
     pub arm: f64,
-    /// Angular frequency that turns velocities into displacements, rad/s.
+    /// Angular frequency that turns velocities into displacements, rad/s: the highest of speed and
+    /// natural frequencies, with that of the shaft on one contact where nothing holds it.
     pub frequency: f64,
 }
 
@@ -69,22 +68,17 @@ impl Rotor {
     }
 
     /// Highest natural frequency of a freedom by itself, rad/s, or the speed where that is higher;
-    /// where nothing resists at the equilibrium, as in the middle of a clearance, that of a light
+    /// where nothing resists at the equilibrium, as in the middle of a clearance, that of the shaft on one
     /// contact.
     fn highest_frequency(&self) -> f64 {
         let stiffness = &self.equilibrium.stiffness;
         let highest = (0..self.kept)
             .map(|axis| (stiffness[(axis, axis)].max(0.0) * self.inverse_mass[axis]).sqrt())
             .fold(0.0, f64::max);
-        let light = || {
-            let approach = LIGHT_APPROACH * self.groove_centre_distance();
-            let contacts = self.supports.iter();
-            let stiffest = contacts
-                .map(|support| support.ball_stiffness(approach))
-                .fold(0.0, f64::max);
-            (stiffest * self.inverse_mass[0]).sqrt()
+        let natural = match highest {
+            0.0 => (self.contact_stiffness() * self.inverse_mass[0]).sqrt(),
+            highest => highest,
         };
-        let natural = if highest > 0.0 { highest } else { light() };
         natural.max(self.highest_speed())
     }
 
@@ -175,6 +169,18 @@ impl Rotor {
             }
         }
         change
+    }
+
+    /// Largest of these changes in every component.
+    pub(super) fn passing_force(&self) -> [f64; FREEDOMS] {
+        let mut largest = [0.0_f64; FREEDOMS];
+        for position in 1..CAGE_POSITIONS {
+            let change = self.force_change(position as f64 / CAGE_POSITIONS as f64);
+            for (largest, change) in largest.iter_mut().zip(change) {
+                *largest = largest.max(change.abs());
+            }
+        }
+        largest
     }
 
     fn initial_distance(&self, arm: f64, frequency: f64) -> f64 {

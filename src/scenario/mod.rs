@@ -23,6 +23,7 @@ mod scalar;
 mod schema;
 mod series_file;
 mod spec;
+mod time;
 mod vary;
 mod walk;
 
@@ -33,6 +34,7 @@ use serde_json::Value;
 pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
+pub use time::{TimeError, time};
 
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;

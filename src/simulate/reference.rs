@@ -3,7 +3,9 @@
 use nalgebra::Const;
 
 use super::{MeasuredError, Model};
-use crate::integrate::{Integration, Settings, Square};
+use crate::integrate::{
+    Checkpoint, CheckpointMismatch, IntegrateError, Integration, Settings, Square,
+};
 use crate::rotor::{MotionScale, Moving};
 
 /// Factor between the tolerances of the two passes.
@@ -24,13 +26,26 @@ pub(super) fn reference_settings(model: &Model) -> Settings {
     }
 }
 
+/// Where the second pass stands, and how far the first has been from it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ReferenceStanding {
+    /// The integration.
+    pub pass: Checkpoint,
+    /// Largest difference of a displacement so far, m.
+    pub difference: f64,
+    /// Largest distance from the static equilibrium so far, m.
+    pub excursion: f64,
+    /// Why the pass cannot go on, where it cannot.
+    pub failure: Option<String>,
+}
+
 /// The second pass, and how far the first is from it.
 pub(super) struct Reference<'a, S, const N: usize, const M: usize> {
     integration: Integration<'a, S, N, M>,
     states: Vec<[f64; N]>,
     difference: f64,
     excursion: f64,
-    failed: bool,
+    failure: Option<String>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Reference<'a, S, N, M>
@@ -44,21 +59,54 @@ where
             states: Vec::new(),
             difference: 0.0,
             excursion: 0.0,
-            failed: false,
+            failure: None,
         }
     }
 
-    /// Goes on over as many samples as `states` has and compares displacements.
-    pub fn compare(&mut self, states: &[[f64; N]], system: &S, scale: &MotionScale) {
-        if self.failed {
-            return;
+    /// What it takes to go on from here another time.
+    pub fn standing(&self) -> ReferenceStanding {
+        ReferenceStanding {
+            pass: self.integration.checkpoint(),
+            difference: self.difference,
+            excursion: self.excursion,
+            failure: self.failure.clone(),
+        }
+    }
+
+    /// Goes on from where another second pass of the same run stood.
+    pub fn go_on_from(&mut self, standing: &ReferenceStanding) -> Result<(), CheckpointMismatch> {
+        self.integration.go_on_from(&standing.pass)?;
+        self.difference = standing.difference;
+        self.excursion = standing.excursion;
+        self.failure.clone_from(&standing.failure);
+        Ok(())
+    }
+
+    /// Why the pass cannot go on, where it cannot.
+    pub fn failure(&self) -> Option<&str> {
+        self.failure.as_deref()
+    }
+
+    /// Goes on over as many samples as `states` has and compares displacements. A pass that cannot
+    /// go on leaves the error of the run unknown.
+    ///
+    /// # Errors
+    /// [`IntegrateError::Interrupted`] where somebody asked the run to stop.
+    pub fn compare(
+        &mut self,
+        states: &[[f64; N]],
+        system: &S,
+        scale: &MotionScale,
+    ) -> Result<(), IntegrateError> {
+        let rotor = system.rotor();
+        if self.failure.is_some() {
+            return Ok(());
         }
         self.states.clear();
-        self.failed = self
-            .integration
-            .advance(states.len(), &mut self.states)
-            .is_err();
-        let rotor = system.rotor();
+        match self.integration.advance(states.len(), &mut self.states) {
+            Err(interrupted @ IntegrateError::Interrupted { .. }) => return Err(interrupted),
+            result => self.failure = result.err().map(|error| error.to_string()),
+        }
         let place = &rotor.equilibrium().displacement;
         for (state, reference) in states.iter().zip(&self.states) {
             for axis in 0..rotor.kept() {
@@ -71,11 +119,12 @@ where
                     .max(lever * (reference[axis] - place[axis]).abs());
             }
         }
+        Ok(())
     }
 
     pub fn measured(&self, model: &Model, scale: &MotionScale) -> Option<MeasuredError> {
         let relative = self.difference / self.excursion.max(scale.length);
-        (!self.failed).then(|| MeasuredError {
+        self.failure.is_none().then(|| MeasuredError {
             displacement: self.difference,
             relative,
             reference_tolerance: reference_settings(model).tolerance,

@@ -1,13 +1,24 @@
 //! What the reader of a run should know.
 
 use super::{MeasuredError, Model};
+use crate::integrate::Stiffness;
 use crate::rotor::Rotor;
 
 /// A measured error above this many tolerances is worth a warning.
 const PROMISE: f64 = 10.0;
 
-pub(super) fn warnings(model: &Model, rotor: &Rotor, error: Option<&MeasuredError>) -> Vec<String> {
-    let mut warnings = Vec::new();
+/// What came of a run beside its samples.
+pub(super) struct Outcome<'a> {
+    pub error: Option<&'a MeasuredError>,
+    /// Why the error could not be measured.
+    pub error_unknown: Option<&'a str>,
+    pub stiffness: Option<Stiffness>,
+    /// What is to say about freedoms that nothing holds.
+    pub loose: Vec<String>,
+}
+
+pub(super) fn warnings(model: &Model, rotor: &Rotor, outcome: &Outcome<'_>) -> Vec<String> {
+    let mut warnings = outcome.loose.clone();
     if model.spectrum.is_some() && rotor.steady_from(model.settle).is_none() {
         warnings.push(format!(
             "the speed changes after the settle time of {} s: lines of shaft and bearings smear in \
@@ -18,18 +29,30 @@ pub(super) fn warnings(model: &Model, rotor: &Rotor, error: Option<&MeasuredErro
         ));
     }
     let tolerance = model.integrator.tolerance;
-    match error {
+    match outcome.error {
         Some(error) if error.relative > PROMISE * tolerance => warnings.push(format!(
             "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
              {tolerance:.0e}: the motion may be irregular or rest on contact changes; trust \
              statistics rather than the single trace",
             error.relative
         )),
-        None if model.verify => warnings.push(
-            "the second pass that measures the error failed; the error of this run is unknown"
-                .to_owned(),
-        ),
         _ => {}
     }
+    if let Some(failure) = outcome.error_unknown {
+        warnings.push(format!(
+            "the second pass that measures the error failed, and the error of this run is unknown: \
+             {failure}"
+        ));
+    }
+    warnings.extend(outcome.stiffness.as_ref().map(stiff));
     warnings
+}
+
+fn stiff(stiffness: &Stiffness) -> String {
+    format!(
+        "the problem is stiff: from t = {:.3e} s on stability, not accuracy, held the step at {:.1e} s \
+         (largest eigenvalue {:.1e} 1/s); method = \"rodas\" in [integrator] takes steps of {:.1e} s \
+         there for the same tolerance",
+        stiffness.time, stiffness.step, stiffness.eigenvalue, stiffness.implicit_step
+    )
 }

@@ -3,8 +3,8 @@
 use std::sync::atomic::AtomicBool;
 
 use super::Event;
-use crate::integrate::IntegrateError;
-use crate::rotor::{BallContacts, RotorError, Sample};
+use crate::integrate::{CheckpointMismatch, IntegrateError};
+use crate::rotor::{BallContacts, LooseError, RotorError, Sample};
 
 /// Takes the samples of a run one by one, in the order of time.
 pub trait TraceSink {
@@ -47,12 +47,33 @@ pub enum SimulateError {
     /// The rotor cannot be assembled.
     #[error(transparent)]
     Rotor(#[from] RotorError),
+    /// Nothing holds the shaft in a freedom, and the scene rests on what does.
+    #[error(transparent)]
+    Loose(#[from] LooseError),
     /// The integration cannot go on.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),
     /// The sink refused a sample.
     #[error("the trace cannot be written: {0}")]
     Sink(#[from] std::io::Error),
+    /// The part of the run ends here, as asked for.
+    #[error("stopped at t = {time:.6e} s")]
+    Stopped {
+        /// Time of the next sample, s.
+        time: f64,
+    },
+    /// What was kept of an earlier part is not of this run.
+    #[error(transparent)]
+    Mismatch(#[from] CheckpointMismatch),
+    /// One of the two parts has a second pass and the other has none.
+    #[error("the earlier part belongs to another run: only one of the two measures its error")]
+    NoSecondPass,
+    /// The states of an earlier part cannot be read.
+    #[error("the states of the earlier part cannot be read: {0}")]
+    Replay(#[source] std::io::Error),
+    /// The states for a part that follows cannot be kept.
+    #[error("the states cannot be kept: {0}")]
+    Keep(#[source] std::io::Error),
     /// No uniform grid of angle exists for a shaft that stands.
     #[error("the shaft does not turn: give samples per second instead of samples per revolution")]
     NoRevolution,

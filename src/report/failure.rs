@@ -1,0 +1,68 @@
+//! What is kept of a run that cannot go on, under names that do not look whole.
+
+use serde_json::{Value, json};
+
+use super::FileSet;
+use crate::integrate::{Counters, IntegrateError};
+
+/// Name of the trace up to the failure.
+pub(super) const TRACE_UNTIL_FAILURE: &str = "trace.until-failure.csv";
+
+/// How a run failed.
+#[derive(Debug, Clone, Copy)]
+pub struct Failure<'a> {
+    /// Why it cannot go on, and from when.
+    pub error: &'a IntegrateError,
+    /// Work done until then.
+    pub counters: Counters,
+}
+
+/// The failure as JSON, every number with its unit in its name.
+///
+/// `earlier` are the files of an earlier run that stand in the same folder.
+pub(super) fn failure_json(
+    title: &str,
+    scenario: &Value,
+    failure: &Failure<'_>,
+    samples: u64,
+    trace: bool,
+    earlier: &[&str],
+) -> Value {
+    let Counters {
+        steps,
+        rejected,
+        evaluations,
+    } = failure.counters;
+    json!({
+        "jeffcott": env!("CARGO_PKG_VERSION"),
+        "title": title,
+        "scenario": scenario,
+        "error": failure.error.to_string(),
+        "kind": kind(failure.error),
+        "time_s": failure.error.time(),
+        "samples": samples,
+        "counters": { "steps": steps, "rejected": rejected, "evaluations": evaluations },
+        "trace": trace.then_some(TRACE_UNTIL_FAILURE),
+        "of_an_earlier_run": earlier,
+    })
+}
+
+/// The kind of failure in one word, for programs.
+fn kind(error: &IntegrateError) -> &'static str {
+    match error {
+        IntegrateError::StepLimit { .. } => "step_limit",
+        IntegrateError::StepUnderflow { .. } => "step_underflow",
+        IntegrateError::Stiff { .. } => "stiff",
+        IntegrateError::NotFinite { .. } => "not_finite",
+        IntegrateError::Interrupted { .. } => "interrupted",
+    }
+}
+
+impl FileSet {
+    /// What a run leaves that cannot go on; beside it an earlier run may stand whole.
+    pub const FAILURE: Self = Self {
+        seal: "failure.json",
+        others: &[TRACE_UNTIL_FAILURE],
+        spent: &[],
+    };
+}

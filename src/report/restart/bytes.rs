@@ -1,0 +1,108 @@
+//! Numbers and texts to bytes and back.
+
+/// Appends numbers and texts to bytes.
+pub(super) trait Put {
+    fn put_u64(&mut self, value: u64);
+    fn put_f64(&mut self, value: f64);
+    fn put_text(&mut self, text: &str);
+    /// A flag, and the value where it is set.
+    fn put_option<T>(&mut self, value: Option<&T>, put: impl FnOnce(&mut Self, &T));
+}
+
+impl Put for Vec<u8> {
+    fn put_u64(&mut self, value: u64) {
+        self.extend(value.to_le_bytes());
+    }
+
+    fn put_f64(&mut self, value: f64) {
+        self.extend(value.to_le_bytes());
+    }
+
+    fn put_text(&mut self, text: &str) {
+        self.put_u64(text.len() as u64);
+        self.extend(text.as_bytes());
+    }
+
+    fn put_option<T>(&mut self, value: Option<&T>, put: impl FnOnce(&mut Self, &T)) {
+        self.push(u8::from(value.is_some()));
+        if let Some(value) = value {
+            put(self, value);
+        }
+    }
+}
+
+/// Takes numbers and texts from bytes; `None` where they end too early or make no sense.
+pub(super) struct Take<'a>(pub &'a [u8]);
+
+impl<'a> Take<'a> {
+    pub fn bytes(&mut self, count: u64) -> Option<&'a [u8]> {
+        let (taken, rest) = self.0.split_at_checked(usize::try_from(count).ok()?)?;
+        self.0 = rest;
+        Some(taken)
+    }
+
+    pub fn array<const COUNT: usize>(&mut self) -> Option<[u8; COUNT]> {
+        self.bytes(COUNT as u64)?.try_into().ok()
+    }
+
+    pub fn u64(&mut self) -> Option<u64> {
+        self.array().map(u64::from_le_bytes)
+    }
+
+    pub fn f64(&mut self) -> Option<f64> {
+        self.array().map(f64::from_le_bytes)
+    }
+
+    pub fn text(&mut self) -> Option<String> {
+        let length = self.u64()?;
+        String::from_utf8(self.bytes(length)?.to_vec()).ok()
+    }
+
+    pub fn option<T>(&mut self, take: impl FnOnce(&mut Self) -> Option<T>) -> Option<Option<T>> {
+        match self.array()? {
+            [0] => Some(None),
+            [1] => take(self).map(Some),
+            _ => None,
+        }
+    }
+}
+
+/// FNV-1a, 64 bits: finds bytes that a disk or a copy has changed.
+///
+/// Source: G. Fowler, L. C. Noll, K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm* (1991).
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Checksum(u64);
+
+impl Checksum {
+    pub const START: Self = Self(0xcbf2_9ce4_8422_2325);
+
+    pub fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    pub fn value(self) -> u64 {
+        self.0
+    }
+}
+
+/// So that anything that can be shown can be summed up.
+impl std::fmt::Write for Checksum {
+    fn write_str(&mut self, text: &str) -> std::fmt::Result {
+        self.add(text.as_bytes());
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_checksum_is_the_published_one() {
+        let mut checksum = Checksum::START;
+        checksum.add(b"foobar");
+        assert_eq!(checksum.value(), 0x8594_4171_f739_67e8);
+    }
+}

@@ -1,0 +1,228 @@
+//! Freedoms in which nothing holds the shaft at its static equilibrium, and what then rests on nothing.
+//!
+//! A shaft that floats in the clearance of its bearings is a scene like any other: the equations of
+//! motion ask for no stiffness. What does ask for it is all that is derived from K before the first
+//! step. Where a scene uses that, it says one thing and computes another, and is refused:
+//!
+//! - a linear bearing keeps the K of the equilibrium for good, so nothing ever holds the shaft;
+//! - damping as a ratio of the critical value, or proportional to K, is no damping at all;
+//! - a start at equilibrium in a freedom that nothing drives either stays where the search for the
+//!   equilibrium happened to end.
+//!
+//! Every other scene runs, and is told of in a warning.
+
+use nalgebra::{DMatrix, SymmetricEigen};
+
+use super::{CageMotion, Damping, FREEDOMS, InitialPosition, Rotor, RotorDefinition};
+use crate::bearing::equilibrium::FREEDOM_NAMES;
+use crate::bearing::{ContactLaw, Geometry, Support};
+
+/// Stiffness, as a part of that of a loaded contact, below which nothing holds the shaft: the force
+/// of an oil film across an open gap, and round-off, are less.
+const NOTHING: f64 = 1e-9;
+/// A displacement that is small in a bearing, m: a force that `NOTHING` would answer it with is none.
+const SMALL_DISPLACEMENT: f64 = 1e-6;
+/// Part of a freedom's direction that must be loose to call the freedom by itself loose.
+const WHOLLY: f64 = 0.999;
+/// Part from which on a freedom has a share in a loose combination.
+const PARTLY: f64 = 0.05;
+/// Sweeps after which the search for eigenvalues gives up.
+const SWEEPS: usize = 1000;
+
+/// Freedoms without stiffness at the static equilibrium.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error(
+    "nothing holds the shaft along {freedoms} at the static equilibrium: the stiffness there is \
+     {stiffness:.1e} N/m, where a loaded contact of these bearings has {contact:.0e} N/m"
+)]
+pub struct Looseness {
+    /// Names of the freedoms.
+    pub freedoms: String,
+    /// Least stiffness, tilts by their arm, N/m; negative where the equilibrium is not stable.
+    pub stiffness: f64,
+    /// Stiffness of a loaded contact of these bearings, by its order of magnitude, N/m.
+    pub contact: f64,
+}
+
+/// A scene that rests on a stiffness that is not there.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum LooseError {
+    /// A linear bearing without stiffness.
+    #[error(
+        "{0}; a linear bearing keeps this for good: add a load or a preload, set contact = \"hertz\", \
+         or hold the freedom by shaft.freedoms"
+    )]
+    Linear(Looseness),
+    /// Damping that is derived from no stiffness.
+    #[error(
+        "{0}; damping that is derived from it is none: give damping.coefficients, add a load or a \
+         preload, or hold the freedom by shaft.freedoms"
+    )]
+    Damping(Looseness),
+    /// A start at an equilibrium that is one of many.
+    #[error(
+        "{0}; so the equilibrium is one of many places to start from, and no load drives the shaft \
+         from it: give initial.displacement, add a load or a preload, or hold the freedom by \
+         shaft.freedoms"
+    )]
+    Start(Looseness),
+}
+
+/// Refuses a scene that rests on a stiffness which its kept freedoms do not have at the static
+/// equilibrium; says what the reader should know where such a scene can be run.
+///
+/// # Errors
+/// [`LooseError`] names the freedoms, the stiffness and what to change.
+pub fn check_loose(definition: &RotorDefinition, rotor: &Rotor) -> Result<Vec<String>, LooseError> {
+    let contact = rotor.contact_stiffness();
+    let loose = Loose::find(rotor, contact);
+    let along = |axes: Vec<usize>| {
+        let names: Vec<&str> = axes.into_iter().map(|axis| FREEDOM_NAMES[axis]).collect();
+        (!names.is_empty()).then(|| Looseness {
+            freedoms: names.join(", "),
+            stiffness: loose.stiffness,
+            contact,
+        })
+    };
+    let Some(all) = along(loose.axes()) else {
+        return Ok(Vec::new());
+    };
+    let mut bearings = definition.bearings.iter();
+    if bearings.any(|bearing| bearing.law == ContactLaw::Linear) {
+        return Err(LooseError::Linear(all));
+    }
+    if let Some(undamped) = along(loose.undamped(&definition.damping)) {
+        return Err(LooseError::Damping(undamped));
+    }
+    let driven = rotor.driven(contact);
+    if let Some(lost) = along(loose.without_start(definition, &driven)) {
+        return Err(LooseError::Start(lost));
+    }
+    Ok(vec![format!(
+        "{all}; its place there is one of many, and the natural frequencies leave it out"
+    )])
+}
+
+/// What nothing holds at the static equilibrium.
+struct Loose {
+    /// Freedoms that are loose by themselves.
+    whole: Vec<usize>,
+    /// Freedoms that share in a loose combination.
+    combined: Vec<usize>,
+    /// Least stiffness, tilts by their arm, N/m.
+    stiffness: f64,
+}
+
+impl Loose {
+    /// Eigenvectors of the symmetric part of K whose eigenvalue is next to nothing, or negative.
+    fn find(rotor: &Rotor, contact: f64) -> Self {
+        let kept = rotor.kept;
+        let arm = Support::largest(&rotor.supports, Geometry::inner_groove_radius);
+        let lengths = [1.0, 1.0, 1.0, arm, arm];
+        let stiffness = &rotor.equilibrium.stiffness;
+        let scaled = DMatrix::from_fn(kept, kept, |row, column| {
+            let both = stiffness[(row, column)] + stiffness[(column, row)];
+            0.5 * both / (lengths[row] * lengths[column])
+        });
+        let mut share = [0.0; FREEDOMS];
+        let mut least = f64::INFINITY;
+        if let Some(modes) = SymmetricEigen::try_new(scaled, f64::EPSILON, SWEEPS) {
+            for (value, vector) in modes
+                .eigenvalues
+                .iter()
+                .zip(modes.eigenvectors.column_iter())
+            {
+                least = least.min(*value);
+                if *value <= NOTHING * contact {
+                    for (share, part) in share.iter_mut().zip(vector.iter()) {
+                        *share += part * part;
+                    }
+                }
+            }
+        }
+        let within = |low: f64, high: f64| {
+            let axes = (0..kept).filter(|&axis| share[axis] > low && share[axis] <= high);
+            axes.collect::<Vec<_>>()
+        };
+        Self {
+            whole: within(WHOLLY, f64::INFINITY),
+            combined: within(PARTLY, WHOLLY),
+            stiffness: least,
+        }
+    }
+
+    fn axes(&self) -> Vec<usize> {
+        let mut axes = [self.whole.clone(), self.combined.clone()].concat();
+        axes.sort_unstable();
+        axes
+    }
+
+    /// Freedoms that the damping leaves undamped although it is to damp them. A ratio damps every
+    /// freedom by its own stiffness, so a combination of two has its share.
+    fn undamped(&self, damping: &Damping) -> Vec<usize> {
+        match *damping {
+            Damping::Ratio(ratio) if ratio > 0.0 => self.whole.clone(),
+            Damping::StiffnessTime(time) if time > 0.0 => self.axes(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Freedoms in which neither the scene says where the motion starts nor anything drives it. A
+    /// combination is driven, and starts, by any of its freedoms.
+    fn without_start(&self, definition: &RotorDefinition, driven: &[bool; FREEDOMS]) -> Vec<usize> {
+        let initial = &definition.initial;
+        let known = |axis: &usize| {
+            driven[*axis]
+                || initial.from == InitialPosition::Origin
+                || initial.displacement[*axis].is_some()
+                || initial.velocity[*axis].is_some_and(|velocity| velocity != 0.0)
+        };
+        let mut lost: Vec<usize> = self
+            .whole
+            .iter()
+            .copied()
+            .filter(|axis| !known(axis))
+            .collect();
+        if !self.combined.iter().any(known) {
+            lost.extend(&self.combined);
+        }
+        lost
+    }
+}
+
+impl Rotor {
+    /// Stiffness of a loaded contact of these bearings, by its order of magnitude, N/m: that of one
+    /// ball pressed in by a thousandth of the groove centre distance.
+    pub(super) fn contact_stiffness(&self) -> f64 {
+        // dQ/dδ = 3/2 K_n √δ
+        let of = |support: &Support| {
+            let bearing = &support.definition().bearing;
+            let constant = bearing.load_deflection_constant().ok()?;
+            let approach = 1e-3 * bearing.geometry.groove_centre_distance();
+            Some(1.5 * constant * approach.sqrt())
+        };
+        self.supports.iter().filter_map(of).fold(0.0, f64::max)
+    }
+
+    /// Which freedoms unbalance, varying loads and passing balls drive.
+    fn driven(&self, contact: f64) -> [bool; FREEDOMS] {
+        let unbalance = self.imbalance > 0.0 && self.speed.highest() > 0.0;
+        let mut driven = [unbalance, unbalance, false, false, false];
+        for load in &self.loads {
+            for (driven, part) in driven.iter_mut().zip(load.swing(self.mass[0]).amplitude) {
+                *driven |= part != 0.0;
+            }
+        }
+        if self.cage == CageMotion::Rolling && self.speed.highest() > 0.0 {
+            let nothing = NOTHING * contact * SMALL_DISPLACEMENT;
+            for (driven, change) in driven.iter_mut().zip(self.passing_force()) {
+                *driven |= change > nothing;
+            }
+        }
+        // gyroscopic moments turn one tilt into the other
+        if self.inertia_polar > 0.0 && (driven[3] || driven[4]) {
+            (driven[3], driven[4]) = (true, true);
+        }
+        driven
+    }
+}

@@ -1,0 +1,158 @@
+//! A run in parts: where it stopped, what was kept, and how it goes on.
+
+use std::io;
+
+use nalgebra::Const;
+
+use super::SimulateError;
+use super::reference::{Reference, ReferenceStanding};
+use crate::integrate::{Checkpoint, Counters, Integration, Square};
+use crate::rotor::Moving;
+
+/// Keeps the states of a run, from which another part goes on.
+pub trait StateKeeper {
+    /// Takes the states of further samples, one after the other, N numbers each.
+    ///
+    /// # Errors
+    /// Whatever keeps it from taking them; the run ends there.
+    fn keep(&mut self, states: &[f64]) -> io::Result<()>;
+}
+
+/// Gives the states of an earlier part back in their order.
+pub trait StateSource {
+    /// Fills `states` with the next numbers that were kept.
+    ///
+    /// # Errors
+    /// Whatever keeps it from giving them, as a file that ends too early.
+    fn fill(&mut self, states: &mut [f64]) -> io::Result<()>;
+}
+
+/// Where a run stands after whole blocks of samples: what it takes to go on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Standing {
+    /// Time of the next sample, s.
+    pub time: f64,
+    /// The integration.
+    pub main: Checkpoint,
+    /// The second pass, where the run has one.
+    pub reference: Option<ReferenceStanding>,
+}
+
+/// An earlier part of the same run.
+pub struct Earlier<'a> {
+    /// Where it stopped.
+    pub standing: Standing,
+    /// The states of all samples before.
+    pub states: &'a mut dyn StateSource,
+}
+
+/// One part of a run: where it begins and stops, and how far it came.
+///
+/// The samples of the earlier part are made anew from their states, so that every taker of samples
+/// sees the whole run; what comes of a run in parts is bit by bit what comes of it in one go.
+pub struct Part<'a> {
+    /// The part before; `None`: the run begins.
+    pub earlier: Option<Earlier<'a>>,
+    /// The run stops at the first end of a block of samples at or after this time, s.
+    pub stop_at: f64,
+    /// Takes the states, where another part is to follow.
+    pub keeper: Option<&'a mut dyn StateKeeper>,
+    /// Where the run stood at its latest end of a block: set by the run.
+    pub standing: Option<Standing>,
+    /// Work done, also in the block that failed: set by the run.
+    pub counters: Counters,
+}
+
+impl Default for Part<'_> {
+    /// The whole run.
+    fn default() -> Self {
+        Self {
+            earlier: None,
+            stop_at: f64::INFINITY,
+            keeper: None,
+            standing: None,
+            counters: Counters::default(),
+        }
+    }
+}
+
+impl Part<'_> {
+    /// Sets both passes to where the earlier part stopped.
+    pub(super) fn go_on<S, const N: usize, const M: usize>(
+        &self,
+        main: &mut Integration<'_, S, N, M>,
+        reference: Option<&mut Reference<'_, S, N, M>>,
+    ) -> Result<(), SimulateError>
+    where
+        S: Moving<N>,
+        Const<N>: Square,
+    {
+        let Some(earlier) = &self.earlier else {
+            return Ok(());
+        };
+        let standing = &earlier.standing;
+        main.go_on_from(&standing.main)?;
+        match (reference, &standing.reference) {
+            (Some(reference), Some(standing)) => Ok(reference.go_on_from(standing)?),
+            (None, None) => Ok(()),
+            _ => Err(SimulateError::NoSecondPass),
+        }
+    }
+
+    /// The states of the earlier part from sample `from` on, `most` at most, and none after its last
+    /// one; they are kept for the part that follows this.
+    pub(super) fn replay<const N: usize>(
+        &mut self,
+        from: u64,
+        most: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), SimulateError> {
+        states.clear();
+        if let Some(earlier) = &mut self.earlier {
+            let left = earlier.standing.main.next - from;
+            let count = usize::try_from(left).unwrap_or(usize::MAX).min(most);
+            states.resize(count, [0.0; N]);
+            let numbers = states.as_flattened_mut();
+            earlier
+                .states
+                .fill(numbers)
+                .map_err(SimulateError::Replay)?;
+        }
+        self.keep(states)
+    }
+
+    /// Keeps the states of a whole block.
+    pub(super) fn keep<const N: usize>(
+        &mut self,
+        states: &[[f64; N]],
+    ) -> Result<(), SimulateError> {
+        match &mut self.keeper {
+            Some(keeper) => keeper
+                .keep(states.as_flattened())
+                .map_err(SimulateError::Keep),
+            None => Ok(()),
+        }
+    }
+
+    /// Takes note of the end of a block, and stops there where the part ends.
+    pub(super) fn stand<S, const N: usize, const M: usize>(
+        &mut self,
+        time: f64,
+        main: &Integration<'_, S, N, M>,
+        reference: Option<&Reference<'_, S, N, M>>,
+    ) -> Result<(), SimulateError>
+    where
+        S: Moving<N>,
+        Const<N>: Square,
+    {
+        self.standing = Some(Standing {
+            time,
+            main: main.checkpoint(),
+            reference: reference.map(Reference::standing),
+        });
+        if time >= self.stop_at {
+            return Err(SimulateError::Stopped { time });
+        }
+        Ok(())
+    }
+}
