@@ -26,7 +26,8 @@ pub enum IntegrateError {
     /// An explicit method is limited by stability, not by accuracy.
     #[error(
         "the problem is stiff at t = {time:.6e} s: an explicit method needs steps far below what \
-         the accuracy asks for; lower the damping or the stiffness that causes it"
+         the accuracy asks for; set integrator.method = \"rodas\", or lower the damping or the \
+         stiffness that causes it"
     )]
     Stiff {
         /// Where stiffness was detected, s.
