@@ -86,7 +86,7 @@ fn an_impact_of_100_g_on_a_bearing_with_clearance() {
     let text = clearance_scene("20 um", 8)
         .replace("[time]", &shock("0.5 ms"))
         .replace("150 rad/s", "0 rad/s")
-        .replace("\"1 s\"", "\"1 s\"\n[output]\nsample_rate = \"50 kHz\"");
+        .replace("\"1 s\"", "\"1 s\"\n[output]\nsample_rate = \"60 kHz\"");
     let scene = model(&text);
     let rotor = Rotor::assemble(&scene.rotor).expect("a rotor");
     let (run, samples) = try_run(&scene, 0.0);
@@ -98,7 +98,7 @@ fn an_impact_of_100_g_on_a_bearing_with_clearance() {
         error(&run),
         run.counters
     );
-    // samples every 20 µs pass a peak that lasts 100 µs by some tenths of a micrometre
+    // samples every 17 µs pass a peak that lasts 100 µs by some tenths of a micrometre
     assert!((-121.3e-6..-120.7e-6).contains(&lowest), "{lowest:e}");
     assert!((118.1e-6..118.7e-6).contains(&highest), "{highest:e}");
     assert!(work(&run) < 50_000, "{:?}", run.counters);
