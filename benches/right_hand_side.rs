@@ -1,12 +1,19 @@
-//! Time of one ball, one ring and one right-hand side, rung by rung.
+//! Time of one ball, one ring and one right-hand side, rung by rung: what a scene asks for, and what
+//! one that does not ask for it pays.
+//!
+//! Rungs are a 7205C of 12 balls under thrust, three freedoms and a rolling cage unless they say else.
 
 use std::hint::black_box;
 use std::path::Path;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use jeffcott::bearing::{BallLaw, CageAngle, HertzLaw, Ring, catalogue};
+use jeffcott::bearing::{
+    BallLaw, CageAngle, ContactLaw, Facing, HertzLaw, MountedBearing, Oil, Preload, Ring, catalogue,
+};
 use jeffcott::integrate::System;
-use jeffcott::rotor::{Freedoms, Rotor};
+use jeffcott::physics::RaceControl;
+use jeffcott::rotor::load::{Harmonic, Pace};
+use jeffcott::rotor::{CageMotion, Freedoms, Load, LoadKind, Rotor, RotorDefinition, SpeedPoint};
 use jeffcott::scenario;
 use jeffcott::simulate::Model;
 
@@ -47,56 +54,151 @@ fn ball_and_ring(criterion: &mut Criterion) {
     });
 }
 
+/// What a scene may ask for beyond its plainest form.
+struct Rung {
+    name: &'static str,
+    law: ContactLaw,
+    film: bool,
+    freedoms: Freedoms,
+    /// Changes a scene of one bearing, rolling, under constant load at constant speed.
+    ask: fn(&mut RotorDefinition),
+}
+
+impl Rung {
+    fn definition(&self) -> RotorDefinition {
+        let mut rotor = model("steady-7205c.toml").rotor;
+        rotor.shaft.freedoms = self.freedoms;
+        rotor.shaft.inertia_transverse = 0.01;
+        rotor.shaft.inertia_polar = 0.004;
+        for bearing in &mut rotor.bearings {
+            bearing.law = self.law;
+            bearing.oil = self.film.then_some(OIL);
+        }
+        (self.ask)(&mut rotor);
+        rotor
+    }
+}
+
+const OIL: Oil = Oil {
+    viscosity: 0.04,
+    pressure_viscosity: 2.2e-8,
+};
+const JONES: ContactLaw = ContactLaw::Jones(RaceControl::Outer);
+
+fn nothing(_: &mut RotorDefinition) {}
+
+fn frozen_cage(rotor: &mut RotorDefinition) {
+    rotor.cage = CageMotion::Frozen;
+}
+
+fn varying_load(rotor: &mut RotorDefinition) {
+    let mut amplitude = [0.0; 5];
+    amplitude[0] = 100.0;
+    let harmonic = Harmonic {
+        amplitude,
+        pace: Pace::Frequency(50.0),
+        phase: 0.0,
+    };
+    rotor.loads.push(Load {
+        kind: LoadKind::Harmonic(harmonic),
+        position: 0.0,
+    });
+}
+
+/// Changes the speed for longer than any bench runs, and hardly: the balls bear what they bore.
+fn run_up(rotor: &mut RotorDefinition) {
+    rotor.speed_points.push(SpeedPoint {
+        time: 1e6,
+        speed: 1.001 * rotor.speed,
+    });
+}
+
+fn pair(rotor: &mut RotorDefinition) {
+    let one = rotor.bearings[0];
+    rotor.bearings = [(-0.03, Facing::PlusZ), (0.03, Facing::MinusZ)]
+        .map(|(position, facing)| MountedBearing {
+            position,
+            facing,
+            preload: Preload::Force(200.0),
+            ..one
+        })
+        .to_vec();
+}
+
+/// The ladder of laws; then, from the Hertz law with three freedoms on, one wish at a time.
+const RUNGS: [Rung; 15] = {
+    use ContactLaw::{Hertz, Linear};
+    use Freedoms::{All, Radial, Translational};
+    const fn rung(
+        name: &'static str,
+        law: ContactLaw,
+        film: bool,
+        freedoms: Freedoms,
+        ask: fn(&mut RotorDefinition),
+    ) -> Rung {
+        Rung {
+            name,
+            law,
+            film,
+            freedoms,
+            ask,
+        }
+    }
+    [
+        rung("linear", Linear, false, Translational, nothing),
+        rung("hertz", Hertz, false, Translational, nothing),
+        rung("hertz, film", Hertz, true, Translational, nothing),
+        rung("jones", JONES, false, Translational, nothing),
+        rung("jones, film", JONES, true, Translational, nothing),
+        rung("hertz, 2 freedoms", Hertz, false, Radial, nothing),
+        rung("hertz, 5 freedoms", Hertz, false, All, nothing),
+        rung("jones, film, 5 freedoms", JONES, true, All, nothing),
+        rung(
+            "hertz, frozen cage",
+            Hertz,
+            false,
+            Translational,
+            frozen_cage,
+        ),
+        rung(
+            "hertz, one varying load",
+            Hertz,
+            false,
+            Translational,
+            varying_load,
+        ),
+        rung("hertz, run-up", Hertz, false, Translational, run_up),
+        rung("hertz, film, run-up", Hertz, true, Translational, run_up),
+        rung("jones, film, run-up", JONES, true, Translational, run_up),
+        rung("hertz, 5 freedoms, pair", Hertz, false, All, pair),
+        rung("jones, film, 5 freedoms, pair", JONES, true, All, pair),
+    ]
+};
+
 /// Benches one right-hand side at a state near equilibrium, at a new time in every call.
-fn right_hand_side<const N: usize>(criterion: &mut Criterion, name: &str, model: &Model) {
-    let rotor = Rotor::assemble(&model.rotor).expect("a rotor");
+fn right_hand_side<const N: usize>(criterion: &mut Criterion, name: &str, rotor: &Rotor) {
     let place = rotor.equilibrium().displacement;
     let state: [f64; N] = std::array::from_fn(|i| if i < N / 2 { place[i] } else { 1e-4 });
     let mut time = 0.0;
-    criterion.bench_function(name, |bencher| {
+    criterion.bench_function(&format!("right-hand side: {name}"), |bencher| {
         let mut rate = [0.0; N];
         bencher.iter(|| {
             time += 1e-5;
-            System::<N>::derivative(&rotor, black_box(time), black_box(&state), &mut rate);
+            System::<N>::derivative(rotor, black_box(time), black_box(&state), &mut rate);
             rate
         });
     });
 }
 
 fn right_hand_sides(criterion: &mut Criterion) {
-    let three = model("steady-7205c.toml");
-    right_hand_side::<6>(
-        criterion,
-        "right-hand side: 12 balls, hertz, 3 freedoms",
-        &three,
-    );
-    right_hand_side::<6>(
-        criterion,
-        "right-hand side: linear, 3 freedoms",
-        &model("linear-7205c.toml"),
-    );
-    let mut radial = three.clone();
-    radial.rotor.shaft.freedoms = Freedoms::Radial;
-    right_hand_side::<4>(
-        criterion,
-        "right-hand side: 12 balls, hertz, 2 freedoms",
-        &radial,
-    );
-    let mut all = three;
-    all.rotor.shaft.freedoms = Freedoms::All;
-    all.rotor.shaft.inertia_transverse = 0.01;
-    all.rotor.shaft.inertia_polar = 0.004;
-    right_hand_side::<10>(
-        criterion,
-        "right-hand side: 12 balls, hertz, 5 freedoms",
-        &all,
-    );
-    let pair = model("back-to-back-7205c.toml");
-    right_hand_side::<10>(
-        criterion,
-        "right-hand side: pair of 12 balls, hertz, 5 freedoms",
-        &pair,
-    );
+    for rung in RUNGS {
+        let rotor = Rotor::assemble(&rung.definition()).expect("a rotor");
+        match rung.freedoms {
+            Freedoms::Radial => right_hand_side::<4>(criterion, rung.name, &rotor),
+            Freedoms::Translational => right_hand_side::<6>(criterion, rung.name, &rotor),
+            Freedoms::All => right_hand_side::<10>(criterion, rung.name, &rotor),
+        }
+    }
 }
 
 criterion_group!(benches, ball_and_ring, right_hand_sides);
