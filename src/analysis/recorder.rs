@@ -40,6 +40,8 @@ pub struct Analysis {
 ///         force_on_shaft: [0.0; 5],
 ///         largest_ball_load: 0.0,
 ///         balls_loaded: 0,
+///         energy: None,
+///         drive: None,
 ///     });
 /// }
 /// let analysis = recorder.finish(Window::Rectangular, &[]).unwrap();
