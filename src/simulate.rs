@@ -3,6 +3,7 @@
 mod energy_audit;
 mod model;
 mod observation;
+mod observers;
 mod part;
 mod reference;
 mod run;
@@ -10,7 +11,7 @@ mod sampling;
 mod warnings;
 mod watch;
 
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::Const;
 
@@ -24,10 +25,9 @@ pub use reference::ReferenceStanding;
 pub use run::{MeasuredError, Run, StaticState};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
-use crate::integrate::{IntegrateError, Integration, Square};
-use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, Moving, Rotor, check_loose};
-use energy_audit::EnergyAudit;
-use observation::Observation;
+use crate::integrate::{Grid, IntegrateError, Integration, Square};
+use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, MotionScale, Moving, Rotor, check_loose};
+use observers::Observers;
 use reference::{Reference, reference_settings};
 use warnings::Outcome;
 
@@ -86,82 +86,139 @@ where
 {
     let rotor = system.rotor();
     let loose = check_loose(&model.rotor, rotor)?;
-    let scale = rotor.motion_scale(reference_settings(model).tolerance);
     let grid = sampling::grid(model, rotor)?;
-    let mut recorder = model.spectrum.map(|_| sampling::recorder(model, rotor));
-    let start = |settings| {
-        let (scaling, state) = (system.scaling(&scale), system.start());
-        Integration::<_, N, M>::new(system, scaling, grid, settings, monitor.stop, &state)
-    };
-    let mut main = start(model.integrator);
-    let mut reference = model
-        .verify
-        .then(|| Reference::new(start(reference_settings(model))));
-    let mut observation = Observation::new(model, rotor);
-    let mut audit = EnergyAudit::default();
-    let mut take = |first: u64, states: &[[f64; N]]| {
-        for (index, state) in states.iter().enumerate() {
-            let time = grid.time(first + index as u64);
-            let sample = system.sample(time, state, observation.contacts());
-            sink.sample(&sample)?;
-            observation.take(&sample, sink)?;
-            audit.sample(&sample);
-            if let Some(recorder) = &mut recorder {
-                recorder.record(&sample);
-            }
-        }
-        Ok::<(), SimulateError>(())
-    };
-    let mut states = Vec::with_capacity(BLOCK);
-    part.go_on(&mut main, reference.as_mut())?;
+    let mut passes = Passes::<S, N, M>::start(model, system, grid, monitor.stop);
+    let mut observers = Observers::new(model, rotor, grid, sink);
+    part.go_on(&mut passes.main, passes.reference.as_mut())?;
+    replay(&passes, &mut observers, monitor, part)?;
+    integrate(&mut passes, &mut observers, monitor, part)?;
+    Ok(answer(&passes, observers, loose))
+}
+
+/// Shows the observers what an earlier part of the run has integrated.
+fn replay<S, const N: usize, const M: usize>(
+    passes: &Passes<'_, S, N, M>,
+    observers: &mut Observers<'_>,
+    monitor: &mut Monitor<'_>,
+    part: &mut Part<'_>,
+) -> Result<(), SimulateError>
+where
+    S: Moving<N>,
+    Const<N>: Square,
+{
+    let mut states = Vec::new();
     let mut replayed = 0;
-    while replayed < main.done() {
+    while replayed < passes.main.done() {
         if monitor.stop.load(Ordering::Relaxed) {
-            let time = grid.time(replayed);
+            let time = passes.grid.time(replayed);
             return Err(IntegrateError::Interrupted { time }.into());
         }
         part.replay(replayed, BLOCK, &mut states)?;
-        take(replayed, &states)?;
+        observers.take(passes.system, replayed, &states)?;
         replayed += states.len() as u64;
-        (monitor.progress)(replayed as f64 / grid.count as f64);
+        (monitor.progress)(replayed as f64 / passes.grid.count as f64);
     }
-    while main.done() < grid.count {
-        part.stand(grid.time(main.done()), &main, reference.as_ref())?;
-        let first = main.done();
+    Ok(())
+}
+
+/// Integrates block by block to the end of the run or of its part.
+fn integrate<S, const N: usize, const M: usize>(
+    passes: &mut Passes<'_, S, N, M>,
+    observers: &mut Observers<'_>,
+    monitor: &mut Monitor<'_>,
+    part: &mut Part<'_>,
+) -> Result<(), SimulateError>
+where
+    S: Moving<N>,
+    Const<N>: Square,
+{
+    let grid = passes.grid;
+    let mut states = Vec::with_capacity(BLOCK);
+    while passes.main.done() < grid.count {
+        let first = passes.main.done();
+        part.stand(grid.time(first), &passes.main, passes.reference.as_ref())?;
         states.clear();
-        let result = main.advance(BLOCK, &mut states);
-        part.counters = main.counters();
-        if let Some(reference) = &mut reference {
-            reference.compare(&states, system, &scale)?;
+        let result = passes.main.advance(BLOCK, &mut states);
+        part.counters = passes.main.counters();
+        if let Some(reference) = &mut passes.reference {
+            reference.compare(&states, passes.system, &passes.scale)?;
         }
-        take(first, &states)?;
+        observers.take(passes.system, first, &states)?;
         result?;
         part.keep(&states)?;
-        (monitor.progress)(main.done() as f64 / grid.count as f64);
+        (monitor.progress)(passes.main.done() as f64 / grid.count as f64);
     }
-    let measured_error = reference
-        .as_ref()
-        .and_then(|reference| reference.measured(model, &scale));
+    Ok(())
+}
+
+fn answer<S, const N: usize, const M: usize>(
+    passes: &Passes<'_, S, N, M>,
+    observers: Observers<'_>,
+    loose: Vec<String>,
+) -> Run
+where
+    S: Moving<N>,
+    Const<N>: Square,
+{
+    let (model, rotor) = (passes.model, passes.system.rotor());
+    let reference = passes.reference.as_ref();
+    let measured_error = reference.and_then(|reference| reference.measured(model, &passes.scale));
     let outcome = Outcome {
         error: measured_error.as_ref(),
-        error_unknown: reference.as_ref().and_then(Reference::failure),
-        stiffness: main.stiffness(),
+        error_unknown: reference.and_then(Reference::failure),
+        stiffness: passes.main.stiffness(),
         loose,
     };
-    let analysis = sampling::analyse(model, rotor, recorder);
+    let analysis = sampling::analyse(model, rotor, observers.recorder);
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });
-    Ok(Run {
+    Run {
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
-        counters: main.counters(),
-        samples: grid.count,
-        bearings: observation.finish(),
+        counters: passes.main.counters(),
+        samples: passes.grid.count,
+        bearings: observers.observation.finish(),
         warnings: warnings::warnings(model, rotor, &outcome),
         measured_error,
-        energy: audit.finish(),
+        energy: observers.audit.finish(),
         spectrum,
         peaks,
-    })
+    }
+}
+
+/// The run and the second pass that measures its error.
+struct Passes<'a, S, const N: usize, const M: usize> {
+    model: &'a Model,
+    system: &'a S,
+    scale: MotionScale,
+    grid: Grid,
+    main: Integration<'a, S, N, M>,
+    reference: Option<Reference<'a, S, N, M>>,
+}
+
+impl<'a, S, const N: usize, const M: usize> Passes<'a, S, N, M>
+where
+    S: Moving<N>,
+    Const<N>: Square,
+{
+    fn start(model: &'a Model, system: &'a S, grid: Grid, stop: &'a AtomicBool) -> Self {
+        let scale = system
+            .rotor()
+            .motion_scale(reference_settings(model).tolerance);
+        let pass = |settings| {
+            let (scaling, state) = (system.scaling(&scale), system.start());
+            Integration::new(system, scaling, grid, settings, stop, &state)
+        };
+        Self {
+            model,
+            system,
+            grid,
+            main: pass(model.integrator),
+            reference: model
+                .verify
+                .then(|| Reference::new(pass(reference_settings(model)))),
+            scale,
+        }
+    }
 }

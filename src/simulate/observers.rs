@@ -1,0 +1,49 @@
+//! Everybody who takes the samples of a run.
+
+use super::energy_audit::EnergyAudit;
+use super::observation::Observation;
+use super::{Model, SimulateError, TraceSink, sampling};
+use crate::analysis::Recorder;
+use crate::integrate::Grid;
+use crate::rotor::{Moving, Rotor};
+
+/// The sink, and what the answer of the run is made of.
+pub(super) struct Observers<'a> {
+    grid: Grid,
+    sink: &'a mut dyn TraceSink,
+    pub recorder: Option<Recorder>,
+    pub observation: Observation<'a>,
+    pub audit: EnergyAudit,
+}
+
+impl<'a> Observers<'a> {
+    pub fn new(model: &Model, rotor: &'a Rotor, grid: Grid, sink: &'a mut dyn TraceSink) -> Self {
+        Self {
+            grid,
+            sink,
+            recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
+            observation: Observation::new(model, rotor),
+            audit: EnergyAudit::default(),
+        }
+    }
+
+    /// Shows everybody the samples of states from grid time number `first` on.
+    pub fn take<S: Moving<N>, const N: usize>(
+        &mut self,
+        system: &S,
+        first: u64,
+        states: &[[f64; N]],
+    ) -> Result<(), SimulateError> {
+        for (index, state) in states.iter().enumerate() {
+            let time = self.grid.time(first + index as u64);
+            let sample = system.sample(time, state, self.observation.contacts());
+            self.sink.sample(&sample)?;
+            self.observation.take(&sample, self.sink)?;
+            self.audit.sample(&sample);
+            if let Some(recorder) = &mut self.recorder {
+                recorder.record(&sample);
+            }
+        }
+        Ok(())
+    }
+}
