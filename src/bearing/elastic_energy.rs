@@ -1,6 +1,8 @@
 //! Energy that the contacts of a bearing store.
 
-use super::{Bearing, BearingError, FilmThickness, HertzSpring};
+use super::{
+    Bearing, BearingError, CageAngle, ContactLaw, FilmThickness, HertzSpring, Support, Vector5,
+};
 use crate::physics::FilmContact;
 
 /// Elastic contacts of both races, inner first. Where one stiffness is given for both together each
@@ -32,6 +34,43 @@ pub(super) fn stored_energy(spring: &HertzSpring, load: f64, film: Option<&FilmT
     let approach = (load / spring.stiffness).cbrt().powi(2);
     let film = film.map_or(0.0, |film| film.central);
     0.4 * load * approach + SHARE * load * film
+}
+
+impl Support {
+    /// Energy in J that the contacts store with the shaft at `displacement`: of a linear bearing that
+    /// of its frozen force, zero where it was frozen; of a floating ring less the work of its spring.
+    ///
+    /// Its derivative by the displacement is [`Support::force`] where the law has a potential: under
+    /// every law without ball inertia.
+    pub fn stored_energy(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> f64 {
+        let imposed = self.imposed(displacement);
+        if let Some(linear) = &self.frozen {
+            return linear.energy(&imposed);
+        }
+        let place = self.seat.settle(&self.ring, &imposed, cage, speed);
+        let mut energy = self.seat.stored_energy(&imposed, &place);
+        let films = self.ring.films();
+        self.ring
+            .for_each_contact(&place, cage, speed, &mut |ball| {
+                let loads = [ball.load_inner, ball.load_outer];
+                let films = films.map(|films| films.thickness(loads, speed));
+                for race in 0..2 {
+                    let film = films.as_ref().map(|films| &films[race]);
+                    energy += stored_energy(&self.springs[race], loads[race], film);
+                }
+            });
+        energy
+    }
+
+    /// Whether the force is the derivative of [`Support::stored_energy`], the speed being steady or
+    /// not.
+    pub fn has_potential(&self, steady: bool) -> bool {
+        match self.definition().law {
+            ContactLaw::Linear => true,
+            ContactLaw::Hertz => steady || self.definition().oil.is_none(),
+            ContactLaw::Jones(_) => false,
+        }
+    }
 }
 
 #[cfg(test)]

@@ -301,3 +301,9 @@ fn out_of_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
     };
     into_cage(vector, back)
 }
+
+/// A vector turned by a right angle about Z: the generator of rotations.
+pub(crate) fn quarter_turn(vector: &Vector5) -> Vector5 {
+    let [x, y, _, tilt_x, tilt_y] = *vector;
+    [-y, x, 0.0, -tilt_y, tilt_x]
+}

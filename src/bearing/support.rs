@@ -4,51 +4,15 @@ use super::any_ring::AnyRing;
 use super::assessment::Assessment;
 use super::bearing_friction::BearingFriction;
 use super::contact_damping::DampedRaces;
-use super::elastic_energy::{race_springs, stored_energy};
-use super::ring::{CageAngle, Matrix5, Vector5};
+use super::elastic_energy::race_springs;
+use super::linear_force::LinearForce;
+use super::ring::{CageAngle, Matrix5, Vector5, quarter_turn};
 use super::seat::Seat;
 use super::{
     Around, BallContact, BearingError, BearingState, ContactBand, ContactLaw, FrictionMoment,
     Geometry, HertzSpring, MountedBearing, Preload,
 };
 use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
-
-/// F = F0 + K (q − q0).
-#[derive(Debug, Clone)]
-struct LinearForce {
-    origin: Vector5,
-    force: Vector5,
-    stiffness: Matrix5,
-    /// Damping of the contacts at the origin.
-    damping: Matrix5,
-}
-
-impl LinearForce {
-    #[inline(never)]
-    fn force(&self, displacement: Vector5) -> Vector5 {
-        let shift: Vector5 = std::array::from_fn(|axis| displacement[axis] - self.origin[axis]);
-        let mut force = self.force;
-        for (column, shift) in shift.into_iter().enumerate() {
-            for (row, value) in force.iter_mut().enumerate() {
-                *value += self.stiffness[(row, column)] * shift;
-            }
-        }
-        force
-    }
-
-    /// Work from the origin to a displacement, J: `F0 (q − q0) + ½ (q − q0) K (q − q0)`.
-    fn energy(&self, displacement: &Vector5) -> f64 {
-        let there = self.force(*displacement);
-        (0..5)
-            .map(|axis| {
-                0.5 * (self.force[axis] + there[axis]) * (displacement[axis] - self.origin[axis])
-            })
-            .sum()
-    }
-}
-
-/// Rate at which the damping of a linear bearing is looked at, m/s: so slow that no contact parts.
-const SLOW: f64 = 1e-12;
 
 /// A bearing at its place on the rigid shaft, ready to answer with forces.
 ///
@@ -61,21 +25,21 @@ const SLOW: f64 = 1e-12;
 /// and the force back by virtual work.
 #[derive(Debug, Clone)]
 pub struct Support {
-    ring: AnyRing,
+    pub(super) ring: AnyRing,
     /// A cheap neighbour of the ring, where there is one.
     coarse: Option<AnyRing>,
-    seat: Seat,
+    pub(super) seat: Seat,
     /// Hertz contacts of the geometry, inner race first.
     contacts: [HertzContact; 2],
     /// Elastic contacts of the law, inner race first.
-    springs: [HertzSpring; 2],
+    pub(super) springs: [HertzSpring; 2],
     /// The damped contacts, where there is damping.
-    damped: Option<DampedRaces>,
+    pub(super) damped: Option<DampedRaces>,
     friction: BearingFriction,
     /// Speed of the cage over that of the shaft.
     cage_ratio: f64,
     /// Set once the bearing is linear.
-    frozen: Option<LinearForce>,
+    pub(super) frozen: Option<LinearForce>,
     definition: MountedBearing,
     sign: f64,
 }
@@ -153,111 +117,9 @@ impl Support {
         }
     }
 
-    /// Derivative of the damping force by the rate, at rest and with the cage where it starts.
-    fn damping_at(&self, imposed: &Vector5, speed: f64) -> Matrix5 {
-        let mut damping = Matrix5::zeros();
-        if let Some(races) = &self.damped {
-            for column in 0..5 {
-                let mut rate = [0.0; 5];
-                rate[column] = SLOW;
-                let force = self.local_damping(races, imposed, &rate, CageAngle::START, speed);
-                for row in 0..5 {
-                    damping[(row, column)] = force[row] / SLOW;
-                }
-            }
-        }
-        damping
-    }
-
-    /// Whether the contacts of the bearing are damped.
-    pub fn is_damped(&self) -> bool {
-        self.damped.is_some()
-    }
-
-    /// Force and moment that move the shaft at `velocity` against the damping of the contacts, the
-    /// cage turning at `cage_speed` in rad/s.
-    pub fn damping_force(
-        &self,
-        displacement: &Vector5,
-        velocity: &Vector5,
-        cage: CageAngle,
-        [cage_speed, speed]: [f64; 2],
-    ) -> Vector5 {
-        let Some(races) = &self.damped else {
-            return [0.0; 5];
-        };
-        let (place, rate) = (self.imposed(displacement), self.imposed(velocity));
-        let force = match &self.frozen {
-            Some(linear) => (linear.damping * nalgebra::SVector::from(rate)).into(),
-            None => {
-                // seen by one who turns with the cage
-                let turn = quarter_turn(&place);
-                let rate = std::array::from_fn(|axis| rate[axis] - cage_speed * turn[axis]);
-                self.local_damping(races, &place, &rate, cage, speed)
-            }
-        };
-        self.on_shaft(&force)
-    }
-
-    fn local_damping(
-        &self,
-        races: &DampedRaces,
-        imposed: &Vector5,
-        rate: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-    ) -> Vector5 {
-        let (ring, seat) = (&self.ring, &self.seat);
-        let place = seat.settle(ring, imposed, cage, speed);
-        let follows = seat.follows(|| ring.force_and_stiffness(&place, cage, speed).1);
-        let rate = nalgebra::SVector::from(*rate);
-        let rate = follows.map_or(rate, |follows| follows * rate);
-        let force = ring.damping_force(&place, &rate.into(), cage, speed, races);
-        match follows {
-            None => force,
-            // by virtual work
-            Some(follows) => (follows.transpose() * nalgebra::SVector::from(force)).into(),
-        }
-    }
-
-    /// Energy in J that the contacts store with the shaft at `displacement`: of a linear bearing that
-    /// of its frozen force, zero where it was frozen; of a floating ring less the work of its spring.
-    ///
-    /// Its derivative by the displacement is [`Support::force`] where the law has a potential: under
-    /// every law without ball inertia.
-    pub fn stored_energy(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> f64 {
-        let imposed = self.imposed(displacement);
-        if let Some(linear) = &self.frozen {
-            return linear.energy(&imposed);
-        }
-        let place = self.seat.settle(&self.ring, &imposed, cage, speed);
-        let mut energy = self.seat.stored_energy(&imposed, &place);
-        let films = self.ring.films();
-        self.ring
-            .for_each_contact(&place, cage, speed, &mut |ball| {
-                let loads = [ball.load_inner, ball.load_outer];
-                let films = films.map(|films| films.thickness(loads, speed));
-                for race in 0..2 {
-                    let film = films.as_ref().map(|films| &films[race]);
-                    energy += stored_energy(&self.springs[race], loads[race], film);
-                }
-            });
-        energy
-    }
-
     /// Whether the balls go round with the cage: those of a linear bearing are frozen.
     pub fn follows_cage(&self) -> bool {
         self.frozen.is_none()
-    }
-
-    /// Whether the force is the derivative of [`Support::stored_energy`], the speed being steady or
-    /// not.
-    pub fn has_potential(&self, steady: bool) -> bool {
-        match self.definition.law {
-            ContactLaw::Linear => true,
-            ContactLaw::Hertz => steady || self.definition.oil.is_none(),
-            ContactLaw::Jones(_) => false,
-        }
     }
 
     /// Friction moment under a force of the shaft onto this bearing in N at a speed in rad/s.
@@ -453,7 +315,7 @@ impl Support {
 
     /// What the shaft's displacement imposes on the inner ring.
     #[inline(always)]
-    fn imposed(&self, displacement: &Vector5) -> Vector5 {
+    pub(super) fn imposed(&self, displacement: &Vector5) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = *displacement;
         let (s, a) = (self.sign, self.definition.position);
         [
@@ -466,7 +328,7 @@ impl Support {
     }
 
     #[inline(always)]
-    fn on_shaft(&self, force: &Vector5) -> Vector5 {
+    pub(super) fn on_shaft(&self, force: &Vector5) -> Vector5 {
         let [f_x, f_y, f_z, m_x, m_y] = *force;
         let (s, a) = (self.sign, self.definition.position);
         [f_x, f_y, s * f_z, s * m_x - a * f_y, s * m_y + a * f_x]
@@ -480,10 +342,4 @@ impl Support {
         transform[(1, 3)] = -a;
         transform
     }
-}
-
-/// A vector turned by a right angle about Z: the generator of rotations.
-fn quarter_turn(vector: &Vector5) -> Vector5 {
-    let [x, y, _, tilt_x, tilt_y] = *vector;
-    [-y, x, 0.0, -tilt_y, tilt_x]
 }

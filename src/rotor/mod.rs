@@ -4,6 +4,8 @@
 //! of it a [`Rotor`], whose derivative is a pure function of time and state.
 
 mod accounted;
+mod accounted_slopes;
+mod action;
 mod assembly;
 mod ball_contacts;
 mod damping;

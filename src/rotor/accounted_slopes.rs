@@ -1,0 +1,72 @@
+//! Slopes of the equations of an accounted rotor, for implicit methods.
+
+use nalgebra::SMatrix;
+
+use super::FREEDOMS;
+use super::accounted::{ACCOUNTED_STATES, AccountedRotor, State};
+use crate::bearing::{Geometry, Support};
+use crate::integrate::{Linearised, System};
+
+/// Relative step of the differences that stand for slopes: the cube root of round-off.
+const STEP: f64 = 6e-6;
+/// Time over which the change of the right-hand side is looked at, s.
+const TIME_STEP: f64 = 1e-8;
+
+impl Linearised<ACCOUNTED_STATES> for AccountedRotor<'_> {
+    /// By central differences: exact slopes of powers are not worth their code.
+    fn linearisation(
+        &self,
+        time: f64,
+        state: &State,
+    ) -> (SMatrix<f64, ACCOUNTED_STATES, ACCOUNTED_STATES>, State) {
+        let steps = self.difference_steps();
+        let rate_at = |time: f64, state: &State| {
+            let mut rate = [0.0; ACCOUNTED_STATES];
+            self.derivative(time, state, &mut rate);
+            rate
+        };
+        let mut jacobian = SMatrix::zeros();
+        // no rate depends on the works
+        let moving = 2 * self.rotor.kept + Self::turning(self.rotor);
+        for column in 0..moving {
+            let step = steps[column];
+            let moved = |step: f64| {
+                let mut moved = *state;
+                moved[column] += step;
+                rate_at(time, &moved)
+            };
+            let (up, down) = (moved(step), moved(-step));
+            for row in 0..ACCOUNTED_STATES {
+                jacobian[(row, column)] = (up[row] - down[row]) / (2.0 * step);
+            }
+        }
+        let later = |part: f64| rate_at(time + part * TIME_STEP, state);
+        let (now, half, full) = (later(0.0), later(0.5), later(1.0));
+        let by_time =
+            std::array::from_fn(|row| (4.0 * half[row] - 3.0 * now[row] - full[row]) / TIME_STEP);
+        (jacobian, by_time)
+    }
+}
+
+impl AccountedRotor<'_> {
+    /// Steps of the differences by each state that moves: short against what the contacts yield.
+    fn difference_steps(&self) -> [f64; 2 * FREEDOMS + 2] {
+        let rotor = self.rotor;
+        let kept = rotor.kept;
+        let arm = Support::largest(&rotor.supports, Geometry::inner_groove_radius);
+        let length = STEP * APPROACH;
+        std::array::from_fn(|index| match index {
+            index if index < 2 * kept => {
+                let lever = if index % kept < 3 { 1.0 } else { arm };
+                let unit = if index < kept { 1.0 } else { RATE };
+                length * unit / lever
+            }
+            _ => STEP,
+        })
+    }
+}
+
+/// A usual approach of a contact, m.
+const APPROACH: f64 = 1e-5;
+/// A usual angular frequency, rad/s.
+const RATE: f64 = 1e3;

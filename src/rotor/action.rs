@@ -1,0 +1,162 @@
+//! What acts on a shaft in a state, by what it comes from, and at which power.
+
+use super::accounted::AccountedRotor;
+use super::energy::Works;
+use super::{Drive, DriveMoments, FREEDOMS, Rotation, Rotor};
+use crate::bearing::{Vector5, quarter_turn};
+
+/// What acts on the shaft in a state.
+pub(super) struct Action {
+    pub velocity: Vector5,
+    pub rotation: Rotation,
+    pub unbalance: Vector5,
+    bearings: Bearings,
+    /// Loads at the centre of mass.
+    pub on_mass: Vector5,
+    /// Loads on the shaft's axis.
+    on_centre: Vector5,
+    viscous: Vector5,
+    /// All forces that act on the shaft's axis.
+    pub at_centre: Vector5,
+    pub moments: Option<DriveMoments>,
+}
+
+impl Action {
+    /// Powers in the order of [`Works`], W.
+    pub fn powers(&self, rotor: &Rotor) -> Works {
+        let velocity = &self.velocity;
+        let mut loads = dot(&self.on_mass, velocity) + dot(&self.on_centre, velocity);
+        let bearings = &self.bearings;
+        let speed = self.rotation.speed;
+        let mut powers = Works {
+            loads,
+            viscous: -dot(&self.viscous, velocity),
+            contact: bearings.damping_power,
+            bearings: bearings.power,
+            ..Works::default()
+        };
+        match &self.moments {
+            None => {
+                powers.unbalance = dot(&self.unbalance, velocity);
+                powers.rotation = -bearings.cage_moment * speed;
+            }
+            Some(moments) => {
+                // the centre of mass moves by e ω (−sin ψ, cos ψ) besides
+                let (sin, cos) = self.rotation.angle.sin_cos();
+                let around = rotor.imbalance * rotor.inverse_mass[0] * speed;
+                loads += around * (self.on_mass[1] * cos - self.on_mass[0] * sin);
+                powers.loads = loads;
+                powers.drive = moments.drive * speed;
+                powers.load_torque = moments.load * speed;
+                powers.friction = moments.friction * speed;
+            }
+        }
+        powers
+    }
+}
+
+/// Forces on the shaft, by what they come from, and the powers of some.
+#[derive(Default)]
+struct Bearings {
+    force: Vector5,
+    damping: Vector5,
+    /// Work per time on the contacts, W.
+    power: f64,
+    /// Work per time against the damping of the contacts, W.
+    damping_power: f64,
+    /// Moment that the balls exert on the shaft by way of the cages, N m.
+    cage_moment: f64,
+    /// Friction moment, N m.
+    friction: f64,
+}
+
+impl AccountedRotor<'_> {
+    fn bearings(&self, place: &Vector5, velocity: &Vector5, rotation: &Rotation) -> Bearings {
+        let rotor = self.rotor;
+        let friction = rotor.drive.is_some_and(|drive| drive.friction);
+        let turn = quarter_turn(place);
+        let mut sum = Bearings::default();
+        rotor.for_each_support(rotation.angle, &rotor.phases(rotation), |support, cage| {
+            let ratio = if support.follows_cage() {
+                rotor.cage_ratio(support)
+            } else {
+                0.0
+            };
+            let cage_speed = ratio * rotation.speed;
+            let force = support.force(place, cage, rotation.speed);
+            let speeds = [cage_speed, rotation.speed];
+            let damping = support.damping_force(place, velocity, cage, speeds);
+            // seen by one who turns with the cage
+            let rate: Vector5 =
+                std::array::from_fn(|axis| velocity[axis] - cage_speed * turn[axis]);
+            sum.power += dot(&force, &rate);
+            sum.damping_power += dot(&damping, &rate);
+            sum.cage_moment += ratio * (dot(&force, &turn) + dot(&damping, &turn));
+            if friction {
+                sum.friction += support.friction_moment(&force, rotation.speed).total();
+            }
+            for axis in 0..FREEDOMS {
+                sum.force[axis] += force[axis];
+                sum.damping[axis] += damping[axis];
+            }
+        });
+        sum
+    }
+
+    /// Moments on a driven shaft; `at_centre` are the forces that do not act at the centre of mass.
+    fn moments(
+        &self,
+        drive: &Drive,
+        bearings: &Bearings,
+        rotation: &Rotation,
+        at_centre: &Vector5,
+    ) -> DriveMoments {
+        let eccentricity = self.rotor.imbalance * self.rotor.inverse_mass[0];
+        let (sin, cos) = rotation.angle.sin_cos();
+        let resistance = Drive::resistance(rotation.speed);
+        let friction = resistance * bearings.friction;
+        DriveMoments {
+            drive: drive.torque_at(rotation.speed),
+            load: resistance * drive.load_torque,
+            friction,
+            // e (f_x sin ψ − f_y cos ψ) + Σ (ω_c/ω) F·Sq
+            vibration: eccentricity * (at_centre[0] * sin - at_centre[1] * cos)
+                + bearings.cage_moment,
+            twist: friction * drive.compliance,
+        }
+    }
+
+    /// Everything that acts in a state.
+    pub(super) fn act(&self, time: f64, state: &[f64]) -> Action {
+        let rotor = self.rotor;
+        let [place, velocity] = self.motion(state);
+        let mut rotation = self.rotation(time, state);
+        let bearings = self.bearings(&place, &velocity, &rotation);
+        let [on_mass, on_centre] = rotor.loads_apart(time, rotation.angle);
+        let mut viscous = [0.0; FREEDOMS];
+        rotor.damping.brake(&velocity[..rotor.kept], &mut viscous);
+        let at_centre: Vector5 = std::array::from_fn(|axis| {
+            on_centre[axis] + viscous[axis] - bearings.force[axis] - bearings.damping[axis]
+        });
+        let moments = rotor.drive.as_ref().map(|drive| {
+            let moments = self.moments(drive, &bearings, &rotation, &at_centre);
+            rotation.acceleration = moments.total() / rotor.inertia_polar;
+            moments
+        });
+        Action {
+            velocity,
+            rotation,
+            unbalance: rotor.unbalance(&rotation, &rotor.phases(&rotation)),
+            bearings,
+            on_mass,
+            on_centre,
+            viscous,
+            at_centre,
+            moments,
+        }
+    }
+}
+
+fn dot(a: &Vector5, b: &Vector5) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
