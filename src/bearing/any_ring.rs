@@ -128,8 +128,10 @@ impl AnyRing {
     }
 }
 
-/// Force of a ring, out of line: in a function of its own the loop over the balls keeps the registers.
-#[inline(never)]
+/// Force of a ring, compiled for wider registers, too, and chosen by what the processor has. The lanes
+/// are the same at every width and no products are fused, so that the bytes of the result are the same.
+/// Out of line the loop over the balls keeps the registers.
+#[multiversion::multiversion(targets("x86_64+avx2", "x86_64+avx"))]
 fn force_of<L: BallLaw>(
     ring: &Ring<L>,
     displacement: Vector5,
