@@ -6,6 +6,7 @@ use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
+use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76, Verner76b6, Verner76b7, Walk};
 use super::rosenbrock;
 use super::{Counters, IntegrateError, Linearised, Method, Scaling, Settings, Square};
 
@@ -41,6 +42,8 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     next: u64,
     step: f64,
     counters: Counters,
+    /// Where the pairs of this crate stand: their steps do not end with a block.
+    walk: Walk<N>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -67,6 +70,7 @@ where
             next: 0,
             step: 0.0,
             counters: Counters::default(),
+            walk: Walk::new(std::array::from_fn(|i| state[i] - scaling.origin[i])),
         }
     }
 
@@ -92,7 +96,45 @@ where
         states: &mut Vec<[f64; N]>,
     ) -> Result<(), IntegrateError> {
         let left = self.grid.count - self.next;
-        let mut points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
+        let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
+        match self.settings.method {
+            Method::Verner76 => self.walk::<Verner76>(points, states),
+            Method::Verner76b6 => self.walk::<Verner76b6>(points, states),
+            Method::Verner76b7 => self.walk::<Verner76b7>(points, states),
+            Method::Dop853 => self.walk::<Dop853>(points, states),
+            Method::Tsit5 => self.walk::<Tsit5>(points, states),
+            _ => self.by_blocks(points, states),
+        }
+    }
+
+    /// Walks with a pair of this crate; a block's end is no end of a step.
+    fn walk<P: Pair>(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
+        let course = Course {
+            system: self.system,
+            scaling: &self.scaling,
+            settings: &self.settings,
+            stop: self.stop,
+            end: self.grid.time(self.grid.count.saturating_sub(1)),
+            slack: self.slack(),
+        };
+        let mut result = Ok(());
+        for _ in 0..points {
+            let time = self.grid.time(self.next);
+            match self.walk.state_at::<P, S>(&course, time) {
+                Ok(state) => states.push(state),
+                Err(error) => {
+                    result = Err(error);
+                    break;
+                }
+            }
+            self.next += 1;
+        }
+        self.counters = self.walk.counters();
+        result
+    }
+
+    /// Integrates block by block, cut at breaks, with a method that stands behind [`Block`].
+    fn by_blocks(&mut self, mut points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
         while points > 0 {
             let whole = self.intervals_before_break(points);
             let before = states.len();
@@ -160,8 +202,8 @@ where
         let explicit = |method| adapter::integrate::<S, N, M>(method, &block, &self.scaled);
         let outcome = match self.settings.method {
             Method::Dopri5 => explicit(ExplicitMethod::Dopri5),
-            Method::Dop853 => explicit(ExplicitMethod::Dop853),
-            Method::Rodas => rosenbrock::integrate(&block, &self.scaled),
+            Method::OdeSolversDop853 => explicit(ExplicitMethod::Dop853),
+            _ => rosenbrock::integrate(&block, &self.scaled),
         };
         states.extend(
             outcome

@@ -7,6 +7,7 @@
 mod adapter;
 mod block;
 mod error;
+mod explicit;
 mod integration;
 mod rosenbrock;
 mod settings;

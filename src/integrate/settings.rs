@@ -3,10 +3,20 @@
 /// Integration method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Dormand–Prince 5(4).
-    Dopri5,
+    /// Verner 7(6), "most efficient".
+    Verner76,
+    /// trial
+    Verner76b6,
+    /// trial
+    Verner76b7,
     /// Dormand–Prince 8(5,3).
     Dop853,
+    /// Tsitouras 5(4).
+    Tsit5,
+    /// Dormand–Prince 5(4) of the library `ode_solvers`.
+    Dopri5,
+    /// Dormand–Prince 8(5,3) of the library `ode_solvers`.
+    OdeSolversDop853,
     /// RODAS 4(3): linearly implicit, for stiff systems.
     Rodas,
 }
