@@ -6,7 +6,7 @@ use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
-use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76, Verner76b6, Verner76b7, Walk};
+use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76, Walk};
 use super::rosenbrock;
 use super::{Counters, IntegrateError, Linearised, Method, Scaling, Settings, Square};
 
@@ -99,16 +99,20 @@ where
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
         match self.settings.method {
             Method::Verner76 => self.walk::<Verner76>(points, states),
-            Method::Verner76b6 => self.walk::<Verner76b6>(points, states),
-            Method::Verner76b7 => self.walk::<Verner76b7>(points, states),
             Method::Dop853 => self.walk::<Dop853>(points, states),
             Method::Tsit5 => self.walk::<Tsit5>(points, states),
-            _ => self.by_blocks(points, states),
+            Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
+                self.by_blocks(points, states)
+            }
         }
     }
 
     /// Walks with a pair of this crate; a block's end is no end of a step.
-    fn walk<P: Pair>(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
+    fn walk<P: Pair>(
+        &mut self,
+        points: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), IntegrateError> {
         let course = Course {
             system: self.system,
             scaling: &self.scaling,
@@ -134,7 +138,11 @@ where
     }
 
     /// Integrates block by block, cut at breaks, with a method that stands behind [`Block`].
-    fn by_blocks(&mut self, mut points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
+    fn by_blocks(
+        &mut self,
+        mut points: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), IntegrateError> {
         while points > 0 {
             let whole = self.intervals_before_break(points);
             let before = states.len();

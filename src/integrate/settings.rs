@@ -5,10 +5,6 @@
 pub enum Method {
     /// Verner 7(6), "most efficient".
     Verner76,
-    /// trial
-    Verner76b6,
-    /// trial
-    Verner76b7,
     /// Dormand–Prince 8(5,3).
     Dop853,
     /// Tsitouras 5(4).
@@ -26,8 +22,8 @@ pub enum Method {
 pub struct Settings {
     /// Method.
     pub method: Method,
-    /// Error aimed at, relative to the scale of the motion; a step's own error is kept at a quarter
-    /// of it.
+    /// Error aimed at, relative to the scale of the motion; a step's own error is kept at a part of it
+    /// that is measured for each method.
     pub tolerance: f64,
     /// Largest number of steps, accepted and rejected together.
     pub step_limit: u64,

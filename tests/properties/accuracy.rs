@@ -2,7 +2,7 @@
 
 use jeffcott::integrate::Method;
 use jeffcott::rotor::Sample;
-use jeffcott::simulate::Model;
+use jeffcott::simulate::{Model, Sampling};
 
 use crate::support::{model, samples, settings, thrust_rotor, try_run};
 
@@ -32,9 +32,17 @@ fn distance(left: &[Sample], right: &[Sample]) -> f64 {
     left.iter().zip(right).map(axes).fold(0.0, f64::max)
 }
 
+const EXPLICIT: [Method; 5] = [
+    Method::Verner76,
+    Method::Dop853,
+    Method::Tsit5,
+    Method::Dopri5,
+    Method::OdeSolversDop853,
+];
+
 #[test]
 fn a_tighter_tolerance_never_moves_the_trace_by_more_than_the_looser_one_did() {
-    for method in [Method::Dopri5, Method::Dop853] {
+    for method in EXPLICIT {
         let traces: Vec<Vec<Sample>> = [1e-4, 1e-6, 1e-8, 1e-10]
             .into_iter()
             .map(|tolerance| samples(&at(method, tolerance), 0.0))
@@ -52,7 +60,7 @@ fn a_tighter_tolerance_never_moves_the_trace_by_more_than_the_looser_one_did() {
 }
 
 #[test]
-fn the_two_methods_agree_within_their_measured_errors() {
+fn the_methods_agree_within_their_measured_errors() {
     let run = |method| {
         let mut model = at(method, 1e-8);
         model.verify = true;
@@ -63,12 +71,14 @@ fn the_two_methods_agree_within_their_measured_errors() {
             .expect("a second pass");
         (error.displacement, samples)
     };
-    let (fifth_error, fifth) = run(Method::Dopri5);
-    let (eighth_error, eighth) = run(Method::Dop853);
-    let apart = distance(&fifth, &eighth);
-    println!("{apart:e} m apart, measured {fifth_error:e} and {eighth_error:e} m");
-    // the second passes, at a tenth of the tolerance, have a tenth of the error themselves
-    assert!(apart <= 1.2 * (fifth_error + eighth_error));
+    let (library_error, library) = run(Method::Dopri5);
+    for method in EXPLICIT {
+        let (error, trace) = run(method);
+        let apart = distance(&library, &trace);
+        println!("{method:?}: {apart:e} m apart, measured {library_error:e} and {error:e} m");
+        // the second passes, at a tenth of the tolerance, have a tenth of the error themselves
+        assert!(apart <= 1.2 * (library_error + error));
+    }
 }
 
 #[test]
@@ -90,6 +100,33 @@ fn the_measured_error_is_the_distance_from_the_truth() {
 fn the_same_model_gives_the_same_bits_twice() {
     let (first, second) = (samples(&uneven(), 0.0), samples(&uneven(), 0.0));
     assert_eq!(first, second);
+}
+
+/// On smooth motion the error stays near the tolerance, between steps as well as at their ends: the
+/// sample rate is far above the steps of all methods.
+#[test]
+fn the_tolerance_is_kept_on_smooth_motion() {
+    let mut truth = at(Method::Dop853, 1e-11);
+    truth.sampling = Sampling::Rate(200_000.0);
+    let truth = samples(&truth, 0.0);
+    let place = truth[0].displacement;
+    let motion = |sample: &Sample| {
+        let axes = sample.displacement.iter().zip(&place);
+        axes.take(3).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    };
+    let largest = truth.iter().map(motion).fold(0.0, f64::max);
+    for method in [Method::Verner76, Method::Dop853, Method::Tsit5] {
+        for tolerance in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9] {
+            let mut model = at(method, tolerance);
+            model.sampling = Sampling::Rate(200_000.0);
+            let error = distance(&samples(&model, 0.0), &truth) / largest;
+            println!("{method:?} {tolerance:e}: {:.2}", error / tolerance);
+            assert!(
+                error <= 10.0 * tolerance,
+                "{method:?} {tolerance:e}: {error:e}"
+            );
+        }
+    }
 }
 
 /// The second pass only watches.

@@ -11,6 +11,8 @@ use crate::integrate::{Counters, IntegrateError, Scaling, Settings, System};
 const STRETCH: f64 = 1.01;
 /// Part of the local error that the interpolation without evaluations may be estimated to have.
 const QUINTIC_PART: f64 = 0.1;
+/// Least first guess of a step size, in units of the scaling's time.
+const LEAST_GUESS: f64 = 1e-6;
 
 /// What a walk goes by.
 pub(in crate::integrate) struct Course<'a, S, const N: usize> {
@@ -112,14 +114,26 @@ impl<const N: usize> Walk<N> {
         loop {
             self.check(course)?;
             let cut = self.start + STRETCH * self.next_size >= self.limit;
-            self.size = if cut { self.limit - self.start } else { self.next_size };
+            self.size = if cut {
+                self.limit - self.start
+            } else {
+                self.next_size
+            };
             let error = self.trial::<P, S>(course);
             if error <= 1.0 {
                 let growth = self.control.accepted(error, P::ERROR_POWER);
                 let proposed = self.size * growth;
                 // a step that was cut tells little of how long the next may be
-                self.next_size = if cut { proposed.max(self.next_size) } else { proposed };
-                self.time = if cut { self.limit } else { self.start + self.size };
+                self.next_size = if cut {
+                    proposed.max(self.next_size)
+                } else {
+                    proposed
+                };
+                self.time = if cut {
+                    self.limit
+                } else {
+                    self.start + self.size
+                };
                 self.finish::<P, S>(course);
                 return Ok(());
             }
@@ -137,7 +151,11 @@ impl<const N: usize> Walk<N> {
         self.stages[0] = self.stages[P::LAST];
         if self.time >= self.limit {
             let next = course.system.next_break(self.time + course.slack);
-            self.limit = if next < course.end - course.slack { next } else { course.end };
+            self.limit = if next < course.end - course.slack {
+                next
+            } else {
+                course.end
+            };
             // the derivative after a break, or the very first
             let from = self.from;
             self.evaluate(course, 0, self.time, &from);
@@ -213,8 +231,7 @@ impl<const N: usize> Walk<N> {
         }
         stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
         self.to = self.moved::<Weights<P>>();
-        self.error::<P>(course.scaling) * self.size
-            / (P::LOCAL_PART * course.settings.tolerance)
+        self.error::<P>(course.scaling) * self.size / (P::LOCAL_PART * course.settings.tolerance)
     }
 
     /// Root mean square of the error per time, relative to one unit and the deviation.
@@ -299,8 +316,16 @@ impl<const N: usize> Walk<N> {
     fn ends(&self, freedom: usize, last: usize) -> [quintic::Motion; 2] {
         let velocity = N / 2 + freedom;
         [
-            [self.from[freedom], self.from[velocity], self.stages[0][velocity]],
-            [self.to[freedom], self.to[velocity], self.stages[last][velocity]],
+            [
+                self.from[freedom],
+                self.from[velocity],
+                self.stages[0][velocity],
+            ],
+            [
+                self.to[freedom],
+                self.to[velocity],
+                self.stages[last][velocity],
+            ],
         ]
     }
 
@@ -327,35 +352,33 @@ impl<const N: usize> Walk<N> {
     ///
     /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sec. II.4.
     fn first_size<S: System<N>>(&mut self, course: &Course<'_, S, N>, order: i32) -> f64 {
-        let scaling = course.scaling;
-        let tolerance = course.settings.tolerance;
-        let norm = |vector: &[f64; N]| {
-            let squares = (0..N).map(|i| {
-                let unit = tolerance * (scaling.scale[i] + self.from[i].abs());
-                (vector[i] / unit).powi(2)
-            });
-            (squares.sum::<f64>() / N as f64).sqrt()
-        };
         let slope = self.stages[0];
-        let (state_size, slope_size) = (norm(&self.from), norm(&slope));
-        let tiny = 1e-6 * scaling.time;
-        let guess = 0.01 * state_size / slope_size;
-        let guess = if guess > tiny { guess } else { tiny };
+        let state_size = self.norm(course, &self.from);
+        let slope_size = self.norm(course, &slope);
+        let least = LEAST_GUESS * course.scaling.time;
+        let most = (self.limit - self.start).max(least);
+        // no number where nothing moves
+        let guess = (0.01 * state_size / slope_size).max(least).min(most);
         let ahead = std::array::from_fn(|i| self.from[i] + guess * slope[i]);
         self.evaluate(course, 1, self.start + guess, &ahead);
         let change = std::array::from_fn(|i| self.stages[1][i] - slope[i]);
-        let norm = |vector: &[f64; N]| {
-            let squares = (0..N).map(|i| {
-                let unit = tolerance * (scaling.scale[i] + self.from[i].abs());
-                (vector[i] / unit).powi(2)
-            });
-            (squares.sum::<f64>() / N as f64).sqrt()
-        };
-        let bend_size = norm(&change) / guess;
+        let bend_size = self.norm(course, &change) / guess;
         let fastest = slope_size.max(bend_size);
-        let by_order = (0.01 / fastest).powf(1.0 / f64::from(order));
-        let most = 100.0 * guess;
-        // no number where nothing moves or the derivative is none: then a small step tells more
-        if by_order < most { by_order } else { most }
+        (0.01 / fastest)
+            .powf(1.0 / f64::from(order))
+            .min(100.0 * guess)
+    }
+
+    /// Root mean square over what is allowed.
+    fn norm<S>(&self, course: &Course<'_, S, N>, vector: &[f64; N]) -> f64 {
+        let squares = (0..N).map(|i| {
+            let unit = course.scaling.scale[i] + self.from[i].abs();
+            (vector[i] / (course.settings.tolerance * unit)).powi(2)
+        });
+        (squares.sum::<f64>() / N as f64).sqrt()
     }
 }
+
+#[cfg(test)]
+#[path = "walk_tests.rs"]
+mod tests;

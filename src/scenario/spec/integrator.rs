@@ -9,7 +9,7 @@ use crate::integrate::{Method, Settings};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct IntegratorSpec {
-    /// Integration method. Default: "dop853".
+    /// Integration method. Default: "verner76".
     pub method: MethodChoice,
     /// Error aimed at, relative to the scale of the motion, 1e-13 to 1e-2.
     /// Default: 1e-8.
@@ -44,7 +44,7 @@ pub enum MethodChoice {
 impl Default for IntegratorSpec {
     fn default() -> Self {
         Self {
-            method: MethodChoice::Dop853,
+            method: MethodChoice::Verner76,
             tolerance: 1e-8,
             step_limit: 100_000_000,
             verify: true,
