@@ -72,7 +72,26 @@ fn observed_order(method: Method, loose: f64, tight: f64) -> f64 {
 }
 
 #[test]
-fn dop853_has_order_eight_where_time_enters() {}
+fn dop853_has_order_eight_where_time_enters() {
+    // its interpolant has order seven and stands in the way of more
+    let order = observed_order(Method::Dop853, 1e-4, 1e-12);
+    assert!((7.0..9.5).contains(&order), "observed order {order}");
+}
+
+#[test]
+fn verner76_has_order_seven_where_time_enters() {
+    // its interpolant has order six
+    let order = observed_order(Method::Verner76, 1e-5, 1e-10);
+    assert!((6.0..8.5).contains(&order), "observed order {order}");
+}
+
+#[test]
+fn the_pairs_of_order_five_have_it_where_time_enters() {
+    for method in [Method::Tsit5, Method::Dopri5] {
+        let order = observed_order(method, 1e-5, 1e-10);
+        assert!((4.5..6.0).contains(&order), "observed order {order}");
+    }
+}
 
 #[test]
 fn rodas_has_order_four_where_time_enters() {

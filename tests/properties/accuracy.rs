@@ -1,7 +1,11 @@
 //! What the tolerance promises.
 
+use std::fs;
+use std::path::Path;
+
 use jeffcott::integrate::Method;
 use jeffcott::rotor::Sample;
+use jeffcott::scenario;
 use jeffcott::simulate::{Model, Sampling};
 
 use crate::support::{model, samples, settings, thrust_rotor, try_run};
@@ -100,6 +104,44 @@ fn the_measured_error_is_the_distance_from_the_truth() {
 fn the_same_model_gives_the_same_bits_twice() {
     let (first, second) = (samples(&uneven(), 0.0), samples(&uneven(), 0.0));
     assert_eq!(first, second);
+}
+
+/// The library is the oracle: the beginning of every shipped scenario is the same by it, within what
+/// both runs state of their errors.
+#[test]
+fn the_library_agrees_on_every_shipped_scenario() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios");
+    let mut compared = 0;
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let file = entry.expect("an entry").path();
+        let is_scenario = file.extension().is_some_and(|end| end == "toml");
+        let loaded = is_scenario.then(|| scenario::load(&file).expect("a scenario"));
+        let Some(mut model) = loaded.and_then(|loaded| loaded.model) else {
+            continue;
+        };
+        model.duration = model.duration.min(0.03);
+        (model.settle, model.spectrum, model.verify) = (0.0, None, true);
+        model.integrator.tolerance = 1e-7;
+        let mut run = |method| {
+            model.integrator.method = method;
+            let (result, samples) = try_run(&model, 0.0);
+            let error = result.expect("a run").measured_error;
+            (error.expect("a second pass").displacement, samples)
+        };
+        let (library_error, library) = run(Method::Dopri5);
+        for method in [Method::Verner76, Method::Dop853, Method::Tsit5] {
+            let (error, trace) = run(method);
+            let apart = distance(&library, &trace);
+            println!("{}, {method:?}: {apart:e} m", file.display());
+            assert!(
+                apart <= 1.5 * (library_error + error),
+                "{}: {method:?}",
+                file.display()
+            );
+        }
+        compared += 1;
+    }
+    assert!(compared >= 8);
 }
 
 /// On smooth motion the error stays near the tolerance, between steps as well as at their ends: the
