@@ -326,7 +326,7 @@ const PUSH: [f64; 2] = [std::f64::consts::PI / 10.0, 1.0];
 
 impl System<2> for Pushed {
     fn derivative(&self, time: f64, state: &[f64; 2], rate: &mut [f64; 2]) {
-        let pushed = time >= PUSH[0] && time < PUSH[1];
+        let pushed = (PUSH[0]..PUSH[1]).contains(&time);
         *rate = [state[1], f64::from(u8::from(pushed)) - state[0]];
     }
 
