@@ -40,7 +40,12 @@ fn shipped(criterion: &mut Criterion) {
             .expect("a shipped scenario")
             .model
             .expect("a motion");
-        for method in [Method::Dop853, Method::Dopri5] {
+        for method in [
+            Method::Verner76,
+            Method::Dop853,
+            Method::Tsit5,
+            Method::Dopri5,
+        ] {
             model.integrator.method = method;
             model.verify = true;
             let error = run(&model)

@@ -6,6 +6,7 @@ use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
+use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76, Walk};
 use super::rosenbrock;
 use super::stiffness::stiffness;
 use super::{
@@ -31,6 +32,9 @@ impl Grid {
 
 /// Distance, as a part of the grid's interval, below which a break does not divide a step.
 const BREAK_SLACK: f64 = 1e-6;
+/// Part of the limit on steps after which a run is looked at for stiffness that keeps it from its end,
+/// time and again.
+const EARLY: f64 = 0.01;
 
 /// An integration under way: it knows its state at a grid time and how to go on.
 ///
@@ -46,6 +50,8 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     step: f64,
     counters: Counters,
     stiffness: Option<Stiffness>,
+    /// Where the pairs of this crate stand: their steps do not end with a block.
+    walk: Walk<N>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -73,6 +79,7 @@ where
             step: 0.0,
             counters: Counters::default(),
             stiffness: None,
+            walk: Walk::new(std::array::from_fn(|i| state[i] - scaling.origin[i])),
         }
     }
 
@@ -84,6 +91,7 @@ where
             step: self.step,
             counters: self.counters,
             stiffness: self.stiffness,
+            latest_step: self.walk.numbers(),
         }
     }
 
@@ -104,6 +112,7 @@ where
         if checkpoint.next > self.grid.count {
             return Err(mismatch);
         }
+        self.walk = Walk::restored(&checkpoint.latest_step, checkpoint.counters).ok_or(mismatch)?;
         self.scaled = scaled;
         self.next = checkpoint.next;
         self.step = checkpoint.step;
@@ -140,7 +149,112 @@ where
         states: &mut Vec<[f64; N]>,
     ) -> Result<(), IntegrateError> {
         let left = self.grid.count - self.next;
-        let mut points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
+        let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
+        match self.settings.method {
+            Method::Verner76 => self.walk::<Verner76>(points, states),
+            Method::Dop853 => self.walk::<Dop853>(points, states),
+            Method::Tsit5 => self.walk::<Tsit5>(points, states),
+            Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
+                self.by_blocks(points, states)
+            }
+        }?;
+        if self.stiffness.is_none() && self.step < self.grid.interval {
+            // steps that are longer than the distance of the samples are no burden
+            self.stiffness = self.look_for_stiffness(self.grid.time(self.next));
+        }
+        Ok(())
+    }
+
+    /// Walks with a pair of this crate; a block's end is no end of a step.
+    fn walk<P: Pair>(
+        &mut self,
+        points: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), IntegrateError> {
+        let course = Course {
+            system: self.system,
+            scaling: &self.scaling,
+            settings: &self.settings,
+            stop: self.stop,
+            end: self.grid.time(self.grid.count.saturating_sub(1)),
+            slack: self.slack(),
+        };
+        let part = ((EARLY * self.settings.step_limit as f64) as u64).max(1);
+        for _ in 0..points {
+            let time = self.grid.time(self.next);
+            let steps_before = self.counters.steps;
+            let result = self.walk.state_at::<P, S>(&course, time);
+            self.counters = self.walk.counters();
+            self.step = self.walk.step_size();
+            self.scaled = self.walk.scaled(&self.scaling);
+            let look = steps_before / part != self.counters.steps / part;
+            match result {
+                Ok(state) if look => {
+                    states.push(state);
+                    self.next += 1;
+                    self.give_up_where_stiff()?;
+                }
+                Ok(state) => {
+                    states.push(state);
+                    self.next += 1;
+                }
+                Err(IntegrateError::StepLimit { .. }) => {
+                    self.give_up_where_stiff()?;
+                    return result.map(|_| ());
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+
+    /// Ends a run that stability keeps from its end.
+    fn give_up_where_stiff(&self) -> Result<(), IntegrateError> {
+        let time = self.walk.time();
+        let Some(stiffness) = self.look_for_stiffness(time) else {
+            return Ok(());
+        };
+        let left = (self.grid.time(self.grid.count) - time).max(0.0);
+        let needed = self.counters.steps as f64 + left / stiffness.step;
+        let limit = self.settings.step_limit;
+        if needed <= limit as f64 {
+            return Ok(());
+        }
+        Err(IntegrateError::Stiff {
+            stiffness,
+            needed,
+            limit,
+        })
+    }
+
+    fn look_for_stiffness(&self, time: f64) -> Option<Stiffness> {
+        let limit = self.stability_limit()?;
+        if self.step <= 0.0 {
+            return None;
+        }
+        let here = self.block(time, self.grid.interval, 1);
+        stiffness(&here, limit, time, &self.scaled, self.step)
+    }
+
+    /// Product of step and largest eigenvalue at which the method ceases to be stable; none where it
+    /// never does.
+    fn stability_limit(&self) -> Option<f64> {
+        match self.settings.method {
+            Method::Verner76 => Some(Verner76::STABILITY),
+            Method::Dop853 => Some(Dop853::STABILITY),
+            Method::Tsit5 => Some(Tsit5::STABILITY),
+            Method::Dopri5 => Some(ExplicitMethod::Dopri5.stability_limit()),
+            Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
+            Method::Rodas => None,
+        }
+    }
+
+    /// Integrates block by block, cut at breaks, with a method that stands behind [`Block`].
+    fn by_blocks(
+        &mut self,
+        mut points: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), IntegrateError> {
         while points > 0 {
             let whole = self.intervals_before_break(points);
             let before = states.len();
@@ -152,30 +266,7 @@ where
             result?;
             points -= whole.max(1);
         }
-        if self.stiffness.is_none() {
-            self.stiffness = self.look_for_stiffness();
-        }
         Ok(())
-    }
-
-    /// Steps that are longer than the distance of the samples are no burden, whatever holds them.
-    fn look_for_stiffness(&self) -> Option<Stiffness> {
-        let method = self.explicit_method()?;
-        if self.step <= 0.0 || self.step >= self.grid.interval {
-            return None;
-        }
-        let time = self.grid.time(self.next);
-        let here = self.block(time, self.grid.interval, 1);
-        let limit = method.stability_limit();
-        stiffness(&here, limit, time, &self.scaled, self.step)
-    }
-
-    fn explicit_method(&self) -> Option<ExplicitMethod> {
-        match self.settings.method {
-            Method::Dopri5 => Some(ExplicitMethod::Dopri5),
-            Method::Dop853 => Some(ExplicitMethod::Dop853),
-            Method::Rodas => None,
-        }
     }
 
     fn block(&self, start: f64, interval: f64, intervals: usize) -> Block<'_, S, N> {
@@ -233,9 +324,11 @@ where
         states: &mut Vec<[f64; N]>,
     ) -> Result<(), IntegrateError> {
         let block = self.block(start, interval, intervals);
-        let outcome = match self.explicit_method() {
-            Some(method) => adapter::integrate::<S, N, M>(method, &block, &self.scaled),
-            None => rosenbrock::integrate(&block, &self.scaled),
+        let explicit = |method| adapter::integrate::<S, N, M>(method, &block, &self.scaled);
+        let outcome = match self.settings.method {
+            Method::Dopri5 => explicit(ExplicitMethod::Dopri5),
+            Method::OdeSolversDop853 => explicit(ExplicitMethod::Dop853),
+            _ => rosenbrock::integrate(&block, &self.scaled),
         };
         states.extend(
             outcome

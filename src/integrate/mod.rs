@@ -8,6 +8,7 @@ mod adapter;
 mod block;
 mod checkpoint;
 mod error;
+mod explicit;
 mod integration;
 mod rosenbrock;
 mod settings;

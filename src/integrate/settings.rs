@@ -3,10 +3,16 @@
 /// Integration method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// Dormand–Prince 5(4).
-    Dopri5,
+    /// Verner 7(6), "most efficient".
+    Verner76,
     /// Dormand–Prince 8(5,3).
     Dop853,
+    /// Tsitouras 5(4).
+    Tsit5,
+    /// Dormand–Prince 5(4) of the library `ode_solvers`.
+    Dopri5,
+    /// Dormand–Prince 8(5,3) of the library `ode_solvers`.
+    OdeSolversDop853,
     /// RODAS 4(3): linearly implicit, for stiff systems.
     Rodas,
 }
@@ -16,8 +22,8 @@ pub enum Method {
 pub struct Settings {
     /// Method.
     pub method: Method,
-    /// Error aimed at, relative to the scale of the motion; a step's own error is kept at a quarter
-    /// of it.
+    /// Error aimed at, relative to the scale of the motion; a step's own error is kept at a part of it
+    /// that is measured for each method.
     pub tolerance: f64,
     /// Largest number of steps, accepted and rejected together.
     pub step_limit: u64,

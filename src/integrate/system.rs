@@ -16,6 +16,12 @@ pub trait System<const N: usize> {
     fn next_break(&self, _after: f64) -> f64 {
         f64::INFINITY
     }
+
+    /// Whether the state is (q, q̇), displacements first and as many velocities after them: the motion
+    /// between two steps then follows from both ends at no cost.
+    fn is_second_order(&self) -> bool {
+        false
+    }
 }
 
 /// A system that knows its own slopes, as implicit methods need them.

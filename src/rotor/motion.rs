@@ -354,4 +354,8 @@ impl<const N: usize> System<N> for Rotor {
     fn next_break(&self, after: f64) -> f64 {
         self.next_break_after(after)
     }
+
+    fn is_second_order(&self) -> bool {
+        true
+    }
 }

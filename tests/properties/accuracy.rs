@@ -1,8 +1,12 @@
 //! What the tolerance promises.
 
+use std::fs;
+use std::path::Path;
+
 use jeffcott::integrate::Method;
 use jeffcott::rotor::Sample;
-use jeffcott::simulate::Model;
+use jeffcott::scenario;
+use jeffcott::simulate::{Model, Sampling};
 
 use crate::support::{model, samples, settings, thrust_rotor, try_run};
 
@@ -32,9 +36,17 @@ fn distance(left: &[Sample], right: &[Sample]) -> f64 {
     left.iter().zip(right).map(axes).fold(0.0, f64::max)
 }
 
+const EXPLICIT: [Method; 5] = [
+    Method::Verner76,
+    Method::Dop853,
+    Method::Tsit5,
+    Method::Dopri5,
+    Method::OdeSolversDop853,
+];
+
 #[test]
 fn a_tighter_tolerance_never_moves_the_trace_by_more_than_the_looser_one_did() {
-    for method in [Method::Dopri5, Method::Dop853] {
+    for method in EXPLICIT {
         let traces: Vec<Vec<Sample>> = [1e-4, 1e-6, 1e-8, 1e-10]
             .into_iter()
             .map(|tolerance| samples(&at(method, tolerance), 0.0))
@@ -52,7 +64,7 @@ fn a_tighter_tolerance_never_moves_the_trace_by_more_than_the_looser_one_did() {
 }
 
 #[test]
-fn the_two_methods_agree_within_their_measured_errors() {
+fn the_methods_agree_within_their_measured_errors() {
     let run = |method| {
         let mut model = at(method, 1e-8);
         model.verify = true;
@@ -63,12 +75,14 @@ fn the_two_methods_agree_within_their_measured_errors() {
             .expect("a second pass");
         (error.displacement, samples)
     };
-    let (fifth_error, fifth) = run(Method::Dopri5);
-    let (eighth_error, eighth) = run(Method::Dop853);
-    let apart = distance(&fifth, &eighth);
-    println!("{apart:e} m apart, measured {fifth_error:e} and {eighth_error:e} m");
-    // the second passes, at a tenth of the tolerance, have a tenth of the error themselves
-    assert!(apart <= 1.2 * (fifth_error + eighth_error));
+    let (library_error, library) = run(Method::Dopri5);
+    for method in EXPLICIT {
+        let (error, trace) = run(method);
+        let apart = distance(&library, &trace);
+        println!("{method:?}: {apart:e} m apart, measured {library_error:e} and {error:e} m");
+        // the second passes, at a tenth of the tolerance, have a tenth of the error themselves
+        assert!(apart <= 1.2 * (library_error + error));
+    }
 }
 
 #[test]
@@ -90,6 +104,71 @@ fn the_measured_error_is_the_distance_from_the_truth() {
 fn the_same_model_gives_the_same_bits_twice() {
     let (first, second) = (samples(&uneven(), 0.0), samples(&uneven(), 0.0));
     assert_eq!(first, second);
+}
+
+/// The library is the oracle: the beginning of every shipped scenario is the same by it, within what
+/// both runs state of their errors.
+#[test]
+fn the_library_agrees_on_every_shipped_scenario() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios");
+    let mut compared = 0;
+    for entry in fs::read_dir(folder).expect("a folder") {
+        let file = entry.expect("an entry").path();
+        let is_scenario = file.extension().is_some_and(|end| end == "toml");
+        let loaded = is_scenario.then(|| scenario::load(&file).expect("a scenario"));
+        let Some(mut model) = loaded.and_then(|loaded| loaded.model) else {
+            continue;
+        };
+        model.duration = model.duration.min(0.03);
+        (model.settle, model.spectrum, model.verify) = (0.0, None, true);
+        model.integrator.tolerance = 1e-7;
+        let mut run = |method| {
+            model.integrator.method = method;
+            let (result, samples) = try_run(&model, 0.0);
+            let error = result.expect("a run").measured_error;
+            (error.expect("a second pass").displacement, samples)
+        };
+        let (library_error, library) = run(Method::Dopri5);
+        for method in [Method::Verner76, Method::Dop853, Method::Tsit5] {
+            let (error, trace) = run(method);
+            let apart = distance(&library, &trace);
+            println!("{}, {method:?}: {apart:e} m", file.display());
+            assert!(
+                apart <= 1.5 * (library_error + error),
+                "{}: {method:?}",
+                file.display()
+            );
+        }
+        compared += 1;
+    }
+    assert!(compared >= 8);
+}
+
+/// On smooth motion the error stays near the tolerance, between steps as well as at their ends: the
+/// sample rate is far above the steps of all methods.
+#[test]
+fn the_tolerance_is_kept_on_smooth_motion() {
+    let mut truth = at(Method::Dop853, 1e-11);
+    truth.sampling = Sampling::Rate(200_000.0);
+    let truth = samples(&truth, 0.0);
+    let place = truth[0].displacement;
+    let motion = |sample: &Sample| {
+        let axes = sample.displacement.iter().zip(&place);
+        axes.take(3).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    };
+    let largest = truth.iter().map(motion).fold(0.0, f64::max);
+    for method in [Method::Verner76, Method::Dop853, Method::Tsit5] {
+        for tolerance in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9] {
+            let mut model = at(method, tolerance);
+            model.sampling = Sampling::Rate(200_000.0);
+            let error = distance(&samples(&model, 0.0), &truth) / largest;
+            println!("{method:?} {tolerance:e}: {:.2}", error / tolerance);
+            assert!(
+                error <= 10.0 * tolerance,
+                "{method:?} {tolerance:e}: {error:e}"
+            );
+        }
+    }
 }
 
 /// The second pass only watches.

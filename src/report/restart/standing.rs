@@ -44,6 +44,10 @@ fn put_checkpoint(bytes: &mut Vec<u8>, checkpoint: &Checkpoint) {
     }
     bytes.put_u64(checkpoint.next);
     bytes.put_f64(checkpoint.step);
+    bytes.put_u64(checkpoint.latest_step.len() as u64);
+    for value in &checkpoint.latest_step {
+        bytes.put_f64(*value);
+    }
     let Counters {
         steps,
         rejected,
@@ -65,12 +69,17 @@ fn put_checkpoint(bytes: &mut Vec<u8>, checkpoint: &Checkpoint) {
     });
 }
 
+fn numbers(take: &mut Take<'_>) -> Option<Vec<f64>> {
+    let count = take.u64()?;
+    (0..count).map(|_| take.f64()).collect()
+}
+
 fn take_checkpoint(take: &mut Take<'_>) -> Option<Checkpoint> {
-    let states = take.u64()?;
     Some(Checkpoint {
-        scaled: (0..states).map(|_| take.f64()).collect::<Option<_>>()?,
+        scaled: numbers(take)?,
         next: take.u64()?,
         step: take.f64()?,
+        latest_step: numbers(take)?,
         counters: Counters {
             steps: take.u64()?,
             rejected: take.u64()?,

@@ -9,7 +9,7 @@ use crate::integrate::{Method, Settings};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct IntegratorSpec {
-    /// Integration method. Default: "dop853".
+    /// Integration method. Default: "verner76".
     pub method: MethodChoice,
     /// Error aimed at, relative to the scale of the motion, 1e-13 to 1e-2.
     /// Default: 1e-8.
@@ -27,18 +27,24 @@ pub struct IntegratorSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MethodChoice {
-    /// Dormand–Prince 5(4): for coarse tolerances.
-    Dopri5,
+    /// Verner 7(6): for all tolerances.
+    Verner76,
     /// Dormand–Prince 8(5,3): for fine tolerances.
     Dop853,
+    /// Tsitouras 5(4): for coarse tolerances.
+    Tsit5,
     /// RODAS 4(3), linearly implicit: for stiff scenes, as with strong damping.
     Rodas,
+    /// Dormand–Prince 5(4) of the library `ode_solvers`, to compare with.
+    Dopri5,
+    /// Dormand–Prince 8(5,3) of the library `ode_solvers`, to compare with.
+    OdeSolversDop853,
 }
 
 impl Default for IntegratorSpec {
     fn default() -> Self {
         Self {
-            method: MethodChoice::Dop853,
+            method: MethodChoice::Verner76,
             tolerance: 1e-8,
             step_limit: 100_000_000,
             verify: true,
@@ -51,9 +57,12 @@ impl IntegratorSpec {
     pub fn build(&self) -> Settings {
         Settings {
             method: match self.method {
-                MethodChoice::Dopri5 => Method::Dopri5,
+                MethodChoice::Verner76 => Method::Verner76,
                 MethodChoice::Dop853 => Method::Dop853,
+                MethodChoice::Tsit5 => Method::Tsit5,
                 MethodChoice::Rodas => Method::Rodas,
+                MethodChoice::Dopri5 => Method::Dopri5,
+                MethodChoice::OdeSolversDop853 => Method::OdeSolversDop853,
             },
             tolerance: self.tolerance,
             step_limit: self.step_limit,

@@ -1,0 +1,198 @@
+//! The pairs fulfil the order conditions: all of them, tree by tree.
+//!
+//! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sec. II.2: a method
+//! has order p where Σ_i b_i Φ_i(t) = 1/γ(t) for all rooted trees t of order up to p; an interpolant
+//! where Σ_i b_i(θ) Φ_i(t) = θ^r/γ(t) for the trees of order r.
+
+use super::tableau::{MOST, Pair};
+use super::{Dop853, Tsit5, Verner76};
+
+/// A rooted tree: the subtrees at its root, as places in the list of all trees.
+struct Tree {
+    order: usize,
+    subtrees: Vec<usize>,
+    gamma: f64,
+}
+
+/// All rooted trees up to an order, small ones first.
+fn trees(most: usize) -> Vec<Tree> {
+    let mut trees = Vec::new();
+    for order in 1..=most {
+        let mut found = Vec::new();
+        collect(&trees, order - 1, 0, &mut Vec::new(), &mut found);
+        for subtrees in found {
+            let below: f64 = subtrees
+                .iter()
+                .map(|&place: &usize| trees[place].gamma)
+                .product();
+            trees.push(Tree {
+                order,
+                subtrees,
+                gamma: order as f64 * below,
+            });
+        }
+    }
+    trees
+}
+
+/// Choices of trees, from a place of the list on, whose orders add up to `left`.
+fn collect(
+    trees: &[Tree],
+    left: usize,
+    from: usize,
+    chosen: &mut Vec<usize>,
+    found: &mut Vec<Vec<usize>>,
+) {
+    if left == 0 {
+        found.push(chosen.clone());
+        return;
+    }
+    for (place, tree) in trees.iter().enumerate().skip(from) {
+        if tree.order <= left {
+            chosen.push(place);
+            collect(trees, left - tree.order, place, chosen, found);
+            chosen.pop();
+        }
+    }
+}
+
+/// Φ_i of every tree.
+fn elementary<P: Pair>(trees: &[Tree]) -> Vec<[f64; MOST]> {
+    let mut all: Vec<[f64; MOST]> = Vec::new();
+    for tree in trees {
+        let mut weights = [1.0; MOST];
+        for &subtree in &tree.subtrees {
+            for (stage, weight) in weights.iter_mut().enumerate() {
+                *weight *= dot(&P::ARGUMENTS[stage], &all[subtree]);
+            }
+        }
+        all.push(weights);
+    }
+    all
+}
+
+fn dot(left: &[f64; MOST], right: &[f64; MOST]) -> f64 {
+    left.iter().zip(right).map(|(a, b)| a * b).sum()
+}
+
+/// Largest deviation of weights b_i(θ) from the conditions up to an order.
+fn deviation<P: Pair>(weights: &[f64; MOST], part: f64, order: usize) -> f64 {
+    let trees = trees(order);
+    let conditions = elementary::<P>(&trees);
+    let off = |(tree, phi): (&Tree, &[f64; MOST])| {
+        (dot(weights, phi) - part.powi(tree.order as i32) / tree.gamma).abs()
+    };
+    trees.iter().zip(&conditions).map(off).fold(0.0, f64::max)
+}
+
+fn dense<P: Pair>(part: f64) -> [f64; MOST] {
+    P::DENSE.map(|row| part * row.iter().rev().fold(0.0, |sum, term| sum * part + term))
+}
+
+fn difference(left: &[f64; MOST], right: &[f64; MOST]) -> [f64; MOST] {
+    std::array::from_fn(|stage| left[stage] - right[stage])
+}
+
+/// Coefficients are given to 16 digits and reach some hundreds, those of interpolants a thousand.
+const ROUND_OFF: f64 = 1e-13;
+const ROUND_OFF_DENSE: f64 = 2e-12;
+/// A condition that does not hold is off by more than this.
+const BROKEN: f64 = 1e-9;
+
+/// The weights have an order and not the next one.
+fn has_order<P: Pair>(weights: &[f64; MOST], part: f64, order: usize, round_off: f64) {
+    let holds = deviation::<P>(weights, part, order);
+    assert!(holds < round_off, "order {order} at {part}: {holds:e}");
+    let broken = deviation::<P>(weights, part, order + 1);
+    assert!(broken > BROKEN, "order {} at {part}: {broken:e}", order + 1);
+}
+
+fn nodes_are_row_sums<P: Pair>() {
+    for stage in 0..P::STAGES {
+        let row = &P::ARGUMENTS[stage];
+        let sum: f64 = row.iter().sum();
+        assert!(
+            (sum - P::NODES[stage]).abs() < ROUND_OFF,
+            "stage {stage}: {sum}"
+        );
+        assert!(
+            row[stage..].iter().all(|later| *later == 0.0),
+            "stage {stage}"
+        );
+    }
+}
+
+fn interpolant_meets_the_ends<P: Pair>() {
+    let end = difference(&dense::<P>(1.0), &P::ARGUMENTS[P::LAST]);
+    assert!(
+        end.iter().all(|weight| weight.abs() < ROUND_OFF_DENSE),
+        "{end:?}"
+    );
+    // it leaves along the first stage
+    for (stage, row) in P::DENSE.iter().enumerate() {
+        let expected = if stage == 0 { 1.0 } else { 0.0 };
+        assert!(
+            (row[0] - expected).abs() < ROUND_OFF,
+            "stage {stage}: {row:?}"
+        );
+    }
+}
+
+fn check<P: Pair>(embedded: usize, interpolant: usize) {
+    nodes_are_row_sums::<P>();
+    interpolant_meets_the_ends::<P>();
+    let weights = P::ARGUMENTS[P::LAST];
+    has_order::<P>(&weights, 1.0, P::ORDER as usize, ROUND_OFF);
+    has_order::<P>(&difference(&weights, &P::ERROR), 1.0, embedded, ROUND_OFF);
+    for part in [0.1, 0.37, 0.6, 0.83] {
+        has_order::<P>(&dense::<P>(part), part, interpolant, ROUND_OFF_DENSE);
+    }
+}
+
+/// |R(−z)|, R the factor by which a step multiplies a decaying motion.
+fn decay<P: Pair>(z: f64) -> f64 {
+    let mut slopes = [0.0; MOST];
+    for stage in 0..=P::LAST {
+        slopes[stage] = -z * (1.0 + dot(&P::ARGUMENTS[stage], &slopes));
+    }
+    (1.0 + dot(&P::ARGUMENTS[P::LAST], &slopes)).abs()
+}
+
+fn check_stability<P: Pair>() {
+    assert!(decay::<P>(0.98 * P::STABILITY) < 1.0);
+    assert!(decay::<P>(1.02 * P::STABILITY) > 1.0);
+}
+
+#[test]
+fn limits_of_stability_are_those_of_the_coefficients() {
+    check_stability::<Tsit5>();
+    check_stability::<Verner76>();
+    check_stability::<Dop853>();
+}
+
+#[test]
+fn there_are_as_many_trees_as_known() {
+    let trees = trees(8);
+    let counts: Vec<usize> = (1..=8)
+        .map(|order| trees.iter().filter(|tree| tree.order == order).count())
+        .collect();
+    assert_eq!(counts, [1, 1, 2, 4, 9, 20, 48, 115]);
+}
+
+#[test]
+fn tsit5_has_orders_five_and_four_and_its_interpolant_four() {
+    check::<Tsit5>(4, 4);
+}
+
+#[test]
+fn verner76_has_orders_seven_and_six_and_its_interpolant_six() {
+    check::<Verner76>(6, 6);
+}
+
+#[test]
+fn dop853_has_orders_eight_five_and_three_and_its_interpolant_seven() {
+    check::<Dop853>(5, 7);
+    let coarse = Dop853::COARSE_ERROR.unwrap_or([f64::NAN; MOST]);
+    let third = difference(&Dop853::ARGUMENTS[Dop853::LAST], &coarse);
+    has_order::<Dop853>(&third, 1.0, 3, ROUND_OFF);
+}

@@ -1,0 +1,18 @@
+//! Explicit Runge–Kutta pairs on states of fixed size: no allocation, no time carried as a state,
+//! and steps that end at breaks of the system and nowhere else.
+
+#[cfg(test)]
+mod conditions;
+mod control;
+mod dop853;
+mod quintic;
+mod tableau;
+mod tsit5;
+mod verner76;
+mod walk;
+
+pub(super) use dop853::Dop853;
+pub(super) use tableau::Pair;
+pub(super) use tsit5::Tsit5;
+pub(super) use verner76::Verner76;
+pub(super) use walk::{Course, Walk};

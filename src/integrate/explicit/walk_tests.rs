@@ -1,0 +1,126 @@
+//! Steps of equal size show the orders of the pairs, of their interpolants and of the quintic.
+
+use super::*;
+use crate::integrate::Method;
+use crate::integrate::explicit::{Dop853, Tsit5, Verner76};
+
+/// q″ = −(1 + sin(t)/2) q³ + cos 2t, as (q, q′): time enters, and it is not linear.
+struct Duffing;
+
+impl System<2> for Duffing {
+    fn derivative(&self, time: f64, [place, speed]: &[f64; 2], rate: &mut [f64; 2]) {
+        let stiffness = 1.0 + 0.5 * time.sin();
+        *rate = [*speed, (2.0 * time).cos() - stiffness * place.powi(3)];
+    }
+
+    fn is_second_order(&self) -> bool {
+        true
+    }
+}
+
+const START: [f64; 2] = [1.0, 0.0];
+
+/// The walk over a time in so many equal steps.
+fn walked<P: Pair>(steps: u32, time: f64) -> Walk<2> {
+    let (stop, scaling) = (AtomicBool::new(false), Scaling::IDENTITY);
+    let settings = Settings {
+        method: Method::Verner76,
+        tolerance: 1.0,
+        step_limit: u64::MAX,
+    };
+    let course = Course {
+        system: &Duffing,
+        scaling: &scaling,
+        settings: &settings,
+        stop: &stop,
+        end: 100.0,
+        slack: 1e-9,
+    };
+    let mut walk = Walk::new(START);
+    for step in 1..=steps {
+        walk.begin::<P, _>(&course);
+        walk.size = time / f64::from(steps);
+        walk.trial::<P, _>(&course);
+        walk.time = time * f64::from(step) / f64::from(steps);
+        walk.finish::<P, _>(&course);
+    }
+    walk.extend::<P, _>(&course);
+    walk
+}
+
+fn distance([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    (a - c).abs().max((b - d).abs())
+}
+
+/// Slope of log error over log step, from an error and that at half the step.
+fn order(coarse: f64, fine: f64) -> f64 {
+    (coarse / fine).log2()
+}
+
+fn steps_have_order<P: Pair>(steps: u32) {
+    let truth = walked::<Dop853>(4000, 4.0).to;
+    let error = |steps| distance(walked::<P>(steps, 4.0).to, truth);
+    let observed = order(error(steps), error(2 * steps));
+    // one more where the error of the next order dominates
+    let excess = observed - f64::from(P::ORDER);
+    assert!((-0.6..1.6).contains(&excess), "observed {observed}");
+}
+
+#[test]
+fn equal_steps_converge_with_the_order_of_the_method() {
+    steps_have_order::<Tsit5>(320);
+    steps_have_order::<Verner76>(20);
+    steps_have_order::<Dop853>(30);
+}
+
+/// Fall of the error within a first step as the step is halved.
+fn order_within(size: f64, state: impl Fn(f64) -> [f64; 2]) -> f64 {
+    let error = |size: f64| {
+        let truth = walked::<Dop853>(200, 0.4 * size).to;
+        distance(state(size), truth)
+    };
+    order(error(size), error(0.5 * size))
+}
+
+/// Of one step the error falls with the order of the interpolant plus one.
+#[test]
+fn states_within_a_step_have_the_order_of_the_interpolant() {
+    fn own<P: Pair>(size: f64) -> f64 {
+        order_within(size, |size| walked::<P>(1, size).by_stages::<P>(0.4 * size))
+    }
+    let found = [own::<Tsit5>(0.2), own::<Verner76>(0.3), own::<Dop853>(0.6)];
+    for (found, order) in found.into_iter().zip([4.0, 6.0, 7.0]) {
+        let excess = found - order - 1.0;
+        assert!((-0.6..1.6).contains(&excess), "order {order}: {found}");
+    }
+}
+
+#[test]
+fn the_velocity_of_the_quintic_has_order_four_and_gains_one_within_a_step() {
+    let observed = order_within(0.2, |size| {
+        walked::<Dop853>(1, size).by_quintic(0.4 * size, Dop853::LAST)
+    });
+    assert!((observed - 5.0).abs() < 0.8, "{observed}");
+}
+
+/// Its error shows in the jump of q‴ from step to step.
+#[test]
+fn the_quintic_knows_its_error() {
+    const STEEPEST: f64 = 0.276_393_2;
+    for steps in [40, 80] {
+        let size = 4.0 / f64::from(steps);
+        let before = walked::<Dop853>(steps - 1, 4.0 - size);
+        let walk = walked::<Dop853>(steps, 4.0);
+        let [start, end] = walk.ends(0, Dop853::LAST);
+        let jerk = Quintic::new(size, start, end).jerks()[0] / size.powi(3);
+        let [place, velocity] = quintic::errors(jerk - before.jerk[0], size, size);
+        let off = |part: f64, index: usize| {
+            let time = walk.start + part * size;
+            let own = walk.by_stages::<Dop853>(time);
+            (walk.by_quintic(time, Dop853::LAST)[index] - own[index]).abs()
+        };
+        for ratio in [place / off(0.5, 0), velocity / off(STEEPEST, 1)] {
+            assert!((0.5..2.0).contains(&ratio), "{steps} steps: {ratio}");
+        }
+    }
+}
