@@ -121,6 +121,13 @@ impl BearingSpec {
         self.contact.unwrap_or(model.contact)
     }
 
+    /// The oil of the bearing, or of both of a set, whether its films are simulated or not.
+    pub fn oils(&self) -> impl Iterator<Item = Option<Oil>> + use<> {
+        let oil = self.oil.as_ref().map(OilSpec::build);
+        let count = if self.arrangement.is_some() { 2 } else { 1 };
+        std::iter::repeat_n(oil, count)
+    }
+
     /// The mounted bearing, or both of a set, as far as nothing contradicts it.
     pub fn build(
         &self,

@@ -50,13 +50,19 @@ impl IntegratorSpec {
     /// Method, tolerance and limit.
     pub fn build(&self) -> Settings {
         Settings {
-            method: match self.method {
-                MethodChoice::Dopri5 => Method::Dopri5,
-                MethodChoice::Dop853 => Method::Dop853,
-                MethodChoice::Rodas => Method::Rodas,
-            },
+            method: self.method.into(),
             tolerance: self.tolerance,
             step_limit: self.step_limit,
+        }
+    }
+}
+
+impl From<MethodChoice> for Method {
+    fn from(choice: MethodChoice) -> Self {
+        match choice {
+            MethodChoice::Dopri5 => Self::Dopri5,
+            MethodChoice::Dop853 => Self::Dop853,
+            MethodChoice::Rodas => Self::Rodas,
         }
     }
 }

@@ -16,7 +16,7 @@ use super::statics::StaticSpec;
 use super::study::StudySpec;
 use super::time::TimeSpec;
 use super::torsion::TorsionSpec;
-use crate::bearing::MountedBearing;
+use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
 use crate::scenario::Issue;
@@ -77,6 +77,8 @@ pub struct Questions {
     pub question: StaticQuestion,
     /// How it moves, where `[time]` is given.
     pub model: Option<Model>,
+    /// Oil of each bearing.
+    pub oils: Vec<Option<Oil>>,
 }
 
 impl ScenarioSpec {
@@ -96,6 +98,7 @@ impl ScenarioSpec {
                 torsion: self.shaft.torsion.as_ref().map(TorsionSpec::build),
             },
             model,
+            oils: self.bearing.iter().flat_map(BearingSpec::oils).collect(),
         })
     }
 
