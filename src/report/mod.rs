@@ -1,5 +1,6 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
+mod accuracy;
 mod ball_trace_csv;
 mod columns;
 pub mod compare;
@@ -23,6 +24,7 @@ mod summary;
 mod text;
 mod trace_csv;
 
+pub use accuracy::{accuracy_json, accuracy_text, write_accuracy};
 pub use ball_trace_csv::BallTraceCsv;
 pub use decimator::{Bucket, Decimator};
 pub use error::{FileAction, ReportError};

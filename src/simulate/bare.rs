@@ -59,9 +59,7 @@ impl<'a> BareRun<'a> {
         Const<N>: Square,
     {
         let model = self.model;
-        let scale = self
-            .rotor
-            .motion_scale(reference_settings(model).tolerance);
+        let scale = self.rotor.motion_scale(reference_settings(model).tolerance);
         let grid = sampling::grid(model, &self.rotor)?;
         let (scaling, state) = (system.scaling(&scale), system.start());
         let mut integration =

@@ -182,7 +182,11 @@ pub(super) fn measure(
             Ok(model) => match run(&model, truth.as_ref(), settle, stop) {
                 Err(error) if is_interrupted(&error) => return Err(error),
                 Err(error) => Err(error.to_string()),
-                Ok(Ran { cost, errors, trial }) => {
+                Ok(Ran {
+                    cost,
+                    errors,
+                    trial,
+                }) => {
                     if truth.is_none() {
                         top = Some(climb.configuration);
                         let scale = vibration(&trial);

@@ -101,7 +101,12 @@ impl Question<'_> {
     pub fn measure(&self, watch: &mut Watch<'_>) -> Result<Accuracy, AccuracyError> {
         let rotor = Rotor::assemble(&self.model.rotor).map_err(SimulateError::from)?;
         let scale = rotor.motion_scale(self.model.integrator.tolerance);
-        let view = View::new(&rotor, &scale, self.model.settle, samples(self.model, &rotor));
+        let view = View::new(
+            &rotor,
+            &scale,
+            self.model.settle,
+            samples(self.model, &rotor),
+        );
         let climbs = ladder::plan(self.model, self.oils);
         let parts = (2 + self.methods.len() + climbs.len()) as f64;
         let mut done = 0.0;

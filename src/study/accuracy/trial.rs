@@ -98,7 +98,8 @@ impl Trial {
     pub fn line_error(&self, truth: &Self) -> Option<f64> {
         let labelled = truth.peaks.iter().filter(|peak| peak.line.is_some());
         let strong = labelled.filter(|peak| peak.amplitude >= WEAKEST_LINE * truth.strongest(peak));
-        let errors = strong.map(|peak| (self.amplitude(peak) - peak.amplitude).abs() / peak.amplitude);
+        let errors =
+            strong.map(|peak| (self.amplitude(peak) - peak.amplitude).abs() / peak.amplitude);
         errors.reduce(f64::max)
     }
 
