@@ -2,8 +2,12 @@
 //! and in many configurations.
 
 pub mod accuracy;
+mod contact_choice;
 mod rung;
 
+pub use contact_choice::{
+    ContactChoice, ContactQuestion, Difference, RungDifference, choose_contact,
+};
 pub use rung::Rung;
 
 use crate::bearing::Around;
