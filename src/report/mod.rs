@@ -4,6 +4,7 @@ mod accuracy;
 mod ball_trace_csv;
 mod columns;
 pub mod compare;
+mod contact_choice;
 mod decimator;
 mod error;
 mod events_csv;
@@ -26,6 +27,7 @@ mod trace_csv;
 
 pub use accuracy::{accuracy_json, accuracy_text, write_accuracy};
 pub use ball_trace_csv::BallTraceCsv;
+pub use contact_choice::{contact_choice_json, contact_choice_text};
 pub use decimator::{Bucket, Decimator};
 pub use error::{FileAction, ReportError};
 pub use events_csv::{EVENT_COLUMNS, EventsCsv};

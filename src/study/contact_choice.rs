@@ -7,9 +7,10 @@
 //! The points are the static equilibria at the speeds of the scene (at the start, the highest, and after
 //! the settle time), and around each, along every freedom that moves, the motion that is estimated from
 //! unbalance, varying loads and passing balls; each with the balls at four places of the cage where it
-//! rolls. Forces are compared at the same displacement, relative to the largest force that a bearing
-//! bears there, or to what the motion changes it by where that is more; stiffnesses relative to the
-//! largest one.
+//! rolls. Three differences count: of the force at the same displacement, relative to the largest force
+//! that a bearing bears there or to what the motion changes it by where that is more; of what the force
+//! changes by from the equilibrium, relative to that change, for this is what a vibration is made of;
+//! and of the stiffness, relative to the largest one.
 //!
 //! What that does not promise: a difference in stiffness of one in a thousand moves a resonance by half
 //! of that, and shifts the response near a lightly damped one by much more; traces of an irregular
@@ -78,25 +79,31 @@ pub struct RungDifference {
 pub struct Difference {
     /// Of the force, relative to the force on a bearing.
     pub force: f64,
+    /// Of the change of the force from the equilibrium, relative to the change in motion; zero where
+    /// nothing moves.
+    pub change: f64,
     /// Of the stiffness, relative to the largest.
     pub stiffness: f64,
-    /// Speed at which the larger of the two is largest, rad/s.
+    /// Speed at which the largest of these is found, rad/s.
     pub speed: f64,
 }
 
 impl Difference {
-    /// The larger of force and stiffness.
+    /// The largest of the three.
     pub fn largest(&self) -> f64 {
-        self.force.max(self.stiffness)
+        self.force.max(self.change).max(self.stiffness)
     }
 }
 
 /// A speed, and the places of the shaft at it.
 struct Point {
     speed: f64,
+    /// The equilibrium first.
     places: Vec<Vector5>,
     /// Force that differences are relative to, N.
     force: f64,
+    /// What the motion changes it by, N.
+    change: f64,
 }
 
 /// The bearings under some law.
@@ -257,9 +264,11 @@ fn point(
     });
     let changes = (0..steady.shaft.freedoms.count())
         .map(|axis| reach * stiffness[(axis, axis)] / lever(axis, arm).powi(2));
+    let change = largest(changes);
     Ok(Point {
         speed,
-        force: largest(supports.iter().map(bears)).max(largest(changes)),
+        force: largest(supports.iter().map(bears)).max(change),
+        change,
         places,
     })
 }
@@ -325,37 +334,50 @@ fn difference(
 ) -> Difference {
     let kept = rotor.shaft.freedoms.count();
     let arm = Support::largest(&top.supports, Geometry::inner_groove_radius);
+    let apart = |place: &Vector5, part: f64, speed: f64| {
+        let (own, own_stiffness) = candidate.tangent(place, part, speed);
+        let (truth, true_stiffness) = top.tangent(place, part, speed);
+        let force: Vec<f64> = (0..kept)
+            .map(|axis| (own[axis] - truth[axis]) / lever(axis, arm))
+            .collect();
+        let stiffness = relative(
+            stiffest(&(own_stiffness - true_stiffness), kept, arm),
+            stiffest(&true_stiffness, kept, arm),
+        );
+        (force, stiffness)
+    };
     let mut found = Difference::default();
     for point in points {
-        let rolls = rotor.cage == CageMotion::Rolling && point.speed > 0.0;
+        let moves = point.places.len() > 1;
+        let rolls = moves && rotor.cage == CageMotion::Rolling && point.speed > 0.0;
+        let before = found.largest();
+        let (rest, _) = apart(&point.places[0], 0.0, point.speed);
         for cage in 0..if rolls { CAGE_PLACES } else { 1 } {
             let part = cage as f64 / CAGE_PLACES as f64;
             for place in &point.places {
-                let (own, own_stiffness) = candidate.tangent(place, part, point.speed);
-                let (true_force, true_stiffness) = top.tangent(place, part, point.speed);
-                let force = largest(
-                    (0..kept).map(|axis| (own[axis] - true_force[axis]) / lever(axis, arm)),
-                );
-                let entries = |matrix: &Matrix5| {
-                    let scaled = |(row, column): (usize, usize)| {
-                        matrix[(row, column)] / (lever(row, arm) * lever(column, arm))
-                    };
-                    let all = (0..kept).flat_map(|row| (0..kept).map(move |column| (row, column)));
-                    largest(all.map(scaled))
-                };
-                let stiffness = entries(&(own_stiffness - true_stiffness));
-                let before = found.largest();
-                found.force = found.force.max(relative(force, point.force));
-                found.stiffness = found
-                    .stiffness
-                    .max(relative(stiffness, entries(&true_stiffness)));
-                if found.largest() > before {
-                    found.speed = point.speed;
+                let (force, stiffness) = apart(place, part, point.speed);
+                found.force = found
+                    .force
+                    .max(relative(largest(force.iter().copied()), point.force));
+                found.stiffness = found.stiffness.max(stiffness);
+                if moves {
+                    let change = force.iter().zip(&rest).map(|(here, rest)| here - rest);
+                    let change = relative(largest(change), point.change);
+                    found.change = found.change.max(change);
                 }
             }
         }
+        if found.largest() > before {
+            found.speed = point.speed;
+        }
     }
     found
+}
+
+/// Largest entry of the kept freedoms as that of a force by a displacement, N/m.
+fn stiffest(matrix: &Matrix5, kept: usize, arm: f64) -> f64 {
+    let all = (0..kept).flat_map(|row| (0..kept).map(move |column| (row, column)));
+    largest(all.map(|(row, column)| matrix[(row, column)] / (lever(row, arm) * lever(column, arm))))
 }
 
 /// Nothing differs by nothing; something from nothing by all.

@@ -6,7 +6,7 @@ use super::super::ReportError;
 use super::super::figure::{Area, DrawError, GRID, INK, LINE, font, px, svg};
 use super::super::figure_curves::{distinct, draw_names};
 use super::log_axis::{LogAxis, tick_name};
-use crate::study::accuracy::{Accuracy, LadderRow, Measured};
+use crate::study::accuracy::{Accuracy, Agreement, LadderRow, Measured};
 
 /// Height of a panel, px.
 const PANEL_HEIGHT: u32 = 380;
@@ -21,29 +21,54 @@ const GREY: RGBColor = RGBColor(150, 150, 150);
 /// Colours that there are; curves beyond them differ by their marks.
 const COLOURS: usize = 5;
 
-/// A horizontal axis.
-type Against = (&'static str, fn(&Measured) -> f64);
+/// Quantity on an axis and its name.
+type Axis = (&'static str, fn(&Measured) -> Option<f64>);
 
-const AXES: [Against; 3] = [
-    ("time of the integration in ms", |measured| {
-        1e3 * measured.cost.seconds
-    }),
-    ("evaluations of the right-hand side", |measured| {
-        measured.cost.counters.evaluations as f64
-    }),
-    ("steps, accepted and rejected", |measured| {
-        let counters = &measured.cost.counters;
-        (counters.steps + counters.rejected) as f64
-    }),
-];
+const TIME: Axis = ("time of the integration in ms", |measured| {
+    Some(1e3 * measured.cost.seconds)
+});
+const EVALUATIONS: Axis = ("evaluations of the right-hand side", |measured| {
+    Some(measured.cost.counters.evaluations as f64)
+});
+const STEPS: Axis = ("steps, accepted and rejected", |measured| {
+    let counters = &measured.cost.counters;
+    Some((counters.steps + counters.rejected) as f64)
+});
+const DISPLACEMENT: Axis = ("error in displacement", |measured| {
+    Some(measured.errors.displacement_relative)
+});
+const FORCE: Axis = ("error in force", |measured| {
+    Some(measured.errors.force_relative)
+});
+const RMS: Axis = ("error in rms of displacement", |measured| {
+    Some(measured.errors.statistics.rms)
+});
+const FORCE_RMS: Axis = ("error in rms of force", |measured| {
+    Some(measured.errors.force_statistics.rms)
+});
+const LINES: Axis = ("error in labelled lines", |measured| measured.errors.lines);
 
-/// What is plotted as the error: of the trace, or of the rms where traces mean nothing.
-fn error(accuracy: &Accuracy, measured: &Measured) -> f64 {
-    if accuracy.agreement.irregular {
-        measured.errors.statistics.rms
+/// What is plotted over what, and the uncertainty of it: of traces, or of their rms where they mean
+/// nothing.
+fn panels(agreement: &Agreement) -> [(Axis, Axis, Option<f64>); 5] {
+    let (scatter, uncertainty) = (&agreement.scatter, &agreement.uncertainty);
+    let (displacement, force) = if agreement.irregular {
+        let limits = (scatter.statistics.rms, scatter.force_statistics.rms);
+        ((RMS, Some(limits.0)), (FORCE_RMS, Some(limits.1)))
     } else {
-        measured.errors.displacement_relative
-    }
+        let limits = (
+            uncertainty.displacement_relative,
+            uncertainty.force_relative,
+        );
+        ((DISPLACEMENT, Some(limits.0)), (FORCE, Some(limits.1)))
+    };
+    [
+        (TIME, displacement.0, displacement.1),
+        (EVALUATIONS, displacement.0, displacement.1),
+        (STEPS, displacement.0, displacement.1),
+        (TIME, force.0, force.1),
+        (TIME, LINES, uncertainty.lines),
+    ]
 }
 
 /// Points of a method from the loosest tolerance to the tightest.
@@ -67,16 +92,16 @@ pub(super) fn methods(title: &str, accuracy: &Accuracy) -> Result<String, Report
         .collect();
     svg(
         "accuracy.svg",
-        HEAD_HEIGHT + 2 * PANEL_HEIGHT,
+        HEAD_HEIGHT + 3 * PANEL_HEIGHT,
         title,
         |area| {
             let (strip, below) = area.split_vertically(px(24));
             draw_names(&strip, &names)?;
-            let panels = below.split_evenly((2, 2));
-            for (against, panel) in AXES.iter().zip(&panels) {
-                draw_methods(panel, accuracy, &methods, *against)?;
+            let areas = below.split_evenly((3, 2));
+            for (panel, area) in panels(&accuracy.agreement).iter().zip(&areas) {
+                draw_methods(area, accuracy, &methods, panel)?;
             }
-            draw_reading(&panels[3], accuracy)
+            draw_reading(&areas[5], accuracy)
         },
     )
 }
@@ -85,7 +110,7 @@ fn draw_methods(
     area: &Area,
     accuracy: &Accuracy,
     methods: &[&str],
-    (x_name, x): Against,
+    ((x_name, x), (y_name, y), uncertainty): &(Axis, Axis, Option<f64>),
 ) -> Result<(), DrawError> {
     let all = || {
         accuracy
@@ -93,8 +118,8 @@ fn draw_methods(
             .iter()
             .filter_map(|row| row.result.as_ref().ok())
     };
-    let x_axis = LogAxis::of(all().map(x));
-    let y_axis = LogAxis::of(all().map(|measured| error(accuracy, measured)));
+    let x_axis = LogAxis::of(all().filter_map(x));
+    let y_axis = LogAxis::of(all().filter_map(y));
     let (x_place, y_place) = (x_axis.clone(), y_axis.clone());
     let mut chart = ChartBuilder::on(area)
         .margin_top(px(10))
@@ -111,18 +136,20 @@ fn draw_methods(
         .y_labels(y_place.count())
         .x_label_formatter(&tick_name)
         .y_label_formatter(&tick_name)
-        .x_desc(x_name)
-        .y_desc(error_name(accuracy))
+        .x_desc(*x_name)
+        .y_desc(*y_name)
         .axis_style(INK)
         .label_style(font(12))
         .axis_desc_style(font(13))
         .draw()?;
-    let uncertainty = y_place.place(uncertainty(accuracy));
-    let ends = [x_place.range.start, x_place.range.end].map(|end| (end, uncertainty));
-    chart.draw_series(LineSeries::new(ends, GREY.stroke_width(LINE)))?;
+    if let Some(uncertainty) = uncertainty {
+        let uncertainty = y_place.place(*uncertainty);
+        let ends = [x_place.range.start, x_place.range.end].map(|end| (end, uncertainty));
+        chart.draw_series(LineSeries::new(ends, GREY.stroke_width(LINE)))?;
+    }
     for (index, method) in methods.iter().enumerate() {
         let points: Vec<(f64, f64)> = measured(accuracy, method)
-            .map(|row| (x_place.place(x(row)), y_place.place(error(accuracy, row))))
+            .filter_map(|row| Some((x_place.place(x(row)?), y_place.place(y(row)?))))
             .collect();
         let colour = distinct(index);
         let line = points.iter().copied();
@@ -137,23 +164,6 @@ fn draw_methods(
         }
     }
     Ok(())
-}
-
-fn error_name(accuracy: &Accuracy) -> &'static str {
-    if accuracy.agreement.irregular {
-        "error of the rms, relative to the motion"
-    } else {
-        "largest error, relative to the motion"
-    }
-}
-
-fn uncertainty(accuracy: &Accuracy) -> f64 {
-    let agreement = &accuracy.agreement;
-    if agreement.irregular {
-        agreement.scatter.statistics.rms
-    } else {
-        agreement.uncertainty.displacement_relative
-    }
 }
 
 /// What the figure rests on, in words.
@@ -171,6 +181,8 @@ fn draw_reading(area: &Area, accuracy: &Accuracy) -> Result<(), DrawError> {
         format!("compared with {other} at {tightness:e}."),
         grey.to_owned(),
         format!("Motion: {:.4} µm.", 1e6 * agreement.scale.displacement),
+        "Errors are relative to it, those of forces to their change,".to_owned(),
+        "those of lines to each line.".to_owned(),
         "Along a curve, the tolerance falls.".to_owned(),
     ];
     for (index, line) in lines.into_iter().enumerate() {
@@ -192,8 +204,11 @@ pub(super) fn ladder(title: &str, accuracy: &Accuracy) -> Result<String, ReportE
     svg("ladder.svg", height, title, |area| {
         let (names, rest) = area.split_horizontally(px(RUNG_NAMES));
         let (left, right) = rest.split_horizontally(rest.dim_in_pixel().0 / 2);
+        // the panels beside the names have a margin above and their axis below
+        let height = names.dim_in_pixel().1.saturating_sub(px(54));
         for (index, row) in rows.iter().enumerate() {
-            let middle = px(10 + RUNG_HEIGHT * index as u32 + RUNG_HEIGHT / 2 - 7) as i32;
+            let place = (2 * index as u32 + 1) * height / (2 * rows.len() as u32);
+            let middle = (px(10) + place) as i32 - px(7) as i32;
             let name = row.configuration.to_string();
             names.draw(&Text::new(name, (px(10) as i32, middle), font(12)))?;
         }
@@ -214,9 +229,9 @@ pub(super) fn ladder(title: &str, accuracy: &Accuracy) -> Result<String, ReportE
         let differences: Vec<_> = rows.iter().map(|row| difference(row)).collect();
         draw_dots(&left, "ms per simulated second", &costs, 0)?;
         let name = if accuracy.agreement.irregular {
-            "difference of the rms from the top rung"
+            "difference of the rms from the top"
         } else {
-            "rms difference from the top rung"
+            "vibration: rms difference from the top"
         };
         draw_dots(&right, name, &differences, 1)
     })

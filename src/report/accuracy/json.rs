@@ -15,8 +15,10 @@ pub fn accuracy_json(title: &str, scenario: &Value, accuracy: &Accuracy) -> Valu
         "methods": accuracy.rows.iter().map(method).collect::<Value>(),
         "ladder": {
             "top": accuracy.ladder.top.map(|top| top.to_string()),
-            "meaning": "root mean square differences from the top rung after the settle time, relative \
-                        to the root mean square of its vibration",
+            "meaning": "differences from the top rung after the settle time, relative to the root mean \
+                        square of its vibration: of traces the root mean square about the mean; the \
+                        mean, by which the shaft vibrates about another place, is that of the \
+                        statistics",
             "rungs": accuracy.ladder.rows.iter().map(|row| rung(row, duration)).collect::<Value>(),
         },
     })

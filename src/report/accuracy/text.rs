@@ -99,12 +99,11 @@ fn methods(accuracy: &Accuracy) -> String {
         "steps\n",
         "rejected\n",
     ];
-    let errors = error_header(irregular, "error");
+    let errors = error_header(irregular);
     let measured = |row: &Row| {
         let measured = row.result.as_ref().ok()?;
         Some(method_cells(row, measured, irregular))
     };
-    let errors: Vec<&str> = errors.iter().map(String::as_str).collect();
     let header = first.into_iter().chain(errors);
     let rows = accuracy.rows.iter().filter_map(measured);
     let mut text = table(header, rows).trim_fmt();
@@ -125,17 +124,12 @@ fn is_within(row: &Row) -> bool {
 }
 
 /// Titles of three columns: of traces, or of statistics where traces mean nothing.
-fn error_header(irregular: bool, what: &str) -> [String; 3] {
-    let names = if irregular {
-        ["in mean", "in rms", "in peak"]
+fn error_header(irregular: bool) -> [&'static str; 3] {
+    if irregular {
+        ["error\nin mean", "\nin rms", "\nin peak"]
     } else {
-        ["displacement", "force", "lines"]
-    };
-    [
-        format!("{what}\n{}", names[0]),
-        format!("\n{}", names[1]),
-        format!("\n{}", names[2]),
-    ]
+        ["error\ndisplacement", "\nforce", "\nlines"]
+    }
 }
 
 fn error_cells(errors: &Errors, irregular: bool, mark: &str) -> Vec<String> {
@@ -198,40 +192,49 @@ fn write_least_time(out: &mut String, accuracy: &Accuracy) -> fmt::Result {
 }
 
 fn ladder(accuracy: &Accuracy) -> String {
-    let irregular = accuracy.agreement.irregular;
-    let errors = error_header(irregular, "from the top");
+    let vibration = if accuracy.agreement.irregular {
+        ["\nrms", "\npeak", "force\nrms"]
+    } else {
+        ["\nvibration", "\nforce", "\nlines"]
+    };
     let header = [
         "model, cage, freedoms\n",
         "\n",
         "ms per\nsimulated s",
-        "evaluations\nper ms",
+        "from the top\nplace",
     ];
-    let errors: Vec<&str> = errors.iter().map(String::as_str).collect();
-    let header = header.into_iter().chain(errors);
     let cells = |row: &LadderRow| ladder_cells(row, accuracy);
-    table(header, accuracy.ladder.rows.iter().filter_map(cells)).trim_fmt()
+    let rows = accuracy.ladder.rows.iter().filter_map(cells);
+    let mut text = table(header.into_iter().chain(vibration), rows).trim_fmt();
+    text += "\nrelative to the rms of the top rung's vibration after the settle time; place: of its middle";
+    text
 }
 
 fn ladder_cells(row: &LadderRow, accuracy: &Accuracy) -> Option<Vec<String>> {
     let (cost, errors) = row.result.as_ref().ok()?;
     let is_top = accuracy.ladder.top == Some(row.configuration);
     let mark = match (is_top, row.as_written) {
-        (true, true) => "top, as written",
+        (true, true) => "top, written",
         (true, false) => "top",
-        (false, true) => "as written",
+        (false, true) => "written",
         (false, false) => "",
     };
-    let mut cells = vec![
+    let statistics = &errors.statistics;
+    let apart = if accuracy.agreement.irregular {
+        let force = short(errors.force_statistics.rms);
+        [short(statistics.rms), short(statistics.peak), force]
+    } else {
+        let lines = errors.lines.map_or_else(dash, short);
+        let [vibration, force] = [errors.displacement_relative, errors.force_relative].map(short);
+        [vibration, force, lines]
+    };
+    let cells = [
         row.configuration.to_string(),
         mark.to_owned(),
         time(MILLI * cost.seconds / accuracy.duration),
-        format!(
-            "{:.0}",
-            cost.counters.evaluations as f64 / (MILLI * cost.seconds)
-        ),
+        short(statistics.mean),
     ];
-    cells.extend(error_cells(errors, accuracy.agreement.irregular, ""));
-    Some(cells)
+    Some(cells.into_iter().chain(apart).collect())
 }
 
 fn write_notes<'a>(

@@ -57,8 +57,8 @@ pub struct Errors {
 pub(super) enum Norm {
     /// The largest at any instant.
     Largest,
-    /// The root mean square over time.
-    Rms,
+    /// The root mean square over time, about the mean of the difference.
+    Vibration,
 }
 
 impl Errors {
@@ -80,7 +80,7 @@ impl Errors {
     fn of(distance: &Distance, scale: &Scale, norm: Norm) -> Self {
         let [displacement, force] = match norm {
             Norm::Largest => distance.largest,
-            Norm::Rms => distance.rms,
+            Norm::Vibration => distance.vibration,
         };
         let [statistics, force_statistics] = distance.statistics;
         Self {

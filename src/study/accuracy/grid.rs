@@ -7,7 +7,7 @@ use super::reference::Reference;
 use super::trace::View;
 use super::trial::{Cost, measure, observe, with};
 use super::{AccuracyError, NamedMethod, Question, is_interrupted};
-use crate::simulate::SimulateError;
+use crate::simulate::{Model, SimulateError};
 
 /// How much longer the next tolerance is taken to run where only one has been: an order of three.
 const NEXT_TAKES: f64 = 2.2;
@@ -49,7 +49,7 @@ pub(super) fn rows(
     for &tolerance in question.tolerances {
         let result = if expected > question.longest {
             Err(format!(
-                "left out: would take about {expected:.0} s, more than {} s",
+                "left out: would take about {expected:.1} s, more than {} s",
                 question.longest
             ))
         } else {
@@ -75,7 +75,7 @@ pub(super) fn rows(
 }
 
 fn one(
-    model: &crate::simulate::Model,
+    model: &Model,
     reference: &Reference,
     view: View,
     stop: &AtomicBool,

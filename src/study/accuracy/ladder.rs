@@ -94,8 +94,9 @@ pub struct LadderRow {
     /// Whether it is the scene as it is written.
     pub as_written: bool,
     /// What it costs and how far it is from the top rung after the settle time, or why it is not
-    /// available. Differences of traces are root mean squares, relative to the largest root mean
-    /// square of the vibration of the top rung.
+    /// available. All is relative to the largest root mean square of the vibration of the top rung:
+    /// differences of traces are root mean squares about their mean, and that mean, by which the
+    /// shaft vibrates about another place, is the difference of the means in the statistics.
     pub result: Result<(Cost, Errors), String>,
 }
 
@@ -224,8 +225,8 @@ fn run(
     let view = View::new(&rotor, &scale, model.settle, super::samples(model, &rotor));
     let trial = observe(model, view, stop)?;
     let errors = match truth {
-        Some((truth, scale)) => Errors::between(&trial, truth, scale, Norm::Rms, from),
-        None => Errors::between(&trial, &trial, &vibration(&trial), Norm::Rms, from),
+        Some((truth, scale)) => Errors::between(&trial, truth, scale, Norm::Vibration, from),
+        None => Errors::between(&trial, &trial, &vibration(&trial), Norm::Vibration, from),
     };
     let cost = measure_cost(model, stop)?;
     Ok(Ran {

@@ -140,8 +140,8 @@ pub(super) struct Trace {
 pub(super) struct Distance {
     /// Largest at any instant.
     pub largest: [f64; 2],
-    /// Root mean square over time, of the freedom where it is largest.
-    pub rms: [f64; 2],
+    /// Root mean square of the difference about its mean, of the freedom where it is largest.
+    pub vibration: [f64; 2],
     /// Of the statistics, the freedom where it is largest.
     pub statistics: [Statistics; 2],
 }
@@ -184,19 +184,18 @@ impl Trace {
         let first = self.times.partition_point(|time| *time < from);
         for (quantity, axis, lever) in truth.channels() {
             let pairs = self.points.iter().zip(&truth.points).skip(first);
-            let (mut squares, mut count, mut largest) = (0.0, 0.0_f64, 0.0_f64);
+            let (mut apart, mut largest) = (Sums::default(), 0.0_f64);
             for (left, right) in pairs {
-                let apart = lever * (left[quantity][axis] - right[quantity][axis]).abs();
-                squares += apart * apart;
-                count += 1.0;
-                largest = largest.max(apart);
+                let difference = lever * (left[quantity][axis] - right[quantity][axis]);
+                apart.add(difference);
+                largest = largest.max(difference.abs());
             }
-            let rms = (squares / count.max(1.0)).sqrt();
+            let vibration = apart.finish().rms;
             let statistics = self.statistics(quantity, axis);
             let statistics = statistics.distance(&truth.statistics(quantity, axis));
             let statistics = statistics.times(lever);
             distance.largest[quantity] = distance.largest[quantity].max(largest);
-            distance.rms[quantity] = distance.rms[quantity].max(rms);
+            distance.vibration[quantity] = distance.vibration[quantity].max(vibration);
             distance.statistics[quantity] = distance.statistics[quantity].larger(&statistics);
         }
         distance
