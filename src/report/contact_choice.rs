@@ -44,7 +44,7 @@ fn difference(choice: &ContactChoice, rung: Rung) -> Option<f64> {
 fn rung_text(rung: &RungDifference) -> String {
     match &rung.result {
         Ok(difference) => format!(
-            "{:<12}  force {:.1e}, its change {:.1e}, stiffness {:.1e}, worst at {:.1} rad/s",
+            "{:<12}  force {:.1e}, change {:.1e}, stiffness {:.1e}, worst at {:.1} rad/s",
             rung.rung.to_string(),
             difference.force,
             difference.change,

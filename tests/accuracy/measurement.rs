@@ -106,7 +106,7 @@ fn the_top_rung_has_all_that_the_file_gives() {
                pressure_viscosity = \"22 1/GPa\"\n";
     let scene = text("500 rad/s", "contact = \"hertz\"", "");
     let scene = scene.replace("[[bearing]]\ncatalogue = \"7205C\"\n", oil);
-    let scene = scene.replace("0.03 s", "0.012 s");
+    let scene = scene.replace("0.03 s", "0.024 s");
     let accuracy = measure(&read(&scene), &one("dopri5"), &[1e-4]);
     let top = accuracy.ladder.top.unwrap();
     assert_eq!(top.to_string(), "jones + film, rolling, translational");
