@@ -120,7 +120,10 @@ fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Shown, Fail
     let (title, echo) = (&scenario.title, &scenario.echo);
     let files = report::write_accuracy(&job.folder, title, echo, &accuracy)?;
     if !arguments.json {
-        return Ok(Shown::Text(report::accuracy_text(title, &accuracy, &files)));
+        let choice = scenario.contact_choice.as_ref();
+        let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
+        let text = report::accuracy_text(title, &accuracy, &files);
+        return Ok(Shown::Text(text + &chosen));
     }
     let mut answer = report::accuracy_json(title, echo, &accuracy);
     answer["files"] = files

@@ -204,14 +204,7 @@ pub(super) fn ladder(title: &str, accuracy: &Accuracy) -> Result<String, ReportE
     svg("ladder.svg", height, title, |area| {
         let (names, rest) = area.split_horizontally(px(RUNG_NAMES));
         let (left, right) = rest.split_horizontally(rest.dim_in_pixel().0 / 2);
-        // the panels beside the names have a margin above and their axis below
-        let height = names.dim_in_pixel().1.saturating_sub(px(54));
-        for (index, row) in rows.iter().enumerate() {
-            let place = (2 * index as u32 + 1) * height / (2 * rows.len() as u32);
-            let middle = (px(10) + place) as i32 - px(7) as i32;
-            let name = row.configuration.to_string();
-            names.draw(&Text::new(name, (px(10) as i32, middle), font(12)))?;
-        }
+        draw_rungs(&names, &rows)?;
         let cost = |row: &LadderRow| {
             let (cost, _) = row.result.as_ref().ok()?;
             Some(1e3 * cost.seconds / accuracy.duration)
@@ -235,6 +228,19 @@ pub(super) fn ladder(title: &str, accuracy: &Accuracy) -> Result<String, ReportE
         };
         draw_dots(&right, name, &differences, 1)
     })
+}
+
+/// The names of the rungs, each at the height of its dots.
+fn draw_rungs(area: &Area, rows: &[&LadderRow]) -> Result<(), DrawError> {
+    // the panels beside the names have a margin above and their axis below
+    let height = area.dim_in_pixel().1.saturating_sub(px(54));
+    for (index, row) in rows.iter().enumerate() {
+        let place = (2 * index as u32 + 1) * height / (2 * rows.len() as u32);
+        let middle = (px(10) + place) as i32 - px(7) as i32;
+        let name = row.configuration.to_string();
+        area.draw(&Text::new(name, (px(10) as i32, middle), font(12)))?;
+    }
+    Ok(())
 }
 
 /// A dot a row over one logarithmic axis; a row without a value has none.
