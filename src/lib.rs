@@ -11,7 +11,7 @@
 //! | [`cli`] | what was typed → exit code, one file a verb |
 //! | [`report`] | results → CSV, JSON, SVG |
 //! | [`scenario`] | text → checked, typed model; units; every message |
-//! | [`study`] | many static questions in a row |
+//! | [`study`] | many static questions in a row; speed against error; the law that a scene needs |
 //! | [`mod@simulate`] | the stair: a model in, a run out |
 //! | [`mod@quasi_static`] | the other stair: a static question in, an answer out; no time passes |
 //! | [`analysis`] | samples → spectra, peaks and their causes |

@@ -1,5 +1,6 @@
 //! The stair: a [`Model`] goes in, a [`Run`] comes out. No files, no clock, no printing.
 
+mod bare;
 mod energy_audit;
 mod model;
 mod observation;
@@ -15,6 +16,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::Const;
 
+pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
 pub use model::{Model, Sampling};
 pub use observation::{

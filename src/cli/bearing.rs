@@ -84,13 +84,16 @@ impl Job {
         let answer = quasi_static(&self.scenario.question)?;
         self.warn("", &answer);
         let files = report::write_answer(&self.folder, title, echo, &answer)?;
+        let choice = self.scenario.contact_choice.as_ref();
         Ok(if as_json {
-            Shown::Json(with_files(
-                report::answer_json(title, echo, &answer),
-                &files,
-            ))
+            let mut json = with_files(report::answer_json(title, echo, &answer), &files);
+            if let Some(choice) = choice {
+                json["contact_choice"] = report::contact_choice_json(choice);
+            }
+            Shown::Json(json)
         } else {
-            Shown::Text(report::answer_text(title, &answer, &files))
+            let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
+            Shown::Text(report::answer_text(title, &answer, &files) + &chosen)
         })
     }
 

@@ -3,6 +3,7 @@
 //!
 //! Results go to stdout, messages to stderr, each verb in its own file.
 
+mod accuracy;
 mod bearing;
 mod catalogue;
 mod check;
@@ -37,6 +38,7 @@ struct Arguments {
 enum Verb {
     Run(run::Arguments),
     Bearing(bearing::Arguments),
+    Accuracy(accuracy::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
@@ -79,6 +81,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let outcome = match verb {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),
+        Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),

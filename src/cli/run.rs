@@ -40,6 +40,9 @@ pub struct Arguments {
     /// Print the summary as JSON, with the wall time: an object, or an array for several files
     #[arg(long)]
     json: bool,
+    /// Leave out the second pass, which measures the error, whatever `[integrator] verify` says
+    #[arg(long)]
+    no_verify: bool,
     #[command(flatten)]
     parts: Parts,
 }
@@ -51,7 +54,8 @@ impl Arguments {
             Some("output") => String::new(),
             _ => format!(" --out {}", self.out.display()),
         };
-        format!("jeffcott run {}{out} --resume", job.name)
+        let verify = if self.no_verify { " --no-verify" } else { "" };
+        format!("jeffcott run {}{out}{verify} --resume", job.name)
     }
 }
 
@@ -107,13 +111,18 @@ struct Motion {
 /// after telling of all of them.
 fn motions(jobs: Vec<Job>, arguments: &Arguments) -> Option<Vec<Motion>> {
     let motion = |mut job: Job| {
-        let Some(model) = job.scenario.model.take() else {
+        let Some(mut model) = job.scenario.model.take() else {
             stream::tell(&format!(
                 "error: {}: `run` needs a table `[time]`; `jeffcott bearing` does without\n",
                 job.name
             ));
             return None;
         };
+        if arguments.no_verify {
+            model.verify = false;
+            // the summary tells what was run
+            job.scenario.echo["integrator"]["verify"] = false.into();
+        }
         match arguments.parts.restart(&job, &model) {
             Ok(restart) => Some(Motion {
                 job,
@@ -206,7 +215,8 @@ impl Motion {
             figures: output.figures,
         };
         let kept = self.model.rotor.shaft.freedoms.count();
-        RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)
+        let report = RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)?;
+        Ok(report.with_choice(self.job.scenario.contact_choice.as_ref()))
     }
 
     fn finish(&self, report: RunReport, run: Run, started: Instant) -> Result<Done, Failure> {
@@ -263,6 +273,9 @@ impl Done {
         let title = &motion.job.scenario.title;
         let text = report::text(title, &motion.model, &self.run, &self.files);
         stream::print(&text)?;
+        if let Some(choice) = &motion.job.scenario.contact_choice {
+            stream::print(&report::contact_choice_text(choice))?;
+        }
         stream::tell(&format!("done in {:.3} s\n", self.seconds));
         Ok(())
     }
@@ -271,6 +284,9 @@ impl Done {
         let Scenario { title, echo, .. } = &motion.job.scenario;
         let mut summary = report::summary(title, echo, &motion.model, &self.run);
         let files = self.files.iter().map(|file| file.display().to_string());
+        if let Some(choice) = &motion.job.scenario.contact_choice {
+            summary["contact_choice"] = report::contact_choice_json(choice);
+        }
         if let Value::Object(entries) = &mut summary {
             entries.insert("wall_time_s".to_owned(), self.seconds.into());
             entries.insert("files".to_owned(), files.collect());

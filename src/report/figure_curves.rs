@@ -136,7 +136,7 @@ pub(super) fn draw(
 }
 
 /// The names side by side, each behind a stroke of its colour; of many, some.
-fn draw_names(strip: &Area, names: &[(String, RGBColor)]) -> Result<(), DrawError> {
+pub(super) fn draw_names(strip: &Area, names: &[(String, RGBColor)]) -> Result<(), DrawError> {
     let shown = shown_names(names.len());
     let (width, height) = strip.dim_in_pixel();
     let room = width.saturating_sub(px(SCALE_WIDTH)) / shown.max(1) as u32;

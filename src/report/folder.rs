@@ -48,6 +48,12 @@ impl FileSet {
         ],
         spent: &[],
     };
+    /// What a measurement of speed against error leaves.
+    pub const ACCURACY: Self = Self {
+        seal: "accuracy.json",
+        others: &["accuracy.csv", "ladder.csv", "accuracy.svg", "ladder.svg"],
+        spent: &[],
+    };
     /// What a study leaves; a single answer of the same name does not outlive it.
     pub const STUDY: Self = Self {
         seal: "study.json",
@@ -87,6 +93,11 @@ impl RunFolder {
             path: path.to_owned(),
             set,
         })
+    }
+
+    /// Its path.
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     /// Starts the file `name` under its temporary name `.name.partial`.

@@ -1,8 +1,10 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
+mod accuracy;
 mod ball_trace_csv;
 mod columns;
 pub mod compare;
+mod contact_choice;
 mod decimator;
 mod error;
 mod events_csv;
@@ -23,7 +25,9 @@ mod summary;
 mod text;
 mod trace_csv;
 
+pub use accuracy::{accuracy_json, accuracy_text, write_accuracy};
 pub use ball_trace_csv::BallTraceCsv;
+pub use contact_choice::{contact_choice_json, contact_choice_text};
 pub use decimator::{Bucket, Decimator};
 pub use error::{FileAction, ReportError};
 pub use events_csv::{EVENT_COLUMNS, EventsCsv};

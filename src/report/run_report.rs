@@ -9,11 +9,12 @@ use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
 use super::sample_table::{SampleTable, TableKind};
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
-    RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, spectrum_figure, summary,
-    write_spectrum,
+    RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json, spectrum_figure,
+    summary, write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
+use crate::study::ContactChoice;
 
 /// Which files a run writes besides `summary.json`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,6 +51,7 @@ pub struct RunReport {
     events: Option<Open<EventsCsv<PartialFile>>>,
     figure: Option<TraceFigure>,
     samples: u64,
+    choice: Option<ContactChoice>,
 }
 
 /// A table being written.
@@ -105,7 +107,16 @@ impl RunReport {
             events: events.transpose()?,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
             samples: 0,
+            choice: None,
         })
+    }
+
+    /// The same with the law of the contacts that was chosen for the run, which the summary tells.
+    pub fn with_choice(self, choice: Option<&ContactChoice>) -> Self {
+        Self {
+            choice: choice.cloned(),
+            ..self
+        }
     }
 
     /// Starts the file that keeps what it takes to go on.
@@ -151,7 +162,10 @@ impl RunReport {
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn; none of them looks whole then.
     pub fn finish(self, model: &Model, run: &Run) -> Result<Vec<PathBuf>, ReportError> {
-        let summary = summary(&self.title, &self.scenario, model, run);
+        let mut summary = summary(&self.title, &self.scenario, model, run);
+        if let Some(choice) = &self.choice {
+            summary["contact_choice"] = contact_choice_json(choice);
+        }
         let mut files = Vec::new();
         if let Some(trace) = self.trace {
             files.push(trace.close(TraceCsv::finish)?);

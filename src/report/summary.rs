@@ -40,7 +40,7 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
         "measured_error": run
             .measured_error
             .as_ref()
-            .map(|error| measured_error(error, model.integrator.tolerance)),
+            .map(|error| measured_error(error, model.integrator.tolerance, &run.counters)),
         "energy": run.energy.as_ref().map(energy),
         "samples": run.samples,
         "warnings": run.warnings,
@@ -127,12 +127,13 @@ fn counters(counters: &Counters) -> Value {
     })
 }
 
-fn measured_error(error: &MeasuredError, tolerance: f64) -> Value {
+fn measured_error(error: &MeasuredError, tolerance: f64, main: &Counters) -> Value {
     json!({
         "displacement_m": error.displacement,
         "relative": error.relative,
         "tolerance": tolerance,
         "reference_tolerance": error.reference_tolerance,
         "reference_counters": counters(&error.counters),
+        "reference_share_of_evaluations": error.share_of_evaluations(main),
     })
 }

@@ -55,6 +55,11 @@ fn write_text(
             model.integrator.tolerance,
             error.reference_tolerance
         )?;
+        writeln!(
+            out,
+            "                by a second pass: {:.0} % of all evaluations; --no-verify saves them",
+            100.0 * error.share_of_evaluations(&run.counters)
+        )?;
     }
     if let Some(energy) = &run.energy {
         writeln!(

@@ -34,11 +34,13 @@ use serde_json::Value;
 pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
+pub use spec::{MethodError, method, methods, tolerance};
 pub use time::{TimeError, time};
 
+use crate::bearing::Oil;
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
-use crate::study::Study;
+use crate::study::{ContactChoice, Study};
 use node::Node;
 use problems::Problems;
 use spec::{Questions, ScenarioSpec};
@@ -76,6 +78,10 @@ pub struct Scenario {
     pub question: StaticQuestion,
     /// How it moves; none without a `[time]`.
     pub model: Option<Model>,
+    /// The law of the contacts, where it was to be chosen.
+    pub contact_choice: Option<ContactChoice>,
+    /// Oil of each bearing, whether its films are simulated or not.
+    pub oils: Vec<Option<Oil>>,
     /// The static question at many values of one number.
     pub study: Option<Study>,
     /// What to write.
@@ -149,6 +155,8 @@ fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
             title: spec.title.clone().unwrap_or_else(|| stem(name)),
             question: questions.question,
             model: questions.model,
+            contact_choice: questions.choice,
+            oils: questions.oils,
             study,
             output: spec.output.choice(),
             echo,

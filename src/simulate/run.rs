@@ -36,6 +36,14 @@ pub struct MeasuredError {
     pub counters: Counters,
 }
 
+impl MeasuredError {
+    /// Share of the second pass in the evaluations of both.
+    pub fn share_of_evaluations(&self, main: &Counters) -> f64 {
+        let (own, main) = (self.counters.evaluations as f64, main.evaluations as f64);
+        own / (own + main).max(1.0)
+    }
+}
+
 /// Everything that a run answers, except the trace itself, which went to the sink.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {

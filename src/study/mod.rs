@@ -1,4 +1,14 @@
-//! Many questions in a row: one number of a scenario takes many values.
+//! Many questions in a row: one number of a scenario takes many values; one scene is run by many methods
+//! and in many configurations.
+
+pub mod accuracy;
+mod contact_choice;
+mod rung;
+
+pub use contact_choice::{
+    ContactChoice, ContactQuestion, Difference, RungDifference, choose_contact,
+};
+pub use rung::Rung;
 
 use crate::bearing::Around;
 use crate::quasi_static::{QuasiStatic, StaticQuestion, answer_on};

@@ -121,6 +121,17 @@ impl BearingSpec {
         self.contact.unwrap_or(model.contact)
     }
 
+    /// The oil of the bearing, or of both of a set, whether its films are simulated or not.
+    pub fn oils(&self) -> impl Iterator<Item = Option<Oil>> + use<> {
+        let oil = self.oil.as_ref().map(OilSpec::build);
+        std::iter::repeat_n(oil, self.count())
+    }
+
+    /// Number of bearings: two of a set.
+    pub fn count(&self) -> usize {
+        if self.arrangement.is_some() { 2 } else { 1 }
+    }
+
     /// The mounted bearing, or both of a set, as far as nothing contradicts it.
     pub fn build(
         &self,
@@ -174,7 +185,11 @@ impl BearingSpec {
         let control = self.race_control.or(model.race_control);
         Some(MountedBearing {
             bearing,
-            law: self.contact(model).law(control),
+            law: match (self.contact(model), bearing.contact_stiffness) {
+                // a stiffness of both races together knows no ball inertia
+                (ContactChoice::Auto, Some(_)) => ContactChoice::Hertz.law(control),
+                (contact, _) => contact.law(control),
+            },
             oil: self.film_oil(path, model, problems),
             position: self.position.si(),
             facing: Facing::PlusZ,
@@ -186,9 +201,10 @@ impl BearingSpec {
 
     /// Refuses what the force law of the bearing does not know.
     fn check_law(&self, path: &str, model: &ModelSpec, problems: &mut Problems<'_>) {
-        let jones = self.contact(model) == ContactChoice::Jones;
+        let contact = self.contact(model);
+        let jones = contact == ContactChoice::Jones;
         let law = [format!("{path}.contact"), "model.contact".to_owned()];
-        if self.race_control.is_some() && !jones {
+        if self.race_control.is_some() && !jones && contact != ContactChoice::Auto {
             let message =
                 "`race_control` needs contact = \"jones\": other laws know no ball inertia";
             let issue = Issue::new(format!("{path}.race_control"), message);
@@ -206,6 +222,10 @@ impl BearingSpec {
 
     /// The oil, where its films part the surfaces.
     fn film_oil(&self, path: &str, model: &ModelSpec, problems: &mut Problems<'_>) -> Option<Oil> {
+        if self.contact(model) == ContactChoice::Auto && self.film.is_none() {
+            // films are considered where there is oil
+            return self.oil.as_ref().map(OilSpec::build);
+        }
         if !self.film.unwrap_or(model.film) {
             return None;
         }

@@ -56,16 +56,22 @@ impl IntegratorSpec {
     /// Method, tolerance and limit.
     pub fn build(&self) -> Settings {
         Settings {
-            method: match self.method {
-                MethodChoice::Verner76 => Method::Verner76,
-                MethodChoice::Dop853 => Method::Dop853,
-                MethodChoice::Tsit5 => Method::Tsit5,
-                MethodChoice::Rodas => Method::Rodas,
-                MethodChoice::Dopri5 => Method::Dopri5,
-                MethodChoice::OdeSolversDop853 => Method::OdeSolversDop853,
-            },
+            method: self.method.into(),
             tolerance: self.tolerance,
             step_limit: self.step_limit,
+        }
+    }
+}
+
+impl From<MethodChoice> for Method {
+    fn from(choice: MethodChoice) -> Self {
+        match choice {
+            MethodChoice::Verner76 => Self::Verner76,
+            MethodChoice::Dop853 => Self::Dop853,
+            MethodChoice::Tsit5 => Self::Tsit5,
+            MethodChoice::Rodas => Self::Rodas,
+            MethodChoice::Dopri5 => Self::Dopri5,
+            MethodChoice::OdeSolversDop853 => Self::OdeSolversDop853,
         }
     }
 }

@@ -10,6 +10,7 @@ mod initial;
 mod integrator;
 mod load;
 mod material;
+mod method;
 mod model;
 mod oil;
 mod output;
@@ -22,5 +23,6 @@ mod study;
 mod time;
 mod torsion;
 
+pub use method::{MethodError, method, methods, tolerance};
 pub use scenario::{Questions, ScenarioSpec};
 pub use study::StudySpec;

@@ -13,6 +13,10 @@ use crate::rotor::CageMotion;
 pub struct ModelSpec {
     /// Force law of the bearings. Default: "hertz".
     pub contact: ContactChoice,
+    /// With contact = "auto": largest difference of force and stiffness from the most exact law, at the
+    /// operating points of the scene, relative, 1e-9 to 1. Default: 1e-3.
+    #[schemars(range(min = 1e-9, max = 1))]
+    pub model_error: Option<f64>,
     /// Whether oil films part balls and races; the bearings then need `[bearing.oil]`.
     /// Default: false.
     pub film: bool,
@@ -34,6 +38,9 @@ pub enum ContactChoice {
     /// Jones's ball equilibrium: as "hertz", with the centrifugal force and the gyroscopic moment
     /// of every ball.
     Jones,
+    /// The cheapest of all these, with oil films where `[bearing.oil]` is given, whose force and stiffness
+    /// differ from the most exact one by no more than `model_error` at the operating points of the scene.
+    Auto,
 }
 
 /// Race on which the balls roll without spinning.
@@ -65,7 +72,10 @@ impl ContactChoice {
         match self {
             Self::Linear => ContactLaw::Linear,
             Self::Hertz => ContactLaw::Hertz,
-            Self::Jones => ContactLaw::Jones(control.map(Into::into).unwrap_or_default()),
+            // what is to be chosen starts at the top
+            Self::Jones | Self::Auto => {
+                ContactLaw::Jones(control.map(Into::into).unwrap_or_default())
+            }
         }
     }
 }

@@ -16,12 +16,16 @@ use super::statics::StaticSpec;
 use super::study::StudySpec;
 use super::time::TimeSpec;
 use super::torsion::TorsionSpec;
-use crate::bearing::MountedBearing;
+use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::simulate::Model;
+use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
+
+/// Largest difference of the law that is chosen, where none is given.
+const MODEL_ERROR: f64 = 1e-3;
 
 /// A shaft on ball bearings, what drives and loads it, how long and how
 /// exactly to simulate it, and what to keep. What has a dimension is a string with its unit.
@@ -77,12 +81,16 @@ pub struct Questions {
     pub question: StaticQuestion,
     /// How it moves, where `[time]` is given.
     pub model: Option<Model>,
+    /// The law of the contacts, where it was to be chosen.
+    pub choice: Option<ChosenContact>,
+    /// Oil of each bearing.
+    pub oils: Vec<Option<Oil>>,
 }
 
 impl ScenarioSpec {
     /// The questions, as far as nothing contradicts them.
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<Questions> {
-        let rotor = self.rotor(problems);
+        let (rotor, choice) = self.chosen(self.rotor(problems), problems);
         let displacement = self.statics.displacement(&self.load, problems);
         let model = match &self.time {
             Some(time) => Some(self.model(time, rotor.clone(), problems)?),
@@ -96,7 +104,53 @@ impl ScenarioSpec {
                 torsion: self.shaft.torsion.as_ref().map(TorsionSpec::build),
             },
             model,
+            choice,
+            oils: self.bearing.iter().flat_map(BearingSpec::oils).collect(),
         })
+    }
+
+    /// The rotor with the law of its contacts chosen, where the scene leaves it open.
+    fn chosen(
+        &self,
+        rotor: Option<RotorDefinition>,
+        problems: &mut Problems<'_>,
+    ) -> (Option<RotorDefinition>, Option<ChosenContact>) {
+        let open = |bearing: &BearingSpec| bearing.contact(&self.model) == ContactChoice::Auto;
+        self.check_auto(self.bearing.iter().any(open), problems);
+        let (Some(rotor), true) = (&rotor, problems.is_clean() && self.bearing.iter().any(open))
+        else {
+            return (rotor, None);
+        };
+        let flags = |bearing| std::iter::repeat_n(open(bearing), bearing.count());
+        let question = ContactQuestion {
+            model_error: self.model.model_error.unwrap_or(MODEL_ERROR),
+            open: self.bearing.iter().flat_map(flags).collect(),
+            balls: self.output.balls,
+            settle: self.time.as_ref().map(|time| time.settle.si()),
+        };
+        let (rotor, choice) = choose_contact(rotor, &question);
+        (Some(rotor), Some(choice))
+    }
+
+    /// Refuses what belongs to a choice where there is none, and what leaves none.
+    fn check_auto(&self, any_open: bool, problems: &mut Problems<'_>) {
+        let contact = ["model.contact".to_owned()];
+        if self.model.model_error.is_some() && !any_open {
+            let issue = Issue::new(
+                "model.model_error",
+                "`model_error` needs contact = \"auto\": any other law is taken as it is",
+            )
+            .help("remove it, or set contact = \"auto\"");
+            problems.refuse(issue, &contact);
+        }
+        if self.model.film && self.model.contact == ContactChoice::Auto {
+            let issue = Issue::new(
+                "model.film",
+                "contact = \"auto\" decides on oil films itself, wherever [bearing.oil] is given",
+            )
+            .help("remove it, or set film = true in `[[bearing]]`");
+            problems.refuse(issue, &contact);
+        }
     }
 
     fn rotor(&self, problems: &mut Problems<'_>) -> Option<RotorDefinition> {
@@ -162,7 +216,12 @@ impl ScenarioSpec {
 
     /// Refuses a race control that no bearing's law knows.
     fn check_race_control(&self, problems: &mut Problems<'_>) {
-        let jones = |bearing: &BearingSpec| bearing.contact(&self.model) == ContactChoice::Jones;
+        let jones = |bearing: &BearingSpec| {
+            matches!(
+                bearing.contact(&self.model),
+                ContactChoice::Jones | ContactChoice::Auto
+            )
+        };
         if self.model.race_control.is_some() && !self.bearing.iter().any(jones) {
             let message =
                 "`race_control` needs contact = \"jones\": other laws know no ball inertia";

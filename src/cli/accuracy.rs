@@ -1,0 +1,161 @@
+//! `jeffcott accuracy`.
+
+use std::io;
+use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use serde_json::Value;
+
+use super::jobs::{Job, document, jobs};
+use super::progress::Progress;
+use super::{Outcome, stream};
+use crate::report;
+use crate::scenario;
+use crate::simulate::Model;
+use crate::study::accuracy::{Accuracy, AccuracyError, NamedMethod, Question, Watch};
+
+/// Measures speed against error: what each method and tolerance buys, and what each rung of the physics
+/// costs and changes.
+///
+/// Errors are measured against a reference that two different methods agree on, at tolerances as tight as
+/// the scene allows; how far the two are apart is the uncertainty of every error. Times are those of the
+/// integration alone, on one core, the shortest of some runs: on a busy machine they are too long. The
+/// files hold times, and so differ from one measurement to the next.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Example:\n  jeffcott accuracy scenarios/steady-7205c.toml --tolerances 1e-4,1e-6,1e-8\n\n\
+                  Each file writes to DIR/<its name without ending>/: accuracy.csv, ladder.csv,\n\
+                  accuracy.svg, ladder.svg and, last, accuracy.json.\n\n\
+                  Exit code: 0 all is measured, 1 a scene has no reference, cannot be run or was\n\
+                  interrupted, or a file cannot be written, 2 a file or the command line is wrong."
+)]
+pub struct Arguments {
+    /// Scenario files, .toml or .json
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+    /// Folder that the folders of the answers are written to
+    #[arg(long, value_name = "DIR", default_value = "output")]
+    out: PathBuf,
+    /// Print the answers as JSON: an object, or an array for several files
+    #[arg(long)]
+    json: bool,
+    /// Methods to measure, as in [integrator]. Default: all
+    #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = scenario::method)]
+    methods: Vec<NamedMethod>,
+    /// Tolerances to measure them at. Default: 1e-3 to 1e-10 in decades
+    #[arg(long, value_name = "T,U", value_delimiter = ',', value_parser = scenario::tolerance)]
+    tolerances: Vec<f64>,
+    /// Leave out what would run longer than this; the reference may take four times as long
+    #[arg(long, value_name = "TIME", default_value = "10 s", value_parser = scenario::time)]
+    longest: f64,
+}
+
+/// Tolerances where none are given.
+const TOLERANCES: [f64; 8] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
+
+/// Set by Ctrl-C and by a request to terminate.
+static STOP: AtomicBool = AtomicBool::new(false);
+
+/// Checks all files, then measures them in turn.
+pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
+    let jobs = jobs(&arguments.files, &arguments.out);
+    let Some(jobs) = jobs.filter(|jobs| all_move(jobs)) else {
+        return Ok(Outcome::WrongInput);
+    };
+    // Without a handler an interrupt ends the process at once.
+    let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
+    let mut outcome = Outcome::Done;
+    let mut answers = Vec::new();
+    for (job, model) in moving(&jobs) {
+        match answer(job, model, arguments) {
+            Ok(Shown::Json(answer)) => answers.push(answer),
+            Ok(Shown::Text(text)) => stream::print(&text)?,
+            Err(failure) => {
+                stream::tell(&format!("error: {}: {failure}\n", job.name));
+                outcome = Outcome::Failed;
+            }
+        }
+    }
+    if arguments.json {
+        stream::print(&document(jobs.len(), answers))?;
+    }
+    Ok(outcome)
+}
+
+/// The jobs with a motion.
+fn moving(jobs: &[Job]) -> impl Iterator<Item = (&Job, &Model)> {
+    jobs.iter()
+        .filter_map(|job| Some((job, job.scenario.model.as_ref()?)))
+}
+
+/// Whether every scenario has a motion, after telling of those that have none.
+fn all_move(jobs: &[Job]) -> bool {
+    for job in jobs.iter().filter(|job| job.scenario.model.is_none()) {
+        stream::tell(&format!(
+            "error: {}: `accuracy` needs a table `[time]`\n",
+            job.name
+        ));
+    }
+    moving(jobs).count() == jobs.len()
+}
+
+/// Why a job failed, in words.
+#[derive(Debug, thiserror::Error)]
+enum Failure {
+    #[error(transparent)]
+    Accuracy(#[from] AccuracyError),
+    #[error(transparent)]
+    Report(#[from] report::ReportError),
+}
+
+/// An answer whose files are written, as it is shown.
+enum Shown {
+    Text(String),
+    Json(Value),
+}
+
+fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Shown, Failure> {
+    let scenario = &job.scenario;
+    let accuracy = measure(job, model, arguments)?;
+    let (title, echo) = (&scenario.title, &scenario.echo);
+    let files = report::write_accuracy(&job.folder, title, echo, &accuracy)?;
+    if !arguments.json {
+        let choice = scenario.contact_choice.as_ref();
+        let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
+        let text = report::accuracy_text(title, &accuracy, &files);
+        return Ok(Shown::Text(text + &chosen));
+    }
+    let mut answer = report::accuracy_json(title, echo, &accuracy);
+    answer["files"] = files
+        .iter()
+        .map(|file| file.display().to_string())
+        .collect();
+    Ok(Shown::Json(answer))
+}
+
+fn measure(job: &Job, model: &Model, arguments: &Arguments) -> Result<Accuracy, AccuracyError> {
+    let known = scenario::methods();
+    let mut tolerances = arguments.tolerances.clone();
+    if tolerances.is_empty() {
+        tolerances = TOLERANCES.to_vec();
+    }
+    tolerances.sort_by(|a, b| b.total_cmp(a));
+    tolerances.dedup();
+    let methods = match &arguments.methods[..] {
+        [] => known,
+        some => some,
+    };
+    let mut progress = Progress::new(&job.scenario.title);
+    let question = Question {
+        model,
+        oils: &job.scenario.oils,
+        known,
+        methods,
+        tolerances: &tolerances,
+        longest: arguments.longest,
+    };
+    question.measure(&mut Watch {
+        stop: &STOP,
+        progress: &mut |part| progress.show(part),
+    })
+}

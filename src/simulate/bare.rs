@@ -1,0 +1,74 @@
+//! The integration of a run and nothing else: what its time and its work are measured on.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::Const;
+
+use super::reference::reference_settings;
+use super::{BLOCK, Model, SimulateError, sampling};
+use crate::integrate::{Counters, Integration, Square};
+use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, Moving, Rotor};
+
+/// The integration of a model, assembled and ready to be run as often as one likes.
+#[derive(Debug, Clone)]
+pub struct BareRun<'a> {
+    model: &'a Model,
+    rotor: Rotor,
+}
+
+impl<'a> BareRun<'a> {
+    /// Assembles the rotor of a model.
+    ///
+    /// # Errors
+    /// [`SimulateError::Rotor`] where it cannot be assembled.
+    pub fn new(model: &'a Model) -> Result<Self, SimulateError> {
+        let rotor = Rotor::assemble(&model.rotor)?;
+        Ok(Self { model, rotor })
+    }
+
+    /// The rotor.
+    pub fn rotor(&self) -> &Rotor {
+        &self.rotor
+    }
+
+    /// Integrates over all samples of the model by its method and forgets the states: no second pass, no
+    /// observation of the bearings, no spectra.
+    ///
+    /// # Errors
+    /// [`SimulateError`] as a run.
+    pub fn integrate(&self, stop: &AtomicBool) -> Result<Counters, SimulateError> {
+        let rotor = &self.rotor;
+        if self.model.energy || rotor.is_driven() {
+            let accounted = AccountedRotor::new(rotor);
+            return self.pass::<_, ACCOUNTED_STATES, { ACCOUNTED_STATES + 1 }>(&accounted, stop);
+        }
+        match rotor.kept() {
+            2 => self.pass::<_, 4, 5>(rotor, stop),
+            3 => self.pass::<_, 6, 7>(rotor, stop),
+            _ => self.pass::<_, 10, 11>(rotor, stop),
+        }
+    }
+
+    fn pass<S, const N: usize, const M: usize>(
+        &self,
+        system: &S,
+        stop: &AtomicBool,
+    ) -> Result<Counters, SimulateError>
+    where
+        S: Moving<N>,
+        Const<N>: Square,
+    {
+        let model = self.model;
+        let scale = self.rotor.motion_scale(reference_settings(model).tolerance);
+        let grid = sampling::grid(model, &self.rotor)?;
+        let (scaling, state) = (system.scaling(&scale), system.start());
+        let mut integration =
+            Integration::<_, N, M>::new(system, scaling, grid, model.integrator, stop, &state);
+        let mut states = Vec::with_capacity(BLOCK);
+        while integration.done() < grid.count {
+            states.clear();
+            integration.advance(BLOCK, &mut states)?;
+        }
+        Ok(integration.counters())
+    }
+}

@@ -1,0 +1,101 @@
+//! Methods × tolerances: what each costs, and how far it is from the reference.
+
+use std::sync::atomic::AtomicBool;
+
+use super::error::{Errors, Norm};
+use super::reference::Reference;
+use super::trace::View;
+use super::trial::{Cost, measure, observe, with};
+use super::{AccuracyError, NamedMethod, Question, is_interrupted};
+use crate::simulate::{Model, SimulateError};
+
+/// How much longer the next tolerance is taken to run where only one has been: an order of three.
+const NEXT_TAKES: f64 = 2.2;
+
+/// A method at a tolerance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// Name of the method.
+    pub method: String,
+    /// Tolerance asked for.
+    pub tolerance: f64,
+    /// What was measured, or why nothing was.
+    pub result: Result<Measured, String>,
+}
+
+/// What was measured of a method at a tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// What the integration costs.
+    pub cost: Cost,
+    /// Largest distance from the reference.
+    pub errors: Errors,
+    /// Whether the error is not above the uncertainty of the reference; in an irregular motion, whether
+    /// the statistics are within the scatter of exact runs.
+    pub within_uncertainty: bool,
+}
+
+/// The rows of one method; tolerances that would take too long are left out.
+pub(super) fn rows(
+    question: &Question<'_>,
+    method: &NamedMethod,
+    reference: &Reference,
+    view: View,
+    stop: &AtomicBool,
+) -> Result<Vec<Row>, AccuracyError> {
+    let mut rows = Vec::new();
+    let mut before: Option<f64> = None;
+    let mut expected = 0.0;
+    for &tolerance in question.tolerances {
+        let result = if expected > question.longest {
+            Err(format!(
+                "left out: would take about {expected:.1} s, more than {} s",
+                question.longest
+            ))
+        } else {
+            let model = with(question.model, method.method, tolerance);
+            match one(&model, reference, view, stop) {
+                Err(error) if is_interrupted(&error) => return Err(error.into()),
+                result => result.map_err(|error| error.to_string()),
+            }
+        };
+        if let Ok(measured) = &result {
+            let seconds = measured.cost.seconds;
+            let factor = before.map_or(NEXT_TAKES, |before| (seconds / before).clamp(1.2, 10.0));
+            expected = factor * seconds;
+            before = Some(seconds);
+        }
+        rows.push(Row {
+            method: method.name.clone(),
+            tolerance,
+            result,
+        });
+    }
+    Ok(rows)
+}
+
+fn one(
+    model: &Model,
+    reference: &Reference,
+    view: View,
+    stop: &AtomicBool,
+) -> Result<Measured, SimulateError> {
+    let trial = observe(model, view, stop)?;
+    let agreement = &reference.agreement;
+    let errors = Errors::between(
+        &trial,
+        &reference.trial,
+        &agreement.scale,
+        Norm::Largest,
+        0.0,
+    );
+    Ok(Measured {
+        cost: measure(model, stop)?,
+        errors,
+        within_uncertainty: if agreement.irregular {
+            errors.within_scatter(&agreement.scatter)
+        } else {
+            errors.within(&agreement.uncertainty)
+        },
+    })
+}

@@ -1,0 +1,257 @@
+//! What is kept of a run to compare it with another: its trace, thinned where it is long, and its
+//! statistics.
+
+use std::io;
+
+use crate::rotor::{FREEDOMS, MotionScale, Rotor, Sample};
+use crate::simulate::TraceSink;
+
+/// Most points that are kept of a trace.
+const MOST_POINTS: u64 = 1 << 17;
+
+/// Displacement and force on the shaft, side by side.
+type Point = [[f64; FREEDOMS]; 2];
+
+/// Mean, root mean square about it, and half the peak-to-peak value of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Statistics {
+    /// Mean.
+    pub mean: f64,
+    /// Root mean square of the deviation from the mean.
+    pub rms: f64,
+    /// Half the difference of largest and smallest value.
+    pub peak: f64,
+}
+
+impl Statistics {
+    /// Mean, rms and peak by their distances from another's.
+    fn distance(&self, other: &Self) -> Self {
+        Self {
+            mean: (self.mean - other.mean).abs(),
+            rms: (self.rms - other.rms).abs(),
+            peak: (self.peak - other.peak).abs(),
+        }
+    }
+
+    /// The larger of each.
+    pub(super) fn larger(&self, other: &Self) -> Self {
+        Self {
+            mean: self.mean.max(other.mean),
+            rms: self.rms.max(other.rms),
+            peak: self.peak.max(other.peak),
+        }
+    }
+
+    fn times(&self, factor: f64) -> Self {
+        Self {
+            mean: self.mean * factor,
+            rms: self.rms * factor,
+            peak: self.peak * factor,
+        }
+    }
+
+    /// Each relative to a size.
+    pub(super) fn over(&self, size: f64) -> Self {
+        self.times(1.0 / size)
+    }
+}
+
+/// Sums that statistics are made of, about the first value so that no digits are lost.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sums {
+    first: f64,
+    count: f64,
+    sum: f64,
+    squares: f64,
+    low: f64,
+    high: f64,
+}
+
+impl Sums {
+    fn add(&mut self, value: f64) {
+        if self.count == 0.0 {
+            (self.first, self.low, self.high) = (value, value, value);
+        }
+        let shifted = value - self.first;
+        self.count += 1.0;
+        self.sum += shifted;
+        self.squares += shifted * shifted;
+        self.low = self.low.min(value);
+        self.high = self.high.max(value);
+    }
+
+    fn finish(&self) -> Statistics {
+        let mean = self.sum / self.count.max(1.0);
+        let square = self.squares / self.count.max(1.0) - mean * mean;
+        Statistics {
+            mean: self.first + mean,
+            rms: square.max(0.0).sqrt(),
+            peak: 0.5 * (self.high - self.low),
+        }
+    }
+}
+
+/// How a scene is looked at, the same for all its runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct View {
+    /// Number of freedoms that count: the first so many of x, y, z, θx, θy.
+    pub kept: usize,
+    /// Length that turns tilts into displacements and moments into forces, m.
+    pub arm: f64,
+    /// Time from which statistics count, s.
+    pub settle: f64,
+    /// Every how many samples a point is kept.
+    pub stride: u64,
+}
+
+impl View {
+    /// The view of a rotor's motion of so many samples.
+    pub fn new(rotor: &Rotor, scale: &MotionScale, settle: f64, samples: f64) -> Self {
+        Self {
+            kept: rotor.kept(),
+            arm: scale.arm,
+            settle,
+            stride: (samples / MOST_POINTS as f64).ceil().max(1.0) as u64,
+        }
+    }
+
+    /// Factor that makes a length of a displacement (`quantity` 0) and a force of a moment (1).
+    fn lever(&self, quantity: usize, axis: usize) -> f64 {
+        match (axis < 3, quantity) {
+            (true, _) => 1.0,
+            (false, 0) => self.arm,
+            (false, _) => 1.0 / self.arm,
+        }
+    }
+}
+
+/// The trace of a run as far as it is compared.
+#[derive(Debug, Clone)]
+pub(super) struct Trace {
+    view: View,
+    samples: u64,
+    times: Vec<f64>,
+    points: Vec<Point>,
+    sums: [[Sums; FREEDOMS]; 2],
+}
+
+/// Distance of two traces: of displacements in m, of forces in N.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Distance {
+    /// Largest at any instant.
+    pub largest: [f64; 2],
+    /// Root mean square of the difference about its mean, of the freedom where it is largest.
+    pub vibration: [f64; 2],
+    /// Of the statistics, the freedom where it is largest.
+    pub statistics: [Statistics; 2],
+}
+
+impl Trace {
+    pub fn new(view: View) -> Self {
+        Self {
+            view,
+            samples: 0,
+            times: Vec::new(),
+            points: Vec::new(),
+            sums: [[Sums::default(); FREEDOMS]; 2],
+        }
+    }
+
+    /// Axes of both quantities with their levers.
+    fn channels(&self) -> impl Iterator<Item = (usize, usize, f64)> + use<> {
+        let view = self.view;
+        (0..2).flat_map(move |quantity| {
+            (0..view.kept).map(move |axis| (quantity, axis, view.lever(quantity, axis)))
+        })
+    }
+
+    /// Largest distance of displacement and force from those at `rest`.
+    pub fn excursion(&self, rest: &Point) -> [f64; 2] {
+        let mut largest = [0.0_f64; 2];
+        for (quantity, axis, lever) in self.channels() {
+            for point in &self.points {
+                let shift = lever * (point[quantity][axis] - rest[quantity][axis]).abs();
+                largest[quantity] = largest[quantity].max(shift);
+            }
+        }
+        largest
+    }
+
+    /// Distance from the true trace of the same samples, from a time on, over the freedoms that move
+    /// there.
+    pub fn distance(&self, truth: &Self, from: f64) -> Distance {
+        let mut distance = Distance::default();
+        let first = self.times.partition_point(|time| *time < from);
+        for (quantity, axis, lever) in truth.channels() {
+            let pairs = self.points.iter().zip(&truth.points).skip(first);
+            let (mut apart, mut largest) = (Sums::default(), 0.0_f64);
+            for (left, right) in pairs {
+                let difference = lever * (left[quantity][axis] - right[quantity][axis]);
+                apart.add(difference);
+                largest = largest.max(difference.abs());
+            }
+            let vibration = apart.finish().rms;
+            let statistics = self.statistics(quantity, axis);
+            let statistics = statistics.distance(&truth.statistics(quantity, axis));
+            let statistics = statistics.times(lever);
+            distance.largest[quantity] = distance.largest[quantity].max(largest);
+            distance.vibration[quantity] = distance.vibration[quantity].max(vibration);
+            distance.statistics[quantity] = distance.statistics[quantity].larger(&statistics);
+        }
+        distance
+    }
+
+    /// Largest difference of displacements in each of `parts` equal parts of the time, m.
+    pub fn growth(&self, other: &Self, parts: usize) -> Vec<f64> {
+        let length = self.points.len().div_ceil(parts).max(1);
+        let apart = |(left, right): (&Point, &Point)| {
+            (0..self.view.kept)
+                .map(|axis| self.view.lever(0, axis) * (left[0][axis] - right[0][axis]).abs())
+                .fold(0.0, f64::max)
+        };
+        let pairs: Vec<f64> = self.points.iter().zip(&other.points).map(apart).collect();
+        let largest = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
+        pairs.chunks(length).map(largest).collect()
+    }
+
+    /// Forgets the trace itself; its statistics stay.
+    pub fn forget_points(&mut self) {
+        self.times = Vec::new();
+        self.points = Vec::new();
+    }
+
+    /// Largest root mean square of a displacement and of a force about their means, from the settle
+    /// time on.
+    pub fn vibration(&self) -> [f64; 2] {
+        let mut largest = [0.0_f64; 2];
+        for (quantity, axis, lever) in self.channels() {
+            let rms = lever * self.statistics(quantity, axis).rms;
+            largest[quantity] = largest[quantity].max(rms);
+        }
+        largest
+    }
+
+    /// Statistics of one channel from the settle time on.
+    fn statistics(&self, quantity: usize, axis: usize) -> Statistics {
+        self.sums[quantity][axis].finish()
+    }
+}
+
+impl TraceSink for Trace {
+    fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        let point = [sample.displacement, sample.force_on_shaft];
+        if self.samples.is_multiple_of(self.view.stride) {
+            self.times.push(sample.time);
+            self.points.push(point);
+        }
+        self.samples += 1;
+        if sample.time >= self.view.settle {
+            for (sums, values) in self.sums.iter_mut().zip(&point) {
+                for (sums, value) in sums.iter_mut().zip(values) {
+                    sums.add(*value);
+                }
+            }
+        }
+        Ok(())
+    }
+}
