@@ -54,7 +54,7 @@ fn write_reference(out: &mut String, agreement: &Agreement) -> fmt::Result {
     let uncertainty = &agreement.uncertainty;
     writeln!(
         out,
-        "  reference     {}; {} is {} of the motion off: the uncertainty",
+        "  reference     {}; {} is\n                {} of the motion off: the uncertainty",
         run(&agreement.reference),
         run(&agreement.other),
         short(uncertainty.displacement_relative)
