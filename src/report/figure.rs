@@ -12,12 +12,13 @@ pub(super) const WIDTH: u32 = 900;
 pub(super) const SCALE: u32 = 2;
 
 /// Colours of Okabe & Ito (2008) that are told apart by every kind of colour vision.
-pub(super) const PALETTE: [RGBColor; 5] = [
+pub(super) const PALETTE: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
     RGBColor(0, 158, 115),
     RGBColor(204, 121, 167),
     RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
 ];
 
 /// Width of a curve, drawing units.

@@ -3,7 +3,7 @@
 use plotters::prelude::*;
 
 use super::super::ReportError;
-use super::super::figure::{Area, DrawError, GRID, INK, LINE, font, px, svg};
+use super::super::figure::{Area, DrawError, GRID, INK, LINE, PALETTE, font, px, svg};
 use super::super::figure_curves::{distinct, draw_names};
 use super::log_axis::{LogAxis, tick_name};
 use crate::study::accuracy::{Accuracy, Agreement, LadderRow, Measured};
@@ -19,7 +19,7 @@ const RUNG_NAMES: u32 = 260;
 /// The uncertainty.
 const GREY: RGBColor = RGBColor(150, 150, 150);
 /// Colours that there are; curves beyond them differ by their marks.
-const COLOURS: usize = 5;
+const COLOURS: usize = PALETTE.len();
 
 /// Quantity on an axis and its name.
 type Axis = (&'static str, fn(&Measured) -> Option<f64>);
