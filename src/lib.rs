@@ -27,6 +27,8 @@
 //! [`seed_paper`] holds no code: it says figure by figure where the paper that the crate started from
 //! and this crate agree, and where they cannot.
 //!
+//! [`speed_and_error`] holds none either: it says what an error costs, by measurement.
+//!
 //! # Frame and signs
 //!
 //! SI units inside: m, N, kg, s, rad, Pa. Units appear only in scenario files and column headers.
@@ -109,6 +111,11 @@ pub mod rotor;
 pub mod scenario;
 pub mod simulate;
 pub mod study;
+
+/// Speed against error: what the benches measure, and how to get their figures.
+///
+#[doc = include_str!("../benches/README.md")]
+pub mod speed_and_error {}
 
 /// The studies of the paper that the crate started from, figure by figure.
 ///
