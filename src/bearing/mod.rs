@@ -31,6 +31,7 @@ mod seat;
 mod state;
 mod static_safety;
 mod support;
+mod table;
 mod thrust;
 mod warnings;
 
@@ -54,4 +55,5 @@ pub use ring::{Around, CageAngle, Matrix5, Ring, Vector5};
 pub use state::{BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares};
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub use support::Support;
+pub use table::{BallRegion, TableError, TableLaw, TableReport};
 pub use thrust::Thrust;

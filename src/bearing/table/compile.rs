@@ -1,0 +1,489 @@
+//! From an exact law to its table.
+
+use std::cell::Cell;
+
+use super::chart::Chart;
+use super::law::{AXIAL_TERMS, CoupleCell, ForceCell, ROOT_TERMS, TableLaw};
+use super::polynomial::{lobatto, power_weights, weights_at};
+use super::region::BallRegion;
+use super::strips::{BINS, Strips};
+use crate::bearing::{BallForce, BallLaw, Lanes};
+
+/// Load at which a ball counts as lifted off, of the largest one.
+const LIFTED_SHARE: f64 = 1e-14;
+/// Share of the tolerance that each step of the interpolation may use.
+const STEP_SHARE: f64 = 0.25;
+/// Numbers of places along |A1| at which the exact law is asked, one attempt after the other.
+const COLUMNS: [usize; 3] = [11, 16, 24];
+/// Numbers of cells along |A1| that are tried.
+const ACROSS: [usize; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
+/// Offset places at which the error is measured.
+const PROBES: usize = 1500;
+/// Most cells of a table.
+const MOST_CELLS: usize = 8192;
+/// |A1| over the distance of the circle of lift-off above which it is no function of |A1|.
+const STEEPEST: f64 = 0.95;
+
+/// What a table is good for, and what it took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TableReport {
+    /// Largest difference from the exact force at offset places of the whole region, N.
+    pub error: f64,
+    /// The same relative to the load that the tolerance refers to.
+    pub relative_error: f64,
+    /// Number of cells.
+    pub cells: usize,
+    /// Evaluations of the exact law, those for the error among them.
+    pub evaluations: usize,
+}
+
+/// Why a law stays without a table.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum TableError {
+    /// No range, or no load to refer to.
+    #[error("the balls move in no region of their own, or carry nothing")]
+    NoRegion,
+    /// The line of lift-off cannot be followed.
+    #[error("the balls lift off outside the reach of a table")]
+    LiftOff,
+    /// The law is not smooth enough.
+    #[error("a table of {cells} cells has a relative error of {relative_error:e}")]
+    Tolerance {
+        /// Measured error relative to the load that the tolerance refers to.
+        relative_error: f64,
+        /// Number of cells.
+        cells: usize,
+    },
+}
+
+/// The exact law, its evaluations counted.
+struct Counted<'a, L> {
+    law: &'a L,
+    speed: f64,
+    count: Cell<usize>,
+}
+
+impl<L: BallLaw> Counted<'_, L> {
+    fn force(&self, axial: f64, radial: f64) -> BallForce {
+        self.count.set(self.count.get() + 1);
+        self.law.force(axial, radial, self.speed)
+    }
+
+    fn load(&self, axial: f64, radial: f64) -> f64 {
+        let force = self.force(axial, radial);
+        force.axial.hypot(force.radial)
+    }
+}
+
+/// Forces over the approach past lift-off: F_a/u, F_r/u, couple/u.
+type Reduced = [f64; 3];
+
+impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
+    /// Compiles `law` at a shaft speed in rad/s over a region, so that no force differs by more than
+    /// `tolerance` times `load` in N. A couple may differ by that times the distance of the groove
+    /// centres.
+    ///
+    /// # Errors
+    /// [`TableError`] where the region is none, or the law does not allow for the tolerance.
+    pub fn compile(
+        law: L,
+        region: BallRegion,
+        speed: f64,
+        load: f64,
+        tolerance: f64,
+    ) -> Result<(Self, TableReport), TableError> {
+        let counted = Counted {
+            law: &law,
+            speed,
+            count: Cell::new(0),
+        };
+        let mut failure = TableError::NoRegion;
+        for columns in COLUMNS {
+            let draft = Draft::new(&counted, region, columns, load, tolerance)?;
+            let table = draft.table::<COUPLE>(&law)?;
+            let error = draft.error_of(&table);
+            let cells = table.forces.len();
+            let relative_error = error / load;
+            if relative_error <= tolerance {
+                let evaluations = counted.count.get();
+                let report = TableReport {
+                    error,
+                    relative_error,
+                    cells,
+                    evaluations,
+                };
+                return Ok((table, report));
+            }
+            failure = TableError::Tolerance {
+                relative_error,
+                cells,
+            };
+        }
+        Err(failure)
+    }
+}
+
+/// A table in the making: the coordinates, and how exact it is to be.
+struct Draft<'a, L> {
+    law: &'a Counted<'a, L>,
+    span: [f64; 2],
+    limits: Limits,
+    columns: usize,
+    /// Error that each step may make, N.
+    step: f64,
+    /// Arm by which a couple counts as a force, m.
+    arm: f64,
+}
+
+/// Coordinates and how far they reach.
+struct Limits {
+    chart: Chart,
+    /// √u at both ends.
+    roots: [f64; 2],
+    /// Least and greatest A2, m.
+    radial: [f64; 2],
+}
+
+impl Limits {
+    /// Of balls that never lift off.
+    fn loaded(span: [f64; 2], radial: [f64; 2]) -> Self {
+        let (nearest, farthest) = (span[0].hypot(radial[0]), span[1].hypot(radial[1]));
+        // the forces over u are smooth only away from u = 0
+        let pad = 0.5 * (farthest - nearest);
+        Self {
+            chart: Chart::concentric(span, nearest - pad),
+            roots: [pad.sqrt(), (farthest - nearest + pad).sqrt()],
+            radial,
+        }
+    }
+
+    /// Of balls that lift off: all that is below the line of lift-off is in reach, too.
+    fn lifting<L: BallLaw>(
+        law: &Counted<'_, L>,
+        span: [f64; 2],
+        nodes: &[f64],
+        radial: [f64; 2],
+        lifted: f64,
+    ) -> Result<Self, TableError> {
+        let distance = span[1].hypot(radial[1]);
+        let lift_off = nodes
+            .iter()
+            .map(|&axial| lift_off(law, axial, radial, distance, lifted))
+            .collect::<Option<Vec<f64>>>()
+            .ok_or(TableError::LiftOff)?;
+        let chart = Chart::new(span, nodes, &lift_off);
+        let steep = nodes.iter().zip(&lift_off).any(|(&axial, &radial)| {
+            let slopes = chart.slopes(axial, radial);
+            !(slopes.by_radial > (1.0 - STEEPEST * STEEPEST).sqrt())
+        });
+        if steep {
+            return Err(TableError::LiftOff);
+        }
+        let farthest = nodes
+            .iter()
+            .map(|&axial| {
+                let [_, past_lift] = chart.coordinates(axial.into(), radial[1].into());
+                past_lift.to_array()[0]
+            })
+            .fold(1e-3 * distance, f64::max);
+        Ok(Self {
+            chart,
+            roots: [0.0, farthest.sqrt()],
+            radial: [radial[0], f64::MAX],
+        })
+    }
+
+    /// v a part 0 … 1 of the way.
+    fn root(&self, part: f64) -> f64 {
+        let [start, end] = self.roots;
+        start + (end - start) * part
+    }
+}
+
+impl<'a, L: BallLaw + Clone> Draft<'a, L> {
+    fn new(
+        law: &'a Counted<'a, L>,
+        region: BallRegion,
+        columns: usize,
+        load: f64,
+        tolerance: f64,
+    ) -> Result<Self, TableError> {
+        let span = region.axial_span();
+        let [low, high] = region.radial;
+        if !(span[1] > span[0] && high > low && load > 0.0 && tolerance > 0.0) {
+            return Err(TableError::NoRegion);
+        }
+        let along = |index| lobatto(index, columns);
+        let nodes: Vec<f64> = (0..columns)
+            .map(|index| 0.5 * (span[0] + span[1]) + 0.5 * (span[1] - span[0]) * along(index))
+            .collect();
+        let distance = span[1].hypot(high);
+        let lifted = LIFTED_SHARE * load;
+        let limits = if nodes.iter().all(|&axial| law.load(axial, low) > lifted) {
+            Limits::loaded(span, region.radial)
+        } else {
+            Limits::lifting(law, span, &nodes, region.radial, lifted)?
+        };
+        Ok(Self {
+            law,
+            span,
+            limits,
+            columns,
+            step: STEP_SHARE * tolerance * load,
+            arm: distance,
+        })
+    }
+
+    /// Forces over u at τ and v.
+    fn reduced(&self, along: f64, root: f64) -> Reduced {
+        let chart = &self.limits.chart;
+        let past_lift = root * root;
+        // at lift-off the force fades faster than u
+        if past_lift == 0.0 {
+            return [0.0; 3];
+        }
+        let axial = chart.axial(along);
+        let force = self.law.force(axial, chart.radial(along, past_lift));
+        [force.axial, force.radial, force.couple / self.arm].map(|force| force / past_lift)
+    }
+
+    fn table<const COUPLE: bool>(&self, law: &L) -> Result<TableLaw<L, COUPLE>, TableError> {
+        let strips = self.strips();
+        let values = self.values(&strips);
+        let across = self.across(&strips, &values);
+        if strips.count() * across > MOST_CELLS {
+            return Err(TableError::Tolerance {
+                relative_error: f64::INFINITY,
+                cells: strips.count() * across,
+            });
+        }
+        let (forces, couples) = self.cells(&strips, &values, across);
+        Ok(TableLaw {
+            exact: law.clone(),
+            speed: self.law.speed,
+            span: self.span,
+            radial: self.limits.radial,
+            chart: self.limits.chart,
+            strips,
+            across,
+            forces,
+            couples: if COUPLE { couples } else { Vec::new() },
+        })
+    }
+
+    /// Halves the range until the interpolation in every strip is exact enough.
+    fn strips(&self) -> Strips {
+        let mut first_bins = Vec::new();
+        let mut waiting = vec![(0, BINS)];
+        while let Some((first, next)) = waiting.pop() {
+            let [low, high] = [first, next].map(|bin| self.limits.root(bin as f64 / BINS as f64));
+            if next - first == 1 || self.fits(low, high) {
+                first_bins.push(first);
+            } else {
+                let middle = first.midpoint(next);
+                waiting.push((middle, next));
+                waiting.push((first, middle));
+            }
+        }
+        Strips::new(self.limits.roots, &first_bins)
+    }
+
+    /// Whether one polynomial in v serves from `low` to `high`, seen at both ends of the span and in
+    /// its middle, between the nodes.
+    fn fits(&self, low: f64, high: f64) -> bool {
+        let root = |x: f64| 0.5 * (low + high) + 0.5 * (high - low) * x;
+        [0.0, -1.0, 1.0].into_iter().all(|along| {
+            let nodes: [Reduced; ROOT_TERMS] =
+                std::array::from_fn(|index| self.reduced(along, root(lobatto(index, ROOT_TERMS))));
+            [0.0, -0.6, 0.6].into_iter().all(|x| {
+                let exact = self.reduced(along, root(x));
+                let weights = weights_at(x, ROOT_TERMS);
+                let past_lift = root(x) * root(x);
+                (0..3).all(|output| {
+                    let sum: f64 = (0..ROOT_TERMS)
+                        .map(|index| weights[index] * nodes[index][output])
+                        .sum();
+                    (sum - exact[output]).abs() * past_lift <= self.step
+                })
+            })
+        })
+    }
+
+    /// Forces over u at the nodes of all strips and columns; neighbours share a node.
+    fn values(&self, strips: &Strips) -> Vec<Vec<Reduced>> {
+        let nodes = strips.count() * (ROOT_TERMS - 1) + 1;
+        (0..nodes)
+            .map(|node| {
+                let root = node_root(strips, node);
+                (0..self.columns)
+                    .map(|column| self.reduced(lobatto(column, self.columns), root))
+                    .collect()
+            })
+            .collect()
+    }
+
+    /// Fewest cells along |A1| whose polynomials follow the columns.
+    fn across(&self, strips: &Strips, values: &[Vec<Reduced>]) -> usize {
+        let most = ACROSS[ACROSS.len() - 1];
+        ACROSS
+            .into_iter()
+            .find(|&across| self.follows(strips, values, across))
+            .unwrap_or(most)
+    }
+
+    fn follows(&self, strips: &Strips, values: &[Vec<Reduced>], across: usize) -> bool {
+        (0..across).all(|cell| {
+            let nodes = self.node_weights(cell, across);
+            [0.0, 0.8].into_iter().all(|x| {
+                let own = weights_at(x, AXIAL_TERMS);
+                let exact = weights_at(column_along(cell, across, x), self.columns);
+                // weights of the difference
+                let difference: Vec<f64> = (0..self.columns)
+                    .map(|column| {
+                        let sum: f64 = (0..AXIAL_TERMS)
+                            .map(|node| own[node] * nodes[node][column])
+                            .sum();
+                        sum - exact[column]
+                    })
+                    .collect();
+                values.iter().enumerate().all(|(node, row)| {
+                    let past_lift = node_root(strips, node).powi(2);
+                    (0..3).all(|output| {
+                        let sum: f64 = row
+                            .iter()
+                            .zip(&difference)
+                            .map(|(value, weight)| value[output] * weight)
+                            .sum();
+                        sum.abs() * past_lift <= self.step
+                    })
+                })
+            })
+        })
+    }
+
+    /// Weights of the columns at the nodes of a cell along |A1|.
+    fn node_weights(&self, cell: usize, across: usize) -> [Vec<f64>; AXIAL_TERMS] {
+        std::array::from_fn(|node| {
+            let x = lobatto(node, AXIAL_TERMS);
+            weights_at(column_along(cell, across, x), self.columns)
+        })
+    }
+
+    fn cells(
+        &self,
+        strips: &Strips,
+        values: &[Vec<Reduced>],
+        across: usize,
+    ) -> (Vec<ForceCell>, Vec<CoupleCell>) {
+        let by_root = power_weights::<ROOT_TERMS>();
+        // t is half of the coordinate from −1 to 1
+        let mut by_axial = power_weights::<AXIAL_TERMS>();
+        for (power, row) in by_axial.iter_mut().enumerate() {
+            row.iter_mut()
+                .for_each(|weight| *weight *= f64::powi(2.0, power as i32));
+        }
+        let (mut forces, mut couples) = (Vec::new(), Vec::new());
+        let columns: Vec<_> = (0..across)
+            .map(|cell| self.node_weights(cell, across))
+            .collect();
+        for strip in 0..strips.count() {
+            for weights in &columns {
+                let first = strip * (ROOT_TERMS - 1);
+                let nodes: [[Reduced; AXIAL_TERMS]; ROOT_TERMS] = std::array::from_fn(|root| {
+                    std::array::from_fn(|node| weighted(&values[first + root], &weights[node]))
+                });
+                let terms = powers(&nodes, &by_root, &by_axial);
+                forces.push(terms.map(|row| {
+                    let pair =
+                        |l: usize| Lanes::new([row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]]);
+                    [pair(0), pair(2)]
+                }));
+                couples.push(terms.map(|row| Lanes::new(row.map(|term| term[2] * self.arm))));
+            }
+        }
+        (forces, couples)
+    }
+
+    /// Largest difference from the exact law over places that lie evenly and on no node.
+    fn error_of<const COUPLE: bool>(&self, table: &TableLaw<L, COUPLE>) -> f64 {
+        let mut largest = 0.0_f64;
+        for probe in 0..PROBES {
+            let part = (probe as f64 + 0.5) / PROBES as f64;
+            // a lattice by the golden section
+            let along = 2.0 * (probe as f64 * 0.618_033_988_749_894_9).fract() - 1.0;
+            let (chart, root) = (&self.limits.chart, self.limits.root(part));
+            let axial = chart.axial(along);
+            let radial = chart.radial(along, root * root);
+            let exact = self.law.force(axial, radial);
+            let own = table.force(axial, radial, self.law.speed);
+            largest = largest
+                .max((own.axial - exact.axial).abs())
+                .max((own.radial - exact.radial).abs())
+                .max((own.couple - exact.couple).abs() / self.arm);
+        }
+        largest
+    }
+}
+
+/// τ at x in −1 … 1 of a cell along |A1|.
+fn column_along(cell: usize, across: usize, x: f64) -> f64 {
+    (2.0 * cell as f64 + 1.0 + x) / across as f64 - 1.0
+}
+
+/// v at a node of the strips.
+fn node_root(strips: &Strips, node: usize) -> f64 {
+    let strip = (node / (ROOT_TERMS - 1)).min(strips.count() - 1);
+    strips.root(strip, lobatto(node - strip * (ROOT_TERMS - 1), ROOT_TERMS))
+}
+
+fn weighted(values: &[Reduced], weights: &[f64]) -> Reduced {
+    let mut sum = [0.0; 3];
+    for (value, weight) in values.iter().zip(weights) {
+        for output in 0..3 {
+            sum[output] += weight * value[output];
+        }
+    }
+    sum
+}
+
+/// Coefficients of x^k t^l from values at the nodes.
+fn powers(
+    nodes: &[[Reduced; AXIAL_TERMS]; ROOT_TERMS],
+    by_root: &[[f64; ROOT_TERMS]; ROOT_TERMS],
+    by_axial: &[[f64; AXIAL_TERMS]; AXIAL_TERMS],
+) -> [[Reduced; AXIAL_TERMS]; ROOT_TERMS] {
+    let rows = nodes.map(|row| by_axial.map(|weights| weighted(&row, &weights)));
+    by_root.map(|weights| {
+        std::array::from_fn(|l| {
+            let column: [Reduced; ROOT_TERMS] = std::array::from_fn(|root| rows[root][l]);
+            weighted(&column, &weights)
+        })
+    })
+}
+
+/// A2 at which a ball lifts off at |A1|: where its load falls below `lifted`. None outside a quarter
+/// of the distance of the groove centres around the region.
+fn lift_off<L: BallLaw>(
+    law: &Counted<'_, L>,
+    axial: f64,
+    [low, high]: [f64; 2],
+    distance: f64,
+    lifted: f64,
+) -> Option<f64> {
+    let (mut low, mut high) = (low - 0.25 * distance, high + 0.25 * distance);
+    if !(law.load(axial, low) <= lifted && law.load(axial, high) > lifted) {
+        return None;
+    }
+    while high - low > f64::EPSILON * distance {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if law.load(axial, middle) > lifted {
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    Some(0.5 * (low + high))
+}
