@@ -21,6 +21,10 @@ const ACROSS: [usize; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
 const PROBES: usize = 1500;
 /// Most cells of a table.
 const MOST_CELLS: usize = 8192;
+/// Nodes along the approach of a strip in which the exact law is asked.
+const STRIP_NODES: usize = 8;
+/// Most strips of a table into which one of those is divided.
+const FINEST: usize = 32;
 /// |A1| over the distance of the circle of lift-off above which it is no function of |A1|.
 const STEEPEST: f64 = 0.95;
 
@@ -140,8 +144,8 @@ struct Limits {
     chart: Chart,
     /// √u at both ends.
     roots: [f64; 2],
-    /// Least and greatest A2, m.
-    radial: [f64; 2],
+    /// Least A2, m.
+    lowest: f64,
 }
 
 impl Limits {
@@ -153,7 +157,7 @@ impl Limits {
         Self {
             chart: Chart::concentric(span, nearest - pad),
             roots: [pad.sqrt(), (farthest - nearest + pad).sqrt()],
-            radial,
+            lowest: radial[0],
         }
     }
 
@@ -189,7 +193,7 @@ impl Limits {
         Ok(Self {
             chart,
             roots: [0.0, farthest.sqrt()],
-            radial: [radial[0], f64::MAX],
+            lowest: radial[0],
         })
     }
 
@@ -248,21 +252,22 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
     }
 
     fn table<const COUPLE: bool>(&self, law: &L) -> Result<TableLaw<L, COUPLE>, TableError> {
-        let strips = self.strips();
-        let values = self.values(&strips);
-        let across = self.across(&strips, &values);
-        if strips.count() * across > MOST_CELLS {
+        let (first_bins, values) = self.divided();
+        let across = self.across(&Strips::new(self.limits.roots, &first_bins, 1), &values);
+        let strips = Strips::new(self.limits.roots, &first_bins, across);
+        let cells = strips.count() * across;
+        if cells > MOST_CELLS {
+            let relative_error = f64::INFINITY;
             return Err(TableError::Tolerance {
-                relative_error: f64::INFINITY,
-                cells: strips.count() * across,
+                relative_error,
+                cells,
             });
         }
         let (forces, couples) = self.cells(&strips, &values, across);
         Ok(TableLaw {
             exact: law.clone(),
             speed: self.law.speed,
-            span: self.span,
-            radial: self.limits.radial,
+            lowest: self.limits.lowest,
             chart: self.limits.chart,
             strips,
             across,
@@ -271,12 +276,13 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         })
     }
 
-    /// Halves the range until the interpolation in every strip is exact enough.
-    fn strips(&self) -> Strips {
+    /// First bins of wide strips: halves of halves of the range, in each of which one polynomial of
+    /// high degree is exact enough.
+    fn wide_strips(&self) -> Vec<usize> {
         let mut first_bins = Vec::new();
         let mut waiting = vec![(0, BINS)];
         while let Some((first, next)) = waiting.pop() {
-            let [low, high] = [first, next].map(|bin| self.limits.root(bin as f64 / BINS as f64));
+            let [low, high] = [first, next].map(|bin| self.bin_root(bin));
             if next - first == 1 || self.fits(low, high) {
                 first_bins.push(first);
             } else {
@@ -285,7 +291,88 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
                 waiting.push((first, middle));
             }
         }
-        Strips::new(self.limits.roots, &first_bins)
+        first_bins
+    }
+
+    /// v at the start of a bin.
+    fn bin_root(&self, bin: usize) -> f64 {
+        let [start, end] = self.limits.roots;
+        start + (end - start) * (bin as f64 / BINS as f64)
+    }
+
+    /// First bins of the table's strips, and the forces over u at their nodes in all columns; strips
+    /// side by side share a node.
+    fn divided(&self) -> (Vec<usize>, Vec<Vec<Reduced>>) {
+        let wide = self.wide_strips();
+        let (mut first_bins, mut values) = (Vec::new(), Vec::new());
+        let mut border = self.row(self.bin_root(0));
+        for (strip, &first) in wide.iter().enumerate() {
+            let next = wide.get(strip + 1).copied().unwrap_or(BINS);
+            let [low, high] = [first, next].map(|bin| self.bin_root(bin));
+            let mut rows = vec![border];
+            rows.extend((1..STRIP_NODES).map(|node| {
+                let x = lobatto(node, STRIP_NODES);
+                self.row(0.5 * (low + high) + 0.5 * (high - low) * x)
+            }));
+            let parts = self.parts(&rows, [low, high], FINEST.min(next - first));
+            for part in 0..parts {
+                first_bins.push(first + part * (next - first) / parts);
+                for node in 0..ROOT_TERMS - 1 {
+                    let x = part_place(part, parts, lobatto(node, ROOT_TERMS));
+                    values.push(between(&rows, x));
+                }
+            }
+            border = rows.swap_remove(STRIP_NODES - 1);
+        }
+        values.push(border);
+        (first_bins, values)
+    }
+
+    /// Fewest equal parts of a wide strip in which polynomials of low degree follow that of high
+    /// degree through `rows`.
+    fn parts(&self, rows: &[Vec<Reduced>], [low, high]: [f64; 2], most: usize) -> usize {
+        let follows = |parts: usize| {
+            (0..parts).all(|part| {
+                let nodes: [Vec<f64>; ROOT_TERMS] = std::array::from_fn(|node| {
+                    weights_at(
+                        part_place(part, parts, lobatto(node, ROOT_TERMS)),
+                        STRIP_NODES,
+                    )
+                });
+                [0.0, 0.8].into_iter().all(|x| {
+                    let place = part_place(part, parts, x);
+                    let difference = difference(
+                        &weights_at(x, ROOT_TERMS),
+                        &nodes,
+                        &weights_at(place, STRIP_NODES),
+                    );
+                    let root = 0.5 * (low + high) + 0.5 * (high - low) * place;
+                    (0..self.columns).all(|column| {
+                        let values = rows.iter().map(|row| row[column]);
+                        self.is_small(&weighted(values, &difference), root)
+                    })
+                })
+            })
+        };
+        let mut parts = 1;
+        while parts < most && !follows(parts) {
+            parts *= 2;
+        }
+        parts
+    }
+
+    /// Whether an error of forces over u is within a step's share.
+    fn is_small(&self, error: &Reduced, root: f64) -> bool {
+        error
+            .iter()
+            .all(|error| error.abs() * root * root <= self.step)
+    }
+
+    /// Forces over u at v in all columns.
+    fn row(&self, root: f64) -> Vec<Reduced> {
+        (0..self.columns)
+            .map(|column| self.reduced(lobatto(column, self.columns), root))
+            .collect()
     }
 
     /// Whether one polynomial in v serves from `low` to `high`, seen at both ends of the span and in
@@ -293,33 +380,15 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
     fn fits(&self, low: f64, high: f64) -> bool {
         let root = |x: f64| 0.5 * (low + high) + 0.5 * (high - low) * x;
         [0.0, -1.0, 1.0].into_iter().all(|along| {
-            let nodes: [Reduced; ROOT_TERMS] =
-                std::array::from_fn(|index| self.reduced(along, root(lobatto(index, ROOT_TERMS))));
-            [0.0, -0.6, 0.6].into_iter().all(|x| {
+            let nodes: [Reduced; STRIP_NODES] =
+                std::array::from_fn(|index| self.reduced(along, root(lobatto(index, STRIP_NODES))));
+            [0.0, -0.7, 0.7].into_iter().all(|x| {
                 let exact = self.reduced(along, root(x));
-                let weights = weights_at(x, ROOT_TERMS);
-                let past_lift = root(x) * root(x);
-                (0..3).all(|output| {
-                    let sum: f64 = (0..ROOT_TERMS)
-                        .map(|index| weights[index] * nodes[index][output])
-                        .sum();
-                    (sum - exact[output]).abs() * past_lift <= self.step
-                })
+                let own = weighted(nodes.into_iter(), &weights_at(x, STRIP_NODES));
+                let error = std::array::from_fn(|output| own[output] - exact[output]);
+                self.is_small(&error, root(x))
             })
         })
-    }
-
-    /// Forces over u at the nodes of all strips and columns; neighbours share a node.
-    fn values(&self, strips: &Strips) -> Vec<Vec<Reduced>> {
-        let nodes = strips.count() * (ROOT_TERMS - 1) + 1;
-        (0..nodes)
-            .map(|node| {
-                let root = node_root(strips, node);
-                (0..self.columns)
-                    .map(|column| self.reduced(lobatto(column, self.columns), root))
-                    .collect()
-            })
-            .collect()
     }
 
     /// Fewest cells along |A1| whose polynomials follow the columns.
@@ -335,27 +404,11 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         (0..across).all(|cell| {
             let nodes = self.node_weights(cell, across);
             [0.0, 0.8].into_iter().all(|x| {
-                let own = weights_at(x, AXIAL_TERMS);
-                let exact = weights_at(column_along(cell, across, x), self.columns);
-                // weights of the difference
-                let difference: Vec<f64> = (0..self.columns)
-                    .map(|column| {
-                        let sum: f64 = (0..AXIAL_TERMS)
-                            .map(|node| own[node] * nodes[node][column])
-                            .sum();
-                        sum - exact[column]
-                    })
-                    .collect();
+                let exact = weights_at(part_place(cell, across, x), self.columns);
+                let difference = difference(&weights_at(x, AXIAL_TERMS), &nodes, &exact);
                 values.iter().enumerate().all(|(node, row)| {
-                    let past_lift = node_root(strips, node).powi(2);
-                    (0..3).all(|output| {
-                        let sum: f64 = row
-                            .iter()
-                            .zip(&difference)
-                            .map(|(value, weight)| value[output] * weight)
-                            .sum();
-                        sum.abs() * past_lift <= self.step
-                    })
+                    let error = weighted(row.iter().copied(), &difference);
+                    self.is_small(&error, node_root(strips, node))
                 })
             })
         })
@@ -365,7 +418,7 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
     fn node_weights(&self, cell: usize, across: usize) -> [Vec<f64>; AXIAL_TERMS] {
         std::array::from_fn(|node| {
             let x = lobatto(node, AXIAL_TERMS);
-            weights_at(column_along(cell, across, x), self.columns)
+            weights_at(part_place(cell, across, x), self.columns)
         })
     }
 
@@ -390,14 +443,20 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
             for weights in &columns {
                 let first = strip * (ROOT_TERMS - 1);
                 let nodes: [[Reduced; AXIAL_TERMS]; ROOT_TERMS] = std::array::from_fn(|root| {
-                    std::array::from_fn(|node| weighted(&values[first + root], &weights[node]))
+                    std::array::from_fn(|node| {
+                        weighted(values[first + root].iter().copied(), &weights[node])
+                    })
                 });
                 let terms = powers(&nodes, &by_root, &by_axial);
-                forces.push(terms.map(|row| {
-                    let pair =
-                        |l: usize| Lanes::new([row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]]);
-                    [pair(0), pair(2)]
-                }));
+                forces.push(ForceCell {
+                    map: strips.map(strip),
+                    terms: terms.map(|row| {
+                        let pair = |l: usize| {
+                            Lanes::new([row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]])
+                        };
+                        [pair(0), pair(2)]
+                    }),
+                });
                 couples.push(terms.map(|row| Lanes::new(row.map(|term| term[2] * self.arm))));
             }
         }
@@ -425,9 +484,9 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
     }
 }
 
-/// τ at x in −1 … 1 of a cell along |A1|.
-fn column_along(cell: usize, across: usize, x: f64) -> f64 {
-    (2.0 * cell as f64 + 1.0 + x) / across as f64 - 1.0
+/// Place in −1 … 1 of x in −1 … 1 of one of equal parts.
+fn part_place(part: usize, parts: usize, x: f64) -> f64 {
+    (2.0 * part as f64 + 1.0 + x) / parts as f64 - 1.0
 }
 
 /// v at a node of the strips.
@@ -436,9 +495,32 @@ fn node_root(strips: &Strips, node: usize) -> f64 {
     strips.root(strip, lobatto(node - strip * (ROOT_TERMS - 1), ROOT_TERMS))
 }
 
-fn weighted(values: &[Reduced], weights: &[f64]) -> Reduced {
+/// Weights that take a polynomial of high degree, `exact`, from that of low degree through its values
+/// at `nodes`.
+fn difference(own: &[f64], nodes: &[Vec<f64>], exact: &[f64]) -> Vec<f64> {
+    let of_node = |index: usize| {
+        own.iter()
+            .zip(nodes)
+            .map(move |(own, node)| own * node[index])
+    };
+    exact
+        .iter()
+        .enumerate()
+        .map(|(index, exact)| of_node(index).sum::<f64>() - exact)
+        .collect()
+}
+
+/// Rows at x in −1 … 1 of the strip that they span.
+fn between(rows: &[Vec<Reduced>], x: f64) -> Vec<Reduced> {
+    let weights = weights_at(x, rows.len());
+    (0..rows[0].len())
+        .map(|column| weighted(rows.iter().map(|row| row[column]), &weights))
+        .collect()
+}
+
+fn weighted(values: impl Iterator<Item = Reduced>, weights: &[f64]) -> Reduced {
     let mut sum = [0.0; 3];
-    for (value, weight) in values.iter().zip(weights) {
+    for (value, weight) in values.zip(weights) {
         for output in 0..3 {
             sum[output] += weight * value[output];
         }
@@ -452,11 +534,11 @@ fn powers(
     by_root: &[[f64; ROOT_TERMS]; ROOT_TERMS],
     by_axial: &[[f64; AXIAL_TERMS]; AXIAL_TERMS],
 ) -> [[Reduced; AXIAL_TERMS]; ROOT_TERMS] {
-    let rows = nodes.map(|row| by_axial.map(|weights| weighted(&row, &weights)));
+    let rows = nodes.map(|row| by_axial.map(|weights| weighted(row.into_iter(), &weights)));
     by_root.map(|weights| {
         std::array::from_fn(|l| {
             let column: [Reduced; ROOT_TERMS] = std::array::from_fn(|root| rows[root][l]);
-            weighted(&column, &weights)
+            weighted(column.into_iter(), &weights)
         })
     })
 }

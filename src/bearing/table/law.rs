@@ -7,16 +7,24 @@ use crate::bearing::{
 };
 
 /// Powers of x, along the root of the approach, in a cell.
-pub(super) const ROOT_TERMS: usize = 6;
+pub(super) const ROOT_TERMS: usize = 4;
 /// Powers of t, along |A1|, in a cell.
 pub(super) const AXIAL_TERMS: usize = 4;
 
 /// Adding and taking it away rounds to a whole number, which then stands in the lowest bits.
-const ROUNDING: f64 = 6_755_399_441_055_744.0;
+pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
-/// Coefficients of F_a/u and F_r/u in a cell: for every power of x the pairs (F_a, F_r) of
-/// (t⁰, t¹) and of (t², t³).
-pub(super) type ForceCell = [[Lanes; 2]; ROOT_TERMS];
+/// Keeps the end of a range from being rounded into the cell behind it.
+pub(super) const INSIDE: f64 = 1.0 - 1e-12;
+
+/// One polynomial of F_a/u and F_r/u.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ForceCell {
+    /// Scale and shift that map v onto x = −1 … 1.
+    pub(super) map: [f64; 2],
+    /// For every power of x the pairs (F_a, F_r) of (t⁰, t¹) and of (t², t³).
+    pub(super) terms: [[Lanes; 2]; ROOT_TERMS],
+}
 
 /// Coefficients of couple/u in a cell: for every power of x those of t⁰ … t³.
 pub(super) type CoupleCell = [Lanes; ROOT_TERMS];
@@ -37,9 +45,8 @@ pub(super) type CoupleCell = [Lanes; ROOT_TERMS];
 pub struct TableLaw<L, const COUPLE: bool> {
     pub(super) exact: L,
     pub(super) speed: f64,
-    pub(super) span: [f64; 2],
-    /// Least and greatest A2, m.
-    pub(super) radial: [f64; 2],
+    /// Least A2, m.
+    pub(super) lowest: f64,
     pub(super) chart: Chart,
     pub(super) strips: Strips,
     /// Cells along |A1|.
@@ -53,9 +60,10 @@ struct Located {
     /// max(u, 0), m.
     past_lift: Lanes,
     root: Lanes,
-    bins: Lanes,
-    /// Cell along |A1|, as a whole number.
-    column: Lanes,
+    /// Bins of the strips.
+    bins: [usize; LANES],
+    /// Cells along |A1|.
+    columns: [usize; LANES],
     /// Place in that cell, −½ … ½.
     in_column: Lanes,
 }
@@ -76,29 +84,26 @@ impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
     #[inline(always)]
     fn locate(&self, axial: Lanes, radial: Lanes, speed: f64) -> Option<Located> {
         use wide::{CmpGe, CmpLe};
+        let one = Lanes::splat(1.0);
         let [along, past_lift] = self.chart.coordinates(axial, radial);
         let past_lift = past_lift.fast_max(Lanes::ZERO);
         let root = past_lift.sqrt();
-        let [start, end] = self.strips.range();
-        let inside = axial.cmp_ge(Lanes::splat(self.span[0]))
-            & axial.cmp_le(Lanes::splat(self.span[1]))
-            & radial.cmp_ge(Lanes::splat(self.radial[0]))
-            & radial.cmp_le(Lanes::splat(self.radial[1]))
-            & root.cmp_ge(Lanes::splat(start))
-            & root.cmp_le(Lanes::splat(end));
+        let part = self.strips.part(root);
+        let inside = along.abs().cmp_le(one)
+            & part.abs().cmp_le(one)
+            & radial.cmp_ge(Lanes::splat(self.lowest));
         if !(inside.all() && speed == self.speed) {
             return None;
         }
-        let half = Lanes::splat(0.5 * self.across as f64);
-        let place = along * half + (half - Lanes::splat(0.5));
-        let most = Lanes::splat((self.across - 1) as f64);
-        let column = round(place).fast_max(Lanes::ZERO).fast_min(most);
+        let half = 0.5 * self.across as f64 * INSIDE;
+        let place = along * Lanes::splat(half) + Lanes::splat(half - 0.5);
+        let column = place + Lanes::splat(ROUNDING);
         Some(Located {
             past_lift,
             root,
-            bins: round(self.strips.bins(root) - Lanes::splat(0.5)),
-            column,
-            in_column: place - column,
+            bins: self.strips.bins(part),
+            columns: whole(column),
+            in_column: place - (column - Lanes::splat(ROUNDING)),
         })
     }
 
@@ -117,25 +122,18 @@ impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
     }
 }
 
-/// Nearest whole numbers.
+/// Whole numbers to which [`ROUNDING`] was added.
 #[inline(always)]
-fn round(x: Lanes) -> Lanes {
-    (x + Lanes::splat(ROUNDING)) - Lanes::splat(ROUNDING)
-}
-
-/// Whole numbers as indices.
-#[inline(always)]
-fn indices(whole: Lanes) -> [usize; LANES] {
-    let shifted = whole + Lanes::splat(ROUNDING);
-    shifted.to_array().map(|x| x.to_bits() as u32 as usize)
+pub(super) fn whole(rounded: Lanes) -> [usize; LANES] {
+    rounded.to_array().map(|x| x.to_bits() as u32 as usize)
 }
 
 /// F_a/u and F_r/u at x and t of a cell.
 #[inline(always)]
 fn cell_force(cell: &ForceCell, x: f64, t: f64) -> [f64; 2] {
     let along = Lanes::splat(x);
-    let [mut low, mut high] = cell[ROOT_TERMS - 1];
-    for [even, odd] in cell[..ROOT_TERMS - 1].iter().rev() {
+    let [mut low, mut high] = cell.terms[ROOT_TERMS - 1];
+    for [even, odd] in cell.terms[..ROOT_TERMS - 1].iter().rev() {
         low = low * along + *even;
         high = high * along + *odd;
     }
@@ -193,17 +191,23 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         let Some(place) = self.locate(axial ^ side, radial, speed) else {
             return self.exact_forces(axial, radial, speed);
         };
-        let (bins, columns) = (indices(place.bins), indices(place.column));
         let (roots, ts) = (place.root.to_array(), place.in_column.to_array());
-        let [mut pushes_axial, mut pushes_radial, mut couples] = [[0.0; LANES]; 3];
-        for i in 0..LANES {
-            let (strip, x) = self.strips.locate(bins[i], roots[i]);
-            let cell = strip * self.across + columns[i];
-            [pushes_axial[i], pushes_radial[i]] = cell_force(&self.forces[cell], x, ts[i]);
-            if COUPLE {
-                couples[i] = cell_couple(&self.couples[cell], x, ts[i]);
-            }
-        }
+        // one after the other by name: a loop would keep the lanes in memory
+        let ball = |i: usize| {
+            let index = self.strips.first_cell(place.bins[i]) + place.columns[i];
+            let cell = &self.forces[index];
+            let x = roots[i] * cell.map[0] - cell.map[1];
+            let couple = if COUPLE {
+                cell_couple(&self.couples[index], x, ts[i])
+            } else {
+                0.0
+            };
+            (cell_force(cell, x, ts[i]), couple)
+        };
+        let balls = [ball(0), ball(1), ball(2), ball(3)];
+        let pushes_axial = balls.map(|([axial, _], _)| axial);
+        let pushes_radial = balls.map(|([_, radial], _)| radial);
+        let couples = balls.map(|(_, couple)| couple);
         let force = |over: [f64; LANES]| place.past_lift * Lanes::from(over);
         LaneForces {
             // even and odd in A1
@@ -224,10 +228,11 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         };
         let first = |lanes: Lanes| lanes.to_array()[0];
         let (root, past_lift) = (first(place.root), first(place.past_lift));
-        let (strip, x) = self.strips.locate(indices(place.bins)[0], root);
-        let cell = strip * self.across + indices(place.column)[0];
+        let index = self.strips.first_cell(place.bins[0]) + place.columns[0];
+        let cell = &self.forces[index];
+        let [x_rate, shift] = cell.map;
+        let x = root * x_rate - shift;
         let slopes = self.chart.slopes(axial.abs(), radial);
-        let x_rate = self.strips.rate_in(strip);
         let t_rate = 0.5 * self.across as f64 * self.chart.along_rate();
         let t = first(place.in_column);
         // F = u H(v, p), v = √u: ∂F/∂u = H + ½ v ∂H/∂v
@@ -241,9 +246,8 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
                 [0.0; 3]
             }
         };
-        let forces = &self.forces[cell];
         let pair = |output: usize| {
-            move |k: usize, l: usize| forces[k][l / 2].to_array()[2 * (l % 2) + output]
+            move |k: usize, l: usize| cell.terms[k][l / 2].to_array()[2 * (l % 2) + output]
         };
         let side = 1.0_f64.copysign(axial);
         let even = |[value, by_axial, by_radial]: [f64; 3]| (value, [side * by_axial, by_radial]);
@@ -252,7 +256,7 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         let (push_axial, axial_row) = odd(row(&pair(0)));
         let (push_radial, radial_row) = even(row(&pair(1)));
         let (couple, couple_row) = if COUPLE {
-            odd(row(&|k, l| self.couples[cell][k].to_array()[l]))
+            odd(row(&|k, l| self.couples[index][k].to_array()[l]))
         } else {
             (0.0, [0.0; 2])
         };

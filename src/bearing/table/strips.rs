@@ -1,6 +1,7 @@
 //! Division of the root of the approach into strips of unequal width.
 
-use crate::bearing::Lanes;
+use super::law::{INSIDE, ROUNDING, whole};
+use crate::bearing::{LANES, Lanes};
 
 /// Bins over the whole range: the narrowest strip is one of them.
 pub(super) const BINS: usize = 8192;
@@ -8,68 +9,66 @@ pub(super) const BINS: usize = 8192;
 /// Strips over `start` … `end`, each a whole number of bins.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Strips {
-    /// Bins a unit.
-    rate: f64,
-    start: f64,
-    end: f64,
-    /// Strip of every bin.
-    of_bin: Vec<u16>,
-    /// Scale and shift that map a strip onto −1 … 1.
-    maps: Vec<[f64; 2]>,
+    middle: f64,
+    inverse_half: f64,
+    /// First cell of the strip of every bin.
+    first_cells: Vec<u16>,
+    /// v at the ends of the strips.
+    edges: Vec<f64>,
 }
 
 impl Strips {
-    /// Strips that follow one another, each from its first bin on.
-    pub(super) fn new([start, end]: [f64; 2], first_bins: &[usize]) -> Self {
+    /// Strips that follow one another, each from its first bin on, of `cells` cells each.
+    pub(super) fn new([start, end]: [f64; 2], first_bins: &[usize], cells: usize) -> Self {
         let width = (end - start) / BINS as f64;
-        let mut of_bin = vec![0; BINS];
-        let mut maps = Vec::with_capacity(first_bins.len());
+        let mut first_cells = vec![0; BINS];
+        let mut edges = vec![start];
         for (strip, &first) in first_bins.iter().enumerate() {
             let next = first_bins.get(strip + 1).copied().unwrap_or(BINS);
-            of_bin[first..next].fill(strip as u16);
-            let (low, high) = (start + first as f64 * width, start + next as f64 * width);
-            maps.push([2.0 / (high - low), (high + low) / (high - low)]);
+            first_cells[first..next].fill((strip * cells) as u16);
+            edges.push(start + next as f64 * width);
         }
         Self {
-            rate: BINS as f64 / (end - start),
-            start,
-            end,
-            of_bin,
-            maps,
+            middle: 0.5 * (start + end),
+            inverse_half: 2.0 / (end - start),
+            first_cells,
+            edges,
         }
-    }
-
-    /// Start of the first strip and end of the last one.
-    pub(super) fn range(&self) -> [f64; 2] {
-        [self.start, self.end]
     }
 
     pub(super) fn count(&self) -> usize {
-        self.maps.len()
+        self.edges.len() - 1
     }
 
-    /// Root of the approach at x in −1 … 1 of a strip.
+    /// v at x in −1 … 1 of a strip.
     pub(super) fn root(&self, strip: usize, x: f64) -> f64 {
-        let [scale, shift] = self.maps[strip];
-        (x + shift) / scale
+        let (low, high) = (self.edges[strip], self.edges[strip + 1]);
+        0.5 * (low + high) + 0.5 * (high - low) * x
     }
 
-    /// dx/dv in a strip.
-    pub(super) fn rate_in(&self, strip: usize) -> f64 {
-        self.maps[strip][0]
+    /// Scale and shift that map v onto x in a strip: `x = v scale − shift`.
+    pub(super) fn map(&self, strip: usize) -> [f64; 2] {
+        let (low, high) = (self.edges[strip], self.edges[strip + 1]);
+        [2.0 / (high - low), (high + low) / (high - low)]
     }
 
-    /// Places along the bins, whose whole part is the bin.
+    /// The range as −1 … 1.
     #[inline(always)]
-    pub(super) fn bins(&self, root: Lanes) -> Lanes {
-        (root - Lanes::splat(self.start)) * Lanes::splat(self.rate)
+    pub(super) fn part(&self, root: Lanes) -> Lanes {
+        (root - Lanes::splat(self.middle)) * Lanes::splat(self.inverse_half)
     }
 
-    /// The strip of a bin and x in it; bins past the end count as the last.
+    /// Bins of parts of the range.
     #[inline(always)]
-    pub(super) fn locate(&self, bin: usize, root: f64) -> (usize, f64) {
-        let strip = usize::from(self.of_bin[bin.min(BINS - 1)]);
-        let [scale, shift] = self.maps[strip];
-        (strip, root * scale - shift)
+    pub(super) fn bins(&self, part: Lanes) -> [usize; LANES] {
+        let half = 0.5 * BINS as f64 * INSIDE;
+        let place = part * Lanes::splat(half) + Lanes::splat(half - 0.5);
+        whole(place + Lanes::splat(ROUNDING))
+    }
+
+    /// First cell of the strip of a bin.
+    #[inline(always)]
+    pub(super) fn first_cell(&self, bin: usize) -> usize {
+        usize::from(self.first_cells[bin])
     }
 }
