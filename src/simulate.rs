@@ -7,6 +7,7 @@ mod part;
 mod reference;
 mod run;
 mod sampling;
+mod tables;
 mod warnings;
 mod watch;
 
@@ -22,6 +23,7 @@ pub use observation::{
 pub use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub use reference::ReferenceStanding;
 pub use run::{MeasuredError, Run, StaticState};
+pub use tables::TableUse;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 use crate::integrate::{IntegrateError, Integration, Square};
@@ -29,6 +31,7 @@ use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, Moving, Rotor, check_loose}
 use energy_audit::EnergyAudit;
 use observation::Observation;
 use reference::{Reference, reference_settings};
+use tables::TableAudit;
 use warnings::Outcome;
 
 /// Samples that are integrated, checked and written at a time.
@@ -58,24 +61,30 @@ pub fn simulate_part(
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
 ) -> Result<Run, SimulateError> {
-    let rotor = Rotor::assemble(&model.rotor)?;
+    let mut rotor = Rotor::assemble(&model.rotor)?;
+    let tables = TableAudit::new(if model.table {
+        rotor.tabulate(reference_settings(model).tolerance)
+    } else {
+        Vec::new()
+    });
     if model.energy || rotor.is_driven() {
         let accounted = AccountedRotor::new(&rotor);
         return run::<_, ACCOUNTED_STATES, { ACCOUNTED_STATES + 1 }>(
-            model, &accounted, sink, monitor, part,
+            model, &accounted, tables, sink, monitor, part,
         );
     }
     // N states of the kept freedoms, and M = N + 1 with the time
     match rotor.kept() {
-        2 => run::<_, 4, 5>(model, &rotor, sink, monitor, part),
-        3 => run::<_, 6, 7>(model, &rotor, sink, monitor, part),
-        _ => run::<_, 10, 11>(model, &rotor, sink, monitor, part),
+        2 => run::<_, 4, 5>(model, &rotor, tables, sink, monitor, part),
+        3 => run::<_, 6, 7>(model, &rotor, tables, sink, monitor, part),
+        _ => run::<_, 10, 11>(model, &rotor, tables, sink, monitor, part),
     }
 }
 
 fn run<S, const N: usize, const M: usize>(
     model: &Model,
     system: &S,
+    mut tables: TableAudit,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
@@ -106,6 +115,7 @@ where
             sink.sample(&sample)?;
             observation.take(&sample, sink)?;
             audit.sample(&sample);
+            tables.sample(rotor, &sample);
             if let Some(recorder) = &mut recorder {
                 recorder.record(&sample);
             }
@@ -158,6 +168,7 @@ where
         counters: main.counters(),
         samples: grid.count,
         bearings: observation.finish(),
+        tables: tables.finish(),
         warnings: warnings::warnings(model, rotor, &outcome),
         measured_error,
         energy: audit.finish(),

@@ -130,7 +130,7 @@ impl AnyRing {
 
 /// Force of a ring, out of line: in a function of its own the loop over the balls keeps the registers.
 #[inline(never)]
-fn force_of<L: BallLaw>(
+pub(super) fn force_of<L: BallLaw>(
     ring: &Ring<L>,
     displacement: Vector5,
     cage: CageAngle,

@@ -32,6 +32,7 @@ mod state;
 mod static_safety;
 mod support;
 mod table;
+mod table_ring;
 mod thrust;
 mod warnings;
 

@@ -25,8 +25,8 @@ const MOST_CELLS: usize = 8192;
 const STRIP_NODES: usize = 8;
 /// Most strips of a table into which one of those is divided.
 const FINEST: usize = 32;
-/// |A1| over the distance of the circle of lift-off above which it is no function of |A1|.
-const STEEPEST: f64 = 0.95;
+/// Slope of u by A2 along the line of lift-off below which the line is no function of |A1|.
+const FLATTEST: f64 = 0.3;
 
 /// What a table is good for, and what it took.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -130,7 +130,6 @@ impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
 /// A table in the making: the coordinates, and how exact it is to be.
 struct Draft<'a, L> {
     law: &'a Counted<'a, L>,
-    span: [f64; 2],
     limits: Limits,
     columns: usize,
     /// Error that each step may make, N.
@@ -178,7 +177,7 @@ impl Limits {
         let chart = Chart::new(span, nodes, &lift_off);
         let steep = nodes.iter().zip(&lift_off).any(|(&axial, &radial)| {
             let slopes = chart.slopes(axial, radial);
-            !(slopes.by_radial > (1.0 - STEEPEST * STEEPEST).sqrt())
+            slopes.by_radial.is_nan() || slopes.by_radial < FLATTEST
         });
         if steep {
             return Err(TableError::LiftOff);
@@ -230,7 +229,6 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         };
         Ok(Self {
             law,
-            span,
             limits,
             columns,
             step: STEP_SHARE * tolerance * load,
