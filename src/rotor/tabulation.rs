@@ -1,13 +1,17 @@
 //! Ball laws compiled into tables for the motion of a rotor.
 
-use super::{FREEDOMS, Rotor, Sample};
-use crate::bearing::{Support, TableError, TableReport};
+use super::{FREEDOMS, MotionScale, Rotor, Sample};
+use crate::bearing::{Geometry, Support, TableError, TableReport};
 
 /// Error of a table over the largest static ball load.
 const TABLE_TOLERANCE: f64 = 1e-9;
-/// Swings of the balls that a table allows for, over the motion that is expected: the widest for
-/// which the law has one.
-const MARGINS: [f64; 3] = [4.0, 2.0, 1.0];
+/// Swing that a table allows for, over the motion that is expected.
+const MARGIN: f64 = 4.0;
+/// Largest swings of x and y and of z and the tilts, over the distance of the groove centres: what
+/// is expected of a rotor whose bearings hardly hold it at rest is far too much.
+const LARGEST: [f64; 2] = [0.06, 0.03];
+/// Parts of that swing, the widest of which for which the law has a table is taken.
+const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// What became of the table of one bearing.
 pub type Tabulation = Option<Result<TableReport, TableError>>;
@@ -20,29 +24,33 @@ impl Rotor {
         let Some(speed) = self.steady_from(0.0) else {
             return vec![None; self.supports.len()];
         };
-        let scale = self.motion_scale(tolerance);
+        let swing = self.swing(&self.motion_scale(tolerance));
         let place = self.equilibrium.displacement;
-        let (kept, supports) = (self.kept, &mut self.supports);
-        let swing = |margin: f64| -> [f64; FREEDOMS] {
-            std::array::from_fn(|axis| {
-                if axis < kept {
-                    margin * scale.length / scale.lever(axis)
-                } else {
-                    0.0
-                }
-            })
-        };
         let compile = |support: &mut Support| {
             let mut tabulation = None;
-            for margin in MARGINS {
-                tabulation = support.tabulate(&place, &swing(margin), speed, TABLE_TOLERANCE);
+            for part in PARTS {
+                let swing = swing.map(|swing| part * swing);
+                tabulation = support.tabulate(&place, &swing, speed, TABLE_TOLERANCE);
                 if !matches!(tabulation, Some(Err(_))) {
                     break;
                 }
             }
             tabulation
         };
-        supports.iter_mut().map(compile).collect()
+        self.supports.iter_mut().map(compile).collect()
+    }
+
+    /// How far from the static equilibrium the kept freedoms may come, m and rad.
+    fn swing(&self, scale: &MotionScale) -> [f64; FREEDOMS] {
+        let distance = Support::largest(&self.supports, Geometry::groove_centre_distance);
+        std::array::from_fn(|axis| {
+            let largest = LARGEST[usize::from(axis >= 2)] * distance;
+            if axis < self.kept {
+                (MARGIN * scale.length).min(largest) / scale.lever(axis)
+            } else {
+                0.0
+            }
+        })
     }
 
     /// Counts, for every bearing, whether a ball is outside its table in an observed state.

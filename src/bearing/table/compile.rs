@@ -11,16 +11,19 @@ use crate::bearing::{BallForce, BallLaw, Lanes};
 
 /// Load at which a ball counts as lifted off, of the largest one.
 const LIFTED_SHARE: f64 = 1e-14;
+/// How far around the region lift-off is looked for, over the distance of the groove centres; so far
+/// below the region balls carry nothing.
+const LIFTED_REACH: f64 = 0.25;
 /// Share of the tolerance that each step of the interpolation may use.
 const STEP_SHARE: f64 = 0.25;
 /// Numbers of places along |A1| at which the exact law is asked, one attempt after the other.
-const COLUMNS: [usize; 3] = [11, 16, 24];
-/// Numbers of cells along |A1| that are tried.
-const ACROSS: [usize; 10] = [1, 2, 3, 4, 6, 8, 12, 16, 24, 32];
+const COLUMNS: [usize; 3] = [11, 18, 30];
+/// Most cells along |A1|.
+const MOST_ACROSS: usize = 64;
 /// Offset places at which the error is measured.
 const PROBES: usize = 1500;
 /// Most cells of a table.
-const MOST_CELLS: usize = 8192;
+const MOST_CELLS: usize = 16_384;
 /// Nodes along the approach of a strip in which the exact law is asked.
 const STRIP_NODES: usize = 8;
 /// Most strips of a table into which one of those is divided.
@@ -138,6 +141,23 @@ struct Draft<'a, L> {
     arm: f64,
 }
 
+/// The strips of a table.
+struct Division {
+    first_bins: Vec<usize>,
+    /// v at their nodes; strips side by side share one.
+    roots: Vec<f64>,
+    /// Forces over u at the nodes in all columns.
+    values: Vec<Vec<Reduced>>,
+}
+
+/// How a cell comes from the columns.
+struct CellColumns {
+    /// Weights of its nodes.
+    nodes: [Vec<f64>; AXIAL_TERMS],
+    /// Weights of its errors between the nodes.
+    errors: [Vec<f64>; 2],
+}
+
 /// Coordinates and how far they reach.
 struct Limits {
     chart: Chart,
@@ -192,7 +212,7 @@ impl Limits {
         Ok(Self {
             chart,
             roots: [0.0, farthest.sqrt()],
-            lowest: radial[0],
+            lowest: radial[0] - LIFTED_REACH * distance,
         })
     }
 
@@ -250,10 +270,14 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
     }
 
     fn table<const COUPLE: bool>(&self, law: &L) -> Result<TableLaw<L, COUPLE>, TableError> {
-        let (first_bins, values) = self.divided();
-        let across = self.across(&Strips::new(self.limits.roots, &first_bins, 1), &values);
-        let strips = Strips::new(self.limits.roots, &first_bins, across);
-        let cells = strips.count() * across;
+        let Division {
+            first_bins,
+            roots,
+            values,
+        } = self.divided();
+        let columns = self.columns_of_cells();
+        let across = self.across(&roots, &values, &columns);
+        let cells = across.iter().sum();
         if cells > MOST_CELLS {
             let relative_error = f64::INFINITY;
             return Err(TableError::Tolerance {
@@ -261,14 +285,13 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
                 cells,
             });
         }
-        let (forces, couples) = self.cells(&strips, &values, across);
+        let (forces, couples) = self.cells(&values, &across, &columns);
         Ok(TableLaw {
             exact: law.clone(),
             speed: self.law.speed,
             lowest: self.limits.lowest,
             chart: self.limits.chart,
-            strips,
-            across,
+            strips: Strips::new(self.limits.roots, &first_bins, &across),
             forces,
             couples: if COUPLE { couples } else { Vec::new() },
         })
@@ -298,32 +321,35 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         start + (end - start) * (bin as f64 / BINS as f64)
     }
 
-    /// First bins of the table's strips, and the forces over u at their nodes in all columns; strips
-    /// side by side share a node.
-    fn divided(&self) -> (Vec<usize>, Vec<Vec<Reduced>>) {
+    /// The table's strips, their polynomials of low degree taken from those of wide strips.
+    fn divided(&self) -> Division {
         let wide = self.wide_strips();
-        let (mut first_bins, mut values) = (Vec::new(), Vec::new());
+        let (mut first_bins, mut roots, mut values) = (Vec::new(), Vec::new(), Vec::new());
         let mut border = self.row(self.bin_root(0));
         for (strip, &first) in wide.iter().enumerate() {
             let next = wide.get(strip + 1).copied().unwrap_or(BINS);
             let [low, high] = [first, next].map(|bin| self.bin_root(bin));
+            let root = |x: f64| 0.5 * (low + high) + 0.5 * (high - low) * x;
             let mut rows = vec![border];
-            rows.extend((1..STRIP_NODES).map(|node| {
-                let x = lobatto(node, STRIP_NODES);
-                self.row(0.5 * (low + high) + 0.5 * (high - low) * x)
-            }));
+            rows.extend((1..STRIP_NODES).map(|node| self.row(root(lobatto(node, STRIP_NODES)))));
             let parts = self.parts(&rows, [low, high], FINEST.min(next - first));
             for part in 0..parts {
                 first_bins.push(first + part * (next - first) / parts);
                 for node in 0..ROOT_TERMS - 1 {
                     let x = part_place(part, parts, lobatto(node, ROOT_TERMS));
+                    roots.push(root(x));
                     values.push(between(&rows, x));
                 }
             }
             border = rows.swap_remove(STRIP_NODES - 1);
         }
+        roots.push(self.bin_root(BINS));
         values.push(border);
-        (first_bins, values)
+        Division {
+            first_bins,
+            roots,
+            values,
+        }
     }
 
     /// Fewest equal parts of a wide strip in which polynomials of low degree follow that of high
@@ -389,27 +415,49 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         })
     }
 
-    /// Fewest cells along |A1| whose polynomials follow the columns.
-    fn across(&self, strips: &Strips, values: &[Vec<Reduced>]) -> usize {
-        let most = ACROSS[ACROSS.len() - 1];
-        ACROSS
-            .into_iter()
-            .find(|&across| self.follows(strips, values, across))
-            .unwrap_or(most)
+    /// Of each number of cells along |A1| that a strip may have, 1, 2, 4 …, how they come from the
+    /// columns.
+    fn columns_of_cells(&self) -> Vec<Vec<CellColumns>> {
+        let numbers = std::iter::successors(Some(1), |across| Some(2 * across));
+        numbers
+            .take_while(|&across| across <= MOST_ACROSS)
+            .map(|across| {
+                (0..across)
+                    .map(|cell| {
+                        let nodes = self.node_weights(cell, across);
+                        let errors = [0.0, 0.8].map(|x| {
+                            let exact = weights_at(part_place(cell, across, x), self.columns);
+                            difference(&weights_at(x, AXIAL_TERMS), &nodes, &exact)
+                        });
+                        CellColumns { nodes, errors }
+                    })
+                    .collect()
+            })
+            .collect()
     }
 
-    fn follows(&self, strips: &Strips, values: &[Vec<Reduced>], across: usize) -> bool {
-        (0..across).all(|cell| {
-            let nodes = self.node_weights(cell, across);
-            [0.0, 0.8].into_iter().all(|x| {
-                let exact = weights_at(part_place(cell, across, x), self.columns);
-                let difference = difference(&weights_at(x, AXIAL_TERMS), &nodes, &exact);
-                values.iter().enumerate().all(|(node, row)| {
-                    let error = weighted(row.iter().copied(), &difference);
-                    self.is_small(&error, node_root(strips, node))
-                })
+    /// Of every strip the fewest cells along |A1| whose polynomials follow the columns.
+    fn across(
+        &self,
+        roots: &[f64],
+        values: &[Vec<Reduced>],
+        columns: &[Vec<CellColumns>],
+    ) -> Vec<usize> {
+        let follows = |node: usize, cells: &Vec<CellColumns>| {
+            cells.iter().flat_map(|cell| &cell.errors).all(|weights| {
+                let error = weighted(values[node].iter().copied(), weights);
+                self.is_small(&error, roots[node])
             })
-        })
+        };
+        (0..values.len() / (ROOT_TERMS - 1))
+            .map(|strip| {
+                let first = strip * (ROOT_TERMS - 1);
+                let fits = |cells: &&Vec<CellColumns>| {
+                    (first..first + ROOT_TERMS).all(|node| follows(node, cells))
+                };
+                columns.iter().find(fits).map_or(MOST_ACROSS, Vec::len)
+            })
+            .collect()
     }
 
     /// Weights of the columns at the nodes of a cell along |A1|.
@@ -420,11 +468,12 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         })
     }
 
+    /// The polynomials of all cells, strip by strip.
     fn cells(
         &self,
-        strips: &Strips,
         values: &[Vec<Reduced>],
-        across: usize,
+        across: &[usize],
+        columns: &[Vec<CellColumns>],
     ) -> (Vec<ForceCell>, Vec<CoupleCell>) {
         let by_root = power_weights::<ROOT_TERMS>();
         // t is half of the coordinate from −1 to 1
@@ -434,11 +483,8 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
                 .for_each(|weight| *weight *= f64::powi(2.0, power as i32));
         }
         let (mut forces, mut couples) = (Vec::new(), Vec::new());
-        let columns: Vec<_> = (0..across)
-            .map(|cell| self.node_weights(cell, across))
-            .collect();
-        for strip in 0..strips.count() {
-            for weights in &columns {
+        for (strip, across) in across.iter().enumerate() {
+            for CellColumns { nodes: weights, .. } in &columns[across.ilog2() as usize] {
                 let first = strip * (ROOT_TERMS - 1);
                 let nodes: [[Reduced; AXIAL_TERMS]; ROOT_TERMS] = std::array::from_fn(|root| {
                     std::array::from_fn(|node| {
@@ -446,15 +492,11 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
                     })
                 });
                 let terms = powers(&nodes, &by_root, &by_axial);
-                forces.push(ForceCell {
-                    map: strips.map(strip),
-                    terms: terms.map(|row| {
-                        let pair = |l: usize| {
-                            Lanes::new([row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]])
-                        };
-                        [pair(0), pair(2)]
-                    }),
-                });
+                forces.push(terms.map(|row| {
+                    let pair =
+                        |l: usize| Lanes::new([row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]]);
+                    [pair(0), pair(2)]
+                }));
                 couples.push(terms.map(|row| Lanes::new(row.map(|term| term[2] * self.arm))));
             }
         }
@@ -485,12 +527,6 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
 /// Place in −1 … 1 of x in −1 … 1 of one of equal parts.
 fn part_place(part: usize, parts: usize, x: f64) -> f64 {
     (2.0 * part as f64 + 1.0 + x) / parts as f64 - 1.0
-}
-
-/// v at a node of the strips.
-fn node_root(strips: &Strips, node: usize) -> f64 {
-    let strip = (node / (ROOT_TERMS - 1)).min(strips.count() - 1);
-    strips.root(strip, lobatto(node - strip * (ROOT_TERMS - 1), ROOT_TERMS))
 }
 
 /// Weights that take a polynomial of high degree, `exact`, from that of low degree through its values
@@ -550,7 +586,8 @@ fn lift_off<L: BallLaw>(
     distance: f64,
     lifted: f64,
 ) -> Option<f64> {
-    let (mut low, mut high) = (low - 0.25 * distance, high + 0.25 * distance);
+    let reach = LIFTED_REACH * distance;
+    let (mut low, mut high) = (low - reach, high + reach);
     if !(law.load(axial, low) <= lifted && law.load(axial, high) > lifted) {
         return None;
     }

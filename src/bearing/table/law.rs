@@ -1,7 +1,7 @@
 //! The law that a table stands for.
 
 use super::chart::Chart;
-use super::strips::Strips;
+use super::strips::{InCell, Strips};
 use crate::bearing::{
     BallContact, BallForce, BallLaw, BallTangent, LANES, LaneForces, Lanes, LoadSlope,
 };
@@ -11,20 +11,18 @@ pub(super) const ROOT_TERMS: usize = 4;
 /// Powers of t, along |A1|, in a cell.
 pub(super) const AXIAL_TERMS: usize = 4;
 
+/// End of a range, with what rounding may add.
+const END: f64 = 1.0 + 1e-13;
+
 /// Adding and taking it away rounds to a whole number, which then stands in the lowest bits.
 pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// Keeps the end of a range from being rounded into the cell behind it.
 pub(super) const INSIDE: f64 = 1.0 - 1e-12;
 
-/// One polynomial of F_a/u and F_r/u.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct ForceCell {
-    /// Scale and shift that map v onto x = −1 … 1.
-    pub(super) map: [f64; 2],
-    /// For every power of x the pairs (F_a, F_r) of (t⁰, t¹) and of (t², t³).
-    pub(super) terms: [[Lanes; 2]; ROOT_TERMS],
-}
+/// Coefficients of F_a/u and F_r/u in a cell: for every power of x the pairs (F_a, F_r) of
+/// (t⁰, t¹) and of (t², t³).
+pub(super) type ForceCell = [[Lanes; 2]; ROOT_TERMS];
 
 /// Coefficients of couple/u in a cell: for every power of x those of t⁰ … t³.
 pub(super) type CoupleCell = [Lanes; ROOT_TERMS];
@@ -49,8 +47,6 @@ pub struct TableLaw<L, const COUPLE: bool> {
     pub(super) lowest: f64,
     pub(super) chart: Chart,
     pub(super) strips: Strips,
-    /// Cells along |A1|.
-    pub(super) across: usize,
     pub(super) forces: Vec<ForceCell>,
     pub(super) couples: Vec<CoupleCell>,
 }
@@ -60,12 +56,10 @@ struct Located {
     /// max(u, 0), m.
     past_lift: Lanes,
     root: Lanes,
+    /// τ.
+    along: Lanes,
     /// Bins of the strips.
     bins: [usize; LANES],
-    /// Cells along |A1|.
-    columns: [usize; LANES],
-    /// Place in that cell, −½ … ½.
-    in_column: Lanes,
 }
 
 impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
@@ -84,7 +78,7 @@ impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
     #[inline(always)]
     fn locate(&self, axial: Lanes, radial: Lanes, speed: f64) -> Option<Located> {
         use wide::{CmpGe, CmpLe};
-        let one = Lanes::splat(1.0);
+        let one = Lanes::splat(END);
         let [along, past_lift] = self.chart.coordinates(axial, radial);
         let past_lift = past_lift.fast_max(Lanes::ZERO);
         let root = past_lift.sqrt();
@@ -95,15 +89,11 @@ impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
         if !(inside.all() && speed == self.speed) {
             return None;
         }
-        let half = 0.5 * self.across as f64 * INSIDE;
-        let place = along * Lanes::splat(half) + Lanes::splat(half - 0.5);
-        let column = place + Lanes::splat(ROUNDING);
         Some(Located {
             past_lift,
             root,
-            bins: self.strips.bins(part),
-            columns: whole(column),
-            in_column: place - (column - Lanes::splat(ROUNDING)),
+            along,
+            bins: Strips::bins(part),
         })
     }
 
@@ -122,9 +112,10 @@ impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
     }
 }
 
-/// Whole numbers to which [`ROUNDING`] was added.
+/// Nearest whole numbers.
 #[inline(always)]
-pub(super) fn whole(rounded: Lanes) -> [usize; LANES] {
+pub(super) fn whole(x: Lanes) -> [usize; LANES] {
+    let rounded = x + Lanes::splat(ROUNDING);
     rounded.to_array().map(|x| x.to_bits() as u32 as usize)
 }
 
@@ -132,8 +123,8 @@ pub(super) fn whole(rounded: Lanes) -> [usize; LANES] {
 #[inline(always)]
 fn cell_force(cell: &ForceCell, x: f64, t: f64) -> [f64; 2] {
     let along = Lanes::splat(x);
-    let [mut low, mut high] = cell.terms[ROOT_TERMS - 1];
-    for [even, odd] in cell.terms[..ROOT_TERMS - 1].iter().rev() {
+    let [mut low, mut high] = cell[ROOT_TERMS - 1];
+    for [even, odd] in cell[..ROOT_TERMS - 1].iter().rev() {
         low = low * along + *even;
         high = high * along + *odd;
     }
@@ -191,18 +182,16 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         let Some(place) = self.locate(axial ^ side, radial, speed) else {
             return self.exact_forces(axial, radial, speed);
         };
-        let (roots, ts) = (place.root.to_array(), place.in_column.to_array());
+        let (roots, alongs) = (place.root.to_array(), place.along.to_array());
         // one after the other by name: a loop would keep the lanes in memory
         let ball = |i: usize| {
-            let index = self.strips.first_cell(place.bins[i]) + place.columns[i];
-            let cell = &self.forces[index];
-            let x = roots[i] * cell.map[0] - cell.map[1];
+            let InCell { cell, x, t } = self.strips.locate(place.bins[i], roots[i], alongs[i]);
             let couple = if COUPLE {
-                cell_couple(&self.couples[index], x, ts[i])
+                cell_couple(&self.couples[cell], x, t)
             } else {
                 0.0
             };
-            (cell_force(cell, x, ts[i]), couple)
+            (cell_force(&self.forces[cell], x, t), couple)
         };
         let balls = [ball(0), ball(1), ball(2), ball(3)];
         let pushes_axial = balls.map(|([axial, _], _)| axial);
@@ -228,13 +217,11 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         };
         let first = |lanes: Lanes| lanes.to_array()[0];
         let (root, past_lift) = (first(place.root), first(place.past_lift));
-        let index = self.strips.first_cell(place.bins[0]) + place.columns[0];
-        let cell = &self.forces[index];
-        let [x_rate, shift] = cell.map;
-        let x = root * x_rate - shift;
+        let bin = place.bins[0];
+        let InCell { cell, x, t } = self.strips.locate(bin, root, first(place.along));
+        let [x_rate, t_rate] = self.strips.rates(bin);
         let slopes = self.chart.slopes(axial.abs(), radial);
-        let t_rate = 0.5 * self.across as f64 * self.chart.along_rate();
-        let t = first(place.in_column);
+        let t_rate = t_rate * self.chart.along_rate();
         // F = u H(v, p), v = √u: ∂F/∂u = H + ½ v ∂H/∂v
         let row = |term: &dyn Fn(usize, usize) -> f64| {
             let [value, by_x, by_t] = with_slopes(term, x, t);
@@ -246,8 +233,9 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
                 [0.0; 3]
             }
         };
+        let forces = &self.forces[cell];
         let pair = |output: usize| {
-            move |k: usize, l: usize| cell.terms[k][l / 2].to_array()[2 * (l % 2) + output]
+            move |k: usize, l: usize| forces[k][l / 2].to_array()[2 * (l % 2) + output]
         };
         let side = 1.0_f64.copysign(axial);
         let even = |[value, by_axial, by_radial]: [f64; 3]| (value, [side * by_axial, by_radial]);
@@ -256,7 +244,7 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         let (push_axial, axial_row) = odd(row(&pair(0)));
         let (push_radial, radial_row) = even(row(&pair(1)));
         let (couple, couple_row) = if COUPLE {
-            odd(row(&|k, l| self.couples[index][k].to_array()[l]))
+            odd(row(&|k, l| self.couples[cell][k].to_array()[l]))
         } else {
             (0.0, [0.0; 2])
         };
