@@ -194,7 +194,7 @@ fn right_hand_side<const N: usize>(criterion: &mut Criterion, name: &str, rotor:
 fn tabulated(criterion: &mut Criterion) {
     for rung in RUNGS {
         let mut rotor = Rotor::assemble(&rung.definition()).expect("a rotor");
-        let tables = rotor.tabulate(1e-9);
+        let tables = rotor.tabulate();
         if tables.iter().flatten().all(Result::is_err) {
             continue;
         }
@@ -207,7 +207,7 @@ fn tabulated(criterion: &mut Criterion) {
         criterion.bench_function(&format!("compile: {}", rung.name), |bencher| {
             bencher.iter_batched(
                 || Rotor::assemble(&rung.definition()).expect("a rotor"),
-                |mut rotor| rotor.tabulate(1e-9),
+                |mut rotor| rotor.tabulate(),
                 BatchSize::PerIteration,
             );
         });

@@ -63,7 +63,7 @@ pub fn simulate_part(
 ) -> Result<Run, SimulateError> {
     let mut rotor = Rotor::assemble(&model.rotor)?;
     let tables = TableAudit::new(if model.table {
-        rotor.tabulate(reference_settings(model).tolerance)
+        rotor.tabulate()
     } else {
         Vec::new()
     });

@@ -1,6 +1,6 @@
 //! Ball laws compiled into tables for the motion of a rotor.
 
-use super::{FREEDOMS, MotionScale, Rotor, Sample};
+use super::{FREEDOMS, Rotor, Sample};
 use crate::bearing::{Geometry, Support, TableError, TableReport};
 
 /// Error of a table over the largest static ball load.
@@ -9,7 +9,7 @@ const TABLE_TOLERANCE: f64 = 1e-9;
 const MARGIN: f64 = 4.0;
 /// Largest swings of x and y and of z and the tilts, over the distance of the groove centres: what
 /// is expected of a rotor whose bearings hardly hold it at rest is far too much.
-const LARGEST: [f64; 2] = [0.06, 0.03];
+const LARGEST: [f64; 2] = [0.06, 0.04];
 /// Parts of that swing, the widest of which for which the law has a table is taken.
 const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 
@@ -17,14 +17,14 @@ const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 pub type Tabulation = Option<Result<TableReport, TableError>>;
 
 impl Rotor {
-    /// Compiles the ball laws of all bearings into tables for the motion to be expected at a
-    /// tolerance, [`Rotor::motion_scale`]; none of a bearing that would not gain, and none at all
+    /// Compiles the ball laws of all bearings into tables for the motion that the
+    /// linearised rotor lets expect; none of a bearing that would not gain, and none at all
     /// where the speed varies.
-    pub fn tabulate(&mut self, tolerance: f64) -> Vec<Tabulation> {
+    pub fn tabulate(&mut self) -> Vec<Tabulation> {
         let Some(speed) = self.steady_from(0.0) else {
             return vec![None; self.supports.len()];
         };
-        let swing = self.swing(&self.motion_scale(tolerance));
+        let swing = self.swing();
         let place = self.equilibrium.displacement;
         let compile = |support: &mut Support| {
             let mut tabulation = None;
@@ -41,12 +41,15 @@ impl Rotor {
     }
 
     /// How far from the static equilibrium the kept freedoms may come, m and rad.
-    fn swing(&self, scale: &MotionScale) -> [f64; FREEDOMS] {
+    fn swing(&self) -> [f64; FREEDOMS] {
         let distance = Support::largest(&self.supports, Geometry::groove_centre_distance);
+        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
+        let expected = self.expected_swing();
         std::array::from_fn(|axis| {
-            let largest = LARGEST[usize::from(axis >= 2)] * distance;
+            let lever = if axis < 3 { 1.0 } else { arm };
+            let largest = LARGEST[usize::from(axis >= 2)] * distance / lever;
             if axis < self.kept {
-                (MARGIN * scale.length).min(largest) / scale.lever(axis)
+                (MARGIN * expected[axis]).min(largest)
             } else {
                 0.0
             }

@@ -155,6 +155,18 @@ fn both_sides_of_a_centred_ball_are_the_same() {
         radial: [around - 10e-6, around + 20e-6],
     };
     let (table, _) = compiled::<_, false>(&law, region);
+    // the ends of the table are in it, to the bit
+    for axial in [-8e-6, -0.0, 0.0, 8e-6] {
+        for radial in [region.radial[0], region.radial[1]] {
+            let error = difference(
+                &table.force(axial, radial, SPEED),
+                &law.force(axial, radial, SPEED),
+                1.0,
+            );
+            assert!(table.covers(axial, radial, SPEED));
+            assert!(error <= TOLERANCE * LOAD);
+        }
+    }
     for [axial, radial] in places(region, 500) {
         let [here, there] = [axial, -axial].map(|axial| table.force(axial, radial, SPEED));
         assert_eq!(here.axial, -there.axial);
@@ -218,7 +230,7 @@ fn a_ring_of_tables_is_the_ring_of_laws() {
 
 /// A light thrust and a radial load: balls unload at every turn of the cage.
 fn unloading(law: ContactLaw, oil: Option<Oil>) -> RotorDefinition {
-    let mut shaft = shaft(Freedoms::Translational);
+    let mut shaft = shaft(Freedoms::Radial);
     shaft.eccentricity = 1e-5;
     shaft.gravity = true;
     let bearing = jeffcott::bearing::MountedBearing {
@@ -228,7 +240,7 @@ fn unloading(law: ContactLaw, oil: Option<Oil>) -> RotorDefinition {
     };
     RotorDefinition {
         speed: SPEED,
-        load: [0.0, -900.0, 300.0, 0.0, 0.0],
+        load: [0.0, -1500.0, 300.0, 0.0, 0.0],
         damping: Damping::Ratio(0.02),
         initial: AT_EQUILIBRIUM,
         ..rotor(shaft, vec![bearing])
@@ -262,7 +274,8 @@ fn a_run_with_balls_that_unload_every_turn_is_the_same_by_table() {
     let jones = ContactLaw::Jones(RaceControl::Outer);
     for oil in [None, Some(OIL)] {
         let mut model = model(unloading(jones, oil), 0.05, 20_000.0);
-        model.integrator = settings(1e-8);
+        // so tight that what is left is the table's
+        model.integrator = settings(1e-11);
         let (distance, [own, exact]) = table_and_exact(model);
         assert!(
             exact.bearings[0]
@@ -271,7 +284,6 @@ fn a_run_with_balls_that_unload_every_turn_is_the_same_by_table() {
                 .any(|(_, count)| count.count > 0)
         );
         let table = own.tables[0].expect("a costly law");
-        println!("{table:?}");
         assert!(
             table
                 .table
@@ -279,10 +291,9 @@ fn a_run_with_balls_that_unload_every_turn_is_the_same_by_table() {
         );
         assert_eq!(table.samples_outside, 0);
         assert_eq!(exact.tables, []);
-        println!("{distance:e} {:?} {:?}", own.counters, exact.counters);
         assert!(distance < 1e-7, "{distance:e}");
-        let steps = own.counters.steps as f64 / exact.counters.steps as f64;
-        assert!((steps - 1.0).abs() < 0.02, "{steps}");
+        let work = own.counters.evaluations as f64 / exact.counters.evaluations as f64;
+        assert!((work - 1.0).abs() < 0.05, "{work}");
     }
 }
 
@@ -329,7 +340,6 @@ fn a_table_keeps_the_energy_of_an_undamped_shaft() {
         model.table = table;
         let run = simulate_into(&model, &mut crate::support::Collector::default());
         let energy = run.expect("it runs").energy.expect("an account");
-        println!("{table}: {:e}", energy.relative_residual);
         assert!(energy.conservative);
         assert!(energy.relative_residual < 1e-8, "{energy:?}");
     }

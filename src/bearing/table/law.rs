@@ -17,7 +17,7 @@ const END: f64 = 1.0 + 1e-13;
 /// Adding and taking it away rounds to a whole number, which then stands in the lowest bits.
 pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
-/// Keeps the end of a range from being rounded into the cell behind it.
+/// Keeps the ends of a range from being rounded into the cells beyond them.
 pub(super) const INSIDE: f64 = 1.0 - 1e-12;
 
 /// Coefficients of F_a/u and F_r/u in a cell: for every power of x the pairs (F_a, F_r) of

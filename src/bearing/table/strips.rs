@@ -11,8 +11,9 @@ pub(super) const BINS: usize = 8192;
 pub(super) struct Strip {
     /// Scale and shift that map v onto x = −1 … 1: `x = v scale − shift`.
     map: [f64; 2],
-    /// Half the number of cells.
-    half: f64,
+    /// Scale and shift that map τ onto the cells.
+    scale: f64,
+    shift: f64,
     first_cell: usize,
 }
 
@@ -48,7 +49,8 @@ impl Strips {
             let [low, high] = [first, next].map(|bin| start + bin as f64 * width);
             strips.push(Strip {
                 map: [2.0 / (high - low), (high + low) / (high - low)],
-                half: 0.5 * cells as f64 * INSIDE,
+                scale: 0.5 * cells as f64 * INSIDE,
+                shift: 0.5 * cells as f64 - 0.5,
                 first_cell,
             });
             first_cell += cells;
@@ -70,15 +72,15 @@ impl Strips {
     /// Bins of parts of the range.
     #[inline(always)]
     pub(super) fn bins(part: Lanes) -> [usize; LANES] {
-        let half = 0.5 * BINS as f64 * INSIDE;
-        whole(part * Lanes::splat(half) + Lanes::splat(half - 0.5))
+        let half = 0.5 * BINS as f64;
+        whole(part * Lanes::splat(half * INSIDE) + Lanes::splat(half - 0.5))
     }
 
     /// The cell of v and τ in a bin.
     #[inline(always)]
     pub(super) fn locate(&self, bin: usize, root: f64, along: f64) -> InCell {
         let strip = &self.strips[usize::from(self.of_bin[bin])];
-        let place = along * strip.half + (strip.half - 0.5);
+        let place = along * strip.scale + strip.shift;
         let column = place + ROUNDING;
         InCell {
             cell: strip.first_cell + column.to_bits() as u32 as usize,
@@ -90,6 +92,6 @@ impl Strips {
     /// dx/dv and dt/dτ in a bin.
     pub(super) fn rates(&self, bin: usize) -> [f64; 2] {
         let strip = &self.strips[usize::from(self.of_bin[bin])];
-        [strip.map[0], strip.half]
+        [strip.map[0], strip.scale]
     }
 }
