@@ -37,8 +37,9 @@ pub(super) type CoupleCell = [Lanes; ROOT_TERMS];
 /// ball carries nothing. Places outside the region and other speeds than that of the table go to the
 /// exact law, and so does everything but forces. `COUPLE` says whether the law has a couple.
 ///
-/// The force is continuous, and differs from the exact one by the bound of its
-/// [`super::TableReport`].
+/// The force differs from the exact one by the bound of its [`super::TableReport`]. It is continuous
+/// within a strip of v and between strips of equally many cells; between others it may step by a
+/// quarter of the tolerance.
 #[derive(Debug, Clone)]
 pub struct TableLaw<L, const COUPLE: bool> {
     pub(super) exact: L,
