@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use criterion::{Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use jeffcott::bearing::{
     BallLaw, CageAngle, ContactLaw, Facing, HertzLaw, MountedBearing, Oil, Preload, Ring, catalogue,
 };
@@ -190,6 +190,30 @@ fn right_hand_side<const N: usize>(criterion: &mut Criterion, name: &str, rotor:
     });
 }
 
+/// Costly laws as tables: the rungs whose names they bear.
+fn tabulated(criterion: &mut Criterion) {
+    for rung in RUNGS {
+        let mut rotor = Rotor::assemble(&rung.definition()).expect("a rotor");
+        let tables = rotor.tabulate();
+        if tables.iter().flatten().all(Result::is_err) {
+            continue;
+        }
+        let name = format!("{}, table", rung.name);
+        match rung.freedoms {
+            Freedoms::Radial => right_hand_side::<4>(criterion, &name, &rotor),
+            Freedoms::Translational => right_hand_side::<6>(criterion, &name, &rotor),
+            Freedoms::All => right_hand_side::<10>(criterion, &name, &rotor),
+        }
+        criterion.bench_function(&format!("compile: {}", rung.name), |bencher| {
+            bencher.iter_batched(
+                || Rotor::assemble(&rung.definition()).expect("a rotor"),
+                |mut rotor| rotor.tabulate(),
+                BatchSize::PerIteration,
+            );
+        });
+    }
+}
+
 fn right_hand_sides(criterion: &mut Criterion) {
     for rung in RUNGS {
         let rotor = Rotor::assemble(&rung.definition()).expect("a rotor");
@@ -201,5 +225,5 @@ fn right_hand_sides(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, ball_and_ring, right_hand_sides);
+criterion_group!(benches, ball_and_ring, right_hand_sides, tabulated);
 criterion_main!(benches);

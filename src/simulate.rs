@@ -9,6 +9,7 @@ mod part;
 mod reference;
 mod run;
 mod sampling;
+mod tables;
 mod warnings;
 mod watch;
 
@@ -25,12 +26,14 @@ pub use observation::{
 pub use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub use reference::ReferenceStanding;
 pub use run::{MeasuredError, Run, StaticState};
+pub use tables::TableUse;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 use crate::integrate::{Grid, IntegrateError, Integration, Square};
 use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, MotionScale, Moving, Rotor, check_loose};
 use observers::Observers;
 use reference::{Reference, reference_settings};
+use tables::TableAudit;
 use warnings::Outcome;
 
 /// Samples that are integrated, checked and written at a time.
@@ -60,24 +63,30 @@ pub fn simulate_part(
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
 ) -> Result<Run, SimulateError> {
-    let rotor = Rotor::assemble(&model.rotor)?;
+    let mut rotor = Rotor::assemble(&model.rotor)?;
+    let tables = TableAudit::new(if model.table {
+        rotor.tabulate()
+    } else {
+        Vec::new()
+    });
     if model.energy || rotor.is_driven() {
         let accounted = AccountedRotor::new(&rotor);
         return run::<_, ACCOUNTED_STATES, { ACCOUNTED_STATES + 1 }>(
-            model, &accounted, sink, monitor, part,
+            model, &accounted, tables, sink, monitor, part,
         );
     }
     // N states of the kept freedoms, and M = N + 1 with the time
     match rotor.kept() {
-        2 => run::<_, 4, 5>(model, &rotor, sink, monitor, part),
-        3 => run::<_, 6, 7>(model, &rotor, sink, monitor, part),
-        _ => run::<_, 10, 11>(model, &rotor, sink, monitor, part),
+        2 => run::<_, 4, 5>(model, &rotor, tables, sink, monitor, part),
+        3 => run::<_, 6, 7>(model, &rotor, tables, sink, monitor, part),
+        _ => run::<_, 10, 11>(model, &rotor, tables, sink, monitor, part),
     }
 }
 
 fn run<S, const N: usize, const M: usize>(
     model: &Model,
     system: &S,
+    tables: TableAudit,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
@@ -90,7 +99,7 @@ where
     let loose = check_loose(&model.rotor, rotor)?;
     let grid = sampling::grid(model, rotor)?;
     let mut passes = Passes::<S, N, M>::start(model, system, grid, monitor.stop);
-    let mut observers = Observers::new(model, rotor, grid, sink);
+    let mut observers = Observers::new(model, rotor, grid, sink, tables);
     part.go_on(&mut passes.main, passes.reference.as_mut())?;
     replay(&passes, &mut observers, monitor, part)?;
     integrate(&mut passes, &mut observers, monitor, part)?;
@@ -181,6 +190,7 @@ where
         counters: passes.main.counters(),
         samples: passes.grid.count,
         bearings: observers.observation.finish(),
+        tables: observers.tables.finish(),
         warnings: warnings::warnings(model, rotor, &outcome),
         measured_error,
         energy: observers.audit.finish(),

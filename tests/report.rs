@@ -78,6 +78,7 @@ fn model() -> Model {
         },
         verify: true,
         energy: false,
+        table: false,
         spectrum: Some(Window::Rectangular),
     }
 }
@@ -169,6 +170,7 @@ fn run() -> Run {
         },
         samples: 257,
         bearings: vec![history()],
+        tables: Vec::new(),
         measured_error: Some(MeasuredError {
             displacement: 1e-14,
             relative: 1e-8,

@@ -132,7 +132,7 @@ impl AnyRing {
 /// are the same at every width and no products are fused, so that the bytes of the result are the same.
 /// Out of line the loop over the balls keeps the registers.
 #[multiversion::multiversion(targets("x86_64+avx2", "x86_64+avx"))]
-fn force_of<L: BallLaw>(
+pub(super) fn force_of<L: BallLaw>(
     ring: &Ring<L>,
     displacement: Vector5,
     cage: CageAngle,

@@ -33,6 +33,8 @@ mod state;
 mod static_safety;
 mod support;
 mod support_damping;
+mod table;
+mod table_ring;
 mod thrust;
 mod warnings;
 
@@ -57,4 +59,5 @@ pub use ring::{Around, CageAngle, Matrix5, Ring, Vector5};
 pub use state::{BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares};
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub use support::Support;
+pub use table::{BallRegion, TableError, TableLaw, TableReport};
 pub use thrust::Thrust;

@@ -89,6 +89,18 @@ impl<L: BallLaw> Ring<L> {
         }
     }
 
+    /// The same balls in the same places under another law.
+    pub(super) fn under<M>(&self, law: M) -> Ring<M> {
+        Ring {
+            law,
+            lanes: self.lanes.clone(),
+            azimuths: self.azimuths.clone(),
+            free_axial: self.free_axial,
+            free_radial: self.free_radial,
+            arm: self.arm,
+        }
+    }
+
     /// Law of its balls.
     pub fn law(&self) -> &L {
         &self.law

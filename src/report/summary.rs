@@ -9,7 +9,7 @@ use crate::bearing::Matrix5;
 use crate::integrate::Counters;
 use crate::rotor::FREEDOMS;
 use crate::rotor::NaturalFrequency;
-use crate::simulate::{EnergyReport, MeasuredError, Model, Run, StaticState};
+use crate::simulate::{EnergyReport, MeasuredError, Model, Run, StaticState, TableUse};
 
 /// Everything that a run answers except trace and spectra, every number with its unit in its name.
 ///
@@ -36,6 +36,7 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
             .iter()
             .map(|peak| named_peak(peak, run.spectrum.as_ref()))
             .collect::<Value>(),
+        "tables": run.tables.iter().map(|table| table.as_ref().map(table_use)).collect::<Value>(),
         "counters": counters(&run.counters),
         "measured_error": run
             .measured_error
@@ -117,6 +118,19 @@ fn energy(energy: &EnergyReport) -> Value {
         "largest_residual_J": energy.largest_residual,
         "relative_residual": energy.relative_residual,
     })
+}
+
+fn table_use(table: &TableUse) -> Value {
+    match &table.table {
+        Ok(report) => json!({
+            "error_N": report.error,
+            "relative_error": report.relative_error,
+            "cells": report.cells,
+            "evaluations": report.evaluations,
+            "samples_outside": table.samples_outside,
+        }),
+        Err(error) => json!({ "none": error.to_string() }),
+    }
 }
 
 fn counters(counters: &Counters) -> Value {

@@ -22,6 +22,7 @@ mod moving;
 mod phases;
 mod sample;
 mod speed_profile;
+mod tabulation;
 
 pub use accounted::{ACCOUNTED_STATES, AccountedRotor};
 pub use assembly::RotorError;
@@ -41,3 +42,4 @@ pub use motion_scale::MotionScale;
 pub use moving::Moving;
 pub use sample::Sample;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
+pub use tabulation::Tabulation;

@@ -86,15 +86,50 @@ impl Rotor {
         Support::largest(&self.supports, Geometry::groove_centre_distance)
     }
 
+    /// How far each kept freedom is expected to come from the static equilibrium, m and rad: the sum
+    /// of what [`Rotor::motion_scale`] takes the largest of, at the speed of the start.
+    pub(super) fn expected_swing(&self) -> [f64; FREEDOMS] {
+        let speed = self.speed();
+        let mut swing = [0.0; FREEDOMS];
+        let mut add = |part: &mut dyn Iterator<Item = f64>| {
+            for (swing, part) in swing.iter_mut().zip(part) {
+                *swing += part.abs();
+            }
+        };
+        add(&mut self
+            .amplitudes(&self.unbalance_phasor(speed), speed)
+            .into_iter());
+        for load in &self.loads {
+            let load = load.swing(self.mass[0]);
+            let force = load.amplitude.map(|force| Complex::new(force, 0.0));
+            let frequency = load.frequency + load.order * speed;
+            add(&mut self.amplitudes(&force, frequency).into_iter());
+        }
+        let mut passing = [0.0_f64; FREEDOMS];
+        for shift in self.passing_shifts() {
+            for (passing, shift) in passing.iter_mut().zip(shift.iter()) {
+                *passing = passing.max(shift.abs());
+            }
+        }
+        add(&mut passing.into_iter());
+        let ([place, velocity], frequency) = (&self.initial, self.highest_frequency());
+        add(&mut (0..self.kept).map(|axis| place[axis] - self.equilibrium.displacement[axis]));
+        add(&mut velocity.iter().map(|velocity| velocity / frequency));
+        swing
+    }
+
+    /// Force of the unbalance at a speed as complex amplitudes, N.
+    fn unbalance_phasor(&self, speed: f64) -> [Complex<f64>; FREEDOMS] {
+        let inward = self.imbalance * speed * speed;
+        let mut force = [Complex::new(0.0, 0.0); FREEDOMS];
+        force[0] = Complex::new(inward, 0.0);
+        force[1] = Complex::new(0.0, -inward);
+        force
+    }
+
     /// Largest amplitude under the unbalance at the speeds of the profile.
     fn unbalance_response(&self, arm: f64) -> f64 {
-        let response = |speed: f64| {
-            let inward = self.imbalance * speed * speed;
-            let mut force = [Complex::new(0.0, 0.0); FREEDOMS];
-            force[0] = Complex::new(inward, 0.0);
-            force[1] = Complex::new(0.0, -inward);
-            self.forced_response(&force, speed, arm)
-        };
+        let response = |speed: f64| self.forced_response(&self.unbalance_phasor(speed), speed, arm);
         let speeds = self.speed.points().map(|point| point.speed);
         speeds
             .chain([self.highest_speed()])
@@ -113,8 +148,14 @@ impl Rotor {
         self.loads.iter().map(response).fold(0.0, f64::max)
     }
 
-    /// Largest amplitude under a force of angular frequency ω: `|(K − ω²M + iωC)⁻¹ F|`.
+    /// Largest amplitude under a force of angular frequency ω.
     fn forced_response(&self, force: &[Complex<f64>; FREEDOMS], omega: f64, arm: f64) -> f64 {
+        largest(self.amplitudes(force, omega).into_iter(), arm)
+    }
+
+    /// Amplitudes of the kept freedoms under a force of angular frequency ω, `|(K − ω²M + iωC)⁻¹ F|`;
+    /// none at an undamped resonance.
+    fn amplitudes(&self, force: &[Complex<f64>; FREEDOMS], omega: f64) -> Vec<f64> {
         let kept = self.kept;
         let stiffness = &self.equilibrium.stiffness;
         let dynamic = DMatrix::from_fn(kept, kept, |row, column| {
@@ -127,16 +168,24 @@ impl Rotor {
             Complex::new(stiffness[(row, column)] - inertia, omega * damping)
         });
         let force = DVector::from_column_slice(&force[..kept]);
-        let Some(response) = dynamic.lu().solve(&force) else {
-            return 0.0;
-        };
-        largest(response.iter().map(|part| part.norm()), arm)
+        let response = dynamic.lu().solve(&force);
+        response.map_or_else(Vec::new, |response| {
+            response.iter().map(|part| part.norm()).collect()
+        })
     }
 
     /// Static displacement under the change of force as the cage turns by one ball spacing.
     fn varying_compliance(&self, arm: f64) -> f64 {
+        self.passing_shifts()
+            .iter()
+            .map(|shift| largest(shift.iter().copied(), arm))
+            .fold(0.0, f64::max)
+    }
+
+    /// These displacements of the kept freedoms at some positions of the cage.
+    fn passing_shifts(&self) -> Vec<DVector<f64>> {
         if self.cage == CageMotion::Frozen || self.highest_speed() == 0.0 {
-            return 0.0;
+            return Vec::new();
         }
         let kept = self.kept;
         let stiffness = self
@@ -151,8 +200,7 @@ impl Rotor {
                 let change = DVector::from_vec(self.force_change(part)[..kept].to_vec());
                 factors.solve(&change)
             })
-            .map(|shift| largest(shift.iter().copied(), arm))
-            .fold(0.0, f64::max)
+            .collect()
     }
 
     /// Change of force at the equilibrium when every cage has turned by a part of its ball spacing.

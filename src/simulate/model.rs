@@ -31,6 +31,8 @@ pub struct Model {
     pub verify: bool,
     /// Whether the energy is accounted for; that of a driven shaft always is.
     pub energy: bool,
+    /// Whether costly ball laws are compiled into tables before the motion starts.
+    pub table: bool,
     /// Window of the spectra; `None` leaves the spectra out, and memory is flat in the duration.
     pub spectrum: Option<Window>,
 }

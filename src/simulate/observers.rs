@@ -2,6 +2,7 @@
 
 use super::energy_audit::EnergyAudit;
 use super::observation::Observation;
+use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
 use crate::analysis::Recorder;
 use crate::integrate::Grid;
@@ -14,16 +15,24 @@ pub(super) struct Observers<'a> {
     pub recorder: Option<Recorder>,
     pub observation: Observation<'a>,
     pub audit: EnergyAudit,
+    pub tables: TableAudit,
 }
 
 impl<'a> Observers<'a> {
-    pub fn new(model: &Model, rotor: &'a Rotor, grid: Grid, sink: &'a mut dyn TraceSink) -> Self {
+    pub fn new(
+        model: &Model,
+        rotor: &'a Rotor,
+        grid: Grid,
+        sink: &'a mut dyn TraceSink,
+        tables: TableAudit,
+    ) -> Self {
         Self {
             grid,
             sink,
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
             observation: Observation::new(model, rotor),
             audit: EnergyAudit::default(),
+            tables,
         }
     }
 
@@ -40,6 +49,7 @@ impl<'a> Observers<'a> {
             self.sink.sample(&sample)?;
             self.observation.take(&sample, self.sink)?;
             self.audit.sample(&sample);
+            self.tables.sample(system.rotor(), &sample);
             if let Some(recorder) = &mut self.recorder {
                 recorder.record(&sample);
             }

@@ -2,6 +2,7 @@
 
 use super::BearingHistory;
 use super::EnergyReport;
+use super::TableUse;
 use crate::analysis::{Peak, Spectrum};
 use crate::integrate::Counters;
 use crate::physics::BallPass;
@@ -58,6 +59,8 @@ pub struct Run {
     pub samples: u64,
     /// What was observed of each bearing, in the order of the scenario.
     pub bearings: Vec<BearingHistory>,
+    /// Tables of the ball laws of each bearing, in the order of the scenario, where asked for.
+    pub tables: Vec<Option<TableUse>>,
     /// Measured error, where asked for.
     pub measured_error: Option<MeasuredError>,
     /// Account of the energy, where asked for.

@@ -20,3 +20,4 @@ mod loads;
 mod ring;
 mod spectral_lines;
 mod speed;
+mod table;

@@ -187,6 +187,7 @@ pub fn model(rotor: RotorDefinition, duration: f64, rate: f64) -> Model {
         integrator: settings(1e-10),
         verify: false,
         energy: false,
+        table: false,
         spectrum: None,
     }
 }

@@ -256,6 +256,7 @@ impl ScenarioSpec {
             integrator: self.integrator.build(),
             verify: self.integrator.verify,
             energy: self.output.energy,
+            table: self.model.table,
             spectrum: self.output.spectrum.then_some(self.output.window.into()),
         })
     }

@@ -1,0 +1,121 @@
+//! Coordinates in which the law of a ball is smooth, across lift-off, too.
+
+use super::polynomial::{chebyshev_coefficients, powers_of_chebyshev};
+use crate::bearing::Lanes;
+
+/// Coefficients of the line of lift-off.
+const LIFT_TERMS: usize = 6;
+
+/// From the place of the inner groove centre to the root of the approach past lift-off.
+///
+/// ```text
+/// p = |A1|   τ = (p − p_m)/p_h   u = √(p² + (A2 − c)²) − R(τ)   v = √max(u, 0)
+/// ```
+///
+/// `u = 0` is the line on which a ball lifts off: close to a circle about a place `c` on the radial
+/// axis, where a ball that is thrown outwards rests. A dry contact's force is analytic in v up to
+/// v = 0, whatever holds the ball across the line of contact: there the forces are powers of √δ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Chart {
+    middle: f64,
+    inverse_half: f64,
+    centre: f64,
+    lift: [f64; LIFT_TERMS],
+}
+
+/// Slopes of the coordinates of a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ChartSlopes {
+    /// ∂u/∂p at constant A2.
+    pub(super) by_axial: f64,
+    /// ∂u/∂A2.
+    pub(super) by_radial: f64,
+}
+
+impl Chart {
+    /// Chart over |A1| in `span`, from radial distances at which balls lift off at the Lobatto nodes
+    /// of the span.
+    pub(super) fn new(span: [f64; 2], nodes: &[f64], lift_off: &[f64]) -> Self {
+        let (first, last) = (0, nodes.len() - 1);
+        let (p, a) = (
+            [nodes[first], nodes[last]],
+            [lift_off[first], lift_off[last]],
+        );
+        // both ends at the same distance of c
+        let centre =
+            (p[0] * p[0] + a[0] * a[0] - p[1] * p[1] - a[1] * a[1]) / (2.0 * (a[0] - a[1]));
+        let centre = if centre.is_finite() { centre } else { 0.0 };
+        let radii: Vec<f64> = nodes
+            .iter()
+            .zip(lift_off)
+            .map(|(p, a)| p.hypot(a - centre))
+            .collect();
+        Self {
+            middle: 0.5 * (span[0] + span[1]),
+            inverse_half: 2.0 / (span[1] - span[0]),
+            centre,
+            lift: powers_of_chebyshev(&chebyshev_coefficients(&radii)),
+        }
+    }
+
+    /// Chart over |A1| in `span` whose line `u = 0` is the circle of radius `radius` about the outer
+    /// groove centre: where no ball lifts off.
+    pub(super) fn concentric(span: [f64; 2], radius: f64) -> Self {
+        let mut lift = [0.0; LIFT_TERMS];
+        lift[0] = radius;
+        Self {
+            middle: 0.5 * (span[0] + span[1]),
+            inverse_half: 2.0 / (span[1] - span[0]),
+            centre: 0.0,
+            lift,
+        }
+    }
+
+    /// R(τ), m.
+    fn lift(&self, along: f64) -> f64 {
+        self.lift.iter().rev().fold(0.0, |sum, c| sum * along + c)
+    }
+
+    /// τ and u of places side by side.
+    #[inline(always)]
+    pub(super) fn coordinates(&self, axial: Lanes, radial: Lanes) -> [Lanes; 2] {
+        let along = (axial - Lanes::splat(self.middle)) * Lanes::splat(self.inverse_half);
+        let height = radial - Lanes::splat(self.centre);
+        let radius = (axial * axial + height * height).sqrt();
+        let square = along * along;
+        let [c0, c1, c2, c3, c4, c5] = self.lift.map(Lanes::splat);
+        let lift = (c0 + c1 * along) + square * ((c2 + c3 * along) + square * (c4 + c5 * along));
+        [along, radius - lift]
+    }
+
+    /// Slopes of u.
+    pub(super) fn slopes(&self, axial: f64, radial: f64) -> ChartSlopes {
+        let along = (axial - self.middle) * self.inverse_half;
+        let height = radial - self.centre;
+        let radius = (axial * axial + height * height).sqrt();
+        let mut lift_rate = 0.0;
+        for power in (1..LIFT_TERMS).rev() {
+            lift_rate = lift_rate * along + power as f64 * self.lift[power];
+        }
+        ChartSlopes {
+            by_axial: axial / radius - lift_rate * self.inverse_half,
+            by_radial: height / radius,
+        }
+    }
+
+    /// dτ/dp, 1/m.
+    pub(super) fn along_rate(&self) -> f64 {
+        self.inverse_half
+    }
+
+    /// |A1| at τ.
+    pub(super) fn axial(&self, along: f64) -> f64 {
+        self.middle + along / self.inverse_half
+    }
+
+    /// A2 of a place at τ and u; not a number beyond the circle.
+    pub(super) fn radial(&self, along: f64, past_lift: f64) -> f64 {
+        let (radius, axial) = (self.lift(along) + past_lift, self.axial(along));
+        self.centre + ((radius - axial) * (radius + axial)).sqrt()
+    }
+}

@@ -1,0 +1,267 @@
+//! The law that a table stands for.
+
+use super::chart::Chart;
+use super::strips::{InCell, Strips};
+use crate::bearing::{
+    BallContact, BallForce, BallLaw, BallTangent, LANES, LaneForces, Lanes, LoadSlope,
+};
+
+/// Powers of x, along the root of the approach, in a cell.
+pub(super) const ROOT_TERMS: usize = 4;
+/// Powers of t, along |A1|, in a cell.
+pub(super) const AXIAL_TERMS: usize = 4;
+
+/// End of a range, with what rounding may add.
+const END: f64 = 1.0 + 1e-13;
+
+/// Adding and taking it away rounds to a whole number, which then stands in the lowest bits.
+pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
+
+/// Keeps the ends of a range from being rounded into the cells beyond them.
+pub(super) const INSIDE: f64 = 1.0 - 1e-12;
+
+/// Coefficients of F_a/u and F_r/u in a cell: for every power of x the pairs (F_a, F_r) of
+/// (t⁰, t¹) and of (t², t³).
+pub(super) type ForceCell = [[Lanes; 2]; ROOT_TERMS];
+
+/// Coefficients of couple/u in a cell: for every power of x those of t⁰ … t³.
+pub(super) type CoupleCell = [Lanes; ROOT_TERMS];
+
+/// A ball law as a table of polynomials at one speed, exact elsewhere.
+///
+/// ```text
+/// p = |A1|   u = √(p² + (A2 − c)²) − R(p)   v = √u   F = u Σ c_kl x^k t^l
+/// ```
+///
+/// with x and t the places in the cell of (v, p). `u = 0` is the line of lift-off, beyond which a
+/// ball carries nothing. Places outside the region and other speeds than that of the table go to the
+/// exact law, and so does everything but forces. `COUPLE` says whether the law has a couple.
+///
+/// The force differs from the exact one by the bound of its [`super::TableReport`]. It is continuous
+/// within a strip of v and between strips of equally many cells; between others it may step by a
+/// quarter of the tolerance.
+#[derive(Debug, Clone)]
+pub struct TableLaw<L, const COUPLE: bool> {
+    pub(super) exact: L,
+    pub(super) speed: f64,
+    /// Least A2, m.
+    pub(super) lowest: f64,
+    pub(super) chart: Chart,
+    pub(super) strips: Strips,
+    pub(super) forces: Vec<ForceCell>,
+    pub(super) couples: Vec<CoupleCell>,
+}
+
+/// Places in the coordinates of the table.
+struct Located {
+    /// max(u, 0), m.
+    past_lift: Lanes,
+    root: Lanes,
+    /// τ.
+    along: Lanes,
+    /// Bins of the strips.
+    bins: [usize; LANES],
+}
+
+impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
+    /// The law that the table was compiled from.
+    pub fn exact(&self) -> &L {
+        &self.exact
+    }
+
+    /// Whether the force at a place and speed comes from the table.
+    pub fn covers(&self, axial: f64, radial: f64, speed: f64) -> bool {
+        self.locate(axial.abs().into(), radial.into(), speed)
+            .is_some()
+    }
+
+    /// Where places are in the table; none where any of them is outside.
+    #[inline(always)]
+    fn locate(&self, axial: Lanes, radial: Lanes, speed: f64) -> Option<Located> {
+        use wide::{CmpGe, CmpLe};
+        let one = Lanes::splat(END);
+        let [along, past_lift] = self.chart.coordinates(axial, radial);
+        let past_lift = past_lift.fast_max(Lanes::ZERO);
+        let root = past_lift.sqrt();
+        let part = self.strips.part(root);
+        let inside = along.abs().cmp_le(one)
+            & part.abs().cmp_le(one)
+            & radial.cmp_ge(Lanes::splat(self.lowest));
+        if !(inside.all() && speed == self.speed) {
+            return None;
+        }
+        Some(Located {
+            past_lift,
+            root,
+            along,
+            bins: Strips::bins(part),
+        })
+    }
+
+    /// Every lane by the exact law.
+    #[cold]
+    #[inline(never)]
+    fn exact_forces(&self, axial: Lanes, radial: Lanes, speed: f64) -> LaneForces {
+        let (axial, radial) = (axial.to_array(), radial.to_array());
+        let balls: [BallForce; LANES] =
+            std::array::from_fn(|i| self.force(axial[i], radial[i], speed));
+        LaneForces {
+            axial: balls.map(|ball| ball.axial).into(),
+            radial: balls.map(|ball| ball.radial).into(),
+            couple: balls.map(|ball| ball.couple).into(),
+        }
+    }
+}
+
+/// Nearest whole numbers.
+#[inline(always)]
+pub(super) fn whole(x: Lanes) -> [usize; LANES] {
+    let rounded = x + Lanes::splat(ROUNDING);
+    rounded.to_array().map(|x| x.to_bits() as u32 as usize)
+}
+
+/// F_a/u and F_r/u at x and t of a cell.
+#[inline(always)]
+fn cell_force(cell: &ForceCell, x: f64, t: f64) -> [f64; 2] {
+    let along = Lanes::splat(x);
+    let [mut low, mut high] = cell[ROOT_TERMS - 1];
+    for [even, odd] in cell[..ROOT_TERMS - 1].iter().rev() {
+        low = low * along + *even;
+        high = high * along + *odd;
+    }
+    let [a0, r0, a1, r1] = (low + high * Lanes::splat(t * t)).to_array();
+    [a0 + t * a1, r0 + t * r1]
+}
+
+/// couple/u at x and t of a cell.
+#[inline(always)]
+fn cell_couple(cell: &CoupleCell, x: f64, t: f64) -> f64 {
+    let along = Lanes::splat(x);
+    let mut sum = cell[ROOT_TERMS - 1];
+    for term in cell[..ROOT_TERMS - 1].iter().rev() {
+        sum = sum * along + *term;
+    }
+    let [c0, c1, c2, c3] = sum.to_array();
+    (c0 + t * c1) + t * t * (c2 + t * c3)
+}
+
+/// Value, and slopes by x and t, of a polynomial.
+fn with_slopes(term: impl Fn(usize, usize) -> f64, x: f64, t: f64) -> [f64; 3] {
+    let [mut value, mut by_x, mut by_t] = [0.0; 3];
+    for k in (0..ROOT_TERMS).rev() {
+        let [mut row, mut row_rate] = [0.0; 2];
+        for l in (0..AXIAL_TERMS).rev() {
+            row_rate = row_rate * t + row;
+            row = row * t + term(k, l);
+        }
+        by_x = by_x * x + value;
+        value = value * x + row;
+        by_t = by_t * x + row_rate;
+    }
+    [value, by_x, by_t]
+}
+
+impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
+    const HAS_COUPLE: bool = COUPLE;
+
+    fn force(&self, axial: f64, radial: f64, speed: f64) -> BallForce {
+        if !self.covers(axial, radial, speed) {
+            return self.exact.force(axial, radial, speed);
+        }
+        let all = self.forces(axial.into(), radial.into(), speed);
+        let first = |lanes: Lanes| lanes.to_array()[0];
+        BallForce {
+            axial: first(all.axial),
+            radial: first(all.radial),
+            couple: first(all.couple),
+        }
+    }
+
+    #[inline(always)]
+    fn forces(&self, axial: Lanes, radial: Lanes, speed: f64) -> LaneForces {
+        let side = axial & Lanes::splat(-0.0);
+        let Some(place) = self.locate(axial ^ side, radial, speed) else {
+            return self.exact_forces(axial, radial, speed);
+        };
+        let (roots, alongs) = (place.root.to_array(), place.along.to_array());
+        // one after the other by name: a loop would keep the lanes in memory
+        let ball = |i: usize| {
+            let InCell { cell, x, t } = self.strips.locate(place.bins[i], roots[i], alongs[i]);
+            let couple = if COUPLE {
+                cell_couple(&self.couples[cell], x, t)
+            } else {
+                0.0
+            };
+            (cell_force(&self.forces[cell], x, t), couple)
+        };
+        let balls = [ball(0), ball(1), ball(2), ball(3)];
+        let pushes_axial = balls.map(|([axial, _], _)| axial);
+        let pushes_radial = balls.map(|([_, radial], _)| radial);
+        let couples = balls.map(|(_, couple)| couple);
+        let force = |over: [f64; LANES]| place.past_lift * Lanes::from(over);
+        LaneForces {
+            // even and odd in A1
+            axial: force(pushes_axial) ^ side,
+            radial: force(pushes_radial),
+            couple: if COUPLE {
+                force(couples) ^ side
+            } else {
+                Lanes::ZERO
+            },
+        }
+    }
+
+    /// The derivative of the table's own force.
+    fn force_and_tangent(&self, axial: f64, radial: f64, speed: f64) -> (BallForce, BallTangent) {
+        let Some(place) = self.locate(axial.abs().into(), radial.into(), speed) else {
+            return self.exact.force_and_tangent(axial, radial, speed);
+        };
+        let first = |lanes: Lanes| lanes.to_array()[0];
+        let (root, past_lift) = (first(place.root), first(place.past_lift));
+        let bin = place.bins[0];
+        let InCell { cell, x, t } = self.strips.locate(bin, root, first(place.along));
+        let [x_rate, t_rate] = self.strips.rates(bin);
+        let slopes = self.chart.slopes(axial.abs(), radial);
+        let t_rate = t_rate * self.chart.along_rate();
+        // F = u H(v, p), v = √u: ∂F/∂u = H + ½ v ∂H/∂v
+        let row = |term: &dyn Fn(usize, usize) -> f64| {
+            let [value, by_x, by_t] = with_slopes(term, x, t);
+            let by_lift = value + 0.5 * root * by_x * x_rate;
+            let by_axial = past_lift * by_t * t_rate + by_lift * slopes.by_axial;
+            if past_lift > 0.0 {
+                [past_lift * value, by_axial, by_lift * slopes.by_radial]
+            } else {
+                [0.0; 3]
+            }
+        };
+        let forces = &self.forces[cell];
+        let pair = |output: usize| {
+            move |k: usize, l: usize| forces[k][l / 2].to_array()[2 * (l % 2) + output]
+        };
+        let side = 1.0_f64.copysign(axial);
+        let even = |[value, by_axial, by_radial]: [f64; 3]| (value, [side * by_axial, by_radial]);
+        let odd =
+            |[value, by_axial, by_radial]: [f64; 3]| (side * value, [by_axial, side * by_radial]);
+        let (push_axial, axial_row) = odd(row(&pair(0)));
+        let (push_radial, radial_row) = even(row(&pair(1)));
+        let (couple, couple_row) = if COUPLE {
+            odd(row(&|k, l| self.couples[cell][k].to_array()[l]))
+        } else {
+            (0.0, [0.0; 2])
+        };
+        let force = BallForce {
+            axial: push_axial,
+            radial: push_radial,
+            couple,
+        };
+        (force, [axial_row, radial_row, couple_row])
+    }
+
+    fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2] {
+        self.exact.load_slopes(axial, radial, speed)
+    }
+
+    fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact {
+        self.exact.contact(axial, radial, speed)
+    }
+}

@@ -1,0 +1,49 @@
+//! Which ball laws a run took from tables, and how often it left them.
+
+use crate::bearing::{TableError, TableReport};
+use crate::rotor::{Rotor, Sample, Tabulation};
+
+/// The table of one bearing in a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TableUse {
+    /// What the table is good for, or why there is none and the exact law was used.
+    pub table: Result<TableReport, TableError>,
+    /// Samples with a ball outside the table, where the exact law was used.
+    pub samples_outside: u64,
+}
+
+/// Follows the use of tables from sample to sample.
+#[derive(Debug)]
+pub(super) struct TableAudit {
+    tabulations: Vec<Tabulation>,
+    outside: Vec<u64>,
+}
+
+impl TableAudit {
+    pub fn new(tabulations: Vec<Tabulation>) -> Self {
+        let outside = vec![0; tabulations.len()];
+        Self {
+            tabulations,
+            outside,
+        }
+    }
+
+    pub fn sample(&mut self, rotor: &Rotor, sample: &Sample) {
+        if self.tabulations.iter().any(Option::is_some) {
+            rotor.count_outside_tables(sample, &mut self.outside);
+        }
+    }
+
+    /// What there is of every bearing; none without a table.
+    pub fn finish(self) -> Vec<Option<TableUse>> {
+        let tables = self.tabulations.into_iter().zip(self.outside);
+        tables
+            .map(|(table, samples_outside)| {
+                table.map(|table| TableUse {
+                    table,
+                    samples_outside,
+                })
+            })
+            .collect()
+    }
+}
