@@ -73,14 +73,7 @@ pub trait BallLaw {
     /// Forces on balls side by side: the same numbers as by [`BallLaw::force`].
     #[inline(always)]
     fn forces(&self, axial: Lanes, radial: Lanes, speed: f64) -> LaneForces {
-        let (axial, radial) = (axial.to_array(), radial.to_array());
-        let balls: [BallForce; LANES] =
-            std::array::from_fn(|i| self.force(axial[i], radial[i], speed));
-        LaneForces {
-            axial: balls.map(|ball| ball.axial).into(),
-            radial: balls.map(|ball| ball.radial).into(),
-            couple: balls.map(|ball| ball.couple).into(),
-        }
+        one_by_one(self, axial, radial, speed)
     }
 
     /// Force and its exact derivative by position.
@@ -91,4 +84,22 @@ pub trait BallLaw {
 
     /// Loads and angles of both contacts.
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact;
+}
+
+/// Forces on balls side by side by a law that knows only single balls. Out of line: costly laws gain
+/// nothing from the wide registers that the loop over the balls is compiled for.
+#[inline(never)]
+pub(super) fn one_by_one<L: BallLaw + ?Sized>(
+    law: &L,
+    axial: Lanes,
+    radial: Lanes,
+    speed: f64,
+) -> LaneForces {
+    let (axial, radial) = (axial.to_array(), radial.to_array());
+    let balls: [BallForce; LANES] = std::array::from_fn(|i| law.force(axial[i], radial[i], speed));
+    LaneForces {
+        axial: balls.map(|ball| ball.axial).into(),
+        radial: balls.map(|ball| ball.radial).into(),
+        couple: balls.map(|ball| ball.couple).into(),
+    }
 }

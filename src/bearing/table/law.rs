@@ -2,6 +2,7 @@
 
 use super::chart::Chart;
 use super::strips::{InCell, Strips};
+use crate::bearing::ball_law::one_by_one;
 use crate::bearing::{
     BallContact, BallForce, BallLaw, BallTangent, LANES, LaneForces, Lanes, LoadSlope,
 };
@@ -97,20 +98,6 @@ impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
             bins: Strips::bins(part),
         })
     }
-
-    /// Every lane by the exact law.
-    #[cold]
-    #[inline(never)]
-    fn exact_forces(&self, axial: Lanes, radial: Lanes, speed: f64) -> LaneForces {
-        let (axial, radial) = (axial.to_array(), radial.to_array());
-        let balls: [BallForce; LANES] =
-            std::array::from_fn(|i| self.force(axial[i], radial[i], speed));
-        LaneForces {
-            axial: balls.map(|ball| ball.axial).into(),
-            radial: balls.map(|ball| ball.radial).into(),
-            couple: balls.map(|ball| ball.couple).into(),
-        }
-    }
 }
 
 /// Nearest whole numbers.
@@ -181,7 +168,7 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
     fn forces(&self, axial: Lanes, radial: Lanes, speed: f64) -> LaneForces {
         let side = axial & Lanes::splat(-0.0);
         let Some(place) = self.locate(axial ^ side, radial, speed) else {
-            return self.exact_forces(axial, radial, speed);
+            return one_by_one(self, axial, radial, speed);
         };
         let (roots, alongs) = (place.root.to_array(), place.along.to_array());
         // one after the other by name: a loop would keep the lanes in memory
