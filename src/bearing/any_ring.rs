@@ -1,9 +1,12 @@
 //! A ring under whichever ball law its bearing asks for.
 
+use fearless_simd::Simd;
+
 use super::contact_damping::DampedRaces;
+use super::ring::in_registers;
 use super::{
-    Around, BallContact, BallLaw, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw,
-    JonesFilmLaw, JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
+    Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw,
+    JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
 };
 
 /// The law is chosen once a call; the loop over the balls is compiled for each.
@@ -69,9 +72,25 @@ impl AnyRing {
         Self::new(&dry, 0.0).map(Some)
     }
 
-    #[inline]
-    pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        with_ring!(self, ring => force_of(ring, *displacement, cage, speed))
+    /// Force by a ring, for the processor's level `S`; only the cheap law is compiled where it is
+    /// asked for.
+    #[inline(always)]
+    pub fn force_by<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> Vector5 {
+        match self {
+            Self::Hertz(ring) => ring.force_by(simd, displacement, cage, speed),
+            _ => in_registers(self.costly_force(displacement, cage, speed)),
+        }
+    }
+
+    #[inline(never)]
+    fn costly_force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        with_ring!(self, ring => ring.force(displacement, cage, speed))
     }
 
     pub fn force_and_stiffness(
@@ -126,17 +145,4 @@ impl AnyRing {
         let geometry = &definition.bearing.geometry;
         with_ring!(self, ring => Thrust::new(geometry, ring.law()).displacement(thrust, speed))
     }
-}
-
-/// Force of a ring, compiled for wider registers, too, and chosen by what the processor has. The lanes
-/// are the same at every width and no products are fused, so that the bytes of the result are the same.
-/// Out of line the loop over the balls keeps the registers.
-#[multiversion::multiversion(targets("x86_64+avx2", "x86_64+avx"))]
-pub(super) fn force_of<L: BallLaw>(
-    ring: &Ring<L>,
-    displacement: Vector5,
-    cage: CageAngle,
-    speed: f64,
-) -> Vector5 {
-    ring.force(&displacement, cage, speed)
 }

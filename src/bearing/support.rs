@@ -1,12 +1,14 @@
 //! A mounted bearing as a restoring force on the shaft.
 
+use fearless_simd::{Level, Simd, dispatch};
+
 use super::any_ring::AnyRing;
 use super::assessment::Assessment;
 use super::bearing_friction::BearingFriction;
 use super::contact_damping::DampedRaces;
 use super::elastic_energy::race_springs;
 use super::linear_force::LinearForce;
-use super::ring::{CageAngle, Matrix5, Vector5, quarter_turn};
+use super::ring::{CageAngle, Matrix5, Vector5, in_registers, quarter_turn};
 use super::seat::Seat;
 use super::table_ring::{TableRing, TableWish};
 use super::{
@@ -32,6 +34,8 @@ const AZIMUTHS: usize = 72;
 #[derive(Debug, Clone)]
 pub struct Support {
     pub(super) ring: AnyRing,
+    /// What the processor has.
+    level: Level,
     /// Stands for the ring where a motion asks for forces, once compiled.
     table: Option<Box<TableRing>>,
     /// A cheap neighbour of the ring, where there is one.
@@ -72,6 +76,7 @@ impl Support {
             seat: Seat::new(definition, &ring)?,
             coarse: ring.coarse(definition)?,
             ring,
+            level: Level::new(),
             table: None,
             cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma()),
             frozen: None,
@@ -137,16 +142,27 @@ impl Support {
     }
 
     /// Force and moment that hold the shaft at `displacement` against this bearing.
-    #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        dispatch!(self.level, simd => self.force_by(simd, displacement, cage, speed))
+    }
+
+    /// As [`Support::force`], for the processor's level `S`.
+    #[inline(always)]
+    pub(crate) fn force_by<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> Vector5 {
         let imposed = self.imposed(displacement);
         let force = match &self.frozen {
-            Some(linear) => linear.force(imposed),
+            Some(linear) => in_registers(linear.force(imposed)),
             None => {
                 let place = self.seat.settle(&self.ring, &imposed, cage, speed);
                 match &self.table {
-                    Some(table) => table.force(&place, cage, speed),
-                    None => self.ring.force(&place, cage, speed),
+                    Some(table) => in_registers(table.force(&place, cage, speed)),
+                    None => self.ring.force_by(simd, &place, cage, speed),
                 }
             }
         };
