@@ -7,6 +7,7 @@ use nalgebra::Const;
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
 use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76, Walk};
+use super::exponential::ExponentialWalk;
 use super::rosenbrock;
 use super::stiffness::stiffness;
 use super::{
@@ -52,6 +53,8 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     stiffness: Option<Stiffness>,
     /// Where the pairs of this crate stand: their steps do not end with a block.
     walk: Walk<N>,
+    /// The exponential method, where it is asked for.
+    exponential: Option<Box<ExponentialWalk<N>>>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -80,6 +83,10 @@ where
             counters: Counters::default(),
             stiffness: None,
             walk: Walk::new(std::array::from_fn(|i| state[i] - scaling.origin[i])),
+            exponential: (settings.method == Method::Exponential).then(|| {
+                let deviation = std::array::from_fn(|i| state[i] - scaling.origin[i]);
+                Box::new(ExponentialWalk::new(deviation, grid.interval))
+            }),
         }
     }
 
@@ -91,7 +98,10 @@ where
             step: self.step,
             counters: self.counters,
             stiffness: self.stiffness,
-            latest_step: self.walk.numbers(),
+            latest_step: match &self.exponential {
+                Some(walk) => walk.numbers(),
+                None => self.walk.numbers(),
+            },
         }
     }
 
@@ -112,7 +122,13 @@ where
         if checkpoint.next > self.grid.count {
             return Err(mismatch);
         }
-        self.walk = Walk::restored(&checkpoint.latest_step, checkpoint.counters).ok_or(mismatch)?;
+        let (numbers, counters) = (&checkpoint.latest_step[..], checkpoint.counters);
+        if let Some(walk) = &mut self.exponential {
+            let interval = self.grid.interval;
+            **walk = ExponentialWalk::restored(numbers, counters, interval).ok_or(mismatch)?;
+        } else {
+            self.walk = Walk::restored(numbers, counters).ok_or(mismatch)?;
+        }
         self.scaled = scaled;
         self.next = checkpoint.next;
         self.step = checkpoint.step;
@@ -154,6 +170,7 @@ where
             Method::Verner76 => self.walk::<Verner76>(points, states),
             Method::Dop853 => self.walk::<Dop853>(points, states),
             Method::Tsit5 => self.walk::<Tsit5>(points, states),
+            Method::Exponential => self.walk_exponentially(points, states),
             Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
                 self.by_blocks(points, states)
             }
@@ -208,6 +225,36 @@ where
         Ok(())
     }
 
+    /// Walks with the exponential method; a block's end is no end of a step.
+    fn walk_exponentially(
+        &mut self,
+        points: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), IntegrateError> {
+        let slack = self.slack();
+        let Some(walk) = &mut self.exponential else {
+            return Ok(());
+        };
+        let course = Course {
+            system: self.system,
+            scaling: &self.scaling,
+            settings: &self.settings,
+            stop: self.stop,
+            end: self.grid.time(self.grid.count.saturating_sub(1)),
+            slack,
+        };
+        for _ in 0..points {
+            let time = self.grid.time(self.next);
+            let result = walk.state_at(&course, time);
+            self.counters = walk.counters();
+            self.step = walk.step_size();
+            self.scaled = walk.scaled(&self.scaling);
+            states.push(result?);
+            self.next += 1;
+        }
+        Ok(())
+    }
+
     /// Ends a run that stability keeps from its end.
     fn give_up_where_stiff(&self) -> Result<(), IntegrateError> {
         let time = self.walk.time();
@@ -245,7 +292,7 @@ where
             Method::Tsit5 => Some(Tsit5::STABILITY),
             Method::Dopri5 => Some(ExplicitMethod::Dopri5.stability_limit()),
             Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
-            Method::Rodas => None,
+            Method::Rodas | Method::Exponential => None,
         }
     }
 

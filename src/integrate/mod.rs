@@ -9,6 +9,7 @@ mod block;
 mod checkpoint;
 mod error;
 mod explicit;
+mod exponential;
 mod integration;
 mod rosenbrock;
 mod settings;

@@ -33,6 +33,9 @@ pub enum MethodChoice {
     Dop853,
     /// Tsitouras 5(4): for coarse tolerances.
     Tsit5,
+    /// Exponential collocation: for preloaded bearings whose shaft turns slowly beside its natural
+    /// frequencies.
+    Exponential,
     /// RODAS 4(3), linearly implicit: for stiff scenes, as with strong damping.
     Rodas,
     /// Dormand–Prince 5(4) of the library `ode_solvers`, to compare with.
@@ -69,6 +72,7 @@ impl From<MethodChoice> for Method {
             MethodChoice::Verner76 => Self::Verner76,
             MethodChoice::Dop853 => Self::Dop853,
             MethodChoice::Tsit5 => Self::Tsit5,
+            MethodChoice::Exponential => Self::Exponential,
             MethodChoice::Rodas => Self::Rodas,
             MethodChoice::Dopri5 => Self::Dopri5,
             MethodChoice::OdeSolversDop853 => Self::OdeSolversDop853,
