@@ -1,0 +1,378 @@
+//! The motion that a scene settles to.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{Const, DVector};
+
+use super::places::Places;
+use super::rotor_map::{RotorMap, Way};
+use super::search::{Found, find, found_from, subharmonic};
+use super::swing::swings;
+use super::{Base, SteadyError, SteadyLines, Swing};
+use crate::analysis::Channel;
+use crate::integrate::{Counters, Grid, Settings, Square};
+use crate::rotor::{Rotor, Sample, check_loose};
+use crate::shooting::{Circle, Crossing, Multipliers, SpecialKind, refine};
+use crate::simulate::{Model, Sampling, StaticState};
+
+/// Least number of samples of a period, and the most.
+const LEAST_SAMPLES: usize = 128;
+const MOST_SAMPLES: usize = 1 << 16;
+/// Periods of the slower frequency in the trace of a motion of two.
+const TRACED: f64 = 8.0;
+/// Factor between the tolerances of the two searches.
+const TIGHTER: f64 = 0.1;
+/// Below this tolerance the second search is the looser one: round-off allows none that is tighter.
+const TIGHTEST: f64 = 1e-12;
+/// Lines below this part of the largest, in tolerances, are left out.
+const NOISE: f64 = 0.1;
+
+/// What to find.
+#[derive(Debug, Clone, Copy)]
+pub struct SteadyQuestion<'a> {
+    /// The scene; its duration, its settle time and its initial state play no part.
+    pub model: &'a Model,
+    /// How many periods of the forcing the motion may take to repeat; where `None`, one, or as many as a
+    /// stable motion takes that is found beside one that is not stable.
+    pub multiple: Option<u32>,
+    /// Set to end the search at its next step.
+    pub stop: &'a AtomicBool,
+}
+
+/// Distance of the motion from one found again at a tenth of the tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Largest difference of a displacement (tilts times their arm), m.
+    pub displacement: f64,
+    /// The same relative to the largest excursion from the static equilibrium.
+    pub relative: f64,
+    /// Tolerance of the second search.
+    pub reference_tolerance: f64,
+}
+
+/// A steady motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steady {
+    /// The static equilibrium that it moves about.
+    pub equilibrium: StaticState,
+    /// Frequencies of the forcing, one or two.
+    pub bases: Vec<Base>,
+    /// Period of the map, s: the whole motion repeats with it, or its phase against the second frequency
+    /// turns.
+    pub period: f64,
+    /// How many periods of the first frequency that is.
+    pub multiple: u32,
+    /// Floquet multipliers over the period.
+    pub multipliers: Multipliers,
+    /// How it lost its stability, where it is not stable.
+    pub instability: Option<SpecialKind>,
+    /// Largest multiplier of the motion of a single period, where the motion found takes several.
+    pub single_period: Option<Multipliers>,
+    /// What is missing after a period, relative to the size of the motion.
+    pub missing: f64,
+    /// The same before every correction.
+    pub history: Vec<f64>,
+    /// Periods integrated before the search, where it did not succeed from rest.
+    pub waited: u64,
+    /// Harmonics of the second frequency.
+    pub harmonics: usize,
+    /// How far displacements and forces swing.
+    pub swings: Vec<Swing>,
+    /// The spectrum.
+    pub lines: SteadyLines,
+    /// One period of the motion; of two frequencies, eight periods of the slower one.
+    pub trace: Vec<Sample>,
+    /// Measured error, where the scene asks for it.
+    pub measured: Option<Measured>,
+    /// Work of the search, measurement included.
+    pub counters: Counters,
+    /// What the reader should know.
+    pub warnings: Vec<String>,
+    /// Times and states of the first period, for whoever goes on.
+    pub(super) section: Section,
+}
+
+/// States of a motion where its periods begin.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Section {
+    pub circle: Circle,
+    /// Time of strobe 0, s.
+    pub start: f64,
+    pub states: Vec<Vec<f64>>,
+}
+
+impl Steady {
+    /// Time and state (displacements, then velocities) at the begin of a period, counted from the first
+    /// one.
+    pub fn strobe(&self, number: u64) -> (f64, Vec<f64>) {
+        let Section {
+            circle,
+            start,
+            states,
+        } = &self.section;
+        let weights = circle.values_at(&[circle.phase(number)]);
+        let size = states.first().map_or(0, Vec::len);
+        let state = (0..size).map(|part| {
+            let values = states.iter().zip(weights.iter());
+            values.map(|(state, weight)| weight * state[part]).sum()
+        });
+        (start + number as f64 * circle.period(), state.collect())
+    }
+
+    /// Whether neighbouring motions come closer: the motion is what a long run settles to.
+    pub fn is_stable(&self) -> bool {
+        self.multipliers.is_stable()
+    }
+
+    /// Whether it has two frequencies without a common period.
+    pub fn is_torus(&self) -> bool {
+        self.bases.len() == 2
+    }
+}
+
+/// Finds the motion that a scene settles to.
+///
+/// # Errors
+/// [`SteadyError`] where there is none, or none is found.
+pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
+    let model = question.model;
+    let mut rotor = Rotor::assemble(&model.rotor)?;
+    let loose = check_loose(&model.rotor, &rotor)?;
+    let places = Places::new(&rotor, question.multiple.unwrap_or(1))?;
+    if places.is_torus() && places.multiple > 1 {
+        return Err(SteadyError::NoPeriod {
+            frequencies: places.frequencies(),
+            multiple: places.multiple,
+        });
+    }
+    if model.table {
+        rotor.tabulate();
+    }
+    // N numbers of a state, M = N + 1, and A = N + N² with its slopes
+    let mut answer = match rotor.kept() {
+        2 => answer::<4, 5, 20>(question, rotor, places),
+        3 => answer::<6, 7, 42>(question, rotor, places),
+        _ => answer::<10, 11, 110>(question, rotor, places),
+    }?;
+    answer.warnings.splice(0..0, loose);
+    Ok(answer)
+}
+
+fn answer<const N: usize, const M: usize, const A: usize>(
+    question: &SteadyQuestion<'_>,
+    rotor: Rotor,
+    places: Places,
+) -> Result<Steady, SteadyError>
+where
+    Const<N>: Square,
+{
+    let way = Way {
+        settings: question.model.integrator,
+        stop: question.stop,
+    };
+    let mut map = RotorMap::<N, M, A>::new(rotor, places, way);
+    let (found, single_period) = search(&mut map, question.multiple)?;
+    let sampled = sampled(&mut map, &found.states, question.model)?;
+    let measured = match question.model.verify {
+        true => Some(measured(&mut map, &found, &sampled, question.model)?),
+        false => None,
+    };
+    let trace = trace(&mut map, &found, &sampled)?;
+    let channels = Channel::of_freedoms(map.rotor.kept());
+    let noise = NOISE * way.settings.tolerance;
+    let instability = Crossing::cause(&found.multipliers);
+    Ok(Steady {
+        equilibrium: StaticState::of(&map.rotor),
+        period: map.places.circle.period(),
+        multiple: map.places.multiple,
+        instability,
+        single_period,
+        missing: found.missing,
+        history: found.history,
+        waited: found.waited,
+        harmonics: map.places.circle.harmonics(),
+        swings: swings(&channels, &map.places.circle, &sampled),
+        lines: SteadyLines::of(&map.places, &channels, &sampled, noise),
+        trace,
+        measured,
+        counters: map.counters,
+        warnings: warnings(&found.multipliers, instability),
+        section: Section {
+            start: map.places.time(0),
+            states: map.states(&found.states).iter().map(|state| state.to_vec()).collect(),
+            circle: map.places.circle.clone(),
+        },
+        bases: map.places.bases,
+        multipliers: found.multipliers,
+    })
+}
+
+/// The motion asked for; where none is, a stable one if there is one. Beside it the multipliers of the
+/// motion of a single period, where that is another one.
+fn search<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    multiple: Option<u32>,
+) -> Result<(Found, Option<Multipliers>), SteadyError>
+where
+    Const<N>: Square,
+{
+    let asked = map.places.clone();
+    if !asked.is_torus() {
+        map.places = asked.times(1);
+    }
+    let single = find(map)?;
+    let others_asked = multiple.is_none_or(|multiple| multiple > 1);
+    if single.multipliers.is_stable() || asked.is_torus() || !others_asked {
+        if asked.multiple == 1 {
+            return Ok((single, None));
+        }
+        // nothing else is near: the motion asked for is this one again and again
+        map.places = asked;
+        let tolerance = map.way.settings.tolerance;
+        let again = found_from(map, single.states, tolerance)?;
+        return Ok((again, Some(single.multipliers)));
+    }
+    match subharmonic(map, &single)? {
+        Some(found) if multiple.is_none_or(|multiple| multiple.is_multiple_of(map.places.multiple)) => {
+            Ok((found, Some(single.multipliers)))
+        }
+        _ => {
+            map.places = asked.times(1);
+            Ok((single, None))
+        }
+    }
+}
+
+fn warnings(multipliers: &Multipliers, instability: Option<SpecialKind>) -> Vec<String> {
+    let told = instability.map(|kind| {
+        format!(
+            "the motion is not stable: a multiplier of magnitude {:.6} ({kind}); a long run leaves it, and no \
+             stable motion of up to 8 periods was found beside it",
+            multipliers.largest()
+        )
+    });
+    told.into_iter().collect()
+}
+
+/// Samples of a period from every place.
+pub(super) fn sampled<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    states: &DVector<f64>,
+    model: &Model,
+) -> Result<Vec<Vec<Sample>>, SteadyError>
+where
+    Const<N>: Square,
+{
+    let count = samples(map, model);
+    let strobes = map.places.circle.strobes().to_vec();
+    let mut all = Vec::new();
+    for (state, strobe) in map.states(states).iter().zip(strobes) {
+        all.push(flown(map, map.places.time(strobe), state, count, count)?);
+    }
+    Ok(all)
+}
+
+/// Samples from a time on, so many of a period.
+fn flown<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    start: f64,
+    state: &[f64; N],
+    of_period: usize,
+    count: usize,
+) -> Result<Vec<Sample>, SteadyError>
+where
+    Const<N>: Square,
+{
+    let grid = Grid {
+        interval: map.places.circle.period() / of_period as f64,
+        count: count as u64,
+    };
+    let states = map.flight(start, state, grid)?;
+    let mut contacts = map.rotor.ball_contacts();
+    let sample = |(number, state): (usize, &[f64; N])| {
+        map.rotor.sample(start + grid.time(number as u64), state, &mut contacts)
+    };
+    Ok(states.iter().enumerate().map(sample).collect())
+}
+
+/// Samples of a period: as many as the scene asks for, and a power of two.
+fn samples<const N: usize, const M: usize, const A: usize>(
+    map: &RotorMap<'_, N, M, A>,
+    model: &Model,
+) -> usize {
+    let period = map.places.circle.period();
+    let asked = match model.sampling {
+        Sampling::Rate(rate) => rate * period,
+        Sampling::PerRevolution(samples) => {
+            f64::from(samples) * period * map.rotor.speed() / std::f64::consts::TAU
+        }
+    };
+    let least = LEAST_SAMPLES * map.places.multiple as usize;
+    (asked as usize).max(least).next_power_of_two().min(MOST_SAMPLES)
+}
+
+/// The trace that is shown: the period itself, or some of the slower of two frequencies.
+fn trace<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    found: &Found,
+    sampled: &[Vec<Sample>],
+) -> Result<Vec<Sample>, SteadyError>
+where
+    Const<N>: Square,
+{
+    let first = sampled.first().cloned().unwrap_or_default();
+    if !map.places.is_torus() {
+        return Ok(first);
+    }
+    let slower = map.places.bases.iter().map(Base::period).fold(0.0, f64::max);
+    let of_period = first.len();
+    let count = TRACED * slower / map.places.circle.period() * of_period as f64;
+    let states = map.states(&found.states);
+    flown(map, map.places.time(0), &states[0], of_period, count.ceil() as usize)
+}
+
+/// Finds the motion again more exactly, and tells how far apart both are.
+fn measured<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    found: &Found,
+    sampled_before: &[Vec<Sample>],
+    model: &Model,
+) -> Result<Measured, SteadyError>
+where
+    Const<N>: Square,
+{
+    let asked = map.way.settings;
+    map.way.settings = tighter(asked);
+    let tolerance = map.way.settings.tolerance;
+    let again = refine(map, found.states.clone(), &found.slopes, tolerance)?;
+    let reference = sampled(map, &again.states, model)?;
+    map.way.settings = asked;
+    let place = map.rotor.equilibrium().displacement;
+    let (mut displacement, mut excursion) = (0.0_f64, map.scale.length);
+    let pairs = sampled_before.iter().flatten().zip(reference.iter().flatten());
+    for (sample, reference) in pairs {
+        for axis in 0..map.rotor.kept() {
+            let lever = map.scale.lever(axis);
+            let [a, b] = [sample.displacement[axis], reference.displacement[axis]];
+            displacement = displacement.max(lever * (a - b).abs());
+            excursion = excursion.max(lever * (b - place[axis]).abs());
+        }
+    }
+    Ok(Measured {
+        displacement,
+        relative: displacement / excursion,
+        reference_tolerance: tolerance,
+    })
+}
+
+fn tighter(settings: Settings) -> Settings {
+    let factor = if settings.tolerance >= TIGHTEST {
+        TIGHTER
+    } else {
+        1.0 / TIGHTER
+    };
+    Settings {
+        tolerance: settings.tolerance * factor,
+        ..settings
+    }
+}
