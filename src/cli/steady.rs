@@ -54,10 +54,20 @@ pub struct Arguments {
     #[arg(long, value_name = "KEY", requires_all = ["from", "to"])]
     over: Option<String>,
     /// Its first value, as it is written in a scenario
-    #[arg(long, value_name = "VALUE", requires = "over", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "VALUE",
+        requires = "over",
+        allow_hyphen_values = true
+    )]
     from: Option<String>,
     /// Its last value
-    #[arg(long, value_name = "VALUE", requires = "over", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "VALUE",
+        requires = "over",
+        allow_hyphen_values = true
+    )]
     to: Option<String>,
     /// Most motions of a branch
     #[arg(long, value_name = "N", requires = "over", default_value_t = 2000)]
@@ -202,7 +212,10 @@ impl Task {
             return Ok(Shown::Text(text));
         }
         json["wall_time_s"] = started.elapsed().as_secs_f64().into();
-        json["files"] = files.iter().map(|file| file.display().to_string()).collect();
+        json["files"] = files
+            .iter()
+            .map(|file| file.display().to_string())
+            .collect();
         Ok(Shown::Json(json))
     }
 

@@ -19,7 +19,10 @@ const LEFT_OUT: [&str; 6] = ["static", "initial", "time", "integrator", "output"
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum VariedError {
     /// There is no such number.
-    #[error("the scenario has no number `{key}` that its motion depends on{}", hint(nearest))]
+    #[error(
+        "the scenario has no number `{key}` that its motion depends on{}",
+        hint(nearest)
+    )]
     NoKey {
         /// Path of the key as given.
         key: String,
@@ -82,7 +85,10 @@ impl Varied {
         let Some(found) = all.iter().find(|known| known.path == key) else {
             let nearest = nearest(key, all.iter().map(|known| known.path.as_str()));
             let nearest = nearest.map(str::to_owned);
-            return Err(VariedError::NoKey { key: own(), nearest });
+            return Err(VariedError::NoKey {
+                key: own(),
+                nearest,
+            });
         };
         if found.is_whole() {
             return Err(VariedError::Whole { key: own() });
@@ -122,10 +128,14 @@ impl Varied {
             shown_size,
         };
         let Some(dimension) = self.dimension else {
-            let number: f64 = text.trim().parse().map_err(|_| wrong("write a number".to_owned()))?;
+            let number: f64 = text
+                .trim()
+                .parse()
+                .map_err(|_| wrong("write a number".to_owned()))?;
             return Ok((number, variable("", 1.0)));
         };
-        let parsed = parse(text, dimension).map_err(|error: QuantityError| wrong(error.to_string()))?;
+        let parsed =
+            parse(text, dimension).map_err(|error: QuantityError| wrong(error.to_string()))?;
         let shown = variable(parsed.unit.symbol, parsed.unit.si(1.0));
         Ok((parsed.si, shown))
     }
@@ -142,7 +152,9 @@ impl Varied {
         let wrong = |message| format!("with {} = {value}: {message}", self.key);
         let questions = questions(&self.base, &self.key, &value, &self.folder)
             .map_err(|issue| wrong(issue.message))?;
-        let model = questions.model.ok_or_else(|| wrong("the scenario has no `[time]`".to_owned()))?;
+        let model = questions
+            .model
+            .ok_or_else(|| wrong("the scenario has no `[time]`".to_owned()))?;
         Ok(model.rotor)
     }
 }

@@ -419,7 +419,11 @@ impl Walk<'_> {
     ) -> Result<Node, ShootingError> {
         let value = |node: &Node| node.crossing().of_kind(kind);
         let (mut low, mut high) = ((0.0, value(before)), (length, value(after)));
-        let mut nearest = if low.1.abs() < high.1.abs() { before.clone() } else { after.clone() };
+        let mut nearest = if low.1.abs() < high.1.abs() {
+            before.clone()
+        } else {
+            after.clone()
+        };
         let mut same_side = 0;
         for _ in 0..MOST_LOCATIONS {
             let at = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);

@@ -71,7 +71,11 @@ pub trait Family: ReturnMap {
 }
 
 /// What is missing for states to return: image less the shifted states.
-pub(super) fn residual(map: &dyn ReturnMap, states: &DVector<f64>, end: &DVector<f64>) -> DVector<f64> {
+pub(super) fn residual(
+    map: &dyn ReturnMap,
+    states: &DVector<f64>,
+    end: &DVector<f64>,
+) -> DVector<f64> {
     end - shifted(map, states)
 }
 
@@ -81,7 +85,9 @@ fn shifted(map: &dyn ReturnMap, states: &DVector<f64>) -> DVector<f64> {
     let count = shift.nrows();
     DVector::from_fn(size * count, |row, _| {
         let (place, part) = (row / size, row % size);
-        (0..count).map(|from| shift[(place, from)] * states[size * from + part]).sum()
+        (0..count)
+            .map(|from| shift[(place, from)] * states[size * from + part])
+            .sum()
     })
 }
 
@@ -97,6 +103,10 @@ pub(super) fn jacobian(map: &dyn ReturnMap, slopes: &[DMatrix<f64>]) -> DMatrix<
             all => all[place][(part, of)],
         };
         let own = if place == from { own } else { 0.0 };
-        own - if part == of { shift[(place, from)] } else { 0.0 }
+        own - if part == of {
+            shift[(place, from)]
+        } else {
+            0.0
+        }
     })
 }

@@ -72,7 +72,13 @@ fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
         let (place, from) = (row / size, column / size);
         back[(place, from)] * slopes[from][(row % size, column % size)]
     });
-    let mut all: Vec<f64> = whole.complex_eigenvalues().iter().map(|value| value.norm()).collect();
+    let mut all: Vec<f64> = whole
+        .complex_eigenvalues()
+        .iter()
+        .map(|value| value.norm())
+        .collect();
     all.sort_by(|a, b| b.total_cmp(a));
-    all.chunks(count).map(|copies| copies[copies.len() / 2]).collect()
+    all.chunks(count)
+        .map(|copies| copies[copies.len() / 2])
+        .collect()
 }

@@ -39,7 +39,9 @@ pub enum ShootingError {
         history: Vec<f64>,
     },
     /// A neighbouring motion returns as well: a multiplier is 1.
-    #[error("a multiplier of the motion is 1 to round-off: it stands at a turning point, or is not damped")]
+    #[error(
+        "a multiplier of the motion is 1 to round-off: it stands at a turning point, or is not damped"
+    )]
     Singular,
 }
 

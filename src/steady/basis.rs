@@ -29,7 +29,8 @@ impl Base {
 
     /// Whether balls that pass belong to it.
     pub fn has_ball_pass(&self) -> bool {
-        let passes = |(cause, _): &(ForcingCause, u32)| matches!(cause, ForcingCause::BallPass { .. });
+        let passes =
+            |(cause, _): &(ForcingCause, u32)| matches!(cause, ForcingCause::BallPass { .. });
         self.parts.iter().any(passes)
     }
 

@@ -130,6 +130,8 @@ impl SteadyError {
 }
 
 fn hertz(frequencies: &[f64]) -> String {
-    let shown = frequencies.iter().map(|frequency| format!("{frequency:.6} Hz"));
+    let shown = frequencies
+        .iter()
+        .map(|frequency| format!("{frequency:.6} Hz"));
     shown.collect::<Vec<_>>().join(", ")
 }

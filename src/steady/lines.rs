@@ -40,7 +40,10 @@ impl SteadyLines {
     pub fn amplitude(&self, channel: Channel, frequency: f64) -> Option<f64> {
         let index = self.channels.iter().position(|known| *known == channel)?;
         let distance = |line: &&SteadyLine| (line.frequency - frequency).abs();
-        let nearest = self.lines.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        let nearest = self
+            .lines
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
         nearest.amplitude.get(index).copied()
     }
 
@@ -75,7 +78,11 @@ impl SteadyLines {
             .filter(heard)
             .map(|number| {
                 let at = spectra[0][number].0;
-                line(places, at, spectra.iter().map(|spectrum| spectrum[number].1))
+                line(
+                    places,
+                    at,
+                    spectra.iter().map(|spectrum| spectrum[number].1),
+                )
             })
             .collect();
         lines.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
@@ -143,7 +150,11 @@ fn line(
             phase.push(0.0);
         } else {
             amplitude.push(sides * value.norm());
-            phase.push(if frequency < 0.0 { -value.arg() } else { value.arg() });
+            phase.push(if frequency < 0.0 {
+                -value.arg()
+            } else {
+                value.arg()
+            });
         }
     }
     let sign = if frequency < 0.0 { -1 } else { 1 };

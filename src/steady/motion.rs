@@ -19,7 +19,7 @@ use crate::simulate::{Model, Sampling, StaticState};
 const LEAST_SAMPLES: usize = 128;
 const MOST_SAMPLES: usize = 1 << 16;
 /// Periods of the slower frequency in the trace of a motion of two.
-const TRACED: f64 = 8.0;
+const TRACED: f64 = 4.0;
 /// Factor between the tolerances of the two searches.
 const TIGHTER: f64 = 0.1;
 /// Below this tolerance the second search is the looser one: round-off allows none that is tighter.
@@ -80,7 +80,7 @@ pub struct Steady {
     pub swings: Vec<Swing>,
     /// The spectrum.
     pub lines: SteadyLines,
-    /// One period of the motion; of two frequencies, eight periods of the slower one.
+    /// One period of the motion; of two frequencies, four periods of the slower one.
     pub trace: Vec<Sample>,
     /// Measured error, where the scene asks for it.
     pub measured: Option<Measured>,
@@ -172,12 +172,13 @@ where
     };
     let mut map = RotorMap::<N, M, A>::new(rotor, places, way);
     let (found, single_period) = search(&mut map, question.multiple)?;
-    let sampled = sampled(&mut map, &found.states, question.model)?;
+    let flights = flights(&mut map, &found.states, question.model)?;
+    let sampled = observed(&map, &flights);
     let measured = match question.model.verify {
         true => Some(measured(&mut map, &found, &sampled, question.model)?),
         false => None,
     };
-    let trace = trace(&mut map, &found, &sampled)?;
+    let trace = trace(&map, &flights, &sampled);
     let channels = Channel::of_freedoms(map.rotor.kept());
     let noise = NOISE * way.settings.tolerance;
     let instability = Crossing::cause(&found.multipliers);
@@ -199,7 +200,11 @@ where
         warnings: warnings(&found.multipliers, instability),
         section: Section {
             start: map.places.time(0),
-            states: map.states(&found.states).iter().map(|state| state.to_vec()).collect(),
+            states: map
+                .states(&found.states)
+                .iter()
+                .map(|state| state.to_vec())
+                .collect(),
             circle: map.places.circle.clone(),
         },
         bases: map.places.bases,
@@ -233,7 +238,9 @@ where
         return Ok((again, Some(single.multipliers)));
     }
     match subharmonic(map, &single)? {
-        Some(found) if multiple.is_none_or(|multiple| multiple.is_multiple_of(map.places.multiple)) => {
+        Some(found)
+            if multiple.is_none_or(|multiple| multiple.is_multiple_of(map.places.multiple)) =>
+        {
             Ok((found, Some(single.multipliers)))
         }
         _ => {
@@ -263,36 +270,55 @@ pub(super) fn sampled<const N: usize, const M: usize, const A: usize>(
 where
     Const<N>: Square,
 {
+    let flights = flights(map, states, model)?;
+    Ok(observed(map, &flights))
+}
+
+/// States of a period on a grid, from every place.
+fn flights<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    states: &DVector<f64>,
+    model: &Model,
+) -> Result<Vec<Vec<[f64; N]>>, SteadyError>
+where
+    Const<N>: Square,
+{
     let count = samples(map, model);
+    let grid = Grid {
+        interval: map.places.circle.period() / count as f64,
+        count: count as u64,
+    };
     let strobes = map.places.circle.strobes().to_vec();
     let mut all = Vec::new();
     for (state, strobe) in map.states(states).iter().zip(strobes) {
-        all.push(flown(map, map.places.time(strobe), state, count, count)?);
+        all.push(map.flight(map.places.time(strobe), state, grid)?);
     }
     Ok(all)
 }
 
-/// Samples from a time on, so many of a period.
-fn flown<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
-    start: f64,
-    state: &[f64; N],
-    of_period: usize,
-    count: usize,
-) -> Result<Vec<Sample>, SteadyError>
+/// What is observed on the flights of a period.
+fn observed<const N: usize, const M: usize, const A: usize>(
+    map: &RotorMap<'_, N, M, A>,
+    flights: &[Vec<[f64; N]>],
+) -> Vec<Vec<Sample>>
 where
     Const<N>: Square,
 {
-    let grid = Grid {
-        interval: map.places.circle.period() / of_period as f64,
-        count: count as u64,
+    let (circle, mut contacts) = (&map.places.circle, map.rotor.ball_contacts());
+    let mut flight = |(states, strobe): (&Vec<[f64; N]>, &u64)| {
+        let start = map.places.time(*strobe);
+        let interval = circle.period() / states.len() as f64;
+        let sample = |(number, state): (usize, &[f64; N])| {
+            map.rotor
+                .sample(start + number as f64 * interval, state, &mut contacts)
+        };
+        states.iter().enumerate().map(sample).collect()
     };
-    let states = map.flight(start, state, grid)?;
-    let mut contacts = map.rotor.ball_contacts();
-    let sample = |(number, state): (usize, &[f64; N])| {
-        map.rotor.sample(start + grid.time(number as u64), state, &mut contacts)
-    };
-    Ok(states.iter().enumerate().map(sample).collect())
+    flights
+        .iter()
+        .zip(circle.strobes())
+        .map(&mut flight)
+        .collect()
 }
 
 /// Samples of a period: as many as the scene asks for, and a power of two.
@@ -308,27 +334,50 @@ fn samples<const N: usize, const M: usize, const A: usize>(
         }
     };
     let least = LEAST_SAMPLES * map.places.multiple as usize;
-    (asked as usize).max(least).next_power_of_two().min(MOST_SAMPLES)
+    (asked as usize)
+        .max(least)
+        .next_power_of_two()
+        .min(MOST_SAMPLES)
 }
 
-/// The trace that is shown: the period itself, or some of the slower of two frequencies.
+/// The trace that is shown: the period itself, or some of the slower of two frequencies, whose states
+/// stand between those of the places.
 fn trace<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
-    found: &Found,
+    map: &RotorMap<'_, N, M, A>,
+    flights: &[Vec<[f64; N]>],
     sampled: &[Vec<Sample>],
-) -> Result<Vec<Sample>, SteadyError>
+) -> Vec<Sample>
 where
     Const<N>: Square,
 {
-    let first = sampled.first().cloned().unwrap_or_default();
+    let (circle, mut contacts) = (&map.places.circle, map.rotor.ball_contacts());
     if !map.places.is_torus() {
-        return Ok(first);
+        return sampled.first().cloned().unwrap_or_default();
     }
-    let slower = map.places.bases.iter().map(Base::period).fold(0.0, f64::max);
-    let of_period = first.len();
-    let count = TRACED * slower / map.places.circle.period() * of_period as f64;
-    let states = map.states(&found.states);
-    flown(map, map.places.time(0), &states[0], of_period, count.ceil() as usize)
+    let slower = map
+        .places
+        .bases
+        .iter()
+        .map(Base::period)
+        .fold(0.0, f64::max);
+    let periods = (TRACED * slower / circle.period()).ceil() as u64;
+    let mut trace = Vec::new();
+    for strobe in 0..periods {
+        let weights = circle.values_at(&[circle.phase(strobe)]);
+        let instants = flights.first().map_or(0, Vec::len);
+        for instant in 0..instants {
+            let mut state = [0.0; N];
+            for (flight, weight) in flights.iter().zip(weights.iter()) {
+                for (sum, part) in state.iter_mut().zip(flight[instant]) {
+                    *sum += weight * part;
+                }
+            }
+            let since = strobe as f64 + instant as f64 / instants as f64;
+            let time = map.places.time(0) + since * circle.period();
+            trace.push(map.rotor.sample(time, &state, &mut contacts));
+        }
+    }
+    trace
 }
 
 /// Finds the motion again more exactly, and tells how far apart both are.
@@ -349,13 +398,16 @@ where
     map.way.settings = asked;
     let place = map.rotor.equilibrium().displacement;
     let (mut displacement, mut excursion) = (0.0_f64, map.scale.length);
-    let pairs = sampled_before.iter().flatten().zip(reference.iter().flatten());
+    let pairs = sampled_before
+        .iter()
+        .flatten()
+        .zip(reference.iter().flatten());
     for (sample, reference) in pairs {
-        for axis in 0..map.rotor.kept() {
+        let both = sample.displacement.iter().zip(&reference.displacement);
+        for (axis, ((first, second), rest)) in both.zip(&place).enumerate() {
             let lever = map.scale.lever(axis);
-            let [a, b] = [sample.displacement[axis], reference.displacement[axis]];
-            displacement = displacement.max(lever * (a - b).abs());
-            excursion = excursion.max(lever * (b - place[axis]).abs());
+            displacement = displacement.max(lever * (first - second).abs());
+            excursion = excursion.max(lever * (second - rest).abs());
         }
     }
     Ok(Measured {

@@ -137,7 +137,9 @@ where
     let mut doublings = doublings(&main, 1);
     while let Some((point, doubled)) = doublings.pop() {
         let multiple = question.multiple << doubled;
-        if !question.doubled || map.places.is_torus() || is_on_another(&found, multiple, &point, question)
+        if !question.doubled
+            || map.places.is_torus()
+            || is_on_another(&found, multiple, &point, question)
         {
             continue;
         }
@@ -170,7 +172,11 @@ fn stopped(branch: &Branch) -> Result<(), SteadyError> {
     match &branch.end {
         BranchEnd::Lost(error) => {
             let error = SteadyError::from(error.clone());
-            if error.is_interrupted() { Err(error) } else { Ok(()) }
+            if error.is_interrupted() {
+                Err(error)
+            } else {
+                Ok(())
+            }
         }
         _ => Ok(()),
     }
@@ -194,7 +200,8 @@ fn is_on_another(
 ) -> bool {
     let [from, to] = question.stretch;
     let value = from + (to - from) * point.parameter;
-    let near = |point: &ResponsePoint| (point.value - value).abs() < 1.5 * (to - from).abs() / STEPS;
+    let near =
+        |point: &ResponsePoint| (point.value - value).abs() < 1.5 * (to - from).abs() / STEPS;
     let ends = |response: &&Response| response.multiple == multiple;
     let mut same = found.iter().filter(ends);
     same.any(|response| response.points.last().is_some_and(near))

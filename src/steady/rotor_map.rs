@@ -7,13 +7,18 @@ use nalgebra::{Const, DMatrix, DVector};
 use super::SteadyError;
 use super::places::Places;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, Square, variation,
+    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, Square,
+    variation,
 };
 use crate::rotor::{MotionScale, Moving, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
 
 /// Step of a state, in sizes of the motion, over which slopes are looked at where the method gives none.
 const STATE_STEP: f64 = 1e-3;
+
+/// Slopes need be no more exact than this: they guide the search and tell multipliers to six digits,
+/// while what returns is judged by the motion itself.
+const SLOPE_TOLERANCE: f64 = 1e-6;
 
 /// Makes the rotor of a value of the parameter; what is wrong with it in words.
 pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
@@ -73,7 +78,10 @@ where
     /// Begin of the period of every state, s.
     fn starts(&self) -> Vec<f64> {
         let strobes = self.places.circle.strobes();
-        strobes.iter().map(|strobe| self.places.time(*strobe)).collect()
+        strobes
+            .iter()
+            .map(|strobe| self.places.time(*strobe))
+            .collect()
     }
 
     fn scaling(&self) -> Scaling<N> {
@@ -119,25 +127,24 @@ where
         if self.way.settings.method == Method::Rodas {
             return self.slopes_by_difference(start, state);
         }
+        let end = self.end(start, state)?;
         let system = Shifted {
             system: &self.rotor,
             start,
         };
         let (way, period) = (&self.way, self.places.circle.period());
-        let found = variation::<_, N, A>(
-            &system,
-            &self.scaling(),
-            &way.settings,
-            way.stop,
-            period,
-            state,
-        )?;
+        let settings = Settings {
+            tolerance: way.settings.tolerance.max(SLOPE_TOLERANCE),
+            ..way.settings
+        };
+        let scaling = self.scaling();
+        let found = variation::<_, N, A>(&system, &scaling, &settings, way.stop, period, state)?;
         self.counters.add(&found.counters);
         let scale = &self.unit.scale;
         let slopes = DMatrix::from_fn(N, N, |row, column| {
             found.slopes[(row, column)] * scale[column] / scale[row]
         });
-        Ok((found.end, slopes))
+        Ok((end, slopes))
     }
 
     fn slopes_by_difference(
@@ -193,7 +200,8 @@ where
             } else {
                 self.end(start, state)?
             };
-            end.as_mut_slice()[N * place..N * (place + 1)].copy_from_slice(&self.unit.scaled(&reached));
+            end.as_mut_slice()[N * place..N * (place + 1)]
+                .copy_from_slice(&self.unit.scaled(&reached));
         }
         Ok(Image { end, slopes: found })
     }

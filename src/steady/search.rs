@@ -130,7 +130,11 @@ fn is_final(error: &MapError) -> bool {
 fn later(map: &mut dyn ReturnMap, states: &DVector<f64>) -> Result<DVector<f64>, SteadyError> {
     let end = map.image(states, Slopes::None)?.end;
     let circle = map.circle();
-    let back: Vec<f64> = circle.angles().iter().map(|angle| angle - circle.rotation()).collect();
+    let back: Vec<f64> = circle
+        .angles()
+        .iter()
+        .map(|angle| angle - circle.rotation())
+        .collect();
     Ok(mixed(&circle.values_at(&back), &end, map.size()))
 }
 
@@ -142,7 +146,9 @@ fn between(circle: &Circle, states: &DVector<f64>, other: &Circle, size: usize) 
 fn mixed(matrix: &DMatrix<f64>, states: &DVector<f64>, size: usize) -> DVector<f64> {
     DVector::from_fn(size * matrix.nrows(), |row, _| {
         let (place, part) = (row / size, row % size);
-        (0..matrix.ncols()).map(|from| matrix[(place, from)] * states[size * from + part]).sum()
+        (0..matrix.ncols())
+            .map(|from| matrix[(place, from)] * states[size * from + part])
+            .sum()
     })
 }
 
@@ -151,7 +157,9 @@ fn harmonic_sizes(circle: &Circle, states: &DVector<f64>, size: usize) -> Vec<f6
     let coefficients = mixed(circle.coefficients(), states, size);
     let largest = |rows: std::ops::Range<usize>| {
         let parts = rows.flat_map(|row| (0..size).map(move |part| size * row + part));
-        parts.map(|index| coefficients[index].abs()).fold(0.0, f64::max)
+        parts
+            .map(|index| coefficients[index].abs())
+            .fold(0.0, f64::max)
     };
     (0..=circle.harmonics())
         .map(|harmonic| match harmonic {
@@ -242,7 +250,10 @@ where
 fn nearly_repeats(seen: &[DVector<f64>]) -> Option<usize> {
     let late = &seen[seen.len().saturating_sub(2 * MOST_PERIODS)..];
     let last = late.last()?;
-    let spread = late.iter().map(|state| (state - last).amax()).fold(0.0, f64::max);
+    let spread = late
+        .iter()
+        .map(|state| (state - last).amax())
+        .fold(0.0, f64::max);
     (1..=MOST_PERIODS.min(late.len() - 1)).find(|periods| {
         let pairs = late.iter().zip(late.iter().skip(*periods));
         let change = pairs.map(|(a, b)| (a - b).amax()).fold(0.0, f64::max);

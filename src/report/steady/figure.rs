@@ -5,9 +5,7 @@ use std::ops::Range;
 use plotters::prelude::*;
 
 use super::super::ReportError;
-use super::super::figure::{
-    Area, DrawError, GRID, INK, LINE, PALETTE, font, px, svg, tick_format,
-};
+use super::super::figure::{Area, DrawError, GRID, INK, LINE, PALETTE, font, px, svg, tick_format};
 use crate::steady::SteadyLines;
 
 /// m → µm.
@@ -19,7 +17,9 @@ const DECADES: i32 = 6;
 
 /// Draws amplitudes of x, y and z (those that move) over frequency.
 pub(super) fn spectrum(title: &str, lines: &SteadyLines) -> Result<String, ReportError> {
-    svg("steady_spectrum.svg", HEIGHT, title, |area| draw(area, lines))
+    svg("steady_spectrum.svg", HEIGHT, title, |area| {
+        draw(area, lines)
+    })
 }
 
 /// Index and colour of the channels that are lengths.
@@ -82,12 +82,12 @@ fn draw(area: &Area, lines: &SteadyLines) -> Result<(), DrawError> {
             let ends = [(frequency + beside, floor), (frequency + beside, amplitude)];
             PathElement::new(ends, colour.stroke_width(LINE))
         });
-        chart
-            .draw_series(drawn)?
-            .label(name)
-            .legend(move |(x, y)| {
-                PathElement::new([(x, y), (x + px(20) as i32, y)], colour.stroke_width(2 * LINE))
-            });
+        chart.draw_series(drawn)?.label(name).legend(move |(x, y)| {
+            PathElement::new(
+                [(x, y), (x + px(20) as i32, y)],
+                colour.stroke_width(2 * LINE),
+            )
+        });
     }
     chart
         .configure_series_labels()

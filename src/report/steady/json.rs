@@ -86,9 +86,7 @@ fn point(point: &ResponsePoint) -> Value {
 }
 
 fn base(base: &Base) -> Value {
-    let part = |(cause, multiple): &(crate::rotor::ForcingCause, u32)| {
-        json!({ "cause": cause.to_string(), "multiple": multiple })
-    };
+    let part = |(cause, multiple): &(crate::rotor::ForcingCause, u32)| json!({ "cause": cause.to_string(), "multiple": multiple });
     json!({
         "frequency_Hz": base.frequency / TAU,
         "period_s": base.period(),
@@ -100,11 +98,12 @@ fn multipliers(multipliers: &Multipliers) -> Value {
     match multipliers {
         Multipliers::Periodic(all) => all
             .iter()
-            .map(|value| {
-                json!({ "re": value.re, "im": value.im, "magnitude": value.norm() })
-            })
+            .map(|value| json!({ "re": value.re, "im": value.im, "magnitude": value.norm() }))
             .collect(),
-        Multipliers::Torus(all) => all.iter().map(|size| json!({ "magnitude": size })).collect(),
+        Multipliers::Torus(all) => all
+            .iter()
+            .map(|size| json!({ "magnitude": size }))
+            .collect(),
     }
 }
 

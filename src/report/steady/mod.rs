@@ -51,7 +51,10 @@ pub fn write_steady(
     ];
     for (name, svg) in [
         ("steady_trace.svg", figure.draw(title)?),
-        ("steady_spectrum.svg", figure::spectrum(title, &steady.lines)?),
+        (
+            "steady_spectrum.svg",
+            figure::spectrum(title, &steady.lines)?,
+        ),
     ] {
         files.push(folder.write(name, svg.as_bytes())?);
     }

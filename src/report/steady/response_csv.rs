@@ -33,7 +33,12 @@ pub(super) fn specials(
         .flat_map(|(number, branch)| {
             let specials = branch.specials.iter();
             specials.map(move |special| {
-                (number, branch.multiple, special.kind.to_string(), &special.point)
+                (
+                    number,
+                    branch.multiple,
+                    special.kind.to_string(),
+                    &special.point,
+                )
             })
         })
         .collect();

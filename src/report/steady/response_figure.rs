@@ -43,7 +43,11 @@ pub(super) fn response(
             x_ticks: round_ticks(low, high),
             y_name: format!(
                 "{channel} peak to peak in {}",
-                if channel.unit() == "m" { "µm" } else { "µrad" }
+                if channel.unit() == "m" {
+                    "µm"
+                } else {
+                    "µrad"
+                }
             ),
             curves: branches
                 .iter()
@@ -55,7 +59,12 @@ pub(super) fn response(
     let mut names: Vec<(String, RGBColor)> = branches
         .iter()
         .enumerate()
-        .map(|(number, branch)| (format!("{} × the period", branch.multiple), distinct(number)))
+        .map(|(number, branch)| {
+            (
+                format!("{} × the period", branch.multiple),
+                distinct(number),
+            )
+        })
         .collect();
     names.push(("not stable".to_owned(), GREY));
     svg(
@@ -69,28 +78,36 @@ pub(super) fn response(
 /// A branch cut where its stability changes.
 fn curves(variable: &Variable, branch: &Response, index: usize, colour: RGBColor) -> Vec<Curve> {
     let at = |point: &ResponsePoint| {
-        let swing = point.swings.get(index).map_or(f64::NAN, |swing| swing.peak_to_peak);
+        let swing = point
+            .swings
+            .get(index)
+            .map_or(f64::NAN, |swing| swing.peak_to_peak);
         (variable.shown(point.value), MICRO * swing)
     };
-    let mut drawn: Vec<Curve> = branch
-        .points
-        .windows(2)
-        .fold(Vec::new(), |mut curves: Vec<Curve>, pair| {
-            let colour = if pair[1].stable { colour } else { GREY };
-            match curves.last_mut().filter(|last| last.colour == colour) {
-                Some(last) => last.points.push(at(&pair[1])),
-                None => curves.push(Curve {
-                    points: vec![at(&pair[0]), at(&pair[1])],
-                    colour,
-                    marks: Vec::new(),
-                }),
-            }
-            curves
-        });
+    let mut drawn: Vec<Curve> =
+        branch
+            .points
+            .windows(2)
+            .fold(Vec::new(), |mut curves: Vec<Curve>, pair| {
+                let colour = if pair[1].stable { colour } else { GREY };
+                match curves.last_mut().filter(|last| last.colour == colour) {
+                    Some(last) => last.points.push(at(&pair[1])),
+                    None => curves.push(Curve {
+                        points: vec![at(&pair[0]), at(&pair[1])],
+                        colour,
+                        marks: Vec::new(),
+                    }),
+                }
+                curves
+            });
     drawn.push(Curve {
         points: Vec::new(),
         colour,
-        marks: branch.specials.iter().map(|special| at(&special.point)).collect(),
+        marks: branch
+            .specials
+            .iter()
+            .map(|special| at(&special.point))
+            .collect(),
     });
     drawn
 }

@@ -138,7 +138,10 @@ fn multipliers(multipliers: &Multipliers) -> String {
 fn stability(steady: &Steady) -> String {
     match steady.instability {
         None => {
-            let single = steady.single_period.as_ref().filter(|single| !single.is_stable());
+            let single = steady
+                .single_period
+                .as_ref()
+                .filter(|single| !single.is_stable());
             let other = single.map_or_else(String::new, |single| {
                 format!(
                     "; the motion of a single period is not: largest multiplier {:.6}",
@@ -172,7 +175,8 @@ fn swing_table(steady: &Steady) -> Table {
             "rad" => (MICRO, "µrad"),
             unit => (1.0, unit),
         };
-        let numbers = [swing.mean, swing.peak_to_peak, swing.rms].map(|value| digits(scale * value));
+        let numbers =
+            [swing.mean, swing.peak_to_peak, swing.rms].map(|value| digits(scale * value));
         std::iter::once(swing.channel.name().to_owned())
             .chain(numbers)
             .chain([unit.to_owned()])
@@ -208,8 +212,5 @@ fn line_table(steady: &Steady, speed: f64) -> Table {
             format!("{}, {}", line.multiples[0], line.multiples[1]),
         ]
     });
-    table(
-        ["line", "Hz", "order", "µm", "multiples"].into_iter(),
-        rows,
-    )
+    table(["line", "Hz", "order", "µm", "multiples"].into_iter(), rows)
 }
