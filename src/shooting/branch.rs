@@ -17,7 +17,15 @@ use super::newton::{ShootingError, solve};
 use super::{Crossing, Family, Multipliers, Slopes, SpecialKind};
 
 /// Corrections of a point before its step is halved.
-const MOST_CORRECTIONS: usize = 8;
+const MOST_CORRECTIONS: usize = 10;
+/// Slopes are renewed, so many times at most, where a correction shrinks by less than this.
+const MOST_RENEWALS: usize = 2;
+const SLOW: f64 = 0.3;
+/// Corrections of so many tolerances that stay as they are count as the error of the integration.
+const NOISE: f64 = 100.0;
+/// A motion of doubled period has come to its end where it is nearer than this part of its widest to one
+/// of half the period, and cannot be followed further.
+const VANISHING: f64 = 0.1;
 /// Corrections up to which the next step grows.
 const FEW_CORRECTIONS: usize = 4;
 const GROW: f64 = 1.5;
@@ -225,13 +233,19 @@ impl Walk<'_> {
         watch: &mut dyn FnMut(&BranchPoint) -> bool,
     ) -> Result<BranchEnd, ShootingError> {
         let mut node = first;
-        let mut step = self.plan.step;
+        let (mut step, mut widest) = (self.plan.step, 0.0_f64);
         loop {
+            let width = node.half.as_ref().map(DVector::amax);
+            widest = widest.max(width.unwrap_or(0.0));
             branch.points.push(node.point.clone());
             if !watch(&node.point) || branch.points.len() >= self.plan.points {
                 return Ok(BranchEnd::Points);
             }
-            let (next, length) = self.next(&node, &mut step)?;
+            let vanishes = width.is_some_and(|width| width < VANISHING * widest);
+            let (next, length) = match self.next(&node, &mut step) {
+                Err(error) if vanishes && !is_interrupted(&error) => return Ok(BranchEnd::Closed),
+                result => result?,
+            };
             let parameter = next.point.parameter;
             if passed_half(&node, &next) {
                 return Ok(BranchEnd::Closed);
@@ -278,8 +292,8 @@ impl Walk<'_> {
         direction: &DVector<f64>,
         slopes: &DMatrix<f64>,
     ) -> Result<Node, ShootingError> {
-        let factors = bordered(slopes, direction).lu();
-        let (mut history, mut before) = (Vec::new(), f64::INFINITY);
+        let mut factors = bordered(slopes, direction).lu();
+        let (mut history, mut before, mut renewals) = (Vec::new(), f64::INFINITY, 0);
         for corrections in 1..=MOST_CORRECTIONS {
             let missing = self.missing(&place)?;
             history.push(missing.amax());
@@ -288,12 +302,17 @@ impl Walk<'_> {
                 .ok_or(ShootingError::Singular)?;
             place -= &correction;
             let size = correction.amax();
-            let noise = size > 0.5 * before && size <= 100.0 * self.plan.tolerance;
+            let slow = size > SLOW * before;
+            let noise = slow && renewals > 0 && size <= NOISE * self.plan.tolerance;
             if size <= self.plan.tolerance || noise {
                 return self.node(place, direction, corrections);
             }
-            if !size.is_finite() || size > 2.0 * before {
+            if !size.is_finite() || (slow && renewals == MOST_RENEWALS) {
                 break;
+            }
+            if slow {
+                factors = bordered(&self.slopes_at(&place)?, direction).lu();
+                renewals += 1;
             }
             before = size;
         }

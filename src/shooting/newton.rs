@@ -13,7 +13,8 @@ const SLOW: f64 = 0.2;
 const MOST_HALVINGS: u32 = 6;
 /// Factor by which what is missing may grow under a correction.
 const LEADS_AWAY: f64 = 2.0;
-/// Corrections of so many tolerances that stay as they are count as round-off of the integration.
+/// Corrections of so many tolerances that stay as they are with slopes of the same states are the error
+/// of the integration.
 const NOISE: f64 = 100.0;
 
 /// States that return.
@@ -89,17 +90,18 @@ fn search(
         history: Vec::new(),
     };
     walk.look(map)?;
-    let mut before = f64::INFINITY;
+    let (mut before, mut renewed) = (f64::INFINITY, false);
     for _ in 0..MOST_CORRECTIONS {
         let correction = walk.correction(map)?;
         let size = correction.amax();
-        if size <= tolerance || (size > 0.5 * before && size <= NOISE * tolerance) {
+        let noise = renewed && size > 0.5 * before && size <= NOISE * tolerance;
+        if size <= tolerance || noise {
             return Ok(Returned {
                 states: walk.states + correction,
                 history: walk.history,
             });
         }
-        let renewed = size > SLOW * before || size > 1.0;
+        renewed = size > SLOW * before || size > 1.0;
         walk.apply(map, &correction, renewed)?;
         before = size;
     }

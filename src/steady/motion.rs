@@ -24,6 +24,8 @@ const TRACED: f64 = 4.0;
 const TIGHTER: f64 = 0.1;
 /// Below this tolerance the second search is the looser one: round-off allows none that is tighter.
 const TIGHTEST: f64 = 1e-12;
+/// A measured error above this many tolerances is worth a warning.
+const PROMISE: f64 = 10.0;
 /// Lines below this part of the largest, in tolerances, are left out.
 const NOISE: f64 = 0.1;
 
@@ -182,6 +184,7 @@ where
     let channels = Channel::of_freedoms(map.rotor.kept());
     let noise = NOISE * way.settings.tolerance;
     let instability = Crossing::cause(&found.multipliers);
+    let warnings = warnings(&found, measured.as_ref(), way.settings.tolerance);
     Ok(Steady {
         equilibrium: StaticState::of(&map.rotor),
         period: map.places.circle.period(),
@@ -197,7 +200,7 @@ where
         trace,
         measured,
         counters: map.counters,
-        warnings: warnings(&found.multipliers, instability),
+        warnings,
         section: Section {
             start: map.places.time(0),
             states: map
@@ -226,39 +229,46 @@ where
         map.places = asked.times(1);
     }
     let single = find(map)?;
-    let others_asked = multiple.is_none_or(|multiple| multiple > 1);
-    if single.multipliers.is_stable() || asked.is_torus() || !others_asked {
-        if asked.multiple == 1 {
-            return Ok((single, None));
-        }
-        // nothing else is near: the motion asked for is this one again and again
-        map.places = asked;
-        let tolerance = map.way.settings.tolerance;
-        let again = found_from(map, single.states, tolerance)?;
-        return Ok((again, Some(single.multipliers)));
+    let stable = single.multipliers.is_stable();
+    if asked.is_torus() || multiple == Some(1) || (stable && multiple.is_none()) {
+        return Ok((single, None));
     }
-    match subharmonic(map, &single)? {
-        Some(found)
-            if multiple.is_none_or(|multiple| multiple.is_multiple_of(map.places.multiple)) =>
-        {
-            Ok((found, Some(single.multipliers)))
-        }
-        _ => {
-            map.places = asked.times(1);
-            Ok((single, None))
-        }
+    // what leaves a motion that is not stable begins beside it; beside a stable one, at rest
+    let start = match stable {
+        true => DVector::zeros(N),
+        false => single.states.clone(),
+    };
+    let fits = |found: u32| found > 1 && multiple.is_none_or(|asked| asked.is_multiple_of(found));
+    if let Some(found) = subharmonic(map, &start)?
+        && fits(map.places.multiple)
+    {
+        return Ok((found, Some(single.multipliers)));
     }
+    map.places = asked;
+    if map.places.multiple == 1 {
+        return Ok((single, None));
+    }
+    let tolerance = map.way.settings.tolerance;
+    let again = found_from(map, single.states, tolerance)?;
+    Ok((again, Some(single.multipliers)))
 }
 
-fn warnings(multipliers: &Multipliers, instability: Option<SpecialKind>) -> Vec<String> {
-    let told = instability.map(|kind| {
+fn warnings(found: &Found, measured: Option<&Measured>, tolerance: f64) -> Vec<String> {
+    let left = Crossing::cause(&found.multipliers).map(|kind| {
         format!(
-            "the motion is not stable: a multiplier of magnitude {:.6} ({kind}); a long run leaves it, and no \
-             stable motion of up to 8 periods was found beside it",
-            multipliers.largest()
+            "the motion is not stable: a multiplier of magnitude {:.6} ({kind}); a long run leaves it",
+            found.multipliers.largest()
         )
     });
-    told.into_iter().collect()
+    let missed = measured.filter(|error| error.relative > PROMISE * tolerance);
+    let missed = missed.map(|error| {
+        format!(
+            "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
+             {tolerance:.0e}: the motion rests on contact changes; tighten the tolerance",
+            error.relative
+        )
+    });
+    left.into_iter().chain(missed).collect()
 }
 
 /// Samples of a period from every place.

@@ -207,18 +207,17 @@ where
     })
 }
 
-/// Waits beside a motion that is not stable until the states nearly repeat after some periods, and finds
-/// the motion of that many periods: the map is then that of those; `None` where none is found that is
-/// stable.
+/// Waits beside some states until they nearly repeat after some periods, and finds the motion of that
+/// many periods: the map is then that of those; `None` where none is found that is stable.
 pub(super) fn subharmonic<const N: usize, const M: usize, const A: usize>(
     map: &mut RotorMap<'_, N, M, A>,
-    from: &Found,
+    from: &DVector<f64>,
 ) -> Result<Option<Found>, SteadyError>
 where
     Const<N>: Square,
 {
     let (single, tolerance) = (map.places.clone(), map.way.settings.tolerance);
-    let mut states = from.states.add_scalar(BESIDE);
+    let mut states = from.add_scalar(BESIDE);
     let mut waited = 0;
     for wait in SUBHARMONIC_WAITS {
         let mut seen = Vec::new();

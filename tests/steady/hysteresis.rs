@@ -149,9 +149,8 @@ fn the_resonance_of_a_preloaded_contact_folds_and_both_its_branches_are_those_of
         .expect("a rotor")
         .equilibrium()
         .displacement[2];
-    let ends: Vec<f64> = (0..12)
-        .map(|step| settled(rest + 1e-7 * f64::from(step * step)))
-        .collect();
+    let starts = (-8..16).map(|step| rest + 4e-6 * f64::from(step));
+    let ends: Vec<f64> = starts.map(settled).collect();
     println!("{swings:?} {ends:?}");
     // motions between points of the branch are interpolated linearly
     for end in &ends {
