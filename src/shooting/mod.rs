@@ -14,9 +14,11 @@
 mod branch;
 mod circle;
 mod crossing;
+mod locate;
 mod map;
 mod multipliers;
 mod newton;
+mod walk;
 
 pub use branch::{Branch, BranchEnd, BranchPoint, Continuation, Special, follow, follow_doubled};
 pub use circle::Circle;

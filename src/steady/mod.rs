@@ -5,6 +5,7 @@
 
 mod basis;
 mod error;
+mod flight;
 mod lines;
 mod motion;
 mod places;

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use nalgebra::{Complex, Const};
 
-use super::motion::sampled;
+use super::flight::sampled;
 use super::places::Places;
 use super::rotor_map::{RotorMap, Source, Way};
 use super::search::find;
@@ -21,6 +21,10 @@ use crate::simulate::Model;
 /// Steps that the stretch of the parameter is divided into at least, and the least part of one.
 const STEPS: f64 = 50.0;
 const LEAST_PART: f64 = 1e-5;
+/// Part of the tolerance that motions are integrated with: where two motions meet, what is missing for
+/// them to return tells little of how far they are from it.
+const EXACTER: f64 = 0.1;
+const TIGHTEST: f64 = 1e-13;
 /// Doublings of the period that are followed, one out of the other.
 const MOST_DOUBLINGS: u32 = 3;
 
@@ -119,8 +123,10 @@ where
     let [from, to] = question.stretch;
     let at = |parameter: f64| (question.family)(from + (to - from) * parameter);
     let source: Source<'_> = &at;
+    let mut settings = question.model.integrator;
+    settings.tolerance = (EXACTER * settings.tolerance).max(TIGHTEST);
     let way = Way {
-        settings: question.model.integrator,
+        settings,
         stop: question.stop,
     };
     let mut map = RotorMap::<N, M, A>::new(rotor, places, way);
@@ -160,7 +166,7 @@ where
 
 fn plan(question: &ResponseQuestion<'_>) -> Continuation {
     Continuation {
-        tolerance: question.model.integrator.tolerance.max(1e-12) * 10.0,
+        tolerance: question.model.integrator.tolerance.max(10.0 * TIGHTEST),
         step: 1.0 / STEPS,
         least_step: LEAST_PART / STEPS,
         points: question.points,
