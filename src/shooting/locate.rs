@@ -1,7 +1,7 @@
 //! Where a motion changes its kind between two points of a branch.
 
 use super::newton::ShootingError;
-use super::walk::{Node, Walk};
+use super::walk::{Node, Walk, is_interrupted};
 use super::{Branch, Crossing, Special, SpecialKind};
 
 /// Points looked at to find where a motion changes its kind.
@@ -52,7 +52,12 @@ impl Walk<'_> {
         for _ in 0..MOST_LOCATIONS {
             let at = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
             let guess = &before.place + &before.tangent * at;
-            let found = self.corrected(guess, &before.tangent, &after.slopes)?;
+            let found = match self.corrected(guess, &before.tangent, &after.slopes) {
+                Err(error) if is_interrupted(&error) => return Err(error),
+                // as near as the neighbouring points are
+                Err(_) => break,
+                Ok(found) => found,
+            };
             let number = value(&found);
             if number.abs() < value(&nearest).abs() {
                 nearest = found;

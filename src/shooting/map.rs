@@ -52,7 +52,7 @@ pub trait ReturnMap {
     fn image(&mut self, states: &DVector<f64>, slopes: Slopes) -> Result<Image, MapError>;
 }
 
-/// A map that depends on a parameter. The scaling of the states does not.
+/// A map that depends on a parameter; the unit of the states does not.
 pub trait Family: ReturnMap {
     /// Makes the map that of a value of the parameter.
     ///

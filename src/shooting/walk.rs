@@ -14,7 +14,7 @@ const MOST_CORRECTIONS: usize = 10;
 const MOST_RENEWALS: usize = 2;
 const SLOW: f64 = 0.3;
 /// Corrections of so many tolerances that stay as they are count as the error of the integration.
-const NOISE: f64 = 100.0;
+const NOISE: f64 = 300.0;
 /// A motion of doubled period has come to its end where it is nearer than this part of its widest to one
 /// of half the period, and cannot be followed further.
 const VANISHING: f64 = 0.3;
@@ -270,7 +270,8 @@ impl Walk<'_> {
     }
 }
 
-fn is_interrupted(error: &ShootingError) -> bool {
+/// Whether somebody asked the integration to stop.
+pub(super) fn is_interrupted(error: &ShootingError) -> bool {
     matches!(
         error,
         ShootingError::Map(MapError::Integrate(IntegrateError::Interrupted { .. }))

@@ -35,7 +35,8 @@ pub(super) struct Way<'a> {
 pub(super) struct RotorMap<'a, const N: usize, const M: usize, const A: usize> {
     pub rotor: Rotor,
     pub places: Places,
-    /// What zero and one unit of a scaled state are; the same at all parameters.
+    /// What zero and one unit of a scaled state are: the place of rest at the present parameter, and the
+    /// size of the motion at the first.
     pub unit: Scaling<N>,
     pub way: Way<'a>,
     pub scale: MotionScale,
@@ -224,6 +225,8 @@ where
         self.places = self.places.of_rotor(&rotor).map_err(wrong)?;
         self.scale = rotor.motion_scale(0.1 * self.way.settings.tolerance);
         self.rotor = rotor;
+        // the motion is followed, not the place of rest that it is about
+        self.unit.origin = self.scaling().origin;
         self.source = Some((source, parameter));
         Ok(())
     }
