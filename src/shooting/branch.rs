@@ -11,8 +11,11 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::walk::{Start, Walk};
+use super::walk::{Start, Walk, is_interrupted};
 use super::{Family, Multipliers, ShootingError, SpecialKind};
+
+/// Parts of a step that a motion of doubled period is first looked for at.
+const FIRST_PARTS: [f64; 4] = [1.0, 0.2, 0.04, 5.0];
 
 /// How far to follow a branch, and in what steps. The parameter runs from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,8 +107,15 @@ pub fn follow_doubled(
     watch: &mut dyn FnMut(&BranchPoint) -> bool,
 ) -> Result<Branch, ShootingError> {
     let direction = turned(doubling).ok_or(ShootingError::Singular)?;
-    let start = Start::Beside(doubling, direction, plan.step);
-    follow_from(family, start, plan, watch)
+    let mut last = ShootingError::Singular;
+    for part in FIRST_PARTS {
+        let start = Start::Beside(doubling, direction.clone(), part * plan.step);
+        match follow_from(family, start, plan, watch) {
+            Err(error) if !is_interrupted(&error) => last = error,
+            result => return result,
+        }
+    }
+    Err(last)
 }
 
 /// The direction that a period turns into its opposite.

@@ -9,9 +9,9 @@ use super::{Branch, BranchEnd, BranchPoint, Continuation, Crossing, Family, MapE
 use crate::integrate::IntegrateError;
 
 /// Corrections of a point before its step is halved.
-const MOST_CORRECTIONS: usize = 10;
+const MOST_CORRECTIONS: usize = 16;
 /// Slopes are renewed, so many times at most, where a correction shrinks by less than this.
-const MOST_RENEWALS: usize = 2;
+const MOST_RENEWALS: usize = 6;
 const SLOW: f64 = 0.3;
 /// Corrections of so many tolerances that stay as they are count as the error of the integration.
 const NOISE: f64 = 300.0;
@@ -76,8 +76,9 @@ impl Walk<'_> {
             Start::Beside(point, direction, distance) => {
                 let origin = point.states.clone().push(point.parameter);
                 let direction = normalised(direction.push(0.0));
-                let slopes = self.slopes_at(&origin)?;
+                // where branches meet two directions lead on, and slopes there tell nothing of which
                 let guess = &origin + &direction * distance;
+                let slopes = self.slopes_at(&guess)?;
                 let mut node = self.corrected(guess, &direction, &slopes)?;
                 let away = &node.place - &origin;
                 if product(&away, &node.tangent) < 0.0 {

@@ -152,8 +152,13 @@ where
         let mut twice = map.clone();
         twice.places = map.places.times(multiple);
         twice.counters = Counters::default();
-        let Ok(branch) = follow_doubled(&mut twice, &point, &plan, &mut watch) else {
-            continue;
+        let branch = match follow_doubled(&mut twice, &point, &plan, &mut watch) {
+            Ok(branch) => branch,
+            Err(error) => Branch {
+                points: Vec::new(),
+                specials: Vec::new(),
+                end: BranchEnd::Lost(error),
+            },
         };
         stopped(&branch)?;
         found.push(answer(&mut twice, &branch, question)?);
