@@ -13,12 +13,16 @@ mod exponential;
 mod integration;
 mod rosenbrock;
 mod settings;
+mod shifted;
 mod stiffness;
 mod system;
+mod variation;
 
 pub use checkpoint::{Checkpoint, CheckpointMismatch};
 pub use error::IntegrateError;
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};
+pub use shifted::Shifted;
 pub use stiffness::Stiffness;
 pub use system::{Linearised, Scaling, Square, System};
+pub use variation::{Variation, variation};

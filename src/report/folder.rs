@@ -54,6 +54,23 @@ impl FileSet {
         others: &["accuracy.csv", "ladder.csv", "accuracy.svg", "ladder.svg"],
         spent: &[],
     };
+    /// What a steady motion leaves.
+    pub const STEADY: Self = Self {
+        seal: "steady.json",
+        others: &[
+            "steady_trace.csv",
+            "steady_spectrum.csv",
+            "steady_trace.svg",
+            "steady_spectrum.svg",
+        ],
+        spent: &[],
+    };
+    /// What steady motions along a parameter leave.
+    pub const RESPONSE: Self = Self {
+        seal: "response.json",
+        others: &["response.csv", "response_specials.csv", "response.svg"],
+        spent: &[],
+    };
     /// What a study leaves; a single answer of the same name does not outlive it.
     pub const STUDY: Self = Self {
         seal: "study.json",

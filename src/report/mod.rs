@@ -20,6 +20,7 @@ mod run_report;
 mod sample_table;
 mod spectrum_csv;
 mod statics;
+mod steady;
 mod study;
 mod summary;
 mod text;
@@ -39,6 +40,9 @@ pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, resta
 pub use run_report::{KeptFiles, Outputs, RunReport};
 pub use spectrum_csv::write_spectrum;
 pub use statics::{answer_json, answer_text, write_answer};
+pub use steady::{
+    response_json, response_text, steady_json, steady_text, write_response, write_steady,
+};
 pub use study::{study_json, study_text, write_study};
 pub use summary::summary;
 pub use text::text;

@@ -12,6 +12,7 @@ mod damping;
 mod definition;
 mod drive;
 mod energy;
+mod forcing;
 mod linearisation;
 pub mod load;
 mod loose;
@@ -34,6 +35,7 @@ pub use definition::{
 };
 pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
+pub use forcing::{Forcing, ForcingCause, Unrepeated};
 pub use load::{Load, LoadKind};
 pub use loose::{LooseError, Looseness, check_loose};
 pub use modes::NaturalFrequency;

@@ -24,6 +24,7 @@ mod schema;
 mod series_file;
 mod spec;
 mod time;
+mod varied;
 mod vary;
 mod walk;
 
@@ -36,6 +37,7 @@ pub use issue::Issue;
 pub use schema::schema;
 pub use spec::{MethodError, method, methods, tolerance};
 pub use time::{TimeError, time};
+pub use varied::{Varied, VariedError};
 
 use crate::bearing::Oil;
 use crate::quasi_static::StaticQuestion;

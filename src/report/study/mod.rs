@@ -67,7 +67,7 @@ fn written(
 }
 
 /// The variable as the name of a column: `load_0_constant_z_N`.
-fn column_name(variable: &Variable) -> String {
+pub(super) fn column_name(variable: &Variable) -> String {
     let words: Vec<_> = variable
         .key
         .split(['.', '[', ']'])
@@ -82,7 +82,7 @@ fn column_name(variable: &Variable) -> String {
 }
 
 /// The variable as the name of an axis: `load[0].constant.z in N`.
-fn axis_name(variable: &Variable) -> String {
+pub(super) fn axis_name(variable: &Variable) -> String {
     if variable.shown_unit.is_empty() {
         variable.key.clone()
     } else {
@@ -91,7 +91,7 @@ fn axis_name(variable: &Variable) -> String {
 }
 
 /// A value of the variable in the unit that it was written in: `200 N`.
-fn shown(variable: &Variable, value: f64) -> String {
+pub(super) fn shown(variable: &Variable, value: f64) -> String {
     let number = variable.shown(value);
     let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
     format!("{rounded} {}", variable.shown_unit)
