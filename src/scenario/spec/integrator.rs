@@ -27,6 +27,9 @@ pub struct IntegratorSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MethodChoice {
+    /// The cheapest of Verner 7(6), exponential collocation and, with damped contacts, RODAS, by trial on
+    /// the first part of the run.
+    Auto,
     /// Verner 7(6): for all tolerances.
     Verner76,
     /// Dormand–Prince 8(5,3): for fine tolerances.
@@ -59,23 +62,26 @@ impl IntegratorSpec {
     /// Method, tolerance and limit.
     pub fn build(&self) -> Settings {
         Settings {
-            method: self.method.into(),
+            // a choice comes when the scene is known
+            method: self.method.fixed().unwrap_or(Method::Verner76),
             tolerance: self.tolerance,
             step_limit: self.step_limit,
         }
     }
 }
 
-impl From<MethodChoice> for Method {
-    fn from(choice: MethodChoice) -> Self {
-        match choice {
-            MethodChoice::Verner76 => Self::Verner76,
-            MethodChoice::Dop853 => Self::Dop853,
-            MethodChoice::Tsit5 => Self::Tsit5,
-            MethodChoice::Exponential => Self::Exponential,
-            MethodChoice::Rodas => Self::Rodas,
-            MethodChoice::Dopri5 => Self::Dopri5,
-            MethodChoice::OdeSolversDop853 => Self::OdeSolversDop853,
-        }
+impl MethodChoice {
+    /// The method, unless it is to be chosen.
+    pub fn fixed(self) -> Option<Method> {
+        Some(match self {
+            Self::Auto => return None,
+            Self::Verner76 => Method::Verner76,
+            Self::Dop853 => Method::Dop853,
+            Self::Tsit5 => Method::Tsit5,
+            Self::Exponential => Method::Exponential,
+            Self::Rodas => Method::Rodas,
+            Self::Dopri5 => Method::Dopri5,
+            Self::OdeSolversDop853 => Method::OdeSolversDop853,
+        })
     }
 }
