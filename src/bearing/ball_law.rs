@@ -82,6 +82,13 @@ pub trait BallLaw {
     /// Loads at the inner and the outer race and their exact derivatives by position.
     fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2];
 
+    /// How far balls are pressed past where they leave the inner race, m, negative where they are
+    /// apart: there the force is not smooth. Infinite where the law is smooth throughout.
+    #[inline(always)]
+    fn past_lift_offs(&self, _axial: Lanes, _radial: Lanes, _speed: f64) -> Lanes {
+        Lanes::splat(f64::INFINITY)
+    }
+
     /// Loads and angles of both contacts.
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact;
 }

@@ -108,6 +108,11 @@ impl BallLaw for HertzLaw {
         [slope; 2]
     }
 
+    #[inline(always)]
+    fn past_lift_offs(&self, axial: Lanes, radial: Lanes, _speed: f64) -> Lanes {
+        (axial * axial + radial * radial).sqrt() - Lanes::splat(self.distance)
+    }
+
     fn contact(&self, axial: f64, radial: f64, _speed: f64) -> BallContact {
         let (distance, approach) = self.distance_and_approach(axial, radial);
         let (load, angle) = (self.load(approach), axial.atan2(radial));

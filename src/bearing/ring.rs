@@ -1,6 +1,7 @@
 //! The ring sum: one ball law, Z balls, five freedoms.
 
 use nalgebra::SMatrix;
+use wide::CmpGt;
 
 use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry, LANES, Lanes};
 
@@ -42,12 +43,32 @@ pub struct Around {
     pub contact: BallContact,
 }
 
+/// Lanes that a set of bits has room for.
+const MOST_LANES: usize = u128::BITS as usize / LANES;
+
 /// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
 #[derive(Debug, Clone, Copy)]
 struct Azimuths {
     cos: Lanes,
     sin: Lanes,
     weight: Lanes,
+}
+
+/// The balls of a bearing about the places where they leave the inner race.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct LiftOffs {
+    /// A bit for every ball that is pressed, the lowest for ball 0.
+    pub pressed: u128,
+    /// Least distance of a ball from its lift-off, m.
+    pub nearest: f64,
+}
+
+impl LiftOffs {
+    /// No ball lifts off.
+    pub const NONE: Self = Self {
+        pressed: 0,
+        nearest: f64::INFINITY,
+    };
 }
 
 /// All balls of a bearing under one law: the force that holds the inner ring in place.
@@ -188,6 +209,57 @@ impl<L: BallLaw> Ring<L> {
     ) -> impl Iterator<Item = BallContact> {
         self.placed(displacement, cage)
             .map(move |ball| self.law.contact(ball.axial, ball.radial, speed))
+    }
+
+    /// The balls about their lift-off.
+    pub(super) fn lift_offs(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> LiftOffs {
+        let place = into_cage(displacement, cage);
+        let (mut pressed, mut nearest) = (0, Lanes::splat(f64::INFINITY));
+        for (index, lanes) in self.lanes.iter().enumerate().take(MOST_LANES) {
+            let [axial, radial] = self.place_lanes(&place, lanes);
+            let past = self.law.past_lift_offs(axial, radial, speed);
+            // lanes without a ball weigh nothing
+            let real = lanes.weight.cmp_gt(Lanes::ZERO);
+            let bits = !past.move_mask() & real.move_mask();
+            pressed |= u128::from(bits as u32) << (LANES * index);
+            nearest = nearest.fast_min(real.blend(past.abs(), nearest));
+        }
+        LiftOffs {
+            pressed,
+            nearest: nearest.to_array().into_iter().fold(f64::INFINITY, f64::min),
+        }
+    }
+
+    /// How far a ball is pressed past its lift-off, m.
+    pub(super) fn past_lift_off(
+        &self,
+        ball: usize,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> f64 {
+        let lanes = &self.lanes[ball / LANES];
+        let [axial, radial] = self.place_lanes(&into_cage(displacement, cage), lanes);
+        let past = self.law.past_lift_offs(axial, radial, speed);
+        past.as_array_ref()[ball % LANES]
+    }
+
+    /// A1 and A2 of a few balls; the displacement is seen from the cage.
+    #[inline(always)]
+    fn place_lanes(&self, displacement: &Vector5, lanes: &Azimuths) -> [Lanes; 2] {
+        let [x, y, z, tilt_x, tilt_y] = *displacement;
+        let [x, y] = [x, y].map(Lanes::splat);
+        let [swing_x, swing_y] = [self.arm * tilt_x, self.arm * tilt_y].map(Lanes::splat);
+        let [axial_0, radial_0] = [self.free_axial + z, self.free_radial].map(Lanes::splat);
+        [
+            axial_0 + swing_x * lanes.sin - swing_y * lanes.cos,
+            radial_0 + x * lanes.cos + y * lanes.sin,
+        ]
     }
 
     /// What a ball at each of `positions` azimuths from +X on would bear, or, where `None`, what

@@ -6,7 +6,7 @@ use super::bearing_friction::BearingFriction;
 use super::contact_damping::DampedRaces;
 use super::elastic_energy::race_springs;
 use super::linear_force::LinearForce;
-use super::ring::{CageAngle, Matrix5, Vector5, quarter_turn};
+use super::ring::{CageAngle, LiftOffs, Matrix5, Vector5, quarter_turn};
 use super::seat::Seat;
 use super::table_ring::{TableRing, TableWish};
 use super::{
@@ -19,6 +19,14 @@ use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage
 const LEAST_SWING: f64 = 1e-3;
 /// Azimuths at which the largest ball load is looked for.
 const AZIMUTHS: usize = 72;
+
+/// Slope of the distance to lift-off by the place of the inner groove centre: one, but for what the
+/// inertia of the ball and the table of a law add.
+const LIFT_OFF_SLOPE: f64 = 1.25;
+
+fn lever(axis: usize, arm: f64) -> f64 {
+    if axis < 3 { 1.0 } else { arm }
+}
 
 /// A bearing at its place on the rigid shaft, ready to answer with forces.
 ///
@@ -342,6 +350,71 @@ impl Support {
             let place = self.ring_displacement(displacement, cage, speed);
             self.ring.for_each_contact(&place, cage, speed, visit);
         }
+    }
+
+    /// Number of balls whose force is not smooth where they lift off: none of a linear bearing, and
+    /// none behind films.
+    pub(crate) fn balls_that_lift_off(&self) -> u32 {
+        match self.frozen {
+            None if self.ring.lifts_off() => self.definition.bearing.geometry.balls() as u32,
+            _ => 0,
+        }
+    }
+
+    /// These balls about their lift-off.
+    pub(crate) fn lift_offs(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> LiftOffs {
+        if self.balls_that_lift_off() == 0 {
+            return LiftOffs::NONE;
+        }
+        let place = self.ring_displacement(displacement, cage, speed);
+        match &self.table {
+            Some(table) => table.lift_offs(&place, cage, speed),
+            None => self.ring.lift_offs(&place, cage, speed),
+        }
+    }
+
+    /// No ball comes nearer to its lift-off by more than this as the shaft goes from one displacement
+    /// to another and the cage turns by an angle in rad; infinite of a ring that floats.
+    pub(crate) fn approach_to_lift_off(&self, ends: [&Vector5; 2], turn: f64) -> f64 {
+        if matches!(self.seat, Seat::Spring { .. }) {
+            return f64::INFINITY;
+        }
+        let [from, to] = ends.map(|displacement| self.imposed(displacement));
+        let arm = self.definition.bearing.geometry.inner_groove_radius();
+        let shift: f64 = (0..5)
+            .map(|axis| lever(axis, arm) * (to[axis] - from[axis]).abs())
+            .sum();
+        // what turns with the cage
+        let around: f64 = [0, 1, 3, 4]
+            .into_iter()
+            .map(|axis| lever(axis, arm) * to[axis].abs())
+            .sum();
+        LIFT_OFF_SLOPE * (shift + around * turn.abs())
+    }
+
+    /// How far one of them is pressed past its lift-off, m.
+    pub(crate) fn past_lift_off(
+        &self,
+        ball: usize,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> f64 {
+        let place = self.ring_displacement(displacement, cage, speed);
+        match &self.table {
+            Some(table) => table.past_lift_off(ball, &place, cage, speed),
+            None => self.ring.past_lift_off(ball, &place, cage, speed),
+        }
+    }
+
+    /// Largest load of a ball so far past its lift-off in m, N.
+    pub(crate) fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
+        self.ring.load_past_lift_off(distance, speed)
     }
 
     /// Number of balls that [`Support::for_each_contact`] visits.

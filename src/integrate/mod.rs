@@ -20,4 +20,4 @@ pub use error::IntegrateError;
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};
 pub use stiffness::Stiffness;
-pub use system::{Linearised, Scaling, Square, System};
+pub use system::{Linearised, Scaling, Sides, Square, Surroundings, System};

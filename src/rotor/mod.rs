@@ -12,6 +12,7 @@ mod damping;
 mod definition;
 mod drive;
 mod energy;
+mod lift_off;
 mod linearisation;
 pub mod load;
 mod loose;

@@ -244,6 +244,15 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         (force, [axial_row, radial_row, couple_row])
     }
 
+    /// The table's own line of lift-off; the law's where any of the places is outside.
+    #[inline(always)]
+    fn past_lift_offs(&self, axial: Lanes, radial: Lanes, speed: f64) -> Lanes {
+        match self.locate(axial.abs(), radial, speed) {
+            Some(_) => self.chart.coordinates(axial.abs(), radial)[1],
+            None => self.exact.past_lift_offs(axial, radial, speed),
+        }
+    }
+
     fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2] {
         self.exact.load_slopes(axial, radial, speed)
     }
