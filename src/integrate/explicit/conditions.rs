@@ -196,3 +196,39 @@ fn dop853_has_orders_eight_five_and_three_and_its_interpolant_seven() {
     let third = difference(&Dop853::ARGUMENTS[Dop853::LAST], &coarse);
     has_order::<Dop853>(&third, 1.0, 3, ROUND_OFF);
 }
+
+/// Largest error of the quadrature by the weights, wherever a power 3/2 begins or ends.
+fn error_over_a_kink<P: Pair>() -> f64 {
+    const PLACES: u32 = 2000;
+    let weights = &P::ARGUMENTS[P::LAST];
+    let quadrature = |value: &dyn Fn(f64) -> f64| {
+        let terms = weights.iter().zip(&P::NODES);
+        terms
+            .map(|(weight, &node)| weight * value(node))
+            .sum::<f64>()
+    };
+    let error = |place: f64| {
+        let begun = quadrature(&|node| (node - place).max(0.0).powf(1.5));
+        let ended = quadrature(&|node| (place - node).max(0.0).powf(1.5));
+        // ∫ x^(3/2) = 2/5 x^(5/2)
+        let errors = [
+            0.4 * (1.0 - place).powf(2.5) - begun,
+            0.4 * place.powf(2.5) - ended,
+        ];
+        errors[0].abs().max(errors[1].abs())
+    };
+    let places = (0..=PLACES).map(|place| f64::from(place) / f64::from(PLACES));
+    places.map(error).fold(0.0, f64::max)
+}
+
+#[test]
+fn the_error_over_a_kink_is_as_stated() {
+    let stated = [
+        (error_over_a_kink::<Verner76>(), Verner76::CROSSED),
+        (error_over_a_kink::<Dop853>(), Dop853::CROSSED),
+        (error_over_a_kink::<Tsit5>(), Tsit5::CROSSED),
+    ];
+    for (found, stated) in stated {
+        assert!(found <= stated && found > 0.8 * stated, "{found} {stated}");
+    }
+}

@@ -10,16 +10,16 @@ use super::tableau::Pair;
 use super::walk::{Course, Walk};
 use crate::integrate::{Sides, System};
 
-/// Error of a step over its size and what a surface adds to the derivative over the whole of it,
-/// wherever in the step it is crossed: the quadratures of the pairs have at most 2e-3 (Verner), 9e-3
-/// (Tsitouras) and 1.1e-2 (Dormand–Prince), half of it in the mean.
-const CROSSED: f64 = 4e-3;
-/// The same over a short part of the step at its end, ∫ x^(3/2): none of it need be seen.
+/// Error of a step over its size and what a surface adds over a short part at its end, over that part:
+/// ∫ x^(3/2), for none of it need be seen.
 const CROSSED_AT_END: f64 = 0.4;
-/// Error that is let pass, over the tolerance; less would cost more evaluations than it gains.
-const LET_PASS: f64 = 3.0;
+/// Error that is let pass, over the tolerance: the bounds are those of the worst place, and less would
+/// cost more evaluations than it gains.
+const LET_PASS: f64 = 1.5;
 /// The same where a step was to end on the surface.
-const BESIDE: f64 = 0.3;
+const BESIDE: f64 = 0.1;
+/// Error of a trial, in units of the state, from which on it says nothing of surfaces.
+const WILD: f64 = 1e-2;
 /// Crossings within this part of a trial are one.
 const TOGETHER: f64 = 1e-3;
 /// Part of a trial within which its ends are as good as a landing.
@@ -159,58 +159,18 @@ impl<const N: usize> Walk<N> {
         error: f64,
     ) -> Option<[Option<Landing>; 2]> {
         self.crossing.ahead = self.crossing.looked;
-        if !error.is_finite() || self.is_clear(course, aim) {
+        // with no number or a wild one there is nothing to see
+        let wild = !(error * P::LOCAL_PART * course.settings.tolerance < WILD);
+        if wild || self.is_clear(course, aim) {
             return None;
         }
         let ahead = self.look(course, aim.end, &self.to);
         self.crossing.ahead = ahead;
         let changed = ahead.sides ^ self.crossing.sides;
-        if each(changed).any(|surface| self.spoils(course, aim, surface)) {
-            return self.locate::<P, S>(course, changed, ahead.sides, aim.end);
-        }
-        if error <= 1.0 {
-            return self.crossed_twice::<P, S>(course, aim);
+        if each(changed).any(|surface| self.spoils::<P, S>(course, aim, surface)) {
+            return self.locate::<P, S>(course, changed, ahead.sides);
         }
         None
-    }
-
-    /// Surfaces that are crossed to and fro: those on the other side in the middle of the step.
-    fn crossed_twice<P: Pair, S: System<N>>(
-        &mut self,
-        course: &Course<'_, S, N>,
-        aim: &Aim,
-    ) -> Option<[Option<Landing>; 2]> {
-        let ahead = &self.crossing.ahead;
-        let start = self.state(course, &self.from);
-        let walked = course
-            .system
-            .approach([self.start, aim.end], [&start, &ahead.state]);
-        if walked < ahead.nearest {
-            return None;
-        }
-        let there = ahead.sides;
-        self.evaluate_end::<P, S>(course);
-        let (time, middle) = self.middle(P::LAST);
-        let look = self.look(course, time, &middle);
-        let twice = (look.sides ^ self.crossing.sides) & (look.sides ^ there);
-        let spoils = |surface: u32| {
-            let past = course.system.past(surface, time, &look.state).abs();
-            CROSSED * self.weight(course, time, surface, past) > LET_PASS
-        };
-        if each(twice).any(spoils) {
-            return self.locate::<P, S>(course, twice, look.sides, time);
-        }
-        None
-    }
-
-    /// Time and deviation in the middle of the step's variable, by the cubic through both ends.
-    fn middle(&self, last: usize) -> (f64, [f64; N]) {
-        let [part, _] = self.substitution.at(0.5);
-        let [first, last] = [&self.stages[0], &self.stages[last]];
-        let middle = std::array::from_fn(|i| {
-            0.5 * (self.from[i] + self.to[i]) + 0.125 * self.size * (first[i] - last[i])
-        });
-        (self.start + part * self.size, middle)
     }
 
     /// How far both ends of the trial are past a surface.
@@ -229,7 +189,12 @@ impl<const N: usize> Walk<N> {
     }
 
     /// Whether the error of crossing a surface counts.
-    fn spoils<S: System<N>>(&self, course: &Course<'_, S, N>, aim: &Aim, surface: u32) -> bool {
+    fn spoils<P: Pair, S: System<N>>(
+        &self,
+        course: &Course<'_, S, N>,
+        aim: &Aim,
+        surface: u32,
+    ) -> bool {
         if aim
             .landing
             .is_some_and(|landing| landing.surfaces & (1 << surface) != 0)
@@ -238,7 +203,7 @@ impl<const N: usize> Walk<N> {
         }
         let [from, to] = self.ends_past(course, aim, surface);
         let (past, apart) = (from.max(to), (from - to).abs());
-        let anywhere = CROSSED * self.weight(course, aim.end, surface, apart);
+        let anywhere = P::CROSSED * self.weight(course, aim.end, surface, apart);
         let at_end = CROSSED_AT_END * past / apart * self.weight(course, aim.end, surface, past);
         anywhere.min(at_end) > LET_PASS
     }
@@ -263,13 +228,12 @@ impl<const N: usize> Walk<N> {
         self.norm(course, &added) * self.size
     }
 
-    /// When the trial crosses surfaces towards `sides` before `until`: the first two landings.
+    /// When the trial crosses surfaces towards `sides`: the first two landings.
     fn locate<P: Pair, S: System<N>>(
         &mut self,
         course: &Course<'_, S, N>,
         surfaces: Sides,
         sides: Sides,
-        until: f64,
     ) -> Option<[Option<Landing>; 2]> {
         self.evaluate_end::<P, S>(course);
         let by_quintic = course.system.is_second_order() && self.substitution.is_none();
@@ -290,7 +254,7 @@ impl<const N: usize> Walk<N> {
             };
             let margin = AT_END * self.size;
             let inside = self.start + margin..self.start + self.size - margin;
-            let time = crossing_time(past, [self.start, until]);
+            let time = crossing_time(past, [self.start, self.start + self.size]);
             if let Some(time) = time.filter(|time| inside.contains(time)) {
                 let surfaces = 1 << surface;
                 let landing = Landing {
@@ -336,24 +300,25 @@ impl<const N: usize> Walk<N> {
         side: Sides,
     ) {
         let surfaces = 1 << surface;
-        if !self.misses(course, aim, surface) {
-            // round-off must not bring it back
-            self.crossing.sides = (self.crossing.sides & !surfaces) | side;
-            self.crossing.looked.sides = self.crossing.sides;
-            self.crossing.looked.nearest = 0.0;
-            self.crossing.fresh |= side != 0;
-            return;
-        }
         let [from, to] = self.ends_past(course, aim, surface);
-        let left = to / (from - to);
-        let time = self.time + left * self.size;
-        // not quite there: a short step more
-        if left > 0.0 && left < 1.0 && time < self.limit {
-            self.crossing.planned = Some(Landing {
+        let left = self.size * to / (from - to);
+        let time = self.time + left;
+        let near = AT_END * self.next_size;
+        if self.misses(course, aim, surface) && left > near && left < self.size {
+            // not quite there: a short step more
+            let landing = Landing {
                 time,
                 surfaces,
                 sides: side,
-            });
+            };
+            self.crossing.planned = Some(landing).filter(|landing| landing.time < self.limit);
+        } else {
+            // round-off must not bring it back
+            let crossing = &mut self.crossing;
+            crossing.sides = (crossing.sides & !surfaces) | side;
+            crossing.looked.sides = crossing.sides;
+            crossing.looked.nearest = 0.0;
+            crossing.fresh |= side != 0;
         }
     }
 }

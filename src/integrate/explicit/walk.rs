@@ -11,6 +11,8 @@ use crate::integrate::{Counters, IntegrateError, Scaling, Settings, System};
 
 /// Part of the local error that the interpolation without evaluations may be estimated to have.
 const QUINTIC_PART: f64 = 0.1;
+/// Times that a step looks for a better place to land on.
+const MOST_SEARCHES: u32 = 5;
 /// Least first guess of a step size, in units of the scaling's time.
 const LEAST_GUESS: f64 = 1e-6;
 
@@ -222,15 +224,17 @@ impl<const N: usize> Walk<N> {
     ) -> Result<(), IntegrateError> {
         self.begin::<P, S>(course);
         let start_rate = self.stages[0];
-        let mut next = [self.crossing.planned, None];
+        let (mut next, mut searches) = ([self.crossing.planned, None], 0);
         loop {
             self.check(course)?;
             let aim = self.aim(next[0]);
             self.size = aim.size;
             self.substitute(&aim, &start_rate);
             let error = self.trial::<P, S>(course);
-            if let Some(found) = self.crossed::<P, S>(course, &aim, error) {
+            let found = self.crossed::<P, S>(course, &aim, error);
+            if let Some(found) = found.filter(|_| searches < MOST_SEARCHES) {
                 self.counters.rejected += 1;
+                searches += 1;
                 next = found;
             } else if error <= 1.0 {
                 self.accept::<P>(&aim, error);
