@@ -7,6 +7,9 @@ use super::walk::Walk;
 
 /// Part of a step that the end of a stretch may lengthen it by.
 const STRETCH: f64 = 1.01;
+/// Error of a step from or to a surface, over its estimate: measured. Such steps stand alone, and one whose
+/// estimate is too good has no neighbours to make up for it.
+const DOUBT: f64 = 3.0;
 /// Most that a step may be longer than the one from a surface before it.
 const AFTER_SURFACE: f64 = 4.0;
 
@@ -69,6 +72,16 @@ impl<const N: usize> Walk<N> {
             let [_, slope] = self.substitution.at(0.0);
             rate.map(|rate| slope * rate)
         };
+    }
+
+    /// Factor of the error estimate.
+    #[inline(always)]
+    pub(super) fn doubt(&self) -> f64 {
+        if self.substitution.is_none() {
+            1.0
+        } else {
+            DOUBT
+        }
     }
 
     /// Power of the step size that the error falls with: in the variable that is squared it has half.

@@ -13,9 +13,9 @@ use crate::integrate::{Sides, System};
 /// Error of a step over its size and what a surface adds over a short part at its end, over that part:
 /// ∫ x^(3/2), for none of it need be seen.
 const CROSSED_AT_END: f64 = 0.4;
-/// Error that is let pass, over the tolerance: the bounds are those of the worst place, and less would
-/// cost more evaluations than it gains.
-const LET_PASS: f64 = 1.5;
+/// Error that is let pass, over the tolerance: from here on a landing costs less than the short steps
+/// that the same error takes without it.
+const LET_PASS: f64 = 0.75;
 /// The same where a step was to end on the surface.
 const BESIDE: f64 = 0.1;
 /// Error of a trial, in units of the state, from which on it says nothing of surfaces.

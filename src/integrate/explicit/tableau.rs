@@ -34,9 +34,8 @@ pub(in crate::integrate) trait Pair {
     /// Product of step and eigenvalue at which the method ceases to be stable on the negative real
     /// axis, without its sign.
     const STABILITY: f64;
-    /// Largest error of the quadrature by the weights over one unit of a derivative that is zero and
-    /// from some place on grows with the power 3/2 of the distance, over its value after one unit, or
-    /// of one that falls so to zero.
+    /// Error of the quadrature by the weights, over a step of one, of a derivative that grows from some
+    /// place on, or falls to it, with the power 3/2 of the distance; root mean square over all places.
     const CROSSED: f64;
     /// c_i.
     const NODES: [f64; MOST];

@@ -371,7 +371,8 @@ impl<const N: usize> Walk<N> {
         self.ended = false;
         stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
         self.to = self.moved::<Weights<P>>();
-        self.error::<P>(course.scaling) * self.size / (P::LOCAL_PART * course.settings.tolerance)
+        let error = self.error::<P>(course.scaling) * self.size;
+        error * self.doubt() / (P::LOCAL_PART * course.settings.tolerance)
     }
 
     /// Root mean square of the error per time, relative to one unit and the deviation.
