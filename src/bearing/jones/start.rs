@@ -97,6 +97,10 @@ impl Ball {
         springs: &[impl ContactSpring; 2],
         force_scale: f64,
     ) -> f64 {
+        if force_scale == 0.0 {
+            // nothing throws it: it gives way into the line of the groove centres
+            return groove.norm() - self.free_inner - self.free_outer;
+        }
         let mut thrown = Vector2::new(0.0, self.free_outer);
         for _ in 0..ROUNDS {
             // hardly changes with the place: each round puts the place right to a hundredth or less

@@ -46,6 +46,8 @@ pub(super) struct Crossing<const N: usize> {
     /// The latest look around on the way, and that at the end of the trial.
     looked: Look<N>,
     ahead: Look<N>,
+    /// Whether there was one at the end of the trial.
+    seen: bool,
 }
 
 /// What was seen from a state.
@@ -66,6 +68,7 @@ impl<const N: usize> Crossing<N> {
         sizes: [f64::INFINITY; 2],
         looked: Look::NONE,
         ahead: Look::NONE,
+        seen: false,
     };
 
     /// What the steps to come depend on, as numbers; another look finds the rest.
@@ -158,7 +161,7 @@ impl<const N: usize> Walk<N> {
         aim: &Aim,
         error: f64,
     ) -> Option<[Option<Landing>; 2]> {
-        self.crossing.ahead = self.crossing.looked;
+        self.crossing.seen = false;
         // with no number or a wild one there is nothing to see
         let wild = !(error * P::LOCAL_PART * course.settings.tolerance < WILD);
         if wild || self.is_clear(course, aim) {
@@ -166,6 +169,7 @@ impl<const N: usize> Walk<N> {
         }
         let ahead = self.look(course, aim.end, &self.to);
         self.crossing.ahead = ahead;
+        self.crossing.seen = true;
         let changed = ahead.sides ^ self.crossing.sides;
         if each(changed).any(|surface| self.spoils::<P, S>(course, aim, surface)) {
             return self.locate::<P, S>(course, changed, ahead.sides);
@@ -276,13 +280,12 @@ impl<const N: usize> Walk<N> {
         next: [Option<Landing>; 2],
     ) {
         let crossing = &mut self.crossing;
-        crossing.looked = crossing.ahead;
         crossing.fresh = false;
-        if crossing.looked.nearest == f64::INFINITY {
-            return;
-        }
-        crossing.sides = crossing.looked.sides;
         crossing.planned = next[0];
+        if crossing.seen {
+            crossing.looked = crossing.ahead;
+            crossing.sides = crossing.ahead.sides;
+        }
         if let Some(landing) = aim.landing {
             crossing.planned = next[1];
             for surface in each(landing.surfaces) {
