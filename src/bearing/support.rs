@@ -22,11 +22,7 @@ const AZIMUTHS: usize = 72;
 
 /// Slope of the distance to lift-off by the place of the inner groove centre: one, but for what the
 /// inertia of the ball and the table of a law add.
-const LIFT_OFF_SLOPE: f64 = 1.25;
-
-fn lever(axis: usize, arm: f64) -> f64 {
-    if axis < 3 { 1.0 } else { arm }
-}
+const LIFT_OFF_SLOPE: f64 = 1.1;
 
 /// A bearing at its place on the rigid shaft, ready to answer with forces.
 ///
@@ -386,15 +382,14 @@ impl Support {
         }
         let [from, to] = ends.map(|displacement| self.imposed(displacement));
         let arm = self.definition.bearing.geometry.inner_groove_radius();
-        let shift: f64 = (0..5)
-            .map(|axis| lever(axis, arm) * (to[axis] - from[axis]).abs())
-            .sum();
-        // what turns with the cage
-        let around: f64 = [0, 1, 3, 4]
-            .into_iter()
-            .map(|axis| lever(axis, arm) * to[axis].abs())
-            .sum();
-        LIFT_OFF_SLOPE * (shift + around * turn.abs())
+        let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
+        // plain roots: this is asked for at every step
+        let length = |a: f64, b: f64| (a * a + b * b).sqrt();
+        // the shift of an inner groove centre, and what it turns with the cage
+        let turn = turn.abs();
+        let radial = length(x, y) + turn * length(to[0], to[1]);
+        let tilt = length(tilt_x, tilt_y) + turn * length(to[3], to[4]);
+        LIFT_OFF_SLOPE * length(radial, z.abs() + arm * tilt)
     }
 
     /// How far one of them is pressed past its lift-off, m.

@@ -24,8 +24,9 @@ const WILD: f64 = 1e-2;
 const TOGETHER: f64 = 1e-3;
 /// Part of a trial within which its ends are as good as a landing.
 const AT_END: f64 = 1e-6;
-/// Part of the distance of the nearest surface that may be walked without another look.
-const SAFE: f64 = 0.5;
+/// Part of the distance of the nearest surface that may be walked without another look: within a step
+/// the way is longer than between its ends.
+const SAFE: f64 = 0.7;
 
 /// Numbers that hold a set of surfaces, 32 each.
 const PARTS: usize = 4;
@@ -163,8 +164,8 @@ impl<const N: usize> Walk<N> {
     ) -> Option<[Option<Landing>; 2]> {
         self.crossing.seen = false;
         // with no number or a wild one there is nothing to see
-        let wild = !(error * P::LOCAL_PART * course.settings.tolerance < WILD);
-        if wild || self.is_clear(course, aim) {
+        let off = error * P::LOCAL_PART * course.settings.tolerance;
+        if off.is_nan() || off > WILD || self.is_clear(course, aim) {
             return None;
         }
         let ahead = self.look(course, aim.end, &self.to);
