@@ -3,10 +3,11 @@
 use fearless_simd::Simd;
 
 use super::contact_damping::DampedRaces;
-use super::ring::in_registers;
+use super::contact_spring::ContactSpring;
+use super::ring::{LiftOffs, in_registers};
 use super::{
-    Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw,
-    JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
+    Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, HertzSpring,
+    JonesFilmLaw, JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
 };
 
 /// The law is chosen once a call; the loop over the balls is compiled for each.
@@ -123,6 +124,39 @@ impl AnyRing {
         visit: &mut dyn FnMut(BallContact),
     ) {
         with_ring!(self, ring => ring.contacts(*displacement, cage, speed).for_each(visit));
+    }
+
+    /// Whether the force of its balls is not smooth where they lift off.
+    pub fn lifts_off(&self) -> bool {
+        matches!(self, Self::Hertz(_) | Self::Jones(_))
+    }
+
+    /// The balls about their lift-off.
+    pub fn lift_offs(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> LiftOffs {
+        with_ring!(self, ring => ring.lift_offs(displacement, cage, speed))
+    }
+
+    /// How far a ball is pressed past its lift-off, m.
+    pub fn past_lift_off(
+        &self,
+        ball: usize,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> f64 {
+        with_ring!(self, ring => ring.past_lift_off(ball, displacement, cage, speed))
+    }
+
+    /// Largest load of a ball so far past its lift-off, N; of dry contacts only.
+    pub fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
+        let spring = match self {
+            Self::Hertz(ring) => HertzSpring {
+                stiffness: ring.law().load_deflection_constant,
+            },
+            Self::Jones(ring) => ring.law().inner_spring(speed),
+            Self::HertzFilm(_) | Self::JonesFilm(_) => return 0.0,
+        };
+        spring.load_and_stiffness(distance).0
     }
 
     /// What a ball at each of `positions` azimuths would bear; the balls' own where `None`.

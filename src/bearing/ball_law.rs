@@ -86,6 +86,18 @@ pub trait BallLaw {
     /// Loads at the inner and the outer race and their exact derivatives by position.
     fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2];
 
+    /// How far balls are pressed past where they leave the inner race, m, negative where they are
+    /// apart: there the force is not smooth. Infinite where the law is smooth throughout.
+    #[inline(always)]
+    fn past_lift_offs(
+        &self,
+        _axial: [f64; LANES],
+        _radial: [f64; LANES],
+        _speed: f64,
+    ) -> [f64; LANES] {
+        [f64::INFINITY; LANES]
+    }
+
     /// Loads and angles of both contacts.
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact;
 }

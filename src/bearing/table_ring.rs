@@ -1,6 +1,7 @@
 //! A ring whose ball law was compiled into a table.
 
 use super::any_ring::AnyRing;
+use super::ring::LiftOffs;
 use super::{
     BallLaw, BallRegion, CageAngle, ContactLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Matrix5,
     MountedBearing, Ring, TableError, TableLaw, TableReport, Vector5,
@@ -75,6 +76,22 @@ impl TableRing {
         speed: f64,
     ) -> (Vector5, Matrix5) {
         with_table!(self, ring => ring.force_and_stiffness(displacement, cage, speed))
+    }
+
+    /// The balls about their lift-off.
+    pub fn lift_offs(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> LiftOffs {
+        with_table!(self, ring => ring.lift_offs(displacement, cage, speed))
+    }
+
+    /// How far a ball is pressed past its lift-off, m.
+    pub fn past_lift_off(
+        &self,
+        ball: usize,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> f64 {
+        with_table!(self, ring => ring.past_lift_off(ball, displacement, cage, speed))
     }
 
     /// Whether every ball is inside the table.

@@ -24,5 +24,5 @@ pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};
 pub use shifted::Shifted;
 pub use stiffness::Stiffness;
-pub use system::{Linearised, Scaling, Square, System};
+pub use system::{Linearised, Scaling, Sides, Square, Surroundings, System};
 pub use variation::{Variation, variation};

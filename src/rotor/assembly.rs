@@ -89,6 +89,9 @@ impl Rotor {
             loads: definition.loads.clone(),
             damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             contacts_damped: supports.iter().any(Support::is_damped),
+            lifts_off: supports
+                .iter()
+                .any(|support| support.balls_that_lift_off() > 0),
             leading_ratio: definition.cage.ratio(&supports[0]),
             supports,
             initial: initial_state(definition, &equilibrium),

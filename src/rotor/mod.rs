@@ -13,6 +13,7 @@ mod definition;
 mod drive;
 mod energy;
 mod forcing;
+mod lift_off;
 mod linearisation;
 pub mod load;
 mod loose;

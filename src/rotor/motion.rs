@@ -7,7 +7,7 @@ use super::phases::Phases;
 use super::{BallContacts, CageMotion, Drive, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{CageAngle, Support, Vector5, in_registers};
-use crate::integrate::System;
+use crate::integrate::{Surroundings, System};
 
 /// A concentrated mass on its bearings, assembled and ready to move.
 ///
@@ -50,6 +50,8 @@ pub struct Rotor {
     /// Whether the contacts of any bearing are damped.
     pub(super) contacts_damped: bool,
     pub(super) supports: Vec<Support>,
+    /// Whether the force of any ball is not smooth where it lifts off.
+    pub(super) lifts_off: bool,
     /// Speed of the first bearing's cage over that of the shaft.
     pub(super) leading_ratio: f64,
     pub(super) equilibrium: Equilibrium,
@@ -342,6 +344,25 @@ impl<const N: usize> System<N> for Rotor {
 
     fn next_break(&self, after: f64) -> f64 {
         self.next_break_after(after)
+    }
+
+    fn surroundings(&self, time: f64, state: &[f64; N]) -> Surroundings {
+        self.lift_offs(&self.speed.at(time), &state[..N / 2])
+    }
+
+    fn past(&self, surface: u32, time: f64, state: &[f64; N]) -> f64 {
+        self.past_lift_off(surface, &self.speed.at(time), &state[..N / 2])
+    }
+
+    fn approach(&self, times: [f64; 2], states: [&[f64; N]; 2]) -> f64 {
+        let rotations = times.map(|time| self.speed.at(time));
+        self.approach_to_lift_off(rotations.each_ref(), states.map(|state| &state[..N / 2]))
+    }
+
+    fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {
+        let kept = N / 2;
+        let added = self.added_past_lift_off(surface, self.speed.at(time).speed, distance);
+        std::array::from_fn(|i| if i < kept { 0.0 } else { added[i - kept] })
     }
 
     fn is_second_order(&self) -> bool {

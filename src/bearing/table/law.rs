@@ -264,6 +264,20 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         (force, [axial_row, radial_row, couple_row])
     }
 
+    /// The table's own line of lift-off; the law's where any of the places is outside.
+    fn past_lift_offs(
+        &self,
+        axial: [f64; LANES],
+        radial: [f64; LANES],
+        speed: f64,
+    ) -> [f64; LANES] {
+        if (0..LANES).all(|ball| self.covers(axial[ball], radial[ball], speed)) {
+            std::array::from_fn(|ball| self.chart.past_lift(axial[ball].abs(), radial[ball]))
+        } else {
+            self.exact.past_lift_offs(axial, radial, speed)
+        }
+    }
+
     fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2] {
         self.exact.load_slopes(axial, radial, speed)
     }

@@ -1,11 +1,15 @@
 //! Explicit Runge–Kutta pairs on states of fixed size: no allocation, no time carried as a state,
 //! and steps that end at breaks of the system and nowhere else.
 
+mod aim;
 #[cfg(test)]
 mod conditions;
 mod control;
+mod crossing;
 mod dop853;
+mod landing;
 mod quintic;
+mod substitution;
 mod tableau;
 mod tsit5;
 mod verner76;
