@@ -155,6 +155,8 @@ fn balls_that_lift_off_at_every_turn_keep_to_ten_tolerances() {
         let mut model = model.clone();
         model.integrator.tolerance = tolerance;
         keeps_its_own_tolerance(&format!("unloading at {tolerance:e}"), &model);
+        model.energy = true;
+        keeps_its_own_tolerance(&format!("with energy at {tolerance:e}"), &model);
     }
 }
 
