@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::{Linearised, System};
+use super::{Linearised, Surroundings, System};
 
 /// The same system with its time counted from `start`, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +21,23 @@ impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
 
     fn next_break(&self, after: f64) -> f64 {
         self.system.next_break(self.start + after) - self.start
+    }
+
+    fn surroundings(&self, time: f64, state: &[f64; N]) -> Surroundings {
+        self.system.surroundings(self.start + time, state)
+    }
+
+    fn past(&self, surface: u32, time: f64, state: &[f64; N]) -> f64 {
+        self.system.past(surface, self.start + time, state)
+    }
+
+    fn approach(&self, times: [f64; 2], states: [&[f64; N]; 2]) -> f64 {
+        let times = times.map(|time| self.start + time);
+        self.system.approach(times, states)
+    }
+
+    fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {
+        self.system.added(surface, self.start + time, distance)
     }
 
     fn is_second_order(&self) -> bool {
