@@ -4,7 +4,8 @@ use fearless_simd::Simd;
 
 use super::contact_damping::DampedRaces;
 use super::contact_spring::ContactSpring;
-use super::ring::{LiftOffs, in_registers};
+use super::ring::in_registers;
+use super::ring_lift_off::LiftOffs;
 use super::{
     Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, HertzSpring,
     JonesFilmLaw, JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,

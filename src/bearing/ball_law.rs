@@ -86,16 +86,10 @@ pub trait BallLaw {
     /// Loads at the inner and the outer race and their exact derivatives by position.
     fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2];
 
-    /// How far balls are pressed past where they leave the inner race, m, negative where they are
+    /// How far a ball is pressed past where it leaves the inner race, m, negative where they are
     /// apart: there the force is not smooth. Infinite where the law is smooth throughout.
-    #[inline(always)]
-    fn past_lift_offs(
-        &self,
-        _axial: [f64; LANES],
-        _radial: [f64; LANES],
-        _speed: f64,
-    ) -> [f64; LANES] {
-        [f64::INFINITY; LANES]
+    fn past_lift_off(&self, _axial: f64, _radial: f64, _speed: f64) -> f64 {
+        f64::INFINITY
     }
 
     /// Loads and angles of both contacts.

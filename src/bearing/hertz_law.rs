@@ -2,7 +2,7 @@
 
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 
-use super::{BallContact, BallForce, BallLaw, BallTangent, LANES, LaneForces, Lanes, LoadSlope};
+use super::{BallContact, BallForce, BallLaw, BallTangent, LaneForces, Lanes, LoadSlope};
 
 /// Hertz contact of a ball with both races, the ball itself without inertia.
 ///
@@ -111,16 +111,8 @@ impl BallLaw for HertzLaw {
     }
 
     #[inline(always)]
-    fn past_lift_offs(
-        &self,
-        axial: [f64; LANES],
-        radial: [f64; LANES],
-        _speed: f64,
-    ) -> [f64; LANES] {
-        std::array::from_fn(|ball| {
-            let square = axial[ball] * axial[ball] + radial[ball] * radial[ball];
-            square.sqrt() - self.distance
-        })
+    fn past_lift_off(&self, axial: f64, radial: f64, _speed: f64) -> f64 {
+        (axial * axial + radial * radial).sqrt() - self.distance
     }
 
     fn contact(&self, axial: f64, radial: f64, _speed: f64) -> BallContact {

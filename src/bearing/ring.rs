@@ -43,9 +43,6 @@ pub struct Around {
     pub contact: BallContact,
 }
 
-/// Lanes that a set of bits has room for.
-const MOST_LANES: usize = u128::BITS as usize / LANES;
-
 /// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
@@ -53,23 +50,6 @@ struct Azimuths {
     cos: [f64; LANES],
     sin: [f64; LANES],
     weight: [f64; LANES],
-}
-
-/// The balls of a bearing about the places where they leave the inner race.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct LiftOffs {
-    /// A bit for every ball that is pressed, the lowest for ball 0.
-    pub pressed: u128,
-    /// Least distance of a ball from its lift-off, m.
-    pub nearest: f64,
-}
-
-impl LiftOffs {
-    /// No ball lifts off.
-    pub const NONE: Self = Self {
-        pressed: 0,
-        nearest: f64::INFINITY,
-    };
 }
 
 /// All balls of a bearing under one law: the force that holds the inner ring in place.
@@ -228,54 +208,6 @@ impl<L: BallLaw> Ring<L> {
     ) -> impl Iterator<Item = BallContact> {
         self.placed(displacement, cage)
             .map(move |ball| self.law.contact(ball.axial, ball.radial, speed))
-    }
-
-    /// The balls about their lift-off.
-    pub(super) fn lift_offs(
-        &self,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-    ) -> LiftOffs {
-        let place = into_cage(displacement, cage);
-        let (mut pressed, mut nearest) = (0, f64::INFINITY);
-        for (index, lanes) in self.lanes.iter().enumerate().take(MOST_LANES) {
-            let [axial, radial] = self.place_lanes(&place, lanes);
-            let past = self.law.past_lift_offs(axial, radial, speed);
-            // lanes without a ball stand behind the last one
-            let balls = LANES.min(self.azimuths.len() - LANES * index);
-            for (lane, past) in past.into_iter().take(balls).enumerate() {
-                pressed |= u128::from(past.is_sign_positive()) << (LANES * index + lane);
-                nearest = nearest.min(past.abs());
-            }
-        }
-        LiftOffs { pressed, nearest }
-    }
-
-    /// How far a ball is pressed past its lift-off, m.
-    pub(super) fn past_lift_off(
-        &self,
-        ball: usize,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-    ) -> f64 {
-        let lanes = &self.lanes[ball / LANES];
-        let [axial, radial] = self.place_lanes(&into_cage(displacement, cage), lanes);
-        let past = self.law.past_lift_offs(axial, radial, speed);
-        past[ball % LANES]
-    }
-
-    /// A1 and A2 of a few balls; the displacement is seen from the cage.
-    #[inline(always)]
-    fn place_lanes(&self, displacement: &Vector5, lanes: &Azimuths) -> [[f64; LANES]; 2] {
-        let [x, y, z, tilt_x, tilt_y] = *displacement;
-        let (swing_x, swing_y) = (self.arm * tilt_x, self.arm * tilt_y);
-        let axial_0 = self.free_axial + z;
-        [
-            std::array::from_fn(|i| axial_0 + swing_x * lanes.sin[i] - swing_y * lanes.cos[i]),
-            std::array::from_fn(|i| self.free_radial + x * lanes.cos[i] + y * lanes.sin[i]),
-        ]
     }
 
     /// What a ball at each of `positions` azimuths from +X on would bear, or, where `None`, what

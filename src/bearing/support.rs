@@ -8,23 +8,14 @@ use super::bearing_friction::BearingFriction;
 use super::contact_damping::DampedRaces;
 use super::elastic_energy::race_springs;
 use super::linear_force::LinearForce;
-use super::ring::{CageAngle, LiftOffs, Matrix5, Vector5, in_registers, quarter_turn};
+use super::ring::{CageAngle, Matrix5, Vector5, in_registers, quarter_turn};
 use super::seat::Seat;
-use super::table_ring::{TableRing, TableWish};
+use super::table_ring::TableRing;
 use super::{
-    Around, BallContact, BallRegion, BearingError, BearingState, ContactBand, ContactLaw,
-    FrictionMoment, Geometry, HertzSpring, MountedBearing, Preload, TableError, TableReport,
+    Around, BallContact, BearingError, BearingState, ContactBand, ContactLaw, FrictionMoment,
+    Geometry, HertzSpring, MountedBearing, Preload,
 };
 use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
-
-/// Least swing that a table allows for, over the distance of the groove centres.
-const LEAST_SWING: f64 = 1e-3;
-/// Azimuths at which the largest ball load is looked for.
-const AZIMUTHS: usize = 72;
-
-/// Slope of the distance to lift-off by the place of the inner groove centre: one, but for what the
-/// inertia of the ball and the table of a law add.
-const LIFT_OFF_SLOPE: f64 = 1.1;
 
 /// A bearing at its place on the rigid shaft, ready to answer with forces.
 ///
@@ -41,7 +32,7 @@ pub struct Support {
     /// What the processor has.
     level: Level,
     /// Stands for the ring where a motion asks for forces, once compiled.
-    table: Option<Box<TableRing>>,
+    pub(super) table: Option<Box<TableRing>>,
     /// A cheap neighbour of the ring, where there is one.
     coarse: Option<AnyRing>,
     pub(super) seat: Seat,
@@ -56,7 +47,7 @@ pub struct Support {
     cage_ratio: f64,
     /// Set once the bearing is linear.
     pub(super) frozen: Option<LinearForce>,
-    definition: MountedBearing,
+    pub(super) definition: MountedBearing,
     sign: f64,
 }
 
@@ -171,79 +162,6 @@ impl Support {
             }
         };
         self.on_shaft(&force)
-    }
-
-    /// Compiles the law of the balls into a table for motions at `speed` in rad/s that stay within
-    /// `swing` of `displacement`, both in m and rad of the shaft. The forces of [`Support::force`]
-    /// then differ by no more than `tolerance` times the largest ball load at `displacement` a
-    /// ball; further out and at other speeds they are exact, and slow.
-    ///
-    /// None where a table would not pay: for Hertz contacts without film, a linear bearing, and a
-    /// floating ring, which asks for much more than forces.
-    ///
-    /// # Errors
-    /// [`TableError`] where no table is good enough; forces stay exact.
-    pub fn tabulate(
-        &mut self,
-        displacement: &Vector5,
-        swing: &Vector5,
-        speed: f64,
-        tolerance: f64,
-    ) -> Option<Result<TableReport, TableError>> {
-        if self.frozen.is_some() || matches!(self.seat, Seat::Spring { .. }) {
-            return None;
-        }
-        let place = self.ring_displacement(displacement, CageAngle::START, speed);
-        let wish = TableWish {
-            region: self.ball_region(&place, swing),
-            speed,
-            load: self.largest_load_around(&place, speed),
-            tolerance,
-        };
-        let compiled = TableRing::compile(&self.ring, &self.definition, &wish)?;
-        Some(compiled.map(|(table, report)| {
-            self.table = Some(Box::new(table));
-            report
-        }))
-    }
-
-    /// Whether the forces with the shaft at `displacement` come from a table alone; so they do where
-    /// there is none.
-    pub fn is_inside_table(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> bool {
-        let Some(table) = &self.table else {
-            return true;
-        };
-        table.covers(
-            &self.ring_displacement(displacement, cage, speed),
-            cage,
-            speed,
-        )
-    }
-
-    /// Where balls come, whatever their azimuth, with the shaft within `swing` of the ring's `place`.
-    fn ball_region(&self, place: &Vector5, swing: &Vector5) -> BallRegion {
-        let geometry = &self.definition.bearing.geometry;
-        let [x, y, z, tilt_x, tilt_y] = *place;
-        let tilting = swing[3].hypot(swing[4]);
-        let arm = geometry.inner_groove_radius();
-        let least = LEAST_SWING * geometry.groove_centre_distance();
-        let axial = arm * (tilt_x.hypot(tilt_y) + tilting) + swing[2].max(least);
-        let lateral = swing[0].hypot(swing[1]) + self.definition.position.abs() * tilting;
-        let radial = x.hypot(y) + lateral.max(least);
-        let around = |middle: f64, half: f64| [middle - half, middle + half];
-        BallRegion {
-            axial: around(geometry.free_axial() + z, axial),
-            radial: around(geometry.free_radial(), radial),
-        }
-    }
-
-    /// Largest load that a ball at any azimuth bears with the ring at `place`, N.
-    fn largest_load_around(&self, place: &Vector5, speed: f64) -> f64 {
-        self.ring
-            .around(place, speed, Some(AZIMUTHS))
-            .iter()
-            .map(|around| around.contact.load_inner)
-            .fold(0.0, f64::max)
     }
 
     /// Force as by [`Support::force`] and its derivative by the shaft's displacement.
@@ -362,70 +280,6 @@ impl Support {
             let place = self.ring_displacement(displacement, cage, speed);
             self.ring.for_each_contact(&place, cage, speed, visit);
         }
-    }
-
-    /// Number of balls whose force is not smooth where they lift off: none of a linear bearing, and
-    /// none behind films.
-    pub(crate) fn balls_that_lift_off(&self) -> u32 {
-        match self.frozen {
-            None if self.ring.lifts_off() => self.definition.bearing.geometry.balls() as u32,
-            _ => 0,
-        }
-    }
-
-    /// These balls about their lift-off.
-    pub(crate) fn lift_offs(
-        &self,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-    ) -> LiftOffs {
-        if self.balls_that_lift_off() == 0 {
-            return LiftOffs::NONE;
-        }
-        let place = self.ring_displacement(displacement, cage, speed);
-        match &self.table {
-            Some(table) => table.lift_offs(&place, cage, speed),
-            None => self.ring.lift_offs(&place, cage, speed),
-        }
-    }
-
-    /// No ball comes nearer to its lift-off by more than this as the shaft goes from one displacement
-    /// to another and the cage turns by an angle in rad; infinite of a ring that floats.
-    pub(crate) fn approach_to_lift_off(&self, ends: [&Vector5; 2], turn: f64) -> f64 {
-        if matches!(self.seat, Seat::Spring { .. }) {
-            return f64::INFINITY;
-        }
-        let [from, to] = ends.map(|displacement| self.imposed(displacement));
-        let arm = self.definition.bearing.geometry.inner_groove_radius();
-        let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
-        // plain roots: this is asked for at every step
-        let length = |a: f64, b: f64| (a * a + b * b).sqrt();
-        // the shift of an inner groove centre, and what it turns with the cage
-        let turn = turn.abs();
-        let radial = length(x, y) + turn * length(to[0], to[1]);
-        let tilt = length(tilt_x, tilt_y) + turn * length(to[3], to[4]);
-        LIFT_OFF_SLOPE * length(radial, z.abs() + arm * tilt)
-    }
-
-    /// How far one of them is pressed past its lift-off, m.
-    pub(crate) fn past_lift_off(
-        &self,
-        ball: usize,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-    ) -> f64 {
-        let place = self.ring_displacement(displacement, cage, speed);
-        match &self.table {
-            Some(table) => table.past_lift_off(ball, &place, cage, speed),
-            None => self.ring.past_lift_off(ball, &place, cage, speed),
-        }
-    }
-
-    /// Largest load of a ball so far past its lift-off in m, N.
-    pub(crate) fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
-        self.ring.load_past_lift_off(distance, speed)
     }
 
     /// Number of balls that [`Support::for_each_contact`] visits.

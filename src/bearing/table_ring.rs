@@ -1,7 +1,7 @@
 //! A ring whose ball law was compiled into a table.
 
 use super::any_ring::AnyRing;
-use super::ring::LiftOffs;
+use super::ring_lift_off::LiftOffs;
 use super::{
     BallLaw, BallRegion, CageAngle, ContactLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Matrix5,
     MountedBearing, Ring, TableError, TableLaw, TableReport, Vector5,

@@ -1,6 +1,6 @@
 //! Where a ball leaves the inner race, the law knows it without its force.
 
-use jeffcott::bearing::{BallLaw, HertzLaw, JonesLaw, LANES, catalogue};
+use jeffcott::bearing::{BallLaw, HertzLaw, JonesLaw, catalogue};
 use jeffcott::physics::RaceControl;
 
 /// Places of the inner groove centre about the line of lift-off of a 7205C, m.
@@ -22,7 +22,7 @@ const NEAR: f64 = 1e-11;
 fn pressed(law: &impl BallLaw, speed: f64) -> usize {
     let mut count = 0;
     for [axial, radial] in places() {
-        let past = law.past_lift_offs([axial; LANES], [radial; LANES], speed)[0];
+        let past = law.past_lift_off(axial, radial, speed);
         let load = law.contact(axial, radial, speed).load_inner;
         let loaded = load > NOTHING;
         if past.abs() > NEAR {

@@ -10,7 +10,7 @@ use super::state::{BallState, SpinResistance, contact_of};
 use crate::bearing::film_spring::LubricatedContact;
 use crate::bearing::races::{DryRaces, LubricatedRaces, RaceFilms, Races};
 use crate::bearing::{
-    BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, LANES, LoadSlope, Oil,
+    BallContact, BallForce, BallLaw, BallTangent, Bearing, BearingError, LoadSlope, Oil,
 };
 use crate::physics::{HertzContact, RaceControl, ball_mass};
 
@@ -218,18 +218,11 @@ impl<R: Races> BallLaw for JonesLaw<R> {
     }
 
     /// From the inner race to the ball that rests on the outer race alone.
-    fn past_lift_offs(
-        &self,
-        axial: [f64; LANES],
-        radial: [f64; LANES],
-        speed: f64,
-    ) -> [f64; LANES] {
+    fn past_lift_off(&self, axial: f64, radial: f64, speed: f64) -> f64 {
         let springs = self.races.at_speed(speed);
         let force_scale = self.ball.inertia.scale * speed * speed;
-        std::array::from_fn(|ball| {
-            let groove = Vector2::new(axial[ball], radial[ball]);
-            self.ball.overlap_when_thrown(groove, &springs, force_scale)
-        })
+        let groove = Vector2::new(axial, radial);
+        self.ball.overlap_when_thrown(groove, &springs, force_scale)
     }
 
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact {

@@ -264,17 +264,12 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         (force, [axial_row, radial_row, couple_row])
     }
 
-    /// The table's own line of lift-off; the law's where any of the places is outside.
-    fn past_lift_offs(
-        &self,
-        axial: [f64; LANES],
-        radial: [f64; LANES],
-        speed: f64,
-    ) -> [f64; LANES] {
-        if (0..LANES).all(|ball| self.covers(axial[ball], radial[ball], speed)) {
-            std::array::from_fn(|ball| self.chart.past_lift(axial[ball].abs(), radial[ball]))
+    /// The table's own line of lift-off; outside the law's.
+    fn past_lift_off(&self, axial: f64, radial: f64, speed: f64) -> f64 {
+        if self.covers(axial, radial, speed) {
+            self.chart.past_lift(axial.abs(), radial)
         } else {
-            self.exact.past_lift_offs(axial, radial, speed)
+            self.exact.past_lift_off(axial, radial, speed)
         }
     }
 
