@@ -3,25 +3,15 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::control::Control;
-use super::crossing::{self, Crossing};
-use super::quintic::{self, Quintic};
+use super::crossing::Crossing;
 use super::substitution::Substitution;
 use super::tableau::{Arguments, CoarseError, Error, Factors, MOST, Pair, Weights, sum};
 use crate::integrate::{Counters, IntegrateError, Scaling, Settings, System};
 
-/// Part of the local error that the interpolation without evaluations may be estimated to have.
-const QUINTIC_PART: f64 = 0.1;
 /// Times that a step looks for a better place to land on.
 const MOST_SEARCHES: u32 = 5;
 /// Least first guess of a step size, in units of the scaling's time.
 const LEAST_GUESS: f64 = 1e-6;
-
-/// Single numbers of a walk.
-const SINGLE: usize = 11;
-
-fn flag(set: bool) -> f64 {
-    f64::from(u8::from(set))
-}
 
 /// What a walk goes by.
 pub(in crate::integrate) struct Course<'a, S, const N: usize> {
@@ -54,17 +44,17 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     pub(super) stages: [[f64; N]; MOST],
     pub(super) substitution: Substitution,
     /// The derivative at the end of the latest step, where the variable of the step is substituted.
-    end_rate: [f64; N],
+    pub(super) end_rate: [f64; N],
     pub(super) crossing: Crossing<N>,
     /// Whether the derivative at the end of the trial is there.
     pub(super) ended: bool,
     /// Whether the stages for dense output are there.
     pub(super) extended: bool,
     /// Whether the quintic is exact enough.
-    quintic: bool,
+    pub(super) quintic: bool,
     /// h³ q‴ at the end of the step before, by its polynomial; infinite where there was none.
-    jerk: [f64; N],
-    size_before: f64,
+    pub(super) jerk: [f64; N],
+    pub(super) size_before: f64,
     pub(super) control: Control,
     /// Whether a trial since the latest good step was not finite.
     pub(super) fault: bool,
@@ -117,78 +107,6 @@ impl<const N: usize> Walk<N> {
         std::array::from_fn(|i| self.to[i] / scaling.scale[i])
     }
 
-    /// Everything but the counters as numbers.
-    pub fn numbers(&self) -> Vec<f64> {
-        let single = [
-            self.start,
-            self.time,
-            self.size,
-            self.next_size,
-            self.limit,
-            self.size_before,
-            flag(self.extended),
-            flag(self.quintic),
-            flag(self.control.was_rejected()),
-            flag(self.substitution.start),
-            flag(self.substitution.end),
-        ];
-        let crossing = self.crossing.numbers();
-        let single = single.into_iter().chain(crossing);
-        let vectors = [&self.from, &self.to, &self.jerk, &self.end_rate];
-        let vectors = vectors.into_iter().chain(&self.stages).flatten();
-        single.chain(vectors.copied()).collect()
-    }
-
-    /// The walk of numbers as by [`Walk::numbers`], with its counters; none of any others.
-    pub fn restored(numbers: &[f64], counters: Counters) -> Option<Self> {
-        let (single, numbers) = numbers.split_at_checked(SINGLE)?;
-        let (crossing, vectors) = numbers.split_at_checked(crossing::NUMBERS)?;
-        let vectors: &[[f64; N]] = match vectors.as_chunks() {
-            (vectors, []) => vectors,
-            _ => return None,
-        };
-        let [
-            start,
-            time,
-            size,
-            next_size,
-            limit,
-            size_before,
-            extended,
-            quintic,
-            rejected,
-            singular_start,
-            singular_end,
-        ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
-        let [from, to, jerk, end_rate, stages @ ..] = vectors else {
-            return None;
-        };
-        Some(Self {
-            start,
-            time,
-            size,
-            next_size,
-            limit,
-            from: *from,
-            to: *to,
-            stages: stages.try_into().ok()?,
-            substitution: Substitution {
-                start: singular_start != 0.0,
-                end: singular_end != 0.0,
-            },
-            end_rate: *end_rate,
-            crossing: Crossing::restored(crossing)?,
-            ended: false,
-            extended: extended != 0.0,
-            quintic: quintic != 0.0,
-            jerk: *jerk,
-            size_before,
-            control: Control::after(rejected != 0.0),
-            fault: false,
-            counters,
-        })
-    }
-
     /// Work done so far.
     pub fn counters(&self) -> Counters {
         self.counters
@@ -206,7 +124,6 @@ impl<const N: usize> Walk<N> {
         while self.time < time {
             self.step::<P, S>(course)?;
         }
-        let origin = &course.scaling.origin;
         let deviation = if time >= self.time {
             self.to
         } else if self.quintic {
@@ -215,7 +132,7 @@ impl<const N: usize> Walk<N> {
             self.extend::<P, S>(course);
             self.by_stages::<P>(time)
         };
-        Ok(std::array::from_fn(|i| origin[i] + deviation[i]))
+        Ok(self.state(course, &deviation))
     }
 
     fn step<P: Pair, S: System<N>>(
@@ -350,7 +267,10 @@ impl<const N: usize> Walk<N> {
     }
 
     #[inline(always)]
-    fn stage<P: Pair, S: System<N>, const I: usize>(&mut self, course: &Course<'_, S, N>) {
+    pub(super) fn stage<P: Pair, S: System<N>, const I: usize>(
+        &mut self,
+        course: &Course<'_, S, N>,
+    ) {
         let argument = self.moved::<Arguments<P, I>>();
         if self.substitution.is_none() {
             self.evaluate(course, I, self.stage_time(P::NODES[I]), &argument);
@@ -426,83 +346,6 @@ impl<const N: usize> Walk<N> {
             return;
         }
         self.quintic = course.system.is_second_order() && self.judge_quintic::<P, S>(course);
-    }
-
-    /// Evaluates the stages for dense output, once a step.
-    pub(super) fn extend<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) {
-        if self.extended {
-            return;
-        }
-        self.extended = true;
-        macro_rules! stages {
-            ($($stage:literal)*) => {$(
-                if const { $stage > P::LAST && $stage < P::STAGES } {
-                    self.stage::<P, S, $stage>(course);
-                }
-            )*};
-        }
-        stages!(7 8 9 10 11 12 13 14 15);
-    }
-
-    /// Deviation within the step by the pair's own interpolant.
-    pub(super) fn by_stages<P: Pair>(&self, time: f64) -> [f64; N] {
-        let part = self.substitution.inverse((time - self.start) / self.size);
-        let mut sum = [0.0; N];
-        for (row, stage) in P::DENSE.iter().zip(&self.stages).take(P::STAGES) {
-            let factor = part * row.iter().rev().fold(0.0, |sum, term| sum * part + term);
-            for i in 0..N {
-                sum[i] += factor * stage[i];
-            }
-        }
-        std::array::from_fn(|i| self.from[i] + self.size * sum[i])
-    }
-
-    pub(super) fn by_quintic(&self, time: f64, last: usize) -> [f64; N] {
-        let part = (time - self.start) / self.size;
-        let mut deviation = self.to;
-        for i in 0..N / 2 {
-            let [start, end] = self.ends(i, last);
-            let quintic = Quintic::new(self.size, start, end);
-            [deviation[i], deviation[N / 2 + i]] = quintic.at(part, self.size, start);
-        }
-        deviation
-    }
-
-    /// Motion of a freedom at both ends of the step.
-    #[inline(always)]
-    fn ends(&self, freedom: usize, last: usize) -> [quintic::Motion; 2] {
-        let velocity = N / 2 + freedom;
-        [
-            [
-                self.from[freedom],
-                self.from[velocity],
-                self.stages[0][velocity],
-            ],
-            [
-                self.to[freedom],
-                self.to[velocity],
-                self.stages[last][velocity],
-            ],
-        ]
-    }
-
-    /// Whether the quintic's error is small beside what the step may have.
-    fn judge_quintic<P: Pair, S>(&mut self, course: &Course<'_, S, N>) -> bool {
-        let (size, before) = (self.size, self.size_before);
-        let scale = &course.scaling.scale;
-        let allowed = QUINTIC_PART * course.settings.tolerance;
-        let mut good = true;
-        for i in 0..N / 2 {
-            let [start, end] = self.ends(i, P::LAST);
-            let [first, last] = Quintic::new(size, start, end).jerks();
-            let jump = first / size.powi(3) - self.jerk[i];
-            self.jerk[i] = last / size.powi(3);
-            let [place, velocity] = quintic::errors(jump, size, before);
-            // not so where the jump is no number
-            good &= place <= allowed * (scale[i] + start[0].abs())
-                && velocity <= allowed * (scale[N / 2 + i] + start[1].abs());
-        }
-        good
     }
 
     /// First step size, s.

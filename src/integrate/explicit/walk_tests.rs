@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::integrate::Method;
+use crate::integrate::explicit::quintic::{self, Quintic};
 use crate::integrate::explicit::{Dop853, Tsit5, Verner76};
 
 /// q″ = −(1 + sin(t)/2) q³ + cos 2t, as (q, q′): time enters, and it is not linear.
