@@ -31,12 +31,12 @@ pub fn method_choice_text(choice: &MethodChoice) -> String {
 fn cost_text(cost: &MethodCost) -> String {
     let (name, tried) = (name(cost.method), 1e3 * cost.tried);
     match cost.expected {
-        Some(expected) if expected.is_finite() => format!(
+        Some(expected) => format!(
             "{name:<12}  {} evaluations in {tried:.3} ms; about {:.2} ms for the whole run",
             cost.evaluations,
             1e3 * expected
         ),
-        _ => format!("{name:<12}  given up before {tried:.3} ms of the motion: too many steps"),
+        None => format!("{name:<12}  given up before {tried:.3} ms of the motion: too many steps"),
     }
 }
 
@@ -47,7 +47,7 @@ pub fn method_choice_json(choice: &MethodChoice) -> Value {
             "method": name(cost.method),
             "evaluations": cost.evaluations,
             "tried_s": cost.tried,
-            "expected_s": cost.expected.filter(|expected| expected.is_finite()),
+            "expected_s": cost.expected,
         })
     };
     json!({
