@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use serde_json::Value;
 
-use super::jobs::{Job, document, jobs};
+use super::jobs::{Job, Shown, jobs, show, with_files};
 use super::progress::Progress;
 use super::{Outcome, stream};
 use crate::report;
@@ -88,22 +88,10 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     };
     // Without a handler an interrupt ends the process at once; the run folder stays safe as well.
     let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
-    let mut outcome = Outcome::Done;
-    let mut answers = Vec::new();
-    for task in &tasks {
-        match task.answer(arguments) {
-            Ok(Shown::Json(answer)) => answers.push(answer),
-            Ok(Shown::Text(text)) => stream::print(&text)?,
-            Err(failure) => {
-                stream::tell(&format!("error: {}: {failure}\n", task.job.name));
-                outcome = Outcome::Failed;
-            }
-        }
-    }
-    if arguments.json {
-        stream::print(&document(tasks.len(), answers))?;
-    }
-    Ok(outcome)
+    let answers = tasks
+        .iter()
+        .map(|task| (task.job.name.as_str(), task.answer(arguments)));
+    show(arguments.json, answers)
 }
 
 /// A checked scenario, its motion, and what to follow it along.
@@ -193,12 +181,6 @@ enum Failure {
     Report(#[from] report::ReportError),
 }
 
-/// An answer whose files are written, as it is shown.
-enum Shown {
-    Text(String),
-    Json(Value),
-}
-
 impl Task {
     fn answer(&self, arguments: &Arguments) -> Result<Shown, Failure> {
         let started = Instant::now();
@@ -212,11 +194,7 @@ impl Task {
             return Ok(Shown::Text(text));
         }
         json["wall_time_s"] = started.elapsed().as_secs_f64().into();
-        json["files"] = files
-            .iter()
-            .map(|file| file.display().to_string())
-            .collect();
-        Ok(Shown::Json(json))
+        Ok(Shown::Json(with_files(json, &files)))
     }
 
     fn steady(&self, arguments: &Arguments) -> Result<(Value, String, Vec<PathBuf>), Failure> {
