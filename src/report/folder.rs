@@ -139,9 +139,20 @@ impl RunFolder {
     /// # Errors
     /// [`ReportError::File`] where it cannot be created or written.
     pub fn write(&self, name: &str, content: &[u8]) -> Result<WholeFile, ReportError> {
+        self.write_with(name, |file| file.write_all(content))
+    }
+
+    /// Writes a file as `write` makes it.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created or written.
+    pub fn write_with(
+        &self,
+        name: &str,
+        write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
+    ) -> Result<WholeFile, ReportError> {
         let mut file = self.create(name)?;
-        file.write_all(content)
-            .map_err(ReportError::file(FileAction::Write, &file.pending.path))?;
+        write(&mut file).map_err(ReportError::file(FileAction::Write, &file.pending.path))?;
         file.close()
     }
 

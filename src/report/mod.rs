@@ -11,6 +11,7 @@ mod events_csv;
 mod failure;
 mod figure;
 mod figure_curves;
+mod figure_lines;
 mod figure_spectrum;
 mod figure_trace;
 mod folder;

@@ -7,16 +7,13 @@ mod response_figure;
 mod spectrum_csv;
 mod text;
 
-use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
 pub use self::json::{response_json, steady_json};
 pub use self::text::{response_text, steady_text};
-use super::{
-    FileAction, FileSet, PartialFile, ReportError, RunFolder, TraceCsv, TraceFigure, WholeFile,
-};
+use super::{FileSet, PartialFile, ReportError, RunFolder, TraceCsv, TraceFigure};
 use crate::simulate::{Model, TraceSink};
 use crate::steady::{Response, Steady};
 use crate::study::Variable;
@@ -44,8 +41,8 @@ pub fn write_steady(
         csv.finish().map(|_| ())
     };
     let mut files = vec![
-        written(&folder, "steady_trace.csv", trace)?,
-        written(&folder, "steady_spectrum.csv", |file| {
+        folder.write_with("steady_trace.csv", trace)?,
+        folder.write_with("steady_spectrum.csv", |file| {
             spectrum_csv::write(steady, model.rotor.speed, file)
         })?,
     ];
@@ -76,10 +73,10 @@ pub fn write_response(
 ) -> Result<Vec<PathBuf>, ReportError> {
     let folder = RunFolder::open(folder, FileSet::RESPONSE)?;
     let mut files = vec![
-        written(&folder, "response.csv", |file| {
+        folder.write_with("response.csv", |file| {
             response_csv::points(variable, branches, file)
         })?,
-        written(&folder, "response_specials.csv", |file| {
+        folder.write_with("response_specials.csv", |file| {
             response_csv::specials(variable, branches, file)
         })?,
     ];
@@ -87,15 +84,4 @@ pub fn write_response(
     files.push(folder.write("response.svg", svg.as_bytes())?);
     let json = response_json(title, scenario, variable, branches);
     folder.commit(files, format!("{json:#}\n").as_bytes())
-}
-
-fn written(
-    folder: &RunFolder,
-    name: &str,
-    write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
-) -> Result<WholeFile, ReportError> {
-    let mut file = folder.create(name)?;
-    let path = file.path().to_owned();
-    write(&mut file).map_err(ReportError::file(FileAction::Write, &path))?;
-    file.close()
 }
