@@ -38,6 +38,7 @@ const ALL: Outputs = Outputs {
     events: true,
     spectrum: true,
     figures: true,
+    page: true,
 };
 /// A title that a figure must escape.
 const TITLE: &str = "7205C & <1000 N>\u{1}";
@@ -161,6 +162,7 @@ fn run() -> Run {
                 frequency: 431.0,
                 damping_ratio: 0.02,
             }],
+            bearings: vec![None],
         },
         ball_pass: vec![pass],
         counters: Counters {
@@ -277,6 +279,7 @@ fn outputs_of_an_earlier_run_do_not_stand_beside_a_later_one() {
         events: false,
         spectrum: false,
         figures: false,
+        page: false,
     };
     write(folder.path(), trace);
     assert_eq!(names(folder.path()), ["summary.json", "trace.csv"]);

@@ -24,9 +24,10 @@ use crate::simulate::{
 #[command(
     after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
-                  spectrum.csv, trace.svg, spectrum.svg and, last, summary.json; trace_balls.csv and\n\
-                  energy.csv where the scenario asks for them, drive.csv where there is a drive. A run\n\
-                  that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\n\
+                  spectrum.csv, trace.svg, spectrum.svg, report.html and, last, summary.json;\n\
+                  trace_balls.csv and energy.csv where the scenario asks for them, drive.csv where\n\
+                  there is a drive. A run that cannot go on leaves trace.until-failure.csv and\n\
+                  failure.json instead.\n\n\
                   Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
                   interrupted, 2 a file is wrong."
 )]
@@ -213,6 +214,7 @@ impl Motion {
             events: output.events,
             spectrum: output.spectrum,
             figures: output.figures,
+            page: output.report,
         };
         let kept = self.model.rotor.shaft.freedoms.count();
         let report = RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)?;

@@ -30,6 +30,7 @@ impl FileSet {
             "spectrum.csv",
             "trace.svg",
             "spectrum.svg",
+            "report.html",
         ],
         spent: &["restart.bin", "failure.json", "trace.until-failure.csv"],
     };

@@ -17,6 +17,7 @@ mod figure_trace;
 mod folder;
 mod histories;
 mod method_choice;
+mod page;
 mod restart;
 mod run_report;
 mod sample_table;

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
+use super::page::Page;
 use super::sample_table::{SampleTable, TableKind};
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
@@ -33,6 +34,8 @@ pub struct Outputs {
     pub spectrum: bool,
     /// `trace.svg`, and `spectrum.svg` where the run has spectra.
     pub figures: bool,
+    /// `report.html`.
+    pub page: bool,
 }
 
 /// Takes the trace of a run and writes its files.
@@ -50,6 +53,7 @@ pub struct RunReport {
     balls: Option<Open<BallTraceCsv<PartialFile>>>,
     events: Option<Open<EventsCsv<PartialFile>>>,
     figure: Option<TraceFigure>,
+    page: Option<Page>,
     samples: u64,
     contact_choice: Option<ContactChoice>,
     method_choice: Option<MethodChoice>,
@@ -107,6 +111,7 @@ impl RunReport {
             balls: balls.transpose()?,
             events: events.transpose()?,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
+            page: outputs.page.then(|| Page::new(freedoms)),
             samples: 0,
             contact_choice: None,
             method_choice: None,
@@ -207,6 +212,10 @@ impl RunReport {
                 files.push(self.folder.write("spectrum.svg", svg.as_bytes())?);
             }
         }
+        if let Some(page) = &self.page {
+            let write = |file: &mut PartialFile| page.write(&summary, run, file);
+            files.push(self.folder.write_with("report.html", write)?);
+        }
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())
     }
@@ -226,6 +235,9 @@ impl TraceSink for RunReport {
         self.samples += 1;
         if let Some(figure) = &mut self.figure {
             figure.sample(sample);
+        }
+        if let Some(page) = &mut self.page {
+            page.sample(sample);
         }
         for table in &mut self.tables {
             table.write(|csv| csv.sample(sample))?;

@@ -69,6 +69,8 @@ pub struct OutputChoice {
     pub spectrum: bool,
     /// Whether figures are drawn.
     pub figures: bool,
+    /// Whether the page for a browser is written.
+    pub report: bool,
 }
 
 /// A checked scenario.

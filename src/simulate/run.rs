@@ -4,6 +4,7 @@ use super::BearingHistory;
 use super::EnergyReport;
 use super::TableUse;
 use crate::analysis::{Peak, Spectrum};
+use crate::bearing::{BearingState, Vector5};
 use crate::integrate::Counters;
 use crate::physics::BallPass;
 use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
@@ -21,6 +22,8 @@ pub struct StaticState {
     pub newton_steps: usize,
     /// Natural frequencies, lowest first.
     pub natural_frequencies: Vec<NaturalFrequency>,
+    /// Every bearing there, ball by ball, its cage where it starts; none of a linear one.
+    pub bearings: Vec<Option<BearingState>>,
 }
 
 /// Difference of the run from a second pass at a tenth of its tolerance.
@@ -78,6 +81,7 @@ impl StaticState {
     pub(crate) fn of(rotor: &Rotor) -> Self {
         let equilibrium = rotor.equilibrium();
         let stiffness = &equilibrium.stiffness;
+        let place = Vector5::from(equilibrium.displacement);
         Self {
             displacement: equilibrium.displacement,
             stiffness: std::array::from_fn(|row| {
@@ -86,6 +90,13 @@ impl StaticState {
             residual: equilibrium.residual,
             newton_steps: equilibrium.newton_steps,
             natural_frequencies: rotor.natural_frequencies(),
+            bearings: rotor
+                .supports()
+                .iter()
+                .map(|support| {
+                    (support.known_balls() > 0).then(|| support.state(&place, rotor.speed()))
+                })
+                .collect(),
         }
     }
 }

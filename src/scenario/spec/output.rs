@@ -50,6 +50,8 @@ pub struct OutputSpec {
     pub spectrum: bool,
     /// Whether figures are drawn. Default: true.
     pub figures: bool,
+    /// Whether `report.html` is written, one page that shows the run in a browser. Default: true.
+    pub report: bool,
 }
 
 /// How the shaft turns, as far as sampling asks.
@@ -97,6 +99,7 @@ impl Default for OutputSpec {
             events: true,
             spectrum: true,
             figures: true,
+            report: true,
         }
     }
 }
@@ -110,6 +113,7 @@ impl OutputSpec {
             events: self.events,
             spectrum: self.spectrum,
             figures: self.figures,
+            report: self.report,
         }
     }
 
