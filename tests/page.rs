@@ -211,6 +211,48 @@ fn a_title_stays_text() {
     }
 }
 
+/// Without a mouse a reader finds the value of a curve, zooms in and sees all again.
+#[test]
+fn the_keyboard_reads_and_zooms_a_chart() {
+    let shown = run(&shipped("linear-7205c"));
+    let script = r#"<script>
+        const chart = document.querySelector(".chart");
+        const press = (key) => chart.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+        const told = () => chart.querySelector(".u-legend .u-value").textContent;
+        const first = () => { press("."); return told(); };
+        const pressed = first();
+        for (let k = 0; k < 5; k += 1) press(".");
+        document.documentElement.dataset.keys = JSON.stringify({ pressed, later: told(), tabs: chart.tabIndex });
+    </script>"#;
+    let text = shown.text().replace("</html>", &format!("{script}</html>"));
+    fs::write(&shown.page, text).expect("a writable folder");
+    let Some(document) = document(&shown) else {
+        return;
+    };
+    let keys = document
+        .split_once("data-keys=\"")
+        .expect("the script ran")
+        .1;
+    let keys = keys
+        .split_once('"')
+        .expect("an end")
+        .0
+        .replace("&quot;", "\"");
+    let keys: serde_json::Value = serde_json::from_str(&keys).expect("JSON");
+    let seconds = |name: &str| -> f64 {
+        let told = keys[name].as_str().expect("a text");
+        told.strip_suffix(" s")
+            .expect("seconds")
+            .parse()
+            .expect("a number")
+    };
+    assert_eq!(keys["tabs"], 0, "the chart can be reached");
+    // five samples of 128 a revolution at 500 rad/s further
+    let step = std::f64::consts::TAU / 500.0 / 128.0;
+    let moved = seconds("later") - seconds("pressed");
+    assert!((moved - 5.0 * step).abs() < 0.1 * step, "{keys}");
+}
+
 /// No part of the page is to be fetched, and a browser would refuse to.
 #[test]
 fn the_page_asks_nothing_of_any_network() {
