@@ -187,6 +187,7 @@ where
     Run {
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
+        operating_ball_pass: sampling::operating_ball_pass(model, rotor),
         counters: passes.main.counters(),
         samples: passes.grid.count,
         bearings: observers.observation.finish(),

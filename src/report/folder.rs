@@ -28,6 +28,7 @@ impl FileSet {
             "trace_balls.csv",
             "events.csv",
             "spectrum.csv",
+            "peaks.csv",
             "trace.svg",
             "spectrum.svg",
         ],

@@ -10,7 +10,7 @@ use super::sample_table::{SampleTable, TableKind};
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
     RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json,
-    method_choice_json, spectrum_figure, summary, write_spectrum,
+    method_choice_json, spectrum_figure, summary, write_peaks, write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
@@ -29,7 +29,7 @@ pub struct Outputs {
     pub balls: bool,
     /// `events.csv`.
     pub events: bool,
-    /// `spectrum.csv`, where the run has spectra.
+    /// `spectrum.csv` and `peaks.csv`, where the run has spectra.
     pub spectrum: bool,
     /// `trace.svg`, and `spectrum.svg` where the run has spectra.
     pub figures: bool,
@@ -201,6 +201,10 @@ impl RunReport {
                 write_spectrum(spectrum, &mut file)
                     .map_err(ReportError::file(FileAction::Write, &path))?;
                 files.push(file.close()?);
+                files.push(
+                    self.folder
+                        .write_with("peaks.csv", |file| write_peaks(&run.peaks, spectrum, file))?,
+                );
             }
             if self.outputs.figures {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;

@@ -109,6 +109,15 @@ impl Rotor {
         }
         Ok(found)
     }
+
+    /// Meshing frequency z ω/2π of every sprocket at a speed in rad/s, Hz.
+    pub fn meshing_frequencies(&self, speed: f64) -> Vec<f64> {
+        let sprockets = self.loads.iter().filter_map(|load| match &load.kind {
+            LoadKind::Sprocket(sprocket) => Some(sprocket.swing().order),
+            _ => None,
+        });
+        sprockets.map(|order| order * speed / TAU).collect()
+    }
 }
 
 /// Angular frequency and begin of a load that repeats; none where it does not act.

@@ -53,6 +53,11 @@ pub struct Run {
     /// Ball-pass frequencies of each bearing, in the order of the scenario, at the speed after the
     /// settle time; at the highest speed where it changes there.
     pub ball_pass: Vec<BallPass>,
+    /// The same at the mean operating contact angle of the static equilibrium; none without spectra.
+    ///
+    /// The simulated cages keep the nominal angle: simulated lines stand at [`Run::ball_pass`], those of a
+    /// bearing whose cage follows its balls here.
+    pub operating_ball_pass: Vec<BallPass>,
     /// Work done.
     pub counters: Counters,
     /// Number of samples written.
