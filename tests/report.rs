@@ -24,7 +24,7 @@ use jeffcott::rotor::{
     RotorDefinition, Sample, Shaft, Whirl,
 };
 use jeffcott::simulate::{
-    BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
+    Analyses, BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
     MeasuredError, Model, Run, Sampling, Spread, StaticState, TraceSink,
 };
 use support::{bearing, mounted};
@@ -82,6 +82,7 @@ fn model() -> Model {
         energy: false,
         table: false,
         spectrum: Some(Window::Rectangular),
+        analyses: Analyses::default(),
     }
 }
 
@@ -194,6 +195,8 @@ fn run() -> Run {
         energy: None,
         spectrum: Some(spectrum),
         peaks,
+        motion: None,
+        maps: None,
         warnings: vec!["a warning".to_owned()],
     }
 }

@@ -3,8 +3,10 @@
 mod causes;
 mod channel;
 mod line_kind;
+mod motion;
 mod peaks;
 mod recorder;
+mod run_up;
 mod spectrum;
 mod transform;
 mod window;
@@ -14,8 +16,17 @@ pub use causes::{
 };
 pub use channel::Channel;
 pub use line_kind::LineKind;
+pub use motion::{
+    ChannelStatistics, ClosedCurve, Drift, DriftRecorder, Kind, LONGEST_PERIOD, Moments, Motion,
+    MotionRecorder, MotionSettings, PoincarePoint, Recognition, Section, SectionKind, Series,
+    VELOCITY_BAND, VelocityLevel, closed_curve, recognise, velocity_level, zero_one_test,
+};
 pub use peaks::{MOST_PEAKS, Peak};
 pub use recorder::{Analysis, Recorder};
+pub use run_up::{
+    OrderTracks, Slice, Track, TrackPoint, TrackRecorder, TrackedOrder, Waterfall,
+    WaterfallRecorder,
+};
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub use transform::{Transform, fourier_coefficients};
 pub use window::Window;

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::statics::{cell, number};
 use crate::analysis::{Peak, Spectrum};
 
 /// Columns of `peaks.csv`.
@@ -43,15 +44,15 @@ fn row(peak: &Peak, spectrum: &Spectrum) -> [String; 12] {
     [
         peak.channel.name().to_owned(),
         peak.channel.unit().to_owned(),
-        peak.frequency.to_string(),
-        shown(order),
-        peak.amplitude.to_string(),
-        peak.phase.to_string(),
+        number(peak.frequency),
+        cell(order),
+        number(peak.amplitude),
+        number(peak.phase),
         line.map(|line| line.kind.to_string()).unwrap_or_default(),
-        shown(line.map(|line| line.frequency)),
-        shown(distance),
-        shown(distance.map(|distance| distance / spectrum.resolution)),
-        shown(line.and_then(|line| line.operating)),
+        cell(line.map(|line| line.frequency)),
+        cell(distance),
+        cell(distance.map(|distance| distance / spectrum.resolution)),
+        cell(line.and_then(|line| line.operating)),
         other_names(peak).join("; "),
     ]
 }
@@ -60,8 +61,4 @@ fn row(peak: &Peak, spectrum: &Spectrum) -> [String; 12] {
 pub(super) fn other_names(peak: &Peak) -> Vec<String> {
     let others = peak.others.iter();
     others.map(|line| line.kind.to_string()).collect()
-}
-
-fn shown(value: Option<f64>) -> String {
-    value.map(|value| value.to_string()).unwrap_or_default()
 }

@@ -5,7 +5,10 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::campbell;
 use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
+use super::motion::{orbit_figure, write_poincare};
+use super::run_up::write_maps;
 use super::sample_table::{SampleTable, TableKind};
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
@@ -14,6 +17,7 @@ use super::{
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
+use crate::study::campbell::Campbell;
 use crate::study::{ContactChoice, MethodChoice};
 
 /// Which files a run writes besides `summary.json`.
@@ -53,6 +57,7 @@ pub struct RunReport {
     samples: u64,
     contact_choice: Option<ContactChoice>,
     method_choice: Option<MethodChoice>,
+    campbell: Option<Campbell>,
 }
 
 /// A table being written.
@@ -110,6 +115,7 @@ impl RunReport {
             samples: 0,
             contact_choice: None,
             method_choice: None,
+            campbell: None,
         })
     }
 
@@ -125,6 +131,11 @@ impl RunReport {
             method_choice: method.cloned(),
             ..self
         }
+    }
+
+    /// The same with natural frequencies over the speed.
+    pub fn with_campbell(self, campbell: Option<Campbell>) -> Self {
+        Self { campbell, ..self }
     }
 
     /// Starts the file that keeps what it takes to go on.
@@ -177,6 +188,9 @@ impl RunReport {
         if let Some(choice) = &self.method_choice {
             summary["method_choice"] = method_choice_json(choice);
         }
+        if let Some(campbell) = &self.campbell {
+            summary["critical_speeds"] = campbell::critical_speeds(campbell);
+        }
         let mut files = Vec::new();
         if let Some(trace) = self.trace {
             files.push(trace.close(TraceCsv::finish)?);
@@ -210,6 +224,28 @@ impl RunReport {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;
                 files.push(self.folder.write("spectrum.svg", svg.as_bytes())?);
             }
+        }
+        if let Some(motion) = &run.motion {
+            files.push(
+                self.folder
+                    .write_with("poincare.csv", |file| write_poincare(motion, file))?,
+            );
+            if self.outputs.figures {
+                let svg = orbit_figure(&self.title, motion)?;
+                files.push(self.folder.write("orbit.svg", svg.as_bytes())?);
+            }
+        }
+        let (title, figures) = (&self.title, self.outputs.figures);
+        if let Some(maps) = &run.maps {
+            files.extend(write_maps(&self.folder, title, maps, figures)?);
+        }
+        if let Some(campbell) = &self.campbell {
+            files.extend(campbell::write_files(
+                &self.folder,
+                title,
+                campbell,
+                figures,
+            )?);
         }
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())

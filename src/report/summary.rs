@@ -4,7 +4,9 @@ use serde_json::{Map, Value, json};
 
 use super::columns::{ball_pass, matrix, value_column};
 use super::histories::histories_json;
+use super::motion::motion_json;
 use super::peaks_csv::other_names;
+use super::run_up::maps_json;
 use crate::analysis::{Channel, Peak, Spectrum};
 use crate::bearing::Matrix5;
 use crate::integrate::Counters;
@@ -38,6 +40,8 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
             .iter()
             .map(|peak| named_peak(peak, run.spectrum.as_ref()))
             .collect::<Value>(),
+        "motion": run.motion.as_ref().map(motion_json),
+        "maps": run.maps.as_ref().map(maps_json),
         "tables": run.tables.iter().map(|table| table.as_ref().map(table_use)).collect::<Value>(),
         "counters": counters(&run.counters),
         "measured_error": run

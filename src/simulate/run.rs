@@ -2,8 +2,9 @@
 
 use super::BearingHistory;
 use super::EnergyReport;
+use super::Maps;
 use super::TableUse;
-use crate::analysis::{Peak, Spectrum};
+use crate::analysis::{Motion, Peak, Spectrum};
 use crate::integrate::Counters;
 use crate::physics::BallPass;
 use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
@@ -74,6 +75,10 @@ pub struct Run {
     pub spectrum: Option<Spectrum>,
     /// Peaks of the spectra with their names.
     pub peaks: Vec<Peak>,
+    /// What the motion after the settle time is like, where asked for and at constant speed.
+    pub motion: Option<Motion>,
+    /// Waterfall and order tracks, where asked for.
+    pub maps: Option<Maps>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
 }
