@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
-use jeffcott::analysis::{Recorder, Window, causes};
+use jeffcott::analysis::{BearingFrequencies, Recorder, Sources, Window, causes};
 use jeffcott::physics::ball_pass_frequencies;
 use jeffcott::rotor::Sample;
 
@@ -40,7 +40,14 @@ fn recorded() -> Recorder {
 fn spectrum(criterion: &mut Criterion) {
     let recorder = recorded();
     let pass = ball_pass_frequencies(TAU, 12, 1.0, 5.0, 0.2);
-    let lines = causes(1.0, &[pass], &[3.3, 7.1]);
+    let lines = causes(&Sources {
+        shaft: 1.0,
+        bearings: vec![BearingFrequencies {
+            simulated: pass,
+            operating: pass,
+        }],
+        ..Sources::default()
+    });
     criterion.bench_function("spectra and peaks, 1e5 samples, 6 channels", |bencher| {
         bencher.iter_batched(
             || recorder.clone(),

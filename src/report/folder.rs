@@ -28,9 +28,19 @@ impl FileSet {
             "trace_balls.csv",
             "events.csv",
             "spectrum.csv",
+            "peaks.csv",
             "trace.svg",
             "spectrum.svg",
             "report.html",
+            "poincare.csv",
+            "orbit.svg",
+            "waterfall.csv",
+            "waterfall.svg",
+            "order_tracks.csv",
+            "order_tracks.svg",
+            "campbell.csv",
+            "campbell.svg",
+            "campbell.json",
         ],
         spent: &["restart.bin", "failure.json", "trace.until-failure.csv"],
     };
@@ -47,6 +57,12 @@ impl FileSet {
             "deformation.svg",
             "contact_angle.svg",
         ],
+        spent: &[],
+    };
+    /// What natural frequencies over the speed leave.
+    pub const CAMPBELL: Self = Self {
+        seal: "campbell.json",
+        others: &["campbell.csv", "campbell.svg"],
         spent: &[],
     };
     /// What a measurement of speed against error leaves.

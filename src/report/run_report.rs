@@ -5,16 +5,20 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::campbell;
 use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
+use super::motion::{orbit_figure, write_poincare};
 use super::page::Page;
+use super::run_up::write_maps;
 use super::sample_table::{SampleTable, TableKind};
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
     RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json,
-    method_choice_json, spectrum_figure, summary, write_spectrum,
+    method_choice_json, spectrum_figure, summary, write_peaks, write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
+use crate::study::campbell::Campbell;
 use crate::study::{ContactChoice, MethodChoice};
 
 /// Which files a run writes besides `summary.json`.
@@ -30,7 +34,7 @@ pub struct Outputs {
     pub balls: bool,
     /// `events.csv`.
     pub events: bool,
-    /// `spectrum.csv`, where the run has spectra.
+    /// `spectrum.csv` and `peaks.csv`, where the run has spectra.
     pub spectrum: bool,
     /// `trace.svg`, and `spectrum.svg` where the run has spectra.
     pub figures: bool,
@@ -57,6 +61,7 @@ pub struct RunReport {
     samples: u64,
     contact_choice: Option<ContactChoice>,
     method_choice: Option<MethodChoice>,
+    campbell: Option<Campbell>,
 }
 
 /// A table being written.
@@ -115,6 +120,7 @@ impl RunReport {
             samples: 0,
             contact_choice: None,
             method_choice: None,
+            campbell: None,
         })
     }
 
@@ -130,6 +136,11 @@ impl RunReport {
             method_choice: method.cloned(),
             ..self
         }
+    }
+
+    /// The same with natural frequencies over the speed.
+    pub fn with_campbell(self, campbell: Option<Campbell>) -> Self {
+        Self { campbell, ..self }
     }
 
     /// Starts the file that keeps what it takes to go on.
@@ -182,6 +193,9 @@ impl RunReport {
         if let Some(choice) = &self.method_choice {
             summary["method_choice"] = method_choice_json(choice);
         }
+        if let Some(campbell) = &self.campbell {
+            summary["critical_speeds"] = campbell::critical_speeds(campbell);
+        }
         let mut files = Vec::new();
         if let Some(trace) = self.trace {
             files.push(trace.close(TraceCsv::finish)?);
@@ -206,11 +220,37 @@ impl RunReport {
                 write_spectrum(spectrum, &mut file)
                     .map_err(ReportError::file(FileAction::Write, &path))?;
                 files.push(file.close()?);
+                files.push(
+                    self.folder
+                        .write_with("peaks.csv", |file| write_peaks(&run.peaks, spectrum, file))?,
+                );
             }
             if self.outputs.figures {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;
                 files.push(self.folder.write("spectrum.svg", svg.as_bytes())?);
             }
+        }
+        if let Some(motion) = &run.motion {
+            files.push(
+                self.folder
+                    .write_with("poincare.csv", |file| write_poincare(motion, file))?,
+            );
+            if self.outputs.figures {
+                let svg = orbit_figure(&self.title, motion)?;
+                files.push(self.folder.write("orbit.svg", svg.as_bytes())?);
+            }
+        }
+        let (title, figures) = (&self.title, self.outputs.figures);
+        if let Some(maps) = &run.maps {
+            files.extend(write_maps(&self.folder, title, maps, figures)?);
+        }
+        if let Some(campbell) = &self.campbell {
+            files.extend(campbell::write_files(
+                &self.folder,
+                title,
+                campbell,
+                figures,
+            )?);
         }
         if let Some(page) = &self.page {
             let write = |file: &mut PartialFile| page.write(&summary, run, file);

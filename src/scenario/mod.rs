@@ -23,6 +23,7 @@ mod scalar;
 mod schema;
 mod series_file;
 mod spec;
+mod speed;
 mod time;
 mod varied;
 mod vary;
@@ -36,6 +37,7 @@ pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
 pub use spec::{MethodError, method, methods, tolerance};
+pub use speed::{SpeedError, speed};
 pub use time::{TimeError, time};
 pub use varied::{Varied, VariedError};
 

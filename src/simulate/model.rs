@@ -1,5 +1,6 @@
 //! The question: what to simulate, how exactly, and what to keep.
 
+use super::Analyses;
 use crate::analysis::Window;
 use crate::integrate::Settings;
 use crate::rotor::RotorDefinition;
@@ -35,4 +36,6 @@ pub struct Model {
     pub table: bool,
     /// Window of the spectra; `None` leaves the spectra out, and memory is flat in the duration.
     pub spectrum: Option<Window>,
+    /// What is made of the samples beside the spectra.
+    pub analyses: Analyses,
 }

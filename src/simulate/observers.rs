@@ -1,5 +1,6 @@
 //! Everybody who takes the samples of a run.
 
+use super::analyses::Recorders;
 use super::energy_audit::EnergyAudit;
 use super::observation::Observation;
 use super::tables::TableAudit;
@@ -13,6 +14,7 @@ pub(super) struct Observers<'a> {
     grid: Grid,
     sink: &'a mut dyn TraceSink,
     pub recorder: Option<Recorder>,
+    pub recorders: Recorders,
     pub observation: Observation<'a>,
     pub audit: EnergyAudit,
     pub tables: TableAudit,
@@ -30,6 +32,7 @@ impl<'a> Observers<'a> {
             grid,
             sink,
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
+            recorders: Recorders::new(model, rotor, &grid),
             observation: Observation::new(model, rotor),
             audit: EnergyAudit::default(),
             tables,
@@ -53,6 +56,7 @@ impl<'a> Observers<'a> {
             if let Some(recorder) = &mut self.recorder {
                 recorder.record(&sample);
             }
+            self.recorders.record(&sample);
         }
         Ok(())
     }

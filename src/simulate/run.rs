@@ -2,8 +2,9 @@
 
 use super::BearingHistory;
 use super::EnergyReport;
+use super::Maps;
 use super::TableUse;
-use crate::analysis::{Peak, Spectrum};
+use crate::analysis::{Motion, Peak, Spectrum};
 use crate::bearing::{BearingState, Vector5};
 use crate::integrate::Counters;
 use crate::physics::BallPass;
@@ -56,6 +57,11 @@ pub struct Run {
     /// Ball-pass frequencies of each bearing, in the order of the scenario, at the speed after the
     /// settle time; at the highest speed where it changes there.
     pub ball_pass: Vec<BallPass>,
+    /// The same at the mean operating contact angle of the static equilibrium; none without spectra.
+    ///
+    /// The simulated cages keep the nominal angle: simulated lines stand at [`Run::ball_pass`], those of a
+    /// bearing whose cage follows its balls here.
+    pub operating_ball_pass: Vec<BallPass>,
     /// Work done.
     pub counters: Counters,
     /// Number of samples written.
@@ -72,6 +78,10 @@ pub struct Run {
     pub spectrum: Option<Spectrum>,
     /// Peaks of the spectra with their names.
     pub peaks: Vec<Peak>,
+    /// What the motion after the settle time is like, where asked for and at constant speed.
+    pub motion: Option<Motion>,
+    /// Waterfall and order tracks, where asked for.
+    pub maps: Option<Maps>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
 }

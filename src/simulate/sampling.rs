@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{Model, Sampling, SimulateError};
-use crate::analysis::{Analysis, Recorder, causes};
+use crate::analysis::{Analysis, BearingFrequencies, Recorder, Sources, causes};
 use crate::integrate::Grid;
 use crate::physics::BallPass;
 use crate::rotor::Rotor;
@@ -59,10 +59,30 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
     supports.map(|support| support.ball_pass(speed)).collect()
 }
 
-/// Ball passes that make lines: none where the speed changes.
-fn spectral_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
-    let steady = rotor.steady_from(model.settle);
-    steady.map_or_else(Vec::new, |speed| ball_pass(rotor, speed))
+/// Ball-pass frequencies at the operating contact angles of the static equilibrium, at the reported
+/// speed; none without spectra.
+pub(super) fn operating_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
+    if model.spectrum.is_none() {
+        return Vec::new();
+    }
+    let speed = reported_speed(model, rotor);
+    let elsewhere = standing_at(model, rotor, speed);
+    operating_at(elsewhere.as_ref().unwrap_or(rotor), speed)
+}
+
+/// At the operating contact angles of a rotor's own equilibrium.
+fn operating_at(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
+    let place = &rotor.equilibrium().displacement;
+    let supports = rotor.supports().iter();
+    supports
+        .map(|support| support.state(place, speed).ball_pass)
+        .collect()
+}
+
+/// The rotor in the equilibrium of another speed than that of its start, where it has one.
+fn standing_at(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
+    let elsewhere = || Rotor::assemble(&model.rotor.at_constant_speed(speed)).ok();
+    (speed != rotor.speed()).then(elsewhere).flatten()
 }
 
 /// Spectra of what was recorded, where the scene asks for them, their peaks named.
@@ -72,11 +92,31 @@ pub(super) fn analyse(
     recorder: Option<Recorder>,
 ) -> Option<Analysis> {
     let (recorder, window) = recorder.zip(model.spectrum)?;
-    let modes = rotor.natural_frequencies();
-    let natural: Vec<f64> = modes.iter().map(|mode| mode.frequency).collect();
-    let shaft = shaft_frequency(model, rotor);
-    recorder.finish(
-        window,
-        &causes(shaft, &spectral_ball_pass(model, rotor), &natural),
-    )
+    recorder.finish(window, &causes(&sources(model, rotor)))
+}
+
+/// What makes lines: nothing that turns where the speed changes.
+fn sources(model: &Model, rotor: &Rotor) -> Sources {
+    let Some(speed) = rotor.steady_from(model.settle) else {
+        return Sources {
+            natural: rotor.natural_frequencies(),
+            ..Sources::default()
+        };
+    };
+    let elsewhere = standing_at(model, rotor, speed);
+    let standing = elsewhere.as_ref().unwrap_or(rotor);
+    let frequencies = |(simulated, operating)| BearingFrequencies {
+        simulated,
+        operating,
+    };
+    let simulated = ball_pass(rotor, speed).into_iter();
+    Sources {
+        shaft: speed / TAU,
+        bearings: simulated
+            .zip(operating_at(standing, speed))
+            .map(frequencies)
+            .collect(),
+        natural: standing.natural_frequencies(),
+        meshing: rotor.meshing_frequencies(speed),
+    }
 }

@@ -11,7 +11,7 @@ use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity};
 use crate::scenario::{Issue, OutputChoice};
-use crate::simulate::Sampling;
+use crate::simulate::{Analyses, Sampling};
 
 /// Samples per revolution where neither key is given.
 const SAMPLES_PER_REVOLUTION: u32 = 128;
@@ -52,6 +52,14 @@ pub struct OutputSpec {
     pub figures: bool,
     /// Whether `report.html` is written, one page that shows the run in a browser. Default: true.
     pub report: bool,
+    /// Whether the motion after the settle time is described: statistics, points once per revolution
+    /// and per ball pass (`poincare.csv`, `orbit.svg`), its period, and whether it has settled. It takes
+    /// a constant speed there. Default: as `spectrum`, where the speed is constant.
+    pub motion: Option<bool>,
+    /// Whether a run whose speed changes is mapped: short-time spectra (`waterfall.csv`, `waterfall.svg`),
+    /// orders of the shaft (`order_tracks.csv`, `order_tracks.svg`) and natural frequencies over the speed
+    /// (`campbell.csv`, `campbell.svg`). Default: as `figures`, where the speed changes.
+    pub maps: Option<bool>,
 }
 
 /// How the shaft turns, as far as sampling asks.
@@ -100,6 +108,8 @@ impl Default for OutputSpec {
             spectrum: true,
             figures: true,
             report: true,
+            motion: None,
+            maps: None,
         }
     }
 }
@@ -146,6 +156,30 @@ impl OutputSpec {
             check_window((key, turning.steady), rate, time, problems);
         }
         Some(sampling)
+    }
+
+    /// What is made of the samples beside the spectra: `steady` tells whether the speed is constant after
+    /// the settle time, `changes` whether it changes at all.
+    pub fn analyses(&self, steady: bool, changes: bool, problems: &mut Problems<'_>) -> Analyses {
+        if self.motion == Some(true) && !steady {
+            let message =
+                "the speed changes after `settle`: only a motion at constant speed has a period";
+            let issue = Issue::new("output.motion", message)
+                .help("remove it, or set `settle` in `[time]` to where the speed is constant");
+            problems.refuse(issue, &["time.settle".to_owned()]);
+        }
+        if self.maps == Some(true) && !changes {
+            let issue = Issue::new(
+                "output.maps",
+                "the speed does not change: there is nothing to map",
+            )
+            .help("remove it; `jeffcott campbell` follows natural frequencies over the speed");
+            problems.refuse(issue, &["speed.constant".to_owned()]);
+        }
+        Analyses {
+            motion: steady && self.motion.unwrap_or(self.spectrum),
+            maps: changes && self.maps.unwrap_or(self.figures),
+        }
     }
 
     /// Refuses a trace of balls where no bearing knows any.

@@ -269,6 +269,10 @@ impl ScenarioSpec {
             steady: steady.filter(|_| !driven).unwrap_or(0.0),
         };
         let sampling = self.output.sampling(turning, time, problems)?;
+        let changes = driven || !speed.is_constant();
+        let analyses = self
+            .output
+            .analyses(steady.is_some() && !driven, changes, problems);
         Some(Model {
             rotor,
             duration: time.duration.si(),
@@ -279,6 +283,7 @@ impl ScenarioSpec {
             energy: self.output.energy,
             table: self.model.table,
             spectrum: self.output.spectrum.then_some(self.output.window.into()),
+            analyses,
         })
     }
 }
