@@ -6,9 +6,10 @@ use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
-use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76, Walk};
+use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76};
 use super::rosenbrock;
 use super::stiffness::stiffness;
+use super::walks::Walks;
 use super::{
     Checkpoint, CheckpointMismatch, Counters, IntegrateError, Linearised, Method, Scaling,
     Settings, Square, Stiffness,
@@ -51,7 +52,7 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     counters: Counters,
     stiffness: Option<Stiffness>,
     /// Where the pairs of this crate stand: their steps do not end with a block.
-    walk: Walk<N>,
+    walk: Walks<N>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -79,7 +80,10 @@ where
             step: 0.0,
             counters: Counters::default(),
             stiffness: None,
-            walk: Walk::new(std::array::from_fn(|i| state[i] - scaling.origin[i])),
+            walk: Walks::new(
+                settings.method,
+                std::array::from_fn(|i| state[i] - scaling.origin[i]),
+            ),
         }
     }
 
@@ -112,7 +116,8 @@ where
         if checkpoint.next > self.grid.count {
             return Err(mismatch);
         }
-        self.walk = Walk::restored(&checkpoint.latest_step, checkpoint.counters).ok_or(mismatch)?;
+        let (method, numbers) = (self.settings.method, &checkpoint.latest_step);
+        self.walk = Walks::restored(method, numbers, checkpoint.counters).ok_or(mismatch)?;
         self.scaled = scaled;
         self.next = checkpoint.next;
         self.step = checkpoint.step;
@@ -151,9 +156,11 @@ where
         let left = self.grid.count - self.next;
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
         match self.settings.method {
-            Method::Verner76 => self.walk::<Verner76>(points, states),
-            Method::Dop853 => self.walk::<Dop853>(points, states),
-            Method::Tsit5 => self.walk::<Tsit5>(points, states),
+            Method::Verner76
+            | Method::Dop853
+            | Method::Tsit5
+            | Method::Dprkn8
+            | Method::Dprkn12 => self.walk(points, states),
             Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
                 self.by_blocks(points, states)
             }
@@ -166,11 +173,7 @@ where
     }
 
     /// Walks with a pair of this crate; a block's end is no end of a step.
-    fn walk<P: Pair>(
-        &mut self,
-        points: usize,
-        states: &mut Vec<[f64; N]>,
-    ) -> Result<(), IntegrateError> {
+    fn walk(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
         let course = Course {
             system: self.system,
             scaling: &self.scaling,
@@ -183,7 +186,7 @@ where
         for _ in 0..points {
             let time = self.grid.time(self.next);
             let steps_before = self.counters.steps;
-            let result = self.walk.state_at::<P, S>(&course, time);
+            let result = self.walk.state_at(&course, time);
             self.counters = self.walk.counters();
             self.step = self.walk.step_size();
             self.scaled = self.walk.scaled(&self.scaling);
@@ -245,6 +248,8 @@ where
             Method::Tsit5 => Some(Tsit5::STABILITY),
             Method::Dopri5 => Some(ExplicitMethod::Dopri5.stability_limit()),
             Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
+            Method::Dprkn8 => None,
+            Method::Dprkn12 => None,
             Method::Rodas => None,
         }
     }

@@ -10,13 +10,15 @@ mod checkpoint;
 mod error;
 mod explicit;
 mod integration;
+mod nystrom;
 mod rosenbrock;
 mod settings;
 mod stiffness;
 mod system;
+mod walks;
 
 pub use checkpoint::{Checkpoint, CheckpointMismatch};
-pub use error::IntegrateError;
+pub use error::{IntegrateError, VelocityDependence};
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};
 pub use stiffness::Stiffness;

@@ -9,6 +9,11 @@ pub enum Method {
     Dop853,
     /// Tsitouras 5(4).
     Tsit5,
+    /// Dormand–El-Mikkawy–Prince 8(6), a Runge–Kutta–Nyström pair: for forces that know the velocity in
+    /// constant linear terms alone.
+    Dprkn8,
+    /// Dormand–El-Mikkawy–Prince 12(10), as [`Method::Dprkn8`].
+    Dprkn12,
     /// Dormand–Prince 5(4) of the library `ode_solvers`.
     Dopri5,
     /// Dormand–Prince 8(5,3) of the library `ode_solvers`.

@@ -5,7 +5,7 @@ use super::phases::Phases;
 use super::{BallContacts, CageMotion, Drive, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{CageAngle, Support, Vector5};
-use crate::integrate::System;
+use crate::integrate::{System, VelocityDependence};
 
 /// A concentrated mass on its bearings, assembled and ready to move.
 ///
@@ -357,5 +357,9 @@ impl<const N: usize> System<N> for Rotor {
 
     fn is_second_order(&self) -> bool {
         true
+    }
+
+    fn velocity_slopes(&self) -> Result<[[f64; N]; N], VelocityDependence> {
+        self.constant_velocity_slopes()
     }
 }

@@ -4,6 +4,7 @@
 #[cfg(test)]
 mod conditions;
 mod control;
+mod course;
 mod dop853;
 mod quintic;
 mod tableau;
@@ -11,8 +12,10 @@ mod tsit5;
 mod verner76;
 mod walk;
 
+pub(super) use control::Control;
+pub(super) use course::Course;
 pub(super) use dop853::Dop853;
 pub(super) use tableau::Pair;
 pub(super) use tsit5::Tsit5;
 pub(super) use verner76::Verner76;
-pub(super) use walk::{Course, Walk};
+pub(super) use walk::Walk;

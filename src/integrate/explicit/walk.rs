@@ -1,36 +1,21 @@
 //! Steps of an explicit pair, one after the other, and the states between their ends.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use super::control::Control;
+use super::course::Course;
 use super::quintic::{self, Quintic};
 use super::tableau::{Arguments, CoarseError, Error, Factors, MOST, Pair, Weights, sum};
-use crate::integrate::{Counters, IntegrateError, Scaling, Settings, System};
+use crate::integrate::{Counters, IntegrateError, Scaling, System};
 
 /// Part of a step that the end of a stretch may lengthen it by.
 const STRETCH: f64 = 1.01;
 /// Part of the local error that the interpolation without evaluations may be estimated to have.
 const QUINTIC_PART: f64 = 0.1;
-/// Least first guess of a step size, in units of the scaling's time.
-const LEAST_GUESS: f64 = 1e-6;
 
 /// Single numbers of a walk.
 const SINGLE: usize = 9;
 
 fn flag(set: bool) -> f64 {
     f64::from(u8::from(set))
-}
-
-/// What a walk goes by.
-pub(in crate::integrate) struct Course<'a, S, const N: usize> {
-    pub system: &'a S,
-    pub scaling: &'a Scaling<N>,
-    pub settings: &'a Settings,
-    pub stop: &'a AtomicBool,
-    /// No step ends after this, s.
-    pub end: f64,
-    /// Breaks nearer than this to a step's start count as standing there, s.
-    pub slack: f64,
 }
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin: sums
@@ -197,7 +182,7 @@ impl<const N: usize> Walk<N> {
     ) -> Result<(), IntegrateError> {
         self.begin::<P, S>(course);
         loop {
-            self.check(course)?;
+            course.check(self.start, self.next_size, &self.counters, self.fault)?;
             let cut = self.start + STRETCH * self.next_size >= self.limit;
             self.size = if cut {
                 self.limit - self.start
@@ -235,38 +220,17 @@ impl<const N: usize> Walk<N> {
         self.from = self.to;
         self.stages[0] = self.stages[P::LAST];
         if self.time >= self.limit {
-            let next = course.system.next_break(self.time + course.slack);
-            self.limit = if next < course.end - course.slack {
-                next
-            } else {
-                course.end
-            };
+            self.limit = course.limit_after(self.time);
             // the derivative after a break, or the very first
             let from = self.from;
             self.evaluate(course, 0, self.time, &from);
             self.jerk = [f64::INFINITY; N];
         }
         if self.next_size <= 0.0 {
-            self.next_size = self.first_size(course, P::ORDER);
+            let stretch = [self.start, self.limit];
+            self.next_size = course.first_size(stretch, &self.from, &self.stages[0], P::ORDER);
+            self.counters.evaluations += 1;
         }
-    }
-
-    fn check<S>(&self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
-        let (time, limit) = (self.start, course.settings.step_limit);
-        if course.stop.load(Ordering::Relaxed) {
-            return Err(IntegrateError::Interrupted { time });
-        }
-        if self.counters.steps + self.counters.rejected >= limit {
-            return Err(IntegrateError::StepLimit { time, limit });
-        }
-        if time + 0.1 * self.next_size <= time {
-            return Err(if self.fault {
-                IntegrateError::NotFinite { time }
-            } else {
-                IntegrateError::StepUnderflow { time }
-            });
-        }
-        Ok(())
     }
 
     /// Derivative in a deviation as a stage.
@@ -431,36 +395,6 @@ impl<const N: usize> Walk<N> {
                 && velocity <= allowed * (scale[N / 2 + i] + start[1].abs());
         }
         good
-    }
-
-    /// First step size, s.
-    ///
-    /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sec. II.4.
-    fn first_size<S: System<N>>(&mut self, course: &Course<'_, S, N>, order: i32) -> f64 {
-        let slope = self.stages[0];
-        let state_size = self.norm(course, &self.from);
-        let slope_size = self.norm(course, &slope);
-        let least = LEAST_GUESS * course.scaling.time;
-        let most = (self.limit - self.start).max(least);
-        // no number where nothing moves
-        let guess = (0.01 * state_size / slope_size).max(least).min(most);
-        let ahead = std::array::from_fn(|i| self.from[i] + guess * slope[i]);
-        self.evaluate(course, 1, self.start + guess, &ahead);
-        let change = std::array::from_fn(|i| self.stages[1][i] - slope[i]);
-        let bend_size = self.norm(course, &change) / guess;
-        let fastest = slope_size.max(bend_size);
-        (0.01 / fastest)
-            .powf(1.0 / f64::from(order))
-            .min(100.0 * guess)
-    }
-
-    /// Root mean square over what is allowed.
-    fn norm<S>(&self, course: &Course<'_, S, N>, vector: &[f64; N]) -> f64 {
-        let squares = (0..N).map(|i| {
-            let unit = course.scaling.scale[i] + self.from[i].abs();
-            (vector[i] / (course.settings.tolerance * unit)).powi(2)
-        });
-        (squares.sum::<f64>() / N as f64).sqrt()
     }
 }
 

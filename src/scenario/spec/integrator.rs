@@ -33,6 +33,10 @@ pub enum MethodChoice {
     Dop853,
     /// Tsitouras 5(4): for coarse tolerances.
     Tsit5,
+    /// Dormand–El-Mikkawy–Prince 8(6), Runge–Kutta–Nyström.
+    Dprkn8,
+    /// Dormand–El-Mikkawy–Prince 12(10), Runge–Kutta–Nyström.
+    Dprkn12,
     /// RODAS 4(3), linearly implicit: for stiff scenes, as with strong damping.
     Rodas,
     /// Dormand–Prince 5(4) of the library `ode_solvers`, to compare with.
@@ -69,6 +73,8 @@ impl From<MethodChoice> for Method {
             MethodChoice::Verner76 => Self::Verner76,
             MethodChoice::Dop853 => Self::Dop853,
             MethodChoice::Tsit5 => Self::Tsit5,
+            MethodChoice::Dprkn8 => Self::Dprkn8,
+            MethodChoice::Dprkn12 => Self::Dprkn12,
             MethodChoice::Rodas => Self::Rodas,
             MethodChoice::Dopri5 => Self::Dopri5,
             MethodChoice::OdeSolversDop853 => Self::OdeSolversDop853,

@@ -1,0 +1,13 @@
+//! Explicit Runge–Kutta–Nyström pairs for motions whose forces know the velocity in constant linear
+//! terms alone: those are taken exactly, and half of the work of a Runge–Kutta pair falls away.
+
+mod dprkn12;
+mod dprkn8;
+mod factor;
+mod tableau;
+mod walk;
+mod within;
+
+pub(super) use dprkn8::Dprkn8;
+pub(super) use dprkn12::Dprkn12;
+pub(super) use walk::Walk;
