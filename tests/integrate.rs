@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use jeffcott::integrate::{
     Checkpoint, Counters, Grid, IntegrateError, Integration, Linearised, Method, Scaling, Settings,
-    System,
+    System, VelocityDependence,
 };
 use nalgebra::{SMatrix, matrix};
 
@@ -230,6 +230,10 @@ impl System<2> for Swing {
             rate[1] = f64::NAN;
         }
     }
+
+    fn velocity_slopes(&self) -> Result<[[f64; 2]; 2], VelocityDependence> {
+        Ok([[0.0; 2]; 2])
+    }
 }
 
 impl Linearised<2> for Swing {
@@ -267,12 +271,20 @@ fn integrate(
 }
 
 /// Pairs whose steps know nothing of blocks.
-const PAIRS: [Method; 3] = [Method::Verner76, Method::Dop853, Method::Tsit5];
-
-const METHODS: [Method; 6] = [
+const PAIRS: [Method; 5] = [
     Method::Verner76,
     Method::Dop853,
     Method::Tsit5,
+    Method::Dprkn8,
+    Method::Dprkn12,
+];
+
+const METHODS: [Method; 8] = [
+    Method::Verner76,
+    Method::Dop853,
+    Method::Tsit5,
+    Method::Dprkn8,
+    Method::Dprkn12,
     Method::Dopri5,
     Method::OdeSolversDop853,
     Method::Rodas,
@@ -310,6 +322,27 @@ fn blocks_end_where_one_long_block_passes() {
                 );
             }
         }
+    }
+}
+
+/// Of Kaps' problem no Nyström method knows how the velocity enters: it says so before it starts.
+#[test]
+fn a_nystrom_method_refuses_a_system_that_it_does_not_know() {
+    for method in [Method::Dprkn8, Method::Dprkn12] {
+        assert!(method.is_nystrom());
+        let stop = AtomicBool::new(false);
+        let mut integration = Integration::<_, 2, 3>::new(
+            &Kaps,
+            Scaling::IDENTITY,
+            TWENTY_SECONDS,
+            settings(method, 1e-6),
+            &stop,
+            &[1.0, 1.0],
+        );
+        let mut states = Vec::new();
+        let result = integration.advance(100, &mut states);
+        assert!(matches!(result, Err(IntegrateError::Velocity(_))));
+        assert!(states.is_empty() && integration.counters().evaluations == 0);
     }
 }
 
@@ -461,6 +494,10 @@ impl System<2> for Pushed {
     fn next_break(&self, after: f64) -> f64 {
         let later = PUSH.into_iter().find(|time| *time > after);
         later.unwrap_or(f64::INFINITY)
+    }
+
+    fn velocity_slopes(&self) -> Result<[[f64; 2]; 2], VelocityDependence> {
+        Ok([[0.0; 2]; 2])
     }
 }
 

@@ -7,6 +7,7 @@ use nalgebra::Const;
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
 use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76};
+use super::nystrom::{self, Dprkn8, Dprkn12};
 use super::rosenbrock;
 use super::stiffness::stiffness;
 use super::walks::Walks;
@@ -248,8 +249,8 @@ where
             Method::Tsit5 => Some(Tsit5::STABILITY),
             Method::Dopri5 => Some(ExplicitMethod::Dopri5.stability_limit()),
             Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
-            Method::Dprkn8 => None,
-            Method::Dprkn12 => None,
+            Method::Dprkn8 => Some(<Dprkn8 as nystrom::Pair>::STABILITY),
+            Method::Dprkn12 => Some(<Dprkn12 as nystrom::Pair>::STABILITY),
             Method::Rodas => None,
         }
     }

@@ -22,6 +22,14 @@ pub enum Method {
     Rodas,
 }
 
+impl Method {
+    /// Whether it is a Nyström method, which a [`super::System`] must serve by
+    /// [`super::System::velocity_slopes`].
+    pub fn is_nystrom(self) -> bool {
+        matches!(self, Self::Dprkn8 | Self::Dprkn12)
+    }
+}
+
 /// Method, tolerance and limits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {

@@ -13,7 +13,8 @@ impl Pair for Dprkn12 {
     const ENDS_ON_STAGE: bool = false;
     const ORDER: i32 = 12;
     const ERROR_POWER: i32 = 13;
-    const LOCAL_PART: f64 = 0.25;
+    const LOCAL_PART: f64 = 0.5;
+    const STABILITY: f64 = 8.4219;
     const NODES: [f64; MOST] = padded([
         0.0,
         0.02,
@@ -267,5 +268,5 @@ impl Pair for Dprkn12 {
         0.025,
     ]);
     const COARSE_ERROR: [f64; MOST] =
-        difference(&Self::NODES, &[0, 7, 9, 10, 11, 12, 13, 14, 15], 1e-4);
+        difference(&Self::NODES, &[0, 7, 9, 10, 11, 12, 13, 14, 15], 1e-6);
 }

@@ -13,7 +13,8 @@ impl Pair for Dprkn8 {
     const ENDS_ON_STAGE: bool = true;
     const ORDER: i32 = 8;
     const ERROR_POWER: i32 = 9;
-    const LOCAL_PART: f64 = 0.25;
+    const LOCAL_PART: f64 = 1.0;
+    const STABILITY: f64 = 4.2096;
     const NODES: [f64; MOST] = padded([
         0.0,
         1.0 / 20.0,

@@ -4,12 +4,12 @@
 //! q″ + 2 B q′ = f(t, q),   q = exp(−B τ) u   →   u″ = exp(B τ) (f + B² q)
 //! ```
 //!
-//! with constant B and τ the time since the start of the step: what is left has no velocity, and the
-//! damping and gyroscopic terms have no error.
+//! with constant B and τ the time since the start of the step: what is left has no velocity. Of damping
+//! and gyroscopic terms B² remains, which is small against the stiffness wherever a motion oscillates.
 //!
-//! Source: the substitution is Liouville's, e.g. E. Kamke, *Differentialgleichungen* I, with a matrix in
-//! the place of a number, which commutes with its own exponential; as a numerical method J. D. Lawson,
-//! *SIAM J. Numer. Anal.* 4 (1967) 372–380.
+//! Source: the substitution is Liouville's for a number in the place of B, which commutes with its own
+//! exponential as well as a number does; as a numerical method J. D. Lawson, *SIAM J. Numer. Anal.* 4
+//! (1967) 372–380.
 
 use super::tableau::{MOST, Pair};
 

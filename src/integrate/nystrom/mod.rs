@@ -1,6 +1,8 @@
 //! Explicit Runge–Kutta–Nyström pairs for motions whose forces know the velocity in constant linear
 //! terms alone: those are taken exactly, and half of the work of a Runge–Kutta pair falls away.
 
+#[cfg(test)]
+mod conditions;
 mod dprkn12;
 mod dprkn8;
 mod factor;
@@ -10,4 +12,5 @@ mod within;
 
 pub(super) use dprkn8::Dprkn8;
 pub(super) use dprkn12::Dprkn12;
+pub(super) use tableau::Pair;
 pub(super) use walk::Walk;

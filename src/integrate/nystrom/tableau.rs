@@ -23,6 +23,9 @@ pub(in crate::integrate) trait Pair {
     /// Error allowed in one step, as a part of the error aimed at over the run: measured, so that
     /// the error over the run is about the tolerance.
     const LOCAL_PART: f64;
+    /// Product of step and circular frequency from which on an undamped oscillation grows by more than a
+    /// hundredth a step.
+    const STABILITY: f64;
     /// c_i.
     const NODES: [f64; MOST];
     /// a_ij, a row a stage.

@@ -487,3 +487,7 @@ fn end<const N: usize>(stand: &Stand<N>, factor: &Factor<N>) -> End<N> {
         acceleration,
     }
 }
+
+#[cfg(test)]
+#[path = "walk_tests.rs"]
+mod tests;

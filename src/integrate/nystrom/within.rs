@@ -119,3 +119,7 @@ impl<const N: usize> Within<N> {
         place
     }
 }
+
+#[cfg(test)]
+#[path = "within_tests.rs"]
+mod tests;

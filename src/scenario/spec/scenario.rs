@@ -21,7 +21,7 @@ use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::simulate::Model;
+use crate::simulate::{MethodMismatch, Model};
 use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
 
 /// Largest difference of the law that is chosen, where none is given.
@@ -248,7 +248,7 @@ impl ScenarioSpec {
             steady: steady.filter(|_| !driven).unwrap_or(0.0),
         };
         let sampling = self.output.sampling(turning, time, problems)?;
-        Some(Model {
+        let model = Model {
             rotor,
             duration: time.duration.si(),
             settle: time.settle.si(),
@@ -258,6 +258,22 @@ impl ScenarioSpec {
             energy: self.output.energy,
             table: self.model.table,
             spectrum: self.output.spectrum.then_some(self.output.window.into()),
-        })
+        };
+        self.check_method(&model, problems);
+        Some(model)
+    }
+
+    /// Refuses a method of integration that does not serve the model.
+    fn check_method(&self, model: &Model, problems: &mut Problems<'_>) {
+        let Err(mismatch) = model.check_method() else {
+            return;
+        };
+        let against = match mismatch {
+            MethodMismatch::ContactDamping => "damping.contact",
+            MethodMismatch::Energy => "output.energy",
+            MethodMismatch::Gyroscopic | MethodMismatch::Drive => self.speed.path(),
+        };
+        let issue = Issue::new("integrator.method", mismatch.to_string());
+        problems.refuse(issue, &[against.to_owned()]);
     }
 }

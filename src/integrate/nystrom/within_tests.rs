@@ -1,0 +1,99 @@
+//! What the polynomials within a step know.
+
+use super::*;
+
+/// Ends of uneven steps: the start of the latest, its end, and the starts of the two before it, s.
+const TIMES: [f64; ENDS] = [0.5, 0.8, 0.3, -0.1];
+
+fn ends(times: &[f64], motion: impl Fn(f64) -> [f64; 3]) -> Vec<End<2>> {
+    let end = |&time: &f64| {
+        let [place, velocity, acceleration] = motion(time);
+        End {
+            time,
+            place: [place, f64::NAN],
+            velocity: [velocity, f64::NAN],
+            acceleration: [acceleration, f64::NAN],
+        }
+    };
+    times.iter().map(end).collect()
+}
+
+/// t^n, its slope and the slope of that.
+fn power(n: i32, time: f64) -> [f64; 3] {
+    let n_ = f64::from(n);
+    [
+        time.powi(n),
+        n_ * time.powi(n - 1),
+        n_ * (n_ - 1.0) * time.powi(n - 2),
+    ]
+}
+
+#[test]
+fn a_power_of_time_is_met_up_to_three_times_the_ends_less_one() {
+    for known in 2..=ENDS {
+        let degree = 3 * known as i32 - 1;
+        for (power_of, exact) in [(degree, true), (degree + 1, false)] {
+            let motion = |time| power(power_of, time);
+            let within = Within::new(&ends(&TIMES[..known], motion));
+            let [place, velocity] = within.at(0.62);
+            let [true_place, true_velocity, _] = motion(0.62);
+            let off = (place - true_place)
+                .abs()
+                .max((velocity - true_velocity).abs());
+            assert_eq!(off < 1e-13, exact, "t^{power_of}, {known} ends: {off:e}");
+        }
+    }
+}
+
+fn swing(time: f64) -> [f64; 3] {
+    [time.sin(), time.cos(), -time.sin()]
+}
+
+/// Largest error of place or velocity within a step.
+fn error(within: &Within<2>, start: f64, size: f64) -> f64 {
+    let off = |part: f64| {
+        let time = start + part * size;
+        let [place, velocity] = within.at(time);
+        let [true_place, true_velocity, _] = swing(time);
+        (place - true_place)
+            .abs()
+            .max((velocity - true_velocity).abs())
+    };
+    (1..20)
+        .map(|part| off(0.05 * f64::from(part)))
+        .fold(0.0, f64::max)
+}
+
+/// Whatever is found good enough is, and of two that are the one of fewer terms is taken.
+#[test]
+fn what_is_settled_keeps_to_what_is_allowed() {
+    let (mut settled, mut quintics) = (0, 0);
+    for size in [0.05, 0.1, 0.2, 0.5, 1.0, 2.0] {
+        let times = [1.0, 1.0 + size, 1.0 - 0.8 * size, 1.0 - 2.0 * size];
+        for known in 3..=ENDS {
+            for allowed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+                let mut within = Within::new(&ends(&times[..known], swing));
+                if !within.settle(|_| allowed) {
+                    continue;
+                }
+                let error = error(&within, 1.0, size);
+                assert!(
+                    error < 1.5 * allowed,
+                    "{size} {known} {allowed:e}: {error:e}"
+                );
+                settled += 1;
+                quintics += usize::from(within.terms == QUINTIC);
+            }
+        }
+    }
+    assert!(
+        settled > 30 && quintics > 5 && quintics < settled,
+        "{settled} {quintics}"
+    );
+}
+
+#[test]
+fn the_first_step_after_a_break_settles_nothing() {
+    let mut within = Within::new(&ends(&[0.0, 1e-3], swing));
+    assert!(!within.settle(|_| 1.0));
+}
