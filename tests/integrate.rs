@@ -396,16 +396,16 @@ fn the_limit_holds_for_all_blocks_together() {
     let stop = AtomicBool::new(false);
     for method in METHODS {
         let limited = Settings {
-            step_limit: 30,
+            step_limit: 15,
             ..settings(method, 1e-10)
         };
         let (states, work, result) = integrate(&SOUND, limited, 100, &stop);
-        let Err(IntegrateError::StepLimit { time, limit: 30 }) = result else {
+        let Err(IntegrateError::StepLimit { time, limit: 15 }) = result else {
             panic!("{method:?}: {result:?}");
         };
         assert!(time > 0.0 && time < 20.0 && !states.is_empty());
         assert!(
-            (29..=31).contains(&(work.steps + work.rejected)),
+            (14..=16).contains(&(work.steps + work.rejected)),
             "{method:?} {work:?}"
         );
     }
