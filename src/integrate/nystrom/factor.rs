@@ -11,70 +11,62 @@
 //! exponential as well as a number does; as a numerical method J. D. Lawson, *SIAM J. Numer. Anal.* 4
 //! (1967) 372–380.
 
+use std::ops::Range;
+
+use super::entries::{Entries, Matrix};
 use super::tableau::{MOST, Pair};
 
-/// Terms of the exponential's series: enough for round-off up to a norm of one.
+/// Terms of the exponential's series, an even number: enough for round-off up to a norm of one.
 const TERMS: usize = 20;
-/// Sum of the series' last terms that may be left out.
-const NOTHING: f64 = 1e-18;
+/// First term of the series that may be left out.
+const NOTHING: f64 = 1e-17;
 /// Largest product of step size and norm of B: far above it the factor spoils what it multiplies.
 const LARGEST: f64 = 1.0;
 
-/// A matrix of freedoms; the first N/2 rows and columns are used.
-type Matrix<const N: usize> = [[f64; N]; N];
-
-/// Which entries of a matrix differ from zero.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Reach {
-    Nothing,
-    Diagonal,
-    /// The diagonal and the entries beside it.
-    Neighbours,
-    All,
-}
-
 /// exp(∓B c_i h) at the nodes of a pair, and what they are made of.
 #[derive(Debug, Clone)]
-pub(super) struct Factor<const N: usize> {
-    reach: Reach,
+pub(super) struct Factor<E, const N: usize> {
+    /// Freedoms that B couples with those before them.
+    coupled: Range<usize>,
     /// B.
-    half: Matrix<N>,
+    half: E,
     /// B².
-    square: Matrix<N>,
+    square: E,
     /// Norm of B, 1/s.
     norm: f64,
     /// B^k/k!.
-    powers: [Matrix<N>; TERMS],
+    powers: [E; TERMS],
     /// Step size that the exponentials are of, s.
     size: f64,
     /// exp(−B c_i h).
-    forth: [Matrix<N>; MOST],
+    forth: [E; MOST],
     /// exp(B c_i h).
-    back: [Matrix<N>; MOST],
+    back: [E; MOST],
 }
 
-impl<const N: usize> Factor<N> {
-    /// From ∂q″/∂q′ = −2 B, of which the first N/2 rows and columns are read.
-    pub fn new(velocity_slopes: &Matrix<N>) -> Self {
+impl<E: Entries<N>, const N: usize> Factor<E, N> {
+    /// From ∂q″/∂q′ = −2 B, of which the first N/2 rows and columns are read, and the freedoms that it
+    /// couples with those before them.
+    pub fn new(velocity_slopes: &Matrix<N>, coupled: Range<usize>) -> Self {
         let half = velocity_slopes.map(|row| row.map(|slope| -0.5 * slope));
-        let mut powers = [[[0.0; N]; N]; TERMS];
-        for (index, row) in powers[0].iter_mut().enumerate() {
+        let mut power = [[0.0; N]; N];
+        for (index, row) in power.iter_mut().enumerate() {
             row[index] = 1.0;
         }
-        for order in 1..TERMS {
-            let product = product(&powers[order - 1], &half);
-            powers[order] = product.map(|row| row.map(|entry| entry / order as f64));
+        let mut powers = [E::of(&power, &coupled); TERMS];
+        for (order, entries) in powers.iter_mut().enumerate().skip(1) {
+            power = product(&power, &half).map(|row| row.map(|entry| entry / order as f64));
+            *entries = E::of(&power, &coupled);
         }
-        let zero = [[0.0; N]; N];
         Self {
-            reach: reach(&powers),
-            half,
-            square: product(&half, &half),
+            half: E::of(&half, &coupled),
+            square: E::of(&product(&half, &half), &coupled),
             norm: norm(&half),
             powers,
             size: f64::NAN,
-            forth: [zero; MOST],
-            back: [zero; MOST],
+            forth: [E::ZERO; MOST],
+            back: [E::ZERO; MOST],
+            coupled,
         }
     }
 
@@ -85,7 +77,7 @@ impl<const N: usize> Factor<N> {
 
     /// Prepares the exponentials for steps of a size, s.
     pub fn prepare<P: Pair>(&mut self, size: f64) {
-        if self.size == size || self.reach == Reach::Nothing {
+        if self.size == size {
             return;
         }
         self.size = size;
@@ -95,105 +87,63 @@ impl<const N: usize> Factor<N> {
         }
     }
 
-    /// Terms after which the rest of the series is nothing.
+    /// Terms after which the rest of the series is nothing, an even number.
     fn terms(&self, size: f64) -> usize {
         let (mut term, mut count) = (1.0, 1);
         while term > NOTHING && count < TERMS {
             term *= self.norm * size / count as f64;
             count += 1;
         }
-        count
+        count.next_multiple_of(2)
     }
 
     /// Even and odd terms apart: their sum and their difference are the two exponentials.
+    #[inline(always)]
     fn exponentials(&mut self, node: usize, time: f64, terms: usize) {
-        let (forth, back) = (&mut self.forth[node], &mut self.back[node]);
-        let width = match self.reach {
-            Reach::Nothing | Reach::Diagonal => 0,
-            Reach::Neighbours => 1,
-            Reach::All => N,
-        };
         let square = time * time;
-        for row in 0..N / 2 {
-            for column in row.saturating_sub(width)..(row + width + 1).min(N / 2) {
-                let (mut even, mut odd) = (0.0, 0.0);
-                for order in (0..terms.next_multiple_of(2)).step_by(2).rev() {
-                    even = even * square + self.powers[order][row][column];
-                    odd = odd * square + self.powers[order + 1][row][column];
-                }
-                forth[row][column] = even - time * odd;
-                back[row][column] = even + time * odd;
+        let (mut even, mut odd) = (E::ZERO, E::ZERO);
+        for [first, second] in self.powers[..terms].as_chunks().0.iter().rev() {
+            for (sum, term) in even.as_mut().iter_mut().zip(first.as_ref()) {
+                *sum = *sum * square + term;
             }
+            for (sum, term) in odd.as_mut().iter_mut().zip(second.as_ref()) {
+                *sum = *sum * square + term;
+            }
+        }
+        let both = even.as_ref().iter().zip(odd.as_ref());
+        let forth = self.forth[node].as_mut().iter_mut();
+        let back = self.back[node].as_mut().iter_mut();
+        for ((even, odd), (forth, back)) in both.zip(forth.zip(back)) {
+            *forth = even - time * odd;
+            *back = even + time * odd;
         }
     }
 
     /// exp(−B c_i h) times a vector: from u to q.
     #[inline(always)]
     pub fn forth(&self, node: usize, vector: &[f64; N]) -> [f64; N] {
-        self.times(&self.forth[node], vector)
+        self.forth[node].times(&self.coupled, vector)
     }
 
     /// exp(B c_i h) times a vector.
     #[inline(always)]
     pub fn back(&self, node: usize, vector: &[f64; N]) -> [f64; N] {
-        self.times(&self.back[node], vector)
+        self.back[node].times(&self.coupled, vector)
     }
 
-    /// B times a vector, added to another.
+    /// B times a vector.
     #[inline(always)]
-    pub fn add_half(&self, vector: &[f64; N], sum: &mut [f64; N]) {
-        self.add(&self.half, 1.0, vector, sum);
-    }
-
-    /// B times a vector, taken off another.
-    #[inline(always)]
-    pub fn take_half(&self, vector: &[f64; N], sum: &mut [f64; N]) {
-        self.add(&self.half, -1.0, vector, sum);
+    pub fn half(&self, vector: &[f64; N]) -> [f64; N] {
+        self.half.times(&self.coupled, vector)
     }
 
     /// B² times a vector, added to another.
     #[inline(always)]
     pub fn add_square(&self, vector: &[f64; N], sum: &mut [f64; N]) {
-        self.add(&self.square, 1.0, vector, sum);
-    }
-
-    #[inline(always)]
-    fn add(&self, matrix: &Matrix<N>, sign: f64, vector: &[f64; N], sum: &mut [f64; N]) {
-        if self.reach == Reach::Nothing {
-            return;
-        }
-        let product = self.times(matrix, vector);
+        let product = self.square.times(&self.coupled, vector);
         for index in 0..N / 2 {
-            sum[index] += sign * product[index];
+            sum[index] += product[index];
         }
-    }
-
-    #[inline(always)]
-    fn times(&self, matrix: &Matrix<N>, vector: &[f64; N]) -> [f64; N] {
-        if self.reach == Reach::Nothing {
-            return *vector;
-        }
-        let mut product = [0.0; N];
-        for index in 0..N / 2 {
-            product[index] = matrix[index][index] * vector[index];
-        }
-        match self.reach {
-            Reach::Nothing | Reach::Diagonal => {}
-            Reach::Neighbours => {
-                for index in 1..N / 2 {
-                    product[index - 1] += matrix[index - 1][index] * vector[index];
-                    product[index] += matrix[index][index - 1] * vector[index - 1];
-                }
-            }
-            Reach::All => {
-                for row in 0..N / 2 {
-                    for column in (0..N / 2).filter(|&column| column != row) {
-                        product[row] += matrix[row][column] * vector[column];
-                    }
-                }
-            }
-        }
-        product
     }
 }
 
@@ -212,24 +162,4 @@ fn norm<const N: usize>(matrix: &Matrix<N>) -> f64 {
         .iter()
         .map(|row| row.iter().map(|entry| entry.abs()).sum());
     sums.fold(0.0, f64::max)
-}
-
-/// Where any power of B differs from zero.
-fn reach<const N: usize>(powers: &[Matrix<N>; TERMS]) -> Reach {
-    let mut widest = None;
-    for matrix in &powers[1..] {
-        for (row, entries) in matrix.iter().enumerate() {
-            for (column, entry) in entries.iter().enumerate() {
-                if *entry != 0.0 {
-                    widest = widest.max(Some(row.abs_diff(column)));
-                }
-            }
-        }
-    }
-    match widest {
-        None => Reach::Nothing,
-        Some(0) => Reach::Diagonal,
-        Some(1) => Reach::Neighbours,
-        Some(_) => Reach::All,
-    }
 }

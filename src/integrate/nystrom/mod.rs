@@ -5,6 +5,7 @@
 mod conditions;
 mod dprkn12;
 mod dprkn8;
+mod entries;
 mod factor;
 mod tableau;
 mod walk;

@@ -1,12 +1,13 @@
 //! Steps of a Nyström pair, one after the other, and the states between their ends.
 
+use super::entries::{All, Entries, Few, couplings};
 use super::factor::Factor;
 use super::tableau::{
     Arguments, CoarseError, Factors, MOST, Pair, Place, PlaceError, Velocity, VelocityError, sum,
 };
 use super::within::{ENDS, End, Within};
 use crate::integrate::explicit::{Control, Course};
-use crate::integrate::{Counters, IntegrateError, Scaling, System};
+use crate::integrate::{Counters, IntegrateError, Scaling, System, VelocityDependence};
 
 /// Part of a step that the end of a stretch may lengthen it by.
 const STRETCH: f64 = 1.01;
@@ -18,7 +19,9 @@ const WITHIN_PART: f64 = 0.1;
 const PAST: usize = ENDS - 2;
 
 /// Single numbers of a walk.
-const SINGLE: usize = 9;
+const SINGLE: usize = 5 + STANDS;
+/// Stands of a walk.
+const STANDS: usize = 2 + PAST;
 
 /// A deviation and the force in it.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +30,16 @@ struct Stand<const N: usize> {
     state: [f64; N],
     /// f; the first N/2 components are used, as in all vectors of freedoms.
     push: [f64; N],
+}
+
+impl<const N: usize> AnyFactor<N> {
+    fn of<S: System<N>>(system: &S) -> Result<Self, VelocityDependence> {
+        let slopes = system.velocity_slopes()?;
+        Ok(match couplings(&slopes) {
+            Some(coupled) => Self::Few(Box::new(Factor::new(&slopes, coupled))),
+            None => Self::All(Box::new(Factor::new(&slopes, 0..0))),
+        })
+    }
 }
 
 /// How states within the latest step are found.
@@ -60,7 +73,14 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     fault: bool,
     counters: Counters,
     /// Made as the walk begins, or goes on.
-    factor: Option<Box<Factor<N>>>,
+    factor: Option<AnyFactor<N>>,
+}
+
+/// The integrating factor of few couplings or of all.
+#[derive(Debug, Clone)]
+enum AnyFactor<const N: usize> {
+    Few(Box<Factor<Few<N>, N>>),
+    All(Box<Factor<All<N>, N>>),
 }
 
 impl<const N: usize> Walk<N> {
@@ -110,7 +130,6 @@ impl<const N: usize> Walk<N> {
 
     /// Everything but the counters as numbers.
     pub fn numbers(&self) -> Vec<f64> {
-        let stands = [&self.from, &self.to, &self.past[0], &self.past[1]];
         let single = [
             self.size,
             self.next_size,
@@ -118,8 +137,9 @@ impl<const N: usize> Walk<N> {
             self.known as f64,
             f64::from(u8::from(self.control.was_rejected())),
         ];
-        let times = stands.iter().map(|stand| stand.time);
-        let vectors = stands.iter().flat_map(|stand| [stand.state, stand.push]);
+        let stands = || [&self.from, &self.to].into_iter().chain(&self.past);
+        let times = stands().map(|stand| stand.time);
+        let vectors = stands().flat_map(|stand| [stand.state, stand.push]);
         single
             .into_iter()
             .chain(times)
@@ -136,7 +156,7 @@ impl<const N: usize> Walk<N> {
         };
         let [size, next_size, limit, known, rejected, times @ ..] =
             *<&[f64; SINGLE]>::try_from(single).ok()?;
-        let vectors = <&[[f64; N]; 2 * ENDS]>::try_from(vectors).ok()?;
+        let vectors = <&[[f64; N]; 2 * STANDS]>::try_from(vectors).ok()?;
         let stand = |index: usize| Stand {
             time: times[index],
             state: vectors[2 * index],
@@ -145,7 +165,7 @@ impl<const N: usize> Walk<N> {
         Some(Self {
             from: stand(0),
             to: stand(1),
-            past: [stand(2), stand(3)],
+            past: std::array::from_fn(|index| stand(2 + index)),
             known: (known as usize).min(PAST),
             size,
             next_size,
@@ -172,27 +192,25 @@ impl<const N: usize> Walk<N> {
     ) -> Result<[f64; N], IntegrateError> {
         let mut factor = match self.factor.take() {
             Some(factor) => factor,
-            None => Self::factor(course)?,
+            None => AnyFactor::of(course.system)?,
         };
-        let deviation = self.deviation_at::<P, S>(course, &mut factor, time);
+        let deviation = match &mut factor {
+            AnyFactor::Few(factor) => self.deviation_at::<P, S, _>(course, factor, time),
+            AnyFactor::All(factor) => self.deviation_at::<P, S, _>(course, factor, time),
+        };
         self.factor = Some(factor);
         let origin = &course.scaling.origin;
         deviation.map(|deviation| std::array::from_fn(|i| origin[i] + deviation[i]))
     }
 
-    fn factor<S: System<N>>(course: &Course<'_, S, N>) -> Result<Box<Factor<N>>, IntegrateError> {
-        let slopes = course.system.velocity_slopes()?;
-        Ok(Box::new(Factor::new(&slopes)))
-    }
-
-    fn deviation_at<P: Pair, S: System<N>>(
+    fn deviation_at<P: Pair, S: System<N>, E: Entries<N>>(
         &mut self,
         course: &Course<'_, S, N>,
-        factor: &mut Factor<N>,
+        factor: &mut Factor<E, N>,
         time: f64,
     ) -> Result<[f64; N], IntegrateError> {
         while self.to.time < time {
-            self.step::<P, S>(course, factor)?;
+            self.step::<P, S, E>(course, factor)?;
         }
         if time >= self.to.time {
             return Ok(self.to.state);
@@ -203,15 +221,15 @@ impl<const N: usize> Walk<N> {
         if let Dense::ByPolynomial(within) = &self.dense {
             return Ok(within.at(time));
         }
-        Ok(self.by_step::<P, S>(course, factor, time))
+        Ok(self.by_step::<P, S, E>(course, factor, time))
     }
 
-    fn step<P: Pair, S: System<N>>(
+    fn step<P: Pair, S: System<N>, E: Entries<N>>(
         &mut self,
         course: &Course<'_, S, N>,
-        factor: &mut Factor<N>,
+        factor: &mut Factor<E, N>,
     ) -> Result<(), IntegrateError> {
-        self.begin::<P, S>(course, factor);
+        self.begin::<P, S, E>(course, factor);
         loop {
             course.check(self.from.time, self.next_size, &self.counters, self.fault)?;
             let cut = self.from.time + STRETCH * self.next_size >= self.limit;
@@ -221,7 +239,7 @@ impl<const N: usize> Walk<N> {
                 self.next_size
             };
             factor.prepare::<P>(self.size);
-            let error = self.trial::<P, S>(course, factor);
+            let error = self.trial::<P, S, E>(course, factor);
             if error <= 1.0 {
                 self.accept::<P>(error, cut, factor.largest_step());
                 self.finish::<P, S>(course);
@@ -234,8 +252,13 @@ impl<const N: usize> Walk<N> {
     }
 
     /// Makes the end of the latest step the start of the next.
-    fn begin<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>, factor: &Factor<N>) {
-        self.past = [self.from, self.past[0]];
+    fn begin<P: Pair, S: System<N>, E: Entries<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+        factor: &Factor<E, N>,
+    ) {
+        self.past.rotate_right(1);
+        self.past[0] = self.from;
         self.known = (self.known + 1).min(PAST);
         self.from = self.to;
         self.dense = Dense::Unknown;
@@ -247,15 +270,15 @@ impl<const N: usize> Walk<N> {
             self.known = 0;
         }
         if self.next_size <= 0.0 {
-            let first = self.first_size::<P, S>(course, factor);
+            let first = self.first_size::<P, S, E>(course, factor);
             self.next_size = first.min(factor.largest_step());
         }
     }
 
-    fn first_size<P: Pair, S: System<N>>(
+    fn first_size<P: Pair, S: System<N>, E: Entries<N>>(
         &mut self,
         course: &Course<'_, S, N>,
-        factor: &Factor<N>,
+        factor: &Factor<E, N>,
     ) -> f64 {
         let end = end(&self.from, factor);
         let slope = std::array::from_fn(|i| {
@@ -278,15 +301,16 @@ impl<const N: usize> Walk<N> {
         time: f64,
         place: &[f64; N],
     ) -> [f64; N] {
-        let mut state = [0.0; N];
+        let (mut state, mut rate, mut push) = ([0.0; N], [0.0; N], [0.0; N]);
         for i in 0..N / 2 {
             state[i] = course.scaling.origin[i] + place[i];
         }
-        let mut rate = [0.0; N];
         course.system.derivative(time, &state, &mut rate);
         self.counters.evaluations += 1;
-        rate.copy_within(N / 2.., 0);
-        rate
+        for i in 0..N / 2 {
+            push[i] = rate[N / 2 + i];
+        }
+        push
     }
 
     /// Time of a stage: what begins at a break is no part of a step that ends there.
@@ -296,12 +320,12 @@ impl<const N: usize> Walk<N> {
     }
 
     /// Tries a step; its error over what is allowed, or no number.
-    fn trial<P: Pair, S: System<N>>(
+    fn trial<P: Pair, S: System<N>, E: Entries<N>>(
         &mut self,
         course: &Course<'_, S, N>,
-        factor: &Factor<N>,
+        factor: &Factor<E, N>,
     ) -> f64 {
-        self.to.state = self.moved_by::<P, S>(course, factor);
+        self.to.state = self.moved_by::<P, S, E>(course, factor);
         if const { P::ENDS_ON_STAGE } {
             let to = self.to.state;
             self.to.push = self.push(course, self.stage_time(1.0), &to);
@@ -312,33 +336,36 @@ impl<const N: usize> Walk<N> {
 
     /// Deviation after a step of the present size.
     #[inline(always)]
-    fn moved_by<P: Pair, S: System<N>>(
+    fn moved_by<P: Pair, S: System<N>, E: Entries<N>>(
         &mut self,
         course: &Course<'_, S, N>,
-        factor: &Factor<N>,
+        factor: &Factor<E, N>,
     ) -> [f64; N] {
         self.stages[0] = self.from.push;
         factor.add_square(&self.from.state, &mut self.stages[0]);
         // u′ = v + B q at the start
         let mut slope = [0.0; N];
         slope[..N / 2].copy_from_slice(&self.from.state[N / 2..]);
-        factor.add_half(&self.from.state, &mut slope);
+        let half = factor.half(&self.from.state);
+        for i in 0..N / 2 {
+            slope[i] += half[i];
+        }
         macro_rules! stages {
             ($($stage:literal)*) => {$(
                 if const { $stage < P::STAGES - P::ENDS_ON_STAGE as usize } {
-                    self.stage::<P, S, $stage>(course, factor, &slope);
+                    self.stage::<P, S, E, $stage>(course, factor, &slope);
                 }
             )*};
         }
         stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
-        self.arrival::<P>(factor, &slope)
+        self.arrival::<P, E>(factor, &slope)
     }
 
     #[inline(always)]
-    fn stage<P: Pair, S: System<N>, const I: usize>(
+    fn stage<P: Pair, S: System<N>, E: Entries<N>, const I: usize>(
         &mut self,
         course: &Course<'_, S, N>,
-        factor: &Factor<N>,
+        factor: &Factor<E, N>,
         slope: &[f64; N],
     ) {
         let node = const { P::NODES[I] };
@@ -349,9 +376,9 @@ impl<const N: usize> Walk<N> {
 
     /// u″ = exp(B τ) (f + B² q) as a stage.
     #[inline(always)]
-    fn keep_stage(
+    fn keep_stage<E: Entries<N>>(
         &mut self,
-        factor: &Factor<N>,
+        factor: &Factor<E, N>,
         stage: usize,
         mut push: [f64; N],
         place: &[f64; N],
@@ -373,7 +400,7 @@ impl<const N: usize> Walk<N> {
 
     /// Deviation at the end of the step, from its stages.
     #[inline(always)]
-    fn arrival<P: Pair>(&self, factor: &Factor<N>, slope: &[f64; N]) -> [f64; N] {
+    fn arrival<P: Pair, E: Entries<N>>(&self, factor: &Factor<E, N>, slope: &[f64; N]) -> [f64; N] {
         let last = const { P::STAGES - 1 };
         let mut arrival = factor.forth(last, &self.moved::<Place<P>>(1.0, slope));
         let sum = sum::<Velocity<P>, N>(&self.stages);
@@ -382,9 +409,10 @@ impl<const N: usize> Walk<N> {
             velocity[i] += self.size * sum[i];
         }
         // v = exp(−B h) u′ − B q
-        let mut velocity = factor.forth(last, &velocity);
-        factor.take_half(&arrival, &mut velocity);
-        arrival[N / 2..].copy_from_slice(&velocity[..N / 2]);
+        let (velocity, half) = (factor.forth(last, &velocity), factor.half(&arrival));
+        for i in 0..N / 2 {
+            arrival[N / 2 + i] = velocity[i] - half[i];
+        }
         arrival
     }
 
@@ -442,44 +470,48 @@ impl<const N: usize> Walk<N> {
         self.fault = false;
     }
 
-    /// The polynomial for states within the step, where it is exact enough.
-    fn polynomial<S>(&self, course: &Course<'_, S, N>, factor: &Factor<N>) -> Dense<N> {
-        let [latest, earlier] = &self.past;
-        let stands = [&self.from, &self.to, latest, earlier];
-        let ends = stands.map(|stand| end(stand, factor));
-        let mut within = Within::new(&ends[..2 + self.known]);
+    /// The polynomial for states within the step, where one is exact enough: of as few ends as it takes.
+    fn polynomial<S, E: Entries<N>>(
+        &self,
+        course: &Course<'_, S, N>,
+        factor: &Factor<E, N>,
+    ) -> Dense<N> {
         let part = WITHIN_PART * course.settings.tolerance;
         let allowed = |i: usize| part * (course.scaling.scale[i] + self.from.state[i].abs());
-        if within.settle(allowed) {
-            Dense::ByPolynomial(within)
-        } else {
-            Dense::BySteps
+        let mut within = Within::new(&end(&self.from, factor), &end(&self.to, factor));
+        for stand in &self.past[..self.known] {
+            within.add(&end(stand, factor));
+            if within.is_within(allowed) {
+                return Dense::ByPolynomial(within);
+            }
         }
+        Dense::BySteps
     }
 
     /// Deviation at a time within the step by a shorter step from its start.
-    fn by_step<P: Pair, S: System<N>>(
+    fn by_step<P: Pair, S: System<N>, E: Entries<N>>(
         &mut self,
         course: &Course<'_, S, N>,
-        factor: &mut Factor<N>,
+        factor: &mut Factor<E, N>,
         time: f64,
     ) -> [f64; N] {
         let size = self.size;
         self.size = time - self.from.time;
         factor.prepare::<P>(self.size);
-        let state = self.moved_by::<P, S>(course, factor);
+        let state = self.moved_by::<P, S, E>(course, factor);
         self.size = size;
         state
     }
 }
 
 /// Place, velocity and acceleration q″ = f − 2 B q′.
-fn end<const N: usize>(stand: &Stand<N>, factor: &Factor<N>) -> End<N> {
+fn end<E: Entries<N>, const N: usize>(stand: &Stand<N>, factor: &Factor<E, N>) -> End<N> {
     let mut velocity = [0.0; N];
     velocity[..N / 2].copy_from_slice(&stand.state[N / 2..]);
     let mut acceleration = stand.push;
-    factor.take_half(&velocity, &mut acceleration);
-    factor.take_half(&velocity, &mut acceleration);
+    for (acceleration, half) in acceleration.iter_mut().zip(factor.half(&velocity)) {
+        *acceleration -= 2.0 * half;
+    }
     End {
         time: stand.time,
         place: stand.state,

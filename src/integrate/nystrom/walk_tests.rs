@@ -38,8 +38,8 @@ impl System<4> for Coupled {
 
 const START: [f64; 4] = [1.0, -0.5, 0.2, 0.4];
 
-/// The walk over a time in so many equal steps, and the factor that it went by.
-fn walked<P: Pair>(pushed: bool, steps: u32, time: f64) -> (Walk<4>, Box<Factor<4>>) {
+/// The end of a walk over a time in so many equal steps.
+fn walked<P: Pair, E: Entries<4>>(pushed: bool, steps: u32, time: f64) -> [f64; 4] {
     let (stop, scaling) = (AtomicBool::new(false), Scaling::IDENTITY);
     let settings = Settings {
         method: Method::Dprkn8,
@@ -55,17 +55,18 @@ fn walked<P: Pair>(pushed: bool, steps: u32, time: f64) -> (Walk<4>, Box<Factor<
         slack: 1e-9,
     };
     let mut walk = Walk::new(START);
-    let mut factor = Walk::factor(&course).unwrap();
+    let slopes = course.system.velocity_slopes().unwrap();
+    let mut factor = Factor::<E, 4>::new(&slopes, couplings(&slopes).unwrap());
     let size = time / f64::from(steps);
     factor.prepare::<P>(size);
     for step in 1..=steps {
-        walk.begin::<P, _>(&course, &factor);
+        walk.begin::<P, _, E>(&course, &factor);
         walk.size = size;
-        walk.trial::<P, _>(&course, &factor);
+        walk.trial::<P, _, E>(&course, &factor);
         walk.to.time = size * f64::from(step);
         walk.finish::<P, _>(&course);
     }
-    (walk, factor)
+    walk.to.state
 }
 
 fn distance(left: &[f64; 4], right: &[f64; 4]) -> f64 {
@@ -74,8 +75,8 @@ fn distance(left: &[f64; 4], right: &[f64; 4]) -> f64 {
 }
 
 fn steps_have_order<P: Pair>(steps: u32) {
-    let end = |steps| walked::<P>(true, steps, 4.0).0.to.state;
-    let truth = walked::<Dprkn12>(true, 200, 4.0).0.to.state;
+    let end = |steps| walked::<P, Few<4>>(true, steps, 4.0);
+    let truth = walked::<Dprkn12, Few<4>>(true, 200, 4.0);
     let error = |steps| distance(&end(steps), &truth);
     let (coarse, fine) = (error(steps), error(2 * steps));
     let observed = (coarse / fine).log2();
@@ -109,7 +110,7 @@ fn a_runge_kutta_pair_comes_to_the_same_end() {
         slack: 1e-9,
     };
     let truth = explicit::Walk::new(START).state_at::<Dop853, _>(&course, 4.0);
-    let end = walked::<Dprkn12>(true, 50, 4.0).0.to.state;
+    let end = walked::<Dprkn12, Few<4>>(true, 50, 4.0);
     let off = distance(&end, &truth.unwrap());
     assert!(off < 1e-12, "{off:e}");
 }
@@ -117,8 +118,8 @@ fn a_runge_kutta_pair_comes_to_the_same_end() {
 /// Where nothing but A acts, q = q₀ + A⁻¹ (v₀ − v), and one long step knows nearly all of it.
 #[test]
 fn linear_damping_and_coupling_cost_next_to_nothing() {
-    let one = walked::<Dprkn8>(false, 1, 1.0).0.to.state;
-    let many = walked::<Dprkn12>(false, 64, 1.0).0.to.state;
+    let one = walked::<Dprkn8, Few<4>>(false, 1, 1.0);
+    let many = walked::<Dprkn12, Few<4>>(false, 64, 1.0);
     assert!(distance(&one, &many) < 2e-8, "{one:?} {many:?}");
     let [[a, b], [c, d]] = BRAKE;
     let lost = [START[2] - many[2], START[3] - many[3]];
@@ -131,4 +132,26 @@ fn linear_damping_and_coupling_cost_next_to_nothing() {
     assert!((place[0] - many[0]).abs() < 1e-14 && (place[1] - many[1]).abs() < 1e-14);
     let speed = |[u, v]: [f64; 2]| u * u + v * v;
     assert!(speed(velocity) < speed([START[2], START[3]]));
+}
+
+#[test]
+fn all_entries_do_what_few_do() {
+    let few = walked::<Dprkn8, Few<4>>(true, 20, 4.0);
+    let all = walked::<Dprkn8, All<4>>(true, 20, 4.0);
+    assert!(distance(&few, &all) < 1e-14, "{few:?} {all:?}");
+}
+
+#[test]
+fn what_couples_more_than_neighbours_needs_all_entries() {
+    let coupling = |pairs: &[(usize, usize)]| {
+        let mut matrix = [[0.0; 10]; 10];
+        pairs
+            .iter()
+            .for_each(|&(row, column)| matrix[row][column] = 1.0);
+        couplings(&matrix)
+    };
+    assert_eq!(coupling(&[(0, 0), (3, 3)]), Some(0..0));
+    assert_eq!(coupling(&[(3, 4), (4, 3), (1, 1)]), Some(4..5));
+    assert_eq!(coupling(&[(3, 4), (3, 2)]), None);
+    assert_eq!(coupling(&[(0, 4)]), None);
 }
