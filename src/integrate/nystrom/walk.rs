@@ -14,7 +14,7 @@ const STRETCH: f64 = 1.01;
 /// Factors of the step size between which it stays as it is: the integrating factor is then at hand.
 const KEPT: std::ops::Range<f64> = 0.95..1.2;
 /// Part of the error aimed at that states within a step may be estimated to have of their own.
-const WITHIN_PART: f64 = 0.1;
+const WITHIN_PART: f64 = 0.3;
 /// Starts of steps before the latest that are kept.
 const PAST: usize = ENDS - 2;
 

@@ -10,7 +10,7 @@ const QUINTIC: usize = 6;
 /// Parts of the step at which terms are looked at.
 const PARTS: [f64; 2] = [0.3, 0.7];
 /// Least part of the terms of its last end that the error of a polynomial is taken to be.
-const LEAST_PART: f64 = 0.03;
+const LEAST_PART: f64 = 0.1;
 
 /// Place, velocity and acceleration of every freedom at the end of a step; the first N/2 components are
 /// used.
@@ -92,21 +92,21 @@ impl<const N: usize> Within<N> {
     /// Whether the error is no larger than is allowed of place and velocity; leaves out what does not
     /// better the motion.
     ///
-    /// The quintic's error is the term after it. That of the whole is below the terms of its last end, by
+    /// The error of the quintic is that of the terms of the next end. That of the whole is below the terms of its last end, by
     /// as much as these are below those of the end before it.
     pub fn is_within(&mut self, allowed: impl Fn(usize) -> f64) -> bool {
         if self.terms <= QUINTIC {
             return false;
         }
-        if self.excess(QUINTIC, &allowed) <= 1.0 {
+        let end_from = |first: usize| {
+            let terms = first..first + 3;
+            terms.map(|term| self.excess(term, &allowed)).sum::<f64>()
+        };
+        if end_from(QUINTIC) <= 1.0 {
             self.terms = QUINTIC;
             return true;
         }
-        let terms_of = |ends: usize| {
-            let terms = (self.terms - 3 * ends..).take(3);
-            terms.map(|term| self.excess(term, &allowed)).sum::<f64>()
-        };
-        let (last, before) = (terms_of(1), terms_of(2));
+        let (last, before) = (end_from(self.terms - 3), end_from(self.terms - 6));
         // not so where it is no number
         last * (last / before).clamp(LEAST_PART, 1.0) <= 1.0
     }
