@@ -1,23 +1,21 @@
-//! Matrices of freedoms that couple none, or few of them.
-
-use std::ops::Range;
+//! Matrices of freedoms that couple no others than the last two, and all others.
 
 /// A matrix of freedoms; the first N/2 rows and columns are used.
 pub(super) type Matrix<const N: usize> = [[f64; N]; N];
 
-/// What is kept of a matrix: all of it, or the diagonal and the entries that couple the freedoms of a
-/// range with the ones before them.
+/// What is kept of a matrix.
 pub(super) trait Entries<const N: usize>: Copy + AsRef<[f64]> + AsMut<[f64]> {
     const ZERO: Self;
 
     /// What is to be kept of a matrix.
-    fn of(matrix: &Matrix<N>, coupled: &Range<usize>) -> Self;
+    fn of(matrix: &Matrix<N>) -> Self;
 
     /// Times a vector.
-    fn times(&self, coupled: &Range<usize>, vector: &[f64; N]) -> [f64; N];
+    fn times(&self, vector: &[f64; N]) -> [f64; N];
 }
 
-/// The diagonal, then the entry above it and the one below it for each coupling.
+/// The diagonal, and after it the two entries beside it that couple the last two freedoms, as tilts are
+/// by gyroscopic moments.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Few<const N: usize>([f64; N]);
 
@@ -26,9 +24,16 @@ pub(super) struct Few<const N: usize>([f64; N]);
 pub(super) struct All<const N: usize>(Matrix<N>);
 
 impl<const N: usize> Few<N> {
-    /// Whether so many couplings have room.
-    pub fn holds(couplings: usize) -> bool {
-        N / 2 + 2 * couplings <= N
+    const FREEDOMS: usize = N / 2;
+    /// Whether there are two freedoms to couple.
+    const COUPLES: bool = Self::FREEDOMS >= 2;
+
+    /// Whether nothing of a matrix is lost, nor of its powers.
+    pub fn holds(matrix: &Matrix<N>) -> bool {
+        let last = Self::FREEDOMS.saturating_sub(2);
+        let kept = |row, column| row == column || (row >= last && column >= last);
+        (0..Self::FREEDOMS)
+            .all(|row| (0..Self::FREEDOMS).all(|k| kept(row, k) || matrix[row][k] == 0.0))
     }
 }
 
@@ -59,28 +64,30 @@ impl<const N: usize> AsMut<[f64]> for All<N> {
 impl<const N: usize> Entries<N> for Few<N> {
     const ZERO: Self = Self([0.0; N]);
 
-    fn of(matrix: &Matrix<N>, coupled: &Range<usize>) -> Self {
+    fn of(matrix: &Matrix<N>) -> Self {
         let mut entries = [0.0; N];
-        for index in 0..N / 2 {
+        for index in 0..Self::FREEDOMS {
             entries[index] = matrix[index][index];
         }
-        for (place, index) in coupled.clone().enumerate() {
-            entries[N / 2 + 2 * place] = matrix[index - 1][index];
-            entries[N / 2 + 2 * place + 1] = matrix[index][index - 1];
+        if Self::COUPLES {
+            let last = Self::FREEDOMS - 1;
+            entries[last + 1] = matrix[last - 1][last];
+            entries[last + 2] = matrix[last][last - 1];
         }
         Self(entries)
     }
 
+    /// Every index is known when the code is compiled: the product stays in registers.
     #[inline(always)]
-    fn times(&self, coupled: &Range<usize>, vector: &[f64; N]) -> [f64; N] {
+    fn times(&self, vector: &[f64; N]) -> [f64; N] {
         let mut product = [0.0; N];
-        for index in 0..N / 2 {
+        for index in 0..Self::FREEDOMS {
             product[index] = self.0[index] * vector[index];
         }
-        let (_, beside) = self.0.split_at(N / 2);
-        for (index, [above, below]) in coupled.clone().zip(beside.as_chunks().0) {
-            product[index - 1] += above * vector[index];
-            product[index] += below * vector[index - 1];
+        if Self::COUPLES {
+            let last = Self::FREEDOMS - 1;
+            product[last - 1] += self.0[last + 1] * vector[last];
+            product[last] += self.0[last + 2] * vector[last - 1];
         }
         product
     }
@@ -89,12 +96,12 @@ impl<const N: usize> Entries<N> for Few<N> {
 impl<const N: usize> Entries<N> for All<N> {
     const ZERO: Self = Self([[0.0; N]; N]);
 
-    fn of(matrix: &Matrix<N>, _: &Range<usize>) -> Self {
+    fn of(matrix: &Matrix<N>) -> Self {
         Self(*matrix)
     }
 
     #[inline(always)]
-    fn times(&self, _: &Range<usize>, vector: &[f64; N]) -> [f64; N] {
+    fn times(&self, vector: &[f64; N]) -> [f64; N] {
         let mut product = [0.0; N];
         for row in 0..N / 2 {
             for column in 0..N / 2 {
@@ -103,21 +110,4 @@ impl<const N: usize> Entries<N> for All<N> {
         }
         product
     }
-}
-
-/// The freedoms that a matrix, whatever its power, couples with the ones before them; `None` where it
-/// couples others, or more than have room.
-pub(super) fn couplings<const N: usize>(matrix: &Matrix<N>) -> Option<Range<usize>> {
-    let mut coupled = 0..0;
-    for row in 0..N / 2 {
-        for column in (0..N / 2).filter(|&column| column != row && matrix[row][column] != 0.0) {
-            let index = row.max(column);
-            if row.abs_diff(column) > 1 || !(coupled.is_empty() || coupled.contains(&index)) {
-                return None;
-            }
-            // a second one would couple three freedoms
-            coupled = index..index + 1;
-        }
-    }
-    Few::<N>::holds(coupled.len()).then_some(coupled)
 }

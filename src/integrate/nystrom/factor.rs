@@ -11,8 +11,6 @@
 //! exponential as well as a number does; as a numerical method J. D. Lawson, *SIAM J. Numer. Anal.* 4
 //! (1967) 372–380.
 
-use std::ops::Range;
-
 use super::entries::{Entries, Matrix};
 use super::tableau::{MOST, Pair};
 
@@ -26,8 +24,6 @@ const LARGEST: f64 = 1.0;
 /// exp(∓B c_i h) at the nodes of a pair, and what they are made of.
 #[derive(Debug, Clone)]
 pub(super) struct Factor<E, const N: usize> {
-    /// Freedoms that B couples with those before them.
-    coupled: Range<usize>,
     /// B.
     half: E,
     /// B².
@@ -45,28 +41,26 @@ pub(super) struct Factor<E, const N: usize> {
 }
 
 impl<E: Entries<N>, const N: usize> Factor<E, N> {
-    /// From ∂q″/∂q′ = −2 B, of which the first N/2 rows and columns are read, and the freedoms that it
-    /// couples with those before them.
-    pub fn new(velocity_slopes: &Matrix<N>, coupled: Range<usize>) -> Self {
+    /// From ∂q″/∂q′ = −2 B, of which the first N/2 rows and columns are read.
+    pub fn new(velocity_slopes: &Matrix<N>) -> Self {
         let half = velocity_slopes.map(|row| row.map(|slope| -0.5 * slope));
         let mut power = [[0.0; N]; N];
         for (index, row) in power.iter_mut().enumerate() {
             row[index] = 1.0;
         }
-        let mut powers = [E::of(&power, &coupled); TERMS];
+        let mut powers = [E::of(&power); TERMS];
         for (order, entries) in powers.iter_mut().enumerate().skip(1) {
             power = product(&power, &half).map(|row| row.map(|entry| entry / order as f64));
-            *entries = E::of(&power, &coupled);
+            *entries = E::of(&power);
         }
         Self {
-            half: E::of(&half, &coupled),
-            square: E::of(&product(&half, &half), &coupled),
+            half: E::of(&half),
+            square: E::of(&product(&half, &half)),
             norm: norm(&half),
             powers,
             size: f64::NAN,
             forth: [E::ZERO; MOST],
             back: [E::ZERO; MOST],
-            coupled,
         }
     }
 
@@ -122,25 +116,25 @@ impl<E: Entries<N>, const N: usize> Factor<E, N> {
     /// exp(−B c_i h) times a vector: from u to q.
     #[inline(always)]
     pub fn forth(&self, node: usize, vector: &[f64; N]) -> [f64; N] {
-        self.forth[node].times(&self.coupled, vector)
+        self.forth[node].times(vector)
     }
 
     /// exp(B c_i h) times a vector.
     #[inline(always)]
     pub fn back(&self, node: usize, vector: &[f64; N]) -> [f64; N] {
-        self.back[node].times(&self.coupled, vector)
+        self.back[node].times(vector)
     }
 
     /// B times a vector.
     #[inline(always)]
     pub fn half(&self, vector: &[f64; N]) -> [f64; N] {
-        self.half.times(&self.coupled, vector)
+        self.half.times(vector)
     }
 
     /// B² times a vector, added to another.
     #[inline(always)]
     pub fn add_square(&self, vector: &[f64; N], sum: &mut [f64; N]) {
-        let product = self.square.times(&self.coupled, vector);
+        let product = self.square.times(vector);
         for index in 0..N / 2 {
             sum[index] += product[index];
         }

@@ -1,6 +1,6 @@
 //! Steps of a Nyström pair, one after the other, and the states between their ends.
 
-use super::entries::{All, Entries, Few, couplings};
+use super::entries::{All, Entries, Few};
 use super::factor::Factor;
 use super::tableau::{
     Arguments, CoarseError, Factors, MOST, Pair, Place, PlaceError, Velocity, VelocityError, sum,
@@ -35,19 +35,20 @@ struct Stand<const N: usize> {
 impl<const N: usize> AnyFactor<N> {
     fn of<S: System<N>>(system: &S) -> Result<Self, VelocityDependence> {
         let slopes = system.velocity_slopes()?;
-        Ok(match couplings(&slopes) {
-            Some(coupled) => Self::Few(Box::new(Factor::new(&slopes, coupled))),
-            None => Self::All(Box::new(Factor::new(&slopes, 0..0))),
+        Ok(if Few::holds(&slopes) {
+            Self::Few(Box::new(Factor::new(&slopes)))
+        } else {
+            Self::All(Box::new(Factor::new(&slopes)))
         })
     }
 }
 
 /// How states within the latest step are found.
-#[derive(Debug, Clone)]
-enum Dense<const N: usize> {
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Dense {
     /// Nobody has asked yet.
     Unknown,
-    ByPolynomial(Within<N>),
+    ByPolynomial,
     /// By a step of their own.
     BySteps,
 }
@@ -67,7 +68,8 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     /// Time that the next step must not reach over, s.
     limit: f64,
     stages: [[f64; N]; MOST],
-    dense: Dense<N>,
+    dense: Dense,
+    within: Within<N>,
     control: Control,
     /// Whether a trial since the latest good step was not finite.
     fault: bool,
@@ -76,7 +78,7 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     factor: Option<AnyFactor<N>>,
 }
 
-/// The integrating factor of few couplings or of all.
+/// The integrating factor, of as many entries as it takes.
 #[derive(Debug, Clone)]
 enum AnyFactor<const N: usize> {
     Few(Box<Factor<Few<N>, N>>),
@@ -101,6 +103,7 @@ impl<const N: usize> Walk<N> {
             limit: 0.0,
             stages: [[0.0; N]; MOST],
             dense: Dense::Unknown,
+            within: Within::NONE,
             control: Control::NEW,
             fault: false,
             counters: Counters::default(),
@@ -215,11 +218,11 @@ impl<const N: usize> Walk<N> {
         if time >= self.to.time {
             return Ok(self.to.state);
         }
-        if let Dense::Unknown = self.dense {
+        if self.dense == Dense::Unknown {
             self.dense = self.polynomial(course, factor);
         }
-        if let Dense::ByPolynomial(within) = &self.dense {
-            return Ok(within.at(time));
+        if self.dense == Dense::ByPolynomial {
+            return Ok(self.within.at(time));
         }
         Ok(self.by_step::<P, S, E>(course, factor, time))
     }
@@ -472,17 +475,19 @@ impl<const N: usize> Walk<N> {
 
     /// The polynomial for states within the step, where one is exact enough: of as few ends as it takes.
     fn polynomial<S, E: Entries<N>>(
-        &self,
+        &mut self,
         course: &Course<'_, S, N>,
         factor: &Factor<E, N>,
-    ) -> Dense<N> {
+    ) -> Dense {
         let part = WITHIN_PART * course.settings.tolerance;
-        let allowed = |i: usize| part * (course.scaling.scale[i] + self.from.state[i].abs());
-        let mut within = Within::new(&end(&self.from, factor), &end(&self.to, factor));
+        let scale = &course.scaling.scale;
+        let per = std::array::from_fn(|i| 1.0 / (part * (scale[i] + self.from.state[i].abs())));
+        let within = &mut self.within;
+        within.begin(&end(&self.from, factor), &end(&self.to, factor));
         for stand in &self.past[..self.known] {
             within.add(&end(stand, factor));
-            if within.is_within(allowed) {
-                return Dense::ByPolynomial(within);
+            if within.is_within(&per) {
+                return Dense::ByPolynomial;
             }
         }
         Dense::BySteps

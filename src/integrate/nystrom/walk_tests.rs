@@ -56,7 +56,7 @@ fn walked<P: Pair, E: Entries<4>>(pushed: bool, steps: u32, time: f64) -> [f64; 
     };
     let mut walk = Walk::new(START);
     let slopes = course.system.velocity_slopes().unwrap();
-    let mut factor = Factor::<E, 4>::new(&slopes, couplings(&slopes).unwrap());
+    let mut factor = Factor::<E, 4>::new(&slopes);
     let size = time / f64::from(steps);
     factor.prepare::<P>(size);
     for step in 1..=steps {
@@ -142,16 +142,14 @@ fn all_entries_do_what_few_do() {
 }
 
 #[test]
-fn what_couples_more_than_neighbours_needs_all_entries() {
-    let coupling = |pairs: &[(usize, usize)]| {
+fn what_couples_more_than_the_last_two_needs_all_entries() {
+    let few = |pairs: &[(usize, usize)]| {
         let mut matrix = [[0.0; 10]; 10];
-        pairs
-            .iter()
-            .for_each(|&(row, column)| matrix[row][column] = 1.0);
-        couplings(&matrix)
+        for &(row, column) in pairs {
+            matrix[row][column] = 1.0;
+        }
+        Few::holds(&matrix)
     };
-    assert_eq!(coupling(&[(0, 0), (3, 3)]), Some(0..0));
-    assert_eq!(coupling(&[(3, 4), (4, 3), (1, 1)]), Some(4..5));
-    assert_eq!(coupling(&[(3, 4), (3, 2)]), None);
-    assert_eq!(coupling(&[(0, 4)]), None);
+    assert!(few(&[]) && few(&[(0, 0), (3, 3)]) && few(&[(3, 4), (4, 3), (1, 1)]));
+    assert!(!few(&[(3, 2)]) && !few(&[(0, 4)]) && !few(&[(0, 1)]));
 }

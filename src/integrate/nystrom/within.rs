@@ -36,23 +36,30 @@ pub(super) struct Within<const N: usize> {
     factors: [[f64; N]; TERMS],
     /// Divided differences up to the latest node.
     latest: [[f64; N]; TERMS],
+    /// The terms of the end before the last over what is allowed.
+    excess_before: f64,
 }
 
 impl<const N: usize> Within<N> {
-    /// Through the start of a step and its end.
-    pub fn new(start: &End<N>, end: &End<N>) -> Self {
-        let zero = [[0.0; N]; TERMS];
-        let mut within = Self {
-            start: start.time,
-            size: end.time - start.time,
-            terms: 0,
-            nodes: [0.0; TERMS],
-            factors: zero,
-            latest: zero,
-        };
-        within.add(start);
-        within.add(end);
-        within
+    /// Through nothing yet.
+    pub const NONE: Self = Self {
+        start: 0.0,
+        size: 0.0,
+        terms: 0,
+        nodes: [0.0; TERMS],
+        factors: [[0.0; N]; TERMS],
+        latest: [[0.0; N]; TERMS],
+        excess_before: 0.0,
+    };
+
+    /// Begins anew: through the start of a step and its end.
+    pub fn begin(&mut self, start: &End<N>, end: &End<N>) {
+        self.start = start.time;
+        self.size = end.time - start.time;
+        self.terms = 0;
+        self.excess_before = 0.0;
+        self.add(start);
+        self.add(end);
     }
 
     /// Goes through a further end as well, of at most [`ENDS`].
@@ -63,14 +70,15 @@ impl<const N: usize> Within<N> {
             self.nodes[term] = node;
             let mut difference = end.place;
             for order in 1..=term {
-                let before = std::mem::replace(&mut self.latest[order - 1], difference);
-                if order <= same {
-                    difference = self.derivative(end, order);
-                    continue;
-                }
+                let before = &mut self.latest[order - 1];
                 let inverse = (node - self.nodes[term - order]).recip();
                 for i in 0..N / 2 {
-                    difference[i] = (difference[i] - before[i]) * inverse;
+                    let next = (difference[i] - before[i]) * inverse;
+                    before[i] = difference[i];
+                    difference[i] = next;
+                }
+                if order <= same {
+                    difference = self.derivative(end, order);
                 }
             }
             self.latest[term] = difference;
@@ -89,51 +97,51 @@ impl<const N: usize> Within<N> {
         }
     }
 
-    /// Whether the error is no larger than is allowed of place and velocity; leaves out what does not
-    /// better the motion.
+    /// Whether the error is no larger than is allowed of place and velocity, after a further end; leaves
+    /// out what does not better the motion. `per` are the inverses of what is allowed.
     ///
-    /// The error of the quintic is that of the terms of the next end. That of the whole is below the terms of its last end, by
-    /// as much as these are below those of the end before it.
-    pub fn is_within(&mut self, allowed: impl Fn(usize) -> f64) -> bool {
-        if self.terms <= QUINTIC {
-            return false;
-        }
-        let end_from = |first: usize| {
-            let terms = first..first + 3;
-            terms.map(|term| self.excess(term, &allowed)).sum::<f64>()
-        };
-        if end_from(QUINTIC) <= 1.0 {
+    /// The error of the quintic is that of the terms of the next end. That of the whole is below the
+    /// terms of its last end, by as much as these are below those of the end before it.
+    pub fn is_within(&mut self, per: &[f64; N]) -> bool {
+        let last = self.excess(per);
+        if self.terms == QUINTIC + 3 && last <= 1.0 {
             self.terms = QUINTIC;
             return true;
         }
-        let (last, before) = (end_from(self.terms - 3), end_from(self.terms - 6));
+        let before = std::mem::replace(&mut self.excess_before, last);
         // not so where it is no number
         last * (last / before).clamp(LEAST_PART, 1.0) <= 1.0
     }
 
-    /// A term over what is allowed, at its largest.
-    fn excess(&self, term: usize, allowed: &impl Fn(usize) -> f64) -> f64 {
+    /// The terms of the last end over what is allowed.
+    fn excess(&self, per: &[f64; N]) -> f64 {
         let mut excess = 0.0;
         for part in PARTS {
-            let [place, velocity] = self.basis(term, part).map(f64::abs);
-            for i in 0..N / 2 {
-                let factor = self.factors[term][i].abs();
-                let most = (place / allowed(i)).max(velocity / (allowed(N / 2 + i) * self.size));
-                // a sum: no number stays none
-                excess += (factor * most).powi(2);
+            let last = self.terms - 3;
+            let mut basis = self.basis(last, part);
+            for term in last..self.terms {
+                let [place, velocity] = [basis[0].abs(), basis[1].abs() / self.size];
+                let mut squares = 0.0;
+                for i in 0..N / 2 {
+                    let most = (place * per[i]).max(velocity * per[N / 2 + i]);
+                    squares += (self.factors[term][i] * most).powi(2);
+                }
+                excess += squares;
+                basis = self.next(basis, term, part);
             }
         }
         excess.sqrt()
     }
 
+    /// What the factor of the term after one is multiplied by, and its slope.
+    fn next(&self, [value, slope]: [f64; 2], term: usize, part: f64) -> [f64; 2] {
+        let away = part - self.nodes[term];
+        [value * away, slope * away + value]
+    }
+
     /// What a factor is multiplied by at a part of the step, and its slope by that part.
     fn basis(&self, term: usize, part: f64) -> [f64; 2] {
-        let (mut value, mut slope) = (1.0, 0.0);
-        for node in &self.nodes[..term] {
-            slope = slope * (part - node) + value;
-            value *= part - node;
-        }
-        [value, slope]
+        (0..term).fold([1.0, 0.0], |basis, term| self.next(basis, term, part))
     }
 
     /// Place and velocity at a time, s.
