@@ -21,9 +21,9 @@ impl Rotor {
             return depends("gyroscopic moments change with the speed of the shaft");
         }
         let mut slopes = [[0.0; N]; N];
-        for row in 0..kept {
-            for column in 0..kept {
-                slopes[row][column] = -self.damping.entry(row, column) * self.inverse_mass[row];
+        for (row, slopes) in slopes.iter_mut().enumerate().take(kept) {
+            for (column, slope) in slopes.iter_mut().enumerate().take(kept) {
+                *slope = -self.damping.entry(row, column) * self.inverse_mass[row];
             }
         }
         if gyroscopic {

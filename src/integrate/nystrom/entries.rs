@@ -103,9 +103,9 @@ impl<const N: usize> Entries<N> for All<N> {
     #[inline(always)]
     fn times(&self, vector: &[f64; N]) -> [f64; N] {
         let mut product = [0.0; N];
-        for row in 0..N / 2 {
-            for column in 0..N / 2 {
-                product[row] += self.0[row][column] * vector[column];
+        for (sum, row) in product.iter_mut().zip(&self.0).take(N / 2) {
+            for (entry, component) in row.iter().zip(vector).take(N / 2) {
+                *sum += entry * component;
             }
         }
         product

@@ -33,10 +33,11 @@ pub enum MethodChoice {
     Dop853,
     /// Tsitouras 5(4): for coarse tolerances.
     Tsit5,
-    /// Dormand–El-Mikkawy–Prince 8(6), a Nyström pair: half of the work of `verner76` at fine tolerances.
-    /// For steady speeds, without damping of contacts and without `energy`.
+    /// Dormand–El-Mikkawy–Prince 8(6), a Nyström pair: fewer evaluations at all tolerances. Not with a
+    /// drive, `energy` or damping of contacts, nor with gyroscopic moments at a changing speed.
     Dprkn8,
-    /// Dormand–El-Mikkawy–Prince 12(10), as `dprkn8`: for fine tolerances where all balls stay loaded.
+    /// Dormand–El-Mikkawy–Prince 12(10), as `dprkn8`: for the finest tolerances, where all balls stay
+    /// loaded.
     Dprkn12,
     /// RODAS 4(3), linearly implicit: for stiff scenes, as with strong damping.
     Rodas,
