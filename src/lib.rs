@@ -13,9 +13,11 @@
 //! | [`scenario`] | text → checked, typed model; units; every message |
 //! | [`study`] | many static questions in a row; speed against error; the law that a scene needs |
 //! | [`mod@simulate`] | the stair: a model in, a run out |
+//! | [`mod@steady`] | the stair past the wait: a model in, the motion that it settles to out |
 //! | [`mod@quasi_static`] | the other stair: a static question in, an answer out; no time passes |
 //! | [`analysis`] | samples → spectra, peaks and their causes |
 //! | [`rotor`] | shaft, loads, speed, supports → derivative |
+//! | [`shooting`] | the map over a period → motions that repeat, their stability, their branches |
 //! | [`integrate`] | derivative → states on a time grid, with error control |
 //! | [`bearing`] | geometry, catalogue, ball laws, ring sum, equilibrium, stiffness |
 //! | [`physics`] | closed-form laws: material, curvature, Hertz contact, kinematics |
@@ -109,7 +111,9 @@ pub mod quasi_static;
 pub mod report;
 pub mod rotor;
 pub mod scenario;
+pub mod shooting;
 pub mod simulate;
+pub mod steady;
 pub mod study;
 
 /// Speed against error: what the benches measure, and how to get their figures.

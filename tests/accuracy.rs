@@ -11,6 +11,8 @@ mod choice;
 mod command;
 #[path = "accuracy/measurement.rs"]
 mod measurement;
+#[path = "accuracy/method_choice.rs"]
+mod method_choice;
 #[path = "accuracy/promise.rs"]
 mod promise;
 

@@ -5,14 +5,16 @@ use std::path::{Path, PathBuf};
 
 /// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
 /// the rotor that implements the integrator's trait.
-const FLOORS: [&str; 11] = [
+const FLOORS: [&str; 13] = [
     "physics",
     "bearing",
     "integrate",
+    "shooting",
     "rotor",
     "analysis",
     "quasi_static",
     "simulate",
+    "steady",
     "study",
     "scenario",
     "report",

@@ -13,5 +13,5 @@ pub use channel::Channel;
 pub use peaks::{MOST_PEAKS, Peak};
 pub use recorder::{Analysis, Recorder};
 pub use spectrum::{ChannelSpectrum, Spectrum};
-pub use transform::Transform;
+pub use transform::{Transform, fourier_coefficients};
 pub use window::Window;

@@ -5,6 +5,24 @@ use realfft::num_complex::Complex;
 
 use super::Window;
 
+/// Coefficients `c_k = (1/N) Σ_n z_n exp(−2πikn/N)`, k = 0 … N−1, of complex samples over one period.
+///
+/// ```
+/// use jeffcott::analysis::fourier_coefficients;
+/// use nalgebra::Complex;
+/// let turning = |n: i32| Complex::from_polar(2.0, 0.3 - std::f64::consts::TAU * f64::from(n) / 8.0);
+/// let coefficients = fourier_coefficients(&(0..8).map(turning).collect::<Vec<_>>());
+/// assert!((coefficients[7] - Complex::from_polar(2.0, 0.3)).norm() < 1e-14); // k = −1
+/// ```
+pub fn fourier_coefficients(samples: &[Complex<f64>]) -> Vec<Complex<f64>> {
+    let mut planner = RealFftPlanner::new();
+    let real = Transform::planned(samples.iter().map(|z| z.re).collect(), &mut planner);
+    let imaginary = Transform::planned(samples.iter().map(|z| z.im).collect(), &mut planner);
+    let bins = 0..samples.len() as isize;
+    bins.map(|k| real.bin(k) + Complex::<f64>::I * imaginary.bin(k))
+        .collect()
+}
+
 /// Discrete Fourier transform of real samples, divided by their number.
 ///
 /// `X_k = (1/N) Σ_n x_n exp(−2πikn/N)`

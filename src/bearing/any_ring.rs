@@ -1,8 +1,13 @@
 //! A ring under whichever ball law its bearing asks for.
 
+use fearless_simd::Simd;
+
 use super::contact_damping::DampedRaces;
+use super::contact_spring::ContactSpring;
+use super::ring::in_registers;
+use super::ring_lift_off::LiftOffs;
 use super::{
-    Around, BallContact, BallLaw, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw,
+    Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, HertzSpring,
     JonesFilmLaw, JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
 };
 
@@ -69,9 +74,25 @@ impl AnyRing {
         Self::new(&dry, 0.0).map(Some)
     }
 
-    #[inline]
-    pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        with_ring!(self, ring => force_of(ring, *displacement, cage, speed))
+    /// Force by a ring, for the processor's level `S`; only the cheap law is compiled where it is
+    /// asked for.
+    #[inline(always)]
+    pub fn force_by<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> Vector5 {
+        match self {
+            Self::Hertz(ring) => ring.force_by(simd, displacement, cage, speed),
+            _ => in_registers(self.costly_force(displacement, cage, speed)),
+        }
+    }
+
+    #[inline(never)]
+    fn costly_force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        with_ring!(self, ring => ring.force(displacement, cage, speed))
     }
 
     pub fn force_and_stiffness(
@@ -106,6 +127,39 @@ impl AnyRing {
         with_ring!(self, ring => ring.contacts(*displacement, cage, speed).for_each(visit));
     }
 
+    /// Whether the force of its balls is not smooth where they lift off.
+    pub fn lifts_off(&self) -> bool {
+        matches!(self, Self::Hertz(_) | Self::Jones(_))
+    }
+
+    /// The balls about their lift-off.
+    pub fn lift_offs(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> LiftOffs {
+        with_ring!(self, ring => ring.lift_offs(displacement, cage, speed))
+    }
+
+    /// How far a ball is pressed past its lift-off, m.
+    pub fn past_lift_off(
+        &self,
+        ball: usize,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> f64 {
+        with_ring!(self, ring => ring.past_lift_off(ball, displacement, cage, speed))
+    }
+
+    /// Largest load of a ball so far past its lift-off, N; of dry contacts only.
+    pub fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
+        let spring = match self {
+            Self::Hertz(ring) => HertzSpring {
+                stiffness: ring.law().load_deflection_constant,
+            },
+            Self::Jones(ring) => ring.law().inner_spring(speed),
+            Self::HertzFilm(_) | Self::JonesFilm(_) => return 0.0,
+        };
+        spring.load_and_stiffness(distance).0
+    }
+
     /// What a ball at each of `positions` azimuths would bear; the balls' own where `None`.
     pub fn around(
         &self,
@@ -126,17 +180,4 @@ impl AnyRing {
         let geometry = &definition.bearing.geometry;
         with_ring!(self, ring => Thrust::new(geometry, ring.law()).displacement(thrust, speed))
     }
-}
-
-/// Force of a ring, compiled for wider registers, too, and chosen by what the processor has. The lanes
-/// are the same at every width and no products are fused, so that the bytes of the result are the same.
-/// Out of line the loop over the balls keeps the registers.
-#[multiversion::multiversion(targets("x86_64+avx2", "x86_64+avx"))]
-pub(super) fn force_of<L: BallLaw>(
-    ring: &Ring<L>,
-    displacement: Vector5,
-    cage: CageAngle,
-    speed: f64,
-) -> Vector5 {
-    ring.force(&displacement, cage, speed)
 }

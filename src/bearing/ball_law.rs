@@ -1,5 +1,7 @@
 //! The seam of the design: the law of one ball.
 
+use fearless_simd::{Simd, SimdBase};
+
 /// What the inner ring presses onto one ball, in the ball's own plane.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct BallForce {
@@ -12,21 +14,23 @@ pub struct BallForce {
     pub couple: f64,
 }
 
-/// A few balls side by side.
-pub type Lanes = wide::f64x4;
+/// Numbers of a few balls side by side, in registers as wide as the processor's level `S` has them.
+/// The lanes are the same at every level and no products are fused, so that results are the same, bit
+/// by bit.
+pub type Lanes<S> = fearless_simd::f64x4<S>;
 
 /// Number of balls side by side.
 pub const LANES: usize = 4;
 
 /// Forces on balls side by side, as [`BallForce`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LaneForces {
+#[derive(Debug, Clone, Copy)]
+pub struct LaneForces<S: Simd> {
     /// Axial forces F_a, N.
-    pub axial: Lanes,
+    pub axial: Lanes<S>,
     /// Radial forces F_r, N.
-    pub radial: Lanes,
+    pub radial: Lanes<S>,
     /// Moments about the inner groove centres, N m.
-    pub couple: Lanes,
+    pub couple: Lanes<S>,
 }
 
 /// Exact derivative of a [`BallForce`]: rows axial, radial, couple; columns A1, A2.
@@ -72,7 +76,7 @@ pub trait BallLaw {
 
     /// Forces on balls side by side: the same numbers as by [`BallLaw::force`].
     #[inline(always)]
-    fn forces(&self, axial: Lanes, radial: Lanes, speed: f64) -> LaneForces {
+    fn forces<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>, speed: f64) -> LaneForces<S> {
         one_by_one(self, axial, radial, speed)
     }
 
@@ -82,24 +86,42 @@ pub trait BallLaw {
     /// Loads at the inner and the outer race and their exact derivatives by position.
     fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2];
 
+    /// How far a ball is pressed past where it leaves the inner race, m, negative where they are
+    /// apart: there the force is not smooth. Infinite where the law is smooth throughout.
+    fn past_lift_off(&self, _axial: f64, _radial: f64, _speed: f64) -> f64 {
+        f64::INFINITY
+    }
+
     /// Loads and angles of both contacts.
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact;
 }
 
-/// Forces on balls side by side by a law that knows only single balls. Out of line: costly laws gain
-/// nothing from the wide registers that the loop over the balls is compiled for.
-#[inline(never)]
-pub(super) fn one_by_one<L: BallLaw + ?Sized>(
+/// Forces on balls side by side by a law that knows only single balls.
+#[inline(always)]
+pub(super) fn one_by_one<L: BallLaw + ?Sized, S: Simd>(
     law: &L,
-    axial: Lanes,
-    radial: Lanes,
+    axial: Lanes<S>,
+    radial: Lanes<S>,
     speed: f64,
-) -> LaneForces {
-    let (axial, radial) = (axial.to_array(), radial.to_array());
-    let balls: [BallForce; LANES] = std::array::from_fn(|i| law.force(axial[i], radial[i], speed));
+) -> LaneForces<S> {
+    let simd = axial.witness();
+    let balls = single_balls(law, axial.into(), radial.into(), speed);
+    let lanes = |of: fn(&BallForce) -> f64| Lanes::from_fn(simd, |i| of(&balls[i]));
     LaneForces {
-        axial: balls.map(|ball| ball.axial).into(),
-        radial: balls.map(|ball| ball.radial).into(),
-        couple: balls.map(|ball| ball.couple).into(),
+        axial: lanes(|ball| ball.axial),
+        radial: lanes(|ball| ball.radial),
+        couple: lanes(|ball| ball.couple),
     }
+}
+
+/// Out of line: costly laws gain nothing from the wide registers that the loop over the balls is
+/// compiled for.
+#[inline(never)]
+fn single_balls<L: BallLaw + ?Sized>(
+    law: &L,
+    axial: [f64; LANES],
+    radial: [f64; LANES],
+    speed: f64,
+) -> [BallForce; LANES] {
+    std::array::from_fn(|i| law.force(axial[i], radial[i], speed))
 }

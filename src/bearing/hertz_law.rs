@@ -1,5 +1,7 @@
 //! Ball law of two Hertz contacts in series, ball inertia neglected.
 
+use fearless_simd::{Simd, SimdBase, SimdFloat};
+
 use super::{BallContact, BallForce, BallLaw, BallTangent, LaneForces, Lanes, LoadSlope};
 
 /// Hertz contact of a ball with both races, the ball itself without inertia.
@@ -68,17 +70,17 @@ impl BallLaw for HertzLaw {
     }
 
     #[inline(always)]
-    fn forces(&self, axial: Lanes, radial: Lanes, _speed: f64) -> LaneForces {
+    fn forces<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>, _speed: f64) -> LaneForces<S> {
+        let none = Lanes::splat(axial.witness(), 0.0);
         let distance = (axial * axial + radial * radial).sqrt();
-        let reach = distance - Lanes::splat(self.distance);
         // δ ≤ 0: separated
-        let approach = reach.fast_max(Lanes::ZERO);
-        let load = Lanes::splat(self.load_deflection_constant) * approach * approach.sqrt();
-        let lateral = load / (distance + Lanes::splat(SMALLEST_DISTANCE));
+        let approach = (distance - self.distance).max(none);
+        let load = self.load_deflection_constant * approach * approach.sqrt();
+        let lateral = load / (distance + SMALLEST_DISTANCE);
         LaneForces {
             axial: lateral * axial,
             radial: lateral * radial,
-            couple: Lanes::ZERO,
+            couple: none,
         }
     }
 
@@ -106,6 +108,11 @@ impl BallLaw for HertzLaw {
             by_place: [normal * axial / distance, normal * radial / distance],
         };
         [slope; 2]
+    }
+
+    #[inline(always)]
+    fn past_lift_off(&self, axial: f64, radial: f64, _speed: f64) -> f64 {
+        (axial * axial + radial * radial).sqrt() - self.distance
     }
 
     fn contact(&self, axial: f64, radial: f64, _speed: f64) -> BallContact {

@@ -1,5 +1,6 @@
 //! The ring sum: one ball law, Z balls, five freedoms.
 
+use fearless_simd::{Level, Simd, SimdBase, dispatch};
 use nalgebra::SMatrix;
 
 use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry, LANES, Lanes};
@@ -44,10 +45,11 @@ pub struct Around {
 
 /// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(32))]
 struct Azimuths {
-    cos: Lanes,
-    sin: Lanes,
-    weight: Lanes,
+    cos: [f64; LANES],
+    sin: [f64; LANES],
+    weight: [f64; LANES],
 }
 
 /// All balls of a bearing under one law: the force that holds the inner ring in place.
@@ -65,6 +67,8 @@ struct Azimuths {
 #[derive(Debug, Clone)]
 pub struct Ring<L> {
     law: L,
+    /// What the processor has.
+    level: Level,
     lanes: Vec<Azimuths>,
     azimuths: Vec<f64>,
     free_axial: f64,
@@ -81,6 +85,7 @@ impl<L: BallLaw> Ring<L> {
             .collect();
         Self {
             law,
+            level: Level::new(),
             lanes: azimuths.chunks(LANES).map(lanes_of).collect(),
             azimuths,
             free_axial: geometry.free_axial(),
@@ -93,6 +98,7 @@ impl<L: BallLaw> Ring<L> {
     pub(super) fn under<M>(&self, law: M) -> Ring<M> {
         Ring {
             law,
+            level: self.level,
             lanes: self.lanes.clone(),
             azimuths: self.azimuths.clone(),
             free_axial: self.free_axial,
@@ -107,20 +113,34 @@ impl<L: BallLaw> Ring<L> {
     }
 
     /// Force and moment that hold the inner ring at `displacement`, in N and N m.
-    #[inline(always)]
+    #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        dispatch!(self.level, simd => self.force_by(simd, displacement, cage, speed))
+    }
+
+    /// As [`Ring::force`], for the processor's level `S`.
+    #[inline(always)]
+    pub(super) fn force_by<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = into_cage(displacement, cage);
-        let [axial_0, radial_0] = [self.free_axial + z, self.free_radial].map(Lanes::splat);
-        let [x, y] = [x, y].map(Lanes::splat);
-        let [swing_x, swing_y] = [self.arm * tilt_x, self.arm * tilt_y].map(Lanes::splat);
-        let mut sums = [Lanes::ZERO; 5];
-        for &Azimuths { cos, sin, weight } in &self.lanes {
+        let axial_0 = self.free_axial + z;
+        let (swing_x, swing_y) = (self.arm * tilt_x, self.arm * tilt_y);
+        let mut sums = [Lanes::splat(simd, 0.0); 5];
+        for azimuths in &self.lanes {
+            let cos = simd.load_array_ref_f64x4(&azimuths.cos);
+            let sin = simd.load_array_ref_f64x4(&azimuths.sin);
+            let weight = simd.load_array_ref_f64x4(&azimuths.weight);
             let axial = axial_0 + swing_x * sin - swing_y * cos;
-            let radial = radial_0 + x * cos + y * sin;
+            let radial = self.free_radial + x * cos + y * sin;
             let balls = self.law.forces(axial, radial, speed);
             // moments by the arm, so that without a couple the arm stays out of the loop
             let moment = if L::HAS_COUPLE {
-                balls.axial + balls.couple / Lanes::splat(self.arm)
+                balls.axial + balls.couple / self.arm
             } else {
                 balls.axial
             };
@@ -130,7 +150,7 @@ impl<L: BallLaw> Ring<L> {
             sums[3] += moment * sin;
             sums[4] += moment * cos;
         }
-        let [f_x, f_y, f_z, m_x, m_y] = sums.map(|lanes| lanes.to_array().iter().sum::<f64>());
+        let [f_x, f_y, f_z, m_x, m_y] = sums_over_lanes(&sums);
         out_of_cage(&[f_x, f_y, f_z, self.arm * m_x, -self.arm * m_y], cage)
     }
 
@@ -237,10 +257,7 @@ impl<L: BallLaw> Ring<L> {
         (0..self.azimuths.len()).map(move |ball| {
             let lanes = &self.lanes[ball / LANES];
             let lane = ball % LANES;
-            let (sin_0, cos_0) = (
-                lanes.sin.as_array_ref()[lane],
-                lanes.cos.as_array_ref()[lane],
-            );
+            let (sin_0, cos_0) = (lanes.sin[lane], lanes.cos[lane]);
             let cos = cos_0 * cage.cos - sin_0 * cage.sin;
             let sin = sin_0 * cage.cos + cos_0 * cage.sin;
             self.place(&displacement, sin, cos)
@@ -269,6 +286,17 @@ impl<L: BallLaw> Ring<L> {
     }
 }
 
+/// Each sum over its lanes. A loop: closures that are handed on are not compiled for wide registers.
+#[inline(always)]
+fn sums_over_lanes<S: Simd>(lanes: &[Lanes<S>; 5]) -> Vector5 {
+    let mut sums = [0.0; 5];
+    for (sum, lanes) in sums.iter_mut().zip(lanes) {
+        let [a, b, c, d] = **lanes;
+        *sum = (a + b) + (c + d);
+    }
+    sums
+}
+
 /// A ball at its azimuth, with the place (A1, A2) of its inner groove centre.
 pub(super) struct PlacedBall {
     pub axial: f64,
@@ -283,11 +311,7 @@ fn lanes_of(azimuths: &[f64]) -> Azimuths {
         (sin[lane], cos[lane]) = azimuth.sin_cos();
         weight[lane] = 1.0;
     }
-    Azimuths {
-        cos: cos.into(),
-        sin: sin.into(),
-        weight: weight.into(),
-    }
+    Azimuths { cos, sin, weight }
 }
 
 /// Components of a displacement along the axes that turn with the cage.
@@ -314,8 +338,50 @@ fn out_of_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
     into_cage(vector, back)
 }
 
+/// The same components. Keeps what a function out of line returns from sharing its memory with what
+/// is worked out in place: reading that as a whole right after writing it in parts waits for the parts.
+#[inline(always)]
+pub(crate) fn in_registers([x, y, z, tilt_x, tilt_y]: Vector5) -> Vector5 {
+    [x, y, z, tilt_x, tilt_y]
+}
+
 /// A vector turned by a right angle about Z: the generator of rotations.
 pub(crate) fn quarter_turn(vector: &Vector5) -> Vector5 {
     let [x, y, _, tilt_x, tilt_y] = *vector;
     [-y, x, 0.0, -tilt_y, tilt_x]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bearing::{HertzLaw, catalogue};
+
+    #[test]
+    fn every_width_of_registers_gives_the_same_bytes() {
+        let bearing = catalogue::find("7205C").expect("in the catalogue");
+        let bearing = bearing.bearing().expect("a bearing");
+        let law = HertzLaw {
+            load_deflection_constant: bearing.load_deflection_constant().expect("a contact"),
+            distance: bearing.geometry.groove_centre_distance(),
+        };
+        let best = Ring::new(&bearing.geometry, 0.1, law);
+        let mut levels = vec![Level::baseline()];
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        levels.extend(best.level.as_sse4_2().map(Level::Sse4_2));
+        for level in levels {
+            let other = Ring {
+                level,
+                ..best.clone()
+            };
+            for step in 0..500 {
+                let part = f64::from(step) * 0.37;
+                let place = [3e-5, 2e-5, 4e-5, 1e-3, 2e-3].map(|size| size * part.sin());
+                let cage = CageAngle::new(part);
+                assert_eq!(
+                    best.force(&place, cage, 0.0).map(f64::to_bits),
+                    other.force(&place, cage, 0.0).map(f64::to_bits)
+                );
+            }
+        }
+    }
 }

@@ -49,14 +49,11 @@ impl Seat {
                 force,
                 start,
                 reach,
-            } => pressed(
-                ring,
-                [x, y, start, tilt_x, tilt_y],
-                cage,
-                speed,
-                force,
-                reach,
-            ),
+            } => {
+                let place = [x, y, start, tilt_x, tilt_y];
+                let axial = pressed(ring, place, cage, speed, force, reach);
+                [x, y, axial, tilt_x, tilt_y]
+            }
         }
     }
 
@@ -105,7 +102,8 @@ impl Seat {
 /// Newton steps of a floating ring.
 const STEP_LIMIT: usize = 60;
 
-/// `place` moved axially until the ring carries `force`: Newton, its step at most `reach`.
+/// Axial place at which the ring carries `force`, all else as in `place`: Newton, its step at most
+/// `reach`.
 #[inline(never)]
 fn pressed(
     ring: &AnyRing,
@@ -114,7 +112,7 @@ fn pressed(
     speed: f64,
     force: f64,
     reach: f64,
-) -> Vector5 {
+) -> f64 {
     for _ in 0..STEP_LIMIT {
         let (carried, stiffness) = ring.force_and_stiffness(&place, cage, speed);
         let step = ((force - carried[AXIAL]) / stiffness[(AXIAL, AXIAL)]).clamp(-reach, reach);
@@ -124,5 +122,5 @@ fn pressed(
         }
         place[AXIAL] = next;
     }
-    place
+    place[AXIAL]
 }

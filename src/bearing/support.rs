@@ -1,24 +1,21 @@
 //! A mounted bearing as a restoring force on the shaft.
 
+use fearless_simd::{Level, Simd, dispatch};
+
 use super::any_ring::AnyRing;
 use super::assessment::Assessment;
 use super::bearing_friction::BearingFriction;
 use super::contact_damping::DampedRaces;
 use super::elastic_energy::race_springs;
 use super::linear_force::LinearForce;
-use super::ring::{CageAngle, Matrix5, Vector5, quarter_turn};
+use super::ring::{CageAngle, Matrix5, Vector5, in_registers, quarter_turn};
 use super::seat::Seat;
-use super::table_ring::{TableRing, TableWish};
+use super::table_ring::TableRing;
 use super::{
-    Around, BallContact, BallRegion, BearingError, BearingState, ContactBand, ContactLaw,
-    FrictionMoment, Geometry, HertzSpring, MountedBearing, Preload, TableError, TableReport,
+    Around, BallContact, BearingError, BearingState, ContactBand, ContactLaw, FrictionMoment,
+    Geometry, HertzSpring, MountedBearing, Preload,
 };
 use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
-
-/// Least swing that a table allows for, over the distance of the groove centres.
-const LEAST_SWING: f64 = 1e-3;
-/// Azimuths at which the largest ball load is looked for.
-const AZIMUTHS: usize = 72;
 
 /// A bearing at its place on the rigid shaft, ready to answer with forces.
 ///
@@ -32,8 +29,10 @@ const AZIMUTHS: usize = 72;
 #[derive(Debug, Clone)]
 pub struct Support {
     pub(super) ring: AnyRing,
+    /// What the processor has.
+    level: Level,
     /// Stands for the ring where a motion asks for forces, once compiled.
-    table: Option<Box<TableRing>>,
+    pub(super) table: Option<Box<TableRing>>,
     /// A cheap neighbour of the ring, where there is one.
     coarse: Option<AnyRing>,
     pub(super) seat: Seat,
@@ -48,7 +47,7 @@ pub struct Support {
     cage_ratio: f64,
     /// Set once the bearing is linear.
     pub(super) frozen: Option<LinearForce>,
-    definition: MountedBearing,
+    pub(super) definition: MountedBearing,
     sign: f64,
 }
 
@@ -72,6 +71,7 @@ impl Support {
             seat: Seat::new(definition, &ring)?,
             coarse: ring.coarse(definition)?,
             ring,
+            level: Level::new(),
             table: None,
             cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma()),
             frozen: None,
@@ -137,93 +137,31 @@ impl Support {
     }
 
     /// Force and moment that hold the shaft at `displacement` against this bearing.
-    #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        dispatch!(self.level, simd => self.force_by(simd, displacement, cage, speed))
+    }
+
+    /// As [`Support::force`], for the processor's level `S`.
+    #[inline(always)]
+    pub(crate) fn force_by<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> Vector5 {
         let imposed = self.imposed(displacement);
         let force = match &self.frozen {
-            Some(linear) => linear.force(imposed),
+            Some(linear) => in_registers(linear.force(imposed)),
             None => {
                 let place = self.seat.settle(&self.ring, &imposed, cage, speed);
                 match &self.table {
-                    Some(table) => table.force(&place, cage, speed),
-                    None => self.ring.force(&place, cage, speed),
+                    Some(table) => in_registers(table.force(&place, cage, speed)),
+                    None => self.ring.force_by(simd, &place, cage, speed),
                 }
             }
         };
         self.on_shaft(&force)
-    }
-
-    /// Compiles the law of the balls into a table for motions at `speed` in rad/s that stay within
-    /// `swing` of `displacement`, both in m and rad of the shaft. The forces of [`Support::force`]
-    /// then differ by no more than `tolerance` times the largest ball load at `displacement` a
-    /// ball; further out and at other speeds they are exact, and slow.
-    ///
-    /// None where a table would not pay: for Hertz contacts without film, a linear bearing, and a
-    /// floating ring, which asks for much more than forces.
-    ///
-    /// # Errors
-    /// [`TableError`] where no table is good enough; forces stay exact.
-    pub fn tabulate(
-        &mut self,
-        displacement: &Vector5,
-        swing: &Vector5,
-        speed: f64,
-        tolerance: f64,
-    ) -> Option<Result<TableReport, TableError>> {
-        if self.frozen.is_some() || matches!(self.seat, Seat::Spring { .. }) {
-            return None;
-        }
-        let place = self.ring_displacement(displacement, CageAngle::START, speed);
-        let wish = TableWish {
-            region: self.ball_region(&place, swing),
-            speed,
-            load: self.largest_load_around(&place, speed),
-            tolerance,
-        };
-        let compiled = TableRing::compile(&self.ring, &self.definition, &wish)?;
-        Some(compiled.map(|(table, report)| {
-            self.table = Some(Box::new(table));
-            report
-        }))
-    }
-
-    /// Whether the forces with the shaft at `displacement` come from a table alone; so they do where
-    /// there is none.
-    pub fn is_inside_table(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> bool {
-        let Some(table) = &self.table else {
-            return true;
-        };
-        table.covers(
-            &self.ring_displacement(displacement, cage, speed),
-            cage,
-            speed,
-        )
-    }
-
-    /// Where balls come, whatever their azimuth, with the shaft within `swing` of the ring's `place`.
-    fn ball_region(&self, place: &Vector5, swing: &Vector5) -> BallRegion {
-        let geometry = &self.definition.bearing.geometry;
-        let [x, y, z, tilt_x, tilt_y] = *place;
-        let tilting = swing[3].hypot(swing[4]);
-        let arm = geometry.inner_groove_radius();
-        let least = LEAST_SWING * geometry.groove_centre_distance();
-        let axial = arm * (tilt_x.hypot(tilt_y) + tilting) + swing[2].max(least);
-        let lateral = swing[0].hypot(swing[1]) + self.definition.position.abs() * tilting;
-        let radial = x.hypot(y) + lateral.max(least);
-        let around = |middle: f64, half: f64| [middle - half, middle + half];
-        BallRegion {
-            axial: around(geometry.free_axial() + z, axial),
-            radial: around(geometry.free_radial(), radial),
-        }
-    }
-
-    /// Largest load that a ball at any azimuth bears with the ring at `place`, N.
-    fn largest_load_around(&self, place: &Vector5, speed: f64) -> f64 {
-        self.ring
-            .around(place, speed, Some(AZIMUTHS))
-            .iter()
-            .map(|around| around.contact.load_inner)
-            .fold(0.0, f64::max)
     }
 
     /// Force as by [`Support::force`] and its derivative by the shaft's displacement.

@@ -1,6 +1,7 @@
 //! A ring whose ball law was compiled into a table.
 
-use super::any_ring::{AnyRing, force_of};
+use super::any_ring::AnyRing;
+use super::ring_lift_off::LiftOffs;
 use super::{
     BallLaw, BallRegion, CageAngle, ContactLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Matrix5,
     MountedBearing, Ring, TableError, TableLaw, TableReport, Vector5,
@@ -62,9 +63,10 @@ impl TableRing {
         }
     }
 
-    #[inline]
+    /// Out of line: where there is no table it costs nothing.
+    #[inline(never)]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        with_table!(self, ring => force_of(ring, *displacement, cage, speed))
+        with_table!(self, ring => ring.force(displacement, cage, speed))
     }
 
     pub fn force_and_stiffness(
@@ -74,6 +76,22 @@ impl TableRing {
         speed: f64,
     ) -> (Vector5, Matrix5) {
         with_table!(self, ring => ring.force_and_stiffness(displacement, cage, speed))
+    }
+
+    /// The balls about their lift-off.
+    pub fn lift_offs(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> LiftOffs {
+        with_table!(self, ring => ring.lift_offs(displacement, cage, speed))
+    }
+
+    /// How far a ball is pressed past its lift-off, m.
+    pub fn past_lift_off(
+        &self,
+        ball: usize,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> f64 {
+        with_table!(self, ring => ring.past_lift_off(ball, displacement, cage, speed))
     }
 
     /// Whether every ball is inside the table.

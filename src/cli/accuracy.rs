@@ -4,9 +4,7 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use serde_json::Value;
-
-use super::jobs::{Job, document, jobs};
+use super::jobs::{Job, Shown, jobs, show, with_files};
 use super::progress::Progress;
 use super::{Outcome, stream};
 use crate::report;
@@ -59,44 +57,29 @@ static STOP: AtomicBool = AtomicBool::new(false);
 /// Checks all files, then measures them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let jobs = jobs(&arguments.files, &arguments.out);
-    let Some(jobs) = jobs.filter(|jobs| all_move(jobs)) else {
+    let Some(moving) = jobs.as_deref().and_then(moving) else {
         return Ok(Outcome::WrongInput);
     };
     // Without a handler an interrupt ends the process at once.
     let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
-    let mut outcome = Outcome::Done;
-    let mut answers = Vec::new();
-    for (job, model) in moving(&jobs) {
-        match answer(job, model, arguments) {
-            Ok(Shown::Json(answer)) => answers.push(answer),
-            Ok(Shown::Text(text)) => stream::print(&text)?,
-            Err(failure) => {
-                stream::tell(&format!("error: {}: {failure}\n", job.name));
-                outcome = Outcome::Failed;
-            }
-        }
-    }
-    if arguments.json {
-        stream::print(&document(jobs.len(), answers))?;
-    }
-    Ok(outcome)
+    let answers = moving
+        .into_iter()
+        .map(|(job, model)| (job.name.as_str(), answer(job, model, arguments)));
+    show(arguments.json, answers)
 }
 
-/// The jobs with a motion.
-fn moving(jobs: &[Job]) -> impl Iterator<Item = (&Job, &Model)> {
-    jobs.iter()
-        .filter_map(|job| Some((job, job.scenario.model.as_ref()?)))
-}
-
-/// Whether every scenario has a motion, after telling of those that have none.
-fn all_move(jobs: &[Job]) -> bool {
+/// The jobs with their motions; `None` where one has none, after telling of all that have none.
+fn moving(jobs: &[Job]) -> Option<Vec<(&Job, &Model)>> {
     for job in jobs.iter().filter(|job| job.scenario.model.is_none()) {
+        let name = &job.name;
         stream::tell(&format!(
-            "error: {}: `accuracy` needs a table `[time]`\n",
-            job.name
+            "error: {name}: `accuracy` needs a table `[time]`\n"
         ));
     }
-    moving(jobs).count() == jobs.len()
+    let motions = jobs
+        .iter()
+        .map(|job| Some((job, job.scenario.model.as_ref()?)));
+    motions.collect()
 }
 
 /// Why a job failed, in words.
@@ -106,12 +89,6 @@ enum Failure {
     Accuracy(#[from] AccuracyError),
     #[error(transparent)]
     Report(#[from] report::ReportError),
-}
-
-/// An answer whose files are written, as it is shown.
-enum Shown {
-    Text(String),
-    Json(Value),
 }
 
 fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Shown, Failure> {
@@ -125,12 +102,8 @@ fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Shown, Fail
         let text = report::accuracy_text(title, &accuracy, &files);
         return Ok(Shown::Text(text + &chosen));
     }
-    let mut answer = report::accuracy_json(title, echo, &accuracy);
-    answer["files"] = files
-        .iter()
-        .map(|file| file.display().to_string())
-        .collect();
-    Ok(Shown::Json(answer))
+    let answer = report::accuracy_json(title, echo, &accuracy);
+    Ok(Shown::Json(with_files(answer, &files)))
 }
 
 fn measure(job: &Job, model: &Model, arguments: &Arguments) -> Result<Accuracy, AccuracyError> {

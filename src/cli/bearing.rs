@@ -3,9 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use serde_json::Value;
-
-use super::jobs::{Job, document, jobs};
+use super::jobs::{Job, Shown, jobs, show, with_files};
 use super::{Outcome, stream};
 use crate::quasi_static::{QuasiStatic, quasi_static};
 use crate::report;
@@ -39,26 +37,14 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let Some(jobs) = jobs(&arguments.files, &arguments.out) else {
         return Ok(Outcome::WrongInput);
     };
-    let mut outcome = Outcome::Done;
-    let mut answers = Vec::new();
-    for job in &jobs {
-        let result = match &job.scenario.study {
+    let answers = jobs.iter().map(|job| {
+        let answer = match &job.scenario.study {
             Some(study) => job.study(study, arguments.json),
             None => job.answer(arguments.json),
         };
-        match result {
-            Ok(Shown::Json(answer)) => answers.push(answer),
-            Ok(Shown::Text(text)) => stream::print(&text)?,
-            Err(failure) => {
-                stream::tell(&format!("error: {}: {failure}\n", job.name));
-                outcome = Outcome::Failed;
-            }
-        }
-    }
-    if arguments.json {
-        stream::print(&document(jobs.len(), answers))?;
-    }
-    Ok(outcome)
+        (job.name.as_str(), answer)
+    });
+    show(arguments.json, answers)
 }
 
 /// Why a job failed, in words.
@@ -70,12 +56,6 @@ enum Failure {
     Rotor(#[from] RotorError),
     #[error(transparent)]
     Study(#[from] StudyError),
-}
-
-/// An answer whose files are written, as it is shown.
-enum Shown {
-    Text(String),
-    Json(Value),
 }
 
 impl Job {
@@ -122,13 +102,4 @@ impl Job {
             stream::tell(&format!("warning: {}: {place}{warning}\n", self.name));
         }
     }
-}
-
-/// The answer with the paths of its files.
-fn with_files(mut answer: Value, files: &[PathBuf]) -> Value {
-    let files = files.iter().map(|file| file.display().to_string());
-    if let Value::Object(entries) = &mut answer {
-        entries.insert("files".to_owned(), files.collect());
-    }
-    answer
 }

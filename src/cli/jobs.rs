@@ -1,11 +1,13 @@
 //! The scenario files of a command line: checked all, before the first one runs.
 
 use std::collections::HashMap;
+use std::fmt::Display;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::stream;
+use super::{Outcome, stream};
 use crate::scenario::{self, Scenario};
 
 /// A checked scenario and where its results go.
@@ -52,6 +54,45 @@ pub fn jobs(files: &[PathBuf], out: &Path) -> Option<Vec<Job>> {
         });
     }
     complete.then_some(jobs)
+}
+
+/// An answer whose files are written, as it is shown.
+pub enum Shown {
+    /// For people.
+    Text(String),
+    /// For programs.
+    Json(Value),
+}
+
+/// Shows the answers to jobs, each with the name of its file, as they come, and tells of those that
+/// failed; JSON stands in one document at the end.
+pub fn show<'a, F: Display>(
+    as_json: bool,
+    answers: impl ExactSizeIterator<Item = (&'a str, Result<Shown, F>)>,
+) -> io::Result<Outcome> {
+    let count = answers.len();
+    let (mut outcome, mut documents) = (Outcome::Done, Vec::new());
+    for (name, answer) in answers {
+        match answer {
+            Ok(Shown::Json(answer)) => documents.push(answer),
+            Ok(Shown::Text(text)) => stream::print(&text)?,
+            Err(failure) => {
+                stream::tell(&format!("error: {name}: {failure}\n"));
+                outcome = Outcome::Failed;
+            }
+        }
+    }
+    if as_json {
+        stream::print(&document(count, documents))?;
+    }
+    Ok(outcome)
+}
+
+/// The answer with the paths of its files.
+pub fn with_files(mut answer: Value, files: &[PathBuf]) -> Value {
+    let files = files.iter().map(|file| file.display().to_string());
+    answer["files"] = files.collect();
+    answer
 }
 
 /// The JSON of `count` jobs: an object for one, an array for several.

@@ -14,6 +14,7 @@ mod parts;
 mod progress;
 mod run;
 mod schema;
+mod steady;
 mod stream;
 
 use std::ffi::OsString;
@@ -37,6 +38,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Verb {
     Run(run::Arguments),
+    Steady(steady::Arguments),
     Bearing(bearing::Arguments),
     Accuracy(accuracy::Arguments),
     Check(check::Arguments),
@@ -80,6 +82,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let outcome = match verb {
         Verb::Run(arguments) => run::run(&arguments),
+        Verb::Steady(arguments) => steady::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),
         Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),

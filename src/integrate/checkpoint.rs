@@ -12,8 +12,8 @@ pub struct Checkpoint {
     pub next: u64,
     /// Step size to go on with, s.
     pub step: f64,
-    /// The latest step of an explicit pair of this crate, number by number: it may reach beyond the grid
-    /// time. Zeros with every other method.
+    /// The latest step of an explicit pair of this crate or of the exponential method, number by number:
+    /// it may reach beyond the grid time. Zeros with every other method.
     pub latest_step: Vec<f64>,
     /// Work done so far.
     pub counters: Counters,

@@ -6,7 +6,8 @@ use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
-use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76};
+use super::course::Course;
+use super::explicit::{Dop853, Pair, Tsit5, Verner76};
 use super::nystrom::{self, Dprkn8, Dprkn12};
 use super::rosenbrock;
 use super::stiffness::stiffness;
@@ -52,7 +53,7 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     step: f64,
     counters: Counters,
     stiffness: Option<Stiffness>,
-    /// Where the pairs of this crate stand: their steps do not end with a block.
+    /// Where the methods of this crate stand whose steps do not end with a block.
     walk: Walks<N>,
 }
 
@@ -84,6 +85,7 @@ where
             walk: Walks::new(
                 settings.method,
                 std::array::from_fn(|i| state[i] - scaling.origin[i]),
+                grid.interval,
             ),
         }
     }
@@ -117,8 +119,9 @@ where
         if checkpoint.next > self.grid.count {
             return Err(mismatch);
         }
-        let (method, numbers) = (self.settings.method, &checkpoint.latest_step);
-        self.walk = Walks::restored(method, numbers, checkpoint.counters).ok_or(mismatch)?;
+        let (method, interval) = (self.settings.method, self.grid.interval);
+        let (numbers, counters) = (&checkpoint.latest_step, checkpoint.counters);
+        self.walk = Walks::restored(method, numbers, counters, interval).ok_or(mismatch)?;
         self.scaled = scaled;
         self.next = checkpoint.next;
         self.step = checkpoint.step;
@@ -157,14 +160,15 @@ where
         let left = self.grid.count - self.next;
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
         match self.settings.method {
+            Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
+                self.by_blocks(points, states)
+            }
             Method::Verner76
             | Method::Dop853
             | Method::Tsit5
             | Method::Dprkn8
-            | Method::Dprkn12 => self.walk(points, states),
-            Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
-                self.by_blocks(points, states)
-            }
+            | Method::Dprkn12
+            | Method::Exponential => self.walk(points, states),
         }?;
         if self.stiffness.is_none() && self.step < self.grid.interval {
             // steps that are longer than the distance of the samples are no burden
@@ -173,7 +177,7 @@ where
         Ok(())
     }
 
-    /// Walks with a pair of this crate; a block's end is no end of a step.
+    /// Walks with a method of this crate; a block's end is no end of a step.
     fn walk(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
         let course = Course {
             system: self.system,
@@ -251,7 +255,7 @@ where
             Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
             Method::Dprkn8 => Some(<Dprkn8 as nystrom::Pair>::STABILITY),
             Method::Dprkn12 => Some(<Dprkn12 as nystrom::Pair>::STABILITY),
-            Method::Rodas => None,
+            Method::Rodas | Method::Exponential => None,
         }
     }
 

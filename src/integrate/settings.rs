@@ -18,6 +18,8 @@ pub enum Method {
     Dopri5,
     /// Dormand–Prince 8(5,3) of the library `ode_solvers`.
     OdeSolversDop853,
+    /// Exponential collocation of order 7: the linear part exactly, for motion that follows a slow drive.
+    Exponential,
     /// RODAS 4(3): linearly implicit, for stiff systems.
     Rodas,
 }

@@ -4,6 +4,26 @@ use nalgebra::{DimMin, SMatrix};
 
 use super::VelocityDependence;
 
+/// Sides of surfaces, a bit for each: set past the surface. Those beyond the last bit go unseen.
+pub type Sides = u128;
+
+/// The surfaces about a state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Surroundings {
+    /// Sides on which the state lies.
+    pub sides: Sides,
+    /// Least distance of a surface, on either side.
+    pub nearest: f64,
+}
+
+impl Surroundings {
+    /// No surface anywhere.
+    pub const SMOOTH: Self = Self {
+        sides: 0,
+        nearest: f64::INFINITY,
+    };
+}
+
 /// A system of N first-order differential equations.
 ///
 /// The derivative must be a pure function of time and state, or the error estimate lies. Where it
@@ -17,6 +37,30 @@ pub trait System<const N: usize> {
     /// time, so none can miss what begins there.
     fn next_break(&self, _after: f64) -> f64 {
         f64::INFINITY
+    }
+
+    /// On which side of every surface at which the derivative is not smooth the state lies, and how far
+    /// the nearest one is.
+    fn surroundings(&self, _time: f64, _state: &[f64; N]) -> Surroundings {
+        Surroundings::SMOOTH
+    }
+
+    /// How far the state is past a surface, negative before it: continuous, with a simple zero at
+    /// the surface.
+    fn past(&self, _surface: u32, _time: f64, _state: &[f64; N]) -> f64 {
+        f64::INFINITY
+    }
+
+    /// No surface comes nearer by more than this between two times with their states; infinite where
+    /// nothing is known.
+    fn approach(&self, _times: [f64; 2], _states: [&[f64; N]; 2]) -> f64 {
+        f64::INFINITY
+    }
+
+    /// Upper bound of what a surface has added to each component of the derivative at a distance
+    /// past it: it grows with a broken power of the distance, like a contact force.
+    fn added(&self, _surface: u32, _time: f64, _distance: f64) -> [f64; N] {
+        [0.0; N]
     }
 
     /// Whether the state is (q, q̇), displacements first and as many velocities after them: the motion

@@ -2,13 +2,11 @@
 
 use std::ops::Range;
 
-use plotters::coord::types::RangedCoordf64;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::figure::{
-    Area, CURVE_BUCKETS, DrawError, GRID, INK, LINE, PALETTE, font, px, svg, tick_format,
-};
+use super::figure::{Area, CURVE_BUCKETS, DrawError, INK, LINE, PALETTE, font, px, svg};
+use super::figure_lines::{self, LineChart, draw_legend, legend_stroke, line_chart};
 use super::{Bucket, Decimator, ReportError};
 use crate::analysis::{Channel, ChannelSpectrum, Peak, Spectrum};
 
@@ -16,12 +14,8 @@ use crate::analysis::{Channel, ChannelSpectrum, Peak, Spectrum};
 const MICRO: f64 = 1e6;
 /// Height, px.
 const HEIGHT: u32 = 600;
-/// Decades shown below the strongest line.
-const DECADES: i32 = 6;
 /// Largest number of names in the figure.
 const MOST_NAMES: usize = 10;
-
-type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, LogCoord<f64>>>;
 
 /// Draws the SVG: amplitudes of x, y and z (those that move) against frequency.
 ///
@@ -41,54 +35,16 @@ fn draw(area: &Area, spectrum: &Spectrum, peaks: &[Peak]) -> Result<(), DrawErro
     let limit = frequency_limit(spectrum, peaks);
     let amplitudes = amplitude_range(spectrum);
     let floor = amplitudes.start;
-    let mut chart: Chart = ChartBuilder::on(area)
-        .margin_top(px(8))
-        .margin_left(px(12))
-        .margin_right(px(24))
-        .set_label_area_size(LabelAreaPosition::Left, px(68))
-        .set_label_area_size(LabelAreaPosition::Bottom, px(48))
-        .build_cartesian_2d(0.0..limit, amplitudes.log_scale())?;
-    draw_axes(&mut chart, limit)?;
+    let mut chart = line_chart(area, limit, amplitudes)?;
     for (entry, colour) in lengths(spectrum).zip(PALETTE) {
         let curve = curve(spectrum, entry, limit, floor);
         chart
             .draw_series(LineSeries::new(curve, colour.stroke_width(LINE)))?
             .label(entry.channel.name())
-            .legend(move |(x, y)| {
-                PathElement::new(
-                    [(x, y), (x + px(20) as i32, y)],
-                    colour.stroke_width(2 * LINE),
-                )
-            });
+            .legend(move |from| legend_stroke(from, colour));
     }
     draw_names(area, &chart, spectrum, peaks)?;
-    chart
-        .configure_series_labels()
-        .position(SeriesLabelPosition::UpperRight)
-        .margin(px(8))
-        .legend_area_size(px(28))
-        .background_style(WHITE.mix(0.85))
-        .border_style(GRID)
-        .label_font(font(14))
-        .draw()?;
-    Ok(())
-}
-
-fn draw_axes(chart: &mut Chart, limit: f64) -> Result<(), DrawError> {
-    chart
-        .configure_mesh()
-        .bold_line_style(GRID)
-        .light_line_style(TRANSPARENT)
-        .x_labels(10)
-        .x_label_formatter(&tick_format(limit))
-        .y_label_formatter(&power_of_ten)
-        .x_desc("frequency in Hz")
-        .y_desc("amplitude in µm")
-        .axis_style(INK)
-        .label_style(font(13))
-        .axis_desc_style(font(14))
-        .draw()?;
-    Ok(())
+    draw_legend(&mut chart)
 }
 
 /// Spectra of the displacements that are lengths.
@@ -120,9 +76,7 @@ fn amplitude_range(spectrum: &Spectrum) -> Range<f64> {
         .fold(0.0, |largest: f64, amplitude| {
             largest.max(MICRO * amplitude)
         });
-    let top = if strongest > 0.0 { strongest } else { 1.0 };
-    let decade = top.log10().floor() as i32;
-    10f64.powi(decade - DECADES + 1)..4.0 * top
+    figure_lines::amplitude_range(strongest)
 }
 
 /// Envelope of a channel's amplitudes up to `limit`, without the mean, not below `floor`.
@@ -144,7 +98,7 @@ fn curve(spectrum: &Spectrum, entry: &ChannelSpectrum, limit: f64, floor: f64) -
 /// Marks the strongest named peaks, each name once and only where it covers no other.
 fn draw_names(
     area: &Area,
-    chart: &Chart,
+    chart: &LineChart,
     spectrum: &Spectrum,
     peaks: &[Peak],
 ) -> Result<(), DrawError> {
@@ -219,18 +173,4 @@ impl Placed {
         (self.point.0 - other.point.0).abs() < self.half_width + other.half_width
             && (self.point.1 - other.point.1).abs() < px(15) as i32
     }
-}
-
-/// `10⁻³`.
-fn power_of_ten(value: &f64) -> String {
-    let exponent = value.log10().round() as i32;
-    let superscript = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        digit => char::from_u32('⁰' as u32 + digit as u32 - '0' as u32).unwrap_or(digit),
-    };
-    let exponent: String = exponent.to_string().chars().map(superscript).collect();
-    format!("10{exponent}")
 }

@@ -54,6 +54,23 @@ impl FileSet {
         others: &["accuracy.csv", "ladder.csv", "accuracy.svg", "ladder.svg"],
         spent: &[],
     };
+    /// What a steady motion leaves.
+    pub const STEADY: Self = Self {
+        seal: "steady.json",
+        others: &[
+            "steady_trace.csv",
+            "steady_spectrum.csv",
+            "steady_trace.svg",
+            "steady_spectrum.svg",
+        ],
+        spent: &[],
+    };
+    /// What steady motions along a parameter leave.
+    pub const RESPONSE: Self = Self {
+        seal: "response.json",
+        others: &["response.csv", "response_specials.csv", "response.svg"],
+        spent: &[],
+    };
     /// What a study leaves; a single answer of the same name does not outlive it.
     pub const STUDY: Self = Self {
         seal: "study.json",
@@ -122,9 +139,20 @@ impl RunFolder {
     /// # Errors
     /// [`ReportError::File`] where it cannot be created or written.
     pub fn write(&self, name: &str, content: &[u8]) -> Result<WholeFile, ReportError> {
+        self.write_with(name, |file| file.write_all(content))
+    }
+
+    /// Writes a file as `write` makes it.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created or written.
+    pub fn write_with(
+        &self,
+        name: &str,
+        write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
+    ) -> Result<WholeFile, ReportError> {
         let mut file = self.create(name)?;
-        file.write_all(content)
-            .map_err(ReportError::file(FileAction::Write, &file.pending.path))?;
+        write(&mut file).map_err(ReportError::file(FileAction::Write, &file.pending.path))?;
         file.close()
     }
 

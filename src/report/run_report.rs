@@ -9,12 +9,12 @@ use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
 use super::sample_table::{SampleTable, TableKind};
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
-    RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json, spectrum_figure,
-    summary, write_spectrum,
+    RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json,
+    method_choice_json, spectrum_figure, summary, write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
-use crate::study::ContactChoice;
+use crate::study::{ContactChoice, MethodChoice};
 
 /// Which files a run writes besides `summary.json`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,7 +51,8 @@ pub struct RunReport {
     events: Option<Open<EventsCsv<PartialFile>>>,
     figure: Option<TraceFigure>,
     samples: u64,
-    choice: Option<ContactChoice>,
+    contact_choice: Option<ContactChoice>,
+    method_choice: Option<MethodChoice>,
 }
 
 /// A table being written.
@@ -107,14 +108,21 @@ impl RunReport {
             events: events.transpose()?,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
             samples: 0,
-            choice: None,
+            contact_choice: None,
+            method_choice: None,
         })
     }
 
-    /// The same with the law of the contacts that was chosen for the run, which the summary tells.
-    pub fn with_choice(self, choice: Option<&ContactChoice>) -> Self {
+    /// The same with what was chosen for the run, which the summary tells: the law of the contacts and
+    /// the method.
+    pub fn with_choices(
+        self,
+        contact: Option<&ContactChoice>,
+        method: Option<&MethodChoice>,
+    ) -> Self {
         Self {
-            choice: choice.cloned(),
+            contact_choice: contact.cloned(),
+            method_choice: method.cloned(),
             ..self
         }
     }
@@ -163,8 +171,11 @@ impl RunReport {
     /// [`ReportError`] where a file cannot be written or drawn; none of them looks whole then.
     pub fn finish(self, model: &Model, run: &Run) -> Result<Vec<PathBuf>, ReportError> {
         let mut summary = summary(&self.title, &self.scenario, model, run);
-        if let Some(choice) = &self.choice {
+        if let Some(choice) = &self.contact_choice {
             summary["contact_choice"] = contact_choice_json(choice);
+        }
+        if let Some(choice) = &self.method_choice {
+            summary["method_choice"] = method_choice_json(choice);
         }
         let mut files = Vec::new();
         if let Some(trace) = self.trace {

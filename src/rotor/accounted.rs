@@ -3,7 +3,7 @@
 use super::energy::{EnergyBalance, Works};
 use super::{BallContacts, FREEDOMS, MotionScale, Moving, Rotation, Rotor, Sample};
 use crate::bearing::Vector5;
-use crate::integrate::{Scaling, System};
+use crate::integrate::{Scaling, Surroundings, System};
 
 /// States of an accounted rotor that keeps all freedoms and is driven.
 pub const ACCOUNTED_STATES: usize = 2 * FREEDOMS + 2 + Works::COUNT;
@@ -133,6 +133,37 @@ impl System<ACCOUNTED_STATES> for AccountedRotor<'_> {
 
     fn next_break(&self, after: f64) -> f64 {
         self.rotor.next_break_after(after)
+    }
+
+    fn surroundings(&self, time: f64, state: &State) -> Surroundings {
+        let rotation = self.rotation(time, state);
+        self.rotor.lift_offs(&rotation, &state[..self.rotor.kept])
+    }
+
+    fn past(&self, surface: u32, time: f64, state: &State) -> f64 {
+        let rotation = self.rotation(time, state);
+        self.rotor
+            .past_lift_off(surface, &rotation, &state[..self.rotor.kept])
+    }
+
+    fn approach(&self, times: [f64; 2], states: [&State; 2]) -> f64 {
+        let rotations = [0, 1].map(|end| self.rotation(times[end], states[end]));
+        let places = states.map(|state| &state[..self.rotor.kept]);
+        self.rotor
+            .approach_to_lift_off(rotations.each_ref(), places)
+    }
+
+    fn added(&self, surface: u32, time: f64, distance: f64) -> State {
+        let kept = self.rotor.kept;
+        // the speed that a drive is meant for: a bound does not ask for more
+        let speed = match self.rotor.drive {
+            None => self.rotor.speed.at(time).speed,
+            Some(_) => self.rotor.highest_speed(),
+        };
+        let rates = self.rotor.added_past_lift_off(surface, speed, distance);
+        let mut added = [0.0; ACCOUNTED_STATES];
+        added[kept..2 * kept].copy_from_slice(&rates[..kept]);
+        added
     }
 }
 

@@ -30,7 +30,7 @@ impl Action {
         let speed = self.rotation.speed;
         let mut powers = Works {
             loads,
-            viscous: -dot(&self.viscous, velocity),
+            viscous: dot(&self.viscous, velocity),
             contact: bearings.damping_power,
             bearings: bearings.power,
             ..Works::default()
@@ -133,10 +133,9 @@ impl AccountedRotor<'_> {
         let mut rotation = self.rotation(time, state);
         let bearings = self.bearings(&place, &velocity, &rotation);
         let [on_mass, on_centre] = rotor.loads_apart(time, rotation.angle);
-        let mut viscous = [0.0; FREEDOMS];
-        rotor.damping.brake(&velocity[..rotor.kept], &mut viscous);
+        let viscous = rotor.damping.force(&velocity[..rotor.kept]);
         let at_centre: Vector5 = std::array::from_fn(|axis| {
-            on_centre[axis] + viscous[axis] - bearings.force[axis] - bearings.damping[axis]
+            on_centre[axis] - viscous[axis] - bearings.force[axis] - bearings.damping[axis]
         });
         let moments = rotor.drive.as_ref().map(|drive| {
             let moments = self.moments(drive, &bearings, &rotation, &at_centre);

@@ -1,5 +1,7 @@
 //! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
 
+use fearless_simd::Level;
+
 use super::damping::DampingMatrix;
 use super::{
     Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
@@ -71,6 +73,7 @@ impl Rotor {
         ];
         let kept = shaft.freedoms.count();
         Ok(Self {
+            level: Level::new(),
             kept,
             mass,
             inverse_mass: std::array::from_fn(
@@ -86,6 +89,9 @@ impl Rotor {
             loads: definition.loads.clone(),
             damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             contacts_damped: supports.iter().any(Support::is_damped),
+            lifts_off: supports
+                .iter()
+                .any(|support| support.balls_that_lift_off() > 0),
             leading_ratio: definition.cage.ratio(&supports[0]),
             supports,
             initial: initial_state(definition, &equilibrium),

@@ -1,7 +1,7 @@
 //! Viscous damping of the kept freedoms.
 
 use super::{Damping, FREEDOMS};
-use crate::bearing::{Matrix5, Vector5};
+use crate::bearing::{Matrix5, Vector5, in_registers};
 
 /// Damping matrix C, diagonal wherever the scene allows.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,22 +37,29 @@ impl DampingMatrix {
         }
     }
 
-    /// Takes C times the velocity of the kept freedoms off a force.
-    #[inline]
-    pub fn brake(&self, velocity: &[f64], force: &mut Vector5) {
+    /// C times the velocity of the kept freedoms.
+    #[inline(always)]
+    pub fn force(&self, velocity: &[f64]) -> Vector5 {
         match self {
             Self::Diagonal(diagonal) => {
+                let mut force = [0.0; FREEDOMS];
                 for (axis, speed) in velocity.iter().enumerate() {
-                    force[axis] -= diagonal[axis] * speed;
+                    force[axis] = diagonal[axis] * speed;
                 }
+                force
             }
-            Self::Full(rows) => {
-                for (row, coefficients) in rows.iter().enumerate() {
-                    for (column, speed) in velocity.iter().enumerate() {
-                        force[row] -= coefficients[column] * speed;
-                    }
-                }
-            }
+            Self::Full(rows) => in_registers(full_force(rows, velocity)),
         }
     }
+}
+
+/// Out of line: most dampings are diagonal.
+#[inline(never)]
+fn full_force(rows: &[Vector5; FREEDOMS], velocity: &[f64]) -> Vector5 {
+    rows.map(|coefficients| {
+        let products = coefficients.iter().zip(velocity);
+        products
+            .map(|(coefficient, speed)| coefficient * speed)
+            .sum()
+    })
 }

@@ -12,6 +12,8 @@ mod damping;
 mod definition;
 mod drive;
 mod energy;
+mod forcing;
+mod lift_off;
 mod linearisation;
 pub mod load;
 mod loose;
@@ -35,6 +37,7 @@ pub use definition::{
 };
 pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
+pub use forcing::{Forcing, ForcingCause, Unrepeated};
 pub use load::{Load, LoadKind};
 pub use loose::{LooseError, Looseness, check_loose};
 pub use modes::NaturalFrequency;

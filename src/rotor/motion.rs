@@ -1,11 +1,13 @@
 //! The shaft in motion: the right-hand side of its equations, and what can be seen of it.
 
+use fearless_simd::{Level, Simd, dispatch};
+
 use super::damping::DampingMatrix;
 use super::phases::Phases;
 use super::{BallContacts, CageMotion, Drive, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
-use crate::bearing::{CageAngle, Support, Vector5};
-use crate::integrate::{System, VelocityDependence};
+use crate::bearing::{CageAngle, Support, Vector5, in_registers};
+use crate::integrate::{Surroundings, System, VelocityDependence};
 
 /// A concentrated mass on its bearings, assembled and ready to move.
 ///
@@ -26,6 +28,8 @@ use crate::integrate::{System, VelocityDependence};
 /// and Foundations* (1993), ch. 1 and 5.
 #[derive(Debug, Clone)]
 pub struct Rotor {
+    /// What the processor has.
+    pub(super) level: Level,
     pub(super) kept: usize,
     pub(super) mass: Vector5,
     pub(super) inverse_mass: Vector5,
@@ -46,6 +50,8 @@ pub struct Rotor {
     /// Whether the contacts of any bearing are damped.
     pub(super) contacts_damped: bool,
     pub(super) supports: Vec<Support>,
+    /// Whether the force of any ball is not smooth where it lifts off.
+    pub(super) lifts_off: bool,
     /// Speed of the first bearing's cage over that of the shaft.
     pub(super) leading_ratio: f64,
     pub(super) equilibrium: Equilibrium,
@@ -104,20 +110,22 @@ impl Rotor {
     }
 
     /// Force of the shaft onto all bearings at a displacement, N and N m.
-    #[inline]
-    fn force_on_bearings(
+    #[inline(always)]
+    fn force_on_bearings<S: Simd>(
         &self,
+        simd: S,
         displacement: &Vector5,
         rotation: &Rotation,
         phases: &Phases,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        self.for_each_support(rotation.angle, phases, |support, cage| {
-            let force = support.force(displacement, cage, rotation.speed);
+        for support in &self.supports {
+            let cage = self.cage_angle(support, rotation.angle, phases);
+            let force = support.force_by(simd, displacement, cage, rotation.speed);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
-        });
+        }
         total
     }
 
@@ -153,8 +161,7 @@ impl Rotor {
         Phases::new(rotation, self.leading_ratio)
     }
 
-    /// Visits every bearing with the angle of its cage; those that roll as the first one share its
-    /// sine.
+    /// Visits every bearing with the angle of its cage.
     #[inline]
     pub(super) fn for_each_support(
         &self,
@@ -163,27 +170,33 @@ impl Rotor {
         mut visit: impl FnMut(&Support, CageAngle),
     ) {
         for support in &self.supports {
-            let ratio = self.cage_ratio(support);
-            let cage = if ratio == phases.ratio {
-                phases.cage
-            } else {
-                CageAngle::new(ratio * angle)
-            };
-            visit(support, cage);
+            visit(support, self.cage_angle(support, angle, phases));
+        }
+    }
+
+    /// The angle of a bearing's cage; those that roll as the first one share its sine.
+    #[inline(always)]
+    fn cage_angle(&self, support: &Support, angle: f64, phases: &Phases) -> CageAngle {
+        let ratio = self.cage_ratio(support);
+        if ratio == phases.ratio {
+            phases.cage
+        } else {
+            CageAngle::new(ratio * angle)
         }
     }
 
     /// Loads, weight and unbalance on the shaft, N and N m.
-    #[inline]
+    #[inline(always)]
     fn push(&self, time: f64, rotation: &Rotation, phases: &Phases) -> Vector5 {
         let mut push = self.load;
         let unbalance = self.unbalance(rotation, phases);
         push[0] += unbalance[0];
         push[1] += unbalance[1];
-        if !self.loads.is_empty() {
-            self.add_loads(time, rotation.angle, &mut push);
+        if self.loads.is_empty() {
+            push
+        } else {
+            in_registers(self.with_loads(time, rotation.angle, push))
         }
-        push
     }
 
     /// Force of the unbalance, N.
@@ -222,10 +235,11 @@ impl Rotor {
 
     /// Apart from the rest, which stays small where no load varies.
     #[inline(never)]
-    fn add_loads(&self, time: f64, angle: f64, push: &mut Vector5) {
+    fn with_loads(&self, time: f64, angle: f64, mut push: Vector5) -> Vector5 {
         for load in &self.loads {
-            load.add(time, angle, self.mass[0], push);
+            load.add(time, angle, self.mass[0], &mut push);
         }
+        push
     }
 
     /// Room for what [`Rotor::sample`] observes of the balls.
@@ -325,34 +339,30 @@ impl Rotor {
 impl<const N: usize> System<N> for Rotor {
     #[inline]
     fn derivative(&self, time: f64, state: &[f64; N], rate: &mut [f64; N]) {
-        let kept = N / 2;
-        let velocity = &state[kept..];
-        let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
-        let rotation = self.speed.at(time);
-        let phases = self.phases(&rotation);
-        let force = self.force_on_bearings(&displacement, &rotation, &phases);
-        let mut push = self.push(time, &rotation, &phases);
-        if kept == FREEDOMS {
-            let gyroscopic = self.inertia_polar * rotation.speed;
-            push[3] -= gyroscopic * velocity[4];
-            push[4] += gyroscopic * velocity[3];
-        }
-        self.damping.brake(velocity, &mut push);
-        if self.contacts_damped {
-            let velocity = self.full(&[0.0; FREEDOMS], velocity);
-            let damping = self.contact_damping(&displacement, &velocity, &rotation);
-            for axis in 0..kept {
-                push[axis] -= damping[axis];
-            }
-        }
-        for axis in 0..kept {
-            rate[axis] = velocity[axis];
-            rate[kept + axis] = (push[axis] - force[axis]) * self.inverse_mass[axis];
-        }
+        dispatch!(self.level, simd => self.derivative_by(simd, time, state, rate));
     }
 
     fn next_break(&self, after: f64) -> f64 {
         self.next_break_after(after)
+    }
+
+    fn surroundings(&self, time: f64, state: &[f64; N]) -> Surroundings {
+        self.lift_offs(&self.speed.at(time), &state[..N / 2])
+    }
+
+    fn past(&self, surface: u32, time: f64, state: &[f64; N]) -> f64 {
+        self.past_lift_off(surface, &self.speed.at(time), &state[..N / 2])
+    }
+
+    fn approach(&self, times: [f64; 2], states: [&[f64; N]; 2]) -> f64 {
+        let rotations = times.map(|time| self.speed.at(time));
+        self.approach_to_lift_off(rotations.each_ref(), states.map(|state| &state[..N / 2]))
+    }
+
+    fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {
+        let kept = N / 2;
+        let added = self.added_past_lift_off(surface, self.speed.at(time).speed, distance);
+        std::array::from_fn(|i| if i < kept { 0.0 } else { added[i - kept] })
     }
 
     fn is_second_order(&self) -> bool {
@@ -361,5 +371,45 @@ impl<const N: usize> System<N> for Rotor {
 
     fn velocity_slopes(&self) -> Result<[[f64; N]; N], VelocityDependence> {
         self.constant_velocity_slopes()
+    }
+}
+
+impl Rotor {
+    /// The derivative, for the processor's level `S`.
+    #[inline(always)]
+    fn derivative_by<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        time: f64,
+        state: &[f64; N],
+        rate: &mut [f64; N],
+    ) {
+        let kept = N / 2;
+        let velocity = &state[kept..];
+        let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
+        let rotation = self.speed.at(time);
+        let phases = self.phases(&rotation);
+        let force = self.force_on_bearings(simd, &displacement, &rotation, &phases);
+        let mut push = self.push(time, &rotation, &phases);
+        if kept == FREEDOMS {
+            let gyroscopic = self.inertia_polar * rotation.speed;
+            push[3] -= gyroscopic * velocity[4];
+            push[4] += gyroscopic * velocity[3];
+        }
+        let braking = self.damping.force(velocity);
+        for axis in 0..kept {
+            push[axis] -= braking[axis];
+        }
+        if self.contacts_damped {
+            let velocity = self.full(&[0.0; FREEDOMS], velocity);
+            let damping = in_registers(self.contact_damping(&displacement, &velocity, &rotation));
+            for axis in 0..kept {
+                push[axis] -= damping[axis];
+            }
+        }
+        for axis in 0..kept {
+            rate[axis] = velocity[axis];
+            rate[kept + axis] = (push[axis] - force[axis]) * self.inverse_mass[axis];
+        }
     }
 }

@@ -24,6 +24,7 @@ mod schema;
 mod series_file;
 mod spec;
 mod time;
+mod varied;
 mod vary;
 mod walk;
 
@@ -36,11 +37,12 @@ pub use issue::Issue;
 pub use schema::schema;
 pub use spec::{MethodError, method, methods, tolerance};
 pub use time::{TimeError, time};
+pub use varied::{Varied, VariedError};
 
 use crate::bearing::Oil;
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
-use crate::study::{ContactChoice, Study};
+use crate::study::{ContactChoice, MethodChoice, Study};
 use node::Node;
 use problems::Problems;
 use spec::{Questions, ScenarioSpec};
@@ -80,6 +82,8 @@ pub struct Scenario {
     pub model: Option<Model>,
     /// The law of the contacts, where it was to be chosen.
     pub contact_choice: Option<ContactChoice>,
+    /// The method of integration, where it was to be chosen.
+    pub method_choice: Option<MethodChoice>,
     /// Oil of each bearing, whether its films are simulated or not.
     pub oils: Vec<Option<Oil>>,
     /// The static question at many values of one number.
@@ -155,7 +159,8 @@ fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
             title: spec.title.clone().unwrap_or_else(|| stem(name)),
             question: questions.question,
             model: questions.model,
-            contact_choice: questions.choice,
+            contact_choice: questions.contact_choice,
+            method_choice: questions.method_choice,
             oils: questions.oils,
             study,
             output: spec.output.choice(),

@@ -10,7 +10,7 @@ use super::issue::Issue;
 use super::node::Node;
 use super::problems::Problems;
 use super::schema::schema;
-use super::spec::StudySpec;
+use super::spec::{Questions, StudySpec};
 use super::walk::{self, nearest};
 use super::{build as build_scenario, quantity};
 use crate::quasi_static::StaticQuestion;
@@ -20,8 +20,8 @@ use crate::study::{Study, StudyPoint, Variable};
 const MOTION: [&str; 5] = ["damping", "initial", "time", "integrator", "output"];
 
 /// A key that can vary.
-struct Key<'a> {
-    path: String,
+pub(super) struct Key<'a> {
+    pub path: String,
     schema: &'a Value,
 }
 
@@ -65,8 +65,7 @@ fn without_motion(echo: &Value) -> Value {
 
 /// The key of a path, refused with the nearest one where there is none.
 fn find(path: &str, base: &Value, problems: &mut Problems<'_>) -> Option<Key<'static>> {
-    let mut keys = Vec::new();
-    collect(schema(), Some(base), "", &mut keys);
+    let mut keys = keys(base, &[&MOTION[..], &["study"]].concat());
     if let Some(place) = keys.iter().position(|key| key.path == path) {
         return Some(keys.swap_remove(place));
     }
@@ -84,8 +83,20 @@ fn find(path: &str, base: &Value, problems: &mut Problems<'_>) -> Option<Key<'st
     None
 }
 
-/// Every key of a number below `path`; lists have as many entries as `given` has.
-fn collect<'a>(schema: &'a Value, given: Option<&Value>, path: &str, keys: &mut Vec<Key<'a>>) {
+/// Every key of a number outside some tables; lists have as many entries as `given` has.
+pub(super) fn keys(given: &Value, left_out: &[&str]) -> Vec<Key<'static>> {
+    let mut keys = Vec::new();
+    collect(schema(), Some(given), "", left_out, &mut keys);
+    keys
+}
+
+fn collect<'a>(
+    schema: &'a Value,
+    given: Option<&Value>,
+    path: &str,
+    left_out: &[&str],
+    keys: &mut Vec<Key<'a>>,
+) {
     let is_number = matches!(schema["type"].as_str(), Some("integer" | "number"));
     if is_number || schema.get("x-dimension").is_some() {
         let path = path.to_owned();
@@ -97,19 +108,15 @@ fn collect<'a>(schema: &'a Value, given: Option<&Value>, path: &str, keys: &mut 
         } else {
             format!("{path}.{name}")
         };
-        if !MOTION.contains(&inner.as_str()) && inner != "study" {
-            collect(
-                property,
-                given.and_then(|table| table.get(name)),
-                &inner,
-                keys,
-            );
+        if !left_out.contains(&inner.as_str()) {
+            let given = given.and_then(|table| table.get(name));
+            collect(property, given, &inner, left_out, keys);
         }
     }
     let items = given.and_then(Value::as_array).into_iter().flatten();
     for (index, item) in items.enumerate() {
         let path = format!("{path}[{index}]");
-        collect(&schema["items"], Some(item), &path, keys);
+        collect(&schema["items"], Some(item), &path, left_out, keys);
     }
 }
 
@@ -142,7 +149,7 @@ fn spaced(spec: &StudySpec, key: &Key<'_>, problems: &mut Problems<'_>) -> Optio
             problems.refuse(issue, &["study.count".to_owned()]);
         }
     }
-    if key.schema["type"] == "integer" {
+    if key.is_whole() {
         let message = format!("`{}` is a whole number: list its `values`", spec.vary);
         let issue = Issue::new("study.vary", message);
         problems.refuse(issue, &["study.count".to_owned()]);
@@ -172,7 +179,13 @@ impl Key<'_> {
         Some(Given { value, path })
     }
 
-    fn dimension(&self) -> Option<Dimension> {
+    /// Whether it is a whole number.
+    pub fn is_whole(&self) -> bool {
+        self.schema["type"] == "integer"
+    }
+
+    /// What it measures; `None` for a plain number.
+    pub fn dimension(&self) -> Option<Dimension> {
         Dimension::named(self.schema["x-dimension"].as_str()?)
     }
 
@@ -217,6 +230,16 @@ fn question(
     value: &Value,
     folder: &Path,
 ) -> Result<StaticQuestion, Issue> {
+    questions(base, path, value, folder).map(|questions| questions.question)
+}
+
+/// What the scenario asks with one value put in.
+pub(super) fn questions(
+    base: &Value,
+    path: &str,
+    value: &Value,
+    folder: &Path,
+) -> Result<Questions, Issue> {
     let mut scenario = base.clone();
     put(&mut scenario, path, value);
     let root = Node::from(&scenario);
@@ -224,7 +247,7 @@ fn question(
     let built = build_scenario(&root, &mut problems);
     let (issues, _) = problems.finish();
     match (built, issues.into_iter().next()) {
-        (Some((_, questions)), None) => Ok(questions.question),
+        (Some((_, questions)), None) => Ok(questions),
         (_, Some(issue)) => Err(issue),
         (None, None) => Err(Issue::new("", "the scenario asks nothing")),
     }

@@ -39,23 +39,38 @@ impl<'a> BareRun<'a> {
     /// # Errors
     /// [`SimulateError`] as a run.
     pub fn integrate(&self, stop: &AtomicBool) -> Result<Counters, SimulateError> {
+        let [_, whole] = self.integrate_in_parts(1.0, stop)?;
+        Ok(whole)
+    }
+
+    /// As [`BareRun::integrate`]; the work over the first `part` of the samples, and over all.
+    ///
+    /// # Errors
+    /// [`SimulateError`] as a run.
+    pub fn integrate_in_parts(
+        &self,
+        part: f64,
+        stop: &AtomicBool,
+    ) -> Result<[Counters; 2], SimulateError> {
         let rotor = &self.rotor;
         if self.model.energy || rotor.is_driven() {
             let accounted = AccountedRotor::new(rotor);
-            return self.pass::<_, ACCOUNTED_STATES, { ACCOUNTED_STATES + 1 }>(&accounted, stop);
+            return self
+                .pass::<_, ACCOUNTED_STATES, { ACCOUNTED_STATES + 1 }>(&accounted, part, stop);
         }
         match rotor.kept() {
-            2 => self.pass::<_, 4, 5>(rotor, stop),
-            3 => self.pass::<_, 6, 7>(rotor, stop),
-            _ => self.pass::<_, 10, 11>(rotor, stop),
+            2 => self.pass::<_, 4, 5>(rotor, part, stop),
+            3 => self.pass::<_, 6, 7>(rotor, part, stop),
+            _ => self.pass::<_, 10, 11>(rotor, part, stop),
         }
     }
 
     fn pass<S, const N: usize, const M: usize>(
         &self,
         system: &S,
+        part: f64,
         stop: &AtomicBool,
-    ) -> Result<Counters, SimulateError>
+    ) -> Result<[Counters; 2], SimulateError>
     where
         S: Moving<N>,
         Const<N>: Square,
@@ -67,10 +82,17 @@ impl<'a> BareRun<'a> {
         let mut integration =
             Integration::<_, N, M>::new(system, scaling, grid, model.integrator, stop, &state);
         let mut states = Vec::with_capacity(BLOCK);
-        while integration.done() < grid.count {
-            states.clear();
-            integration.advance(BLOCK, &mut states)?;
-        }
-        Ok(integration.counters())
+        let mut up_to = |end: u64| {
+            while integration.done() < end {
+                states.clear();
+                let left = usize::try_from(end - integration.done()).unwrap_or(BLOCK);
+                integration.advance(BLOCK.min(left), &mut states)?;
+            }
+            Ok::<_, SimulateError>(integration.counters())
+        };
+        Ok([
+            up_to((part * grid.count as f64) as u64)?,
+            up_to(grid.count)?,
+        ])
     }
 }

@@ -1,7 +1,6 @@
 //! Whether a method of integration serves a model.
 
 use super::Model;
-use crate::bearing::ContactDamping;
 use crate::rotor::{Freedoms, SpeedPoint};
 
 /// Why a Nyström method does not serve a model: the forces know the velocity, or more is integrated than
@@ -42,12 +41,8 @@ impl Model {
         if self.energy {
             return Err(MethodMismatch::Energy);
         }
-        let undamped = ContactDamping::default();
-        if rotor
-            .bearings
-            .iter()
-            .any(|bearing| bearing.contact_damping != undamped)
-        {
+        let mut bearings = rotor.bearings.iter();
+        if bearings.any(|bearing| !bearing.contact_damping.is_none()) {
             return Err(MethodMismatch::ContactDamping);
         }
         let tilts = rotor.shaft.freedoms == Freedoms::All && rotor.shaft.inertia_polar != 0.0;

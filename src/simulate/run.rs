@@ -75,7 +75,7 @@ pub struct Run {
 
 impl StaticState {
     /// What a rotor found before it moved.
-    pub(super) fn of(rotor: &Rotor) -> Self {
+    pub(crate) fn of(rotor: &Rotor) -> Self {
         let equilibrium = rotor.equilibrium();
         let stiffness = &equilibrium.stiffness;
         Self {

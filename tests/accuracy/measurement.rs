@@ -51,8 +51,15 @@ fn the_error_of_every_method_falls_with_its_tolerance_and_its_work_grows() {
         for pair in measured.windows(2) {
             let [loose, tight] = [&pair[0].errors, &pair[1].errors];
             println!("{}: {loose:?}", rows[0].method);
-            assert!(tight.displacement_relative < 0.2 * loose.displacement_relative);
-            assert!(tight.force_relative < 0.2 * loose.force_relative);
+            // no error is seen that is below that of the reference itself
+            let seen = &agreement.uncertainty;
+            let displacement = (0.2 * loose.displacement_relative).max(seen.displacement_relative);
+            let force = (0.2 * loose.force_relative).max(seen.force_relative);
+            assert!(
+                tight.displacement_relative < displacement,
+                "{tight:?} {seen:?}"
+            );
+            assert!(tight.force_relative < force, "{tight:?} {seen:?}");
             assert!(pair[1].cost.counters.evaluations > pair[0].cost.counters.evaluations);
         }
         for (row, measured) in rows.iter().zip(&measured) {

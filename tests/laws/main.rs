@@ -2,6 +2,7 @@
 
 mod balance;
 mod derivatives;
+mod lift_off;
 mod limits;
 mod published;
 mod random;

@@ -1,8 +1,9 @@
 //! A table stands for the law that it was compiled from.
 
+use fearless_simd::{Level, Simd, SimdBase, dispatch};
 use jeffcott::bearing::{
     BallForce, BallLaw, BallRegion, Bearing, CageAngle, ContactLaw, HertzFilmLaw, JonesFilmLaw,
-    JonesLaw, Oil, Ring, TableError, TableLaw, TableReport,
+    JonesLaw, Lanes, Oil, Ring, TableError, TableLaw, TableReport,
 };
 use jeffcott::integrate::Method;
 use jeffcott::physics::RaceControl;
@@ -198,13 +199,13 @@ fn outside_the_region_and_at_other_speeds_the_law_itself_answers() {
     assert!(!table.covers(f64::NAN, radial, SPEED) && !table.covers(axial, f64::NAN, SPEED));
     // a ball outside leaves the others where they are
     let places: [f64; 4] = [axial, axial + 1e-5, axial, axial];
-    let lanes = table.forces(places.into(), radial.into(), SPEED);
+    let lanes = dispatch!(Level::new(), simd => {
+        let radial = Lanes::splat(simd, radial);
+        *table.forces(simd.load_array_f64x4(places), radial, SPEED).axial
+    });
     let exact = law.force(places[1], radial, SPEED);
-    assert_eq!(lanes.axial.to_array()[1], exact.axial);
-    assert_eq!(
-        lanes.axial.to_array()[0],
-        table.force(axial, radial, SPEED).axial
-    );
+    assert_eq!(lanes[1], exact.axial);
+    assert_eq!(lanes[0], table.force(axial, radial, SPEED).axial);
 }
 
 #[test]

@@ -217,6 +217,14 @@ impl<R: Races> BallLaw for JonesLaw<R> {
         self.solve(axial, radial, speed).balance.load_slopes()
     }
 
+    /// From the inner race to the ball that rests on the outer race alone.
+    fn past_lift_off(&self, axial: f64, radial: f64, speed: f64) -> f64 {
+        let springs = self.races.at_speed(speed);
+        let force_scale = self.ball.inertia.scale * speed * speed;
+        let groove = Vector2::new(axial, radial);
+        self.ball.overlap_when_thrown(groove, &springs, force_scale)
+    }
+
     fn contact(&self, axial: f64, radial: f64, speed: f64) -> BallContact {
         contact_of(&self.solve(axial, radial, speed).balance)
     }

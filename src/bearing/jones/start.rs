@@ -85,6 +85,33 @@ impl Ball {
     }
 }
 
+/// Times that the centrifugal force of a thrown ball is put right.
+const ROUNDS: usize = 3;
+
+impl Ball {
+    /// How far the inner race, its groove centre at `groove`, reaches into the ball that rests on the
+    /// outer race alone, m; negative where they are apart.
+    pub(super) fn overlap_when_thrown(
+        &self,
+        groove: Vector2<f64>,
+        springs: &[impl ContactSpring; 2],
+        force_scale: f64,
+    ) -> f64 {
+        if force_scale == 0.0 {
+            // nothing throws it: it gives way into the line of the groove centres
+            return groove.norm() - self.free_inner - self.free_outer;
+        }
+        let mut thrown = Vector2::new(0.0, self.free_outer);
+        for _ in 0..ROUNDS {
+            // hardly changes with the place: each round puts the place right to a hundredth or less
+            let balance = self.balance(groove, thrown, springs, force_scale);
+            let centrifugal = balance.inertia.centrifugal.value;
+            thrown.y = self.free_outer + springs[1].approach(centrifugal);
+        }
+        (groove - thrown).norm() - self.free_inner
+    }
+}
+
 /// Overlap S ≥ max(δ, 0) of `S³ (S − δ) = C`: two steps of Newton's method from above.
 #[inline(always)]
 fn wedge(overlap: f64, constant: f64) -> f64 {

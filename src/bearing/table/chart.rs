@@ -1,6 +1,8 @@
 //! Coordinates in which the law of a ball is smooth, across lift-off, too.
 
 use super::polynomial::{chebyshev_coefficients, powers_of_chebyshev};
+use fearless_simd::{Simd, SimdFloat};
+
 use crate::bearing::Lanes;
 
 /// Coefficients of the line of lift-off.
@@ -78,14 +80,20 @@ impl Chart {
 
     /// τ and u of places side by side.
     #[inline(always)]
-    pub(super) fn coordinates(&self, axial: Lanes, radial: Lanes) -> [Lanes; 2] {
-        let along = (axial - Lanes::splat(self.middle)) * Lanes::splat(self.inverse_half);
-        let height = radial - Lanes::splat(self.centre);
+    pub(super) fn coordinates<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> [Lanes<S>; 2] {
+        let along = (axial - self.middle) * self.inverse_half;
+        let height = radial - self.centre;
         let radius = (axial * axial + height * height).sqrt();
         let square = along * along;
-        let [c0, c1, c2, c3, c4, c5] = self.lift.map(Lanes::splat);
+        let [c0, c1, c2, c3, c4, c5] = self.lift;
         let lift = (c0 + c1 * along) + square * ((c2 + c3 * along) + square * (c4 + c5 * along));
         [along, radius - lift]
+    }
+
+    /// u of a single place.
+    pub(super) fn past_lift(&self, axial: f64, radial: f64) -> f64 {
+        let along = (axial - self.middle) * self.inverse_half;
+        axial.hypot(radial - self.centre) - self.lift(along)
     }
 
     /// Slopes of u.

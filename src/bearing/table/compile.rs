@@ -7,7 +7,7 @@ use super::law::{AXIAL_TERMS, CoupleCell, ForceCell, ROOT_TERMS, TableLaw};
 use super::polynomial::{lobatto, power_weights, weights_at};
 use super::region::BallRegion;
 use super::strips::{BINS, Strips};
-use crate::bearing::{BallForce, BallLaw, Lanes};
+use crate::bearing::{BallForce, BallLaw};
 
 /// Load at which a ball counts as lifted off, of the largest one.
 const LIFTED_SHARE: f64 = 1e-14;
@@ -204,10 +204,7 @@ impl Limits {
         }
         let farthest = nodes
             .iter()
-            .map(|&axial| {
-                let [_, past_lift] = chart.coordinates(axial.into(), radial[1].into());
-                past_lift.to_array()[0]
-            })
+            .map(|&axial| chart.past_lift(axial, radial[1]))
             .fold(1e-3 * distance, f64::max);
         Ok(Self {
             chart,
@@ -493,11 +490,10 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
                 });
                 let terms = powers(&nodes, &by_root, &by_axial);
                 forces.push(terms.map(|row| {
-                    let pair =
-                        |l: usize| Lanes::new([row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]]);
+                    let pair = |l: usize| [row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]];
                     [pair(0), pair(2)]
                 }));
-                couples.push(terms.map(|row| Lanes::new(row.map(|term| term[2] * self.arm))));
+                couples.push(terms.map(|row| row.map(|term| term[2] * self.arm)));
             }
         }
         (forces, couples)

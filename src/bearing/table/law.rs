@@ -1,5 +1,7 @@
 //! The law that a table stands for.
 
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdMask, dispatch};
+
 use super::chart::Chart;
 use super::strips::{InCell, Strips};
 use crate::bearing::ball_law::one_by_one;
@@ -23,10 +25,10 @@ pub(super) const INSIDE: f64 = 1.0 - 1e-12;
 
 /// Coefficients of F_a/u and F_r/u in a cell: for every power of x the pairs (F_a, F_r) of
 /// (t⁰, t¹) and of (t², t³).
-pub(super) type ForceCell = [[Lanes; 2]; ROOT_TERMS];
+pub(super) type ForceCell = [[[f64; 4]; 2]; ROOT_TERMS];
 
 /// Coefficients of couple/u in a cell: for every power of x those of t⁰ … t³.
-pub(super) type CoupleCell = [Lanes; ROOT_TERMS];
+pub(super) type CoupleCell = [[f64; AXIAL_TERMS]; ROOT_TERMS];
 
 /// A ball law as a table of polynomials at one speed, exact elsewhere.
 ///
@@ -54,14 +56,22 @@ pub struct TableLaw<L, const COUPLE: bool> {
 }
 
 /// Places in the coordinates of the table.
-struct Located {
+struct Located<S: Simd> {
     /// max(u, 0), m.
-    past_lift: Lanes,
-    root: Lanes,
+    past_lift: Lanes<S>,
+    root: Lanes<S>,
     /// τ.
-    along: Lanes,
+    along: Lanes<S>,
     /// Bins of the strips.
     bins: [usize; LANES],
+}
+
+/// A single place in the coordinates of the table, as [`Located`].
+struct Single {
+    past_lift: f64,
+    root: f64,
+    along: f64,
+    bin: usize,
 }
 
 impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
@@ -72,23 +82,33 @@ impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
 
     /// Whether the force at a place and speed comes from the table.
     pub fn covers(&self, axial: f64, radial: f64, speed: f64) -> bool {
-        self.locate(axial.abs().into(), radial.into(), speed)
-            .is_some()
+        self.locate_single(axial, radial, speed).is_some()
+    }
+
+    /// Where a single place is in the table.
+    fn locate_single(&self, axial: f64, radial: f64, speed: f64) -> Option<Single> {
+        dispatch!(Level::baseline(), simd => {
+            let lanes = |number| Lanes::splat(simd, number);
+            let place = self.locate(lanes(axial.abs()), lanes(radial), speed)?;
+            Some(Single {
+                past_lift: place.past_lift[0],
+                root: place.root[0],
+                along: place.along[0],
+                bin: place.bins[0],
+            })
+        })
     }
 
     /// Where places are in the table; none where any of them is outside.
     #[inline(always)]
-    fn locate(&self, axial: Lanes, radial: Lanes, speed: f64) -> Option<Located> {
-        use wide::{CmpGe, CmpLe};
-        let one = Lanes::splat(END);
+    fn locate<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>, speed: f64) -> Option<Located<S>> {
         let [along, past_lift] = self.chart.coordinates(axial, radial);
-        let past_lift = past_lift.fast_max(Lanes::ZERO);
+        let past_lift = past_lift.max(Lanes::splat(axial.witness(), 0.0));
         let root = past_lift.sqrt();
         let part = self.strips.part(root);
-        let inside = along.abs().cmp_le(one)
-            & part.abs().cmp_le(one)
-            & radial.cmp_ge(Lanes::splat(self.lowest));
-        if !(inside.all() && speed == self.speed) {
+        let inside =
+            along.abs().simd_le(END) & part.abs().simd_le(END) & radial.simd_ge(self.lowest);
+        if !(inside.all_true() && speed == self.speed) {
             return None;
         }
         Some(Located {
@@ -100,35 +120,41 @@ impl<L: BallLaw, const COUPLE: bool> TableLaw<L, COUPLE> {
     }
 }
 
+/// The whole number in the lowest bits.
+#[inline(always)]
+fn low(x: f64) -> usize {
+    x.to_bits() as u32 as usize
+}
+
 /// Nearest whole numbers.
 #[inline(always)]
-pub(super) fn whole(x: Lanes) -> [usize; LANES] {
-    let rounded = x + Lanes::splat(ROUNDING);
-    rounded.to_array().map(|x| x.to_bits() as u32 as usize)
+pub(super) fn whole<S: Simd>(x: Lanes<S>) -> [usize; LANES] {
+    let [a, b, c, d] = *(x + ROUNDING);
+    [low(a), low(b), low(c), low(d)]
 }
 
 /// F_a/u and F_r/u at x and t of a cell.
 #[inline(always)]
-fn cell_force(cell: &ForceCell, x: f64, t: f64) -> [f64; 2] {
-    let along = Lanes::splat(x);
-    let [mut low, mut high] = cell[ROOT_TERMS - 1];
+fn cell_force<S: Simd>(simd: S, cell: &ForceCell, x: f64, t: f64) -> [f64; 2] {
+    let [even, odd] = &cell[ROOT_TERMS - 1];
+    let mut low = simd.load_array_ref_f64x4(even);
+    let mut high = simd.load_array_ref_f64x4(odd);
     for [even, odd] in cell[..ROOT_TERMS - 1].iter().rev() {
-        low = low * along + *even;
-        high = high * along + *odd;
+        low = low * x + simd.load_array_ref_f64x4(even);
+        high = high * x + simd.load_array_ref_f64x4(odd);
     }
-    let [a0, r0, a1, r1] = (low + high * Lanes::splat(t * t)).to_array();
+    let [a0, r0, a1, r1] = *(low + high * (t * t));
     [a0 + t * a1, r0 + t * r1]
 }
 
 /// couple/u at x and t of a cell.
 #[inline(always)]
-fn cell_couple(cell: &CoupleCell, x: f64, t: f64) -> f64 {
-    let along = Lanes::splat(x);
-    let mut sum = cell[ROOT_TERMS - 1];
+fn cell_couple<S: Simd>(simd: S, cell: &CoupleCell, x: f64, t: f64) -> f64 {
+    let mut sum = simd.load_array_ref_f64x4(&cell[ROOT_TERMS - 1]);
     for term in cell[..ROOT_TERMS - 1].iter().rev() {
-        sum = sum * along + *term;
+        sum = sum * x + simd.load_array_ref_f64x4(term);
     }
-    let [c0, c1, c2, c3] = sum.to_array();
+    let [c0, c1, c2, c3] = *sum;
     (c0 + t * c1) + t * t * (c2 + t * c3)
 }
 
@@ -155,58 +181,54 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         if !self.covers(axial, radial, speed) {
             return self.exact.force(axial, radial, speed);
         }
-        let all = self.forces(axial.into(), radial.into(), speed);
-        let first = |lanes: Lanes| lanes.to_array()[0];
-        BallForce {
-            axial: first(all.axial),
-            radial: first(all.radial),
-            couple: first(all.couple),
-        }
+        dispatch!(Level::baseline(), simd => {
+            let lanes = |number| Lanes::splat(simd, number);
+            let all = self.forces(lanes(axial), lanes(radial), speed);
+            BallForce {
+                axial: all.axial[0],
+                radial: all.radial[0],
+                couple: all.couple[0],
+            }
+        })
     }
 
     #[inline(always)]
-    fn forces(&self, axial: Lanes, radial: Lanes, speed: f64) -> LaneForces {
-        let side = axial & Lanes::splat(-0.0);
-        let Some(place) = self.locate(axial ^ side, radial, speed) else {
+    fn forces<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>, speed: f64) -> LaneForces<S> {
+        let simd = axial.witness();
+        let Some(place) = self.locate(axial.abs(), radial, speed) else {
             return one_by_one(self, axial, radial, speed);
         };
-        let (roots, alongs) = (place.root.to_array(), place.along.to_array());
-        // one after the other by name: a loop would keep the lanes in memory
-        let ball = |i: usize| {
+        let side = Lanes::splat(simd, 1.0).copysign(axial);
+        let (roots, alongs) = (*place.root, *place.along);
+        let [mut pushes_axial, mut pushes_radial, mut couples] = [[0.0; LANES]; 3];
+        for i in 0..LANES {
             let InCell { cell, x, t } = self.strips.locate(place.bins[i], roots[i], alongs[i]);
-            let couple = if COUPLE {
-                cell_couple(&self.couples[cell], x, t)
-            } else {
-                0.0
-            };
-            (cell_force(&self.forces[cell], x, t), couple)
-        };
-        let balls = [ball(0), ball(1), ball(2), ball(3)];
-        let pushes_axial = balls.map(|([axial, _], _)| axial);
-        let pushes_radial = balls.map(|([_, radial], _)| radial);
-        let couples = balls.map(|(_, couple)| couple);
-        let force = |over: [f64; LANES]| place.past_lift * Lanes::from(over);
+            [pushes_axial[i], pushes_radial[i]] = cell_force(simd, &self.forces[cell], x, t);
+            if COUPLE {
+                couples[i] = cell_couple(simd, &self.couples[cell], x, t);
+            }
+        }
+        // even and odd in A1
+        let odd = side * place.past_lift;
         LaneForces {
-            // even and odd in A1
-            axial: force(pushes_axial) ^ side,
-            radial: force(pushes_radial),
-            couple: if COUPLE {
-                force(couples) ^ side
-            } else {
-                Lanes::ZERO
-            },
+            axial: odd * simd.load_array_f64x4(pushes_axial),
+            radial: place.past_lift * simd.load_array_f64x4(pushes_radial),
+            couple: odd * simd.load_array_f64x4(couples),
         }
     }
 
     /// The derivative of the table's own force.
     fn force_and_tangent(&self, axial: f64, radial: f64, speed: f64) -> (BallForce, BallTangent) {
-        let Some(place) = self.locate(axial.abs().into(), radial.into(), speed) else {
+        let Some(place) = self.locate_single(axial, radial, speed) else {
             return self.exact.force_and_tangent(axial, radial, speed);
         };
-        let first = |lanes: Lanes| lanes.to_array()[0];
-        let (root, past_lift) = (first(place.root), first(place.past_lift));
-        let bin = place.bins[0];
-        let InCell { cell, x, t } = self.strips.locate(bin, root, first(place.along));
+        let Single {
+            past_lift,
+            root,
+            along,
+            bin,
+        } = place;
+        let InCell { cell, x, t } = self.strips.locate(bin, root, along);
         let [x_rate, t_rate] = self.strips.rates(bin);
         let slopes = self.chart.slopes(axial.abs(), radial);
         let t_rate = t_rate * self.chart.along_rate();
@@ -222,9 +244,7 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
             }
         };
         let forces = &self.forces[cell];
-        let pair = |output: usize| {
-            move |k: usize, l: usize| forces[k][l / 2].to_array()[2 * (l % 2) + output]
-        };
+        let pair = |output: usize| move |k: usize, l: usize| forces[k][l / 2][2 * (l % 2) + output];
         let side = 1.0_f64.copysign(axial);
         let even = |[value, by_axial, by_radial]: [f64; 3]| (value, [side * by_axial, by_radial]);
         let odd =
@@ -232,7 +252,7 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         let (push_axial, axial_row) = odd(row(&pair(0)));
         let (push_radial, radial_row) = even(row(&pair(1)));
         let (couple, couple_row) = if COUPLE {
-            odd(row(&|k, l| self.couples[cell][k].to_array()[l]))
+            odd(row(&|k, l| self.couples[cell][k][l]))
         } else {
             (0.0, [0.0; 2])
         };
@@ -242,6 +262,15 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
             couple,
         };
         (force, [axial_row, radial_row, couple_row])
+    }
+
+    /// The table's own line of lift-off; outside the law's.
+    fn past_lift_off(&self, axial: f64, radial: f64, speed: f64) -> f64 {
+        if self.covers(axial, radial, speed) {
+            self.chart.past_lift(axial.abs(), radial)
+        } else {
+            self.exact.past_lift_off(axial, radial, speed)
+        }
     }
 
     fn load_slopes(&self, axial: f64, radial: f64, speed: f64) -> [LoadSlope; 2] {

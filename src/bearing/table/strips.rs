@@ -2,6 +2,7 @@
 
 use super::law::{INSIDE, ROUNDING, whole};
 use crate::bearing::{LANES, Lanes};
+use fearless_simd::Simd;
 
 /// Bins over the whole range: the narrowest strip is one of them.
 pub(super) const BINS: usize = 8192;
@@ -65,15 +66,15 @@ impl Strips {
 
     /// The range of v as −1 … 1.
     #[inline(always)]
-    pub(super) fn part(&self, root: Lanes) -> Lanes {
-        (root - Lanes::splat(self.middle)) * Lanes::splat(self.inverse_half)
+    pub(super) fn part<S: Simd>(&self, root: Lanes<S>) -> Lanes<S> {
+        (root - self.middle) * self.inverse_half
     }
 
     /// Bins of parts of the range.
     #[inline(always)]
-    pub(super) fn bins(part: Lanes) -> [usize; LANES] {
+    pub(super) fn bins<S: Simd>(part: Lanes<S>) -> [usize; LANES] {
         let half = 0.5 * BINS as f64;
-        whole(part * Lanes::splat(half * INSIDE) + Lanes::splat(half - 0.5))
+        whole(part * (half * INSIDE) + (half - 0.5))
     }
 
     /// The cell of v and τ in a bin.

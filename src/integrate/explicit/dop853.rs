@@ -17,6 +17,7 @@ impl Pair for Dop853 {
     const ERROR_POWER: i32 = 8;
     const LOCAL_PART: f64 = 0.25;
     const STABILITY: f64 = 6.35;
+    const CROSSED: f64 = 2.98e-3;
     const NODES: [f64; MOST] = padded([
         0.0,
         0.05260015195876773,

@@ -1,19 +1,21 @@
 //! Explicit Runge–Kutta pairs on states of fixed size: no allocation, no time carried as a state,
 //! and steps that end at breaks of the system and nowhere else.
 
+mod aim;
 #[cfg(test)]
 mod conditions;
-mod control;
-mod course;
+mod crossing;
+mod dense;
 mod dop853;
+mod landing;
+mod numbers;
 mod quintic;
+mod substitution;
 mod tableau;
 mod tsit5;
 mod verner76;
 mod walk;
 
-pub(super) use control::Control;
-pub(super) use course::Course;
 pub(super) use dop853::Dop853;
 pub(super) use tableau::Pair;
 pub(super) use tsit5::Tsit5;

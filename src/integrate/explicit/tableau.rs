@@ -34,6 +34,9 @@ pub(in crate::integrate) trait Pair {
     /// Product of step and eigenvalue at which the method ceases to be stable on the negative real
     /// axis, without its sign.
     const STABILITY: f64;
+    /// Error of the quadrature by the weights, over a step of one, of a derivative that grows from some
+    /// place on, or falls to it, with the power 3/2 of the distance; root mean square over all places.
+    const CROSSED: f64;
     /// c_i.
     const NODES: [f64; MOST];
     /// a_ij, a row a stage.

@@ -18,6 +18,7 @@ impl Pair for Tsit5 {
     const ERROR_POWER: i32 = 5;
     const LOCAL_PART: f64 = 0.1;
     const STABILITY: f64 = 3.55;
+    const CROSSED: f64 = 4.3e-3;
     const NODES: [f64; MOST] = padded([0.0, 0.161, 0.327, 0.9, 0.9800255409045097, 1.0, 1.0]);
     const ARGUMENTS: [[f64; MOST]; MOST] = padded_rows([
         [0.0; MOST],

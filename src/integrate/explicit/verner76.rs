@@ -22,6 +22,7 @@ impl Pair for Verner76 {
     const ERROR_POWER: i32 = 7;
     const LOCAL_PART: f64 = 1.0;
     const STABILITY: f64 = 4.65;
+    const CROSSED: f64 = 9.4e-4;
     const NODES: [f64; MOST] = padded([
         0.0,
         0.005,

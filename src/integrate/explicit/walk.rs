@@ -1,50 +1,49 @@
 //! Steps of an explicit pair, one after the other, and the states between their ends.
 
-use super::control::Control;
-use super::course::Course;
-use super::quintic::{self, Quintic};
+use super::crossing::Crossing;
+use super::substitution::Substitution;
 use super::tableau::{Arguments, CoarseError, Error, Factors, MOST, Pair, Weights, sum};
+use crate::integrate::control::Control;
+use crate::integrate::course::Course;
 use crate::integrate::{Counters, IntegrateError, Scaling, System};
 
-/// Part of a step that the end of a stretch may lengthen it by.
-const STRETCH: f64 = 1.01;
-/// Part of the local error that the interpolation without evaluations may be estimated to have.
-const QUINTIC_PART: f64 = 0.1;
-
-/// Single numbers of a walk.
-const SINGLE: usize = 9;
-
-fn flag(set: bool) -> f64 {
-    f64::from(u8::from(set))
-}
+/// Times that a step looks for a better place to land on.
+const MOST_SEARCHES: u32 = 5;
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin: sums
 /// of them lose less to round-off.
 #[derive(Debug, Clone)]
 pub(in crate::integrate) struct Walk<const N: usize> {
     /// Start and end of the latest step, s.
-    start: f64,
-    time: f64,
+    pub(super) start: f64,
+    pub(super) time: f64,
     /// Size of the latest step and of the next one, s.
-    size: f64,
-    next_size: f64,
+    pub(super) size: f64,
+    pub(super) next_size: f64,
     /// Time that the next step must not reach over, s.
-    limit: f64,
+    pub(super) limit: f64,
     /// States at the start and at the end of the latest step.
-    from: [f64; N],
-    to: [f64; N],
-    stages: [[f64; N]; MOST],
+    pub(super) from: [f64; N],
+    pub(super) to: [f64; N],
+    /// Slopes by the variable of the step.
+    pub(super) stages: [[f64; N]; MOST],
+    pub(super) substitution: Substitution,
+    /// The derivative at the end of the latest step, where the variable of the step is substituted.
+    pub(super) end_rate: [f64; N],
+    pub(super) crossing: Crossing<N>,
+    /// Whether the derivative at the end of the trial is there.
+    pub(super) ended: bool,
     /// Whether the stages for dense output are there.
-    extended: bool,
+    pub(super) extended: bool,
     /// Whether the quintic is exact enough.
-    quintic: bool,
+    pub(super) quintic: bool,
     /// h³ q‴ at the end of the step before, by its polynomial; infinite where there was none.
-    jerk: [f64; N],
-    size_before: f64,
-    control: Control,
+    pub(super) jerk: [f64; N],
+    pub(super) size_before: f64,
+    pub(super) control: Control,
     /// Whether a trial since the latest good step was not finite.
-    fault: bool,
-    counters: Counters,
+    pub(super) fault: bool,
+    pub(super) counters: Counters,
 }
 
 impl<const N: usize> Walk<N> {
@@ -59,6 +58,10 @@ impl<const N: usize> Walk<N> {
             from: deviation,
             to: deviation,
             stages: [[0.0; N]; MOST],
+            substitution: Substitution::NONE,
+            end_rate: [0.0; N],
+            crossing: Crossing::NEW,
+            ended: false,
             extended: false,
             quintic: false,
             jerk: [f64::INFINITY; N],
@@ -89,64 +92,6 @@ impl<const N: usize> Walk<N> {
         std::array::from_fn(|i| self.to[i] / scaling.scale[i])
     }
 
-    /// Everything but the counters as numbers.
-    pub fn numbers(&self) -> Vec<f64> {
-        let single = [
-            self.start,
-            self.time,
-            self.size,
-            self.next_size,
-            self.limit,
-            self.size_before,
-            flag(self.extended),
-            flag(self.quintic),
-            flag(self.control.was_rejected()),
-        ];
-        let vectors = [&self.from, &self.to, &self.jerk];
-        let vectors = vectors.into_iter().chain(&self.stages).flatten();
-        single.iter().chain(vectors).copied().collect()
-    }
-
-    /// The walk of numbers as by [`Walk::numbers`], with its counters; none of any others.
-    pub fn restored(numbers: &[f64], counters: Counters) -> Option<Self> {
-        let (single, vectors) = numbers.split_at_checked(SINGLE)?;
-        let vectors: &[[f64; N]] = match vectors.as_chunks() {
-            (vectors, []) => vectors,
-            _ => return None,
-        };
-        let [
-            start,
-            time,
-            size,
-            next_size,
-            limit,
-            size_before,
-            extended,
-            quintic,
-            rejected,
-        ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
-        let [from, to, jerk, stages @ ..] = vectors else {
-            return None;
-        };
-        Some(Self {
-            start,
-            time,
-            size,
-            next_size,
-            limit,
-            from: *from,
-            to: *to,
-            stages: stages.try_into().ok()?,
-            extended: extended != 0.0,
-            quintic: quintic != 0.0,
-            jerk: *jerk,
-            size_before,
-            control: Control::after(rejected != 0.0),
-            fault: false,
-            counters,
-        })
-    }
-
     /// Work done so far.
     pub fn counters(&self) -> Counters {
         self.counters
@@ -164,7 +109,6 @@ impl<const N: usize> Walk<N> {
         while self.time < time {
             self.step::<P, S>(course)?;
         }
-        let origin = &course.scaling.origin;
         let deviation = if time >= self.time {
             self.to
         } else if self.quintic {
@@ -173,7 +117,7 @@ impl<const N: usize> Walk<N> {
             self.extend::<P, S>(course);
             self.by_stages::<P>(time)
         };
-        Ok(std::array::from_fn(|i| origin[i] + deviation[i]))
+        Ok(self.state(course, &deviation))
     }
 
     fn step<P: Pair, S: System<N>>(
@@ -181,35 +125,28 @@ impl<const N: usize> Walk<N> {
         course: &Course<'_, S, N>,
     ) -> Result<(), IntegrateError> {
         self.begin::<P, S>(course);
+        let start_rate = self.stages[0];
+        let (mut next, mut searches) = ([self.crossing.planned, None], 0);
         loop {
-            course.check(self.start, self.next_size, &self.counters, self.fault)?;
-            let cut = self.start + STRETCH * self.next_size >= self.limit;
-            self.size = if cut {
-                self.limit - self.start
-            } else {
-                self.next_size
-            };
+            let size = self.next_size.min(self.crossing.sizes[0]);
+            course.check(self.start, size, &self.counters, self.fault)?;
+            let aim = self.aim(next[0]);
+            self.size = aim.size;
+            self.substitute(&aim, &start_rate);
             let error = self.trial::<P, S>(course);
-            if error <= 1.0 {
-                let growth = self.control.accepted(error, P::ERROR_POWER);
-                let proposed = self.size * growth;
-                // a step that was cut tells little of how long the next may be
-                self.next_size = if cut {
-                    proposed.max(self.next_size)
-                } else {
-                    proposed
-                };
-                self.time = if cut {
-                    self.limit
-                } else {
-                    self.start + self.size
-                };
+            let found = self.crossed::<P, S>(course, &aim, error);
+            if let Some(found) = found.filter(|_| searches < MOST_SEARCHES) {
+                self.counters.rejected += 1;
+                searches += 1;
+                next = found;
+            } else if error <= 1.0 {
+                self.accept::<P>(&aim, error);
                 self.finish::<P, S>(course);
+                self.arrive(course, &aim, next);
                 return Ok(());
+            } else {
+                self.reject::<P>(error);
             }
-            self.counters.rejected += 1;
-            self.fault |= !error.is_finite();
-            self.next_size = self.size * self.control.rejected(error, P::ERROR_POWER);
         }
     }
 
@@ -218,8 +155,16 @@ impl<const N: usize> Walk<N> {
         self.start = self.time;
         self.size_before = self.size;
         self.from = self.to;
-        self.stages[0] = self.stages[P::LAST];
+        self.stages[0] = if self.substitution.is_none() {
+            self.stages[P::LAST]
+        } else {
+            self.end_rate
+        };
         if self.time >= self.limit {
+            self.crossing.planned = None;
+            if self.counters.steps == 0 {
+                self.look_around(course);
+            }
             self.limit = course.limit_after(self.time);
             // the derivative after a break, or the very first
             let from = self.from;
@@ -227,9 +172,9 @@ impl<const N: usize> Walk<N> {
             self.jerk = [f64::INFINITY; N];
         }
         if self.next_size <= 0.0 {
+            self.counters.evaluations += 1;
             let stretch = [self.start, self.limit];
             self.next_size = course.first_size(stretch, &self.from, &self.stages[0], P::ORDER);
-            self.counters.evaluations += 1;
         }
     }
 
@@ -242,12 +187,35 @@ impl<const N: usize> Walk<N> {
         time: f64,
         deviation: &[f64; N],
     ) {
-        let origin = &course.scaling.origin;
-        let state = std::array::from_fn(|i| origin[i] + deviation[i]);
+        let state = self.state(course, deviation);
         course
             .system
             .derivative(time, &state, &mut self.stages[stage]);
         self.counters.evaluations += 1;
+    }
+
+    #[inline(always)]
+    pub(super) fn state<S>(&self, course: &Course<'_, S, N>, deviation: &[f64; N]) -> [f64; N] {
+        let origin = &course.scaling.origin;
+        std::array::from_fn(|i| origin[i] + deviation[i])
+    }
+
+    /// Evaluates a stage of a step whose variable is substituted.
+    #[inline(never)]
+    fn substituted_stage<P: Pair, S: System<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+        stage: usize,
+        deviation: &[f64; N],
+    ) {
+        let [part, slope] = self.substitution.at(P::NODES[stage]);
+        self.evaluate(course, stage, self.stage_time(part), deviation);
+        if stage == P::LAST {
+            self.end_rate = self.stages[stage];
+        }
+        for rate in &mut self.stages[stage] {
+            *rate *= slope;
+        }
     }
 
     /// Deviation after the step by some factors.
@@ -264,9 +232,16 @@ impl<const N: usize> Walk<N> {
     }
 
     #[inline(always)]
-    fn stage<P: Pair, S: System<N>, const I: usize>(&mut self, course: &Course<'_, S, N>) {
+    pub(super) fn stage<P: Pair, S: System<N>, const I: usize>(
+        &mut self,
+        course: &Course<'_, S, N>,
+    ) {
         let argument = self.moved::<Arguments<P, I>>();
-        self.evaluate(course, I, self.stage_time(P::NODES[I]), &argument);
+        if self.substitution.is_none() {
+            self.evaluate(course, I, self.stage_time(P::NODES[I]), &argument);
+        } else {
+            self.substituted_stage::<P, S>(course, I, &argument);
+        }
     }
 
     /// Tries a step; its error over what is allowed, or no number.
@@ -278,9 +253,11 @@ impl<const N: usize> Walk<N> {
                 }
             )*};
         }
+        self.ended = false;
         stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
         self.to = self.moved::<Weights<P>>();
-        self.error::<P>(course.scaling) * self.size / (P::LOCAL_PART * course.settings.tolerance)
+        let error = self.error::<P>(course.scaling) * self.size;
+        error * self.doubt() / (P::LOCAL_PART * course.settings.tolerance)
     }
 
     /// Root mean square of the error per time, relative to one unit and the deviation.
@@ -308,93 +285,32 @@ impl<const N: usize> Walk<N> {
         if both == 0.0 { 0.0 } else { fine / both.sqrt() }
     }
 
+    /// Evaluates the derivative at the end of the step, where the trial did not.
+    pub(super) fn evaluate_end<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) {
+        if const { P::LAST >= P::TRIAL } && !self.ended {
+            self.ended = true;
+            let to = self.to;
+            if self.substitution.is_none() {
+                self.evaluate(course, P::LAST, self.stage_time(1.0), &to);
+            } else {
+                self.substituted_stage::<P, S>(course, P::LAST, &to);
+            }
+        }
+    }
+
     /// Completes a good step.
     fn finish<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) {
-        if const { P::LAST >= P::TRIAL } {
-            let to = self.to;
-            self.evaluate(course, P::LAST, self.stage_time(1.0), &to);
-        }
+        self.evaluate_end::<P, S>(course);
         self.counters.steps += 1;
         self.fault = false;
         self.extended = const { P::LAST + 1 >= P::STAGES };
-        self.quintic = course.system.is_second_order() && self.judge_quintic::<P, S>(course);
-    }
-
-    /// Evaluates the stages for dense output, once a step.
-    fn extend<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) {
-        if self.extended {
+        if !self.substitution.is_none() {
+            // the variable of the quintic is the time
+            self.quintic = false;
+            self.jerk = [f64::INFINITY; N];
             return;
         }
-        self.extended = true;
-        macro_rules! stages {
-            ($($stage:literal)*) => {$(
-                if const { $stage > P::LAST && $stage < P::STAGES } {
-                    self.stage::<P, S, $stage>(course);
-                }
-            )*};
-        }
-        stages!(7 8 9 10 11 12 13 14 15);
-    }
-
-    /// Deviation within the step by the pair's own interpolant.
-    fn by_stages<P: Pair>(&self, time: f64) -> [f64; N] {
-        let part = (time - self.start) / self.size;
-        let mut sum = [0.0; N];
-        for (row, stage) in P::DENSE.iter().zip(&self.stages).take(P::STAGES) {
-            let factor = part * row.iter().rev().fold(0.0, |sum, term| sum * part + term);
-            for i in 0..N {
-                sum[i] += factor * stage[i];
-            }
-        }
-        std::array::from_fn(|i| self.from[i] + self.size * sum[i])
-    }
-
-    fn by_quintic(&self, time: f64, last: usize) -> [f64; N] {
-        let part = (time - self.start) / self.size;
-        let mut deviation = self.to;
-        for i in 0..N / 2 {
-            let [start, end] = self.ends(i, last);
-            let quintic = Quintic::new(self.size, start, end);
-            [deviation[i], deviation[N / 2 + i]] = quintic.at(part, self.size, start);
-        }
-        deviation
-    }
-
-    /// Motion of a freedom at both ends of the step.
-    #[inline(always)]
-    fn ends(&self, freedom: usize, last: usize) -> [quintic::Motion; 2] {
-        let velocity = N / 2 + freedom;
-        [
-            [
-                self.from[freedom],
-                self.from[velocity],
-                self.stages[0][velocity],
-            ],
-            [
-                self.to[freedom],
-                self.to[velocity],
-                self.stages[last][velocity],
-            ],
-        ]
-    }
-
-    /// Whether the quintic's error is small beside what the step may have.
-    fn judge_quintic<P: Pair, S>(&mut self, course: &Course<'_, S, N>) -> bool {
-        let (size, before) = (self.size, self.size_before);
-        let scale = &course.scaling.scale;
-        let allowed = QUINTIC_PART * course.settings.tolerance;
-        let mut good = true;
-        for i in 0..N / 2 {
-            let [start, end] = self.ends(i, P::LAST);
-            let [first, last] = Quintic::new(size, start, end).jerks();
-            let jump = first / size.powi(3) - self.jerk[i];
-            self.jerk[i] = last / size.powi(3);
-            let [place, velocity] = quintic::errors(jump, size, before);
-            // not so where the jump is no number
-            good &= place <= allowed * (scale[i] + start[0].abs())
-                && velocity <= allowed * (scale[N / 2 + i] + start[1].abs());
-        }
-        good
+        self.quintic = course.system.is_second_order() && self.judge_quintic::<P, S>(course);
     }
 }
 

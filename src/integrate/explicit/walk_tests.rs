@@ -3,6 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::*;
+use crate::integrate::explicit::quintic::{self, Quintic};
 use crate::integrate::explicit::{Dop853, Tsit5, Verner76};
 use crate::integrate::{Method, Settings};
 

@@ -6,11 +6,10 @@ use super::tableau::{
     Arguments, CoarseError, Factors, MOST, Pair, Place, PlaceError, Velocity, VelocityError, sum,
 };
 use super::within::{ENDS, End, Within};
-use crate::integrate::explicit::{Control, Course};
+use crate::integrate::control::Control;
+use crate::integrate::course::{Course, STRETCH};
 use crate::integrate::{Counters, IntegrateError, Scaling, System, VelocityDependence};
 
-/// Part of a step that the end of a stretch may lengthen it by.
-const STRETCH: f64 = 1.01;
 /// Factors of the step size between which it stays as it is: the integrating factor is then at hand.
 const KEPT: std::ops::Range<f64> = 0.95..1.2;
 /// Part of the error aimed at that states within a step may be estimated to have of their own.

@@ -6,14 +6,13 @@ mod figures;
 mod json;
 mod text;
 
-use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
 pub use self::json::study_json;
 pub use self::text::study_text;
-use super::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
+use super::{FileSet, ReportError, RunFolder};
 use crate::study::{Study, StudyRow, Variable};
 
 /// Writes `study.csv`, `around.csv`, three figures and, last, `study.json` into `folder`; returns
@@ -31,12 +30,8 @@ pub fn write_study(
     let folder = RunFolder::open(folder, FileSet::STUDY)?;
     let variable = &study.variable;
     let mut files = vec![
-        written(&folder, "study.csv", |file| {
-            csv::write(variable, rows, file)
-        })?,
-        written(&folder, "around.csv", |file| {
-            around_csv::write(variable, rows, file)
-        })?,
+        folder.write_with("study.csv", |file| csv::write(variable, rows, file))?,
+        folder.write_with("around.csv", |file| around_csv::write(variable, rows, file))?,
     ];
     for (name, svg) in [
         ("stiffness.svg", figures::stiffness(title, variable, rows)?),
@@ -55,19 +50,8 @@ pub fn write_study(
     folder.commit(files, format!("{cover:#}\n").as_bytes())
 }
 
-fn written(
-    folder: &RunFolder,
-    name: &str,
-    write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
-) -> Result<WholeFile, ReportError> {
-    let mut file = folder.create(name)?;
-    let path = file.path().to_owned();
-    write(&mut file).map_err(ReportError::file(FileAction::Write, &path))?;
-    file.close()
-}
-
 /// The variable as the name of a column: `load_0_constant_z_N`.
-fn column_name(variable: &Variable) -> String {
+pub(super) fn column_name(variable: &Variable) -> String {
     let words: Vec<_> = variable
         .key
         .split(['.', '[', ']'])
@@ -82,7 +66,7 @@ fn column_name(variable: &Variable) -> String {
 }
 
 /// The variable as the name of an axis: `load[0].constant.z in N`.
-fn axis_name(variable: &Variable) -> String {
+pub(super) fn axis_name(variable: &Variable) -> String {
     if variable.shown_unit.is_empty() {
         variable.key.clone()
     } else {
@@ -91,7 +75,7 @@ fn axis_name(variable: &Variable) -> String {
 }
 
 /// A value of the variable in the unit that it was written in: `200 N`.
-fn shown(variable: &Variable, value: f64) -> String {
+pub(super) fn shown(variable: &Variable, value: f64) -> String {
     let number = variable.shown(value);
     let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
     format!("{rounded} {}", variable.shown_unit)

@@ -6,7 +6,6 @@ use std::sync::LazyLock;
 use serde_json::Value;
 
 use super::integrator::MethodChoice;
-use crate::integrate::Method;
 use crate::scenario::schema;
 use crate::scenario::walk::{choices, nearest};
 use crate::study::accuracy::NamedMethod;
@@ -53,7 +52,7 @@ pub fn methods() -> &'static [NamedMethod] {
             let choice: MethodChoice = serde_json::from_value(word.into()).ok()?;
             Some(NamedMethod {
                 name: word.to_owned(),
-                method: Method::from(choice),
+                method: choice.fixed()?,
             })
         });
         named.collect()

@@ -16,7 +16,7 @@ const LEAST_ERROR: f64 = 1e-12;
 /// 17 (1991) 533–554), was tried at 0.1 to 0.4 of the exponent: evaluations to a given error moved by
 /// less than their scatter, on smooth motion and with balls that lose contact.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Control {
+pub(super) struct Control {
     /// Whether the latest trial was rejected.
     rejected: bool,
 }

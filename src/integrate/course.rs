@@ -1,15 +1,16 @@
-//! What every walk by explicit steps has in common: where steps end, when a walk gives up, and how long
-//! its first step is.
+//! What all walks have in common: where steps end, when a walk gives up, and how long a first step is.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::integrate::{Counters, IntegrateError, Scaling, Settings, System};
+use super::{Counters, IntegrateError, Scaling, Settings, System};
 
 /// Least first guess of a step size, in units of the scaling's time.
 const LEAST_GUESS: f64 = 1e-6;
+/// Part of a step that the end of a stretch may lengthen it by.
+pub(super) const STRETCH: f64 = 1.01;
 
 /// What a walk goes by.
-pub(in crate::integrate) struct Course<'a, S, const N: usize> {
+pub(super) struct Course<'a, S, const N: usize> {
     pub system: &'a S,
     pub scaling: &'a Scaling<N>,
     pub settings: &'a Settings,
@@ -51,7 +52,7 @@ impl<S, const N: usize> Course<'_, S, N> {
     }
 
     /// Root mean square over what is allowed at a deviation.
-    fn norm(&self, deviation: &[f64; N], vector: &[f64; N]) -> f64 {
+    pub fn norm(&self, deviation: &[f64; N], vector: &[f64; N]) -> f64 {
         let squares = (0..N).map(|i| {
             let unit = self.scaling.scale[i] + deviation[i].abs();
             (vector[i] / (self.settings.tolerance * unit)).powi(2)

@@ -1,0 +1,76 @@
+//! Where the balls of a mounted bearing stand about their lift-off.
+
+use super::ring::{CageAngle, Vector5};
+use super::ring_lift_off::LiftOffs;
+use super::seat::Seat;
+use super::support::Support;
+
+/// Slope of the distance to lift-off by the place of the inner groove centre: one, but for what the
+/// inertia of the ball and the table of a law add.
+const LIFT_OFF_SLOPE: f64 = 1.1;
+
+impl Support {
+    /// Number of balls whose force is not smooth where they lift off: none of a linear bearing, and
+    /// none behind films.
+    pub(crate) fn balls_that_lift_off(&self) -> u32 {
+        match self.frozen {
+            None if self.ring.lifts_off() => self.definition.bearing.geometry.balls() as u32,
+            _ => 0,
+        }
+    }
+
+    /// These balls about their lift-off.
+    pub(crate) fn lift_offs(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> LiftOffs {
+        if self.balls_that_lift_off() == 0 {
+            return LiftOffs::NONE;
+        }
+        let place = self.ring_displacement(displacement, cage, speed);
+        match &self.table {
+            Some(table) => table.lift_offs(&place, cage, speed),
+            None => self.ring.lift_offs(&place, cage, speed),
+        }
+    }
+
+    /// No ball comes nearer to its lift-off by more than this as the shaft goes from one displacement
+    /// to another and the cage turns by an angle in rad; infinite of a ring that floats.
+    pub(crate) fn approach_to_lift_off(&self, ends: [&Vector5; 2], turn: f64) -> f64 {
+        if matches!(self.seat, Seat::Spring { .. }) {
+            return f64::INFINITY;
+        }
+        let [from, to] = ends.map(|displacement| self.imposed(displacement));
+        let arm = self.definition.bearing.geometry.inner_groove_radius();
+        let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
+        // plain roots: this is asked for at every step
+        let length = |a: f64, b: f64| (a * a + b * b).sqrt();
+        // the shift of an inner groove centre, and what it turns with the cage
+        let turn = turn.abs();
+        let radial = length(x, y) + turn * length(to[0], to[1]);
+        let tilt = length(tilt_x, tilt_y) + turn * length(to[3], to[4]);
+        LIFT_OFF_SLOPE * length(radial, z.abs() + arm * tilt)
+    }
+
+    /// How far one of them is pressed past its lift-off, m.
+    pub(crate) fn past_lift_off(
+        &self,
+        ball: usize,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> f64 {
+        let place = self.ring_displacement(displacement, cage, speed);
+        match &self.table {
+            Some(table) => table.past_lift_off(ball, &place, cage, speed),
+            None => self.ring.past_lift_off(ball, &place, cage, speed),
+        }
+    }
+
+    /// Largest load of a ball so far past its lift-off in m, N.
+    pub(crate) fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
+        self.ring.load_past_lift_off(distance, speed)
+    }
+}

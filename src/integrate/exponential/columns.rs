@@ -1,0 +1,84 @@
+//! Small square matrices as arrays of columns, whose products are straight-line code.
+
+/// A matrix by its columns.
+pub(super) type Columns<const N: usize> = [[f64; N]; N];
+
+/// Adds the product of a matrix, from a column on, and a vector.
+#[inline(always)]
+pub(super) fn apply<const N: usize>(
+    columns: &Columns<N>,
+    first: usize,
+    vector: &[f64; N],
+    sum: &mut [f64; N],
+) {
+    for (column, value) in columns[first..].iter().zip(&vector[first..]) {
+        for row in 0..N {
+            sum[row] += column[row] * value;
+        }
+    }
+}
+
+/// The product of two matrices.
+pub(super) fn product<const N: usize>(left: &Columns<N>, right: &Columns<N>) -> Columns<N> {
+    right.map(|column| {
+        let mut sum = [0.0; N];
+        apply(left, 0, &column, &mut sum);
+        sum
+    })
+}
+
+/// Sweeps of [`balanced_norm`]: each brings rows and columns nearer to each other.
+const BALANCING: usize = 8;
+
+/// Largest sum of a column where every component is counted in the unit that makes the matrix smallest.
+///
+/// What a component does to others counts for nothing where nothing comes back: a work that is summed
+/// up has no time scale. Powers of the matrix neither grow nor lose digits by such a choice of units.
+///
+/// Source: Osborne, *J. ACM* 7 (1960) 338–345.
+pub(super) fn balanced_norm<const N: usize>(columns: &Columns<N>) -> f64 {
+    let mut unit = [1.0_f64; N];
+    let scaled = |unit: &[f64; N], row: usize, column: usize| {
+        let entry = columns[column][row].abs();
+        if entry == 0.0 {
+            0.0
+        } else {
+            entry * unit[column] / unit[row]
+        }
+    };
+    for _ in 0..BALANCING {
+        for i in 0..N {
+            let others = || (0..N).filter(|&j| j != i);
+            let into: f64 = others().map(|j| scaled(&unit, i, j)).sum();
+            let out_of: f64 = others().map(|j| scaled(&unit, j, i)).sum();
+            let factor = (into / out_of).sqrt();
+            if out_of == 0.0 {
+                unit[i] = f64::INFINITY;
+            } else if into > 0.0 && factor.is_finite() {
+                unit[i] *= factor;
+            }
+        }
+    }
+    let sum = |column: usize| {
+        let own = columns[column][column].abs();
+        let others = (0..N).filter(|&row| row != column);
+        let others = others.map(|row| scaled(&unit, row, column));
+        own + others.filter(|entry| entry.is_finite()).sum::<f64>()
+    };
+    (0..N).map(sum).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An oscillator in metres and metres per second, whose work in microjoules is summed up: its
+    /// frequency alone is the size of the matrix.
+    #[test]
+    fn units_and_sums_do_not_count() {
+        let (square, power) = (25e6, 1e9);
+        let columns = [[0.0, -square, 0.0], [1.0, -100.0, power], [0.0, 0.0, 0.0]];
+        let norm = balanced_norm(&columns);
+        assert!((norm - 5100.0).abs() < 1.0, "{norm}");
+    }
+}

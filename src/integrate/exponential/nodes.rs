@@ -1,0 +1,188 @@
+//! The points of a step at which the slow part is known, and what a polynomial through them yields.
+
+use std::sync::LazyLock;
+
+/// Points of a step, its start and its end among them.
+pub(super) const POINTS: usize = 7;
+/// The point whose omission gives the polynomial of next lower degree.
+pub(super) const SPARE: usize = POINTS / 2;
+
+/// A vector at every point.
+pub(super) type Points<const N: usize> = [[f64; N]; POINTS];
+
+/// Weighted sum of the vectors at the points.
+pub(super) fn combined<const N: usize>(weights: &[f64; POINTS], points: &Points<N>) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for (weight, point) in weights.iter().zip(points) {
+        for i in 0..N {
+            sum[i] += weight * point[i];
+        }
+    }
+    sum
+}
+
+/// Weights of the values at the points in their polynomial at a part of the step.
+pub(super) fn weights(part: f64) -> [f64; POINTS] {
+    std::array::from_fn(|j| product_of(&NODES.part, part, j, |k| k != j))
+}
+
+/// Numbers that the points alone decide; parts of a step count from its start.
+pub(super) struct Nodes {
+    /// Parts of the step, the points of Lobatto's quadrature: they leave the smallest error of a
+    /// polynomial that is integrated over the step.
+    pub part: [f64; POINTS],
+    /// Coefficients of 1, τ, τ², … in the polynomial that is one at a point and zero at the others.
+    pub power: [[f64; POINTS]; POINTS],
+    /// `m! times` the coefficients of the powers of (τ − c_r)/(c_{r+1} − c_r) in the same polynomials,
+    /// for every interval r between points.
+    pub local: [[[f64; POINTS]; POINTS]; POINTS - 1],
+    /// Value at the spare point less that of the polynomial through the others.
+    pub spare: [f64; POINTS],
+}
+
+/// The points.
+pub(super) static NODES: LazyLock<Nodes> = LazyLock::new(Nodes::new);
+
+impl Nodes {
+    fn new() -> Self {
+        let part = lobatto();
+        let power: [[f64; POINTS]; POINTS] = std::array::from_fn(|j| lagrange(&part, j));
+        let local = std::array::from_fn(|r| {
+            let length = part[r + 1] - part[r];
+            std::array::from_fn(|j| factorials(&stretched(&shifted(&power[j], part[r]), length)))
+        });
+        Self {
+            part,
+            power,
+            local,
+            spare: left_out(&part, SPARE),
+        }
+    }
+}
+
+/// Ends and extremes of the Legendre polynomial, by Newton's method.
+fn lobatto() -> [f64; POINTS] {
+    let degree = (POINTS - 1) as f64;
+    std::array::from_fn(|index| {
+        if index == 0 || index + 1 == POINTS {
+            return if index == 0 { 0.0 } else { 1.0 };
+        }
+        let mut x = -(std::f64::consts::PI * index as f64 / degree).cos();
+        for _ in 0..50 {
+            let (value, before) = legendre(x);
+            // zeros of (1 − x²) P′ = n (P_{n−1} − x P_n), whose slope is −n (n + 1) P_n
+            x += (before - x * value) / ((degree + 1.0) * value);
+        }
+        0.5 * (1.0 + x)
+    })
+}
+
+/// P_n and P_{n−1} of the degree of the points.
+fn legendre(x: f64) -> (f64, f64) {
+    let (mut before, mut value) = (1.0, x);
+    for degree in 2..POINTS {
+        let n = degree as f64;
+        (before, value) = (
+            value,
+            ((2.0 * n - 1.0) * x * value - (n - 1.0) * before) / n,
+        );
+    }
+    (value, before)
+}
+
+/// Coefficients of the polynomial that is one at point `one` and zero at the others.
+fn lagrange(part: &[f64; POINTS], one: usize) -> [f64; POINTS] {
+    let mut product = [0.0; POINTS];
+    product[0] = 1.0;
+    for (index, zero) in part.iter().enumerate() {
+        if index == one {
+            continue;
+        }
+        let distance = part[one] - zero;
+        for power in (0..POINTS).rev() {
+            let lower = if power > 0 { product[power - 1] } else { 0.0 };
+            product[power] = (lower - zero * product[power]) / distance;
+        }
+    }
+    product
+}
+
+/// Coefficients by powers of τ − `origin`.
+fn shifted(power: &[f64; POINTS], origin: f64) -> [f64; POINTS] {
+    let mut shifted = *power;
+    for low in 0..POINTS {
+        for index in (low..POINTS - 1).rev() {
+            shifted[index] += origin * shifted[index + 1];
+        }
+    }
+    shifted
+}
+
+/// Coefficients by powers of τ/`unit`.
+fn stretched(power: &[f64; POINTS], unit: f64) -> [f64; POINTS] {
+    let mut factor = 1.0;
+    power.map(|coefficient| {
+        let stretched = coefficient * factor;
+        factor *= unit;
+        stretched
+    })
+}
+
+/// Coefficients times the factorials of their powers.
+fn factorials(power: &[f64; POINTS]) -> [f64; POINTS] {
+    let mut factorial = 1.0;
+    std::array::from_fn(|index| {
+        factorial *= index.max(1) as f64;
+        power[index] * factorial
+    })
+}
+
+/// Factors of the values in: value at `point` less that of the polynomial through the other points.
+fn left_out(part: &[f64; POINTS], point: usize) -> [f64; POINTS] {
+    std::array::from_fn(|j| {
+        if j == point {
+            1.0
+        } else {
+            -product_of(part, part[point], j, |k| k != j && k != point)
+        }
+    })
+}
+
+/// Π (x − c_k)/(c_j − c_k) over some points.
+fn product_of(part: &[f64; POINTS], x: f64, j: usize, some: impl Fn(usize) -> bool) -> f64 {
+    let chosen = (0..POINTS).filter(|&k| some(k));
+    chosen
+        .map(|k| (x - part[k]) / (part[j] - part[k]))
+        .product()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The points of Lobatto's rule of seven: 0.4688… and 0.8302… of half the step from its middle.
+    #[test]
+    fn points_are_those_of_lobatto() {
+        let expected = [-1.0, -0.830_223_896_278_567, -0.468_848_793_470_714_2, 0.0];
+        for (found, expected) in NODES.part.iter().zip(expected) {
+            assert!((2.0 * found - 1.0 - expected).abs() < 1e-15, "{found}");
+        }
+    }
+
+    /// A polynomial of the points' degree is met everywhere, and its next lower one is not.
+    #[test]
+    fn polynomials_through_the_points_are_exact_up_to_their_degree() {
+        let value = |x: f64, degree: i32| [(x - 0.3).powi(degree)];
+        let points = |degree| NODES.part.map(|part| value(part, degree));
+        for degree in 0..POINTS as i32 {
+            let ahead = combined(&weights(1.7), &points(degree))[0] - value(1.7, degree)[0];
+            assert!(ahead.abs() < 1e-11, "{degree}: {ahead:e}");
+            let spare = combined(&NODES.spare, &points(degree))[0].abs();
+            assert_eq!(
+                spare > 1e-4,
+                degree == POINTS as i32 - 1,
+                "{degree}: {spare:e}"
+            );
+        }
+    }
+}

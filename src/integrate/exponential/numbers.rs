@@ -1,0 +1,89 @@
+//! A walk as plain numbers, from which it goes on to the same bytes.
+
+use super::nodes::POINTS;
+use super::plan::Leg;
+use super::walk::Walk;
+use crate::integrate::Counters;
+
+/// Single numbers of a walk.
+const SINGLE: usize = 18;
+
+fn flag(set: bool) -> f64 {
+    f64::from(u8::from(set))
+}
+
+impl<const N: usize> Walk<N> {
+    /// Everything but the counters as numbers; what follows from them is left out.
+    pub fn numbers(&self) -> Vec<f64> {
+        let single: [f64; SINGLE] = [
+            self.start,
+            self.time,
+            self.size,
+            self.wish,
+            self.limit,
+            self.leg.end,
+            self.leg.left,
+            self.leg.size,
+            self.leg.intervals,
+            self.intervals,
+            self.slow_size,
+            self.linear.norm,
+            self.linear.first as f64,
+            flag(self.fresh),
+            self.rate,
+            self.since_rate,
+            self.waste,
+            flag(self.rejected),
+        ];
+        let vectors = [&self.from, &self.to].into_iter();
+        let vectors = vectors.chain(&self.slow).chain(&self.linear.jacobian);
+        single.iter().chain(vectors.flatten()).copied().collect()
+    }
+
+    /// The walk of numbers as by [`Walk::numbers`], with its counters; none of any others.
+    pub fn restored(numbers: &[f64], counters: Counters, interval: f64) -> Option<Self> {
+        let (single, vectors) = numbers.split_at_checked(SINGLE)?;
+        let vectors: &[[f64; N]] = match vectors.as_chunks() {
+            (vectors, []) if vectors.len() == 2 + POINTS + N => vectors,
+            _ => return None,
+        };
+        let [
+            start,
+            time,
+            size,
+            wish,
+            limit,
+            end,
+            left,
+            leg_size,
+            leg_intervals,
+            intervals,
+            slow_size,
+            norm,
+            first,
+            fresh,
+            rate,
+            since_rate,
+            waste,
+            rejected,
+        ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
+        let mut walk = Self::new(vectors[1], interval);
+        walk.from = vectors[0];
+        walk.slow.copy_from_slice(&vectors[2..2 + POINTS]);
+        walk.linear.jacobian.copy_from_slice(&vectors[2 + POINTS..]);
+        (walk.linear.norm, walk.linear.first) = (norm, (first as usize).min(N));
+        (walk.start, walk.time, walk.size) = (start, time, size);
+        (walk.wish, walk.limit, walk.intervals) = (wish, limit, intervals);
+        walk.leg = Leg {
+            end,
+            left,
+            size: leg_size,
+            intervals: leg_intervals,
+        };
+        (walk.slow_size, walk.fresh) = (slow_size, fresh != 0.0);
+        (walk.rate, walk.since_rate) = (rate, since_rate);
+        (walk.waste, walk.rejected) = (waste, rejected != 0.0);
+        walk.counters = counters;
+        Some(walk)
+    }
+}

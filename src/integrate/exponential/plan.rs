@@ -1,0 +1,100 @@
+//! Where steps end: steps longer than the interval of the samples last a round number of intervals,
+//! shorter ones a round part of one, so that few sizes occur and every sample is a step's end or lies
+//! whole intervals after its start.
+
+/// Least part of an interval that counts as one, and nearness to a grid time that counts as there.
+const SLACK: f64 = 1e-6;
+
+/// The way to the next time at which a step ends anyhow: a grid time or a break.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Leg {
+    /// Its end, s.
+    pub end: f64,
+    /// Equal steps that are left on it, and their size, s.
+    pub left: f64,
+    pub size: f64,
+    /// Intervals of samples that its only step lasts; zero where it lasts no whole number.
+    pub intervals: f64,
+}
+
+impl Leg {
+    /// The leg that has ended.
+    pub const ENDED: Self = Self {
+        end: 0.0,
+        left: 0.0,
+        size: 0.0,
+        intervals: 0.0,
+    };
+
+    /// A leg from a time on in steps no longer than a wish, on a grid of samples, up to a limit.
+    pub fn new(time: f64, wish: f64, interval: f64, limit: f64) -> Self {
+        let index = (time / interval).round();
+        if index * interval == time {
+            let free = ((limit - time) / interval + SLACK).floor();
+            let intervals = round_below((wish / interval * (1.0 + SLACK)).min(free));
+            if intervals >= 1.0 {
+                return Self {
+                    end: (index + intervals) * interval,
+                    left: 1.0,
+                    size: intervals * interval,
+                    intervals,
+                };
+            }
+            if free >= 1.0 {
+                return Self::divided((index + 1.0) * interval, interval, wish);
+            }
+            return Self::divided(limit, limit - time, wish);
+        }
+        let next = ((time / interval).floor() + 1.0) * interval;
+        let end = if next < limit + SLACK * interval {
+            next
+        } else {
+            limit
+        };
+        Self::divided(end, end - time, wish)
+    }
+
+    fn divided(end: f64, length: f64, wish: f64) -> Self {
+        let mut leg = Self {
+            end,
+            left: 1.0,
+            size: length,
+            intervals: 0.0,
+        };
+        while leg.size > wish * (1.0 + SLACK) {
+            leg.left *= 2.0;
+            leg.size *= 0.5;
+        }
+        leg
+    }
+
+    /// The rest of the leg in steps no longer than a wish.
+    pub fn adapted(self, wish: f64) -> Self {
+        let mut leg = Self {
+            intervals: 0.0,
+            ..self
+        };
+        while leg.size > wish * (1.0 + SLACK) {
+            leg.left *= 2.0;
+            leg.size *= 0.5;
+        }
+        while leg.left % 2.0 == 0.0 && 2.0 * leg.size <= wish * (1.0 + SLACK) {
+            leg.left *= 0.5;
+            leg.size *= 2.0;
+        }
+        leg
+    }
+}
+
+/// The largest of 1, 2, 3, 4, 6, 8, 12, … that is not above a number; zero below one.
+fn round_below(number: f64) -> f64 {
+    if number < 1.0 {
+        return 0.0;
+    }
+    let power = 2.0_f64.powi(number.log2().floor() as i32);
+    if power >= 2.0 && 1.5 * power <= number {
+        1.5 * power
+    } else {
+        power
+    }
+}

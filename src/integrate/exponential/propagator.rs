@@ -1,0 +1,207 @@
+//! The matrices that carry a state over a step of one size, and those that were used of late.
+
+use super::columns::{Columns, apply, product};
+use super::nodes::{NODES, POINTS};
+use super::phi::{self, Family};
+
+/// Sizes that are kept.
+const KEPT: usize = 12;
+
+/// The linear part of a system: `∂f/∂y` at one place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LinearPart<const N: usize> {
+    pub jacobian: Columns<N>,
+    /// Its norm in the units that make it smallest, 1/s.
+    pub norm: f64,
+    /// First component that the slow part can have: in (q, q̇) it has none in q.
+    pub first: usize,
+}
+
+impl<const N: usize> LinearPart<N> {
+    /// No linear part.
+    pub const NONE: Self = Self {
+        jacobian: [[0.0; N]; N],
+        norm: 0.0,
+        first: 0,
+    };
+
+    /// The functions φ of it over an interval, s.
+    fn family(&self, interval: f64) -> Family<N> {
+        let scaled = self
+            .jacobian
+            .map(|column| column.map(|value| interval * value));
+        phi::family(&scaled, interval * self.norm, self.first)
+    }
+}
+
+/// `y(t + c_i h) = E_i y(t) + Σ_j A_ij g(t + c_j h)`, exact where g is a polynomial of the points'
+/// degree.
+#[derive(Debug, Clone)]
+pub(super) struct Propagator<const N: usize> {
+    size: f64,
+    first: usize,
+    /// E_i and A_ij of the points after the first.
+    free: [Columns<N>; POINTS - 1],
+    forced: [[Columns<N>; POINTS]; POINTS - 1],
+}
+
+impl<const N: usize> Propagator<N> {
+    fn new() -> Self {
+        Self {
+            size: 0.0,
+            first: 0,
+            free: [[[0.0; N]; N]; POINTS - 1],
+            forced: [[[[0.0; N]; N]; POINTS]; POINTS - 1],
+        }
+    }
+
+    /// State at a point after the first.
+    #[inline(always)]
+    pub fn state(&self, point: usize, from: &[f64; N], slow: &[[f64; N]; POINTS]) -> [f64; N] {
+        let mut state = [0.0; N];
+        apply(&self.free[point - 1], 0, from, &mut state);
+        self.add(point, slow, &mut state);
+        state
+    }
+
+    /// Adds what a slow part does to the state at a point.
+    #[inline(always)]
+    pub fn add(&self, point: usize, slow: &[[f64; N]; POINTS], state: &mut [f64; N]) {
+        for (forced, slow) in self.forced[point - 1].iter().zip(slow) {
+            apply(forced, self.first, slow, state);
+        }
+    }
+
+    /// What the slow part at one point alone does to the state at another.
+    #[inline(always)]
+    pub fn effect(&self, point: usize, of: usize, slow: &[f64; N]) -> [f64; N] {
+        let mut state = [0.0; N];
+        apply(&self.forced[point - 1][of], self.first, slow, &mut state);
+        state
+    }
+
+    /// Makes it that of a size, point by point: what came before is carried on, and what the interval
+    /// adds is added.
+    fn build(&mut self, part: &LinearPart<N>, size: f64) {
+        (self.size, self.first) = (size, part.first);
+        // intervals lie symmetrically about the middle of the step
+        for interval in 0..POINTS / 2 {
+            let length = NODES.part[interval + 1] - NODES.part[interval];
+            let family = part.family(length * size);
+            for mirror in [interval, POINTS - 2 - interval] {
+                self.free[mirror] = family[0];
+                for (j, forced) in self.forced[mirror].iter_mut().enumerate() {
+                    integrals(
+                        &family,
+                        &NODES.local[mirror][j],
+                        length * size,
+                        part.first,
+                        forced,
+                    );
+                }
+            }
+        }
+        for point in 1..POINTS - 1 {
+            let ([.., free_before], [free, ..]) = self.free.split_at_mut(point) else {
+                return;
+            };
+            let ([.., forced_before], [forced, ..]) = self.forced.split_at_mut(point) else {
+                return;
+            };
+            for (before, forced) in forced_before.iter().zip(forced) {
+                for column in part.first..N {
+                    apply(free, 0, &before[column], &mut forced[column]);
+                }
+            }
+            *free = product(free, free_before);
+        }
+    }
+}
+
+/// What one of the points' polynomials adds over an interval.
+fn integrals<const N: usize>(
+    family: &Family<N>,
+    local: &[f64; POINTS],
+    interval: f64,
+    first: usize,
+    sum: &mut Columns<N>,
+) {
+    for column in first..N {
+        let mut entries = [0.0; N];
+        for (coefficient, function) in local.iter().zip(&family[1..]) {
+            let factor = interval * coefficient;
+            for row in 0..N {
+                entries[row] += factor * function[column][row];
+            }
+        }
+        sum[column] = entries;
+    }
+}
+
+/// Propagators of one linear part by their sizes, and the functions over a sample interval.
+#[derive(Debug, Clone)]
+pub(super) struct Propagators<const N: usize> {
+    kept: Vec<Propagator<N>>,
+    /// Number of those that belong to the linear part.
+    valid: usize,
+    /// When each was asked for, to forget the one that has not been for longest.
+    used: [u64; KEPT],
+    clock: u64,
+    samples: Box<Family<N>>,
+    samples_valid: bool,
+}
+
+impl<const N: usize> Propagators<N> {
+    pub fn new() -> Self {
+        Self {
+            kept: Vec::with_capacity(KEPT),
+            valid: 0,
+            used: [0; KEPT],
+            clock: 0,
+            samples: Box::new([[[0.0; N]; N]; phi::HIGHEST + 1]),
+            samples_valid: false,
+        }
+    }
+
+    /// Forgets all: the linear part is another.
+    pub fn clear(&mut self) {
+        self.valid = 0;
+        self.samples_valid = false;
+    }
+
+    /// The propagator over a step.
+    pub fn of(&mut self, part: &LinearPart<N>, size: f64) -> &Propagator<N> {
+        self.clock += 1;
+        let mut known = self.kept[..self.valid].iter();
+        let index = match known.position(|known| known.size == size) {
+            Some(index) => index,
+            None => self.build(part, size),
+        };
+        self.used[index] = self.clock;
+        &self.kept[index]
+    }
+
+    /// Builds a propagator in place of none or of the one that was not used for longest.
+    fn build(&mut self, part: &LinearPart<N>, size: f64) -> usize {
+        let index = if self.valid < KEPT {
+            self.valid += 1;
+            self.valid - 1
+        } else {
+            (0..KEPT).min_by_key(|&index| self.used[index]).unwrap_or(0)
+        };
+        if index == self.kept.len() {
+            self.kept.push(Propagator::new());
+        }
+        self.kept[index].build(part, size);
+        index
+    }
+
+    /// The functions over an interval of samples.
+    pub fn samples(&mut self, part: &LinearPart<N>, interval: f64) -> &Family<N> {
+        if !self.samples_valid {
+            *self.samples = part.family(interval);
+            self.samples_valid = true;
+        }
+        &self.samples
+    }
+}

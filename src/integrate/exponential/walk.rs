@@ -1,0 +1,330 @@
+//! Steps of the method, one after the other, and the states at samples within them.
+
+use super::columns::balanced_norm;
+use super::dense::Cursor;
+use super::nodes::{NODES, POINTS, Points, combined, weights};
+use super::plan::Leg;
+use super::propagator::{LinearPart, Propagators};
+use super::sweeps::{self, Ending, Trial, slow_part};
+use crate::integrate::course::Course;
+use crate::integrate::{Counters, IntegrateError, Linearised, Scaling};
+
+/// Power of the size that the error estimate falls with.
+const ERROR_POWER: f64 = POINTS as f64;
+/// Safety of the next size, and the least and largest change of it.
+const SAFETY: f64 = 0.8;
+const SHRINK: f64 = 0.2;
+const GROW: f64 = 8.0;
+/// Least error that counts: growth is limited anyway.
+const LEAST_ERROR: f64 = 1e-12;
+/// Sweeps that a step may take without a better linear part saving any.
+const USUAL_SWEEPS: u32 = 2;
+/// Evaluations that a new linear part and its propagators cost, about.
+const RENEWAL: f64 = 200.0;
+/// Steps after which the fall of the change from sweep to sweep is measured again.
+const RATE_HOLDS: f64 = 8.0;
+
+/// The latest step, and how to go on. States are kept as deviations from the scaling's origin.
+#[derive(Debug, Clone)]
+pub(in crate::integrate) struct Walk<const N: usize> {
+    /// Interval of the samples, s.
+    interval: f64,
+    /// Start and end of the latest step, s.
+    pub(super) start: f64,
+    pub(super) time: f64,
+    /// Size of the latest step, s, and how many intervals of samples it lasted, zero if no whole number.
+    pub(super) size: f64,
+    pub(super) intervals: f64,
+    /// Size that the error would allow the next step, s.
+    pub(super) wish: f64,
+    /// Next break, s: no step reaches over it.
+    pub(super) limit: f64,
+    pub(super) leg: Leg,
+    /// States at the start and at the end of the latest step.
+    pub(super) from: [f64; N],
+    pub(super) to: [f64; N],
+    /// The slow part at the points of the latest step, and that step's size; with a size of zero only
+    /// its value at the end is known.
+    pub(super) slow: Points<N>,
+    pub(super) slow_size: f64,
+    pub(super) linear: LinearPart<N>,
+    /// Whether the linear part is that of the start of the step.
+    pub(super) fresh: bool,
+    /// Fall of the change from sweep to sweep, and steps since it was measured.
+    pub(super) rate: f64,
+    pub(super) since_rate: f64,
+    /// Evaluations that a better linear part would have saved since the latest one.
+    pub(super) waste: f64,
+    /// Whether the latest trial was rejected.
+    pub(super) rejected: bool,
+    /// Whether a trial since the latest good step was not finite.
+    fault: bool,
+    pub(super) counters: Counters,
+    propagators: Propagators<N>,
+    /// Weights that carry the polynomial on into a step whose size is in a ratio to the latest one's.
+    ahead: [[f64; POINTS]; POINTS],
+    ahead_ratio: f64,
+    /// The latest sample within the step.
+    cursor: Option<Cursor<N>>,
+}
+
+impl<const N: usize> Walk<N> {
+    /// Stands at time 0 in a deviation from the origin, on a grid of samples.
+    pub fn new(deviation: [f64; N], interval: f64) -> Self {
+        Self {
+            interval,
+            start: 0.0,
+            time: 0.0,
+            size: 0.0,
+            intervals: 0.0,
+            wish: 0.0,
+            limit: 0.0,
+            leg: Leg::ENDED,
+            from: deviation,
+            to: deviation,
+            slow: [[0.0; N]; POINTS],
+            slow_size: 0.0,
+            linear: LinearPart::NONE,
+            fresh: false,
+            rate: 1.0,
+            since_rate: 0.0,
+            // the first step takes a linear part
+            waste: f64::INFINITY,
+            rejected: false,
+            fault: false,
+            counters: Counters::default(),
+            propagators: Propagators::new(),
+            ahead: [[0.0; POINTS]; POINTS],
+            ahead_ratio: 0.0,
+            cursor: None,
+        }
+    }
+
+    /// End of the latest step, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Size of the latest step, s; zero before the first.
+    pub fn step_size(&self) -> f64 {
+        self.size
+    }
+
+    /// Scaled state at the end of the latest step.
+    pub fn scaled(&self, scaling: &Scaling<N>) -> [f64; N] {
+        std::array::from_fn(|i| self.to[i] / scaling.scale[i])
+    }
+
+    /// Work done so far.
+    pub fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    /// State at a sample that is not before the start of the latest step; walks on as far as needed.
+    ///
+    /// # Errors
+    /// Why the walk ends before that time.
+    pub fn state_at<S: Linearised<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+        time: f64,
+    ) -> Result<[f64; N], IntegrateError> {
+        while self.time() < time {
+            self.step(course)?;
+        }
+        let origin = &course.scaling.origin;
+        let deviation = if time >= self.time {
+            self.to
+        } else {
+            self.within(time)
+        };
+        Ok(std::array::from_fn(|i| origin[i] + deviation[i]))
+    }
+
+    /// Deviation at a sample within the latest step.
+    fn within(&mut self, time: f64) -> [f64; N] {
+        let index = ((time - self.start) / self.interval).round();
+        let family = self.propagators.samples(&self.linear, self.interval);
+        let mut cursor = match self.cursor {
+            Some(cursor) if cursor.index() <= index => cursor,
+            _ => {
+                let intervals = [self.interval, self.intervals];
+                Cursor::new(self.from, &self.slow, intervals, family, self.linear.first)
+            }
+        };
+        let deviation = cursor.go_to(index, family);
+        self.cursor = Some(cursor);
+        deviation
+    }
+
+    fn step<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
+        self.begin(course);
+        loop {
+            course.check(self.start, self.wish, &self.counters, self.fault)?;
+            self.plan();
+            let (ending, sweeps) = self.trial(course);
+            match ending {
+                Ending::Met(error) if error <= 1.0 => {
+                    self.accept(error, sweeps);
+                    return Ok(());
+                }
+                Ending::Met(error) => self.reject(SAFETY * error.powf(-1.0 / ERROR_POWER)),
+                Ending::Apart => self.bring_together(course),
+                Ending::NotFinite => {
+                    self.fault = true;
+                    self.reject(SHRINK);
+                }
+            }
+        }
+    }
+
+    /// Makes the end of the latest step the start of the next.
+    fn begin<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        self.start = self.time;
+        self.from = self.to;
+        self.cursor = None;
+        let behind_break = self.time >= self.limit;
+        if behind_break {
+            self.limit = course.system.next_break(self.time + course.slack);
+        }
+        if self.waste >= RENEWAL {
+            self.renew(course);
+        } else if behind_break {
+            self.forget(course);
+        }
+        if self.wish <= 0.0 {
+            // a moment that changes its sign as the shaft starts is over at once: nothing is missed
+            self.wish = course.scaling.time.min(1.0 / self.linear.norm);
+        }
+    }
+
+    /// Takes the linear part anew.
+    fn renew<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        let origin = &course.scaling.origin;
+        let state = std::array::from_fn(|i| origin[i] + self.from[i]);
+        let (slopes, _) = course.system.linearisation(self.start, &state);
+        let jacobian = slopes.data.0;
+        self.linear = LinearPart {
+            jacobian,
+            norm: balanced_norm(&jacobian),
+            first: if course.system.is_second_order() {
+                N / 2
+            } else {
+                0
+            },
+        };
+        (self.fresh, self.rate, self.waste) = (true, 1.0, 0.0);
+        self.propagators.clear();
+        self.forget(course);
+    }
+
+    /// Forgets the slow part before the start, which is no guess of what follows.
+    fn forget<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        self.slow_size = 0.0;
+        self.slow[POINTS - 1] = slow_part(&self.linear, course, self.start, &self.from);
+        self.counters.evaluations += 1;
+    }
+
+    /// Chooses the size of the step to come.
+    fn plan(&mut self) {
+        self.leg = if self.leg.left == 0.0 || self.leg.intervals > 0.0 {
+            Leg::new(self.start, self.wish, self.interval, self.limit)
+        } else {
+            self.leg.adapted(self.wish)
+        };
+        (self.size, self.intervals) = (self.leg.size, self.leg.intervals);
+    }
+
+    /// Tries a step; how it ended, and after how many sweeps.
+    fn trial<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> (Ending, u32) {
+        let guess = self.guess();
+        let span = [self.start, self.size, self.limit.next_down()];
+        let rate = if self.since_rate < RATE_HOLDS {
+            self.rate
+        } else {
+            1.0
+        };
+        let propagator = self.propagators.of(&self.linear, self.size);
+        let from = &self.from;
+        let mut trial = Trial::new(course, &self.linear, propagator, span, from, guess, rate);
+        let ending = trial.run();
+        let Trial {
+            slow,
+            to,
+            rate,
+            sweeps,
+            ..
+        } = trial;
+        self.counters.evaluations += u64::from(sweeps) * (POINTS as u64 - 1);
+        if matches!(ending, Ending::Met(error) if error <= 1.0) {
+            (self.to, self.slow, self.slow_size) = (to, slow, self.size);
+        }
+        if sweeps > 1 {
+            (self.rate, self.since_rate) = (rate, 0.0);
+        }
+        (ending, sweeps)
+    }
+
+    /// The slow part at the points of the step to come, by the polynomial of the latest one.
+    fn guess(&mut self) -> Points<N> {
+        let start = self.slow[POINTS - 1];
+        let mut guess = [start; POINTS];
+        if self.slow_size == 0.0 {
+            return guess;
+        }
+        let ratio = self.size / self.slow_size;
+        if ratio != self.ahead_ratio {
+            self.ahead_ratio = ratio;
+            self.ahead = NODES.part.map(|part| weights(1.0 + ratio * part));
+        }
+        for (guess, ahead) in guess.iter_mut().zip(&self.ahead).skip(1) {
+            *guess = combined(ahead, &self.slow);
+        }
+        guess
+    }
+
+    fn accept(&mut self, error: f64, sweeps: u32) {
+        let most = if self.rejected || sweeps > USUAL_SWEEPS + 1 {
+            1.0
+        } else {
+            GROW
+        };
+        let growth = SAFETY * error.max(LEAST_ERROR).powf(-1.0 / ERROR_POWER);
+        let proposed = self.size * growth.clamp(SHRINK, most);
+        // a size far below the wish was cut by a break or a sample, and tells little
+        self.wish = if self.size < 0.5 * self.wish {
+            proposed.max(self.wish)
+        } else {
+            proposed
+        };
+        self.waste += f64::from(sweeps.saturating_sub(USUAL_SWEEPS)) * (POINTS - 1) as f64;
+        self.since_rate += 1.0;
+        (self.rejected, self.fault, self.fresh) = (false, false, false);
+        self.counters.steps += 1;
+        self.leg.left -= 1.0;
+        self.time = if self.leg.left == 0.0 {
+            self.leg.end
+        } else {
+            self.start + self.size
+        };
+    }
+
+    fn reject(&mut self, factor: f64) {
+        self.waste += (POINTS - 1) as f64;
+        self.rejected = true;
+        self.counters.rejected += 1;
+        self.wish = self.size * if factor >= SHRINK { factor } else { SHRINK };
+    }
+
+    /// After sweeps that did not meet: a new linear part once it pays, else a shorter step.
+    fn bring_together<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        self.waste += f64::from(sweeps::MOST) * (POINTS - 1) as f64;
+        if self.fresh || self.waste < RENEWAL {
+            self.reject(0.5);
+        } else {
+            self.counters.rejected += 1;
+            self.rejected = true;
+            self.renew(course);
+        }
+    }
+}

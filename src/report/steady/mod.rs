@@ -1,0 +1,87 @@
+//! Steady motions: files of a single one, and of their branches along a parameter.
+
+mod figure;
+mod json;
+mod response_csv;
+mod response_figure;
+mod spectrum_csv;
+mod text;
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+pub use self::json::{response_json, steady_json};
+pub use self::text::{response_text, steady_text};
+use super::{FileSet, PartialFile, ReportError, RunFolder, TraceCsv, TraceFigure};
+use crate::simulate::{Model, TraceSink};
+use crate::steady::{Response, Steady};
+use crate::study::Variable;
+
+/// Writes `steady_trace.csv`, `steady_spectrum.csv`, two figures and, last, `steady.json` into `folder`;
+/// returns their paths.
+///
+/// # Errors
+/// [`ReportError`] where a file cannot be written or drawn.
+pub fn write_steady(
+    folder: &Path,
+    title: &str,
+    scenario: &Value,
+    model: &Model,
+    steady: &Steady,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let folder = RunFolder::open(folder, FileSet::STEADY)?;
+    let mut figure = TraceFigure::new(model.rotor.shaft.freedoms.count());
+    steady.trace.iter().for_each(|sample| figure.sample(sample));
+    let trace = |file: &mut PartialFile| {
+        let mut csv = TraceCsv::new(file)?;
+        for sample in &steady.trace {
+            csv.sample(sample)?;
+        }
+        csv.finish().map(|_| ())
+    };
+    let mut files = vec![
+        folder.write_with("steady_trace.csv", trace)?,
+        folder.write_with("steady_spectrum.csv", |file| {
+            spectrum_csv::write(steady, model.rotor.speed, file)
+        })?,
+    ];
+    for (name, svg) in [
+        ("steady_trace.svg", figure.draw(title)?),
+        (
+            "steady_spectrum.svg",
+            figure::spectrum(title, &steady.lines)?,
+        ),
+    ] {
+        files.push(folder.write(name, svg.as_bytes())?);
+    }
+    let json = steady_json(title, scenario, model, steady);
+    folder.commit(files, format!("{json:#}\n").as_bytes())
+}
+
+/// Writes `response.csv`, `response_specials.csv`, `response.svg` and, last, `response.json` into
+/// `folder`; returns their paths.
+///
+/// # Errors
+/// [`ReportError`] where a file cannot be written or drawn.
+pub fn write_response(
+    folder: &Path,
+    title: &str,
+    scenario: &Value,
+    variable: &Variable,
+    branches: &[Response],
+) -> Result<Vec<PathBuf>, ReportError> {
+    let folder = RunFolder::open(folder, FileSet::RESPONSE)?;
+    let mut files = vec![
+        folder.write_with("response.csv", |file| {
+            response_csv::points(variable, branches, file)
+        })?,
+        folder.write_with("response_specials.csv", |file| {
+            response_csv::specials(variable, branches, file)
+        })?,
+    ];
+    let svg = response_figure::response(title, variable, branches)?;
+    files.push(folder.write("response.svg", svg.as_bytes())?);
+    let json = response_json(title, scenario, variable, branches);
+    folder.commit(files, format!("{json:#}\n").as_bytes())
+}

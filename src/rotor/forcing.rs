@@ -1,0 +1,146 @@
+//! What keeps the shaft moving, and how often it repeats.
+
+use std::f64::consts::TAU;
+use std::fmt;
+
+use super::load::{BaseAcceleration, Harmonic, Pace, Shock};
+use super::{Load, LoadKind, Rotor};
+
+/// What repeats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ForcingCause {
+    /// The unbalance turns with the shaft.
+    Unbalance,
+    /// The balls of a bearing pass a place that stands still.
+    BallPass {
+        /// Bearing, from 0.
+        bearing: usize,
+    },
+    /// A varying load.
+    Load {
+        /// Load, from 0, among those that vary.
+        number: usize,
+    },
+}
+
+/// `unbalance`, `ball pass of bearing 1`, `varying load 1`.
+impl fmt::Display for ForcingCause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unbalance => f.write_str("unbalance"),
+            Self::BallPass { bearing } => write!(f, "ball pass of bearing {}", bearing + 1),
+            Self::Load { number } => write!(f, "varying load {}", number + 1),
+        }
+    }
+}
+
+/// A forcing that repeats.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Forcing {
+    /// What it is.
+    pub cause: ForcingCause,
+    /// Its angular frequency, rad/s, positive.
+    pub frequency: f64,
+    /// Time from which on it repeats, s.
+    pub from: f64,
+}
+
+/// Why the forcing of a shaft does not repeat.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Unrepeated {
+    /// The speed changes.
+    #[error(
+        "the speed of the shaft changes, so no motion of it repeats; a steady state belongs to one \
+         constant speed: set speed.constant"
+    )]
+    Speed,
+    /// A drive decides the speed.
+    #[error(
+        "a drive decides the speed of the shaft, so its angle is no given function of time; set \
+         speed.constant to the speed that the drive settles at"
+    )]
+    Drive,
+    /// A load does not repeat.
+    #[error("varying load {} is {what}, which does not repeat: leave it out, or use `jeffcott run`", number + 1)]
+    Load {
+        /// Load, from 0, among those that vary.
+        number: usize,
+        /// What it is.
+        what: &'static str,
+    },
+}
+
+impl Rotor {
+    /// Everything that keeps the shaft moving at its constant speed; what has no amplitude is left out.
+    ///
+    /// # Errors
+    /// [`Unrepeated`] names the first thing that does not repeat.
+    pub fn forcing(&self) -> Result<Vec<Forcing>, Unrepeated> {
+        if self.is_driven() {
+            return Err(Unrepeated::Drive);
+        }
+        let speed = self.steady_from(0.0).ok_or(Unrepeated::Speed)?;
+        let mut found = Vec::new();
+        let mut add = |cause, frequency: f64, from| {
+            if frequency > 0.0 {
+                found.push(Forcing {
+                    cause,
+                    frequency,
+                    from,
+                });
+            }
+        };
+        if self.imbalance != 0.0 {
+            add(ForcingCause::Unbalance, speed, 0.0);
+        }
+        for (bearing, support) in self.supports.iter().enumerate() {
+            let balls = support.definition().bearing.geometry.balls() as f64;
+            let passing = balls * self.cage_ratio(support) * speed;
+            if support.follows_cage() {
+                add(ForcingCause::BallPass { bearing }, passing, 0.0);
+            }
+        }
+        for (number, load) in self.loads.iter().enumerate() {
+            let repeated =
+                repetition(load, speed).map_err(|what| Unrepeated::Load { number, what })?;
+            if let Some((frequency, from)) = repeated {
+                add(ForcingCause::Load { number }, frequency, from);
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Angular frequency and begin of a load that repeats; none where it does not act.
+fn repetition(load: &Load, speed: f64) -> Result<Option<(f64, f64)>, &'static str> {
+    match &load.kind {
+        LoadKind::Harmonic(harmonic) | LoadKind::Base(BaseAcceleration::Harmonic(harmonic)) => {
+            Ok(of_harmonic(harmonic, speed))
+        }
+        LoadKind::Shock(shock) | LoadKind::Base(BaseAcceleration::Shock(shock)) => of_shock(shock),
+        LoadKind::Sprocket(sprocket) => {
+            let swing = sprocket.swing();
+            Ok(Some((swing.order * speed, 0.0)))
+        }
+        LoadKind::RandomShocks(_) => Err("a series of random shocks"),
+        LoadKind::Noise(_) => Err("noise"),
+        LoadKind::Series(_) => Err("a series of values"),
+    }
+}
+
+fn of_harmonic(harmonic: &Harmonic, speed: f64) -> Option<(f64, f64)> {
+    let frequency = match harmonic.pace {
+        Pace::Frequency(frequency) => TAU * frequency,
+        Pace::Order(order) => order * speed,
+    };
+    let acts = harmonic.amplitude.iter().any(|part| *part != 0.0);
+    acts.then_some((frequency, 0.0))
+}
+
+fn of_shock(shock: &Shock) -> Result<Option<(f64, f64)>, &'static str> {
+    if shock.peak.iter().all(|part| *part == 0.0) {
+        return Ok(None);
+    }
+    let every = shock.every.ok_or("a single shock")?;
+    Ok(Some((TAU / every, shock.start)))
+}

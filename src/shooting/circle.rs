@@ -1,0 +1,180 @@
+//! Places on a closed curve of states, and trigonometric interpolation between them.
+
+use std::f64::consts::TAU;
+
+use nalgebra::DMatrix;
+
+/// A place may stand beside its even share of the circle by this part of the distance of two places.
+const UNEVEN: f64 = 0.25;
+/// Periods looked through for places, per place, at first and at most.
+const FIRST_SEARCH: u64 = 8;
+const LONGEST_SEARCH: u64 = 1 << 14;
+
+/// States that stand at the same phase of a first forcing, and all around the phase of a second one.
+///
+/// The first forcing has the period T, and while it passes the phase of the second one turns by ρ. A
+/// function of that phase is kept by its values at an odd number M of places, as a Fourier series of
+/// (M − 1)/2 harmonics. The places are those that the phase has after whole periods, picked so that
+/// they stand almost evenly: so a system that knows nothing but time can be asked.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Circle {
+    period: f64,
+    rotation: f64,
+    strobes: Vec<u64>,
+    angles: Vec<f64>,
+    /// Coefficients of the harmonics from values at the places.
+    coefficients: DMatrix<f64>,
+    shift: DMatrix<f64>,
+}
+
+impl Circle {
+    /// A single state: there is no second forcing.
+    ///
+    /// ```
+    /// assert_eq!(jeffcott::shooting::Circle::point(0.5).shift()[(0, 0)], 1.0);
+    /// ```
+    pub fn point(period: f64) -> Self {
+        Self {
+            period,
+            rotation: 0.0,
+            strobes: vec![0],
+            angles: vec![0.0],
+            coefficients: DMatrix::identity(1, 1),
+            shift: DMatrix::identity(1, 1),
+        }
+    }
+
+    /// Places for a number of harmonics of a second forcing that turns by `rotation` (rad) in a period
+    /// (s); `None` where whole periods do not lead all around, as where both repeat together soon.
+    ///
+    /// ```
+    /// use jeffcott::shooting::Circle;
+    /// let circle = Circle::around(1.0, 0.3 * 3f64.sqrt(), 2).expect("an irrational part of a turn");
+    /// // a second harmonic is turned exactly
+    /// let values = circle.angles().iter().map(|angle| (2.0 * angle).cos());
+    /// let values = nalgebra::DVector::from_iterator(5, values);
+    /// let turned = circle.shift() * values;
+    /// let expected = (2.0 * (circle.angles()[1] + 0.3 * 3f64.sqrt())).cos();
+    /// assert!((turned[1] - expected).abs() < 1e-14);
+    /// ```
+    pub fn around(period: f64, rotation: f64, harmonics: usize) -> Option<Self> {
+        let strobes = places(rotation, 2 * harmonics + 1)?;
+        let angles: Vec<f64> = strobes.iter().map(|j| phase(rotation, *j)).collect();
+        let coefficients = basis(&angles, harmonics).try_inverse()?;
+        let moved: Vec<f64> = angles.iter().map(|angle| angle + rotation).collect();
+        let shift = basis(&moved, harmonics) * &coefficients;
+        Some(Self {
+            period,
+            rotation,
+            strobes,
+            angles,
+            coefficients,
+            shift,
+        })
+    }
+
+    /// The same places with another period, s.
+    pub fn with_period(&self, period: f64) -> Self {
+        Self {
+            period,
+            ..self.clone()
+        }
+    }
+
+    /// The period T, s.
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+
+    /// How far the second phase turns in a period, rad.
+    pub fn rotation(&self) -> f64 {
+        self.rotation
+    }
+
+    /// Numbers of whole periods after which the places are passed.
+    pub fn strobes(&self) -> &[u64] {
+        &self.strobes
+    }
+
+    /// The places: phases of the second forcing, rad.
+    pub fn angles(&self) -> &[f64] {
+        &self.angles
+    }
+
+    /// Number of places.
+    pub fn places(&self) -> usize {
+        self.angles.len()
+    }
+
+    /// Number of harmonics.
+    pub fn harmonics(&self) -> usize {
+        self.angles.len() / 2
+    }
+
+    /// Takes values at the places to those a period on.
+    pub fn shift(&self) -> &DMatrix<f64> {
+        &self.shift
+    }
+
+    /// Mean, and cosine and sine of every harmonic in turn, from values at the places: a matrix.
+    pub fn coefficients(&self) -> &DMatrix<f64> {
+        &self.coefficients
+    }
+
+    /// What takes values at the places to the values at other phases, rad.
+    pub fn values_at(&self, angles: &[f64]) -> DMatrix<f64> {
+        basis(angles, self.harmonics()) * &self.coefficients
+    }
+
+    /// Phase of the second forcing after whole periods, rad.
+    pub fn phase(&self, strobe: u64) -> f64 {
+        phase(self.rotation, strobe)
+    }
+}
+
+/// 1, cos φ, sin φ, cos 2φ, …, a row an angle.
+fn basis(angles: &[f64], harmonics: usize) -> DMatrix<f64> {
+    DMatrix::from_fn(angles.len(), 2 * harmonics + 1, |row, column| {
+        let turned = column.div_ceil(2) as f64 * angles[row];
+        if column % 2 == 1 || column == 0 {
+            turned.cos()
+        } else {
+            turned.sin()
+        }
+    })
+}
+
+/// Phase after whole periods, 0 … 2π; whole turns are taken off before they cost digits.
+fn phase(rotation: f64, strobe: u64) -> f64 {
+    TAU * (rotation / TAU * strobe as f64).rem_euclid(1.0)
+}
+
+/// The first whole periods that lead almost evenly around.
+fn places(rotation: f64, count: usize) -> Option<Vec<u64>> {
+    let mut search = FIRST_SEARCH;
+    while search <= LONGEST_SEARCH {
+        if let Some(found) = places_within(rotation, count, search * count as u64) {
+            return Some(found);
+        }
+        search *= 4;
+    }
+    None
+}
+
+fn places_within(rotation: f64, count: usize, search: u64) -> Option<Vec<u64>> {
+    let mut found: Vec<Option<u64>> = vec![None; count];
+    let mut left = count;
+    for strobe in 0..search {
+        let share = phase(rotation, strobe) / TAU * count as f64;
+        let nearest = share.round();
+        let slot = &mut found[nearest as usize % count];
+        if slot.is_none() && (share - nearest).abs() <= UNEVEN {
+            *slot = Some(strobe);
+            left -= 1;
+            if left == 0 {
+                return found.into_iter().collect();
+            }
+        }
+    }
+    None
+}

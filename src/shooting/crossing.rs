@@ -1,0 +1,129 @@
+//! How a motion loses its stability along a parameter.
+
+use std::fmt;
+
+use super::Multipliers;
+
+/// A multiplier counts as real where its imaginary part is below this part of its magnitude.
+const REAL: f64 = 1e-9;
+
+/// What happens to a motion at a value of the parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpecialKind {
+    /// The branch turns round: a multiplier is 1, and two motions meet and vanish.
+    Fold,
+    /// A multiplier is 1 and the branch does not turn: another one of the same period meets it.
+    Branching,
+    /// A multiplier is −1: a motion of twice the period begins or ends.
+    PeriodDoubling,
+    /// A pair of multipliers stands on the unit circle: a second frequency begins or ends.
+    NeimarkSacker,
+    /// A motion with two frequencies gains or loses its stability.
+    TorusStability,
+}
+
+/// `fold`, `branching`, `period doubling`, `Neimark-Sacker`, `torus stability`.
+impl fmt::Display for SpecialKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Fold => "fold",
+            Self::Branching => "branching",
+            Self::PeriodDoubling => "period doubling",
+            Self::NeimarkSacker => "Neimark-Sacker",
+            Self::TorusStability => "torus stability",
+        })
+    }
+}
+
+/// Numbers that change their sign where a motion changes its kind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crossing {
+    /// Change of the parameter along the branch.
+    pub turning: f64,
+    /// One less the largest real multiplier.
+    pub plus_one: f64,
+    /// One more than the least real multiplier.
+    pub minus_one: f64,
+    /// One less the largest magnitude of a pair.
+    pub pair: f64,
+    /// One less the largest magnitude on a torus.
+    pub torus: f64,
+}
+
+impl Crossing {
+    /// The numbers of a motion whose branch changes the parameter by `turning`.
+    pub fn of(multipliers: &Multipliers, turning: f64) -> Self {
+        let none = Self {
+            turning,
+            plus_one: 1.0,
+            minus_one: 1.0,
+            pair: 1.0,
+            torus: 1.0,
+        };
+        let all = match multipliers {
+            Multipliers::Torus(_) => {
+                return Self {
+                    torus: 1.0 - multipliers.largest(),
+                    ..none
+                };
+            }
+            Multipliers::Periodic(all) => all,
+        };
+        let mut found = none;
+        for value in all {
+            if value.im.abs() <= REAL * value.norm() {
+                found.plus_one = found.plus_one.min(1.0 - value.re);
+                found.minus_one = found.minus_one.min(1.0 + value.re);
+            } else {
+                found.pair = found.pair.min(1.0 - value.norm());
+            }
+        }
+        found
+    }
+
+    /// The number that belongs to a kind.
+    pub fn of_kind(&self, kind: SpecialKind) -> f64 {
+        match kind {
+            SpecialKind::Fold => self.turning,
+            SpecialKind::Branching => self.plus_one,
+            SpecialKind::PeriodDoubling => self.minus_one,
+            SpecialKind::NeimarkSacker => self.pair,
+            SpecialKind::TorusStability => self.torus,
+        }
+    }
+
+    /// What may happen between two motions of a branch.
+    pub fn between(before: &Self, after: &Self) -> Vec<SpecialKind> {
+        let changes = |kind: &SpecialKind| before.of_kind(*kind) * after.of_kind(*kind) < 0.0;
+        let folds = changes(&SpecialKind::Fold);
+        [
+            SpecialKind::Fold,
+            SpecialKind::Branching,
+            SpecialKind::PeriodDoubling,
+            SpecialKind::NeimarkSacker,
+            SpecialKind::TorusStability,
+        ]
+        .into_iter()
+        // at a fold a multiplier passes 1, and that is all there is to it
+        .filter(|kind| changes(kind) && !(folds && *kind == SpecialKind::Branching))
+        .collect()
+    }
+
+    /// How a motion that is not stable lost its stability, by the multiplier furthest outside.
+    pub fn cause(multipliers: &Multipliers) -> Option<SpecialKind> {
+        if multipliers.is_stable() {
+            return None;
+        }
+        let Multipliers::Periodic(all) = multipliers else {
+            return Some(SpecialKind::TorusStability);
+        };
+        let first = all.first()?;
+        Some(if first.im.abs() > REAL * first.norm() {
+            SpecialKind::NeimarkSacker
+        } else if first.re < 0.0 {
+            SpecialKind::PeriodDoubling
+        } else {
+            SpecialKind::Fold
+        })
+    }
+}

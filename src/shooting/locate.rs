@@ -1,0 +1,84 @@
+//! Where a motion changes its kind between two points of a branch.
+
+use super::newton::ShootingError;
+use super::walk::{Node, Walk, is_interrupted};
+use super::{Branch, Crossing, Special, SpecialKind};
+
+/// Points looked at to find where a motion changes its kind.
+const MOST_LOCATIONS: usize = 16;
+/// A motion changes its kind where the number that says so is this small,
+const LOCATED: f64 = 1e-6;
+/// and where it does not fall below this, it jumps and means nothing.
+const CONTINUOUS: f64 = 1e-2;
+
+impl Walk<'_> {
+    /// Finds where the motion changes its kind between two neighbouring points.
+    pub fn locate_all(
+        &mut self,
+        before: &Node,
+        after: &Node,
+        length: f64,
+        branch: &mut Branch,
+    ) -> Result<(), ShootingError> {
+        for kind in Crossing::between(&before.crossing(), &after.crossing()) {
+            let found = self.locate(before, after, length, kind)?;
+            if found.crossing().of_kind(kind).abs() < CONTINUOUS {
+                branch.specials.push(Special {
+                    kind,
+                    point: found.point,
+                    after: branch.points.len(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// By the regula falsi in the form of Illinois, along the tangent of the first point.
+    fn locate(
+        &mut self,
+        before: &Node,
+        after: &Node,
+        length: f64,
+        kind: SpecialKind,
+    ) -> Result<Node, ShootingError> {
+        let value = |node: &Node| node.crossing().of_kind(kind);
+        let (mut low, mut high) = ((0.0, value(before)), (length, value(after)));
+        let mut nearest = if low.1.abs() < high.1.abs() {
+            before.clone()
+        } else {
+            after.clone()
+        };
+        let mut same_side = 0;
+        for _ in 0..MOST_LOCATIONS {
+            let at = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+            let guess = &before.place + &before.tangent * at;
+            let found = match self.corrected(guess, &before.tangent, &after.slopes) {
+                Err(error) if is_interrupted(&error) => return Err(error),
+                // as near as the neighbouring points are
+                Err(_) => break,
+                Ok(found) => found,
+            };
+            let number = value(&found);
+            if number.abs() < value(&nearest).abs() {
+                nearest = found;
+            }
+            if number.abs() < LOCATED || (high.0 - low.0) < self.plan.tolerance {
+                break;
+            }
+            if number * high.1 > 0.0 {
+                high = (at, number);
+                if same_side == 1 {
+                    low.1 *= 0.5;
+                }
+                same_side = 1;
+            } else {
+                low = (at, number);
+                if same_side == -1 {
+                    high.1 *= 0.5;
+                }
+                same_side = -1;
+            }
+        }
+        Ok(nearest)
+    }
+}

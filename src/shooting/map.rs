@@ -1,0 +1,112 @@
+//! What shooting knows of a system.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::Circle;
+use crate::integrate::IntegrateError;
+
+/// Which slopes of the map are asked for beside its image.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slopes {
+    /// None.
+    None,
+    /// Those of the first state, which stand for all.
+    First,
+    /// Those of every state.
+    All,
+}
+
+/// Where states stand after a period.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Image {
+    /// The states, one after the other.
+    pub end: DVector<f64>,
+    /// `∂(end)/∂(start)` of the states asked for, in their order.
+    pub slopes: Vec<DMatrix<f64>>,
+}
+
+/// Why the image of states is not known.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MapError {
+    /// The motion cannot be integrated over the period.
+    #[error(transparent)]
+    Integrate(#[from] IntegrateError),
+    /// The system does not exist at a value of its parameter.
+    #[error("{0}")]
+    Parameter(String),
+}
+
+/// The map of states over one period. States are scaled: a unit is the size of the motion, and zero a
+/// state of rest.
+pub trait ReturnMap {
+    /// How many numbers a state is.
+    fn size(&self) -> usize;
+
+    /// Where the states stand on the closed curve; a point where there is a single one.
+    fn circle(&self) -> &Circle;
+
+    /// Where states stand after a period.
+    ///
+    /// # Errors
+    /// [`MapError`] where that is not known.
+    fn image(&mut self, states: &DVector<f64>, slopes: Slopes) -> Result<Image, MapError>;
+}
+
+/// A map that depends on a parameter; the unit of the states does not.
+pub trait Family: ReturnMap {
+    /// Makes the map that of a value of the parameter.
+    ///
+    /// # Errors
+    /// [`MapError::Parameter`] where there is none.
+    fn set(&mut self, parameter: f64) -> Result<(), MapError>;
+
+    /// What is missing for states to return after half the period; `None` where the period has no half
+    /// that the forcing repeats with.
+    ///
+    /// # Errors
+    /// [`MapError`] where that is not known.
+    fn half_return(&mut self, _states: &DVector<f64>) -> Result<Option<DVector<f64>>, MapError> {
+        Ok(None)
+    }
+}
+
+/// What is missing for states to return: image less the shifted states.
+pub(super) fn residual(
+    map: &dyn ReturnMap,
+    states: &DVector<f64>,
+    end: &DVector<f64>,
+) -> DVector<f64> {
+    end - shifted(map, states)
+}
+
+/// The states where the period takes their places.
+fn shifted(map: &dyn ReturnMap, states: &DVector<f64>) -> DVector<f64> {
+    let (size, shift) = (map.size(), map.circle().shift());
+    let count = shift.nrows();
+    DVector::from_fn(size * count, |row, _| {
+        let (place, part) = (row / size, row % size);
+        (0..count)
+            .map(|from| shift[(place, from)] * states[size * from + part])
+            .sum()
+    })
+}
+
+/// Slopes of the residual: those of the states on the diagonal, less the shift.
+pub(super) fn jacobian(map: &dyn ReturnMap, slopes: &[DMatrix<f64>]) -> DMatrix<f64> {
+    let (size, shift) = (map.size(), map.circle().shift());
+    let count = shift.nrows();
+    DMatrix::from_fn(size * count, size * count, |row, column| {
+        let (place, from) = (row / size, column / size);
+        let (part, of) = (row % size, column % size);
+        let own = match slopes {
+            [only] => only[(part, of)],
+            all => all[place][(part, of)],
+        };
+        let own = if place == from { own } else { 0.0 };
+        own - if part == of {
+            shift[(place, from)]
+        } else {
+            0.0
+        }
+    })
+}

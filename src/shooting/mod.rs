@@ -1,0 +1,28 @@
+//! Motions that repeat, found directly: where the map over one period of the forcing returns a state to
+//! itself, or a closed curve of states to itself where a second frequency has no common period with the
+//! first.
+//!
+//! A [`ReturnMap`] is all that is known of a system: where states stand after a period, and how that
+//! depends on where they began. [`solve`] finds what returns by Newton's method, [`multipliers`] tells
+//! whether a neighbouring motion comes closer, and [`follow`] goes along a parameter, past turning
+//! points, and finds where the motion changes its kind.
+//!
+//! Source: R. Seydel, *Practical Bifurcation and Stability Analysis*, 3rd ed. (2010), ch. 4, 5 and 7;
+//! for closed curves of the map F. Schilder, H. Osinga & W. Vogt, *SIAM J. Appl. Dyn. Syst.* 4 (2005)
+//! 459–488.
+
+mod branch;
+mod circle;
+mod crossing;
+mod locate;
+mod map;
+mod multipliers;
+mod newton;
+mod walk;
+
+pub use branch::{Branch, BranchEnd, BranchPoint, Continuation, Special, follow, follow_doubled};
+pub use circle::Circle;
+pub use crossing::{Crossing, SpecialKind};
+pub use map::{Family, Image, MapError, ReturnMap, Slopes};
+pub use multipliers::{Multipliers, multipliers};
+pub use newton::{Returned, ShootingError, refine, solve};

@@ -1,0 +1,174 @@
+//! Newton's method for states that return.
+
+use nalgebra::{DMatrix, DVector, Dyn, LU};
+
+use super::map::{jacobian, residual};
+use super::{MapError, ReturnMap, Slopes};
+
+/// Corrections before the search is given up.
+const MOST_CORRECTIONS: usize = 40;
+/// A correction may shrink by no less than this with slopes of an earlier state; else they are renewed.
+const SLOW: f64 = 0.2;
+/// Halvings of a correction that would lead away.
+const MOST_HALVINGS: u32 = 6;
+/// Factor by which what is missing may grow under a correction.
+const LEADS_AWAY: f64 = 2.0;
+/// Corrections of so many tolerances that stay as they are with slopes of the same states are the error
+/// of the integration.
+const NOISE: f64 = 100.0;
+
+/// States that return.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Returned {
+    /// The states, scaled, one after the other.
+    pub states: DVector<f64>,
+    /// What was missing before every correction, the largest component.
+    pub history: Vec<f64>,
+}
+
+/// Why no states that return were found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ShootingError {
+    /// The image of states is not known.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// Newton's method does not converge.
+    #[error("after {} corrections the motion still misses its start by {:.1e} of its size (at best {:.1e})",
+        history.len(), history.last().unwrap_or(&f64::NAN), history.iter().copied().fold(f64::INFINITY, f64::min))]
+    NotFound {
+        /// What was missing before every correction.
+        history: Vec<f64>,
+    },
+    /// A neighbouring motion returns as well: a multiplier is 1.
+    #[error(
+        "a multiplier of the motion is 1 to round-off: it stands at a turning point, or is not damped"
+    )]
+    Singular,
+}
+
+/// Finds states that return from a first guess, to `tolerance` of the size of the motion.
+///
+/// Slopes are kept from one correction to the next as long as corrections shrink fast.
+///
+/// # Errors
+/// [`ShootingError`] where they are not found.
+pub fn solve(
+    map: &mut dyn ReturnMap,
+    guess: DVector<f64>,
+    tolerance: f64,
+) -> Result<Returned, ShootingError> {
+    search(map, guess, None, tolerance)
+}
+
+/// As [`solve`], with slopes that are known of about these states.
+///
+/// # Errors
+/// [`ShootingError`] where they are not found.
+pub fn refine(
+    map: &mut dyn ReturnMap,
+    guess: DVector<f64>,
+    slopes: &[DMatrix<f64>],
+    tolerance: f64,
+) -> Result<Returned, ShootingError> {
+    let factors = jacobian(map, slopes).lu();
+    search(map, guess, Some(factors), tolerance)
+}
+
+type Factors = LU<f64, Dyn, Dyn>;
+
+fn search(
+    map: &mut dyn ReturnMap,
+    guess: DVector<f64>,
+    factors: Option<Factors>,
+    tolerance: f64,
+) -> Result<Returned, ShootingError> {
+    let mut walk = Search {
+        states: guess,
+        missing: DVector::zeros(0),
+        factors,
+        asked: Slopes::First,
+        history: Vec::new(),
+    };
+    walk.look(map)?;
+    let (mut before, mut renewed) = (f64::INFINITY, false);
+    for _ in 0..MOST_CORRECTIONS {
+        let correction = walk.correction(map)?;
+        let size = correction.amax();
+        let noise = renewed && size > 0.5 * before && size <= NOISE * tolerance;
+        if size <= tolerance || noise {
+            return Ok(Returned {
+                states: walk.states + correction,
+                history: walk.history,
+            });
+        }
+        renewed = size > SLOW * before || size > 1.0;
+        walk.apply(map, &correction, renewed)?;
+        before = size;
+    }
+    Err(ShootingError::NotFound {
+        history: walk.history,
+    })
+}
+
+struct Search {
+    states: DVector<f64>,
+    missing: DVector<f64>,
+    factors: Option<Factors>,
+    /// Slopes that the next look at fresh ones asks for: at first those of one state.
+    asked: Slopes,
+    history: Vec<f64>,
+}
+
+impl Search {
+    /// Looks at what is missing, with slopes where they are to be renewed.
+    fn look(&mut self, map: &mut dyn ReturnMap) -> Result<(), ShootingError> {
+        let asked = match self.factors {
+            Some(_) => Slopes::None,
+            None => self.asked,
+        };
+        let image = map.image(&self.states, asked)?;
+        self.missing = residual(map, &self.states, &image.end);
+        if self.factors.is_none() {
+            self.factors = Some(jacobian(map, &image.slopes).lu());
+            self.asked = Slopes::All;
+        }
+        Ok(())
+    }
+
+    fn correction(&mut self, map: &mut dyn ReturnMap) -> Result<DVector<f64>, ShootingError> {
+        if self.factors.is_none() {
+            self.look(map)?;
+        }
+        self.history.push(self.missing.amax());
+        let factors = self.factors.as_ref().ok_or(ShootingError::Singular)?;
+        let solved = factors.solve(&self.missing).map(|correction| -correction);
+        solved
+            .filter(|correction| correction.iter().all(|part| part.is_finite()))
+            .ok_or(ShootingError::Singular)
+    }
+
+    /// Applies a correction, or as much of it as does not lead away; slopes are renewed there or kept.
+    fn apply(
+        &mut self,
+        map: &mut dyn ReturnMap,
+        correction: &DVector<f64>,
+        renewed: bool,
+    ) -> Result<(), ShootingError> {
+        let (start, before) = (self.states.clone(), self.missing.amax());
+        let mut part = 1.0;
+        for halving in 0..=MOST_HALVINGS {
+            self.states = &start + correction * part;
+            if renewed {
+                self.factors = None;
+            }
+            match self.look(map) {
+                Ok(()) if self.missing.amax() <= LEADS_AWAY * before || before < 1e-3 => {
+                    return Ok(());
+                }
+                Err(error) if halving == MOST_HALVINGS => return Err(error),
+                _ => part *= 0.5,
+            }
+        }
+        Ok(())
+    }
+}

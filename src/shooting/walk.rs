@@ -1,0 +1,317 @@
+//! The walk along a branch, point by point.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::map::{jacobian, residual};
+use super::multipliers::multipliers;
+use super::newton::{ShootingError, solve};
+use super::{Branch, BranchEnd, BranchPoint, Continuation, Crossing, Family, MapError, Slopes};
+use crate::integrate::IntegrateError;
+
+/// Corrections of a point before its step is halved.
+const MOST_CORRECTIONS: usize = 16;
+/// Slopes are renewed, so many times at most, where a correction shrinks by less than this.
+const MOST_RENEWALS: usize = 6;
+const SLOW: f64 = 0.3;
+/// Corrections of so many tolerances that stay as they are count as the error of the integration.
+const NOISE: f64 = 300.0;
+/// A motion of doubled period has come to its end where it is nearer than this part of its widest to one
+/// of half the period, and cannot be followed further.
+const VANISHING: f64 = 0.3;
+/// Corrections up to which the next step grows.
+const FEW_CORRECTIONS: usize = 4;
+const GROW: f64 = 1.5;
+/// Least cosine between the tangents of neighbouring points.
+const STRAIGHT: f64 = 0.85;
+/// Difference of the parameter over which the map is looked at, as a part of the whole stretch.
+const PARAMETER_STEP: f64 = 1e-5;
+
+/// Where a branch begins.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Start<'a> {
+    /// Near these states at the parameter 0, towards 1.
+    AtFrom(DVector<f64>),
+    /// A distance beside a motion, in a direction of its states.
+    Beside(&'a BranchPoint, DVector<f64>, f64),
+}
+
+/// A point with what it takes to go on.
+#[derive(Clone)]
+pub(super) struct Node {
+    pub point: BranchPoint,
+    /// States and parameter.
+    pub place: DVector<f64>,
+    pub tangent: DVector<f64>,
+    /// Slopes of what is missing by states and parameter.
+    pub slopes: DMatrix<f64>,
+    /// What is missing after half the period.
+    half: Option<DVector<f64>>,
+    corrections: usize,
+}
+
+impl Node {
+    pub fn crossing(&self) -> Crossing {
+        let turning = self.tangent[self.tangent.len() - 1];
+        Crossing::of(&self.point.multipliers, turning)
+    }
+}
+
+/// A walk along a branch of a family.
+pub(super) struct Walk<'a> {
+    pub family: &'a mut dyn Family,
+    pub plan: &'a Continuation,
+}
+
+impl Walk<'_> {
+    pub fn first(&mut self, start: Start<'_>) -> Result<Node, ShootingError> {
+        match start {
+            Start::AtFrom(guess) => {
+                self.family.set(0.0)?;
+                let found = solve(self.family, guess, self.plan.tolerance)?;
+                let place = found.states.push(0.0);
+                let mut towards = DVector::zeros(place.len());
+                towards[place.len() - 1] = 1.0;
+                self.node(place, &towards, 0)
+            }
+            Start::Beside(point, direction, distance) => {
+                let origin = point.states.clone().push(point.parameter);
+                let direction = normalised(direction.push(0.0));
+                // where branches meet two directions lead on, and slopes there tell nothing of which
+                let guess = &origin + &direction * distance;
+                let slopes = self.slopes_at(&guess)?;
+                let mut node = self.corrected(guess, &direction, &slopes)?;
+                let away = &node.place - &origin;
+                if product(&away, &node.tangent) < 0.0 {
+                    node.tangent.neg_mut();
+                }
+                Ok(node)
+            }
+        }
+    }
+
+    pub fn along(
+        &mut self,
+        first: Node,
+        branch: &mut Branch,
+        watch: &mut dyn FnMut(&BranchPoint) -> bool,
+    ) -> Result<BranchEnd, ShootingError> {
+        let mut node = first;
+        let (mut step, mut widest) = (self.plan.step, 0.0_f64);
+        loop {
+            let width = node.half.as_ref().map(DVector::amax);
+            widest = widest.max(width.unwrap_or(0.0));
+            branch.points.push(node.point.clone());
+            if !watch(&node.point) || branch.points.len() >= self.plan.points {
+                return Ok(BranchEnd::Points);
+            }
+            let vanishes = width.is_some_and(|width| width < VANISHING * widest);
+            let (next, length) = match self.next(&node, &mut step) {
+                Err(error) if vanishes && !is_interrupted(&error) => return Ok(BranchEnd::Closed),
+                result => result?,
+            };
+            let parameter = next.point.parameter;
+            if passed_half(&node, &next) {
+                return Ok(BranchEnd::Closed);
+            }
+            self.locate_all(&node, &next, length, branch)?;
+            if parameter >= 1.0 {
+                let last = self.at_parameter(&node, &next, 1.0)?;
+                watch(&last.point);
+                branch.points.push(last.point);
+                return Ok(BranchEnd::Reached);
+            }
+            if parameter <= 0.0 {
+                branch.points.push(next.point);
+                return Ok(BranchEnd::CameBack);
+            }
+            node = next;
+        }
+    }
+
+    /// The next point, and the length of the step to it.
+    fn next(&mut self, node: &Node, step: &mut f64) -> Result<(Node, f64), ShootingError> {
+        loop {
+            let guess = &node.place + &node.tangent * *step;
+            let found = self.corrected(guess, &node.tangent, &node.slopes);
+            let length = *step;
+            let smallest = length <= self.plan.least_step;
+            match found {
+                Ok(next) if smallest || product(&next.tangent, &node.tangent) > STRAIGHT => {
+                    if next.corrections <= FEW_CORRECTIONS {
+                        *step = (length * GROW).min(self.plan.step);
+                    }
+                    return Ok((next, length));
+                }
+                Err(error) if smallest || is_interrupted(&error) => return Err(error),
+                _ => *step = (0.5 * length).max(self.plan.least_step),
+            }
+        }
+    }
+
+    /// Corrects a guess in the plane across a direction, with slopes of about there.
+    pub fn corrected(
+        &mut self,
+        mut place: DVector<f64>,
+        direction: &DVector<f64>,
+        slopes: &DMatrix<f64>,
+    ) -> Result<Node, ShootingError> {
+        let mut factors = bordered(slopes, direction).lu();
+        let (mut history, mut before, mut renewals) = (Vec::new(), f64::INFINITY, 0);
+        for corrections in 1..=MOST_CORRECTIONS {
+            let missing = self.missing(&place)?;
+            history.push(missing.amax());
+            let correction = factors
+                .solve(&missing.push(0.0))
+                .ok_or(ShootingError::Singular)?;
+            place -= &correction;
+            let size = correction.amax();
+            let slow = size > SLOW * before;
+            let noise = slow && renewals > 0 && size <= NOISE * self.plan.tolerance;
+            if size <= self.plan.tolerance || noise {
+                return self.node(place, direction, corrections);
+            }
+            if !size.is_finite() || (slow && renewals == MOST_RENEWALS) {
+                break;
+            }
+            if slow {
+                factors = bordered(&self.slopes_at(&place)?, direction).lu();
+                renewals += 1;
+            }
+            before = size;
+        }
+        Err(ShootingError::NotFound { history })
+    }
+
+    fn missing(&mut self, place: &DVector<f64>) -> Result<DVector<f64>, ShootingError> {
+        let (states, parameter) = parts(place);
+        self.family.set(parameter)?;
+        let image = self.family.image(&states, Slopes::None)?;
+        Ok(residual(self.family, &states, &image.end))
+    }
+
+    fn slopes_at(&mut self, place: &DVector<f64>) -> Result<DMatrix<f64>, ShootingError> {
+        let (states, parameter) = parts(place);
+        self.family.set(parameter)?;
+        let image = self.family.image(&states, Slopes::All)?;
+        self.slopes_from(place, &states, &image.end, &image.slopes)
+    }
+
+    /// Slopes of what is missing by the states, and by the parameter as a difference.
+    fn slopes_from(
+        &mut self,
+        place: &DVector<f64>,
+        states: &DVector<f64>,
+        end: &DVector<f64>,
+        slopes: &[DMatrix<f64>],
+    ) -> Result<DMatrix<f64>, ShootingError> {
+        let by_states = jacobian(self.family, slopes);
+        let here = residual(self.family, states, end);
+        let mut beside = place.clone();
+        beside[place.len() - 1] += PARAMETER_STEP;
+        let by_parameter = (self.missing(&beside)? - here) / PARAMETER_STEP;
+        let columns = by_states.ncols();
+        let mut all = by_states.insert_column(columns, 0.0);
+        all.set_column(columns, &by_parameter);
+        Ok(all)
+    }
+
+    /// Everything about a point of the branch; its tangent goes along `direction`.
+    fn node(
+        &mut self,
+        place: DVector<f64>,
+        direction: &DVector<f64>,
+        corrections: usize,
+    ) -> Result<Node, ShootingError> {
+        let (states, parameter) = parts(&place);
+        self.family.set(parameter)?;
+        let image = self.family.image(&states, Slopes::All)?;
+        let half = self.family.half_return(&states)?;
+        let multipliers = multipliers(self.family.circle(), &image.slopes);
+        let slopes = self.slopes_from(&place, &states, &image.end, &image.slopes)?;
+        let mut ahead = DVector::zeros(place.len());
+        ahead[place.len() - 1] = 1.0;
+        let tangent = bordered(&slopes, direction)
+            .lu()
+            .solve(&ahead)
+            .ok_or(ShootingError::Singular)?;
+        Ok(Node {
+            point: BranchPoint {
+                parameter,
+                states,
+                slopes: image.slopes,
+                multipliers,
+            },
+            place,
+            tangent: normalised(tangent),
+            slopes,
+            half,
+            corrections,
+        })
+    }
+
+    /// The motion at a parameter between two points.
+    fn at_parameter(
+        &mut self,
+        before: &Node,
+        after: &Node,
+        parameter: f64,
+    ) -> Result<Node, ShootingError> {
+        let (from, to) = (before.point.parameter, after.point.parameter);
+        let part = (parameter - from) / (to - from);
+        let mut guess = &before.place + (&after.place - &before.place) * part;
+        let last = guess.len() - 1;
+        guess[last] = parameter;
+        let mut direction = DVector::zeros(guess.len());
+        direction[last] = 1.0;
+        let mut found = self.corrected(guess, &direction, &after.slopes)?;
+        if product(&found.tangent, &after.tangent) < 0.0 {
+            found.tangent.neg_mut();
+        }
+        Ok(found)
+    }
+}
+
+/// Whether somebody asked the integration to stop.
+pub(super) fn is_interrupted(error: &ShootingError) -> bool {
+    matches!(
+        error,
+        ShootingError::Map(MapError::Integrate(IntegrateError::Interrupted { .. }))
+    )
+}
+
+/// Whether a motion of doubled period went through one of half the period.
+fn passed_half(before: &Node, after: &Node) -> bool {
+    match (&before.half, &after.half) {
+        (Some(before), Some(after)) => before.dot(after) < 0.0,
+        _ => false,
+    }
+}
+
+/// States and parameter.
+fn parts(place: &DVector<f64>) -> (DVector<f64>, f64) {
+    let states = place.len() - 1;
+    (place.rows(0, states).into_owned(), place[states])
+}
+
+/// `⟨a, b⟩`
+fn product(left: &DVector<f64>, right: &DVector<f64>) -> f64 {
+    let states = left.len() - 1;
+    let sum: f64 = (0..states).map(|i| left[i] * right[i]).sum();
+    sum / states as f64 + left[states] * right[states]
+}
+
+fn normalised(vector: DVector<f64>) -> DVector<f64> {
+    let length = product(&vector, &vector).sqrt();
+    vector / length
+}
+
+/// Slopes with the row of the plane below them.
+fn bordered(slopes: &DMatrix<f64>, direction: &DVector<f64>) -> DMatrix<f64> {
+    let states = slopes.nrows();
+    let mut all = slopes.clone().insert_row(states, 0.0);
+    for column in 0..states {
+        all[(states, column)] = direction[column] / states as f64;
+    }
+    all[(states, states)] = direction[states];
+    all
+}

@@ -1,0 +1,137 @@
+//! Why there is no steady motion to tell of.
+
+use crate::integrate::IntegrateError;
+use crate::rotor::{LooseError, RotorError, Unrepeated};
+use crate::shooting::{MapError, ShootingError};
+
+/// Why no motion that repeats was found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum SteadyError {
+    /// The rotor cannot be assembled.
+    #[error(transparent)]
+    Rotor(#[from] RotorError),
+    /// Nothing holds the shaft in a freedom, and the scene rests on what does.
+    #[error(transparent)]
+    Loose(#[from] LooseError),
+    /// The forcing does not repeat.
+    #[error("there is no steady motion: {0}")]
+    Unrepeated(#[from] Unrepeated),
+    /// Nothing moves the shaft.
+    #[error(
+        "nothing keeps the shaft moving: no unbalance, no passing balls, no load that varies; it settles \
+         at its static equilibrium, which `jeffcott bearing` finds"
+    )]
+    Rest,
+    /// More than two independent frequencies.
+    #[error(
+        "the forcing has {} independent frequencies ({}), and motions of more than two are not found \
+         directly: use `jeffcott run`, or leave one out",
+        frequencies.len(), hertz(frequencies)
+    )]
+    Frequencies {
+        /// The frequencies, Hz.
+        frequencies: Vec<f64>,
+    },
+    /// A motion of two frequencies has no multiple of its period.
+    #[error(
+        "the forcing has two frequencies without a common period ({}): the motion has no period to \
+         take {multiple} times",
+        hertz(frequencies)
+    )]
+    NoPeriod {
+        /// The frequencies, Hz.
+        frequencies: Vec<f64>,
+        /// What was asked for.
+        multiple: u32,
+    },
+    /// The closed curve of a motion of two frequencies is too rough.
+    #[error(
+        "the motion of two frequencies needs more than {harmonics} harmonics of the second one: its last \
+         ones still have {tail:.1e} of the motion where {tolerance:.0e} are asked for; loosen the \
+         tolerance, or use `jeffcott run`"
+    )]
+    Rough {
+        /// Harmonics tried.
+        harmonics: usize,
+        /// Largest of the highest harmonics, relative to the motion.
+        tail: f64,
+        /// What is asked for.
+        tolerance: f64,
+    },
+    /// The phase of the second frequency does not pass all around.
+    #[error(
+        "the two frequencies ({}) have almost a common period, and too few phases pass in {periods} of \
+         them; change one of them a little so that they have one, or none",
+        hertz(frequencies)
+    )]
+    NearlyCommon {
+        /// The frequencies, Hz.
+        frequencies: Vec<f64>,
+        /// Periods looked through.
+        periods: u64,
+    },
+    /// The two frequencies do not keep their ratio along the parameter.
+    #[error(
+        "{key} changes the ratio of the two frequencies of the forcing, and a motion of two frequencies \
+         is followed only at a constant ratio"
+    )]
+    RatioChanges {
+        /// The key.
+        key: String,
+    },
+    /// Nothing that repeats was found.
+    #[error(
+        "no motion of the period {period:.6e} s was found from the static equilibrium, nor after {waited} \
+         periods of waiting: {source}; try another multiple with --period, or `jeffcott run`, whose \
+         motion may never repeat"
+    )]
+    NotFound {
+        /// The period, s.
+        period: f64,
+        /// Periods integrated before the last try.
+        waited: u64,
+        /// What the last try said.
+        source: ShootingError,
+    },
+    /// The search failed.
+    #[error(transparent)]
+    Shooting(ShootingError),
+    /// The integration cannot go on.
+    #[error(transparent)]
+    Integrate(#[from] IntegrateError),
+    /// The scene does not exist at a value of the parameter.
+    #[error("{0}")]
+    Parameter(String),
+}
+
+impl From<MapError> for SteadyError {
+    fn from(error: MapError) -> Self {
+        match error {
+            MapError::Integrate(error) => Self::Integrate(error),
+            MapError::Parameter(reason) => Self::Parameter(reason),
+        }
+    }
+}
+
+impl From<ShootingError> for SteadyError {
+    fn from(error: ShootingError) -> Self {
+        match error {
+            ShootingError::Map(error) => error.into(),
+            other => Self::Shooting(other),
+        }
+    }
+}
+
+impl SteadyError {
+    /// Whether somebody asked the search to stop.
+    pub fn is_interrupted(&self) -> bool {
+        matches!(self, Self::Integrate(IntegrateError::Interrupted { .. }))
+    }
+}
+
+fn hertz(frequencies: &[f64]) -> String {
+    let shown = frequencies
+        .iter()
+        .map(|frequency| format!("{frequency:.6} Hz"));
+    shown.collect::<Vec<_>>().join(", ")
+}

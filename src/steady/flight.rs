@@ -1,0 +1,134 @@
+//! One period of a motion, sampled from every place; and the trace that is shown.
+
+use nalgebra::{Const, DVector};
+
+use super::rotor_map::RotorMap;
+use super::{Base, SteadyError};
+use crate::integrate::{Grid, Square};
+use crate::rotor::Sample;
+use crate::simulate::{Model, Sampling};
+
+/// Least number of samples of a period, and the most.
+const LEAST_SAMPLES: usize = 128;
+const MOST_SAMPLES: usize = 1 << 16;
+/// Periods of the slower frequency in the trace of a motion of two.
+const TRACED: f64 = 4.0;
+
+/// Samples of a period from every place.
+pub(super) fn sampled<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    states: &DVector<f64>,
+    model: &Model,
+) -> Result<Vec<Vec<Sample>>, SteadyError>
+where
+    Const<N>: Square,
+{
+    let flights = flights(map, states, model)?;
+    Ok(observed(map, &flights))
+}
+
+/// States of a period on a grid, from every place.
+pub(super) fn flights<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    states: &DVector<f64>,
+    model: &Model,
+) -> Result<Vec<Vec<[f64; N]>>, SteadyError>
+where
+    Const<N>: Square,
+{
+    let count = samples(map, model);
+    let grid = Grid {
+        interval: map.places.circle.period() / count as f64,
+        count: count as u64,
+    };
+    let strobes = map.places.circle.strobes().to_vec();
+    let mut all = Vec::new();
+    for (state, strobe) in map.states(states).iter().zip(strobes) {
+        all.push(map.flight(map.places.time(strobe), state, grid)?);
+    }
+    Ok(all)
+}
+
+/// What is observed on the flights of a period.
+pub(super) fn observed<const N: usize, const M: usize, const A: usize>(
+    map: &RotorMap<'_, N, M, A>,
+    flights: &[Vec<[f64; N]>],
+) -> Vec<Vec<Sample>>
+where
+    Const<N>: Square,
+{
+    let (circle, mut contacts) = (&map.places.circle, map.rotor.ball_contacts());
+    let mut flight = |(states, strobe): (&Vec<[f64; N]>, &u64)| {
+        let start = map.places.time(*strobe);
+        let interval = circle.period() / states.len() as f64;
+        let sample = |(number, state): (usize, &[f64; N])| {
+            map.rotor
+                .sample(start + number as f64 * interval, state, &mut contacts)
+        };
+        states.iter().enumerate().map(sample).collect()
+    };
+    flights
+        .iter()
+        .zip(circle.strobes())
+        .map(&mut flight)
+        .collect()
+}
+
+/// Samples of a period: as many as the scene asks for, and a power of two.
+fn samples<const N: usize, const M: usize, const A: usize>(
+    map: &RotorMap<'_, N, M, A>,
+    model: &Model,
+) -> usize {
+    let period = map.places.circle.period();
+    let asked = match model.sampling {
+        Sampling::Rate(rate) => rate * period,
+        Sampling::PerRevolution(samples) => {
+            f64::from(samples) * period * map.rotor.speed() / std::f64::consts::TAU
+        }
+    };
+    let least = LEAST_SAMPLES * map.places.multiple as usize;
+    (asked as usize)
+        .max(least)
+        .next_power_of_two()
+        .min(MOST_SAMPLES)
+}
+
+/// The trace that is shown: the period itself, or some of the slower of two frequencies, whose states
+/// stand between those of the places.
+pub(super) fn trace<const N: usize, const M: usize, const A: usize>(
+    map: &RotorMap<'_, N, M, A>,
+    flights: &[Vec<[f64; N]>],
+    sampled: &[Vec<Sample>],
+) -> Vec<Sample>
+where
+    Const<N>: Square,
+{
+    let (circle, mut contacts) = (&map.places.circle, map.rotor.ball_contacts());
+    if !map.places.is_torus() {
+        return sampled.first().cloned().unwrap_or_default();
+    }
+    let slower = map
+        .places
+        .bases
+        .iter()
+        .map(Base::period)
+        .fold(0.0, f64::max);
+    let periods = (TRACED * slower / circle.period()).ceil() as u64;
+    let mut trace = Vec::new();
+    for strobe in 0..periods {
+        let weights = circle.values_at(&[circle.phase(strobe)]);
+        let instants = flights.first().map_or(0, Vec::len);
+        for instant in 0..instants {
+            let mut state = [0.0; N];
+            for (flight, weight) in flights.iter().zip(weights.iter()) {
+                for (sum, part) in state.iter_mut().zip(flight[instant]) {
+                    *sum += weight * part;
+                }
+            }
+            let since = strobe as f64 + instant as f64 / instants as f64;
+            let time = map.places.time(0) + since * circle.period();
+            trace.push(map.rotor.sample(time, &state, &mut contacts));
+        }
+    }
+    trace
+}

@@ -1,0 +1,167 @@
+//! The spectrum of a steady motion: lines at the frequencies of its forcing and their sums.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Complex, DMatrix};
+
+use super::places::Places;
+use super::swing::values;
+use crate::analysis::{Channel, fourier_coefficients};
+use crate::rotor::Sample;
+
+/// Lines up to this part of the sampling rate are kept: above, those beyond half the rate fold back.
+const KEPT: usize = 4;
+
+/// A line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SteadyLine {
+    /// Frequency, Hz.
+    pub frequency: f64,
+    /// Multiples of the frequency of the motion's period and of the second frequency that it is the sum
+    /// of.
+    pub multiples: [i32; 2],
+    /// Amplitude (peak value) of every channel; the mean at frequency 0.
+    pub amplitude: Vec<f64>,
+    /// Phase of every channel, rad, of `cos(2πft + phase)`.
+    pub phase: Vec<f64>,
+}
+
+/// The lines of all channels, by frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SteadyLines {
+    /// The channels.
+    pub channels: Vec<Channel>,
+    /// The lines.
+    pub lines: Vec<SteadyLine>,
+}
+
+impl SteadyLines {
+    /// Amplitude of a channel at the line nearest to a frequency in Hz.
+    pub fn amplitude(&self, channel: Channel, frequency: f64) -> Option<f64> {
+        let index = self.channels.iter().position(|known| *known == channel)?;
+        let distance = |line: &&SteadyLine| (line.frequency - frequency).abs();
+        let nearest = self
+            .lines
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        nearest.amplitude.get(index).copied()
+    }
+
+    /// The lines of one period sampled at every place; what is below `noise` of its channel's largest in
+    /// all channels is left out.
+    pub(super) fn of(
+        places: &Places,
+        channels: &[Channel],
+        sampled: &[Vec<Sample>],
+        noise: f64,
+    ) -> Self {
+        let spectra: Vec<_> = channels
+            .iter()
+            .map(|channel| spectrum(places, &values(*channel, sampled)))
+            .collect();
+        let largest: Vec<f64> = spectra
+            .iter()
+            .map(|spectrum| {
+                let lines = spectrum.iter().filter(|(at, _)| *at != [0, 0]);
+                lines.map(|(_, value)| value.norm()).fold(0.0, f64::max)
+            })
+            .collect();
+        let count = spectra.first().map_or(0, Vec::len);
+        let heard = |number: &usize| {
+            spectra[0][*number].0 == [0, 0]
+                || spectra
+                    .iter()
+                    .zip(&largest)
+                    .any(|(spectrum, largest)| spectrum[*number].1.norm() > noise * largest)
+        };
+        let mut lines: Vec<SteadyLine> = (0..count)
+            .filter(heard)
+            .map(|number| {
+                let at = spectra[0][number].0;
+                line(
+                    places,
+                    at,
+                    spectra.iter().map(|spectrum| spectrum[number].1),
+                )
+            })
+            .collect();
+        lines.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
+        Self {
+            channels: channels.to_vec(),
+            lines,
+        }
+    }
+}
+
+/// Multiples of both frequencies and the complex amplitude there.
+type Component = ([i32; 2], Complex<f64>);
+
+/// Components of a channel: of every pair of opposite ones a single one.
+fn spectrum(places: &Places, values: &DMatrix<f64>) -> Vec<Component> {
+    let circle = &places.circle;
+    let instants = values.ncols();
+    let coefficients = circle.coefficients() * values;
+    let most = (instants / KEPT) as i32;
+    let mut found = Vec::new();
+    for harmonic in 0..=circle.harmonics() {
+        let turned: Vec<Complex<f64>> = (0..instants)
+            .map(|instant| {
+                let part = instant as f64 / instants as f64;
+                let back = -(harmonic as f64) * circle.rotation() * part;
+                complex(&coefficients, harmonic, instant) * Complex::from_polar(1.0, back)
+            })
+            .collect();
+        let along = fourier_coefficients(&turned);
+        // the phase of the second frequency where the first period begins
+        let first = Complex::from_polar(1.0, -(harmonic as f64) * places.first_phase());
+        let least = if harmonic == 0 { 0 } else { -most };
+        for multiple in least..=most {
+            let bin = multiple.rem_euclid(instants as i32) as usize;
+            found.push(([multiple, harmonic as i32], along[bin] * first));
+        }
+    }
+    found
+}
+
+/// Coefficient of e^{ikφ} at an instant.
+fn complex(coefficients: &DMatrix<f64>, harmonic: usize, instant: usize) -> Complex<f64> {
+    if harmonic == 0 {
+        return Complex::new(coefficients[(0, instant)], 0.0);
+    }
+    let cos = coefficients[(2 * harmonic - 1, instant)];
+    let sin = coefficients[(2 * harmonic, instant)];
+    Complex::new(0.5 * cos, -0.5 * sin)
+}
+
+fn line(
+    places: &Places,
+    multiples: [i32; 2],
+    values: impl Iterator<Item = Complex<f64>>,
+) -> SteadyLine {
+    let second = places.bases.get(1).map_or(0.0, |base| base.frequency / TAU);
+    let frequency =
+        f64::from(multiples[0]) / places.circle.period() + f64::from(multiples[1]) * second;
+    let sides = if multiples == [0, 0] { 1.0 } else { 2.0 };
+    let (mut amplitude, mut phase) = (Vec::new(), Vec::new());
+    for value in values {
+        if multiples == [0, 0] {
+            // the mean keeps its sign
+            amplitude.push(value.re);
+            phase.push(0.0);
+        } else {
+            amplitude.push(sides * value.norm());
+            phase.push(if frequency < 0.0 {
+                -value.arg()
+            } else {
+                value.arg()
+            });
+        }
+    }
+    let sign = if frequency < 0.0 { -1 } else { 1 };
+    SteadyLine {
+        frequency: frequency.abs(),
+        multiples: multiples.map(|multiple| sign * multiple),
+        amplitude,
+        phase,
+    }
+}

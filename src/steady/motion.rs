@@ -1,0 +1,317 @@
+//! The motion that a scene settles to.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{Const, DVector};
+
+use super::flight::{flights, observed, sampled, trace};
+use super::places::Places;
+use super::rotor_map::{RotorMap, Way};
+use super::search::{Found, find, found_from, subharmonic};
+use super::swing::swings;
+use super::{Base, SteadyError, SteadyLines, Swing};
+use crate::analysis::Channel;
+use crate::integrate::{Counters, Settings, Square};
+use crate::rotor::{Rotor, Sample, check_loose};
+use crate::shooting::{Circle, Crossing, Multipliers, SpecialKind, refine};
+use crate::simulate::{Model, StaticState};
+
+/// Factor between the tolerances of the two searches.
+const TIGHTER: f64 = 0.1;
+/// Below this tolerance the second search is the looser one: round-off allows none that is tighter.
+const TIGHTEST: f64 = 1e-12;
+/// A measured error above this many tolerances is worth a warning.
+const PROMISE: f64 = 10.0;
+/// Lines below this part of the largest, in tolerances, are left out.
+const NOISE: f64 = 0.1;
+
+/// What to find.
+#[derive(Debug, Clone, Copy)]
+pub struct SteadyQuestion<'a> {
+    /// The scene; its duration, its settle time and its initial state play no part.
+    pub model: &'a Model,
+    /// How many periods of the forcing the motion may take to repeat; where `None`, one, or as many as a
+    /// stable motion takes that is found beside one that is not stable.
+    pub multiple: Option<u32>,
+    /// Set to end the search at its next step.
+    pub stop: &'a AtomicBool,
+}
+
+/// Distance of the motion from one found again at a tenth of the tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measured {
+    /// Largest difference of a displacement (tilts times their arm), m.
+    pub displacement: f64,
+    /// The same relative to the largest excursion from the static equilibrium.
+    pub relative: f64,
+    /// Tolerance of the second search.
+    pub reference_tolerance: f64,
+}
+
+/// A steady motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Steady {
+    /// The static equilibrium that it moves about.
+    pub equilibrium: StaticState,
+    /// Frequencies of the forcing, one or two.
+    pub bases: Vec<Base>,
+    /// Period of the map, s: the whole motion repeats with it, or its phase against the second frequency
+    /// turns.
+    pub period: f64,
+    /// How many periods of the first frequency that is.
+    pub multiple: u32,
+    /// Floquet multipliers over the period.
+    pub multipliers: Multipliers,
+    /// How it lost its stability, where it is not stable.
+    pub instability: Option<SpecialKind>,
+    /// Largest multiplier of the motion of a single period, where the motion found takes several.
+    pub single_period: Option<Multipliers>,
+    /// What is missing after a period, relative to the size of the motion.
+    pub missing: f64,
+    /// The same before every correction.
+    pub history: Vec<f64>,
+    /// Periods integrated before the search, where it did not succeed from rest.
+    pub waited: u64,
+    /// Harmonics of the second frequency.
+    pub harmonics: usize,
+    /// How far displacements and forces swing.
+    pub swings: Vec<Swing>,
+    /// The spectrum.
+    pub lines: SteadyLines,
+    /// One period of the motion; of two frequencies, four periods of the slower one.
+    pub trace: Vec<Sample>,
+    /// Measured error, where the scene asks for it.
+    pub measured: Option<Measured>,
+    /// Work of the search, measurement included.
+    pub counters: Counters,
+    /// What the reader should know.
+    pub warnings: Vec<String>,
+    /// Times and states of the first period, for whoever goes on.
+    pub(super) section: Section,
+}
+
+/// States of a motion where its periods begin.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Section {
+    pub circle: Circle,
+    /// Time of strobe 0, s.
+    pub start: f64,
+    pub states: Vec<Vec<f64>>,
+}
+
+impl Steady {
+    /// Time and state (displacements, then velocities) at the begin of a period, counted from the first
+    /// one.
+    pub fn strobe(&self, number: u64) -> (f64, Vec<f64>) {
+        let Section {
+            circle,
+            start,
+            states,
+        } = &self.section;
+        let weights = circle.values_at(&[circle.phase(number)]);
+        let size = states.first().map_or(0, Vec::len);
+        let state = (0..size).map(|part| {
+            let values = states.iter().zip(weights.iter());
+            values.map(|(state, weight)| weight * state[part]).sum()
+        });
+        (start + number as f64 * circle.period(), state.collect())
+    }
+
+    /// Whether neighbouring motions come closer: the motion is what a long run settles to.
+    pub fn is_stable(&self) -> bool {
+        self.multipliers.is_stable()
+    }
+
+    /// Whether it has two frequencies without a common period.
+    pub fn is_torus(&self) -> bool {
+        self.bases.len() == 2
+    }
+}
+
+/// Finds the motion that a scene settles to.
+///
+/// # Errors
+/// [`SteadyError`] where there is none, or none is found.
+pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
+    let model = question.model;
+    let mut rotor = Rotor::assemble(&model.rotor)?;
+    let loose = check_loose(&model.rotor, &rotor)?;
+    let places = Places::new(&rotor, question.multiple.unwrap_or(1))?;
+    if places.is_torus() && places.multiple > 1 {
+        return Err(SteadyError::NoPeriod {
+            frequencies: places.frequencies(),
+            multiple: places.multiple,
+        });
+    }
+    if model.table {
+        rotor.tabulate();
+    }
+    // N numbers of a state, M = N + 1, and A = N + N² with its slopes
+    let mut answer = match rotor.kept() {
+        2 => answer::<4, 5, 20>(question, rotor, places),
+        3 => answer::<6, 7, 42>(question, rotor, places),
+        _ => answer::<10, 11, 110>(question, rotor, places),
+    }?;
+    answer.warnings.splice(0..0, loose);
+    Ok(answer)
+}
+
+fn answer<const N: usize, const M: usize, const A: usize>(
+    question: &SteadyQuestion<'_>,
+    rotor: Rotor,
+    places: Places,
+) -> Result<Steady, SteadyError>
+where
+    Const<N>: Square,
+{
+    let way = Way {
+        settings: question.model.integrator,
+        stop: question.stop,
+    };
+    let mut map = RotorMap::<N, M, A>::new(rotor, places, way);
+    let (found, single_period) = search(&mut map, question.multiple)?;
+    let flights = flights(&mut map, &found.states, question.model)?;
+    let sampled = observed(&map, &flights);
+    let measured = match question.model.verify {
+        true => Some(measured(&mut map, &found, &sampled, question.model)?),
+        false => None,
+    };
+    let trace = trace(&map, &flights, &sampled);
+    let channels = Channel::of_freedoms(map.rotor.kept());
+    let noise = NOISE * way.settings.tolerance;
+    let instability = Crossing::cause(&found.multipliers);
+    let warnings = warnings(&found, measured.as_ref(), way.settings.tolerance);
+    Ok(Steady {
+        equilibrium: StaticState::of(&map.rotor),
+        period: map.places.circle.period(),
+        multiple: map.places.multiple,
+        instability,
+        single_period,
+        missing: found.missing,
+        history: found.history,
+        waited: found.waited,
+        harmonics: map.places.circle.harmonics(),
+        swings: swings(&channels, &map.places.circle, &sampled),
+        lines: SteadyLines::of(&map.places, &channels, &sampled, noise),
+        trace,
+        measured,
+        counters: map.counters,
+        warnings,
+        section: Section {
+            start: map.places.time(0),
+            states: map
+                .states(&found.states)
+                .iter()
+                .map(|state| state.to_vec())
+                .collect(),
+            circle: map.places.circle.clone(),
+        },
+        bases: map.places.bases,
+        multipliers: found.multipliers,
+    })
+}
+
+/// The motion asked for; where none is, a stable one if there is one. Beside it the multipliers of the
+/// motion of a single period, where that is another one.
+fn search<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    multiple: Option<u32>,
+) -> Result<(Found, Option<Multipliers>), SteadyError>
+where
+    Const<N>: Square,
+{
+    let asked = map.places.clone();
+    if !asked.is_torus() {
+        map.places = asked.times(1);
+    }
+    let single = find(map)?;
+    let stable = single.multipliers.is_stable();
+    if asked.is_torus() || multiple == Some(1) || (stable && multiple.is_none()) {
+        return Ok((single, None));
+    }
+    // what leaves a motion that is not stable begins beside it; beside a stable one, at rest
+    let start = match stable {
+        true => DVector::zeros(N),
+        false => single.states.clone(),
+    };
+    let fits = |found: u32| found > 1 && multiple.is_none_or(|asked| asked.is_multiple_of(found));
+    if let Some(found) = subharmonic(map, &start)?
+        && fits(map.places.multiple)
+    {
+        return Ok((found, Some(single.multipliers)));
+    }
+    map.places = asked;
+    if map.places.multiple == 1 {
+        return Ok((single, None));
+    }
+    let tolerance = map.way.settings.tolerance;
+    let again = found_from(map, single.states, tolerance)?;
+    Ok((again, Some(single.multipliers)))
+}
+
+fn warnings(found: &Found, measured: Option<&Measured>, tolerance: f64) -> Vec<String> {
+    let left = Crossing::cause(&found.multipliers).map(|kind| {
+        format!(
+            "the motion is not stable: a multiplier of magnitude {:.6} ({kind}); a long run leaves it",
+            found.multipliers.largest()
+        )
+    });
+    let missed = measured.filter(|error| error.relative > PROMISE * tolerance);
+    let missed = missed.map(|error| {
+        format!(
+            "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
+             {tolerance:.0e}: the motion rests on contact changes; tighten the tolerance",
+            error.relative
+        )
+    });
+    left.into_iter().chain(missed).collect()
+}
+
+/// Finds the motion again more exactly, and tells how far apart both are.
+fn measured<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    found: &Found,
+    sampled_before: &[Vec<Sample>],
+    model: &Model,
+) -> Result<Measured, SteadyError>
+where
+    Const<N>: Square,
+{
+    let asked = map.way.settings;
+    map.way.settings = tighter(asked);
+    let tolerance = map.way.settings.tolerance;
+    let again = refine(map, found.states.clone(), &found.slopes, tolerance)?;
+    let reference = sampled(map, &again.states, model)?;
+    map.way.settings = asked;
+    let place = map.rotor.equilibrium().displacement;
+    let (mut displacement, mut excursion) = (0.0_f64, map.scale.length);
+    let pairs = sampled_before
+        .iter()
+        .flatten()
+        .zip(reference.iter().flatten());
+    for (sample, reference) in pairs {
+        let both = sample.displacement.iter().zip(&reference.displacement);
+        for (axis, ((first, second), rest)) in both.zip(&place).enumerate() {
+            let lever = map.scale.lever(axis);
+            displacement = displacement.max(lever * (first - second).abs());
+            excursion = excursion.max(lever * (second - rest).abs());
+        }
+    }
+    Ok(Measured {
+        displacement,
+        relative: displacement / excursion,
+        reference_tolerance: tolerance,
+    })
+}
+
+fn tighter(settings: Settings) -> Settings {
+    let factor = if settings.tolerance >= TIGHTEST {
+        TIGHTER
+    } else {
+        1.0 / TIGHTER
+    };
+    Settings {
+        tolerance: settings.tolerance * factor,
+        ..settings
+    }
+}

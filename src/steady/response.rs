@@ -1,0 +1,277 @@
+//! Steady motions along a parameter: turning points, both branches of a hysteresis, doubled periods.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{Complex, Const};
+
+use super::flight::sampled;
+use super::places::Places;
+use super::rotor_map::{RotorMap, Source, Way};
+use super::search::find;
+use super::swing::swings;
+use super::{SteadyError, Swing};
+use crate::analysis::Channel;
+use crate::integrate::{Counters, Square};
+use crate::rotor::{Rotor, RotorDefinition};
+use crate::shooting::{
+    Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, follow, follow_doubled,
+};
+use crate::simulate::Model;
+
+/// Steps that the stretch of the parameter is divided into at least, and the least part of one.
+const STEPS: f64 = 50.0;
+const LEAST_PART: f64 = 1e-5;
+/// Part of the tolerance that motions are integrated with: where two motions meet, what is missing for
+/// them to return tells little of how far they are from it.
+const EXACTER: f64 = 0.1;
+const TIGHTEST: f64 = 1e-13;
+/// Doublings of the period that are followed, one out of the other.
+const MOST_DOUBLINGS: u32 = 3;
+
+/// What to follow.
+pub struct ResponseQuestion<'a> {
+    /// The scene: method, tolerance and sampling.
+    pub model: &'a Model,
+    /// The rotor at a value of the parameter, or what is wrong with it.
+    pub family: &'a dyn Fn(f64) -> Result<RotorDefinition, String>,
+    /// First and last value of the parameter.
+    pub stretch: [f64; 2],
+    /// How many periods of the forcing the motion takes.
+    pub multiple: u32,
+    /// Most motions of a branch.
+    pub points: usize,
+    /// Whether motions of doubled period are followed as well.
+    pub doubled: bool,
+    /// Set to end the search at its next step.
+    pub stop: &'a AtomicBool,
+}
+
+/// A motion of a branch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ResponsePoint {
+    /// Value of the parameter.
+    pub value: f64,
+    /// Period of the motion, s.
+    pub period: f64,
+    /// How far displacements and forces swing.
+    pub swings: Vec<Swing>,
+    /// Floquet multipliers over the period, magnitudes where it has two frequencies.
+    pub multipliers: Vec<Complex<f64>>,
+    /// Whether neighbouring motions come closer.
+    pub stable: bool,
+}
+
+/// Where a branch turns or its motion changes its kind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ResponseSpecial {
+    /// How.
+    pub kind: SpecialKind,
+    /// Number of points of the branch before it.
+    pub after: usize,
+    /// The motion there.
+    pub point: ResponsePoint,
+}
+
+/// A branch of motions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Response {
+    /// How many periods of the forcing its motions take.
+    pub multiple: u32,
+    /// Its motions, in their order along it.
+    pub points: Vec<ResponsePoint>,
+    /// Where it turns or its motion changes its kind.
+    pub specials: Vec<ResponseSpecial>,
+    /// Why it ends, in words.
+    pub end: String,
+    /// Whether it ends because it was lost.
+    pub lost: bool,
+    /// Work done.
+    pub counters: Counters,
+}
+
+/// Follows the motion of a scene along a parameter, and from every doubling of its period the motion of
+/// twice the period.
+///
+/// `progress` is called with the parameter of the present motion, 0 … 1 along the stretch.
+///
+/// # Errors
+/// [`SteadyError`] where there is no motion at the first value, or somebody stopped the search; a branch
+/// that is lost on its way says so.
+pub fn response(
+    question: &ResponseQuestion<'_>,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Vec<Response>, SteadyError> {
+    let first = (question.family)(question.stretch[0]).map_err(SteadyError::Parameter)?;
+    let rotor = Rotor::assemble(&first)?;
+    let places = Places::new(&rotor, question.multiple)?;
+    match rotor.kept() {
+        2 => branches::<4, 5, 20>(question, rotor, places, progress),
+        3 => branches::<6, 7, 42>(question, rotor, places, progress),
+        _ => branches::<10, 11, 110>(question, rotor, places, progress),
+    }
+}
+
+fn branches<const N: usize, const M: usize, const A: usize>(
+    question: &ResponseQuestion<'_>,
+    rotor: Rotor,
+    places: Places,
+    progress: &mut dyn FnMut(f64),
+) -> Result<Vec<Response>, SteadyError>
+where
+    Const<N>: Square,
+{
+    let [from, to] = question.stretch;
+    let at = |parameter: f64| (question.family)(from + (to - from) * parameter);
+    let source: Source<'_> = &at;
+    let mut settings = question.model.integrator;
+    settings.tolerance = (EXACTER * settings.tolerance).max(TIGHTEST);
+    let way = Way {
+        settings,
+        stop: question.stop,
+    };
+    let mut map = RotorMap::<N, M, A>::new(rotor, places, way);
+    let guess = find(&mut map)?.states;
+    let mut map = map.of_family(source);
+    let plan = plan(question);
+    let mut watch = |point: &BranchPoint| {
+        progress(point.parameter.clamp(0.0, 1.0));
+        true
+    };
+    let main = follow(&mut map, guess, &plan, &mut watch)?;
+    stopped(&main)?;
+    let mut found = vec![answer(&mut map, &main, question)?];
+    let mut doublings = doublings(&main, 1);
+    while let Some((point, doubled)) = doublings.pop() {
+        let multiple = question.multiple << doubled;
+        if !question.doubled
+            || map.places.is_torus()
+            || is_on_another(&found, multiple, &point, question)
+        {
+            continue;
+        }
+        let mut twice = map.clone();
+        twice.places = map.places.times(multiple);
+        twice.counters = Counters::default();
+        let branch = match follow_doubled(&mut twice, &point, &plan, &mut watch) {
+            Ok(branch) => branch,
+            Err(error) => Branch {
+                points: Vec::new(),
+                specials: Vec::new(),
+                end: BranchEnd::Lost(error),
+            },
+        };
+        stopped(&branch)?;
+        found.push(answer(&mut twice, &branch, question)?);
+        if doubled < MOST_DOUBLINGS {
+            doublings.extend(self::doublings(&branch, doubled + 1));
+        }
+    }
+    Ok(found)
+}
+
+fn plan(question: &ResponseQuestion<'_>) -> Continuation {
+    Continuation {
+        tolerance: question.model.integrator.tolerance.max(10.0 * TIGHTEST),
+        step: 1.0 / STEPS,
+        least_step: LEAST_PART / STEPS,
+        points: question.points,
+    }
+}
+
+/// Ends the search where somebody stopped it.
+fn stopped(branch: &Branch) -> Result<(), SteadyError> {
+    match &branch.end {
+        BranchEnd::Lost(error) => {
+            let error = SteadyError::from(error.clone());
+            if error.is_interrupted() {
+                Err(error)
+            } else {
+                Ok(())
+            }
+        }
+        _ => Ok(()),
+    }
+}
+
+/// The doublings of a branch, the last first, with how often the period of their motion is doubled.
+fn doublings(branch: &Branch, doubled: u32) -> Vec<(BranchPoint, u32)> {
+    let specials = branch.specials.iter().rev();
+    specials
+        .filter(|special| special.kind == SpecialKind::PeriodDoubling)
+        .map(|special| (special.point.clone(), doubled))
+        .collect()
+}
+
+/// Whether a branch of doubled period that was followed already ends at this doubling.
+fn is_on_another(
+    found: &[Response],
+    multiple: u32,
+    point: &BranchPoint,
+    question: &ResponseQuestion<'_>,
+) -> bool {
+    let [from, to] = question.stretch;
+    let value = from + (to - from) * point.parameter;
+    let near =
+        |point: &ResponsePoint| (point.value - value).abs() < 1.5 * (to - from).abs() / STEPS;
+    let ends = |response: &&Response| response.multiple == multiple;
+    let mut same = found.iter().filter(ends);
+    same.any(|response| response.points.last().is_some_and(near))
+}
+
+/// What there is to tell of a branch.
+fn answer<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    branch: &Branch,
+    question: &ResponseQuestion<'_>,
+) -> Result<Response, SteadyError>
+where
+    Const<N>: Square,
+{
+    let mut points = Vec::new();
+    for point in &branch.points {
+        points.push(told(map, point, question)?);
+    }
+    let mut specials = Vec::new();
+    for special in &branch.specials {
+        specials.push(ResponseSpecial {
+            kind: special.kind,
+            after: special.after,
+            point: told(map, &special.point, question)?,
+        });
+    }
+    Ok(Response {
+        multiple: map.places.multiple,
+        points,
+        specials,
+        end: match &branch.end {
+            BranchEnd::Reached => "the parameter reached its last value".to_owned(),
+            BranchEnd::CameBack => "the branch came back to the first value".to_owned(),
+            BranchEnd::Closed => "the period became single again".to_owned(),
+            BranchEnd::Points => "as many motions as asked for".to_owned(),
+            BranchEnd::Lost(error) => format!("the branch was lost: {error}"),
+        },
+        lost: matches!(branch.end, BranchEnd::Lost(_)),
+        counters: map.counters,
+    })
+}
+
+fn told<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    point: &BranchPoint,
+    question: &ResponseQuestion<'_>,
+) -> Result<ResponsePoint, SteadyError>
+where
+    Const<N>: Square,
+{
+    let [from, to] = question.stretch;
+    map.set(point.parameter)?;
+    let sampled = sampled(map, &point.states, question.model)?;
+    let channels = Channel::of_freedoms(map.rotor.kept());
+    Ok(ResponsePoint {
+        value: from + (to - from) * point.parameter,
+        period: map.places.circle.period(),
+        swings: swings(&channels, &map.places.circle, &sampled),
+        multipliers: point.multipliers.values(),
+        stable: point.multipliers.is_stable(),
+    })
+}

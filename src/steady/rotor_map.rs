@@ -1,0 +1,243 @@
+//! A rotor over one period of its forcing, as shooting asks for it.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{Const, DMatrix, DVector};
+
+use super::SteadyError;
+use super::places::Places;
+use crate::integrate::{
+    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, Square,
+    variation,
+};
+use crate::rotor::{MotionScale, Moving, Rotor, RotorDefinition};
+use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
+
+/// Step of a state, in sizes of the motion, over which slopes are looked at where the method gives none.
+const STATE_STEP: f64 = 1e-3;
+
+/// Slopes need be no more exact than this: they guide the search and tell multipliers to six digits,
+/// while what returns is judged by the motion itself.
+const SLOPE_TOLERANCE: f64 = 1e-6;
+
+/// Makes the rotor of a value of the parameter; what is wrong with it in words.
+pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
+
+/// How the periods of a map are integrated.
+#[derive(Clone, Copy)]
+pub(super) struct Way<'a> {
+    pub settings: Settings,
+    pub stop: &'a AtomicBool,
+}
+
+/// The map of a rotor over a multiple of the period of its forcing.
+#[derive(Clone)]
+pub(super) struct RotorMap<'a, const N: usize, const M: usize, const A: usize> {
+    pub rotor: Rotor,
+    pub places: Places,
+    /// What zero and one unit of a scaled state are: the place of rest at the present parameter, and the
+    /// size of the motion at the first.
+    pub unit: Scaling<N>,
+    pub way: Way<'a>,
+    pub scale: MotionScale,
+    pub counters: Counters,
+    /// Where the rotor of another parameter comes from, and that of the present one.
+    source: Option<(Source<'a>, f64)>,
+}
+
+impl<'a, const N: usize, const M: usize, const A: usize> RotorMap<'a, N, M, A>
+where
+    Const<N>: Square,
+{
+    pub fn new(rotor: Rotor, places: Places, way: Way<'a>) -> Self {
+        let scale = rotor.motion_scale(0.1 * way.settings.tolerance);
+        Self {
+            unit: Moving::<N>::scaling(&rotor, &scale),
+            rotor,
+            places,
+            way,
+            scale,
+            counters: Counters::default(),
+            source: None,
+        }
+    }
+
+    /// The same as one of many, at the parameter 0.
+    pub fn of_family(self, source: Source<'a>) -> Self {
+        Self {
+            source: Some((source, 0.0)),
+            ..self
+        }
+    }
+
+    /// Scaled states as they are.
+    pub fn states(&self, scaled: &DVector<f64>) -> Vec<[f64; N]> {
+        let states = scaled.as_slice().as_chunks::<N>().0;
+        states.iter().map(|state| self.unit.state(state)).collect()
+    }
+
+    /// Begin of the period of every state, s.
+    fn starts(&self) -> Vec<f64> {
+        let strobes = self.places.circle.strobes();
+        strobes
+            .iter()
+            .map(|strobe| self.places.time(*strobe))
+            .collect()
+    }
+
+    fn scaling(&self) -> Scaling<N> {
+        self.rotor.scaling(&self.scale)
+    }
+
+    /// States on a grid from a time on.
+    pub fn flight(
+        &mut self,
+        start: f64,
+        state: &[f64; N],
+        grid: Grid,
+    ) -> Result<Vec<[f64; N]>, IntegrateError> {
+        let system = Shifted {
+            system: &self.rotor,
+            start,
+        };
+        let (scaling, way) = (self.scaling(), &self.way);
+        let mut integration =
+            Integration::<_, N, M>::new(&system, scaling, grid, way.settings, way.stop, state);
+        let mut states = Vec::with_capacity(grid.count as usize);
+        let result = integration.advance(grid.count as usize, &mut states);
+        self.counters.add(&integration.counters());
+        result.map(|()| states)
+    }
+
+    /// The state a period after a time.
+    fn end(&mut self, start: f64, state: &[f64; N]) -> Result<[f64; N], IntegrateError> {
+        let grid = Grid {
+            interval: self.places.circle.period(),
+            count: 2,
+        };
+        let states = self.flight(start, state, grid)?;
+        Ok(states.last().copied().unwrap_or([f64::NAN; N]))
+    }
+
+    /// The same and its slopes, scaled.
+    fn end_and_slopes(
+        &mut self,
+        start: f64,
+        state: &[f64; N],
+    ) -> Result<([f64; N], DMatrix<f64>), IntegrateError> {
+        if self.way.settings.method == Method::Rodas {
+            return self.slopes_by_difference(start, state);
+        }
+        let end = self.end(start, state)?;
+        let system = Shifted {
+            system: &self.rotor,
+            start,
+        };
+        let (way, period) = (&self.way, self.places.circle.period());
+        let settings = Settings {
+            tolerance: way.settings.tolerance.max(SLOPE_TOLERANCE),
+            ..way.settings
+        };
+        let scaling = self.scaling();
+        let found = variation::<_, N, A>(&system, &scaling, &settings, way.stop, period, state)?;
+        self.counters.add(&found.counters);
+        let scale = &self.unit.scale;
+        let slopes = DMatrix::from_fn(N, N, |row, column| {
+            found.slopes[(row, column)] * scale[column] / scale[row]
+        });
+        Ok((end, slopes))
+    }
+
+    fn slopes_by_difference(
+        &mut self,
+        start: f64,
+        state: &[f64; N],
+    ) -> Result<([f64; N], DMatrix<f64>), IntegrateError> {
+        let end = self.end(start, state)?;
+        let mut slopes = DMatrix::zeros(N, N);
+        for column in 0..N {
+            let step = STATE_STEP * self.unit.scale[column];
+            let mut side = |step: f64| {
+                let mut moved = *state;
+                moved[column] += step;
+                self.end(start, &moved)
+            };
+            let (up, down) = (side(step)?, side(-step)?);
+            for row in 0..N {
+                slopes[(row, column)] =
+                    (up[row] - down[row]) / (2.0 * STATE_STEP * self.unit.scale[row]);
+            }
+        }
+        Ok((end, slopes))
+    }
+}
+
+impl<const N: usize, const M: usize, const A: usize> ReturnMap for RotorMap<'_, N, M, A>
+where
+    Const<N>: Square,
+{
+    fn size(&self) -> usize {
+        N
+    }
+
+    fn circle(&self) -> &Circle {
+        &self.places.circle
+    }
+
+    fn image(&mut self, states: &DVector<f64>, slopes: Slopes) -> Result<Image, MapError> {
+        let mut end = DVector::zeros(states.len());
+        let mut found = Vec::new();
+        let starts = self.starts();
+        for (place, (state, start)) in self.states(states).iter().zip(starts).enumerate() {
+            let wanted = match slopes {
+                Slopes::None => false,
+                Slopes::First => place == 0,
+                Slopes::All => true,
+            };
+            let reached = if wanted {
+                let (reached, slopes) = self.end_and_slopes(start, state)?;
+                found.push(slopes);
+                reached
+            } else {
+                self.end(start, state)?
+            };
+            end.as_mut_slice()[N * place..N * (place + 1)]
+                .copy_from_slice(&self.unit.scaled(&reached));
+        }
+        Ok(Image { end, slopes: found })
+    }
+}
+
+impl<const N: usize, const M: usize, const A: usize> Family for RotorMap<'_, N, M, A>
+where
+    Const<N>: Square,
+{
+    fn set(&mut self, parameter: f64) -> Result<(), MapError> {
+        let Some((source, present)) = self.source else {
+            return Ok(());
+        };
+        if parameter == present {
+            return Ok(());
+        }
+        let wrong = |error: SteadyError| MapError::Parameter(error.to_string());
+        let definition = source(parameter).map_err(MapError::Parameter)?;
+        let rotor = Rotor::assemble(&definition).map_err(|error| wrong(error.into()))?;
+        self.places = self.places.of_rotor(&rotor).map_err(wrong)?;
+        self.scale = rotor.motion_scale(0.1 * self.way.settings.tolerance);
+        self.rotor = rotor;
+        // the motion is followed, not the place of rest that it is about
+        self.unit.origin = self.scaling().origin;
+        self.source = Some((source, parameter));
+        Ok(())
+    }
+
+    fn half_return(&mut self, states: &DVector<f64>) -> Result<Option<DVector<f64>>, MapError> {
+        let Some(half) = self.places.half() else {
+            return Ok(None);
+        };
+        let whole = std::mem::replace(&mut self.places, half);
+        let image = self.image(states, Slopes::None);
+        self.places = whole;
+        Ok(Some(image?.end - states))
+    }
+}

@@ -1,0 +1,261 @@
+//! The search for a motion that repeats: from rest, and where that fails from later and later.
+
+use nalgebra::{Const, DMatrix, DVector};
+
+use super::SteadyError;
+use super::rotor_map::RotorMap;
+use crate::integrate::Square;
+use crate::shooting::{
+    Circle, MapError, Multipliers, ReturnMap, Returned, ShootingError, Slopes, multipliers, solve,
+};
+
+/// Periods waited for before the search is tried again.
+const WAITS: [u64; 4] = [0, 8, 32, 128];
+/// Harmonics of the second frequency at first, and at most.
+const FIRST_HARMONICS: usize = 2;
+const MOST_HARMONICS: usize = 64;
+/// Highest multiple of the period that is looked for by itself,
+const MOST_PERIODS: usize = 8;
+/// after waiting so many periods,
+const SUBHARMONIC_WAITS: [usize; 4] = [24, 48, 96, 192];
+/// and how near a state must come to an earlier one, relative to how far they are spread.
+const NEARLY: f64 = 0.05;
+/// How far beside a motion that is not stable the wait begins, in sizes of the motion.
+const BESIDE: f64 = 1e-2;
+
+/// A motion that repeats.
+#[derive(Clone)]
+pub(super) struct Found {
+    pub states: DVector<f64>,
+    pub slopes: Vec<DMatrix<f64>>,
+    pub multipliers: Multipliers,
+    /// What is missing for the states to return, in sizes of the motion.
+    pub missing: f64,
+    /// What was missing before every correction.
+    pub history: Vec<f64>,
+    /// Periods integrated before the search.
+    pub waited: u64,
+}
+
+/// Finds the motion of a map, of one frequency or of two.
+pub(super) fn find<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+) -> Result<Found, SteadyError>
+where
+    Const<N>: Square,
+{
+    let tolerance = map.way.settings.tolerance;
+    if !map.places.is_torus() {
+        let guess = DVector::zeros(N);
+        return found_from(map, guess, tolerance);
+    }
+    let mut harmonics = FIRST_HARMONICS;
+    let mut guess: Option<DVector<f64>> = None;
+    loop {
+        let before = map.places.circle.clone();
+        map.places = map.places.with_harmonics(harmonics)?;
+        let start = match &guess {
+            Some(states) => between(&before, states, map.circle(), N),
+            None => DVector::zeros(N * map.circle().places()),
+        };
+        let (returned, waited) = returned_from(map, start, tolerance)?;
+        let sizes = harmonic_sizes(map.circle(), &returned.states, N);
+        match more_harmonics(&sizes, tolerance) {
+            None => return finished(map, returned, waited),
+            Some(_) if harmonics >= MOST_HARMONICS => {
+                return Err(SteadyError::Rough {
+                    harmonics,
+                    tail: sizes.last().copied().unwrap_or(f64::NAN),
+                    tolerance,
+                });
+            }
+            Some(more) => harmonics = more.min(MOST_HARMONICS),
+        }
+        guess = Some(returned.states);
+    }
+}
+
+/// Finds the motion of a map near a guess.
+pub(super) fn found_from<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    guess: DVector<f64>,
+    tolerance: f64,
+) -> Result<Found, SteadyError>
+where
+    Const<N>: Square,
+{
+    let (returned, waited) = returned_from(map, guess, tolerance)?;
+    finished(map, returned, waited)
+}
+
+/// States that return, found at once or after a wait; and how long it was, in periods.
+fn returned_from<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    mut guess: DVector<f64>,
+    tolerance: f64,
+) -> Result<(Returned, u64), SteadyError>
+where
+    Const<N>: Square,
+{
+    let mut waited = 0;
+    let mut last = ShootingError::Singular;
+    for wait in WAITS {
+        while waited < wait {
+            guess = later(map, &guess)?;
+            waited += 1;
+        }
+        match solve(map, guess.clone(), tolerance) {
+            Ok(returned) => return Ok((returned, waited)),
+            Err(ShootingError::Map(error)) if is_final(&error) => return Err(error.into()),
+            Err(error) => last = error,
+        }
+    }
+    Err(SteadyError::NotFound {
+        period: map.circle().period(),
+        waited,
+        source: last,
+    })
+}
+
+/// Whether no other guess can help.
+fn is_final(error: &MapError) -> bool {
+    use crate::integrate::IntegrateError::{Interrupted, StepLimit, Stiff};
+    matches!(
+        error,
+        MapError::Integrate(Interrupted { .. } | StepLimit { .. } | Stiff { .. })
+    )
+}
+
+/// The states a period later.
+fn later(map: &mut dyn ReturnMap, states: &DVector<f64>) -> Result<DVector<f64>, SteadyError> {
+    let end = map.image(states, Slopes::None)?.end;
+    let circle = map.circle();
+    let back: Vec<f64> = circle
+        .angles()
+        .iter()
+        .map(|angle| angle - circle.rotation())
+        .collect();
+    Ok(mixed(&circle.values_at(&back), &end, map.size()))
+}
+
+/// States at other phases from those at the places of a circle.
+fn between(circle: &Circle, states: &DVector<f64>, other: &Circle, size: usize) -> DVector<f64> {
+    mixed(&circle.values_at(other.angles()), states, size)
+}
+
+fn mixed(matrix: &DMatrix<f64>, states: &DVector<f64>, size: usize) -> DVector<f64> {
+    DVector::from_fn(size * matrix.nrows(), |row, _| {
+        let (place, part) = (row / size, row % size);
+        (0..matrix.ncols())
+            .map(|from| matrix[(place, from)] * states[size * from + part])
+            .sum()
+    })
+}
+
+/// Largest component of every harmonic of the closed curve, the mean first.
+fn harmonic_sizes(circle: &Circle, states: &DVector<f64>, size: usize) -> Vec<f64> {
+    let coefficients = mixed(circle.coefficients(), states, size);
+    let largest = |rows: std::ops::Range<usize>| {
+        let parts = rows.flat_map(|row| (0..size).map(move |part| size * row + part));
+        parts
+            .map(|index| coefficients[index].abs())
+            .fold(0.0, f64::max)
+    };
+    (0..=circle.harmonics())
+        .map(|harmonic| match harmonic {
+            0 => largest(0..1),
+            k => largest(2 * k - 1..2 * k + 1),
+        })
+        .collect()
+}
+
+/// How many harmonics are needed, by how fast they fall; `None` where there are enough.
+fn more_harmonics(sizes: &[f64], tolerance: f64) -> Option<usize> {
+    let (harmonics, last) = (sizes.len() - 1, *sizes.last()?);
+    if last <= tolerance {
+        return None;
+    }
+    let first = sizes[1..].iter().copied().fold(0.0, f64::max);
+    let fall = (last / first).ln() / (harmonics - 1) as f64;
+    let missing = (tolerance / last).ln() / fall;
+    let most = 4 * harmonics;
+    Some(if missing > 0.0 && missing.is_finite() {
+        (harmonics + missing.ceil() as usize).min(most)
+    } else {
+        most
+    })
+}
+
+/// Looks at the slopes of what was found.
+fn finished<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    returned: Returned,
+    waited: u64,
+) -> Result<Found, SteadyError>
+where
+    Const<N>: Square,
+{
+    let image = map.image(&returned.states, Slopes::All)?;
+    let shifted = mixed(map.circle().shift(), &returned.states, N);
+    Ok(Found {
+        missing: (&image.end - shifted).amax(),
+        multipliers: multipliers(map.circle(), &image.slopes),
+        states: returned.states,
+        slopes: image.slopes,
+        history: returned.history,
+        waited,
+    })
+}
+
+/// Waits beside some states until they nearly repeat after some periods, and finds the motion of that
+/// many periods: the map is then that of those; `None` where none is found that is stable.
+pub(super) fn subharmonic<const N: usize, const M: usize, const A: usize>(
+    map: &mut RotorMap<'_, N, M, A>,
+    from: &DVector<f64>,
+) -> Result<Option<Found>, SteadyError>
+where
+    Const<N>: Square,
+{
+    let (single, tolerance) = (map.places.clone(), map.way.settings.tolerance);
+    let mut states = from.add_scalar(BESIDE);
+    let mut waited = 0;
+    for wait in SUBHARMONIC_WAITS {
+        let mut seen = Vec::new();
+        while waited < wait {
+            states = later(map, &states)?;
+            waited += 1;
+            seen.push(states.clone());
+        }
+        let Some(periods) = nearly_repeats(&seen) else {
+            continue;
+        };
+        map.places = single.times(single.multiple * periods as u32);
+        match solve(map, states.clone(), tolerance) {
+            Ok(returned) => {
+                let found = finished(map, returned, waited as u64)?;
+                if found.multipliers.is_stable() {
+                    return Ok(Some(found));
+                }
+            }
+            Err(ShootingError::Map(error)) if is_final(&error) => return Err(error.into()),
+            Err(_) => {}
+        }
+        map.places = single.clone();
+    }
+    Ok(None)
+}
+
+/// After how many periods the last states nearly repeat.
+fn nearly_repeats(seen: &[DVector<f64>]) -> Option<usize> {
+    let late = &seen[seen.len().saturating_sub(2 * MOST_PERIODS)..];
+    let last = late.last()?;
+    let spread = late
+        .iter()
+        .map(|state| (state - last).amax())
+        .fold(0.0, f64::max);
+    (1..=MOST_PERIODS.min(late.len() - 1)).find(|periods| {
+        let pairs = late.iter().zip(late.iter().skip(*periods));
+        let change = pairs.map(|(a, b)| (a - b).amax()).fold(0.0, f64::max);
+        change < NEARLY * spread || spread == 0.0
+    })
+}

@@ -1,0 +1,159 @@
+//! Steps that land on the surfaces at which a derivative is not smooth: a ball that bounces on an elastic
+//! ground, whose energy is known.
+
+use std::sync::atomic::AtomicBool;
+
+use jeffcott::integrate::{
+    Counters, Grid, Integration, Linearised, Method, Scaling, Settings, Surroundings, System,
+};
+use nalgebra::{SMatrix, matrix};
+
+/// y″ = −1 + K max(−y, 0)^(3/2), as (y, y′).
+struct Bouncing {
+    /// Whether the integration is told of the ground.
+    told: bool,
+}
+
+const STIFFNESS: f64 = 1e3;
+
+fn load(depth: f64) -> f64 {
+    STIFFNESS * depth.max(0.0).powf(1.5)
+}
+
+/// ½ v² + y + 2/5 K max(−y, 0)^(5/2)
+fn energy([place, speed]: &[f64; 2]) -> f64 {
+    0.5 * speed * speed + place + 0.4 * STIFFNESS * (-place).max(0.0).powf(2.5)
+}
+
+impl System<2> for Bouncing {
+    fn derivative(&self, _time: f64, [place, speed]: &[f64; 2], rate: &mut [f64; 2]) {
+        *rate = [*speed, load(-place) - 1.0];
+    }
+
+    fn surroundings(&self, _time: f64, [place, _]: &[f64; 2]) -> Surroundings {
+        if !self.told {
+            return Surroundings::SMOOTH;
+        }
+        Surroundings {
+            sides: u128::from(*place <= 0.0),
+            nearest: place.abs(),
+        }
+    }
+
+    fn past(&self, _surface: u32, _time: f64, [place, _]: &[f64; 2]) -> f64 {
+        -place
+    }
+
+    fn approach(&self, _times: [f64; 2], [from, to]: [&[f64; 2]; 2]) -> f64 {
+        (to[0] - from[0]).abs()
+    }
+
+    fn added(&self, _surface: u32, _time: f64, distance: f64) -> [f64; 2] {
+        [0.0, load(distance)]
+    }
+
+    fn is_second_order(&self) -> bool {
+        true
+    }
+}
+
+impl Linearised<2> for Bouncing {
+    fn linearisation(&self, _time: f64, [place, _]: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+        let stiffness = -1.5 * STIFFNESS * (-place).max(0.0).sqrt();
+        (matrix![0.0, 1.0; stiffness, 0.0], [0.0; 2])
+    }
+}
+
+/// Bounces over the grid.
+const BOUNCES: f64 = 14.0;
+const GRID: Grid = Grid {
+    interval: 0.02,
+    count: 2001,
+};
+const START: [f64; 2] = [1.0, 0.1];
+const PAIRS: [Method; 3] = [Method::Verner76, Method::Dop853, Method::Tsit5];
+
+fn integration<'a>(
+    system: &'a Bouncing,
+    method: Method,
+    tolerance: f64,
+    stop: &'a AtomicBool,
+) -> Integration<'a, Bouncing, 2, 3> {
+    let settings = Settings {
+        method,
+        tolerance,
+        step_limit: 1_000_000,
+    };
+    Integration::new(system, Scaling::IDENTITY, GRID, settings, stop, &START)
+}
+
+/// States and work, in blocks of so many points.
+fn run(
+    system: &Bouncing,
+    method: Method,
+    tolerance: f64,
+    points: usize,
+) -> (Vec<[f64; 2]>, Counters) {
+    let stop = AtomicBool::new(false);
+    let mut integration = integration(system, method, tolerance, &stop);
+    let mut states = Vec::new();
+    while integration.done() < GRID.count {
+        integration
+            .advance(points, &mut states)
+            .expect("a harmless problem");
+    }
+    (states, integration.counters())
+}
+
+fn energy_error(states: &[[f64; 2]]) -> f64 {
+    let drift = |state| (energy(state) / energy(&START) - 1.0).abs();
+    states.iter().map(drift).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_bounce_keeps_the_energy_to_ten_tolerances() {
+    let told = Bouncing { told: true };
+    for method in PAIRS {
+        for tolerance in [1e-5, 1e-7, 1e-9, 1e-11] {
+            let (states, work) = run(&told, method, tolerance, 5000);
+            let error = energy_error(&states) / BOUNCES;
+            println!("{method:?} at {tolerance:e}: {error:.1e}, {work:?}");
+            assert!(
+                error < 10.0 * tolerance,
+                "{method:?} at {tolerance:e}: {error:e}"
+            );
+        }
+    }
+}
+
+/// The same method without a word of the ground has some hundred times the error for more work.
+#[test]
+fn to_land_on_the_ground_pays() {
+    let [told, untold] = [true, false].map(|told| {
+        let (states, work) = run(&Bouncing { told }, Method::Verner76, 1e-9, 5000);
+        (energy_error(&states), work.evaluations)
+    });
+    println!("told {told:?}, untold {untold:?}");
+    assert!(untold.0 > 30.0 * told.0, "{told:?} {untold:?}");
+    assert!(untold.1 > told.1, "{told:?} {untold:?}");
+}
+
+/// Whatever stands between two blocks, a landing ahead or a step from the ground behind.
+#[test]
+fn blocks_and_checkpoints_leave_no_trace_about_a_landing() {
+    let told = Bouncing { told: true };
+    for method in PAIRS {
+        let (whole, work) = run(&told, method, 1e-8, 5000);
+        let stop = AtomicBool::new(false);
+        let mut states = Vec::new();
+        let mut parts = integration(&told, method, 1e-8, &stop);
+        while parts.done() < GRID.count {
+            parts.advance(1, &mut states).expect("a harmless problem");
+            let checkpoint = parts.checkpoint();
+            parts = integration(&told, method, 1e-8, &stop);
+            parts.go_on_from(&checkpoint).expect("the same system");
+        }
+        assert!(states == whole, "{method:?}");
+        assert_eq!(parts.counters(), work, "{method:?}");
+    }
+}
