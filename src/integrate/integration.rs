@@ -7,8 +7,6 @@ use nalgebra::Const;
 use super::adapter::{self, ExplicitMethod};
 use super::block::Block;
 use super::course::Course;
-use super::explicit::{Dop853, Pair, Tsit5, Verner76};
-use super::nystrom::{self, Dprkn8, Dprkn12};
 use super::rosenbrock;
 use super::stiffness::stiffness;
 use super::walks::Walks;
@@ -248,14 +246,10 @@ where
     /// never does.
     fn stability_limit(&self) -> Option<f64> {
         match self.settings.method {
-            Method::Verner76 => Some(Verner76::STABILITY),
-            Method::Dop853 => Some(Dop853::STABILITY),
-            Method::Tsit5 => Some(Tsit5::STABILITY),
             Method::Dopri5 => Some(ExplicitMethod::Dopri5.stability_limit()),
             Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
-            Method::Dprkn8 => Some(<Dprkn8 as nystrom::Pair>::STABILITY),
-            Method::Dprkn12 => Some(<Dprkn12 as nystrom::Pair>::STABILITY),
-            Method::Rodas | Method::Exponential => None,
+            Method::Rodas => None,
+            method => self.walk.stability_limit(method),
         }
     }
 

@@ -30,6 +30,11 @@ impl Method {
     pub fn is_nystrom(self) -> bool {
         matches!(self, Self::Dprkn8 | Self::Dprkn12)
     }
+
+    /// Whether its steps end on the surfaces of a [`super::System`] at which the derivative is not smooth.
+    pub fn lands_on_surfaces(self) -> bool {
+        matches!(self, Self::Verner76 | Self::Dop853 | Self::Tsit5)
+    }
 }
 
 /// Method, tolerance and limits.

@@ -1,7 +1,7 @@
 //! The walk of the method in use.
 
 use super::course::Course;
-use super::explicit::{self, Dop853, Tsit5, Verner76};
+use super::explicit::{self, Dop853, Pair, Tsit5, Verner76};
 use super::exponential::ExponentialWalk;
 use super::nystrom::{self, Dprkn8, Dprkn12};
 use super::{Counters, IntegrateError, Linearised, Method, Scaling};
@@ -74,6 +74,19 @@ impl<const N: usize> Walks<N> {
             (Self::Explicit(walk), Method::Dop853) => walk.state_at::<Dop853, S>(course, time),
             (Self::Explicit(walk), Method::Tsit5) => walk.state_at::<Tsit5, S>(course, time),
             (Self::Explicit(walk), _) => walk.state_at::<Verner76, S>(course, time),
+        }
+    }
+
+    /// Product of step and largest eigenvalue at which a method ceases to be stable, or is held by what else
+    /// grows with eigenvalues; none where nothing holds it.
+    pub fn stability_limit(&self, method: Method) -> Option<f64> {
+        match (self, method) {
+            (Self::Exponential(_), _) => None,
+            (Self::Nystrom(walk), Method::Dprkn8) => Some(walk.stability::<Dprkn8>()),
+            (Self::Nystrom(walk), _) => Some(walk.stability::<Dprkn12>()),
+            (Self::Explicit(_), Method::Dop853) => Some(Dop853::STABILITY),
+            (Self::Explicit(_), Method::Tsit5) => Some(Tsit5::STABILITY),
+            (Self::Explicit(_), _) => Some(Verner76::STABILITY),
         }
     }
 

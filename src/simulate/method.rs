@@ -14,15 +14,17 @@ pub enum MethodMismatch {
     #[error("{NYSTROM}: gyroscopic moments change with the speed of the shaft; {OTHERS}")]
     Gyroscopic,
     /// A drive decides the speed.
-    #[error("{NYSTROM}: a drive moves the shaft at a speed that the motion decides; {OTHERS}")]
+    #[error("{NYSTROM}: with a drive the motion itself decides the speed of the shaft; {OTHERS}")]
     Drive,
     /// The energy is accounted for.
-    #[error("{NYSTROM}: the works of the energy balance are integrals beside it; {OTHERS}")]
+    #[error(
+        "{NYSTROM}: the energy balance integrates works beside the motion, forces times velocity; {OTHERS}"
+    )]
     Energy,
 }
 
-const NYSTROM: &str =
-    "a Nyström method takes forces that know the velocity by constant coefficients alone";
+const NYSTROM: &str = "Nyström methods (dprkn8, dprkn12) need forces that depend on the velocity by \
+                       constant coefficients alone";
 const OTHERS: &str = "set method = \"verner76\" or \"dop853\"";
 
 impl Model {

@@ -3,6 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::*;
+use crate::integrate::nystrom::entries::{All, Few};
 use crate::integrate::nystrom::{Dprkn8, Dprkn12};
 use crate::integrate::{Method, Settings, VelocityDependence};
 
