@@ -3,6 +3,7 @@
 mod analyses;
 mod bare;
 mod energy_audit;
+mod method;
 mod model;
 mod observation;
 mod observers;
@@ -21,6 +22,7 @@ use nalgebra::Const;
 pub use analyses::{Analyses, Maps};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
+pub use method::MethodMismatch;
 pub use model::{Model, Sampling};
 pub use observation::{
     BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone, Spread,
@@ -65,6 +67,7 @@ pub fn simulate_part(
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
 ) -> Result<Run, SimulateError> {
+    model.check_method()?;
     let mut rotor = Rotor::assemble(&model.rotor)?;
     let tables = TableAudit::new(if model.table {
         rotor.tabulate()

@@ -7,19 +7,23 @@
 mod adapter;
 mod block;
 mod checkpoint;
+mod control;
+mod course;
 mod error;
 mod explicit;
 mod exponential;
 mod integration;
+mod nystrom;
 mod rosenbrock;
 mod settings;
 mod shifted;
 mod stiffness;
 mod system;
 mod variation;
+mod walks;
 
 pub use checkpoint::{Checkpoint, CheckpointMismatch};
-pub use error::IntegrateError;
+pub use error::{IntegrateError, VelocityDependence};
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};
 pub use shifted::Shifted;

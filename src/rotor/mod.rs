@@ -25,6 +25,7 @@ mod phases;
 mod sample;
 mod speed_profile;
 mod tabulation;
+mod velocity_slopes;
 
 pub use accounted::{ACCOUNTED_STATES, AccountedRotor};
 pub use assembly::RotorError;

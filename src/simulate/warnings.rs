@@ -39,8 +39,13 @@ pub(super) fn warnings(
         Some(error) if error.relative > PROMISE * tolerance => warnings.push(format!(
             "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
              {tolerance:.0e}: the motion may be irregular or rest on contact changes; trust \
-             statistics rather than the single trace",
-            error.relative
+             statistics rather than the single trace{}",
+            error.relative,
+            if model.integrator.method.lands_on_surfaces() {
+                ""
+            } else {
+                ", or set method = \"verner76\" in [integrator], whose steps end where balls lift off"
+            }
         )),
         _ => {}
     }

@@ -21,7 +21,7 @@ use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::simulate::Model;
+use crate::simulate::{MethodMismatch, Model};
 use crate::study::{
     ContactChoice as ChosenContact, ContactQuestion, MethodChoice as ChosenMethod, choose_contact,
     choose_method,
@@ -273,7 +273,7 @@ impl ScenarioSpec {
         let analyses = self
             .output
             .analyses(steady.is_some() && !driven, changes, problems);
-        Some(Model {
+        let model = Model {
             rotor,
             duration: time.duration.si(),
             settle: time.settle.si(),
@@ -284,6 +284,22 @@ impl ScenarioSpec {
             table: self.model.table,
             spectrum: self.output.spectrum.then_some(self.output.window.into()),
             analyses,
-        })
+        };
+        self.check_method(&model, problems);
+        Some(model)
+    }
+
+    /// Refuses a method of integration that does not serve the model.
+    fn check_method(&self, model: &Model, problems: &mut Problems<'_>) {
+        let Err(mismatch) = model.check_method() else {
+            return;
+        };
+        let against = match mismatch {
+            MethodMismatch::ContactDamping => "damping.contact",
+            MethodMismatch::Energy => "output.energy",
+            MethodMismatch::Gyroscopic | MethodMismatch::Drive => self.speed.path(),
+        };
+        let issue = Issue::new("integrator.method", mismatch.to_string());
+        problems.refuse(issue, &[against.to_owned()]);
     }
 }
