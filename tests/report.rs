@@ -80,6 +80,7 @@ fn model() -> Model {
         energy: false,
         table: false,
         spectrum: Some(Window::Rectangular),
+        spectra: Vec::new(),
     }
 }
 
@@ -180,6 +181,7 @@ fn run() -> Run {
         energy: None,
         spectrum: Some(spectrum),
         peaks,
+        spectra: Vec::new(),
         warnings: vec!["a warning".to_owned()],
     }
 }

@@ -25,7 +25,8 @@ use crate::simulate::{
     after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
                   spectrum.csv, trace.svg, spectrum.svg and, last, summary.json; trace_balls.csv and\n\
-                  energy.csv where the scenario asks for them, drive.csv where there is a drive. A run\n\
+                  energy.csv where the scenario asks for them, spectrum_NAME.csv for each of its\n\
+                  `[[spectrum]]`, drive.csv where there is a drive. A run\n\
                   that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\n\
                   Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
                   interrupted, 2 a file is wrong."

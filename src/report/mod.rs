@@ -20,6 +20,7 @@ mod method_choice;
 mod restart;
 mod run_report;
 mod sample_table;
+mod spectra;
 mod spectrum_csv;
 mod statics;
 mod steady;
@@ -41,6 +42,7 @@ pub use folder::{FileSet, PartialFile, RunFolder, WholeFile};
 pub use method_choice::{method_choice_json, method_choice_text};
 pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub use run_report::{KeptFiles, Outputs, RunReport};
+pub use spectra::write_estimated;
 pub use spectrum_csv::write_spectrum;
 pub use statics::{answer_json, answer_text, write_answer};
 pub use steady::{

@@ -7,10 +7,11 @@ use serde_json::Value;
 
 use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
 use super::sample_table::{SampleTable, TableKind};
+use super::spectra::file_name;
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
     RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json,
-    method_choice_json, spectrum_figure, summary, write_spectrum,
+    method_choice_json, spectrum_figure, summary, write_estimated, write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
@@ -206,6 +207,10 @@ impl RunReport {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;
                 files.push(self.folder.write("spectrum.svg", svg.as_bytes())?);
             }
+        }
+        for spectrum in &run.spectra {
+            let write = |file: &mut PartialFile| write_estimated(spectrum, file);
+            files.push(self.folder.write_with(&file_name(spectrum), write)?);
         }
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::columns::{ball_pass, matrix, value_column};
 use super::histories::histories_json;
+use super::spectra::estimated_json;
 use crate::analysis::{Channel, Peak, Spectrum};
 use crate::bearing::Matrix5;
 use crate::integrate::Counters;
@@ -31,6 +32,7 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
         "ball_pass": run.ball_pass.iter().map(ball_pass).collect::<Value>(),
         "bearings": histories_json(&run.bearings),
         "spectrum": run.spectrum.as_ref().map(spectrum),
+        "spectra": run.spectra.iter().map(estimated_json).collect::<Value>(),
         "peaks": run
             .peaks
             .iter()

@@ -4,7 +4,7 @@ use super::energy_audit::EnergyAudit;
 use super::observation::Observation;
 use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
-use crate::analysis::Recorder;
+use crate::analysis::{Recorder, Recording};
 use crate::integrate::Grid;
 use crate::rotor::{Moving, Rotor};
 
@@ -13,6 +13,7 @@ pub(super) struct Observers<'a> {
     grid: Grid,
     sink: &'a mut dyn TraceSink,
     pub recorder: Option<Recorder>,
+    pub recording: Option<Recording>,
     pub observation: Observation<'a>,
     pub audit: EnergyAudit,
     pub tables: TableAudit,
@@ -30,6 +31,7 @@ impl<'a> Observers<'a> {
             grid,
             sink,
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
+            recording: sampling::recording(model, rotor),
             observation: Observation::new(model, rotor),
             audit: EnergyAudit::default(),
             tables,
@@ -52,6 +54,11 @@ impl<'a> Observers<'a> {
             self.tables.sample(system.rotor(), &sample);
             if let Some(recorder) = &mut self.recorder {
                 recorder.record(&sample);
+            }
+            if let Some(recording) = self.recording.as_mut().filter(|all| all.takes(time)) {
+                let asked = recording.needs_acceleration();
+                let acceleration = asked.then(|| system.acceleration(time, state));
+                recording.record(&sample, acceleration.as_ref());
             }
         }
         Ok(())

@@ -3,7 +3,7 @@
 use super::BearingHistory;
 use super::EnergyReport;
 use super::TableUse;
-use crate::analysis::{Peak, Spectrum};
+use crate::analysis::{EstimatedSpectrum, Peak, Spectrum};
 use crate::integrate::Counters;
 use crate::physics::BallPass;
 use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
@@ -69,6 +69,9 @@ pub struct Run {
     pub spectrum: Option<Spectrum>,
     /// Peaks of the spectra with their names.
     pub peaks: Vec<Peak>,
+    /// Spectra that were asked for besides, as far as the run was long enough; a warning names the
+    /// others.
+    pub spectra: Vec<EstimatedSpectrum>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
 }

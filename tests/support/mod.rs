@@ -189,6 +189,7 @@ pub fn model(rotor: RotorDefinition, duration: f64, rate: f64) -> Model {
         energy: false,
         table: false,
         spectrum: None,
+        spectra: Vec::new(),
     }
 }
 
