@@ -1,11 +1,21 @@
-//! What stands near half the sampling rate, and so folds.
+//! What stands near half the sampling rate, and so folds; and what is too small to fold.
 
-use super::Window;
+use super::{Channel, Window};
 
-/// A swing below this part of the mean is numerical noise.
-pub(crate) const NOISE: f64 = 1e-9;
+/// A swing below this part of its reference is numerical noise.
+const NOISE: f64 = 1e-9;
 /// Where the top of the frequencies begins, of half the sampling rate.
 const TOP: f64 = 0.9;
+
+/// Amplitude below which a channel is at rest: a part of its mean; of what has no mean, velocities and
+/// accelerations, of their SI unit.
+pub fn rest_amplitude(channel: Channel, mean: f64) -> f64 {
+    let reference = match channel {
+        Channel::Displacement(_) | Channel::Force(_) => mean.abs(),
+        Channel::Velocity(_) | Channel::Acceleration(_) => 1.0,
+    };
+    NOISE * reference
+}
 
 /// Power of a signal, its mean left out, and how much of it stands at the top of the frequencies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,28 +24,29 @@ pub struct TopPower {
     pub total: f64,
     /// Power in the top tenth of the frequencies below half the sampling rate.
     pub top: f64,
+    /// Power below which the signal is at rest.
+    pub rest: f64,
 }
 
 impl TopPower {
-    /// Of powers at bins 0, 1, … under a window; `None` of rest about a mean.
+    /// Of powers at bins 0, 1, … under a window; the amplitude `rest` is rest.
     ///
     /// What a signal holds above half its sampling rate is folded below it, first into the top. A
     /// spectrum that has fallen off there folds little; one that has not is sampled too seldom.
     ///
     /// ```
     /// use jeffcott::analysis::{TopPower, Window};
-    /// let white = TopPower::of(&[1.0; 1001], 0.0, Window::Rectangular).unwrap();
+    /// let white = TopPower::of(&[1.0; 1001], 0.0, Window::Rectangular);
     /// assert!((white.top / white.total - 0.1).abs() < 2e-3);
-    /// assert_eq!(TopPower::of(&[0.0; 100], 5.0, Window::Hann), None);
     /// ```
-    pub fn of(powers: &[f64], mean: f64, window: Window) -> Option<Self> {
+    pub fn of(powers: &[f64], rest: f64, window: Window) -> Self {
         // the window spreads the mean over the first bins
         let first = window.coefficients().len().min(powers.len());
         let begin = (TOP * powers.len() as f64) as usize;
-        let found = Self {
+        Self {
             total: powers[first..].iter().sum(),
             top: powers[begin.max(first)..].iter().sum(),
-        };
-        (found.total > (NOISE * mean).powi(2)).then_some(found)
+            rest: rest * rest,
+        }
     }
 }

@@ -11,8 +11,7 @@ mod spectrum;
 mod transform;
 mod window;
 
-pub(crate) use aliasing::NOISE;
-pub use aliasing::TopPower;
+pub use aliasing::{TopPower, rest_amplitude};
 pub use causes::{Line, LineKind, causes, nearest_cause};
 pub use channel::Channel;
 pub use estimation::{

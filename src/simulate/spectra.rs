@@ -2,8 +2,8 @@
 
 use super::Model;
 use crate::analysis::{
-    Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Leak, NOISE, Recording, Spectrum,
-    SpectrumColumn, SpectrumQuantity, TopPower, Window, estimate, leak,
+    Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Leak, Recording, Spectrum,
+    SpectrumColumn, SpectrumQuantity, TopPower, Window, estimate, leak, rest_amplitude,
 };
 
 /// A share of the power in the top tenth of the frequencies that is worth a warning: what folds is
@@ -52,10 +52,14 @@ pub(super) fn warnings(spectrum: Option<&Spectrum>, estimates: &[Estimate<'_>]) 
 fn top_powers(spectrum: &Spectrum) -> Vec<(Channel, TopPower)> {
     let of = |entry: &ChannelSpectrum| {
         let powers: Vec<f64> = entry.amplitude.iter().map(|a| 0.5 * a * a).collect();
-        let mean = entry.amplitude.first().copied().unwrap_or(0.0);
-        Some((entry.channel, TopPower::of(&powers, mean, spectrum.window)?))
+        let rest = rest_amplitude(entry.channel, mean(entry));
+        (entry.channel, TopPower::of(&powers, rest, spectrum.window))
     };
-    spectrum.channels.iter().filter_map(of).collect()
+    spectrum.channels.iter().map(of).collect()
+}
+
+fn mean(entry: &ChannelSpectrum) -> f64 {
+    entry.amplitude.first().copied().unwrap_or(0.0)
 }
 
 fn estimated_top_powers(spectrum: &EstimatedSpectrum) -> Vec<(Channel, TopPower)> {
@@ -66,12 +70,13 @@ fn estimated_top_powers(spectrum: &EstimatedSpectrum) -> Vec<(Channel, TopPower)
     spectrum.columns.iter().filter_map(of).collect()
 }
 
-/// The channel that is sampled most seldom; a freedom that hardly moves beside the others of its unit
-/// is not looked at for itself.
+/// The channel that is sampled most seldom; a freedom that rests beside the others of its unit is not
+/// looked at for itself.
 fn aliasing(powers: &[(Channel, TopPower)]) -> Option<String> {
     let loudest = |unit| {
         let same = powers.iter().filter(|(channel, _)| channel.unit() == unit);
-        same.map(|(_, power)| power.total).fold(0.0, f64::max)
+        let loud = same.map(|(_, power)| power.total.max(power.rest));
+        loud.fold(f64::MIN_POSITIVE, f64::max)
     };
     let shares = powers.iter();
     let shares = shares.map(|(channel, power)| (channel, power.top / loudest(channel.unit())));
@@ -92,9 +97,16 @@ fn leakage(spectrum: &Spectrum) -> Option<String> {
     if spectrum.window != Window::Rectangular {
         return None;
     }
-    let leaks = spectrum.channels.iter().filter_map(|entry| {
-        let mean = entry.amplitude.first().copied().unwrap_or(0.0);
-        Some((entry.channel, leak(&entry.amplitude, NOISE * mean)?))
+    let rest = |unit| {
+        let entries = spectrum.channels.iter();
+        let same = entries.filter(|entry| entry.channel.unit() == unit);
+        let rests = same.map(|entry| rest_amplitude(entry.channel, mean(entry)));
+        rests.fold(0.0, f64::max)
+    };
+    let entries = spectrum.channels.iter();
+    let leaks = entries.filter_map(|entry| {
+        let channel = entry.channel;
+        Some((channel, leak(&entry.amplitude, rest(channel.unit()))?))
     });
     let (channel, leak) = furthest(leaks)?;
     Some(

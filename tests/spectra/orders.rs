@@ -9,11 +9,11 @@ use jeffcott::analysis::{
 
 use super::record::{Motion, X, Y, estimated, request, values};
 
-/// Speed at the start and its growth: from 20 to 60 rev/s in two seconds.
-const START: f64 = TAU * 20.0;
-const GROWTH: f64 = TAU * 20.0;
+/// Speed at the start and its growth: from 10 to 30 rev/s in two seconds.
+const START: f64 = TAU * 10.0;
+const GROWTH: f64 = TAU * 10.0;
 
-/// x = cos 3ψ + ½ cos 7.5ψ, y = sin ψ of a run-up.
+/// x = cos 3ψ + ½ cos 4.5ψ, y = sin ψ of a run-up.
 fn motion(time: f64) -> Motion {
     let angle = START * time + 0.5 * GROWTH * time * time;
     let speed = START + GROWTH * time;
@@ -26,7 +26,7 @@ fn motion(time: f64) -> Motion {
             -pace * pace * phase.cos() - order * GROWTH * phase.sin(),
         ]
     };
-    let (three, more, once) = (cosine(3.0, 0.0), cosine(7.5, 0.0), cosine(1.0, -TAU / 4.0));
+    let (three, more, once) = (cosine(3.0, 0.0), cosine(4.5, 0.0), cosine(1.0, -TAU / 4.0));
     let at = |derivative: usize| [three[derivative] + 0.5 * more[derivative], once[derivative]];
     Motion {
         turning: [angle, speed],
@@ -53,18 +53,18 @@ fn orders_of_a_run_up_are_lines_as_sharp_as_the_stated_error() {
     let resampling = found.resampling.as_ref().unwrap();
     assert_eq!(
         (resampling.per_revolution, resampling.oversampling),
-        (18, 3)
+        (35, 3)
     );
-    assert_eq!((found.segment, found.averages), (16 * 54, 9)); // 80 revolutions
+    assert_eq!((found.segment, found.averages), (16 * 105, 4)); // 40 revolutions
     for (channel, (named, error)) in channels.iter().zip(&resampling.errors) {
         assert_eq!(channel, named);
         let error = error.unwrap();
         let peaks = values(&found, SpectrumQuantity::Value(*channel));
-        assert_eq!(peaks.len(), 9 * 16 + 1);
+        assert_eq!(peaks.len(), 16 * 105 / 6 + 1);
         for (row, peak) in peaks.iter().enumerate() {
             let expected = match found.place(row) {
                 3.0 => 1.0,
-                7.5 => 0.5,
+                4.5 => 0.5,
                 _ => 0.0,
             };
             let off = (peak - expected).abs();
@@ -115,16 +115,18 @@ fn a_whirl_over_orders_turns_with_the_shaft() {
             found.place(row)
         );
     }
+    let ends = [found.place(0), found.place(radii.len() - 1)];
     assert!(
-        (found.place(0) + 9.0).abs() < 1e-9 && (found.place(radii.len() - 1) - 9.0).abs() < 1e-9
+        (ends[0] + 17.5).abs() < 1e-9 && (ends[1] - 17.5).abs() < 1e-9,
+        "{ends:?}"
     );
 }
 
 #[test]
 fn a_tone_that_stands_still_does_not_fold_into_lower_orders() {
-    // 400 Hz is order 20 at the start, above the highest order 9, and 6.7 at the end
+    // 300 Hz is order 30 at the start, above the highest order of 17.5, and 10 at the end
     let tone = |time: f64| {
-        let pace = TAU * 400.0;
+        let pace = TAU * 300.0;
         let (cos, sin) = ((pace * time).cos(), (pace * time).sin());
         Motion {
             displacement: [cos, 0.0],
@@ -140,7 +142,7 @@ fn a_tone_that_stands_still_does_not_fold_into_lower_orders() {
     let found = estimated(&request, 2049, tone).unwrap();
     let powers = values(&found, SpectrumQuantity::Value(X));
     let below: f64 = (0..powers.len())
-        .filter(|row| found.place(*row) < 6.0)
+        .filter(|row| found.place(*row) < 9.0)
         .map(|row| powers[row])
         .sum();
     let all: f64 = powers.iter().sum();

@@ -9,7 +9,7 @@ use super::{
     SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch, envelope,
 };
 
-use crate::analysis::{Channel, Leak, NOISE, TopPower, Window, leak};
+use crate::analysis::{Channel, Leak, TopPower, Window, leak, rest_amplitude};
 
 /// A segment of fewer samples makes no spectrum: the widest window mixes nine bins.
 const FEWEST_SAMPLES: usize = 16;
@@ -270,8 +270,8 @@ impl Columns<'_> {
     fn plain(&self, (channel, signal): (Channel, &Cow<'_, [f64]>)) -> Vec<SpectrumColumn> {
         let powers = self.welch.power(signal);
         let mut columns = vec![SpectrumColumn {
-            top_power: self.top_power(&powers, signal),
-            leak: self.leak(&powers, signal),
+            top_power: self.top_power(channel, &powers, signal),
+            leak: self.leak(channel, &powers, signal),
             ..column(SpectrumQuantity::Value(channel), self.one_sided(&powers))
         }];
         if !self.is_averaged() && !self.request.scaling.is_square() {
@@ -283,7 +283,7 @@ impl Columns<'_> {
     }
 
     /// What the channel itself, not its envelope, holds near half the sampling rate.
-    fn top_power(&self, powers: &[f64], signal: &[f64]) -> Option<TopPower> {
+    fn top_power(&self, channel: Channel, powers: &[f64], signal: &[f64]) -> Option<TopPower> {
         let is_plain = self.request.kind == SpectrumKind::Plain;
         if !is_plain || self.record.resampling.is_some() {
             return None;
@@ -291,16 +291,18 @@ impl Columns<'_> {
         let powers = powers.iter().enumerate();
         let powers = powers.map(|(k, power)| self.welch.sides(k) * power);
         let powers: Vec<f64> = powers.collect();
-        TopPower::of(&powers, mean(signal), self.request.window)
+        let rest = rest_amplitude(channel, mean(signal));
+        Some(TopPower::of(&powers, rest, self.request.window))
     }
 
-    fn leak(&self, powers: &[f64], signal: &[f64]) -> Option<Leak> {
+    fn leak(&self, channel: Channel, powers: &[f64], signal: &[f64]) -> Option<Leak> {
         if self.request.window != Window::Rectangular {
             return None;
         }
         let powers = powers.iter().take(self.bins).enumerate();
         let peaks = powers.map(|(k, power)| self.welch.sides(k) * power.sqrt());
-        leak(&peaks.collect::<Vec<_>>(), NOISE * mean(signal).abs())
+        let rest = rest_amplitude(channel, mean(signal));
+        leak(&peaks.collect::<Vec<_>>(), rest)
     }
 
     /// Bins below zero frequency of a two-sided spectrum.
