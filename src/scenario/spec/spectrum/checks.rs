@@ -1,5 +1,7 @@
 //! What a `[[spectrum]]` must agree with.
 
+use std::f64::consts::TAU;
+
 use super::{AxisChoice, KindChoice, ScalingChoice, SpectrumSpec};
 use crate::analysis::{Segment, SpectrumRequest};
 use crate::rotor::Freedoms;
@@ -9,6 +11,8 @@ use crate::scenario::problems::Problems;
 
 /// Longest name.
 const LONGEST_NAME: usize = 64;
+/// How a band is written.
+const BAND: &str = "for instance: band = [\"1 kHz\", \"5 kHz\"]";
 /// Fewest samples of a segment.
 const FEWEST_SAMPLES: f64 = 16.0;
 
@@ -77,45 +81,28 @@ impl SpectrumSpec {
         problems: &mut Problems<'_>,
     ) -> Option<[f64; 2]> {
         let inner = format!("{path}.band");
-        let mut refuse = |path: &str, message: String, help: &str| {
-            let issue = Issue::new(path, message).help(help);
-            problems.refuse(issue, &[inner.clone()]);
-        };
         let is_envelope = self.kind == KindChoice::Envelope;
-        let example = "for instance: band = [\"1 kHz\", \"5 kHz\"]";
-        let band = match (&self.band, is_envelope) {
+        let issue = match (self.band.as_deref(), is_envelope) {
             (None, false) => return None,
-            (None, true) => {
-                refuse(path, "an envelope needs a `band`".to_owned(), example);
-                return None;
-            }
+            (None, true) => Issue::new(path, "an envelope needs a `band`").help(BAND),
             (Some(_), false) => {
                 let message = "`band` needs kind = \"envelope\": no other spectrum has one";
-                refuse(&inner, message.to_owned(), "remove it");
-                return None;
+                Issue::new(&inner, message).help("remove it")
             }
-            (Some(band), true) => band,
-        };
-        let [low, high] = match &band[..] {
-            [low, high] => [low.si(), high.si()],
-            _ => {
-                let message = "`band` must be a lowest and a highest frequency".to_owned();
-                refuse(&inner, message, example);
-                return None;
+            (Some([low, high]), true) => {
+                let band = [low.si(), high.si()];
+                match wrong_band(&inner, band, recorded.rate) {
+                    None => return Some(band),
+                    Some(issue) => issue,
+                }
+            }
+            (Some(_), true) => {
+                let message = "`band` must be a lowest and a highest frequency";
+                Issue::new(&inner, message).help(BAND)
             }
         };
-        let half = 0.5 * recorded.rate;
-        if high <= low {
-            let message = format!("`band` must rise: {high} Hz is not above {low} Hz");
-            refuse(&inner, message, example);
-        } else if high > half {
-            let message = format!(
-                "`band` reaches {high} Hz, above half the sampling rate of {} Hz",
-                significant(recorded.rate)
-            );
-            refuse(&inner, message, "sample more often, in `[output]`");
-        }
-        Some([low, high])
+        problems.refuse(issue, &[inner]);
+        None
     }
 
     pub(super) fn check_segment(
@@ -125,55 +112,72 @@ impl SpectrumSpec {
         problems: &mut Problems<'_>,
     ) {
         let over = format!("{path}.over");
-        let (key, by) = match self.segment() {
-            Segment::Whole => ("over", None),
-            Segment::Seconds(seconds) => ("segment", Some(seconds * recorded.rate)),
-            Segment::Samples(count) => ("segment_samples", Some(count as f64)),
-            Segment::Revolutions(turns) => {
-                let turn = std::f64::consts::TAU / recorded.steady * recorded.rate;
-                ("segment_revolutions", Some(f64::from(turns) * turn))
-            }
-        };
-        let key = format!("{path}.{key}");
+        let speed = recorded.speed.to_owned();
         if self.over == AxisChoice::Order && recorded.highest == 0.0 {
             let issue = Issue::new(over, "a shaft that stands has no orders")
                 .help("set over = \"frequency\"");
-            problems.refuse(issue, &[recorded.speed.to_owned()]);
+            problems.refuse(issue, &[speed]);
         } else if self.over == AxisChoice::Order && self.segment.is_some() {
             let message = "a spectrum over orders has segments in revolutions, not in seconds";
-            let issue = Issue::new(key, message).help("for instance: segment_revolutions = 16");
+            let issue = Issue::new(format!("{path}.segment"), message)
+                .help("for instance: segment_revolutions = 16");
             problems.refuse(issue, &[over]);
         } else if self.over == AxisChoice::Frequency
             && self.segment_revolutions.is_some()
             && recorded.steady == 0.0
         {
             let message = "revolutions are not equally long where the speed changes or is zero";
-            let issue =
-                Issue::new(key, message).help("give `segment` in seconds, or set over = \"order\"");
-            problems.refuse(issue, &[over, recorded.speed.to_owned()]);
-        } else if let Some(samples) = by.filter(|samples| samples.is_finite()) {
-            check_length(&key, samples, recorded, problems);
+            let issue = Issue::new(format!("{path}.segment_revolutions"), message)
+                .help("give `segment` in seconds, or set over = \"order\"");
+            problems.refuse(issue, &[over, speed]);
+        } else {
+            self.check_length(path, recorded, problems);
         }
+    }
+
+    /// Refuses a segment that is longer than what is recorded, or of hardly any samples, where the
+    /// number of its samples is known.
+    fn check_length(&self, path: &str, recorded: &Recorded<'_>, problems: &mut Problems<'_>) {
+        let (key, samples) = match self.segment() {
+            Segment::Seconds(seconds) => ("segment", seconds * recorded.rate),
+            Segment::Samples(count) if self.over == AxisChoice::Frequency => {
+                ("segment_samples", count as f64)
+            }
+            Segment::Revolutions(turns) if recorded.steady > 0.0 => {
+                let turn = TAU / recorded.steady * recorded.rate;
+                ("segment_revolutions", f64::from(turns) * turn)
+            }
+            _ => return,
+        };
+        let there = (recorded.window * recorded.rate).floor() + 1.0;
+        let message = if samples > there {
+            format!(
+                "a segment of {samples:.0} samples is longer than what comes after `settle`, {there:.0} \
+                 samples in {} s",
+                significant(recorded.window)
+            )
+        } else if samples < FEWEST_SAMPLES {
+            format!("the segment is too short: {samples:.0} of at least {FEWEST_SAMPLES} samples")
+        } else {
+            return;
+        };
+        let others = ["time.duration", "time.settle", "output.sample_rate"];
+        let issue = Issue::new(format!("{path}.{key}"), message);
+        problems.refuse(issue, &others.map(str::to_owned));
     }
 }
 
-/// Refuses a segment that is longer than what is recorded, or of hardly any samples.
-fn check_length(key: &str, samples: f64, recorded: &Recorded<'_>, problems: &mut Problems<'_>) {
-    let there = (recorded.window * recorded.rate).floor() + 1.0;
-    let message = if samples > there {
-        format!(
-            "a segment of {:.0} samples is longer than what comes after `settle`, {there:.0} samples in \
-             {} s",
-            samples,
-            significant(recorded.window)
-        )
-    } else if samples < FEWEST_SAMPLES {
-        format!(
-            "a segment of {samples:.0} samples is too short: at least {FEWEST_SAMPLES} are needed"
-        )
-    } else {
-        return;
-    };
-    let others = ["time.duration", "time.settle", "output.sample_rate"];
-    problems.refuse(Issue::new(key, message), &others.map(str::to_owned));
+/// What is wrong with a band in Hz of `rate` samples a second.
+fn wrong_band(path: &str, [low, high]: [f64; 2], rate: f64) -> Option<Issue> {
+    if high <= low {
+        let message = format!("`band` must rise: {high} Hz is not above {low} Hz");
+        return Some(Issue::new(path, message).help(BAND));
+    }
+    (high > 0.5 * rate).then(|| {
+        let message = format!(
+            "`band` reaches {high} Hz, above half the sampling rate of {} Hz",
+            significant(rate)
+        );
+        Issue::new(path, message).help("sample more often, in `[output]`")
+    })
 }
