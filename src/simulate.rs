@@ -11,6 +11,7 @@ mod part;
 mod reference;
 mod run;
 mod sampling;
+mod spectra;
 mod tables;
 mod warnings;
 mod watch;
@@ -190,6 +191,9 @@ where
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });
+    let estimated = spectra::estimated(model, observers.recording.as_ref());
+    let mut warnings = warnings::warnings(model, rotor, &outcome, motion.as_ref());
+    warnings.extend(spectra::warnings(spectrum.as_ref(), &estimated));
     Run {
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
@@ -198,13 +202,17 @@ where
         samples: passes.grid.count,
         bearings: observers.observation.finish(),
         tables: observers.tables.finish(),
-        warnings: warnings::warnings(model, rotor, &outcome, motion.as_ref()),
+        warnings,
         measured_error,
         energy: observers.audit.finish(),
         spectrum,
         peaks,
         motion,
         maps,
+        spectra: estimated
+            .into_iter()
+            .filter_map(|(_, found)| found.ok())
+            .collect(),
     }
 }
 

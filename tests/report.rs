@@ -84,6 +84,7 @@ fn model() -> Model {
         table: false,
         spectrum: Some(Window::Rectangular),
         analyses: Analyses::default(),
+        spectra: Vec::new(),
     }
 }
 
@@ -199,6 +200,7 @@ fn run() -> Run {
         peaks,
         motion: None,
         maps: None,
+        spectra: Vec::new(),
         warnings: vec!["a warning".to_owned()],
     }
 }

@@ -1,7 +1,10 @@
 //! From samples to spectra: windows, one-sided amplitudes, peaks and what they are.
 
+mod aliasing;
 mod causes;
 mod channel;
+mod estimation;
+mod leakage;
 mod line_kind;
 mod motion;
 mod peaks;
@@ -11,10 +14,17 @@ mod spectrum;
 mod transform;
 mod window;
 
+pub use aliasing::{TopPower, rest_amplitude};
 pub use causes::{
     BearingFrequencies, Line, Sources, TOLERANCE_BINS, causes, nearest_cause, other_causes,
 };
 pub use channel::Channel;
+pub use estimation::{
+    Axis, CrossPower, Detrend, EstimateError, EstimatedSpectrum, Recording, Resampling, SampleGrid,
+    Scaling, Segment, SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch,
+    envelope, estimate,
+};
+pub use leakage::{Leak, leak};
 pub use line_kind::LineKind;
 pub use motion::{
     ChannelStatistics, ClosedCurve, Drift, DriftRecorder, Kind, LONGEST_PERIOD, Moments, Motion,

@@ -28,7 +28,8 @@ use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
                   spectrum.csv, peaks.csv, trace.svg, spectrum.svg, report.html and, last, summary.json;\n\
                   poincare.csv and orbit.svg at constant speed; waterfall, order_tracks and campbell\n\
                   (.csv and .svg) where the speed changes; trace_balls.csv and energy.csv where the\n\
-                  scenario asks for them, drive.csv where there is a drive. A run\n\
+                  scenario asks for them, spectrum_NAME.csv for each of its `[[spectrum]]`,\n\
+                  drive.csv where there is a drive. A run\n\
                   that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\n\
                   Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
                   interrupted, 2 a file is wrong."

@@ -1,5 +1,6 @@
 //! The files of one run, from the opening of the folder to the last rename.
 
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -11,10 +12,11 @@ use super::motion::{orbit_figure, write_poincare};
 use super::page::Page;
 use super::run_up::write_maps;
 use super::sample_table::{SampleTable, TableKind};
+use super::spectra::file_name;
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
     RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json,
-    method_choice_json, spectrum_figure, summary, write_peaks, write_spectrum,
+    method_choice_json, spectrum_figure, summary, write_estimated, write_peaks, write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
@@ -252,13 +254,33 @@ impl RunReport {
                 figures,
             )?);
         }
+        for spectrum in &run.spectra {
+            let write = |file: &mut PartialFile| write_estimated(spectrum, file);
+            files.push(self.folder.write_with(&file_name(spectrum), write)?);
+        }
         if let Some(page) = &self.page {
-            let write = |file: &mut PartialFile| page.write(&summary, run, file);
+            let figures = shown_figures(&files)?;
+            let write = |file: &mut PartialFile| page.write(&summary, run, &figures, file);
             files.push(self.folder.write_with("report.html", write)?);
         }
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())
     }
+}
+
+/// Figures that the page shows as they are: what its own charts do not.
+fn shown_figures(files: &[WholeFile]) -> Result<Vec<(&'static str, String)>, ReportError> {
+    const SHOWN: [&str; 3] = ["waterfall.svg", "order_tracks.svg", "campbell.svg"];
+    let found = |name: &&'static str| {
+        let name = *name;
+        let file = files.iter().find(|file| file.path().ends_with(name))?;
+        let text = fs::read_to_string(file.temporary());
+        Some(
+            text.map(|svg| (name, svg))
+                .map_err(ReportError::file(FileAction::Read, file.temporary())),
+        )
+    };
+    SHOWN.iter().filter_map(found).collect()
 }
 
 /// What was kept of a run that cannot go on.

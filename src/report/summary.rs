@@ -7,6 +7,7 @@ use super::histories::histories_json;
 use super::motion::motion_json;
 use super::peaks_csv::other_names;
 use super::run_up::maps_json;
+use super::spectra::estimated_json;
 use crate::analysis::{Channel, Peak, Spectrum};
 use crate::bearing::Matrix5;
 use crate::integrate::Counters;
@@ -35,6 +36,7 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
         "operating_ball_pass": run.operating_ball_pass.iter().map(ball_pass).collect::<Value>(),
         "bearings": histories_json(&run.bearings),
         "spectrum": run.spectrum.as_ref().map(spectrum),
+        "spectra": run.spectra.iter().map(estimated_json).collect::<Value>(),
         "peaks": run
             .peaks
             .iter()

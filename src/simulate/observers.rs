@@ -5,7 +5,7 @@ use super::energy_audit::EnergyAudit;
 use super::observation::Observation;
 use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
-use crate::analysis::Recorder;
+use crate::analysis::{Recorder, Recording};
 use crate::integrate::Grid;
 use crate::rotor::{Moving, Rotor};
 
@@ -15,6 +15,7 @@ pub(super) struct Observers<'a> {
     sink: &'a mut dyn TraceSink,
     pub recorder: Option<Recorder>,
     pub recorders: Recorders,
+    pub recording: Option<Recording>,
     pub observation: Observation<'a>,
     pub audit: EnergyAudit,
     pub tables: TableAudit,
@@ -33,6 +34,7 @@ impl<'a> Observers<'a> {
             sink,
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
             recorders: Recorders::new(model, rotor, &grid),
+            recording: sampling::recording(model, rotor),
             observation: Observation::new(model, rotor),
             audit: EnergyAudit::default(),
             tables,
@@ -57,6 +59,11 @@ impl<'a> Observers<'a> {
                 recorder.record(&sample);
             }
             self.recorders.record(&sample);
+            if let Some(recording) = self.recording.as_mut().filter(|all| all.takes(time)) {
+                let asked = recording.needs_acceleration();
+                let acceleration = asked.then(|| system.acceleration(time, state));
+                recording.record(&sample, acceleration.as_ref());
+            }
         }
         Ok(())
     }

@@ -4,7 +4,7 @@ use super::BearingHistory;
 use super::EnergyReport;
 use super::Maps;
 use super::TableUse;
-use crate::analysis::{Motion, Peak, Spectrum};
+use crate::analysis::{EstimatedSpectrum, Motion, Peak, Spectrum};
 use crate::bearing::{BearingState, Vector5};
 use crate::integrate::Counters;
 use crate::physics::BallPass;
@@ -82,6 +82,9 @@ pub struct Run {
     pub motion: Option<Motion>,
     /// Waterfall and order tracks, where asked for.
     pub maps: Option<Maps>,
+    /// Spectra that were asked for besides, as far as the run was long enough; a warning names the
+    /// others.
+    pub spectra: Vec<EstimatedSpectrum>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
 }

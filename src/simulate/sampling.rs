@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::{Model, Sampling, SimulateError};
-use crate::analysis::{Analysis, BearingFrequencies, Recorder, Sources, causes};
+use crate::analysis::{
+    Analysis, BearingFrequencies, Recorder, Recording, SampleGrid, Sources, causes,
+};
 use crate::integrate::Grid;
 use crate::physics::BallPass;
 use crate::rotor::Rotor;
@@ -26,20 +28,41 @@ pub(super) fn grid(model: &Model, rotor: &Rotor) -> Result<Grid, SimulateError> 
     })
 }
 
+pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
+    let (kept, settle) = (rotor.kept(), model.settle);
+    let SampleGrid {
+        rate,
+        shaft_frequency: shaft,
+        per_revolution,
+    } = sample_grid(model, rotor);
+    match per_revolution {
+        Some(samples) => Recorder::on_angle_grid(kept, settle, shaft, samples),
+        None => Recorder::on_time_grid(kept, settle, shaft, rate),
+    }
+}
+
+/// Takes what the spectra that are asked for need, if there are any.
+pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
+    let asked = !model.spectra.is_empty();
+    asked.then(|| Recording::new(sample_grid(model, rotor), model.settle, &model.spectra))
+}
+
 /// On a grid of shaft angle where the speed is steady after the settle time at its highest, and so
 /// makes a whole number of samples a revolution; else on a free grid of time.
-pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
-    let (kept, shaft) = (rotor.kept(), shaft_frequency(model, rotor));
+fn sample_grid(model: &Model, rotor: &Rotor) -> SampleGrid {
+    let shaft_frequency = shaft_frequency(model, rotor);
     let highest = rotor.highest_speed() / TAU;
-    match model.sampling {
-        Sampling::PerRevolution(samples) if shaft == highest => {
-            Recorder::on_angle_grid(kept, model.settle, shaft, samples)
-        }
+    let (rate, per_revolution) = match model.sampling {
         Sampling::PerRevolution(samples) => {
-            let rate = highest * f64::from(samples);
-            Recorder::on_time_grid(kept, model.settle, shaft, rate)
+            let is_uniform = shaft_frequency == highest;
+            (highest * f64::from(samples), is_uniform.then_some(samples))
         }
-        Sampling::Rate(rate) => Recorder::on_time_grid(kept, model.settle, shaft, rate),
+        Sampling::Rate(rate) => (rate, None),
+    };
+    SampleGrid {
+        rate,
+        shaft_frequency,
+        per_revolution,
     }
 }
 

@@ -192,6 +192,7 @@ pub fn model(rotor: RotorDefinition, duration: f64, rate: f64) -> Model {
         table: false,
         spectrum: None,
         analyses: Analyses::default(),
+        spectra: Vec::new(),
     }
 }
 

@@ -115,7 +115,9 @@ impl MotionRecorder {
         let first = self.times.map_or(sample.time, |[first, _]| first);
         self.times = Some([first, sample.time]);
         for each in &mut self.statistics {
-            each.moments.take(each.channel.of(sample));
+            if let Some(value) = each.channel.of(sample) {
+                each.moments.take(value);
+            }
         }
         for (rate, velocity) in self.rates.iter_mut().zip(sample.velocity) {
             rate.take(velocity);

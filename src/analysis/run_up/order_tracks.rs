@@ -122,7 +122,7 @@ impl TrackRecorder {
     /// Takes one sample of a run.
     pub fn record(&mut self, sample: &Sample) {
         let at = [sample.time, sample.angle, sample.speed];
-        self.take(at, |channel| channel.of(sample));
+        self.take(at, |channel| channel.of(sample).unwrap_or(f64::NAN));
     }
 
     /// Takes the values of all channels at a time in s, an angle in rad and a speed in rad/s; samples

@@ -104,7 +104,9 @@ impl WaterfallRecorder {
 
     /// Takes one sample of a run.
     pub fn record(&mut self, sample: &Sample) {
-        self.take(sample.time, sample.speed, |channel| channel.of(sample));
+        self.take(sample.time, sample.speed, |channel| {
+            channel.of(sample).unwrap_or(f64::NAN)
+        });
     }
 
     /// Takes the values of all channels at a time in s and a speed in rad/s.

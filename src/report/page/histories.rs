@@ -32,8 +32,8 @@ enum Quantity {
 impl Quantity {
     fn of(self, sample: &Sample) -> Option<f64> {
         Some(match self {
-            Self::Of(channel @ Channel::Displacement(_)) => MICRO * channel.of(sample),
-            Self::Of(channel) => channel.of(sample),
+            Self::Of(channel @ Channel::Displacement(_)) => MICRO * channel.of(sample)?,
+            Self::Of(channel) => channel.of(sample)?,
             Self::Speed => sample.speed,
             Self::LargestBallLoad => sample.largest_ball_load,
             Self::Loaded => f64::from(sample.balls_loaded),

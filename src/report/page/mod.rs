@@ -46,13 +46,22 @@ impl Page {
         self.orbit.sample(sample);
     }
 
-    /// Writes the page of a run whose numbers stand in `summary`.
-    pub fn write(&self, summary: &Value, run: &Run, out: &mut impl Write) -> io::Result<()> {
+    /// Writes the page of a run whose numbers stand in `summary`; `figures` are shown as they are, each an SVG
+    /// with its name.
+    pub fn write(
+        &self,
+        summary: &Value,
+        run: &Run,
+        figures: &[(&str, String)],
+        out: &mut impl Write,
+    ) -> io::Result<()> {
         let data = json!({
             "summary": summary,
             "balls": balls::balls(&run.equilibrium),
             "histories": self.histories.panels(),
             "orbit": self.orbit.curve(),
+            "sections": run.motion.as_ref().map(orbit::sections),
+            "figures": figures.iter().map(|(name, svg)| json!({ "name": name, "svg": svg })).collect::<Value>(),
             "spectra": run.spectrum.as_ref().map(|spectrum| spectra::panels(spectrum, &run.peaks)),
         });
         let title = summary["title"].as_str().unwrap_or_default();

@@ -6,10 +6,13 @@ use std::f64::consts::TAU;
 use serde_json::{Value, json};
 
 use super::curve::curve;
+use crate::analysis::{Motion, Section};
 use crate::rotor::Sample;
 
 /// Most samples that are kept.
 const MOST_SAMPLES: usize = 16_384;
+/// Most points of a section that are drawn.
+const MOST_POINTS: usize = 2000;
 /// Revolutions that are drawn.
 const REVOLUTIONS: f64 = 10.0;
 
@@ -43,4 +46,17 @@ impl Orbit {
             "curve": curve("orbit", drawn.map(|[_, x, y]| (*x, *y))),
         })
     }
+}
+
+/// Where the shaft stands once a cycle of every section: x and y in µm.
+pub(super) fn sections(motion: &Motion) -> Value {
+    let section = |section: &Section| {
+        let start = section.points.len().saturating_sub(MOST_POINTS);
+        let points = section.points[start..].iter().map(|point| {
+            let [x, y, ..] = point.displacement;
+            (MICRO * x, MICRO * y)
+        });
+        curve(&section.kind.to_string(), points)
+    };
+    motion.sections.iter().map(section).collect()
 }

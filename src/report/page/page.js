@@ -1,7 +1,7 @@
 
 "use strict";
 (() => {
-  const { summary, balls, histories, orbit, spectra } = JSON.parse(document.getElementById("data").textContent);
+  const { summary, balls, histories, orbit, sections, spectra, figures } = JSON.parse(document.getElementById("data").textContent);
   const main = document.querySelector("main");
   const svgSpace = "http://www.w3.org/2000/svg";
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
@@ -251,10 +251,20 @@
       image.append(drawn("text", { x: margin - 5, y: y + 4, "text-anchor": "end" }, tick.text));
     }
     image.append(drawn("path", { d: path, fill: "none", stroke: "var(--c0)", "stroke-width": "1.2" }));
+    const told = ["the last " + number(revolutions, 3) + " revolutions, seen along −Z"];
+    (sections ?? []).forEach((section, index) => {
+      const name = `var(--c${1 + (index % 5)})`;
+      const [px, py] = [floats(section.abscissas), floats(section.values)];
+      px.forEach((x, i) => {
+        const [cx_, cy_] = place(x, py[i]);
+        image.append(drawn("circle", { cx: cx_.toFixed(2), cy: cy_.toFixed(2), r: 2.2, fill: name }));
+      });
+      told.push(`${["orange", "green"][index] ?? "coloured"} points: once per ${section.name.replaceAll("_", " ")}`);
+    });
     image.append(drawn("text", { x: margin + size / 2, y: size + 1.4 * margin, "text-anchor": "middle" }, "x in µm"));
     image.append(drawn("text", { x: 12, y: margin / 2 + size / 2, "text-anchor": "middle",
       transform: `rotate(-90 12 ${margin / 2 + size / 2})` }, "y in µm"));
-    const reading = element("figcaption", {}, `the last ${number(revolutions, 3)} revolutions, seen along −Z`);
+    const reading = element("figcaption", {}, told.join("; "));
     const still = reading.textContent;
     image.addEventListener("pointermove", (event) => {
       const box = image.getBoundingClientRect();
@@ -323,6 +333,31 @@
 
   // Sections.
 
+  /** A figure as it stands in the folder, on paper of its own. */
+  function drawnFigure({ name, svg }) {
+    const image = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+    image.setAttribute("role", "img");
+    image.setAttribute("aria-label", name);
+    return element("figure", { class: "paper" }, document.importNode(image, true), element("figcaption", {}, name));
+  }
+
+  function kindText({ name, section, cycles }) {
+    if (name === "periodic") return `${name}, ${cycles} × ${section.replaceAll("_", " ")}`;
+    return name;
+  }
+
+  /** Statistics of a motion after its settle time. */
+  function statistics(motion) {
+    const rows = motion.statistics.map((entry) => {
+      const unit = /_(N_m|m|rad|N)$/.exec(entry.unit ?? "") ?? [null, entry.unit];
+      const of = (value) => (value === null || value === undefined ? "–" : shown(value, unit[1]));
+      return [named(entry.channel), of(entry.mean), of(entry.rms), of(entry.peak), of(entry.peak_to_peak),
+        number(entry.crest_factor, 4), number(entry.kurtosis, 4)];
+    });
+    return table(["channel", "mean", "RMS", "peak", "peak to peak", "crest factor", "kurtosis"], rows,
+      "After the settle time; RMS, peak and kurtosis about the mean.");
+  }
+
   function speedText({ constant, from, to, drive, profile }) {
     if (constant) return constant;
     if (from || to) return `${from ?? "0 rpm"} to ${to}`;
@@ -346,6 +381,8 @@
       ["speed", speedText(summary.scenario.speed ?? {})],
       ["measured error", error ? `${number(error.relative, 3)} of the motion` : "not measured",
         error && `${shown(error.displacement_m, "m")}; tolerance asked ${number(error.tolerance, 3)}`],
+      summary.motion && ["kind of motion", kindText(summary.motion.kind), summary.motion.settling
+        && (summary.motion.settling.settled ? "settled" : "not settled")],
       peak && ["strongest line", shown(peak.amplitude, "m"), `${peak.channel} at ${number(peak.frequency_Hz)} Hz${peak.label ? `, ${peak.label}` : ""}`],
       load && ["largest ball load", `${number(load)} N`],
       first && ["lowest natural frequency", `${number(first.frequency_Hz)} Hz`, `damping ratio ${number(first.damping_ratio, 3)}`],
@@ -436,6 +473,8 @@
     }
     const orbitDrawn = orbitFigure(orbit);
     if (orbitDrawn) section("orbit", "Orbit", orbitDrawn);
+    if (summary.motion) section("statistics", "Statistics", statistics(summary.motion));
+    if (figures.length) section("maps", "Maps", ...figures.map(drawnFigure));
     if (spectra) section("spectra", "Spectra", ...spectra.map((panel) => addChart(panel, "frequency", 320)), peaks());
     section("bearings", "Bearings", ...bearings());
     if (summary.energy) section("energy", "Energy", energy());

@@ -46,7 +46,8 @@ pub struct OutputSpec {
     /// Whether every loss and return of contact and preload is written, to `events.csv`; they are
     /// counted in the summary either way. Default: true.
     pub events: bool,
-    /// Whether spectra are taken. Default: true.
+    /// Whether spectra are taken, in `spectrum.csv`; those of `[[spectrum]]` are either way. Default:
+    /// true.
     pub spectrum: bool,
     /// Whether figures are drawn. Default: true.
     pub figures: bool,
@@ -81,6 +82,10 @@ pub enum WindowChoice {
     Rectangular,
     /// Hann: narrow lines, amplitudes up to 15 % low between bins.
     Hann,
+    /// Hamming: as Hann, its nearest side lobes lower and its far ones higher.
+    Hamming,
+    /// Four-term Blackman-Harris: no side lobe above -92 dB, lines eight bins wide.
+    BlackmanHarris,
     /// Flat top: amplitudes within 1 % anywhere between bins.
     FlatTop,
 }
@@ -90,6 +95,8 @@ impl From<WindowChoice> for Window {
         match choice {
             WindowChoice::Rectangular => Self::Rectangular,
             WindowChoice::Hann => Self::Hann,
+            WindowChoice::Hamming => Self::Hamming,
+            WindowChoice::BlackmanHarris => Self::BlackmanHarris,
             WindowChoice::FlatTop => Self::FlatTop,
         }
     }
@@ -146,10 +153,7 @@ impl OutputSpec {
                 return None;
             }
         };
-        let rate = match sampling {
-            Sampling::Rate(rate) => rate,
-            Sampling::PerRevolution(samples) => f64::from(samples) * speed / (2.0 * PI),
-        };
+        let rate = sampling.rate(speed);
         self.check_count(rate, key, time, problems);
         if self.spectrum && time.window() > 0.0 {
             // where the speed changes, a spectrum rests on no revolution
