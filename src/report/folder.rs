@@ -49,6 +49,20 @@ impl FileSet {
         ],
         spent: &[],
     };
+    /// What many runs of a scenario leave.
+    pub const RUNS: Self = Self {
+        seal: "runs.json",
+        others: &[
+            "runs.csv",
+            "spectra.csv",
+            "poincare.csv",
+            "response.svg",
+            "map.svg",
+            "sensitivity.svg",
+            "bifurcation.svg",
+        ],
+        spent: &["runs.journal"],
+    };
     /// What a measurement of speed against error leaves.
     pub const ACCURACY: Self = Self {
         seal: "accuracy.json",
@@ -271,6 +285,16 @@ pub struct WholeFile {
 }
 
 impl WholeFile {
+    /// Path that the file will have.
+    pub(super) fn path(&self) -> &Path {
+        &self.pending.path
+    }
+
+    /// Path that it has until then.
+    pub(super) fn temporary(&self) -> &Path {
+        &self.pending.temporary
+    }
+
     /// The same file, to have another name.
     pub(super) fn named(mut self, name: &str) -> Self {
         self.pending.path.set_file_name(name);

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod ball_trace_csv;
+mod bytes;
 mod columns;
 pub mod compare;
 mod contact_choice;
@@ -16,6 +17,7 @@ mod figure_spectrum;
 mod figure_trace;
 mod folder;
 mod histories;
+pub mod many;
 mod method_choice;
 mod page;
 mod restart;

@@ -3,7 +3,9 @@
 
 pub mod accuracy;
 mod contact_choice;
+pub mod many;
 mod method_choice;
+pub mod plan;
 mod rung;
 
 pub use contact_choice::{

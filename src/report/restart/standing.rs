@@ -1,6 +1,6 @@
 //! Where a run stands, to bytes and back.
 
-use super::bytes::{Put, Take};
+use crate::report::bytes::{Put, Take};
 use crate::integrate::{Checkpoint, Counters, Stiffness};
 use crate::simulate::{ReferenceStanding, Standing};
 
