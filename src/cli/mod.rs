@@ -17,6 +17,7 @@ mod run;
 mod schema;
 mod steady;
 mod stream;
+mod study;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -42,6 +43,7 @@ enum Verb {
     Steady(steady::Arguments),
     Bearing(bearing::Arguments),
     Campbell(campbell::Arguments),
+    Study(study::Arguments),
     Accuracy(accuracy::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
@@ -87,11 +89,12 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Steady(arguments) => steady::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),
         Verb::Campbell(arguments) => campbell::run(&arguments),
+        Verb::Study(arguments) => study::run(&arguments),
         Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
-        Verb::Schema(_) => schema::run(),
+        Verb::Schema(arguments) => schema::run(&arguments),
     };
     stream::finish(outcome)
 }

@@ -67,6 +67,20 @@ impl FileSet {
         others: &["campbell.csv", "campbell.svg"],
         spent: &[],
     };
+    /// What many runs of a scenario leave.
+    pub const RUNS: Self = Self {
+        seal: "runs.json",
+        others: &[
+            "runs.csv",
+            "spectra.csv",
+            "poincare.csv",
+            "response.svg",
+            "map.svg",
+            "sensitivity.svg",
+            "bifurcation.svg",
+        ],
+        spent: &["runs.journal"],
+    };
     /// What a measurement of speed against error leaves.
     pub const ACCURACY: Self = Self {
         seal: "accuracy.json",

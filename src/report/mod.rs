@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod ball_trace_csv;
+mod bytes;
 mod campbell;
 mod columns;
 pub mod compare;
@@ -17,6 +18,7 @@ mod figure_spectrum;
 mod figure_trace;
 mod folder;
 mod histories;
+pub mod many;
 mod method_choice;
 mod motion;
 mod page;

@@ -4,7 +4,9 @@
 pub mod accuracy;
 pub mod campbell;
 mod contact_choice;
+pub mod many;
 mod method_choice;
+pub mod plan;
 mod rung;
 
 pub use contact_choice::{

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::bytes::Checksum;
+use crate::report::bytes::Checksum;
 use crate::simulate::Model;
 
 /// What makes a run this one and no other.
@@ -27,7 +27,7 @@ impl RunIdentity<'_> {
 }
 
 /// The first key in which two scenarios differ, with the values there and here.
-pub(super) fn difference(there: &Value, here: &Value) -> Option<[String; 3]> {
+pub(in crate::report) fn difference(there: &Value, here: &Value) -> Option<[String; 3]> {
     let (Value::Object(entries), Value::Object(others)) = (there, here) else {
         return (there != here).then(|| [String::new(), there.to_string(), here.to_string()]);
     };

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::bytes::{Checksum, Take};
 use super::identity::difference;
 use super::{END, FORMAT, MAGIC, RestartError, RunIdentity, TAIL, standing};
+use crate::report::bytes::{Checksum, Take};
 use crate::simulate::{Standing, StateSource};
 
 /// This version.
