@@ -5,6 +5,7 @@ use plotters::style::RGBColor;
 use super::super::ReportError;
 use super::super::figure::{PALETTE, svg};
 use super::super::figure_curves::{Curve, Panel, draw, round_ticks};
+use super::text::rounded;
 use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::Campbell;
 
@@ -37,10 +38,9 @@ pub(super) fn draw_campbell(title: &str, campbell: &Campbell) -> Result<String, 
         .filter(present)
         .map(|whirl| (whirl.to_string(), colour(whirl)))
         .collect();
-    let orders: Vec<String> = campbell
-        .orders
-        .iter()
-        .map(|order| format!("{order}×"))
+    let orders = campbell.orders.iter();
+    let orders: Vec<String> = orders
+        .map(|order| format!("{}×", rounded(*order)))
         .collect();
     if !orders.is_empty() {
         names.push((format!("orders {}", orders.join(", ")), GREY));
@@ -87,12 +87,16 @@ fn frequencies(campbell: &Campbell) -> Panel {
     panel(campbell, "natural frequency in Hz", curves)
 }
 
+/// From zero on, so that what hardly changes looks so.
 fn damping(campbell: &Campbell) -> Panel {
-    panel(
-        campbell,
-        "damping ratio",
-        branches(campbell, Mode::damping_ratio),
-    )
+    let mut curves = branches(campbell, Mode::damping_ratio);
+    let first = PER_MINUTE * campbell.speeds.first().copied().unwrap_or(0.0);
+    curves.push(Curve {
+        points: vec![(first, 0.0)],
+        colour: GREY,
+        marks: Vec::new(),
+    });
+    panel(campbell, "damping ratio", curves)
 }
 
 fn panel(campbell: &Campbell, name: &str, curves: Vec<Curve>) -> Panel {

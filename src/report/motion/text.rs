@@ -13,10 +13,10 @@ const MILLI: f64 = 1e3;
 pub(in super::super) fn write_motion(out: &mut String, motion: &Motion) -> fmt::Result {
     writeln!(out, "  motion        {}", kind(&motion.recognition.kind))?;
     if let Some(drift) = &motion.drift {
-        let word = if drift.is_settled() {
-            "settled"
-        } else {
-            "not settled"
+        let word = match (&motion.recognition.kind, drift.is_settled()) {
+            (Kind::Irregular { .. }, _) => "wanders",
+            (_, true) => "settled",
+            (_, false) => "not settled",
         };
         let channel = Channel::Displacement(drift.freedom);
         writeln!(
@@ -74,8 +74,8 @@ fn kind(kind: &Kind) -> String {
             points,
             test: Some(test),
         } => format!(
-            "neither repeats nor has two frequencies in {points} points, nor is it irregular (0–1 test \
-             {test:.3})"
+            "regular (0–1 test {test:.3}), but repeats neither within 12 cycles nor on a closed curve, in \
+             {points} points"
         ),
     }
 }

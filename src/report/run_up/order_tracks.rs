@@ -44,11 +44,13 @@ pub(super) fn write(tracks: &OrderTracks, writer: impl Write) -> io::Result<()> 
     csv.flush()
 }
 
-/// `1×` → `order_1`, `BPFO of bearing 2` → `BPFO_2`.
+/// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`.
 fn column(name: &str) -> String {
-    match name.strip_suffix('×') {
-        Some(order) => format!("order_{order}"),
-        None => name.replace(" of bearing ", "_"),
+    let name = name.replace(' ', "_");
+    match name.split_once('×') {
+        Some((order, "")) => format!("order_{order}"),
+        Some((multiple, of)) => format!("{of}_{multiple}x"),
+        None => name,
     }
 }
 
