@@ -20,6 +20,10 @@ const SHOWN_ORDERS: f64 = 10.0;
 const SHOWN_PASSES: f64 = 2.5;
 /// Windows of a waterfall in the duration: fewest and most.
 const WINDOWS: [f64; 2] = [8.0, 64.0];
+/// Revolutions at the highest speed that tell its orders apart in a window, and windows that are left to a
+/// short run for it.
+const FEWEST_REVOLUTIONS: f64 = 4.0;
+const LEAST_WINDOWS: f64 = 4.0;
 /// Windows of the order tracks in the run, and their shortest and longest length in revolutions.
 const TRACK_WINDOWS: f64 = 20.0;
 const TRACK_REVOLUTIONS: [f64; 2] = [4.0, 16.0];
@@ -150,7 +154,14 @@ fn waterfall_window(model: &Model, rotor: &Rotor) -> f64 {
     } else {
         model.duration / fewest
     };
-    sharpest.clamp(model.duration / most, model.duration / fewest)
+    let revolutions = match rotor.highest_speed() {
+        0.0 => 0.0,
+        highest => FEWEST_REVOLUTIONS * TAU / highest,
+    };
+    sharpest
+        .clamp(model.duration / most, model.duration / fewest)
+        .max(revolutions)
+        .min(model.duration / LEAST_WINDOWS)
 }
 
 /// Revolutions of a window: those of the run over a number of windows.

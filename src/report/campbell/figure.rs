@@ -5,7 +5,6 @@ use plotters::style::RGBColor;
 use super::super::ReportError;
 use super::super::figure::{PALETTE, svg};
 use super::super::figure_curves::{Curve, Panel, draw, round_ticks};
-use super::text::rounded;
 use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::Campbell;
 
@@ -39,9 +38,7 @@ pub(super) fn draw_campbell(title: &str, campbell: &Campbell) -> Result<String, 
         .map(|whirl| (whirl.to_string(), colour(whirl)))
         .collect();
     let orders = campbell.orders.iter();
-    let orders: Vec<String> = orders
-        .map(|order| format!("{}×", rounded(*order)))
-        .collect();
+    let orders: Vec<String> = orders.map(|order| hundredths(*order)).collect();
     if !orders.is_empty() {
         names.push((format!("orders {}", orders.join(", ")), GREY));
     }
@@ -52,6 +49,11 @@ pub(super) fn draw_campbell(title: &str, campbell: &Campbell) -> Result<String, 
         title,
         |area| draw(area, &names, &panels, 1),
     )
+}
+
+/// An order with up to two decimals.
+fn hundredths(order: f64) -> String {
+    format!("{}", (100.0 * order).round() / 100.0)
 }
 
 fn colour(whirl: Whirl) -> RGBColor {
@@ -104,7 +106,8 @@ fn panel(campbell: &Campbell, name: &str, curves: Vec<Curve>) -> Panel {
     let [first, last] = ends.map(|speed| PER_MINUTE * speed.copied().unwrap_or(0.0));
     let mut ticks = round_ticks(first, last);
     // the last speed ends the axis
-    ticks.retain(|tick| (first..last).contains(tick));
+    let near = 1e-6 * (last - first);
+    ticks.retain(|tick| (first..last - near).contains(tick));
     ticks.insert(0, first);
     ticks.dedup();
     ticks.push(last);

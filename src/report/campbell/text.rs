@@ -43,7 +43,7 @@ fn branches(campbell: &Campbell) -> String {
 }
 
 /// An order with up to four decimals.
-pub(super) fn rounded(order: f64) -> String {
+fn rounded(order: f64) -> String {
     format!("{}", (1e4 * order).round() / 1e4)
 }
 
