@@ -119,6 +119,10 @@ fn few_points_are_of_unknown_kind() {
 
 /// JIS 6306 of Fukata et al. (1985) and Mevel & Guyader (1993): period 1, 2 and 1 at 100, 150, 200 rad/s.
 fn jis_6306(speed: f64) -> RotorDefinition {
+    with_clearance(speed, 3e-6)
+}
+
+fn with_clearance(speed: f64, clearance: f64) -> RotorDefinition {
     RotorDefinition {
         speed,
         damping: Damping::Coefficients([200.0, 200.0, 0.0, 0.0, 0.0]),
@@ -130,7 +134,12 @@ fn jis_6306(speed: f64) -> RotorDefinition {
             },
             vec![MountedBearing {
                 first_ball: -FRAC_PI_2,
-                ..mounted(literature_bearing(8, [11.9062e-3, 52.0e-3], 3e-6, 1.334e10))
+                ..mounted(literature_bearing(
+                    8,
+                    [11.9062e-3, 52.0e-3],
+                    clearance,
+                    1.334e10,
+                ))
             }],
         )
     }
@@ -197,4 +206,32 @@ fn unbalance_and_passing_balls_make_two_frequencies() {
         panic!("{frozen:?}");
     };
     assert_eq!((section, cycles), (SectionKind::Revolution, 1));
+}
+
+/// The same bearing with more clearance: passing balls alone make a second frequency of the shaft's own at
+/// 280 rad/s with 12 µm, and an irregular motion at 100 rad/s with 30 µm.
+#[test]
+fn clearance_makes_a_torus_and_an_irregular_motion() {
+    let passes = |count: f64, speed: f64| count * TAU / (4.0 * speed * (1.0 - 11.9062 / 52.0));
+    let torus = of_scene(
+        with_clearance(280.0, 12e-6),
+        passes(300.0, 280.0),
+        passes(300.0, 280.0),
+        1e-8,
+    );
+    let Kind::QuasiPeriodic { section, curve } = torus else {
+        panic!("{torus:?}");
+    };
+    assert_eq!(section, SectionKind::BallPass);
+    assert!(curve.residual < 0.01, "{curve:?}");
+    let irregular = of_scene(
+        with_clearance(100.0, 30e-6),
+        passes(300.0, 100.0),
+        passes(300.0, 100.0),
+        1e-8,
+    );
+    assert!(
+        matches!(irregular, Kind::Irregular { test } if test > 0.9),
+        "{irregular:?}"
+    );
 }
