@@ -97,7 +97,6 @@ fn every_shipped_scenario_runs_and_states_its_error() {
         for name in [
             "trace.csv",
             "spectrum.csv",
-            "peaks.csv",
             "trace.svg",
             "spectrum.svg",
             "summary.json",
@@ -128,6 +127,8 @@ fn the_same_scenario_gives_the_same_bytes() {
         "trace.csv",
         "spectrum.csv",
         "peaks.csv",
+        "poincare.csv",
+        "orbit.svg",
         "trace.svg",
         "spectrum.svg",
         "summary.json",

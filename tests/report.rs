@@ -235,8 +235,8 @@ fn a_finished_run_leaves_its_files_and_nothing_else() {
     let paths = write(&run, ALL);
     let all = [
         "events.csv",
-        "spectrum.csv",
         "peaks.csv",
+        "spectrum.csv",
         "spectrum.svg",
         "summary.json",
         "trace.csv",
@@ -257,7 +257,7 @@ fn an_unfinished_run_leaves_an_earlier_one_as_it_was() {
     let report = open(folder.path(), ALL);
     assert!(names(folder.path()).contains(&".trace.csv.partial".to_owned()));
     drop(report);
-    assert_eq!(names(folder.path()).len(), 6);
+    assert_eq!(names(folder.path()).len(), 7);
     assert_eq!(fs::read(folder.path().join("trace.csv")).unwrap(), before);
 }
 

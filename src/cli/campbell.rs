@@ -3,11 +3,11 @@
 use std::io;
 use std::path::PathBuf;
 
-use super::Outcome;
 use super::jobs::{Job, Shown, jobs, show, with_files};
+use super::{Outcome, stream};
 use crate::report;
 use crate::scenario;
-use crate::study::campbell::{CampbellError, CampbellQuestion};
+use crate::study::campbell::{self, CampbellError, CampbellQuestion};
 
 /// Follows natural frequencies over the speed, and finds the critical speeds.
 ///
@@ -55,8 +55,16 @@ enum Failure {
     Campbell(#[from] CampbellError),
 }
 
-/// Checks all files, then answers them in turn.
+/// Checks the range and all files, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
+    if let Err(error) = campbell::check_range(
+        [arguments.from, arguments.to],
+        arguments.count as usize,
+        &arguments.orders,
+    ) {
+        stream::tell(&format!("error: {error}\n"));
+        return Ok(Outcome::WrongInput);
+    }
     let Some(jobs) = jobs(&arguments.files, &arguments.out) else {
         return Ok(Outcome::WrongInput);
     };

@@ -63,9 +63,8 @@ impl Arguments {
     }
 }
 
-/// Speeds and orders of the diagram of a run-up.
+/// Speeds of the diagram of a run-up.
 const CAMPBELL_SPEEDS: usize = 61;
-const CAMPBELL_ORDERS: [f64; 3] = [1.0, 2.0, 3.0];
 
 /// Set by Ctrl-C and by a request to terminate.
 static STOP: AtomicBool = AtomicBool::new(false);
@@ -233,24 +232,25 @@ impl Motion {
     }
 
     /// Natural frequencies up to the highest speed, where the run is mapped.
-    fn campbell(&self) -> Result<Option<Campbell>, CampbellError> {
+    fn campbell(&self, run: &Run) -> Result<Option<Campbell>, CampbellError> {
         let highest = self.model.rotor.highest_speed();
-        if !self.model.analyses.maps || highest <= 0.0 {
+        let Some(maps) = run.maps.as_ref().filter(|_| highest > 0.0) else {
             return Ok(None);
-        }
+        };
+        let orders = maps.tracks.orders.iter();
         let question = CampbellQuestion {
             rotor: self.model.rotor.clone(),
             from: 0.0,
             to: highest,
             count: CAMPBELL_SPEEDS,
-            orders: CAMPBELL_ORDERS.to_vec(),
+            orders: orders.map(|order| order.order).collect(),
         };
         question.solve().map(Some)
     }
 
     /// The same; where there is no diagram the run tells why.
     fn campbell_or_warning(&self, run: &mut Run) -> Option<Campbell> {
-        self.campbell().unwrap_or_else(|error| {
+        self.campbell(run).unwrap_or_else(|error| {
             run.warnings.push(format!(
                 "there is no diagram of natural frequencies: {error}"
             ));

@@ -157,21 +157,27 @@ impl Rotor {
             .copied()
             .collect();
         eigenvalues.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
-        let alike = |a: Complex<f64>, b: Complex<f64>| (a - b).norm() < REPEATED * a.norm();
-        let mode = |(index, eigenvalue): (usize, &Complex<f64>)| {
-            let earlier = eigenvalues[..index].iter();
-            let repeated = earlier.filter(|other| alike(*eigenvalue, **other)).count();
-            Mode {
-                eigenvalue: *eigenvalue,
-                shape: self.shape(*eigenvalue, repeated),
-            }
-        };
-        eigenvalues.iter().enumerate().map(mode).collect()
+        let alike = |a: &Complex<f64>, b: &Complex<f64>| (a - b).norm() < REPEATED * a.norm();
+        let groups = eigenvalues.chunk_by(alike);
+        groups.flat_map(|group| self.modes_of(group)).collect()
     }
 
-    /// The direction that `λ² + λ M^(−½)(C + ωG)M^(−½) + M^(−½) K M^(−½)` shrinks most, or, of an
-    /// eigenvalue that was met `repeated` times before, the next one.
-    fn shape(&self, eigenvalue: Complex<f64>, repeated: usize) -> Vec<Complex<f64>> {
+    /// Modes of an eigenvalue, or of several that are the same.
+    fn modes_of(&self, group: &[Complex<f64>]) -> Vec<Mode> {
+        let shapes = self.shapes(group[0], group.len().min(self.kept));
+        let pairs = group.iter().zip(shapes.column_iter());
+        pairs
+            .map(|(eigenvalue, shape)| Mode {
+                eigenvalue: *eigenvalue,
+                shape: shape.iter().copied().collect(),
+            })
+            .collect()
+    }
+
+    /// The directions that `λ² + λ M^(−½)(C + ωG)M^(−½) + M^(−½) K M^(−½)` shrinks most, as many as
+    /// there are modes of this eigenvalue: of modes that share one any mixture is a mode, and here they
+    /// are those that go round as clearly as can be.
+    fn shapes(&self, eigenvalue: Complex<f64>, count: usize) -> DMatrix<Complex<f64>> {
         let dynamic = DMatrix::from_fn(self.kept, self.kept, |row, column| {
             let weight = (self.inverse_mass[row] * self.inverse_mass[column]).sqrt();
             let rate = self.damping.entry(row, column) + self.gyroscopic_entry(row, column);
@@ -183,17 +189,25 @@ impl Rotor {
             inertia + (eigenvalue * rate + self.equilibrium.stiffness[(row, column)]) * weight
         });
         let decomposed = (dynamic / Complex::from(eigenvalue.norm_sqr())).svd(false, true);
-        let last = self.kept - 1;
-        let row = last.saturating_sub(repeated);
-        let directions = decomposed.v_t.iter();
-        directions
-            .flat_map(|v_t| {
-                v_t.row(row)
-                    .iter()
-                    .map(|entry| entry.conj())
-                    .collect::<Vec<_>>()
-            })
-            .collect()
+        let Some(directions) = decomposed.v_t else {
+            return DMatrix::zeros(self.kept, 0);
+        };
+        let shapes = directions.rows(self.kept - count, count).adjoint();
+        if count == 1 {
+            return shapes;
+        }
+        let whirl = shapes.adjoint() * self.whirl() * &shapes;
+        shapes * whirl.symmetric_eigen().eigenvectors
+    }
+
+    /// The Hermitian form of [`Mode::forward_share`]'s F − B.
+    fn whirl(&self) -> DMatrix<Complex<f64>> {
+        let mut form = DMatrix::zeros(self.kept, self.kept);
+        for pair in [0, 3].into_iter().filter(|pair| pair + 1 < self.kept) {
+            form[(pair, pair + 1)] = Complex::new(0.0, 2.0);
+            form[(pair + 1, pair)] = Complex::new(0.0, -2.0);
+        }
+        form
     }
 
     /// Entry of the gyroscopic coupling ωG of the tilts, N m s/rad.

@@ -20,6 +20,10 @@ const SHOWN_ORDERS: f64 = 10.0;
 const SHOWN_PASSES: f64 = 2.5;
 /// Windows of a waterfall in the duration: fewest and most.
 const WINDOWS: [f64; 2] = [8.0, 64.0];
+/// Revolutions at the highest speed that tell its orders apart in a window, and windows that are left to a
+/// short run for it.
+const FEWEST_REVOLUTIONS: f64 = 4.0;
+const LEAST_WINDOWS: f64 = 4.0;
 /// Windows of the order tracks in the run, and their shortest and longest length in revolutions.
 const TRACK_WINDOWS: f64 = 20.0;
 const TRACK_REVOLUTIONS: [f64; 2] = [4.0, 16.0];
@@ -27,8 +31,8 @@ const TRACK_REVOLUTIONS: [f64; 2] = [4.0, 16.0];
 /// What is made of the samples beside the spectra; by default nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Analyses {
-    /// Statistics, sections, period and settling of the motion after the settle time, where the speed is
-    /// constant there.
+    /// Statistics, sections, period and settling of the last whole revolutions after the settle time, where
+    /// the speed is constant there.
     pub motion: bool,
     /// Waterfall and order tracks of the whole run.
     pub maps: bool,
@@ -87,14 +91,25 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
         let passing = rotor.ball_pass_orders().first().copied();
         sections.extend(passing.map(|[outer, _]| (SectionKind::BallPass, outer)));
     }
+    let end = grid.time(grid.count - 1);
     MotionSettings {
         freedoms: rotor.kept(),
-        start: model.settle,
-        end: grid.time(grid.count - 1),
+        start: whole_revolutions(model.settle, end, speed, grid.interval),
+        end,
         rate: 1.0 / grid.interval,
         levers: std::array::from_fn::<_, FREEDOMS, _>(|axis| scale.lever(axis)),
         sections,
     }
+}
+
+/// Where the last whole revolutions begin, behind the sample that they begin after: the end of one is
+/// the begin of the next, and counts once.
+fn whole_revolutions(settle: f64, end: f64, speed: f64, interval: f64) -> f64 {
+    let revolutions = ((end - settle) * speed / TAU + 1e-9).floor();
+    if revolutions < 1.0 {
+        return settle;
+    }
+    end - revolutions * TAU / speed + 0.5 * interval
 }
 
 fn maps_of(model: &Model, rotor: &Rotor, rate: f64) -> (WaterfallRecorder, TrackRecorder) {
@@ -113,7 +128,7 @@ fn maps_of(model: &Model, rotor: &Rotor, rate: f64) -> (WaterfallRecorder, Track
     ];
     let limit = wanted.into_iter().fold(0.0, f64::max);
     let limit = if limit > 0.0 { limit } else { rate };
-    let window = waterfall_window(model, rotor, pass);
+    let window = waterfall_window(model, rotor);
     let tracks = TrackRecorder::new(
         tracked(&passes),
         channels.clone(),
@@ -124,12 +139,13 @@ fn maps_of(model: &Model, rotor: &Rotor, rate: f64) -> (WaterfallRecorder, Track
 }
 
 /// Within a window T a line that sweeps at a Hz/s moves by a T; it is sharpest where that is the
-/// resolution 1/T, at T = 1/√a.
-fn waterfall_window(model: &Model, rotor: &Rotor, pass: f64) -> f64 {
+/// resolution 1/T, at T = 1/√a, here of twice the shaft's frequency: ball passes want a shorter one, the
+/// shaft itself a longer one.
+fn waterfall_window(model: &Model, rotor: &Rotor) -> f64 {
     let points: Vec<_> = rotor.speed_profile().points().collect();
     let sweeps = points.windows(2).map(|pair| {
         let change = (pair[1].speed - pair[0].speed).abs();
-        pass * change / (pair[1].time - pair[0].time) / TAU
+        2.0 * change / (pair[1].time - pair[0].time) / TAU
     });
     let fastest = sweeps.fold(0.0, f64::max);
     let [fewest, most] = WINDOWS;
@@ -138,7 +154,14 @@ fn waterfall_window(model: &Model, rotor: &Rotor, pass: f64) -> f64 {
     } else {
         model.duration / fewest
     };
-    sharpest.clamp(model.duration / most, model.duration / fewest)
+    let revolutions = match rotor.highest_speed() {
+        0.0 => 0.0,
+        highest => FEWEST_REVOLUTIONS * TAU / highest,
+    };
+    sharpest
+        .clamp(model.duration / most, model.duration / fewest)
+        .max(revolutions)
+        .min(model.duration / LEAST_WINDOWS)
 }
 
 /// Revolutions of a window: those of the run over a number of windows.
@@ -170,7 +193,8 @@ fn tracked(passes: &[[f64; 2]]) -> Vec<TrackedOrder> {
             0 => String::new(),
             _ => format!(" of bearing {}", index + 1),
         };
-        for (name, order) in [("BPFO", pass[0]), ("BPFI", pass[1])] {
+        let [outer, inner] = *pass;
+        for (name, order) in [("BPFO", outer), ("BPFI", inner), ("2×BPFO", 2.0 * outer)] {
             orders.push(TrackedOrder {
                 name: format!("{name}{of}"),
                 order,

@@ -11,9 +11,11 @@ const MOST_HARMONICS: usize = 8;
 /// Fewest points for every number that is fitted.
 const POINTS_A_NUMBER: usize = 2;
 /// Most points that are fitted: the last ones.
-const MOST_POINTS: usize = 1000;
+const MOST_POINTS: usize = 400;
 /// Sections of the golden-section search for the rotation number.
-const SECTIONS: usize = 40;
+const SECTIONS: usize = 30;
+/// Best ones of the points' own candidates that are searched.
+const REFINED: usize = 2;
 
 /// A closed curve through points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +44,10 @@ pub fn closed_curve(points: &[Vec<f64>], known: &[f64]) -> Option<ClosedCurve> {
     let centred = Centred::new(points)?;
     let given = known.iter().map(|rotation| centred.best(*rotation));
     let own = strongest(&centred).into_iter().flat_map(fractions);
-    let own = own.map(|rotation| centred.refined(rotation));
+    let mut own: Vec<ClosedCurve> = own.filter_map(|rotation| centred.best(rotation)).collect();
+    own.sort_by(|a, b| a.residual.total_cmp(&b.residual));
+    own.truncate(REFINED);
+    let own = own.into_iter().map(|curve| centred.refined(curve));
     let all = given.chain(own).flatten();
     all.min_by(|a, b| a.residual.total_cmp(&b.residual))
 }
@@ -76,22 +81,28 @@ impl Centred {
         fits.min_by(|a, b| a.residual.total_cmp(&b.residual))
     }
 
-    /// The same with the rotation number moved to where it explains the points best, by golden section.
-    fn refined(&self, rotation: f64) -> Option<ClosedCurve> {
-        let harmonics = self.best(rotation)?.harmonics;
+    /// A curve with the rotation number moved to where it explains the points best, by golden section.
+    fn refined(&self, curve: ClosedCurve) -> Option<ClosedCurve> {
         let residual = |rotation: f64| {
-            let fit = self.fit(rotation, harmonics);
+            let fit = self.fit(rotation, curve.harmonics);
             fit.map_or(f64::INFINITY, |curve| curve.residual)
         };
         let golden = 0.5 * (5f64.sqrt() - 1.0);
-        let reach = 0.5 / (self.rows.nrows() * harmonics) as f64;
-        let (mut low, mut high) = (rotation - reach, rotation + reach);
+        let reach = 0.5 / (self.rows.nrows() * curve.harmonics) as f64;
+        let (mut low, mut high) = (curve.rotation - reach, curve.rotation + reach);
+        let inner =
+            |low: f64, high: f64| [high - golden * (high - low), low + golden * (high - low)];
+        let mut places = inner(low, high);
+        let mut found = places.map(residual);
         for _ in 0..SECTIONS {
-            let (left, right) = (high - golden * (high - low), low + golden * (high - low));
-            if residual(left) < residual(right) {
-                high = right;
+            if found[0] < found[1] {
+                high = places[1];
+                places = inner(low, high);
+                found = [residual(places[0]), found[0]];
             } else {
-                low = left;
+                low = places[0];
+                places = inner(low, high);
+                found = [found[1], residual(places[1])];
             }
         }
         self.best(0.5 * (low + high))

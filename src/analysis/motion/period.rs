@@ -10,7 +10,7 @@ pub const LONGEST_PERIOD: usize = 12;
 const REPEATS: f64 = 1e-3;
 /// Points that a closed curve misses by less than this part of their spread lie on it.
 const ON_CURVE: f64 = 0.02;
-/// Comparisons that a period must stand.
+/// Cycles of a period that it must stand.
 const FEWEST_COMPARED: usize = 3;
 /// Fewest points that a closed curve is sought through.
 const FEWEST_ON_CURVE: usize = 20;
@@ -43,7 +43,7 @@ pub enum Kind {
         section: SectionKind,
         /// The number.
         cycles: usize,
-        /// RMS distance of a point from the one so many cycles before, in parts of the motion.
+        /// RMS distance of points any multiple of so many cycles apart, in parts of the motion.
         distance: f64,
     },
     /// It has two frequencies: the points of a section lie on a closed curve.
@@ -72,7 +72,8 @@ pub enum Kind {
 pub struct Recognition {
     /// The kind.
     pub kind: Kind,
-    /// Of every section the RMS distance of points 1, 2, … cycles apart, in parts of the motion.
+    /// Of every section the RMS distance of points any multiple of 1, 2, … cycles apart, in parts of the
+    /// motion, over the last half of the points.
     pub distances: Vec<(SectionKind, Vec<f64>)>,
     /// Of every section the best closed curve, where no period was found.
     pub curves: Vec<(SectionKind, ClosedCurve)>,
@@ -80,8 +81,8 @@ pub struct Recognition {
 
 /// Recognises a motion by the points of its sections.
 ///
-/// In this order: it is periodic where points so many cycles apart (up to [`LONGEST_PERIOD`]) are the
-/// same within a thousandth of the motion; of two frequencies where the points lie on a closed curve
+/// In this order: it is periodic where points so many cycles apart (up to [`LONGEST_PERIOD`]), and any
+/// multiple of it, are the same within a thousandth of the motion; of two frequencies where the points lie on a closed curve
 /// within a fiftieth of their spread ([`closed_curve`]); irregular where at least a hundred points have
 /// a 0–1 test above a half ([`zero_one_test`]).
 pub fn recognise(series: &[Series]) -> Recognition {
@@ -117,19 +118,36 @@ pub fn recognise(series: &[Series]) -> Recognition {
     }
 }
 
-/// RMS distance of points 1, 2, … cycles apart.
+/// RMS distance, over the last half of the points, of two points any multiple of 1, 2, … cycles apart: √2
+/// times their distance from the mean of those that would be one point.
 fn distances(points: &[Vec<f64>]) -> Vec<f64> {
-    let most = points
-        .len()
-        .saturating_sub(FEWEST_COMPARED)
-        .min(LONGEST_PERIOD);
+    let most = (points.len() / FEWEST_COMPARED).min(LONGEST_PERIOD);
     let apart = |cycles: usize| {
-        let pairs = points.iter().zip(&points[cycles..]);
-        let squares =
-            pairs.map(|(a, b)| a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>());
-        (squares.sum::<f64>() / (points.len() - cycles) as f64).sqrt()
+        let wanted = (points.len() / 2).max(FEWEST_COMPARED * cycles);
+        let last = &points[points.len() - wanted..];
+        let sum: f64 = (0..cycles)
+            .map(|first| scatter(last.iter().skip(first).step_by(cycles)))
+            .sum();
+        (2.0 * sum / last.len() as f64).sqrt()
     };
     (1..=most).map(apart).collect()
+}
+
+/// Sum of the squared distances of points from their mean.
+fn scatter<'a>(points: impl Iterator<Item = &'a Vec<f64>> + Clone) -> f64 {
+    let count = points.clone().count() as f64;
+    let Some(first) = points.clone().next() else {
+        return 0.0;
+    };
+    let components = 0..first.len();
+    components
+        .map(|index| {
+            // counted from the first point, so that nothing cancels
+            let from = points.clone().map(|point| point[index] - first[index]);
+            let mean = from.clone().sum::<f64>() / count;
+            from.map(|value| (value - mean).powi(2)).sum::<f64>()
+        })
+        .sum()
 }
 
 /// The period that takes the shortest time.

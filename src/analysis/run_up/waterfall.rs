@@ -21,7 +21,8 @@ pub struct Slice {
     pub amplitude: Vec<Vec<f64>>,
 }
 
-/// Short-time spectra under a Hann window, each a quarter of a window after the one before.
+/// Short-time spectra under a Hann window, each a quarter of a window after the one before and less its
+/// mean.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waterfall {
     /// Samples of a window.
@@ -130,6 +131,7 @@ impl WaterfallRecorder {
         let (length, hop) = (self.waterfall.length, self.waterfall.hop);
         let amplitude = self.samples.iter().map(|samples| {
             let transform = Transform::planned(samples.clone(), &mut self.planner);
+            let transform = transform.without_mean();
             let bins = 0..self.bins;
             bins.map(|k| transform.amplitude(k, Window::Hann)).collect()
         });

@@ -37,11 +37,8 @@ pub(super) fn draw_campbell(title: &str, campbell: &Campbell) -> Result<String, 
         .filter(present)
         .map(|whirl| (whirl.to_string(), colour(whirl)))
         .collect();
-    let orders: Vec<String> = campbell
-        .orders
-        .iter()
-        .map(|order| format!("{order}×"))
-        .collect();
+    let orders = campbell.orders.iter();
+    let orders: Vec<String> = orders.map(|order| hundredths(*order)).collect();
     if !orders.is_empty() {
         names.push((format!("orders {}", orders.join(", ")), GREY));
     }
@@ -52,6 +49,11 @@ pub(super) fn draw_campbell(title: &str, campbell: &Campbell) -> Result<String, 
         title,
         |area| draw(area, &names, &panels, 1),
     )
+}
+
+/// An order with up to two decimals.
+fn hundredths(order: f64) -> String {
+    format!("{}", (100.0 * order).round() / 100.0)
 }
 
 fn colour(whirl: Whirl) -> RGBColor {
@@ -87,12 +89,16 @@ fn frequencies(campbell: &Campbell) -> Panel {
     panel(campbell, "natural frequency in Hz", curves)
 }
 
+/// From zero on, so that what hardly changes looks so.
 fn damping(campbell: &Campbell) -> Panel {
-    panel(
-        campbell,
-        "damping ratio",
-        branches(campbell, Mode::damping_ratio),
-    )
+    let mut curves = branches(campbell, Mode::damping_ratio);
+    let first = PER_MINUTE * campbell.speeds.first().copied().unwrap_or(0.0);
+    curves.push(Curve {
+        points: vec![(first, 0.0)],
+        colour: GREY,
+        marks: Vec::new(),
+    });
+    panel(campbell, "damping ratio", curves)
 }
 
 fn panel(campbell: &Campbell, name: &str, curves: Vec<Curve>) -> Panel {
@@ -100,7 +106,8 @@ fn panel(campbell: &Campbell, name: &str, curves: Vec<Curve>) -> Panel {
     let [first, last] = ends.map(|speed| PER_MINUTE * speed.copied().unwrap_or(0.0));
     let mut ticks = round_ticks(first, last);
     // the last speed ends the axis
-    ticks.retain(|tick| (first..last).contains(tick));
+    let near = 1e-6 * (last - first);
+    ticks.retain(|tick| (first..last - near).contains(tick));
     ticks.insert(0, first);
     ticks.dedup();
     ticks.push(last);

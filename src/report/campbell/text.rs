@@ -42,6 +42,11 @@ fn branches(campbell: &Campbell) -> String {
     table(header.into_iter(), rows).trim_fmt()
 }
 
+/// An order with up to four decimals.
+fn rounded(order: f64) -> String {
+    format!("{}", (1e4 * order).round() / 1e4)
+}
+
 fn frequency(mode: Option<&Mode>) -> String {
     mode.map_or_else(
         || "–".to_owned(),
@@ -63,7 +68,7 @@ fn critical(campbell: &Campbell) -> String {
     let rows = campbell.critical_speeds.iter().map(|found| {
         let whirl = of(found.branch).unwrap_or(found.whirl);
         vec![
-            format!("{}", found.order),
+            rounded(found.order),
             (found.branch + 1).to_string(),
             whirl.to_string(),
             format!("{:.1}", PER_MINUTE * found.speed),

@@ -4,7 +4,8 @@ use serde_json::{Value, json};
 
 use super::super::columns::value_column;
 use crate::analysis::{
-    ChannelStatistics, ClosedCurve, Drift, Kind, Motion, Recognition, Section, VelocityLevel,
+    Channel, ChannelStatistics, ClosedCurve, Drift, Kind, Motion, Recognition, Section,
+    VelocityLevel,
 };
 
 /// Everything about a steady motion but its points.
@@ -20,7 +21,7 @@ pub(in super::super) fn motion_json(motion: &Motion) -> Value {
             .iter()
             .map(|(section, curve)| (section.to_string(), closed_curve(curve)))
             .collect::<serde_json::Map<_, _>>(),
-        "settling": motion.drift.as_ref().map(drift),
+        "settling": motion.drift.as_ref().map(|known| drift(known, motion)),
         "statistics": motion.statistics.iter().map(statistics).collect::<Value>(),
         "velocity_rms": motion
             .velocity
@@ -65,7 +66,8 @@ fn distances(recognition: &Recognition) -> Value {
         .map(|(section, values)| (section.to_string(), values.iter().copied().collect()))
         .collect();
     json!({
-        "meaning": "RMS distance of points 1, 2, … cycles apart, in parts of the RMS of the motion",
+        "meaning": "RMS distance of points any multiple of 1, 2, … cycles apart, in parts of the RMS of the \
+                    motion, over the last half of the points",
         "sections": values,
     })
 }
@@ -78,14 +80,16 @@ fn closed_curve(curve: &ClosedCurve) -> Value {
     })
 }
 
-fn drift(drift: &Drift) -> Value {
+/// Statistics of an irregular motion move by themselves: they do not tell whether it has settled.
+fn drift(drift: &Drift, motion: &Motion) -> Value {
+    let irregular = matches!(motion.recognition.kind, Kind::Irregular { .. });
     json!({
         "meaning": "change of mean and RMS from the second to the last third, in parts of the RMS of the \
                     motion, of the freedom that changes most",
-        "channel": crate::analysis::Channel::Displacement(drift.freedom).name(),
+        "channel": Channel::Displacement(drift.freedom).name(),
         "mean": drift.mean,
         "rms": drift.rms,
-        "settled": drift.is_settled(),
+        "settled": (!irregular).then(|| drift.is_settled()),
     })
 }
 

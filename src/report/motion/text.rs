@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write};
 
-use crate::analysis::{Channel, Kind, Motion, SectionKind};
+use crate::analysis::{Channel, Kind, LONGEST_PERIOD, Motion, SectionKind};
 
 /// m → µm.
 const MICRO: f64 = 1e6;
@@ -13,15 +13,15 @@ const MILLI: f64 = 1e3;
 pub(in super::super) fn write_motion(out: &mut String, motion: &Motion) -> fmt::Result {
     writeln!(out, "  motion        {}", kind(&motion.recognition.kind))?;
     if let Some(drift) = &motion.drift {
-        let word = if drift.is_settled() {
-            "settled"
-        } else {
-            "not settled"
+        let word = match (&motion.recognition.kind, drift.is_settled()) {
+            (Kind::Irregular { .. }, _) => "wanders",
+            (_, true) => "settled",
+            (_, false) => "not settled",
         };
         let channel = Channel::Displacement(drift.freedom);
         writeln!(
             out,
-            "                {word}: mean and RMS of {channel} move by {:.2} % and {:.2} % of it between thirds",
+            "                {word}: between thirds mean and RMS of {channel} move by {:.2} % and {:.2} %",
             100.0 * drift.mean.abs(),
             100.0 * drift.rms.abs()
         )?;
@@ -59,7 +59,7 @@ fn kind(kind: &Kind) -> String {
             counted(*section, *cycles)
         ),
         Kind::QuasiPeriodic { section, curve } => format!(
-            "two frequencies: points of each {} turn by {:.4} on a closed curve, within {:.1e} of it",
+            "two frequencies: each {} turns by {:.4} on a closed curve, missed by {:.1e}",
             counted(*section, 1),
             curve.rotation,
             curve.residual
@@ -74,8 +74,8 @@ fn kind(kind: &Kind) -> String {
             points,
             test: Some(test),
         } => format!(
-            "neither repeats nor has two frequencies in {points} points, nor is it irregular (0–1 test \
-             {test:.3})"
+            "regular (0–1 test {test:.3}), but repeats neither within {LONGEST_PERIOD} cycles nor\n                \
+             on a closed curve, in {points} points"
         ),
     }
 }

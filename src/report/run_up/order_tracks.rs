@@ -20,6 +20,8 @@ const ROW_HEIGHT: u32 = 270;
 const HEAD_HEIGHT: u32 = 60;
 /// A phase is drawn where its order has this part of the channel's largest amplitude.
 const HEARD: f64 = 0.01;
+/// A channel below this part of the loudest one does not move.
+const ROUND_OFF: f64 = 1e-9;
 
 /// Writes one row a window: time, speed, then amplitude and phase of every order of every channel.
 pub(super) fn write(tracks: &OrderTracks, writer: impl Write) -> io::Result<()> {
@@ -44,11 +46,13 @@ pub(super) fn write(tracks: &OrderTracks, writer: impl Write) -> io::Result<()> 
     csv.flush()
 }
 
-/// `1×` → `order_1`, `BPFO of bearing 2` → `BPFO_2`.
+/// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`.
 fn column(name: &str) -> String {
-    match name.strip_suffix('×') {
-        Some(order) => format!("order_{order}"),
-        None => name.replace(" of bearing ", "_"),
+    let name = name.replace(' ', "_");
+    match name.split_once('×') {
+        Some((order, "")) => format!("order_{order}"),
+        Some((multiple, of)) => format!("{of}_{multiple}x"),
+        None => name,
     }
 }
 
@@ -60,19 +64,41 @@ pub(super) fn figure(title: &str, tracks: &OrderTracks) -> Result<String, Report
         .enumerate()
         .map(|(index, order)| (order.name.clone(), distinct(index)))
         .collect();
-    let channels = tracks.channels.iter().enumerate();
-    let panels: Vec<Panel> = channels
-        .flat_map(|(index, channel)| {
+    let rows = moving(tracks);
+    let panels: Vec<Panel> = rows
+        .iter()
+        .flat_map(|row| {
+            let channel = tracks.channels[*row];
             [
-                amplitudes(tracks, index, *channel),
-                phases(tracks, index, *channel),
+                amplitudes(tracks, *row, channel),
+                phases(tracks, *row, channel),
             ]
         })
         .collect();
-    let height = HEAD_HEIGHT + ROW_HEIGHT * tracks.channels.len() as u32;
+    let height = HEAD_HEIGHT + ROW_HEIGHT * rows.len() as u32;
     svg("order_tracks.svg", height, title, |area| {
         draw(area, &names, &panels, 2)
     })
+}
+
+/// Channels that are more than round-off beside the loudest.
+fn moving(tracks: &OrderTracks) -> Vec<usize> {
+    let channels = 0..tracks.channels.len();
+    let loudest = channels.clone().map(|channel| loudest(tracks, channel));
+    let all = loudest.clone().fold(0.0, f64::max);
+    let rows = channels.zip(loudest);
+    rows.filter(|(_, own)| *own > ROUND_OFF * all)
+        .map(|(channel, _)| channel)
+        .collect()
+}
+
+/// Largest amplitude of any order of a channel.
+fn loudest(tracks: &OrderTracks, channel: usize) -> f64 {
+    let all = tracks
+        .points
+        .iter()
+        .flat_map(|point| &point.tracks[channel]);
+    all.map(|track| track.amplitude).fold(0.0, f64::max)
 }
 
 fn amplitudes(tracks: &OrderTracks, index: usize, channel: Channel) -> Panel {
@@ -90,8 +116,7 @@ fn amplitudes(tracks: &OrderTracks, index: usize, channel: Channel) -> Panel {
 }
 
 fn phases(tracks: &OrderTracks, index: usize, channel: Channel) -> Panel {
-    let all = tracks.points.iter().flat_map(|point| &point.tracks[index]);
-    let loudest = all.map(|track| track.amplitude).fold(0.0, f64::max);
+    let loudest = loudest(tracks, index);
     let heard =
         |track: &Track| (track.amplitude > HEARD * loudest).then(|| track.phase.to_degrees());
     // dots, for a line would run across the figure where the angle begins anew

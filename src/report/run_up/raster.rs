@@ -8,8 +8,8 @@ const MOST_CELLS: usize = 320;
 const SPEED_CELLS: usize = 200;
 /// Decades below the loudest cell that are told apart.
 pub(super) const DECADES: f64 = 4.0;
-/// The darkest bins: a mean reaches two bins far under the window.
-const MEAN_BINS: usize = 3;
+/// Bins that hold the mean, which was taken away.
+const MEAN_BINS: usize = 1;
 
 /// Amplitudes over one axis and frequency.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,7 +7,7 @@ use super::super::figure::{Area, DrawError, INK, font, px, svg, tick_format};
 use super::super::figure_curves::graded;
 use super::super::png::data_uri;
 use super::raster::{DECADES, Raster};
-use crate::analysis::TrackedOrder;
+use crate::analysis::{TrackedOrder, Waterfall};
 use crate::simulate::Maps;
 
 /// m → µm.
@@ -21,6 +21,8 @@ const ROW_HEIGHT: u32 = 300;
 const HEAD_HEIGHT: u32 = 70;
 /// Height of the scale of colours, px.
 const SCALE_HEIGHT: u32 = 30;
+/// A channel below this part of the loudest one does not move.
+const ROUND_OFF: f64 = 1e-9;
 /// Colours of the scale.
 const COLOURS: usize = 256;
 
@@ -33,31 +35,15 @@ struct Place {
 /// Draws the SVG, the maps as pictures inside it.
 pub(super) fn draw(title: &str, maps: &Maps) -> Result<String, ReportError> {
     let waterfall = &maps.waterfall;
-    let rows = waterfall.channels.len();
+    let rows = moving_rows(waterfall);
     let mut places = Vec::new();
-    let height = HEAD_HEIGHT + ROW_HEIGHT * rows as u32;
+    let height = HEAD_HEIGHT + ROW_HEIGHT * rows.len() as u32;
     let mut text = svg("waterfall.svg", height, title, |area| {
         let (scale, below) = area.split_vertically(px(SCALE_HEIGHT));
         draw_scale(&scale)?;
-        for (channel, row) in below.split_evenly((rows, 1)).iter().enumerate() {
-            let [left, right] = [0, 1].map(|half| row.split_evenly((1, 2))[half].clone());
-            let name = waterfall.channels[channel];
-            let time = Raster::over_time(waterfall, channel);
-            let loudest = time.loudest();
-            let told = format!("{name}: loudest {:.3e} µm", MICRO * loudest);
-            let axis = Axis {
-                name: format!("time in s ({told})"),
-                scale: 1.0,
-                orders: &[],
-            };
-            draw_map(&left, &time, loudest, &axis, &mut places)?;
-            let speed = Raster::over_speed(waterfall, channel);
-            let axis = Axis {
-                name: "speed in 1/min".to_owned(),
-                scale: PER_MINUTE,
-                orders: &maps.tracks.orders,
-            };
-            draw_map(&right, &speed, loudest, &axis, &mut places)?;
+        let areas = below.split_evenly((rows.len().max(1), 1));
+        for (row, area) in rows.iter().zip(&areas) {
+            draw_row(area, maps, row, &mut places)?;
         }
         Ok(())
     })?;
@@ -65,6 +51,50 @@ pub(super) fn draw(title: &str, maps: &Maps) -> Result<String, ReportError> {
         text = placed(text, place);
     }
     Ok(text)
+}
+
+/// A channel that moves.
+struct Row {
+    channel: usize,
+    over_time: Raster,
+    loudest: f64,
+}
+
+/// Channels that are more than round-off beside the loudest.
+fn moving_rows(waterfall: &Waterfall) -> Vec<Row> {
+    let rows = (0..waterfall.channels.len()).map(|channel| {
+        let over_time = Raster::over_time(waterfall, channel);
+        Row {
+            channel,
+            loudest: over_time.loudest(),
+            over_time,
+        }
+    });
+    let mut rows: Vec<Row> = rows.collect();
+    let loudest = rows.iter().map(|row| row.loudest).fold(0.0, f64::max);
+    rows.retain(|row| row.loudest > ROUND_OFF * loudest);
+    rows
+}
+
+/// A channel over time and over speed.
+fn draw_row(area: &Area, maps: &Maps, row: &Row, places: &mut Vec<Place>) -> Result<(), DrawError> {
+    let waterfall = &maps.waterfall;
+    let name = waterfall.channels[row.channel];
+    let loudest = MICRO * row.loudest;
+    let halves = area.split_evenly((1, 2));
+    let time = Axis {
+        name: format!("time in s ({name}: loudest {loudest:.3e} µm)"),
+        scale: 1.0,
+        orders: &[],
+    };
+    draw_map(&halves[0], &row.over_time, row.loudest, &time, places)?;
+    let speed = Axis {
+        name: "speed in 1/min".to_owned(),
+        scale: PER_MINUTE,
+        orders: &maps.tracks.orders,
+    };
+    let raster = Raster::over_speed(waterfall, row.channel);
+    draw_map(&halves[1], &raster, row.loudest, &speed, places)
 }
 
 /// The first axis of a map.

@@ -104,6 +104,26 @@ pub enum CampbellError {
     },
 }
 
+/// Whether a diagram from one speed to another in rad/s has a range, and all orders a frequency.
+///
+/// # Errors
+/// [`CampbellError::Range`] and [`CampbellError::Order`].
+pub fn check_range(
+    [from, to]: [f64; 2],
+    count: usize,
+    orders: &[f64],
+) -> Result<(), CampbellError> {
+    let rising = from >= 0.0 && to > from && to.is_finite();
+    if !rising || count < 2 {
+        return Err(CampbellError::Range { from, to, count });
+    }
+    let wrong = |order: &&f64| !(order.is_finite() && **order > 0.0);
+    match orders.iter().find(wrong) {
+        Some(order) => Err(CampbellError::Order(*order)),
+        None => Ok(()),
+    }
+}
+
 impl CampbellQuestion {
     /// Linearises the shaft at every speed, about the static equilibrium there, and follows its modes.
     ///
@@ -115,7 +135,7 @@ impl CampbellQuestion {
     /// # Errors
     /// [`CampbellError`] where the range is empty, or the shaft has no equilibrium at a speed.
     pub fn solve(&self) -> Result<Campbell, CampbellError> {
-        self.check()?;
+        check_range([self.from, self.to], self.count, &self.orders)?;
         let speeds = self.speeds();
         let (branches, least_assurance) = follow(self, &speeds)?;
         let critical_speeds = critical_speeds(self, &speeds, &branches)?;
@@ -126,22 +146,6 @@ impl CampbellQuestion {
             critical_speeds,
             least_assurance,
         })
-    }
-
-    fn check(&self) -> Result<(), CampbellError> {
-        let finite = self.from >= 0.0 && self.to > self.from && self.to.is_finite();
-        if !finite || self.count < 2 {
-            return Err(CampbellError::Range {
-                from: self.from,
-                to: self.to,
-                count: self.count,
-            });
-        }
-        let wrong = |order: &&f64| !(order.is_finite() && **order > 0.0);
-        match self.orders.iter().find(wrong) {
-            Some(order) => Err(CampbellError::Order(*order)),
-            None => Ok(()),
-        }
     }
 
     fn speeds(&self) -> Vec<f64> {
