@@ -16,6 +16,7 @@ mod run;
 mod schema;
 mod steady;
 mod stream;
+mod written;
 
 use std::ffi::OsString;
 use std::process::ExitCode;

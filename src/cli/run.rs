@@ -11,6 +11,7 @@ use super::ending::{Failed, Interrupted, Kept, Stopped};
 use super::jobs::{Job, document, jobs};
 use super::parts::Parts;
 use super::progress::Progress;
+use super::written::Written;
 use super::{Outcome, stream};
 use crate::integrate::{Counters, IntegrateError};
 use crate::report::{self, Failure as Cause, Outputs, RestartReader, RestartWriter, RunReport};
@@ -44,6 +45,8 @@ pub struct Arguments {
     #[arg(long)]
     no_verify: bool,
     #[command(flatten)]
+    written: Written,
+    #[command(flatten)]
     parts: Parts,
 }
 
@@ -55,7 +58,8 @@ impl Arguments {
             _ => format!(" --out {}", self.out.display()),
         };
         let verify = if self.no_verify { " --no-verify" } else { "" };
-        format!("jeffcott run {}{out}{verify} --resume", job.name)
+        let written = &self.written;
+        format!("jeffcott run {}{out}{verify}{written} --resume", job.name)
     }
 }
 
@@ -123,6 +127,7 @@ fn motions(jobs: Vec<Job>, arguments: &Arguments) -> Option<Vec<Motion>> {
             // the summary tells what was run
             job.scenario.echo["integrator"]["verify"] = false.into();
         }
+        arguments.written.apply(&mut job.scenario);
         match arguments.parts.restart(&job, &model) {
             Ok(restart) => Some(Motion {
                 job,
@@ -213,6 +218,9 @@ impl Motion {
             events: output.events,
             spectrum: output.spectrum,
             figures: output.figures,
+            formats: output.formats.clone(),
+            every: output.every,
+            channels: output.channels.clone(),
         };
         let kept = self.model.rotor.shaft.freedoms.count();
         let report = RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)?;

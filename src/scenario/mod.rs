@@ -28,6 +28,7 @@ mod varied;
 mod vary;
 mod walk;
 
+use std::num::NonZeroU64;
 use std::path::Path;
 
 use serde_json::Value;
@@ -35,7 +36,7 @@ use serde_json::Value;
 pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
-pub use spec::{MethodError, method, methods, tolerance};
+pub use spec::{MethodError, TableFormat, TraceChannel, method, methods, tolerance};
 pub use time::{TimeError, time};
 pub use varied::{Varied, VariedError};
 
@@ -57,7 +58,7 @@ pub enum Format {
 }
 
 /// What a run writes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputChoice {
     /// Whether the trace is written.
     pub trace: bool,
@@ -69,6 +70,12 @@ pub struct OutputChoice {
     pub spectrum: bool,
     /// Whether figures are drawn.
     pub figures: bool,
+    /// Formats of the tables.
+    pub formats: Vec<TableFormat>,
+    /// Of how many samples one is written.
+    pub every: NonZeroU64,
+    /// Columns of the trace beside the time; none: all.
+    pub channels: Option<Vec<TraceChannel>>,
 }
 
 /// A checked scenario.
