@@ -503,6 +503,8 @@ fn the_text_shows_key_numbers_peaks_and_files() {
         &run(),
         &[PathBuf::from("output/x/trace.csv")],
     );
+    let flat: Vec<&str> = shown.split_whitespace().collect();
+    let flat = flat.join(" ");
     for expected in [
         "A title",
         "z 17.0000 µm",
@@ -514,6 +516,8 @@ fn the_text_shows_key_numbers_peaks_and_files() {
         "1×",
         "wrote output/x/trace.csv",
     ] {
-        assert!(shown.contains(expected), "{expected} in\n{shown}");
+        // lines are broken where they would be wider than a terminal
+        let found = shown.contains(expected) || flat.contains(expected);
+        assert!(found, "{expected} in\n{shown}");
     }
 }

@@ -8,8 +8,10 @@ mod bearing;
 mod catalogue;
 mod check;
 mod compare;
+mod completions;
 mod ending;
 mod jobs;
+mod man;
 mod parts;
 mod progress;
 mod run;
@@ -46,6 +48,8 @@ enum Verb {
     Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
     Schema(schema::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 /// How a verb ended.
@@ -90,6 +94,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
         Verb::Schema(_) => schema::run(),
+        Verb::Completions(arguments) => completions::run(&arguments),
+        Verb::Man(arguments) => man::run(&arguments),
     };
     stream::finish(outcome)
 }

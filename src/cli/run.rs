@@ -23,11 +23,14 @@ use crate::simulate::{
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
+    after_help = "Examples:\n  jeffcott run scenarios/steady-7205c.toml\n  \
+                  jeffcott run scenarios/steady-7205c.toml --format csv,mat --every 4 --channels \
+                  x,y,force_x\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
                   spectrum.csv, trace.svg, spectrum.svg and, last, summary.json; trace_balls.csv and\n\
-                  energy.csv where the scenario asks for them, drive.csv where there is a drive. A run\n\
-                  that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\n\
+                  energy.csv where the scenario asks for them, drive.csv where there is a drive; with\n\
+                  --format other tables instead. A run that cannot go on leaves\n\
+                  trace.until-failure.csv and failure.json instead.\n\n\
                   Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
                   interrupted, 2 a file is wrong."
 )]

@@ -223,6 +223,21 @@ impl RunFolder {
     }
 }
 
+/// Writes a file that belongs to no set, under a temporary name first; its folder is created where it
+/// is missing.
+///
+/// # Errors
+/// [`ReportError::File`] where folder or file cannot be created or written.
+pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
+    let parent = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    let folder = RunFolder::open(parent.unwrap_or(Path::new(".")), FileSet::MOTION)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    folder.write(&name, content)?.rename()?;
+    Ok(())
+}
+
 fn remove_if_there(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),

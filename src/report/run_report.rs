@@ -15,8 +15,9 @@ use super::table::{Column, Origin, TableFiles};
 use super::trace_table::TraceTable;
 use super::{
     FileAction, FileSet, ReportError, RestartWriter, RunFolder, RunIdentity, TraceFigure,
-    contact_choice_json, method_choice_json, spectrum_figure, summary,
+    WholeFile, contact_choice_json, method_choice_json, spectrum_figure, summary,
 };
+use crate::analysis::Spectrum;
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{TableFormat, TraceChannel};
 use crate::simulate::{Event, Model, Run, TraceSink};
@@ -242,18 +243,8 @@ impl RunReport {
         }
         if let Some(spectrum) = &run.spectrum {
             if self.outputs.spectrum {
-                let columns = spectrum_columns(spectrum);
-                let mut table = TableFiles::open(
-                    &self.folder,
-                    "spectrum",
-                    &self.outputs.formats,
-                    &columns,
-                    &self.origin,
-                )?;
-                let path = self.folder.path();
-                spectrum_rows(spectrum, |row| table.row(row))
-                    .map_err(ReportError::file(FileAction::Write, path))?;
-                files.extend(table.close()?);
+                let (formats, origin) = (&self.outputs.formats, &self.origin);
+                files.extend(write_spectra(&self.folder, spectrum, formats, origin)?);
             }
             if self.outputs.figures {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;
@@ -263,6 +254,20 @@ impl RunReport {
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())
     }
+}
+
+/// Writes the table of the spectra in every format.
+fn write_spectra(
+    folder: &RunFolder,
+    spectrum: &Spectrum,
+    formats: &[TableFormat],
+    origin: &Origin,
+) -> Result<Vec<WholeFile>, ReportError> {
+    let columns = spectrum_columns(spectrum);
+    let mut table = TableFiles::open(folder, "spectrum", formats, &columns, origin)?;
+    spectrum_rows(spectrum, |row| table.row(row))
+        .map_err(ReportError::file(FileAction::Write, folder.path()))?;
+    table.close()
 }
 
 /// What was kept of a run that cannot go on.

@@ -24,6 +24,7 @@ mod schema;
 mod series_file;
 mod spec;
 mod time;
+mod tolerance_file;
 mod varied;
 mod vary;
 mod walk;
@@ -38,6 +39,7 @@ pub use issue::Issue;
 pub use schema::schema;
 pub use spec::{MethodError, TableFormat, TraceChannel, method, methods, tolerance};
 pub use time::{TimeError, time};
+pub use tolerance_file::ToleranceFile;
 pub use varied::{Varied, VariedError};
 
 use crate::bearing::Oil;

@@ -67,8 +67,10 @@ impl<W: Write> MatTable<W> {
     /// What the file system answers; more rows than a MAT-file holds.
     pub fn row(&mut self, row: &[f64]) -> io::Result<()> {
         for ((place, value), column) in row.iter().enumerate().zip(&self.columns) {
-            let first = f64::from(u8::from(matches!(column.kind, ColumnKind::Word(_))));
-            self.open[place * BLOCK + self.filled] = value + first;
+            self.open[place * BLOCK + self.filled] = match column.kind {
+                ColumnKind::Word(_) => value + 1.0,
+                _ => *value,
+            };
         }
         self.filled += 1;
         if self.filled < BLOCK {
