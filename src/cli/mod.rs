@@ -9,8 +9,10 @@ mod campbell;
 mod catalogue;
 mod check;
 mod compare;
+mod completions;
 mod ending;
 mod jobs;
+mod man;
 mod parts;
 mod progress;
 mod run;
@@ -18,6 +20,7 @@ mod schema;
 mod steady;
 mod stream;
 mod study;
+mod written;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -49,6 +52,8 @@ enum Verb {
     Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
     Schema(schema::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 /// How a verb ended.
@@ -95,6 +100,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
         Verb::Schema(arguments) => schema::run(&arguments),
+        Verb::Completions(arguments) => completions::run(&arguments),
+        Verb::Man(arguments) => man::run(&arguments),
     };
     stream::finish(outcome)
 }

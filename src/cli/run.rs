@@ -11,6 +11,7 @@ use super::ending::{Failed, Interrupted, Kept, Stopped};
 use super::jobs::{Job, document, jobs};
 use super::parts::Parts;
 use super::progress::Progress;
+use super::written::Written;
 use super::{Outcome, stream};
 use crate::integrate::{Counters, IntegrateError};
 use crate::report::{self, Failure as Cause, Outputs, RestartReader, RestartWriter, RunReport};
@@ -23,14 +24,17 @@ use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
+    after_help = "Examples:\n  jeffcott run scenarios/steady-7205c.toml\n  \
+                  jeffcott run scenarios/steady-7205c.toml --format csv,mat --every 4 --channels \
+                  x,y,force_x\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
                   spectrum.csv, peaks.csv, trace.svg, spectrum.svg, report.html and, last, summary.json;\n\
                   poincare.csv and orbit.svg at constant speed; waterfall, order_tracks and campbell\n\
                   (.csv and .svg) where the speed changes; trace_balls.csv and energy.csv where the\n\
                   scenario asks for them, spectrum_NAME.csv for each of its `[[spectrum]]`,\n\
                   drive.csv where there is a drive. A run\n\
-                  that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\n\
+                  that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\
+                  With --format the tables have other formats.\n\n\
                   Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
                   interrupted, 2 a file is wrong."
 )]
@@ -48,6 +52,8 @@ pub struct Arguments {
     #[arg(long)]
     no_verify: bool,
     #[command(flatten)]
+    written: Written,
+    #[command(flatten)]
     parts: Parts,
 }
 
@@ -59,7 +65,8 @@ impl Arguments {
             _ => format!(" --out {}", self.out.display()),
         };
         let verify = if self.no_verify { " --no-verify" } else { "" };
-        format!("jeffcott run {}{out}{verify} --resume", job.name)
+        let written = &self.written;
+        format!("jeffcott run {}{out}{verify}{written} --resume", job.name)
     }
 }
 
@@ -130,6 +137,7 @@ fn motions(jobs: Vec<Job>, arguments: &Arguments) -> Option<Vec<Motion>> {
             // the summary tells what was run
             job.scenario.echo["integrator"]["verify"] = false.into();
         }
+        arguments.written.apply(&mut job.scenario);
         match arguments.parts.restart(&job, &model) {
             Ok(restart) => Some(Motion {
                 job,
@@ -221,6 +229,9 @@ impl Motion {
             spectrum: output.spectrum,
             figures: output.figures,
             page: output.report,
+            formats: output.formats.clone(),
+            every: output.every,
+            channels: output.channels.clone(),
         };
         let kept = self.model.rotor.shaft.freedoms.count();
         let report = RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)?;

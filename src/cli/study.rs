@@ -294,11 +294,11 @@ impl<'a> Task<'a> {
             trace: true,
             energy: model.energy || model.rotor.drive.is_some(),
             drive: model.rotor.drive.is_some(),
-            balls: false,
             events: true,
             spectrum: true,
             figures: true,
             page: true,
+            ..Outputs::default()
         };
         let scenario = self.study.scenario(&values);
         let folder = self.folder.join(format!("run-{number}"));

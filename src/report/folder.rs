@@ -24,13 +24,25 @@ impl FileSet {
         seal: "summary.json",
         others: &[
             "trace.csv",
+            "trace.parquet",
+            "trace.mat",
             "energy.csv",
+            "energy.parquet",
+            "energy.mat",
             "drive.csv",
+            "drive.parquet",
+            "drive.mat",
             "trace_balls.csv",
+            "trace_balls.parquet",
+            "trace_balls.mat",
             "events.csv",
+            "events.parquet",
+            "events.mat",
             "spectrum.csv",
             "peaks.csv",
             "spectrum_*.csv",
+            "spectrum.parquet",
+            "spectrum.mat",
             "trace.svg",
             "spectrum.svg",
             "report.html",
@@ -44,7 +56,13 @@ impl FileSet {
             "campbell.svg",
             "campbell.json",
         ],
-        spent: &["restart.bin", "failure.json", "trace.until-failure.csv"],
+        spent: &[
+            "restart.bin",
+            "failure.json",
+            "trace.until-failure.csv",
+            "trace.until-failure.parquet",
+            "trace.until-failure.mat",
+        ],
     };
     /// What the answer to a static question leaves; a study of the same name does not outlive it.
     pub const BEARING: Self = Self {
@@ -255,6 +273,21 @@ impl RunFolder {
         }
         Ok(())
     }
+}
+
+/// Writes a file that belongs to no set, under a temporary name first; its folder is created where it
+/// is missing.
+///
+/// # Errors
+/// [`ReportError::File`] where folder or file cannot be created or written.
+pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
+    let parent = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    let folder = RunFolder::open(parent.unwrap_or(Path::new(".")), FileSet::MOTION)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    folder.write(&name, content)?.rename()?;
+    Ok(())
 }
 
 fn remove_if_there(path: &Path) -> io::Result<()> {

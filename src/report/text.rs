@@ -7,6 +7,7 @@ use comfy_table::{CellAlignment, Table, presets};
 
 use super::histories::write_histories;
 use super::motion::write_motion;
+use super::wrapped;
 use crate::analysis::{Peak, Spectrum};
 use crate::rotor::Freedoms;
 use crate::simulate::{Model, Run, StaticState};
@@ -40,7 +41,8 @@ fn write_text(
         equilibrium(&run.equilibrium, freedoms)
     )?;
     if !run.equilibrium.natural_frequencies.is_empty() {
-        writeln!(out, "  natural       {}", natural(&run.equilibrium))?;
+        let line = format!("  natural       {}", natural(&run.equilibrium));
+        writeln!(out, "{}", wrapped(&line, 16))?;
     }
     writeln!(
         out,

@@ -26,10 +26,12 @@ mod spec;
 mod speed;
 mod study_file;
 mod time;
+mod tolerance_file;
 mod varied;
 mod vary;
 mod walk;
 
+use std::num::NonZeroU64;
 use std::path::Path;
 
 use serde::Serialize;
@@ -38,10 +40,11 @@ use serde_json::Value;
 pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
-pub use spec::{MethodError, method, methods, tolerance};
+pub use spec::{MethodError, TableFormat, TraceChannel, method, methods, tolerance};
 pub use speed::{SpeedError, speed};
 pub use study_file::{RunError, StudyFile, load_study, study_schema};
 pub use time::{TimeError, time};
+pub use tolerance_file::ToleranceFile;
 pub use varied::{Varied, VariedError};
 
 use crate::bearing::Oil;
@@ -62,7 +65,7 @@ pub enum Format {
 }
 
 /// What a run writes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputChoice {
     /// Whether the trace is written.
     pub trace: bool,
@@ -76,6 +79,12 @@ pub struct OutputChoice {
     pub figures: bool,
     /// Whether the page for a browser is written.
     pub report: bool,
+    /// Formats of the tables.
+    pub formats: Vec<TableFormat>,
+    /// Of how many samples one is written.
+    pub every: NonZeroU64,
+    /// Columns of the trace beside the time; none: all.
+    pub channels: Option<Vec<TraceChannel>>,
 }
 
 /// A checked scenario.

@@ -16,7 +16,7 @@ pub fn schema() -> &'static Value {
     &SCHEMA
 }
 
-/// The same of the file that a struct stands for.
+/// JSON Schema of a file that is read as strictly as a scenario.
 pub(super) fn schema_of<T: JsonSchema>() -> Value {
     SchemaSettings::draft07()
         .with(|settings| settings.inline_subschemas = true)

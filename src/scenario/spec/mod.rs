@@ -23,7 +23,9 @@ mod statics;
 mod study;
 mod time;
 mod torsion;
+mod written;
 
 pub use method::{MethodError, method, methods, tolerance};
 pub use scenario::{Questions, ScenarioSpec};
 pub use study::StudySpec;
+pub use written::{TableFormat, TraceChannel};

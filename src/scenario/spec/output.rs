@@ -1,11 +1,13 @@
 //! `[output]`.
 
 use std::f64::consts::PI;
+use std::num::NonZeroU64;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::time::TimeSpec;
+use super::written::{TableFormat, TraceChannel};
 use crate::analysis::Window;
 use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
@@ -17,6 +19,8 @@ use crate::simulate::{Analyses, Sampling};
 const SAMPLES_PER_REVOLUTION: u32 = 128;
 /// Most samples of a run.
 const MOST_SAMPLES: f64 = 1e9;
+/// Most rows of a MAT-file of level 5, whose variables take less than 2 GiB each.
+const MOST_MAT_ROWS: f64 = 2.68e8;
 /// Fewest samples that a spectrum is taken of.
 const FEWEST_IN_SPECTRUM: f64 = 8.0;
 
@@ -61,6 +65,16 @@ pub struct OutputSpec {
     /// orders of the shaft (`order_tracks.csv`, `order_tracks.svg`) and natural frequencies over the speed
     /// (`campbell.csv`, `campbell.svg`). Default: as `figures`, where the speed changes.
     pub maps: Option<bool>,
+    /// Formats of the tables. Default: CSV alone.
+    #[schemars(extend("minItems" = 1))]
+    pub formats: Vec<TableFormat>,
+    /// Of how many samples one is written to the trace and the tables beside it, beginning with the
+    /// first; spectra, figures and the summary rest on all samples. Default: 1.
+    #[schemars(range(min = 1, max = 1_000_000))]
+    pub every: NonZeroU64,
+    /// What the written trace shows beside the time, in this order. Default: everything.
+    #[schemars(extend("minItems" = 1))]
+    pub channels: Option<Vec<TraceChannel>>,
 }
 
 /// How the shaft turns, as far as sampling asks.
@@ -117,6 +131,9 @@ impl Default for OutputSpec {
             report: true,
             motion: None,
             maps: None,
+            formats: vec![TableFormat::Csv],
+            every: NonZeroU64::MIN,
+            channels: None,
         }
     }
 }
@@ -131,6 +148,30 @@ impl OutputSpec {
             spectrum: self.spectrum,
             figures: self.figures,
             report: self.report,
+            formats: self.formats.clone(),
+            every: self.every,
+            channels: self.channels.clone(),
+        }
+    }
+
+    /// Refuses formats that this build cannot write, and what is asked for twice.
+    pub fn check_written(&self, problems: &mut Problems<'_>) {
+        for (index, format) in self.formats.iter().enumerate() {
+            let path = format!("output.formats[{index}]");
+            if !format.is_built() {
+                let issue = Issue::new(path, "this `jeffcott` is built without Parquet")
+                    .help("take \"csv\" or \"mat\", or build it with `--features parquet`");
+                problems.refuse(issue, &[]);
+            } else if self.formats[..index].contains(format) {
+                problems.refuse(twice(path, format.extension()), &[]);
+            }
+        }
+        let channels = self.channels.as_deref().unwrap_or_default();
+        for (index, channel) in channels.iter().enumerate() {
+            if channels[..index].contains(channel) {
+                let path = format!("output.channels[{index}]");
+                problems.refuse(twice(path, channel.name()), &[]);
+            }
         }
     }
 
@@ -231,7 +272,20 @@ impl OutputSpec {
                 Issue::new("time.duration", message).help("shorten it or sample less often");
             problems.refuse(issue, &[key.to_owned(), speed.to_owned()]);
         }
+        let rows = count / self.every.get() as f64;
+        if self.trace && rows > MOST_MAT_ROWS && self.formats.contains(&TableFormat::Mat) {
+            let message = format!(
+                "{rows:.3e} rows are too many for a MAT-file, which holds {MOST_MAT_ROWS:e}"
+            );
+            let issue = Issue::new("output.formats", message)
+                .help("write fewer of them with `every`, or another format");
+            problems.refuse(issue, &["output.every".to_owned()]);
+        }
     }
+}
+
+fn twice(path: String, word: &str) -> Issue {
+    Issue::new(path, format!("\"{word}\" is asked for twice")).help("remove one")
 }
 
 /// Refuses a spectrum of less than one revolution, or of hardly any samples.

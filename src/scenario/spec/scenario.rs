@@ -183,6 +183,7 @@ impl ScenarioSpec {
         let shaft = self.shaft.build(self.time.is_some(), turns, problems);
         let freedoms = shaft.freedoms;
         self.check_race_control(problems);
+        self.output.check_written(problems);
         let knows_balls =
             |bearing: &BearingSpec| bearing.contact(&self.model) != ContactChoice::Linear;
         self.output
