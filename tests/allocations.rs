@@ -307,6 +307,7 @@ fn memory_is_flat_in_the_duration_when_the_states_are_kept() {
         events: false,
         spectrum: false,
         figures: false,
+        page: false,
     };
     let peak = |samples: u32| {
         let (scenario, model) = (serde_json::Value::Null, unbalanced(samples, 1e-8));

@@ -97,6 +97,7 @@ fn every_shipped_scenario_runs_and_states_its_error() {
         for name in [
             "trace.csv",
             "spectrum.csv",
+            "peaks.csv",
             "trace.svg",
             "spectrum.svg",
             "summary.json",
@@ -126,6 +127,7 @@ fn the_same_scenario_gives_the_same_bytes() {
     for name in [
         "trace.csv",
         "spectrum.csv",
+        "peaks.csv",
         "trace.svg",
         "spectrum.svg",
         "summary.json",

@@ -9,7 +9,9 @@ use std::f64::consts::TAU;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use jeffcott::analysis::{Analysis, Recorder, Spectrum, Window, causes};
+use jeffcott::analysis::{
+    Analysis, BearingFrequencies, Recorder, Sources, Spectrum, Window, causes,
+};
 use jeffcott::bearing::{ContactLaw, MountedBearing, catalogue};
 use jeffcott::integrate::{Counters, Method, Settings};
 use jeffcott::physics::ball_pass_frequencies;
@@ -19,10 +21,10 @@ use jeffcott::report::{
 };
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency, Rotor,
-    RotorDefinition, Sample, Shaft,
+    RotorDefinition, Sample, Shaft, Whirl,
 };
 use jeffcott::simulate::{
-    BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
+    Analyses, BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
     MeasuredError, Model, Run, Sampling, Spread, StaticState, TraceSink,
 };
 use support::{bearing, mounted};
@@ -38,6 +40,7 @@ const ALL: Outputs = Outputs {
     events: true,
     spectrum: true,
     figures: true,
+    page: true,
 };
 /// A title that a figure must escape.
 const TITLE: &str = "7205C & <1000 N>\u{1}";
@@ -80,6 +83,8 @@ fn model() -> Model {
         energy: false,
         table: false,
         spectrum: Some(Window::Rectangular),
+        analyses: Analyses::default(),
+        spectra: Vec::new(),
     }
 }
 
@@ -149,7 +154,21 @@ fn run() -> Run {
     );
     let mut recorder = Recorder::on_angle_grid(3, 0.0, SPEED / TAU, PER_REVOLUTION);
     samples().iter().for_each(|sample| recorder.record(sample));
-    let lines = causes(SPEED / TAU, &[pass], &[431.0]);
+    let natural = NaturalFrequency {
+        frequency: 431.0,
+        damped_frequency: 430.9,
+        damping_ratio: 0.02,
+        whirl: Whirl::Forward,
+    };
+    let lines = causes(&Sources {
+        shaft: SPEED / TAU,
+        bearings: vec![BearingFrequencies {
+            simulated: pass,
+            operating: pass,
+        }],
+        natural: vec![natural],
+        meshing: Vec::new(),
+    });
     let Analysis { spectrum, peaks } = recorder.finish(Window::Rectangular, &lines).unwrap();
     Run {
         equilibrium: StaticState {
@@ -157,12 +176,11 @@ fn run() -> Run {
             stiffness: [[1.0; 5]; 5],
             residual: 1e-15,
             newton_steps: 4,
-            natural_frequencies: vec![NaturalFrequency {
-                frequency: 431.0,
-                damping_ratio: 0.02,
-            }],
+            natural_frequencies: vec![natural],
+            bearings: vec![None],
         },
         ball_pass: vec![pass],
+        operating_ball_pass: vec![pass],
         counters: Counters {
             steps: 1000,
             rejected: 20,
@@ -180,6 +198,9 @@ fn run() -> Run {
         energy: None,
         spectrum: Some(spectrum),
         peaks,
+        motion: None,
+        maps: None,
+        spectra: Vec::new(),
         warnings: vec!["a warning".to_owned()],
     }
 }
@@ -215,6 +236,7 @@ fn a_finished_run_leaves_its_files_and_nothing_else() {
     let all = [
         "events.csv",
         "spectrum.csv",
+        "peaks.csv",
         "spectrum.svg",
         "summary.json",
         "trace.csv",
@@ -277,6 +299,7 @@ fn outputs_of_an_earlier_run_do_not_stand_beside_a_later_one() {
         events: false,
         spectrum: false,
         figures: false,
+        page: false,
     };
     write(folder.path(), trace);
     assert_eq!(names(folder.path()), ["summary.json", "trace.csv"]);

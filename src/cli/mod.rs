@@ -5,6 +5,7 @@
 
 mod accuracy;
 mod bearing;
+mod campbell;
 mod catalogue;
 mod check;
 mod compare;
@@ -40,6 +41,7 @@ enum Verb {
     Run(run::Arguments),
     Steady(steady::Arguments),
     Bearing(bearing::Arguments),
+    Campbell(campbell::Arguments),
     Accuracy(accuracy::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
@@ -84,6 +86,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Steady(arguments) => steady::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),
+        Verb::Campbell(arguments) => campbell::run(&arguments),
         Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),

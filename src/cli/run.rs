@@ -18,14 +18,18 @@ use crate::scenario::Scenario;
 use crate::simulate::{
     Earlier, Model, Monitor, Part, Run, SimulateError, Standing, StateKeeper, simulate_part,
 };
+use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
-                  spectrum.csv, trace.svg, spectrum.svg and, last, summary.json; trace_balls.csv and\n\
-                  energy.csv where the scenario asks for them, drive.csv where there is a drive. A run\n\
+                  spectrum.csv, peaks.csv, trace.svg, spectrum.svg, report.html and, last, summary.json;\n\
+                  poincare.csv and orbit.svg at constant speed; waterfall, order_tracks and campbell\n\
+                  (.csv and .svg) where the speed changes; trace_balls.csv and energy.csv where the\n\
+                  scenario asks for them, spectrum_NAME.csv for each of its `[[spectrum]]`,\n\
+                  drive.csv where there is a drive. A run\n\
                   that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\n\
                   Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
                   interrupted, 2 a file is wrong."
@@ -58,6 +62,10 @@ impl Arguments {
         format!("jeffcott run {}{out}{verify} --resume", job.name)
     }
 }
+
+/// Speeds and orders of the diagram of a run-up.
+const CAMPBELL_SPEEDS: usize = 61;
+const CAMPBELL_ORDERS: [f64; 3] = [1.0, 2.0, 3.0];
 
 /// Set by Ctrl-C and by a request to terminate.
 static STOP: AtomicBool = AtomicBool::new(false);
@@ -213,6 +221,7 @@ impl Motion {
             events: output.events,
             spectrum: output.spectrum,
             figures: output.figures,
+            page: output.report,
         };
         let kept = self.model.rotor.shaft.freedoms.count();
         let report = RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)?;
@@ -223,13 +232,43 @@ impl Motion {
         ))
     }
 
-    fn finish(&self, report: RunReport, run: Run, started: Instant) -> Result<Done, Failure> {
+    /// Natural frequencies up to the highest speed, where the run is mapped.
+    fn campbell(&self) -> Result<Option<Campbell>, CampbellError> {
+        let highest = self.model.rotor.highest_speed();
+        if !self.model.analyses.maps || highest <= 0.0 {
+            return Ok(None);
+        }
+        let question = CampbellQuestion {
+            rotor: self.model.rotor.clone(),
+            from: 0.0,
+            to: highest,
+            count: CAMPBELL_SPEEDS,
+            orders: CAMPBELL_ORDERS.to_vec(),
+        };
+        question.solve().map(Some)
+    }
+
+    /// The same; where there is no diagram the run tells why.
+    fn campbell_or_warning(&self, run: &mut Run) -> Option<Campbell> {
+        self.campbell().unwrap_or_else(|error| {
+            run.warnings.push(format!(
+                "there is no diagram of natural frequencies: {error}"
+            ));
+            None
+        })
+    }
+
+    fn finish(&self, report: RunReport, mut run: Run, started: Instant) -> Result<Done, Failure> {
+        let campbell = self.campbell_or_warning(&mut run);
         for warning in &run.warnings {
             stream::tell(&format!("warning: {}: {warning}\n", self.job.name));
         }
-        let files = report.finish(&self.model, &run)?;
+        let files = report
+            .with_campbell(campbell.clone())
+            .finish(&self.model, &run)?;
         Ok(Done {
             run,
+            campbell,
             files,
             seconds: started.elapsed().as_secs_f64(),
         })
@@ -268,6 +307,7 @@ fn kept(
 /// A run whose files are written.
 struct Done {
     run: Run,
+    campbell: Option<Campbell>,
     files: Vec<PathBuf>,
     seconds: f64,
 }
@@ -296,6 +336,9 @@ impl Done {
         }
         if let Some(choice) = &motion.job.scenario.method_choice {
             summary["method_choice"] = report::method_choice_json(choice);
+        }
+        if let Some(campbell) = &self.campbell {
+            summary["critical_speeds"] = report::critical_speeds(campbell);
         }
         if let Value::Object(entries) = &mut summary {
             entries.insert("wall_time_s".to_owned(), self.seconds.into());

@@ -26,7 +26,7 @@ pub(super) fn failure_json(
     failure: &Failure<'_>,
     samples: u64,
     trace: bool,
-    earlier: &[&str],
+    earlier: &[String],
 ) -> Value {
     let Counters {
         steps,

@@ -11,7 +11,8 @@ use super::{FileAction, ReportError};
 pub struct FileSet {
     /// The file that says that the set is whole: removed before the first rename, renamed last.
     pub seal: &'static str,
-    /// Files that may stand beside the seal; those of an earlier run do not outlive the next.
+    /// Files that may stand beside the seal; those of an earlier run do not outlive the next. A name
+    /// with a `*` stands for all that begin and end as it does.
     pub others: &'static [&'static str],
     /// Files that a whole set makes needless: removed when it stands.
     pub spent: &'static [&'static str],
@@ -28,8 +29,20 @@ impl FileSet {
             "trace_balls.csv",
             "events.csv",
             "spectrum.csv",
+            "peaks.csv",
+            "spectrum_*.csv",
             "trace.svg",
             "spectrum.svg",
+            "report.html",
+            "poincare.csv",
+            "orbit.svg",
+            "waterfall.csv",
+            "waterfall.svg",
+            "order_tracks.csv",
+            "order_tracks.svg",
+            "campbell.csv",
+            "campbell.svg",
+            "campbell.json",
         ],
         spent: &["restart.bin", "failure.json", "trace.until-failure.csv"],
     };
@@ -46,6 +59,12 @@ impl FileSet {
             "deformation.svg",
             "contact_angle.svg",
         ],
+        spent: &[],
+    };
+    /// What natural frequencies over the speed leave.
+    pub const CAMPBELL: Self = Self {
+        seal: "campbell.json",
+        others: &["campbell.csv", "campbell.svg"],
         spent: &[],
     };
     /// What a measurement of speed against error leaves.
@@ -184,20 +203,39 @@ impl RunFolder {
     }
 
     /// Files of the folder's set, if an earlier run stands here whole.
-    pub(super) fn standing(&self) -> Vec<&'static str> {
-        let is_there = |name: &&str| self.path.join(name).exists();
-        let whole = Some(self.set.seal).filter(is_there);
-        let others = self.set.others.iter().copied().filter(is_there);
-        whole.map_or_else(Vec::new, |seal| {
-            std::iter::once(seal).chain(others).collect()
-        })
+    pub(super) fn standing(&self) -> Vec<String> {
+        if !self.path.join(self.set.seal).exists() {
+            return Vec::new();
+        }
+        let others = self.set.others.iter();
+        let others = others.flat_map(|pattern| self.matching(pattern));
+        let others = others.filter(|name| self.path.join(name).exists());
+        std::iter::once(self.set.seal.to_owned())
+            .chain(others)
+            .collect()
+    }
+
+    /// Names that a pattern stands for: itself, or those of the files that are there, in the order of
+    /// the alphabet.
+    fn matching(&self, pattern: &str) -> Vec<String> {
+        let Some((start, end)) = pattern.split_once('*') else {
+            return vec![pattern.to_owned()];
+        };
+        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let long = start.len() + end.len();
+        let alike =
+            |name: &String| name.len() > long && name.starts_with(start) && name.ends_with(end);
+        let mut names: Vec<_> = names.filter(alike).collect();
+        names.sort();
+        names
     }
 
     fn remove<'a>(
         &self,
         names: impl IntoIterator<Item = &'a &'static str>,
     ) -> Result<(), ReportError> {
-        for name in names {
+        for name in names.into_iter().flat_map(|pattern| self.matching(pattern)) {
             let path = self.path.join(name);
             remove_if_there(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
         }
@@ -270,6 +308,16 @@ pub struct WholeFile {
 }
 
 impl WholeFile {
+    /// Path that the file will have.
+    pub(super) fn path(&self) -> &Path {
+        &self.pending.path
+    }
+
+    /// Path that it has until then.
+    pub(super) fn temporary(&self) -> &Path {
+        &self.pending.temporary
+    }
+
     /// The same file, to have another name.
     pub(super) fn named(mut self, name: &str) -> Self {
         self.pending.path.set_file_name(name);

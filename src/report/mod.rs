@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod ball_trace_csv;
+mod campbell;
 mod columns;
 pub mod compare;
 mod contact_choice;
@@ -17,9 +18,15 @@ mod figure_trace;
 mod folder;
 mod histories;
 mod method_choice;
+mod motion;
+mod page;
+mod peaks_csv;
+mod png;
 mod restart;
 mod run_report;
+mod run_up;
 mod sample_table;
+mod spectra;
 mod spectrum_csv;
 mod statics;
 mod steady;
@@ -30,6 +37,7 @@ mod trace_csv;
 
 pub use accuracy::{accuracy_json, accuracy_text, write_accuracy};
 pub use ball_trace_csv::BallTraceCsv;
+pub use campbell::{campbell_json, campbell_text, critical_speeds, write_campbell};
 pub use contact_choice::{contact_choice_json, contact_choice_text};
 pub use decimator::{Bucket, Decimator};
 pub use error::{FileAction, ReportError};
@@ -39,8 +47,10 @@ pub use figure_spectrum::spectrum_figure;
 pub use figure_trace::TraceFigure;
 pub use folder::{FileSet, PartialFile, RunFolder, WholeFile};
 pub use method_choice::{method_choice_json, method_choice_text};
+pub use peaks_csv::write_peaks;
 pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub use run_report::{KeptFiles, Outputs, RunReport};
+pub use spectra::write_estimated;
 pub use spectrum_csv::write_spectrum;
 pub use statics::{answer_json, answer_text, write_answer};
 pub use steady::{

@@ -1,19 +1,26 @@
 //! The files of one run, from the opening of the folder to the last rename.
 
+use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::campbell;
 use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
+use super::motion::{orbit_figure, write_poincare};
+use super::page::Page;
+use super::run_up::write_maps;
 use super::sample_table::{SampleTable, TableKind};
+use super::spectra::file_name;
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
     RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json,
-    method_choice_json, spectrum_figure, summary, write_spectrum,
+    method_choice_json, spectrum_figure, summary, write_estimated, write_peaks, write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
+use crate::study::campbell::Campbell;
 use crate::study::{ContactChoice, MethodChoice};
 
 /// Which files a run writes besides `summary.json`.
@@ -29,10 +36,12 @@ pub struct Outputs {
     pub balls: bool,
     /// `events.csv`.
     pub events: bool,
-    /// `spectrum.csv`, where the run has spectra.
+    /// `spectrum.csv` and `peaks.csv`, where the run has spectra.
     pub spectrum: bool,
     /// `trace.svg`, and `spectrum.svg` where the run has spectra.
     pub figures: bool,
+    /// `report.html`.
+    pub page: bool,
 }
 
 /// Takes the trace of a run and writes its files.
@@ -50,9 +59,11 @@ pub struct RunReport {
     balls: Option<Open<BallTraceCsv<PartialFile>>>,
     events: Option<Open<EventsCsv<PartialFile>>>,
     figure: Option<TraceFigure>,
+    page: Option<Page>,
     samples: u64,
     contact_choice: Option<ContactChoice>,
     method_choice: Option<MethodChoice>,
+    campbell: Option<Campbell>,
 }
 
 /// A table being written.
@@ -107,9 +118,11 @@ impl RunReport {
             balls: balls.transpose()?,
             events: events.transpose()?,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
+            page: outputs.page.then(|| Page::new(freedoms)),
             samples: 0,
             contact_choice: None,
             method_choice: None,
+            campbell: None,
         })
     }
 
@@ -125,6 +138,11 @@ impl RunReport {
             method_choice: method.cloned(),
             ..self
         }
+    }
+
+    /// The same with natural frequencies over the speed.
+    pub fn with_campbell(self, campbell: Option<Campbell>) -> Self {
+        Self { campbell, ..self }
     }
 
     /// Starts the file that keeps what it takes to go on.
@@ -177,6 +195,9 @@ impl RunReport {
         if let Some(choice) = &self.method_choice {
             summary["method_choice"] = method_choice_json(choice);
         }
+        if let Some(campbell) = &self.campbell {
+            summary["critical_speeds"] = campbell::critical_speeds(campbell);
+        }
         let mut files = Vec::new();
         if let Some(trace) = self.trace {
             files.push(trace.close(TraceCsv::finish)?);
@@ -201,15 +222,65 @@ impl RunReport {
                 write_spectrum(spectrum, &mut file)
                     .map_err(ReportError::file(FileAction::Write, &path))?;
                 files.push(file.close()?);
+                files.push(
+                    self.folder
+                        .write_with("peaks.csv", |file| write_peaks(&run.peaks, spectrum, file))?,
+                );
             }
             if self.outputs.figures {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;
                 files.push(self.folder.write("spectrum.svg", svg.as_bytes())?);
             }
         }
+        if let Some(motion) = &run.motion {
+            files.push(
+                self.folder
+                    .write_with("poincare.csv", |file| write_poincare(motion, file))?,
+            );
+            if self.outputs.figures {
+                let svg = orbit_figure(&self.title, motion)?;
+                files.push(self.folder.write("orbit.svg", svg.as_bytes())?);
+            }
+        }
+        let (title, figures) = (&self.title, self.outputs.figures);
+        if let Some(maps) = &run.maps {
+            files.extend(write_maps(&self.folder, title, maps, figures)?);
+        }
+        if let Some(campbell) = &self.campbell {
+            files.extend(campbell::write_files(
+                &self.folder,
+                title,
+                campbell,
+                figures,
+            )?);
+        }
+        for spectrum in &run.spectra {
+            let write = |file: &mut PartialFile| write_estimated(spectrum, file);
+            files.push(self.folder.write_with(&file_name(spectrum), write)?);
+        }
+        if let Some(page) = &self.page {
+            let figures = shown_figures(&files)?;
+            let write = |file: &mut PartialFile| page.write(&summary, run, &figures, file);
+            files.push(self.folder.write_with("report.html", write)?);
+        }
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())
     }
+}
+
+/// Figures that the page shows as they are: what its own charts do not.
+fn shown_figures(files: &[WholeFile]) -> Result<Vec<(&'static str, String)>, ReportError> {
+    const SHOWN: [&str; 3] = ["waterfall.svg", "order_tracks.svg", "campbell.svg"];
+    let found = |name: &&'static str| {
+        let name = *name;
+        let file = files.iter().find(|file| file.path().ends_with(name))?;
+        let text = fs::read_to_string(file.temporary());
+        Some(
+            text.map(|svg| (name, svg))
+                .map_err(ReportError::file(FileAction::Read, file.temporary())),
+        )
+    };
+    SHOWN.iter().filter_map(found).collect()
 }
 
 /// What was kept of a run that cannot go on.
@@ -226,6 +297,9 @@ impl TraceSink for RunReport {
         self.samples += 1;
         if let Some(figure) = &mut self.figure {
             figure.sample(sample);
+        }
+        if let Some(page) = &mut self.page {
+            page.sample(sample);
         }
         for table in &mut self.tables {
             table.write(|csv| csv.sample(sample))?;

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use comfy_table::{CellAlignment, Table, presets};
 
 use super::histories::write_histories;
+use super::motion::write_motion;
 use crate::analysis::{Peak, Spectrum};
 use crate::rotor::Freedoms;
 use crate::simulate::{Model, Run, StaticState};
@@ -69,6 +70,9 @@ fn write_text(
         )?;
     }
     write_histories(out, &run.bearings)?;
+    if let Some(motion) = &run.motion {
+        write_motion(out, motion)?;
+    }
     if !run.peaks.is_empty() {
         writeln!(out, "{}", peak_table(&run.peaks, run.spectrum.as_ref()))?;
     }

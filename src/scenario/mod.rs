@@ -23,6 +23,7 @@ mod scalar;
 mod schema;
 mod series_file;
 mod spec;
+mod speed;
 mod time;
 mod varied;
 mod vary;
@@ -36,6 +37,7 @@ pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
 pub use spec::{MethodError, method, methods, tolerance};
+pub use speed::{SpeedError, speed};
 pub use time::{TimeError, time};
 pub use varied::{Varied, VariedError};
 
@@ -69,6 +71,8 @@ pub struct OutputChoice {
     pub spectrum: bool,
     /// Whether figures are drawn.
     pub figures: bool,
+    /// Whether the page for a browser is written.
+    pub report: bool,
 }
 
 /// A checked scenario.

@@ -2,6 +2,7 @@
 //! and in many configurations.
 
 pub mod accuracy;
+pub mod campbell;
 mod contact_choice;
 mod method_choice;
 mod rung;

@@ -17,6 +17,7 @@ mod output;
 mod scenario;
 mod set;
 mod shaft;
+mod spectrum;
 mod speed;
 mod statics;
 mod study;

@@ -11,7 +11,7 @@ use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity};
 use crate::scenario::{Issue, OutputChoice};
-use crate::simulate::Sampling;
+use crate::simulate::{Analyses, Sampling};
 
 /// Samples per revolution where neither key is given.
 const SAMPLES_PER_REVOLUTION: u32 = 128;
@@ -46,10 +46,21 @@ pub struct OutputSpec {
     /// Whether every loss and return of contact and preload is written, to `events.csv`; they are
     /// counted in the summary either way. Default: true.
     pub events: bool,
-    /// Whether spectra are taken. Default: true.
+    /// Whether spectra are taken, in `spectrum.csv`; those of `[[spectrum]]` are either way. Default:
+    /// true.
     pub spectrum: bool,
     /// Whether figures are drawn. Default: true.
     pub figures: bool,
+    /// Whether `report.html` is written, one page that shows the run in a browser. Default: true.
+    pub report: bool,
+    /// Whether the motion after the settle time is described: statistics, points once per revolution
+    /// and per ball pass (`poincare.csv`, `orbit.svg`), its period, and whether it has settled. It takes
+    /// a constant speed there. Default: as `spectrum`, where the speed is constant.
+    pub motion: Option<bool>,
+    /// Whether a run whose speed changes is mapped: short-time spectra (`waterfall.csv`, `waterfall.svg`),
+    /// orders of the shaft (`order_tracks.csv`, `order_tracks.svg`) and natural frequencies over the speed
+    /// (`campbell.csv`, `campbell.svg`). Default: as `figures`, where the speed changes.
+    pub maps: Option<bool>,
 }
 
 /// How the shaft turns, as far as sampling asks.
@@ -71,6 +82,10 @@ pub enum WindowChoice {
     Rectangular,
     /// Hann: narrow lines, amplitudes up to 15 % low between bins.
     Hann,
+    /// Hamming: as Hann, its nearest side lobes lower and its far ones higher.
+    Hamming,
+    /// Four-term Blackman-Harris: no side lobe above -92 dB, lines eight bins wide.
+    BlackmanHarris,
     /// Flat top: amplitudes within 1 % anywhere between bins.
     FlatTop,
 }
@@ -80,6 +95,8 @@ impl From<WindowChoice> for Window {
         match choice {
             WindowChoice::Rectangular => Self::Rectangular,
             WindowChoice::Hann => Self::Hann,
+            WindowChoice::Hamming => Self::Hamming,
+            WindowChoice::BlackmanHarris => Self::BlackmanHarris,
             WindowChoice::FlatTop => Self::FlatTop,
         }
     }
@@ -97,6 +114,9 @@ impl Default for OutputSpec {
             events: true,
             spectrum: true,
             figures: true,
+            report: true,
+            motion: None,
+            maps: None,
         }
     }
 }
@@ -110,6 +130,7 @@ impl OutputSpec {
             events: self.events,
             spectrum: self.spectrum,
             figures: self.figures,
+            report: self.report,
         }
     }
 
@@ -132,16 +153,37 @@ impl OutputSpec {
                 return None;
             }
         };
-        let rate = match sampling {
-            Sampling::Rate(rate) => rate,
-            Sampling::PerRevolution(samples) => f64::from(samples) * speed / (2.0 * PI),
-        };
+        let rate = sampling.rate(speed);
         self.check_count(rate, key, time, problems);
         if self.spectrum && time.window() > 0.0 {
             // where the speed changes, a spectrum rests on no revolution
             check_window((key, turning.steady), rate, time, problems);
         }
         Some(sampling)
+    }
+
+    /// What is made of the samples beside the spectra: `steady` tells whether the speed is constant after
+    /// the settle time, `changes` whether it changes at all.
+    pub fn analyses(&self, steady: bool, changes: bool, problems: &mut Problems<'_>) -> Analyses {
+        if self.motion == Some(true) && !steady {
+            let message =
+                "the speed changes after `settle`: only a motion at constant speed has a period";
+            let issue = Issue::new("output.motion", message)
+                .help("remove it, or set `settle` in `[time]` to where the speed is constant");
+            problems.refuse(issue, &["time.settle".to_owned()]);
+        }
+        if self.maps == Some(true) && !changes {
+            let issue = Issue::new(
+                "output.maps",
+                "the speed does not change: there is nothing to map",
+            )
+            .help("remove it; `jeffcott campbell` follows natural frequencies over the speed");
+            problems.refuse(issue, &["speed.constant".to_owned()]);
+        }
+        Analyses {
+            motion: steady && self.motion.unwrap_or(self.spectrum),
+            maps: changes && self.maps.unwrap_or(self.figures),
+        }
     }
 
     /// Refuses a trace of balls where no bearing knows any.

@@ -11,6 +11,7 @@ use super::load::{self, LoadSpec, Surroundings};
 use super::model::{ContactChoice, ModelSpec};
 use super::output::{OutputSpec, Turning};
 use super::shaft::ShaftSpec;
+use super::spectrum::{self, Recorded, SpectrumSpec};
 use super::speed::SpeedSpec;
 use super::statics::StaticSpec;
 use super::study::StudySpec;
@@ -71,6 +72,9 @@ pub struct ScenarioSpec {
     /// What to keep of the run.
     #[serde(default)]
     pub output: OutputSpec,
+    /// Further spectra, one `[[spectrum]]` for each.
+    #[serde(default)]
+    pub spectrum: Vec<SpectrumSpec>,
     /// What only static questions ask.
     #[serde(default, rename = "static")]
     pub statics: StaticSpec,
@@ -269,6 +273,19 @@ impl ScenarioSpec {
             steady: steady.filter(|_| !driven).unwrap_or(0.0),
         };
         let sampling = self.output.sampling(turning, time, problems)?;
+        let recorded = Recorded {
+            freedoms: rotor.shaft.freedoms,
+            window: time.window(),
+            rate: sampling.rate(turning.highest),
+            speed: turning.key,
+            highest: turning.highest,
+            steady: turning.steady,
+        };
+        let spectra = spectrum::build(&self.spectrum, &recorded, problems);
+        let changes = driven || !speed.is_constant();
+        let analyses = self
+            .output
+            .analyses(steady.is_some() && !driven, changes, problems);
         let model = Model {
             rotor,
             duration: time.duration.si(),
@@ -279,6 +296,8 @@ impl ScenarioSpec {
             energy: self.output.energy,
             table: self.model.table,
             spectrum: self.output.spectrum.then_some(self.output.window.into()),
+            analyses,
+            spectra,
         };
         self.check_method(&model, problems);
         Some(model)

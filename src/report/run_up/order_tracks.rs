@@ -1,0 +1,143 @@
+//! `order_tracks.csv` and `order_tracks.svg`: amplitude and phase of orders over the speed.
+
+use std::io::{self, Write};
+
+use plotters::style::RGBColor;
+
+use super::super::ReportError;
+use super::super::columns::{amplitude_column, phase_column};
+use super::super::figure::svg;
+use super::super::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
+use crate::analysis::{Channel, OrderTracks, Track};
+
+/// m → µm.
+const MICRO: f64 = 1e6;
+/// rad/s → revolutions a minute.
+const PER_MINUTE: f64 = 30.0 / std::f64::consts::PI;
+/// Height of a row of panels, px.
+const ROW_HEIGHT: u32 = 270;
+/// Height of title and names, px.
+const HEAD_HEIGHT: u32 = 60;
+/// A phase is drawn where its order has this part of the channel's largest amplitude.
+const HEARD: f64 = 0.01;
+
+/// Writes one row a window: time, speed, then amplitude and phase of every order of every channel.
+pub(super) fn write(tracks: &OrderTracks, writer: impl Write) -> io::Result<()> {
+    let mut csv = csv::WriterBuilder::new()
+        .has_headers(false)
+        .from_writer(writer);
+    let mut names: Vec<String> = ["t_s", "speed_rad_s"].map(str::to_owned).to_vec();
+    for channel in &tracks.channels {
+        for order in &tracks.orders {
+            let of = column(&order.name);
+            names.push(format!("{of}_{}", amplitude_column(*channel)));
+            names.push(format!("{of}_{}", phase_column(*channel)));
+        }
+    }
+    csv.write_record(names)?;
+    for point in &tracks.points {
+        let tracks = point.tracks.iter().flatten();
+        let mut row = vec![point.time, point.speed];
+        row.extend(tracks.flat_map(|track| [track.amplitude, track.phase]));
+        csv.serialize(&row)?;
+    }
+    csv.flush()
+}
+
+/// `1×` → `order_1`, `BPFO of bearing 2` → `BPFO_2`.
+fn column(name: &str) -> String {
+    match name.strip_suffix('×') {
+        Some(order) => format!("order_{order}"),
+        None => name.replace(" of bearing ", "_"),
+    }
+}
+
+/// Draws a row of amplitude and phase for each channel.
+pub(super) fn figure(title: &str, tracks: &OrderTracks) -> Result<String, ReportError> {
+    let names: Vec<(String, RGBColor)> = tracks
+        .orders
+        .iter()
+        .enumerate()
+        .map(|(index, order)| (order.name.clone(), distinct(index)))
+        .collect();
+    let channels = tracks.channels.iter().enumerate();
+    let panels: Vec<Panel> = channels
+        .flat_map(|(index, channel)| {
+            [
+                amplitudes(tracks, index, *channel),
+                phases(tracks, index, *channel),
+            ]
+        })
+        .collect();
+    let height = HEAD_HEIGHT + ROW_HEIGHT * tracks.channels.len() as u32;
+    svg("order_tracks.svg", height, title, |area| {
+        draw(area, &names, &panels, 2)
+    })
+}
+
+fn amplitudes(tracks: &OrderTracks, index: usize, channel: Channel) -> Panel {
+    let curve = |order: usize| Curve {
+        points: over_speed(tracks, index, order, |track| Some(MICRO * track.amplitude)),
+        colour: distinct(order),
+        marks: Vec::new(),
+    };
+    Panel {
+        x_name: "speed in 1/min".to_owned(),
+        x_ticks: speed_ticks(tracks),
+        y_name: format!("amplitude of {channel} in µm"),
+        curves: (0..tracks.orders.len()).map(curve).collect(),
+    }
+}
+
+fn phases(tracks: &OrderTracks, index: usize, channel: Channel) -> Panel {
+    let all = tracks.points.iter().flat_map(|point| &point.tracks[index]);
+    let loudest = all.map(|track| track.amplitude).fold(0.0, f64::max);
+    let heard =
+        |track: &Track| (track.amplitude > HEARD * loudest).then(|| track.phase.to_degrees());
+    // dots, for a line would run across the figure where the angle begins anew
+    let curve = |order: usize| Curve {
+        points: Vec::new(),
+        colour: distinct(order),
+        marks: over_speed(tracks, index, order, heard),
+    };
+    let mut curves: Vec<Curve> = (0..tracks.orders.len()).map(curve).collect();
+    // the range of the axis, in no colour of its own
+    curves.push(Curve {
+        points: [-180.0, 180.0]
+            .map(|angle| (speed_ticks(tracks)[0], angle))
+            .to_vec(),
+        colour: RGBColor(255, 255, 255),
+        marks: Vec::new(),
+    });
+    Panel {
+        x_name: "speed in 1/min".to_owned(),
+        x_ticks: speed_ticks(tracks),
+        y_name: format!("phase of {channel} in deg"),
+        curves,
+    }
+}
+
+fn over_speed(
+    tracks: &OrderTracks,
+    channel: usize,
+    order: usize,
+    value: impl Fn(&Track) -> Option<f64>,
+) -> Vec<(f64, f64)> {
+    let points = tracks.points.iter();
+    points
+        .filter_map(|point| {
+            Some((
+                PER_MINUTE * point.speed,
+                value(&point.tracks[channel][order])?,
+            ))
+        })
+        .collect()
+}
+
+fn speed_ticks(tracks: &OrderTracks) -> Vec<f64> {
+    let speeds = tracks.points.iter().map(|point| PER_MINUTE * point.speed);
+    let (low, high) = speeds.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), speed| {
+        (low.min(speed), high.max(speed))
+    });
+    round_ticks(low, high)
+}
