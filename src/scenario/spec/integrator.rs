@@ -36,11 +36,10 @@ pub enum MethodChoice {
     Dop853,
     /// Tsitouras 5(4): for coarse tolerances.
     Tsit5,
-    /// Dormand–El-Mikkawy–Prince 8(6), a Nyström pair: fewer evaluations at all tolerances. Not with a
-    /// drive, `energy` or damping of contacts, nor with gyroscopic moments at a changing speed.
+    /// Dormand–El-Mikkawy–Prince 8(6), a Nyström pair: half the evaluations where all balls stay loaded. Not
+    /// with a drive, `energy` or damping of contacts, nor with gyroscopic moments at a changing speed.
     Dprkn8,
-    /// Dormand–El-Mikkawy–Prince 12(10), as `dprkn8`: for the finest tolerances, where all balls stay
-    /// loaded.
+    /// Dormand–El-Mikkawy–Prince 12(10), as `dprkn8`: for the finest tolerances and few samples.
     Dprkn12,
     /// Exponential collocation: for preloaded bearings whose shaft turns slowly beside its natural
     /// frequencies.
