@@ -193,7 +193,12 @@ where
     });
     let estimated = spectra::estimated(model, observers.recording.as_ref());
     let mut warnings = warnings::warnings(model, rotor, &outcome, motion.as_ref());
-    warnings.extend(spectra::warnings(spectrum.as_ref(), &estimated));
+    let speed_changes = rotor.steady_from(model.settle).is_none();
+    warnings.extend(spectra::warnings(
+        spectrum.as_ref(),
+        &estimated,
+        speed_changes,
+    ));
     Run {
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),

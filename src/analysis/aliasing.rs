@@ -1,6 +1,8 @@
 //! What stands near half the sampling rate, and so folds; and what is too small to fold.
 
-use super::{Channel, Window};
+use nalgebra::Complex;
+
+use super::{Channel, ChannelSpectrum, Window};
 
 /// A swing below this part of its reference is numerical noise.
 const NOISE: f64 = 1e-9;
@@ -49,4 +51,30 @@ impl TopPower {
             rest: rest * rest,
         }
     }
+    /// Of a channel of a spectrum under a window. Of an unweighted one the skirts of lines and of ends
+    /// that do not meet reach up to the top: it is weighted after Hann first.
+    pub fn of_channel(entry: &ChannelSpectrum, window: Window, rest: f64) -> Self {
+        match window {
+            Window::Rectangular => Self::of(&hann_powers(entry), rest, Window::Hann),
+            _ => {
+                let powers: Vec<f64> = entry.amplitude.iter().map(|a| 0.5 * a * a).collect();
+                Self::of(&powers, rest, window)
+            }
+        }
+    }
+}
+
+/// Powers of an unweighted spectrum as the Hann window shows them, `Y_k = X_k − ½(X_{k−1} + X_{k+1})`;
+/// those of the first two bins and of the last are not looked at, and zero.
+fn hann_powers(entry: &ChannelSpectrum) -> Vec<f64> {
+    let bins = entry.amplitude.iter().zip(&entry.phase);
+    let bins: Vec<_> = bins
+        .map(|(a, phase)| Complex::from_polar(*a, *phase))
+        .collect();
+    let mut powers = vec![0.0; bins.len()];
+    for k in 2..bins.len().saturating_sub(1) {
+        let weighted = bins[k] - (bins[k - 1] + bins[k + 1]) * 0.5;
+        powers[k] = 0.5 * weighted.norm_sqr();
+    }
+    powers
 }

@@ -2,7 +2,7 @@
 
 use super::Model;
 use crate::analysis::{
-    Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Leak, Recording, Spectrum,
+    Axis, Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Leak, Recording, Spectrum,
     SpectrumColumn, SpectrumQuantity, TopPower, Window, estimate, leak, rest_amplitude,
 };
 
@@ -26,8 +26,13 @@ pub(super) fn estimated<'a>(model: &'a Model, recording: Option<&Recording>) -> 
         .collect()
 }
 
-/// What the reader of the spectra should know.
-pub(super) fn warnings(spectrum: Option<&Spectrum>, estimates: &[Estimate<'_>]) -> Vec<String> {
+/// What the reader of the spectra should know; lines of a speed that changes over a spectrum's
+/// frequencies are not looked for.
+pub(super) fn warnings(
+    spectrum: Option<&Spectrum>,
+    estimates: &[Estimate<'_>],
+    speed_changes: bool,
+) -> Vec<String> {
     let mut warnings = Vec::new();
     for (name, estimate) in estimates {
         match estimate {
@@ -43,17 +48,21 @@ pub(super) fn warnings(spectrum: Option<&Spectrum>, estimates: &[Estimate<'_>]) 
     let powers = spectrum.into_iter().flat_map(top_powers);
     let powers = powers.chain(whole.clone().flat_map(estimated_top_powers));
     warnings.extend(aliasing(&powers.collect::<Vec<_>>()));
-    warnings.extend(spectrum.and_then(leakage));
-    warnings.extend(whole.filter_map(estimated_leakage));
+    warnings.extend(spectrum.filter(|_| !speed_changes).and_then(leakage));
+    let has_lines =
+        |found: &&EstimatedSpectrum| !speed_changes || found.request.axis == Axis::Order;
+    warnings.extend(whole.filter(has_lines).filter_map(estimated_leakage));
     warnings
 }
 
 /// Channels with their power, and that in the top tenth of the frequencies.
 fn top_powers(spectrum: &Spectrum) -> Vec<(Channel, TopPower)> {
     let of = |entry: &ChannelSpectrum| {
-        let powers: Vec<f64> = entry.amplitude.iter().map(|a| 0.5 * a * a).collect();
         let rest = rest_amplitude(entry.channel, mean(entry));
-        (entry.channel, TopPower::of(&powers, rest, spectrum.window))
+        (
+            entry.channel,
+            TopPower::of_channel(entry, spectrum.window, rest),
+        )
     };
     spectrum.channels.iter().map(of).collect()
 }

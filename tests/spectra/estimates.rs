@@ -210,10 +210,11 @@ fn what_folds_shows_in_the_top_tenth() {
         let motion = |time: f64| Motion::places([(TAU * frequency * time).cos(), 0.0]);
         let found = estimated(&plain(Scaling::Density), 1024, motion).unwrap();
         let power = found.columns[0].top_power.unwrap();
-        assert!((power.total - 0.5).abs() < 1e-12);
+        assert!((power.total - 0.75).abs() < 1e-12, "1.5 bins of Hann's");
         power.top / power.total
     };
     assert!(share(400.0) < 1e-20);
+    assert!(share(400.5) < 1e-8, "skirts do not count");
     assert!(share(490.0) > 0.999_999);
     assert!(share(1024.0 - 480.0) > 0.999_999, "folded to 480 Hz");
 }

@@ -282,17 +282,28 @@ impl Columns<'_> {
         columns
     }
 
-    /// What the channel itself, not its envelope, holds near half the sampling rate.
+    /// What the channel itself, not its envelope, holds near half the sampling rate. Without a window
+    /// the skirts of lines and of ends that do not meet reach up to there: Hann's is taken for it.
     fn top_power(&self, channel: Channel, powers: &[f64], signal: &[f64]) -> Option<TopPower> {
         let is_plain = self.request.kind == SpectrumKind::Plain;
         if !is_plain || self.record.resampling.is_some() {
             return None;
         }
-        let powers = powers.iter().enumerate();
-        let powers = powers.map(|(k, power)| self.welch.sides(k) * power);
-        let powers: Vec<f64> = powers.collect();
-        let rest = rest_amplitude(channel, mean(signal));
-        Some(TopPower::of(&powers, rest, self.request.window))
+        let (welch, rest) = (self.welch, rest_amplitude(channel, mean(signal)));
+        let of = |powers: &[f64], window| {
+            let powers = powers.iter().enumerate();
+            let powers: Vec<f64> = powers.map(|(k, power)| welch.sides(k) * power).collect();
+            TopPower::of(&powers, rest, window)
+        };
+        Some(match self.request.window {
+            Window::Rectangular => {
+                let window = Window::Hann;
+                let detrend = self.request.detrend;
+                let hann = Welch::new(window, welch.length(), welch.overlap(), detrend);
+                of(&hann.power(signal), window)
+            }
+            window => of(powers, window),
+        })
     }
 
     fn leak(&self, channel: Channel, powers: &[f64], signal: &[f64]) -> Option<Leak> {
