@@ -143,6 +143,10 @@ fn a_browser_draws_every_part_of_the_page() {
     assert_eq!(document.matches("<svg").count(), 3);
     let summary = fs::read_to_string(shown.page.with_file_name("summary.json")).expect("a summary");
     let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    let shown_text = document.split("<script").next().expect("a start");
+    for sign in ["undefined", "NaN", "[object"] {
+        assert!(!shown_text.contains(sign), "{sign} is shown");
+    }
     let frequency = summary["natural_frequencies"][0]["frequency_Hz"]
         .as_f64()
         .expect("a number");

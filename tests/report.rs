@@ -238,6 +238,7 @@ fn a_finished_run_leaves_its_files_and_nothing_else() {
     let all = [
         "events.csv",
         "peaks.csv",
+        "report.html",
         "spectrum.csv",
         "spectrum.svg",
         "summary.json",
@@ -259,7 +260,7 @@ fn an_unfinished_run_leaves_an_earlier_one_as_it_was() {
     let report = open(folder.path(), all());
     assert!(names(folder.path()).contains(&".trace.csv.partial".to_owned()));
     drop(report);
-    assert_eq!(names(folder.path()).len(), 7);
+    assert_eq!(names(folder.path()).len(), 8);
     assert_eq!(fs::read(folder.path().join("trace.csv")).unwrap(), before);
 }
 

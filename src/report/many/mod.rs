@@ -137,7 +137,7 @@ impl<'a> StudyReport<'a> {
             count: self.shard.count,
             tables: tables_of(&self.layout.keep),
         };
-        let text = serde_json::to_value(&seal).unwrap_or_default();
+        let text = seal.json();
         let name = part_name("study", self.shard, "json");
         let seal = self.folder.write(&name, format!("{text:#}\n").as_bytes())?;
         let files = files.into_iter().chain([seal]);

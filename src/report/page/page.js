@@ -349,9 +349,9 @@
   /** Statistics of a motion after its settle time. */
   function statistics(motion) {
     const rows = motion.statistics.map((entry) => {
-      const unit = /_(N_m|m|rad|N)$/.exec(entry.unit ?? "") ?? [null, entry.unit];
-      const of = (value) => (value === null || value === undefined ? "–" : shown(value, unit[1]));
-      return [named(entry.channel), of(entry.mean), of(entry.rms), of(entry.peak), of(entry.peak_to_peak),
+      const [, name, unit] = /^(.*?)_(N_m|m|rad|N)$/.exec(entry.channel);
+      const of = (value) => (value === null || value === undefined ? "–" : shown(value, unit.replace("_", " ")));
+      return [named(name), of(entry.mean), of(entry.rms), of(entry.peak), of(entry.peak_to_peak),
         number(entry.crest_factor, 4), number(entry.kurtosis, 4)];
     });
     return table(["channel", "mean", "RMS", "peak", "peak to peak", "crest factor", "kurtosis"], rows,
