@@ -33,6 +33,8 @@ impl Grid {
 
 /// Distance, as a part of the grid's interval, below which a break does not divide a step.
 const BREAK_SLACK: f64 = 1e-6;
+/// Steps between two looks for stiffness: the implicit method's trial then costs a few per cent of them.
+const LOOK_EVERY: u64 = 2000;
 /// Part of the limit on steps after which a run is looked at for stiffness that keeps it from its end,
 /// time and again.
 const EARLY: f64 = 0.01;
@@ -134,7 +136,8 @@ where
     }
 
     /// Stiffness that an explicit method met, where it was first seen: stability held its steps far
-    /// below what accuracy asks for. [`Integration::advance`] looks for it at its end.
+    /// below what accuracy asks for. [`Integration::advance`] looks for it at its end, once in some
+    /// thousand steps: where there are fewer, they are no burden.
     pub fn stiffness(&self) -> Option<Stiffness> {
         self.stiffness
     }
@@ -157,6 +160,7 @@ where
     ) -> Result<(), IntegrateError> {
         let left = self.grid.count - self.next;
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
+        let looks_before = self.counters.steps / LOOK_EVERY;
         match self.settings.method {
             Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
                 self.by_blocks(points, states)
@@ -168,7 +172,8 @@ where
             | Method::Dprkn12
             | Method::Exponential => self.walk(points, states),
         }?;
-        if self.stiffness.is_none() && self.step < self.grid.interval {
+        let due = self.counters.steps / LOOK_EVERY != looks_before;
+        if due && self.stiffness.is_none() && self.step < self.grid.interval {
             // steps that are longer than the distance of the samples are no burden
             self.stiffness = self.look_for_stiffness(self.grid.time(self.next));
         }

@@ -16,7 +16,7 @@ const WORTH: f64 = 2.0;
 /// Length of the implicit method's trial, in steps of the explicit one.
 const TRIAL: f64 = 1000.0;
 /// Steps that the trial may take: enough to find its step size.
-const TRIAL_STEPS: u64 = 200;
+const TRIAL_STEPS: u64 = 50;
 /// Sweeps after which the search for eigenvalues gives up.
 const SWEEPS: usize = 1000;
 
