@@ -10,6 +10,7 @@ mod motion;
 mod peaks;
 mod recorder;
 mod run_up;
+mod side_by_side;
 mod spectrum;
 mod transform;
 mod window;

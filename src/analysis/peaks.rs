@@ -45,47 +45,45 @@ pub(super) fn peaks(
 ) -> Vec<Peak> {
     let noise = NOISE * transform.largest();
     let hann = HannSpectrum::new(transform);
-    let mut found: Vec<Refined> = hann.maxima().filter_map(|k| hann.refine(k)).collect();
-    found.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+    let found = strongest_first(hann.maxima().filter_map(|k| hann.refine(k)).collect());
     let strongest = found.first().map_or(0.0, |peak| peak.amplitude);
     let threshold = noise.max(RELATIVE_THRESHOLD * strongest);
     found
         .into_iter()
         .take_while(|peak| peak.amplitude > threshold)
-        .take(MOST_PEAKS)
-        .map(|refined| refined.named(channel, resolution, causes))
+        .map(|refined| hann.named(&refined, channel, resolution, causes))
         .collect()
+}
+
+/// The [`MOST_PEAKS`] strongest; of equal ones the lower in frequency first. Noise has a maximum at
+/// every third bin, so they are not all put in order.
+fn strongest_first(mut found: Vec<Refined>) -> Vec<Refined> {
+    let order = |a: &Refined, b: &Refined| {
+        let by_amplitude = b.amplitude.total_cmp(&a.amplitude);
+        by_amplitude.then(a.maximum.cmp(&b.maximum))
+    };
+    if found.len() > MOST_PEAKS {
+        found.select_nth_unstable_by(MOST_PEAKS, order);
+        found.truncate(MOST_PEAKS);
+    }
+    found.sort_by(order);
+    found
 }
 
 /// A maximum between the bins.
 struct Refined {
-    /// Frequency in bins.
-    bin: f64,
+    /// The bin that stands above its neighbours.
+    maximum: usize,
+    /// Distance of the line from it, in bins.
+    beside: f64,
     /// Peak value.
     amplitude: f64,
-    /// Phase at the start of the window, rad.
-    phase: f64,
-}
-
-impl Refined {
-    fn named(self, channel: Channel, resolution: f64, causes: &[Line]) -> Peak {
-        let frequency = self.bin * resolution;
-        let line = nearest_cause(frequency, resolution, causes);
-        Peak {
-            channel,
-            frequency,
-            amplitude: self.amplitude,
-            phase: self.phase,
-            line,
-            others: other_causes(frequency, resolution, causes, line),
-        }
-    }
 }
 
 /// Hann-weighted amplitudes of a signal less its mean.
 struct HannSpectrum {
+    centred: Transform,
     amplitude: Vec<f64>,
-    phase: Vec<f64>,
     length: f64,
 }
 
@@ -94,12 +92,9 @@ impl HannSpectrum {
         let centred = transform.clone().without_mean();
         let bins = 0..centred.bins();
         Self {
-            amplitude: bins
-                .clone()
-                .map(|k| centred.amplitude(k, Window::Hann))
-                .collect(),
-            phase: bins.map(|k| centred.phase(k, Window::Hann)).collect(),
+            amplitude: bins.map(|k| centred.amplitude(k, Window::Hann)).collect(),
             length: centred.length() as f64,
+            centred,
         }
     }
 
@@ -125,11 +120,25 @@ impl HannSpectrum {
         }
         let beside = if upwards { offset } else { -offset };
         Some(Refined {
-            bin: k as f64 + beside,
+            maximum: k,
+            beside,
             amplitude: amplitude[k] / hann_response(offset, self.length),
-            // the periodic window is even about its middle: a line δ bins beside turns by πδ
-            phase: wrapped(self.phase[k] - PI * beside),
         })
+    }
+
+    fn named(&self, found: &Refined, channel: Channel, resolution: f64, causes: &[Line]) -> Peak {
+        let frequency = (found.maximum as f64 + found.beside) * resolution;
+        let line = nearest_cause(frequency, resolution, causes);
+        // the periodic window is even about its middle: a line δ bins beside turns by πδ
+        let phase = self.centred.phase(found.maximum, Window::Hann) - PI * found.beside;
+        Peak {
+            channel,
+            frequency,
+            amplitude: found.amplitude,
+            phase: wrapped(phase),
+            line,
+            others: other_causes(frequency, resolution, causes, line),
+        }
     }
 }
 

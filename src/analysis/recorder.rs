@@ -3,6 +3,7 @@
 use realfft::RealFftPlanner;
 
 use super::peaks::peaks;
+use super::side_by_side::side_by_side;
 use super::{Channel, ChannelSpectrum, Line, Peak, Spectrum, Transform, Window};
 use crate::rotor::Sample;
 
@@ -122,14 +123,18 @@ impl Recorder {
             window,
             channels: Vec::with_capacity(self.channels.len()),
         };
-        let mut planner = RealFftPlanner::new();
-        let mut found = Vec::new();
-        for (channel, mut values) in self.channels {
+        let plan = RealFftPlanner::new().plan_fft_forward(length);
+        let samples = recorded * self.channels.len();
+        let analysed = side_by_side(self.channels, samples, |(channel, mut values)| {
             values.drain(..skipped);
-            let transform = Transform::planned(values, &mut planner);
-            found.extend(peaks(channel, &transform, spectrum.resolution, causes));
-            let entry = ChannelSpectrum::new(channel, &transform, window);
+            let transform = Transform::by_plan(values, plan.as_ref());
+            let found = peaks(channel, &transform, spectrum.resolution, causes);
+            (ChannelSpectrum::new(channel, &transform, window), found)
+        });
+        let mut found = Vec::new();
+        for (entry, peaks) in analysed {
             spectrum.channels.push(entry);
+            found.extend(peaks);
         }
         Some(Analysis {
             spectrum,

@@ -17,13 +17,13 @@ impl ChannelSpectrum {
     /// Amplitudes and phases of a transformed channel under a window.
     pub fn new(channel: Channel, transform: &Transform, window: Window) -> Self {
         let bins = 0..transform.bins();
+        let (amplitude, phase) = bins
+            .map(|k| transform.amplitude_and_phase(k, window))
+            .unzip();
         Self {
             channel,
-            amplitude: bins
-                .clone()
-                .map(|k| transform.amplitude(k, window))
-                .collect(),
-            phase: bins.map(|k| transform.phase(k, window)).collect(),
+            amplitude,
+            phase,
         }
     }
 }

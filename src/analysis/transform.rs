@@ -1,7 +1,7 @@
 //! The discrete Fourier transform of a real signal, and the same seen through any window.
 
-use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
+use realfft::{RealFftPlanner, RealToComplex};
 
 use super::Window;
 
@@ -50,7 +50,7 @@ impl Transform {
     }
 
     /// The same with a planner that remembers the lengths it has met.
-    pub(super) fn planned(mut samples: Vec<f64>, planner: &mut RealFftPlanner<f64>) -> Self {
+    pub(super) fn planned(samples: Vec<f64>, planner: &mut RealFftPlanner<f64>) -> Self {
         let length = samples.len();
         if length == 0 {
             return Self {
@@ -58,7 +58,12 @@ impl Transform {
                 bins: Vec::new(),
             };
         }
-        let plan = planner.plan_fft_forward(length);
+        Self::by_plan(samples, planner.plan_fft_forward(length).as_ref())
+    }
+
+    /// The same by a plan for this number of samples.
+    pub(super) fn by_plan(mut samples: Vec<f64>, plan: &dyn RealToComplex<f64>) -> Self {
+        let length = samples.len();
         let mut bins = plan.make_output_vec();
         plan.process(&mut samples, &mut bins)
             .expect("the output was made by the plan for this very length");
@@ -94,6 +99,13 @@ impl Transform {
         sides * self.windowed(k, window).norm()
     }
 
+    /// [`Transform::amplitude`] and [`Transform::phase`] of bin `k`.
+    pub(super) fn amplitude_and_phase(&self, k: usize, window: Window) -> (f64, f64) {
+        let sides = if self.has_image(k) { 2.0 } else { 1.0 };
+        let line = self.windowed(k, window);
+        (sides * line.norm(), line.arg())
+    }
+
     /// Phase in rad of `cos(2πft + phase)` at bin `k` under `window`, t from the first sample.
     pub fn phase(&self, k: usize, window: Window) -> f64 {
         self.windowed(k, window).arg()
@@ -125,6 +137,9 @@ impl Transform {
 
     /// X at any index: periodic in N, and conjugate at the negative.
     fn bin(&self, k: isize) -> Complex<f64> {
+        if let Some(bin) = usize::try_from(k).ok().and_then(|k| self.bins.get(k)) {
+            return *bin;
+        }
         let k = k.rem_euclid(self.length as isize) as usize;
         match self.bins.get(k) {
             Some(bin) => *bin,

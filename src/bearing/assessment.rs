@@ -48,7 +48,12 @@ impl Assessment<'_> {
             friction_moment: BearingFriction::new(self.definition, self.contacts)
                 .moment(&force, self.speed),
             ball_pass: self.ball_pass(&balls),
-            warnings: warnings::of(bearing, &balls, &loaded(&balls).collect::<Vec<_>>()),
+            warnings: warnings::of(
+                bearing,
+                self.speed,
+                &balls,
+                &loaded(&balls).collect::<Vec<_>>(),
+            ),
             balls,
         }
     }

@@ -134,6 +134,7 @@ impl CatalogueEntry {
             contact_stiffness: None,
             dynamic_rating: Some(self.dynamic_rating),
             roughness: None,
+            limiting_speed: None,
             shoulder_angle: None,
         })
     }

@@ -76,12 +76,25 @@ pub struct Bearing {
     pub dynamic_rating: Option<f64>,
     /// Composite root-mean-square roughness σ of ball and race, m; the film ratio λ needs it.
     pub roughness: Option<f64>,
+    /// Highest permissible speed, rad/s, as catalogues print it, for cage and lubrication; where it is
+    /// not given, that of [`LIMITING_SPEED_FACTOR`] is taken.
+    pub limiting_speed: Option<f64>,
     /// Angle at which the shoulders of the races end, from the radial plane, rad; where it is given,
     /// contacts that reach it are told.
     pub shoulder_angle: Option<f64>,
 }
 
+/// Speed factor `ω d_m`, m/s, above which manufacturers ask for bearings and lubrication of special
+/// design, where they give no limiting speed: `n d_m` = 10⁶ mm/min, a rule of thumb.
+pub const LIMITING_SPEED_FACTOR: f64 = 1e6 * 1e-3 * std::f64::consts::TAU / 60.0;
+
 impl Bearing {
+    /// Highest permissible speed, rad/s, given or by its pitch diameter.
+    pub fn highest_permissible_speed(&self) -> f64 {
+        self.limiting_speed
+            .unwrap_or(LIMITING_SPEED_FACTOR / self.geometry.pitch_diameter())
+    }
+
     /// Hertz contact of ball and inner race, curvature at the free contact angle.
     ///
     /// # Errors

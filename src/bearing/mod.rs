@@ -48,7 +48,9 @@ pub use ball_law::{
 pub use contact_band::ContactBand;
 pub use contact_damping::ContactDamping;
 pub use contact_spring::{ContactSpring, HertzSpring};
-pub use definition::{Bearing, BearingError, ContactLaw, Facing, MountedBearing, Preload};
+pub use definition::{
+    Bearing, BearingError, ContactLaw, Facing, LIMITING_SPEED_FACTOR, MountedBearing, Preload,
+};
 pub use film_spring::FilmSpring;
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use hertz_film_law::HertzFilmLaw;

@@ -1,5 +1,7 @@
 //! What a reader should know of a loaded bearing: one line each, with its numbers.
 
+use std::f64::consts::TAU;
+
 use super::static_safety::PERMISSIBLE_PRESSURE;
 use super::{BallLine, Bearing, RaceContact};
 
@@ -17,9 +19,11 @@ impl Place<'_> {
     }
 }
 
-/// Warnings of a bearing; `loaded` are the balls that bear at the inner race, with their numbers.
+/// Warnings of a bearing at a shaft speed in rad/s; `loaded` are the balls that bear at the inner race,
+/// with their numbers.
 pub(super) fn of(
     bearing: &Bearing,
+    speed: f64,
     balls: &[BallLine],
     loaded: &[(usize, &BallLine)],
 ) -> Vec<String> {
@@ -30,7 +34,8 @@ pub(super) fn of(
         ),
         ("outer", |ball| &ball.outer),
     ];
-    let mut warnings: Vec<String> = wrong_way(bearing, loaded).into_iter().collect();
+    let first = [too_fast(bearing, speed), wrong_way(bearing, loaded)];
+    let mut warnings: Vec<String> = first.into_iter().flatten().collect();
     for (race, contact) in contacts {
         let places: Vec<Place> = balls
             .iter()
@@ -47,6 +52,26 @@ pub(super) fn of(
         warnings.extend(thin_film(&places));
     }
     warnings
+}
+
+/// A speed that cage and lubrication of the bearing are not made for.
+fn too_fast(bearing: &Bearing, speed: f64) -> Option<String> {
+    const PER_MINUTE: f64 = 60.0 / TAU;
+    let limit = bearing.highest_permissible_speed();
+    let source = match bearing.limiting_speed {
+        Some(_) => "its limiting speed",
+        None => {
+            "the limiting speed that a factor n·d_m of 1e6 mm/min gives it (`limiting_speed` gives its own)"
+        }
+    };
+    (speed.abs() > limit).then(|| {
+        format!(
+            "{:.0} rpm is {:.2} times {source}, {:.0} rpm",
+            speed.abs() * PER_MINUTE,
+            speed.abs() / limit,
+            limit * PER_MINUTE
+        )
+    })
 }
 
 /// Loaded balls of an angular contact bearing that lean against the wrong shoulders.

@@ -2,6 +2,7 @@
 
 use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Kind, Motion};
+use crate::bearing::Vector5;
 use crate::integrate::Stiffness;
 use crate::rotor::Rotor;
 
@@ -56,8 +57,23 @@ pub(super) fn warnings(
         ));
     }
     warnings.extend(outcome.stiffness.as_ref().map(stiff));
+    warnings.extend(bearings(rotor));
     warnings.extend(motion.and_then(not_settled));
     warnings
+}
+
+/// What the bearings say of themselves at the static equilibrium and the highest speed.
+fn bearings(rotor: &Rotor) -> Vec<String> {
+    let place = Vector5::from(rotor.equilibrium().displacement);
+    let supports = rotor.supports().iter().enumerate();
+    let known = supports.filter(|(_, support)| support.known_balls() > 0);
+    let told = known.flat_map(|(index, support)| {
+        let state = support.state(&place, rotor.highest_speed());
+        let number = index + 1;
+        let say = move |text| format!("bearing {number}, at the static equilibrium: {text}");
+        state.warnings.into_iter().map(say)
+    });
+    told.collect()
 }
 
 fn stiff(stiffness: &Stiffness) -> String {

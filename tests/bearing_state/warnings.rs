@@ -136,3 +136,21 @@ fn balls_behind_a_film_alone_are_not_loaded() {
         assert_eq!(state.balls_loaded, 7, "{law:?}");
     }
 }
+
+#[test]
+fn a_speed_above_the_limiting_one() {
+    let rpm = std::f64::consts::TAU / 60.0;
+    let definition = mounted(Bearing {
+        limiting_speed: Some(18_000.0 * rpm),
+        ..bearing("7205C")
+    });
+    let at = |speed: f64| state_under_thrust(&definition, 1000.0, speed * rpm);
+    assert_warns(&at(18_000.0), &[]);
+    assert_warns(
+        &at(27_000.0),
+        &["27000 rpm is 1.50 times its limiting speed, 18000 rpm"],
+    );
+    // 10⁶ mm/min over a pitch diameter of 38.5 mm
+    let limit = bearing("7205C").highest_permissible_speed();
+    assert_near("limit, rpm", limit / rpm, 1e6 / 38.5, 1e-9);
+}

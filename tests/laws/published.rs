@@ -120,6 +120,7 @@ fn high_speed_case_of_a_public_program() {
         contact_stiffness: None,
         dynamic_rating: None,
         roughness: None,
+        limiting_speed: None,
         shoulder_angle: None,
     };
     let speed = 50_000.0 * std::f64::consts::TAU / 60.0;

@@ -57,6 +57,7 @@ impl Random {
             contact_stiffness: None,
             dynamic_rating: None,
             roughness: None,
+            limiting_speed: None,
             shoulder_angle: None,
         }
     }

@@ -18,6 +18,7 @@ fn crowded_bearing() -> Bearing {
         contact_stiffness: Some(1e10),
         dynamic_rating: None,
         roughness: None,
+        limiting_speed: None,
         shoulder_angle: None,
     }
 }

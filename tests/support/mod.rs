@@ -47,6 +47,7 @@ pub fn literature_bearing(
         contact_stiffness: Some(contact_stiffness),
         dynamic_rating: None,
         roughness: None,
+        limiting_speed: None,
         shoulder_angle: None,
     }
 }

@@ -9,6 +9,7 @@ use super::{
     SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch, envelope,
 };
 
+use crate::analysis::side_by_side::side_by_side;
 use crate::analysis::{Channel, Leak, TopPower, Window, leak, rest_amplitude};
 
 /// A segment of fewer samples makes no spectrum: the widest window mixes nine bins.
@@ -235,8 +236,9 @@ impl Columns<'_> {
         let signals: Vec<_> = channels.zip(&self.record.signals).collect();
         match self.request.kind {
             SpectrumKind::Plain | SpectrumKind::Envelope { .. } => {
-                let columns = signals.iter().flat_map(|signal| self.plain(*signal));
-                columns.collect()
+                let samples = signals.len() * self.record.length();
+                let columns = side_by_side(signals, samples, |signal| self.plain(signal));
+                columns.into_iter().flatten().collect()
             }
             SpectrumKind::Whirl => {
                 let pairs = signals.chunks_exact(2);
@@ -268,14 +270,17 @@ impl Columns<'_> {
 
     /// The spectrum of a channel and, where it is of one segment and an amplitude, its phase.
     fn plain(&self, (channel, signal): (Channel, &Cow<'_, [f64]>)) -> Vec<SpectrumColumn> {
-        let powers = self.welch.power(signal);
+        let has_phase = !self.is_averaged() && !self.request.scaling.is_square();
+        let [powers, mut phases] = match has_phase {
+            true => self.welch.power_and_phase(signal),
+            false => [self.welch.power(signal), Vec::new()],
+        };
         let mut columns = vec![SpectrumColumn {
             top_power: self.top_power(channel, &powers, signal),
             leak: self.leak(channel, &powers, signal),
             ..column(SpectrumQuantity::Value(channel), self.one_sided(&powers))
         }];
-        if !self.is_averaged() && !self.request.scaling.is_square() {
-            let mut phases = self.welch.phase(signal);
+        if has_phase {
             phases.truncate(self.bins);
             columns.push(column(SpectrumQuantity::Phase(channel), phases));
         }

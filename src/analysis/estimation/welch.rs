@@ -65,7 +65,10 @@ impl Welch {
     /// with their neighbours.
     pub fn new(window: Window, length: usize, overlap: usize, detrend: Detrend) -> Self {
         let length = length.max(1);
-        let weights: Vec<f64> = (0..length).map(|n| window.weight(n, length)).collect();
+        // about N/2 the weights are even
+        let half: Vec<f64> = (0..=length / 2).map(|n| window.weight(n, length)).collect();
+        let weight = |n: usize| half[n.min(length - n)];
+        let weights: Vec<f64> = (0..length).map(weight).collect();
         Self {
             window,
             length,
@@ -172,14 +175,17 @@ impl Welch {
         powers
     }
 
-    /// Phase in rad of `cos(2πft + phase)` at every bin of the first segment, t from its start.
-    pub fn phase(&self, signal: &[f64]) -> Vec<f64> {
-        let mut phases = Vec::new();
+    /// Power of bins 0 … N/2 of the first segment, images not counted, and the phase in rad of
+    /// `cos(2πft + phase)` there, t from its start.
+    pub fn power_and_phase(&self, signal: &[f64]) -> [Vec<f64>; 2] {
+        let mut both = [Vec::new(), Vec::new()];
         let first = &signal[..self.length.min(signal.len())];
         self.for_each_segment([first], |[bins]| {
-            phases = bins.iter().map(|bin| bin.arg()).collect();
+            let powers = bins.iter().map(|bin| bin.norm_sqr()).collect();
+            both = [powers, bins.iter().map(|bin| bin.arg()).collect()];
         });
-        phases
+        self.averaged(&mut both[0], first.len());
+        both
     }
 
     fn bins(&self) -> usize {

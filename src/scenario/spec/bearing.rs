@@ -16,7 +16,7 @@ use crate::physics::Material;
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, Force, Length, Quantity};
+use crate::scenario::quantity::{Angle, AngularSpeed, Force, Length, Quantity};
 use crate::scenario::walk::nearest;
 
 /// A ball bearing and its place on the shaft.
@@ -72,6 +72,10 @@ pub struct BearingSpec {
     /// ratio needs it.
     #[schemars(extend("examples" = ["0.1 um"], "x-above" = 0.0))]
     pub roughness: Option<Quantity<Length>>,
+    /// Highest permissible speed by the catalogue, for instance "26000 rpm"; a higher one is told.
+    /// Default: 1e6 mm/min over the pitch diameter.
+    #[schemars(extend("examples" = ["26000 rpm"], "x-above" = 0.0))]
+    pub limiting_speed: Option<Quantity<AngularSpeed>>,
     /// Angle from the radial plane at which the shoulders of the races end, for instance
     /// "35 deg"; contacts that reach it are told.
     #[schemars(extend("examples" = ["35 deg"], "x-above" = 0.0, "x-maximum" = FRAC_PI_2))]
@@ -178,6 +182,7 @@ impl BearingSpec {
             contact_stiffness: spec.contact_stiffness.as_ref().map(Quantity::si),
             dynamic_rating: rating.or(entry.map(|entry| entry.dynamic_rating)),
             roughness: si(&self.roughness),
+            limiting_speed: self.limiting_speed.as_ref().map(Quantity::si),
             shoulder_angle: self.shoulder_angle.as_ref().map(Quantity::si),
         };
         check_contact(&bearing, &sources, problems);
