@@ -156,6 +156,30 @@ fn a_browser_draws_every_part_of_the_page() {
     );
 }
 
+/// The spectra that a scenario asks for besides have charts on the page and a figure each.
+#[test]
+fn further_spectra_are_drawn() {
+    let shown = run(&shipped("coal-impact-7205c"));
+    let figure = shown.page.with_file_name("spectrum_velocity.svg");
+    let figure = fs::read_to_string(figure).expect("a figure");
+    for text in [
+        "density in (m/s)²/Hz",
+        "density in (rad/s)²/Hz",
+        "tilt_y_velocity",
+    ] {
+        assert!(figure.contains(text), "{text}");
+    }
+    let Some(document) = document(&shown) else {
+        return;
+    };
+    let (_, section) = document
+        .split_once("<section id=\"further-spectra\"")
+        .expect("a section");
+    let (section, _) = section.split_once("</section>").expect("its end");
+    // velocities and rates of tilt
+    assert_eq!(section.matches("class=\"uplot").count(), 2);
+}
+
 /// Every shipped scenario that moves has a page that a browser reads to its end.
 #[test]
 fn every_shipped_scenario_has_a_page_without_complaints() {

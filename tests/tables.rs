@@ -65,22 +65,49 @@ fn numbers(path: &Path) -> BTreeMap<String, Vec<f64>> {
 
 #[test]
 fn mat_files_hold_the_numbers_of_the_csv_bit_by_bit() {
-    let folder = scene("balls = true\nenergy = true\nformats = [\"csv\", \"mat\"]");
+    let folder = scene(
+        "balls = true\nenergy = true\nformats = [\"csv\", \"mat\"]\n\n\
+         [[spectrum]]\nname = \"density\"\nchannels = [\"acceleration\"]\nscaling = \"density\"",
+    );
     run(&folder, &[]);
-    for stem in ["trace", "trace_balls", "energy", "events", "spectrum"] {
-        let csv = rows(&result(&folder, &format!("{stem}.csv")));
-        let mat = numbers(&result(&folder, &format!("{stem}.mat")));
-        assert_eq!(mat.len(), csv[0].len(), "{stem}");
-        for (place, name) in csv[0]
-            .iter()
-            .enumerate()
-            .filter(|(_, name)| *name != "event")
-        {
-            let cell = |row: &Vec<String>| row[place].parse().unwrap_or(f64::NAN);
-            let written: Vec<u64> = csv[1..].iter().map(cell).map(f64::to_bits).collect();
-            let read: Vec<u64> = mat[name].iter().map(|number| number.to_bits()).collect();
-            assert!(written == read, "{name} of {stem}");
-        }
+    for stem in [
+        "trace",
+        "trace_balls",
+        "energy",
+        "events",
+        "spectrum",
+        "spectrum_density",
+        "poincare",
+    ] {
+        assert_same_numbers(&result(&folder, stem));
+    }
+}
+
+#[test]
+fn the_maps_of_a_run_up_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/run-up-7205c.toml");
+    fs::copy(shipped, folder.path().join("scene.toml")).unwrap();
+    run(&folder, &["--format", "csv,mat"]);
+    for stem in ["waterfall", "order_tracks"] {
+        assert_same_numbers(&result(&folder, stem));
+    }
+}
+
+/// Asserts that `<stem>.csv` and `<stem>.mat` hold the same numbers; words aside.
+#[track_caller]
+fn assert_same_numbers(stem: &Path) {
+    let csv = rows(&stem.with_extension("csv"));
+    let mat = numbers(&stem.with_extension("mat"));
+    assert!(csv.len() > 1, "{stem:?}");
+    assert_eq!(mat.len(), csv[0].len(), "{stem:?}");
+    let is_word = |name: &str| ["event", "section"].contains(&name);
+    let columns = csv[0].iter().enumerate();
+    for (place, name) in columns.filter(|(_, name)| !is_word(name)) {
+        let cell = |row: &Vec<String>| row[place].parse().unwrap_or(f64::NAN);
+        let written: Vec<u64> = csv[1..].iter().map(cell).map(f64::to_bits).collect();
+        let read: Vec<u64> = mat[name].iter().map(|number| number.to_bits()).collect();
+        assert!(written == read, "{name} of {stem:?}");
     }
 }
 

@@ -1,4 +1,4 @@
-//! Axes and legend of a figure of amplitudes over frequency.
+//! Axes and legend of a figure of amplitudes or powers over frequency or order.
 
 use std::ops::Range;
 
@@ -10,7 +10,10 @@ use super::figure::{Area, DrawError, GRID, INK, LINE, font, px, tick_format};
 /// Decades shown below the strongest line.
 const DECADES: i32 = 6;
 
-/// Frequency in Hz, amplitude in µm.
+/// What the axes of most spectra say.
+pub(super) const AMPLITUDE_OVER_FREQUENCY: [&str; 2] = ["frequency in Hz", "amplitude in µm"];
+
+/// Frequency or order, and what stands over it.
 pub(super) type LineChart<'a, 'b> =
     ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64, LogCoord<f64>>>;
 
@@ -20,11 +23,12 @@ pub(super) fn amplitude_range(strongest: f64) -> Range<f64> {
     10f64.powi(top.log10().floor() as i32 - DECADES + 1)..4.0 * top
 }
 
-/// Draws the axes, from zero to a frequency in Hz and over amplitudes in µm.
+/// Draws the axes over a range of frequencies or orders and of amplitudes or powers, with what they say.
 pub(super) fn line_chart<'a, 'b>(
     area: &'a Area<'b>,
-    limit: f64,
+    places: Range<f64>,
     amplitudes: Range<f64>,
+    [below, upright]: [&str; 2],
 ) -> Result<LineChart<'a, 'b>, DrawError> {
     let mut chart = ChartBuilder::on(area)
         .margin_top(px(8))
@@ -32,16 +36,16 @@ pub(super) fn line_chart<'a, 'b>(
         .margin_right(px(24))
         .set_label_area_size(LabelAreaPosition::Left, px(68))
         .set_label_area_size(LabelAreaPosition::Bottom, px(48))
-        .build_cartesian_2d(0.0..limit, amplitudes.log_scale())?;
+        .build_cartesian_2d(places.clone(), amplitudes.log_scale())?;
     chart
         .configure_mesh()
         .bold_line_style(GRID)
         .light_line_style(TRANSPARENT)
         .x_labels(10)
-        .x_label_formatter(&tick_format(limit))
+        .x_label_formatter(&tick_format(places.end))
         .y_label_formatter(&power_of_ten)
-        .x_desc("frequency in Hz")
-        .y_desc("amplitude in µm")
+        .x_desc(below)
+        .y_desc(upright)
         .axis_style(INK)
         .label_style(font(13))
         .axis_desc_style(font(14))

@@ -6,9 +6,12 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::figure::{Area, CURVE_BUCKETS, DrawError, INK, LINE, PALETTE, font, px, svg};
-use super::figure_lines::{self, LineChart, draw_legend, legend_stroke, line_chart};
+use super::figure_lines::{
+    self, AMPLITUDE_OVER_FREQUENCY, LineChart, draw_legend, legend_stroke, line_chart,
+};
 use super::{Bucket, Decimator, ReportError};
 use crate::analysis::{Channel, ChannelSpectrum, Peak, Spectrum};
+use crate::simulate::Run;
 
 /// m → µm.
 const MICRO: f64 = 1e6;
@@ -35,7 +38,7 @@ fn draw(area: &Area, spectrum: &Spectrum, peaks: &[Peak]) -> Result<(), DrawErro
     let limit = frequency_limit(spectrum, peaks);
     let amplitudes = amplitude_range(spectrum);
     let floor = amplitudes.start;
-    let mut chart = line_chart(area, limit, amplitudes)?;
+    let mut chart = line_chart(area, 0.0..limit, amplitudes, AMPLITUDE_OVER_FREQUENCY)?;
     for (entry, colour) in lengths(spectrum).zip(PALETTE) {
         let curve = curve(spectrum, entry, limit, floor);
         chart
@@ -67,6 +70,14 @@ pub(super) fn frequency_limit(spectrum: &Spectrum, peaks: &[Peak]) -> f64 {
     let end = spectrum.frequency(spectrum.bins().saturating_sub(1).max(1));
     let wanted = (1.25 * highest).max(10.0 * spectrum.shaft_frequency);
     if wanted > 0.0 { wanted.min(end) } else { end }
+}
+
+/// The same of a run; no limit where it has no spectrum.
+pub(super) fn frequency_limit_of(run: &Run) -> f64 {
+    let spectrum = run.spectrum.as_ref();
+    spectrum.map_or(f64::INFINITY, |spectrum| {
+        frequency_limit(spectrum, &run.peaks)
+    })
 }
 
 /// Some decades below the strongest line other than the mean, µm.

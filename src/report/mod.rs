@@ -54,7 +54,6 @@ pub use method_choice::{method_choice_json, method_choice_text};
 pub use peaks_csv::write_peaks;
 pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub use run_report::{KeptFiles, Outputs, RunReport};
-pub use spectra::write_estimated;
 pub use spectrum_csv::write_spectrum;
 pub use statics::{answer_json, answer_text, write_answer};
 pub use steady::{

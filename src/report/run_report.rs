@@ -11,20 +11,20 @@ use super::ball_table::{ball_columns, ball_row};
 use super::campbell;
 use super::events_table::{event_columns, event_row};
 use super::failure::{Failure, failure_json, until_failure};
+use super::figure_spectrum::frequency_limit_of;
 use super::motion::{orbit_figure, write_poincare};
 use super::page::Page;
 use super::run_up::write_maps;
 use super::sample_table::TableKind;
-use super::spectra::file_name;
+use super::spectra::{estimated_figure, table_name, write_estimated};
 use super::spectrum_csv::{spectrum_columns, spectrum_rows};
-use super::table::{Column, Origin, TableFiles};
+use super::table::{Column, Origin, TableFiles, TableTarget};
 use super::trace_table::TraceTable;
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
     TraceFigure, WholeFile, contact_choice_json, method_choice_json, spectrum_figure, summary,
-    write_estimated, write_peaks,
+    write_peaks,
 };
-use crate::analysis::Spectrum;
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{TableFormat, TraceChannel};
 use crate::simulate::{Event, Model, Run, TraceSink};
@@ -249,6 +249,11 @@ impl RunReport {
         if let Some(campbell) = &self.campbell {
             summary["critical_speeds"] = campbell::critical_speeds(campbell);
         }
+        let target = TableTarget {
+            folder: &self.folder,
+            formats: &self.outputs.formats,
+            origin: &self.origin,
+        };
         let mut files = Vec::new();
         let trace = self.trace.map(|(_, files)| files);
         let tables = self.tables.into_iter().map(|(_, files)| files);
@@ -266,8 +271,10 @@ impl RunReport {
         }
         if let Some(spectrum) = &run.spectrum {
             if self.outputs.spectrum {
-                let (formats, origin) = (&self.outputs.formats, &self.origin);
-                files.extend(write_spectra(&self.folder, spectrum, formats, origin)?);
+                let columns = spectrum_columns(spectrum);
+                files.extend(
+                    target.write("spectrum", &columns, |take| spectrum_rows(spectrum, take))?,
+                );
                 let write = |file: &mut PartialFile| write_peaks(&run.peaks, spectrum, file);
                 files.push(self.folder.write_with("peaks.csv", write)?);
             }
@@ -277,10 +284,7 @@ impl RunReport {
             }
         }
         if let Some(motion) = &run.motion {
-            files.push(
-                self.folder
-                    .write_with("poincare.csv", |file| write_poincare(motion, file))?,
-            );
+            files.extend(write_poincare(motion, target)?);
             if self.outputs.figures {
                 let svg = orbit_figure(&self.title, motion)?;
                 files.push(self.folder.write("orbit.svg", svg.as_bytes())?);
@@ -288,7 +292,7 @@ impl RunReport {
         }
         let (title, figures) = (&self.title, self.outputs.figures);
         if let Some(maps) = &run.maps {
-            files.extend(write_maps(&self.folder, title, maps, figures)?);
+            files.extend(write_maps(target, title, maps, figures)?);
         }
         if let Some(campbell) = &self.campbell {
             files.extend(campbell::write_files(
@@ -298,9 +302,14 @@ impl RunReport {
                 figures,
             )?);
         }
+        let limit = frequency_limit_of(run);
         for spectrum in &run.spectra {
-            let write = |file: &mut PartialFile| write_estimated(spectrum, file);
-            files.push(self.folder.write_with(&file_name(spectrum), write)?);
+            files.extend(write_estimated(spectrum, target)?);
+            if self.outputs.figures {
+                let svg = estimated_figure(title, spectrum, limit)?;
+                let name = format!("{}.svg", table_name(spectrum));
+                files.push(self.folder.write(&name, svg.as_bytes())?);
+            }
         }
         if let Some(page) = &self.page {
             let figures = shown_figures(&files)?;
@@ -310,20 +319,6 @@ impl RunReport {
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())
     }
-}
-
-/// Writes the table of the spectra in every format.
-fn write_spectra(
-    folder: &RunFolder,
-    spectrum: &Spectrum,
-    formats: &[TableFormat],
-    origin: &Origin,
-) -> Result<Vec<WholeFile>, ReportError> {
-    let columns = spectrum_columns(spectrum);
-    let mut table = TableFiles::open(folder, "spectrum", formats, &columns, origin)?;
-    spectrum_rows(spectrum, |row| table.row(row))
-        .map_err(ReportError::file(FileAction::Write, folder.path()))?;
-    table.close()
 }
 
 /// Figures that the page shows as they are: what its own charts do not.

@@ -228,7 +228,7 @@ over = \"order\"
     let summary = write(folder.path(), &text(STEADY, spectra));
     let vibration = &summary["spectra"][0];
     let expected = [
-        ("file", Value::from("spectrum_vibration.csv")),
+        ("table", Value::from("spectrum_vibration")),
         ("window", "hamming".into()),
         ("coherent_gain", 0.54.into()),
         ("detrend", "linear".into()),

@@ -2,10 +2,10 @@
 
 mod json;
 mod orbit_figure;
-mod poincare_csv;
+mod poincare_table;
 mod text;
 
 pub(super) use json::motion_json;
 pub(super) use orbit_figure::orbit_figure;
-pub(super) use poincare_csv::write_poincare;
+pub(super) use poincare_table::write_poincare;
 pub(super) use text::write_motion;

@@ -50,3 +50,21 @@ impl Panel<'_> {
         })
     }
 }
+
+/// What to draw of the points of a curve: all of them or, of too many, from every stretch the highest and the
+/// lowest.
+pub(super) fn prominent(all: Vec<usize>, height: impl Fn(usize) -> f64) -> Vec<usize> {
+    let stretch = all.len().div_ceil(BUCKETS);
+    if stretch <= 2 {
+        return all;
+    }
+    let by_height = |a: &&usize, b: &&usize| height(**a).total_cmp(&height(**b));
+    all.chunks(stretch)
+        .flat_map(|stretch| {
+            let lowest = stretch.iter().min_by(by_height).copied();
+            let highest = stretch.iter().max_by(by_height).copied();
+            let [first, last] = [lowest.min(highest), lowest.max(highest)];
+            first.into_iter().chain(last.filter(|_| first != last))
+        })
+        .collect()
+}

@@ -5,6 +5,7 @@
 
 mod balls;
 mod curve;
+mod further_spectra;
 mod histories;
 mod orbit;
 mod spectra;
@@ -15,6 +16,7 @@ use serde_json::{Value, json};
 
 use self::histories::Histories;
 use self::orbit::Orbit;
+use super::figure_spectrum::frequency_limit_of;
 use crate::rotor::Sample;
 use crate::simulate::Run;
 
@@ -62,6 +64,7 @@ impl Page {
             "orbit": self.orbit.curve(),
             "sections": run.motion.as_ref().map(orbit::sections),
             "figures": figures.iter().map(|(name, svg)| json!({ "name": name, "svg": svg })).collect::<Value>(),
+            "furtherSpectra": further_spectra(run),
             "spectra": run.spectrum.as_ref().map(|spectrum| spectra::panels(spectrum, &run.peaks)),
         });
         let title = summary["title"].as_str().unwrap_or_default();
@@ -74,6 +77,15 @@ impl Page {
         ];
         fill(FRAME, &parts, out)
     }
+}
+
+/// Panels of the spectra that the scenario asks for besides.
+fn further_spectra(run: &Run) -> Vec<Value> {
+    let limit = frequency_limit_of(run);
+    let spectra = run.spectra.iter();
+    spectra
+        .flat_map(|spectrum| further_spectra::panels(spectrum, limit))
+        .collect()
 }
 
 /// Writes the frame with every `{{name}}` replaced by the part of that name.

@@ -1,7 +1,7 @@
 
 "use strict";
 (() => {
-  const { summary, balls, histories, orbit, sections, spectra, figures } = JSON.parse(document.getElementById("data").textContent);
+  const { summary, balls, histories, orbit, sections, spectra, furtherSpectra, figures } = JSON.parse(document.getElementById("data").textContent);
   const main = document.querySelector("main");
   const svgSpace = "http://www.w3.org/2000/svg";
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
@@ -87,7 +87,7 @@
     const upright = { ...look, size: 70, label: `${named(panel.name)}${unit}`, labelSize: 22 };
     if (panel.logarithmic) upright.values = powers;
     else upright.values = (_, splits) => splits.map((v) => (v === null ? "" : number(v, 7)));
-    const below = panel.last ? { label: `${panel.over[0]} in ${panel.over[1]}`, labelSize: 20 } : {};
+    const below = panel.last ? { label: panel.over[1] ? `${panel.over[0]} in ${panel.over[1]}` : panel.over[0], labelSize: 20 } : {};
     return [{ ...look, size: 30, ...below }, upright];
   }
 
@@ -476,6 +476,8 @@
     if (summary.motion) section("statistics", "Statistics", statistics(summary.motion));
     if (figures.length) section("maps", "Maps", ...figures.map(drawnFigure));
     if (spectra) section("spectra", "Spectra", ...spectra.map((panel) => addChart(panel, "frequency", 320)), peaks());
+    if (furtherSpectra.length) section("further-spectra", "Further spectra",
+      ...furtherSpectra.map((panel) => addChart(panel, `${panel.name} ${panel.over[0]}`, 320)));
     section("bearings", "Bearings", ...bearings());
     if (summary.energy) section("energy", "Energy", energy());
     section("error", "Error and work", ...accuracy());

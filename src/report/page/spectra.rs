@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::curve::{BUCKETS, Panel, curve};
+use super::curve::{Panel, curve, prominent};
 use crate::analysis::{Channel, ChannelSpectrum, Peak, Spectrum};
 use crate::report::figure_spectrum::frequency_limit;
 
@@ -91,26 +91,11 @@ impl Group {
     }
 }
 
-/// Bins to draw, the mean left out: all of them or, of too many, from every stretch the one where a
-/// channel is strongest and the one where none is.
+/// Bins to draw, the mean left out.
 fn prominent_bins(members: &[&ChannelSpectrum]) -> Vec<usize> {
     let bins = members.first().map_or(0, |entry| entry.amplitude.len());
-    let all: Vec<usize> = (1..bins).collect();
-    let stretch = all.len().div_ceil(BUCKETS);
-    if stretch <= 2 {
-        return all;
-    }
-    let height = |k: &usize| {
-        let amplitudes = members.iter().map(|entry| entry.amplitude[*k]);
+    prominent((1..bins).collect(), |bin| {
+        let amplitudes = members.iter().map(|entry| entry.amplitude[bin]);
         amplitudes.fold(0.0, f64::max)
-    };
-    let by_height = |a: &&usize, b: &&usize| height(a).total_cmp(&height(b));
-    all.chunks(stretch)
-        .flat_map(|stretch| {
-            let lowest = stretch.iter().min_by(by_height).copied();
-            let highest = stretch.iter().max_by(by_height).copied();
-            let [first, last] = [lowest.min(highest), lowest.max(highest)];
-            first.into_iter().chain(last.filter(|_| first != last))
-        })
-        .collect()
+    })
 }

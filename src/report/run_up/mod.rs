@@ -2,29 +2,25 @@
 
 mod order_tracks;
 mod raster;
-mod waterfall_csv;
 mod waterfall_figure;
+mod waterfall_table;
 
 use serde_json::{Value, json};
 
-use super::{ReportError, RunFolder, WholeFile};
+use super::table::TableTarget;
+use super::{ReportError, WholeFile};
 use crate::simulate::Maps;
 
 /// Writes both tables, and both figures where they are drawn.
 pub(super) fn write_maps(
-    folder: &RunFolder,
+    target: TableTarget<'_>,
     title: &str,
     maps: &Maps,
     figures: bool,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = vec![
-        folder.write_with("waterfall.csv", |file| {
-            waterfall_csv::write(&maps.waterfall, file)
-        })?,
-        folder.write_with("order_tracks.csv", |file| {
-            order_tracks::write(&maps.tracks, file)
-        })?,
-    ];
+    let folder = target.folder;
+    let mut files = waterfall_table::write(&maps.waterfall, target)?;
+    files.extend(order_tracks::write(&maps.tracks, target)?);
     if figures && !maps.waterfall.slices.is_empty() {
         let svg = waterfall_figure::draw(title, maps)?;
         files.push(folder.write("waterfall.svg", svg.as_bytes())?);

@@ -1,13 +1,12 @@
-//! `order_tracks.csv` and `order_tracks.svg`: amplitude and phase of orders over the speed.
-
-use std::io::{self, Write};
+//! The table `order_tracks` and `order_tracks.svg`: amplitude and phase of orders over the speed.
 
 use plotters::style::RGBColor;
 
-use super::super::ReportError;
 use super::super::columns::{amplitude_column, phase_column};
 use super::super::figure::svg;
 use super::super::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
+use super::super::table::{Column, TableTarget};
+use super::super::{ReportError, WholeFile};
 use crate::analysis::{Channel, OrderTracks, Track};
 
 /// m → µm.
@@ -24,26 +23,30 @@ const HEARD: f64 = 0.01;
 const ROUND_OFF: f64 = 1e-9;
 
 /// Writes one row a window: time, speed, then amplitude and phase of every order of every channel.
-pub(super) fn write(tracks: &OrderTracks, writer: impl Write) -> io::Result<()> {
-    let mut csv = csv::WriterBuilder::new()
-        .has_headers(false)
-        .from_writer(writer);
-    let mut names: Vec<String> = ["t_s", "speed_rad_s"].map(str::to_owned).to_vec();
+pub(super) fn write(
+    tracks: &OrderTracks,
+    target: TableTarget<'_>,
+) -> Result<Vec<WholeFile>, ReportError> {
+    target.write("order_tracks", &columns(tracks), |take| {
+        tracks.points.iter().try_for_each(|point| {
+            let tracks = point.tracks.iter().flatten();
+            let mut row = vec![point.time, point.speed];
+            row.extend(tracks.flat_map(|track| [track.amplitude, track.phase]));
+            take(&row)
+        })
+    })
+}
+
+fn columns(tracks: &OrderTracks) -> Vec<Column> {
+    let mut columns = ["t_s", "speed_rad_s"].map(Column::number).to_vec();
     for channel in &tracks.channels {
         for order in &tracks.orders {
             let of = column(&order.name);
-            names.push(format!("{of}_{}", amplitude_column(*channel)));
-            names.push(format!("{of}_{}", phase_column(*channel)));
+            let names = [amplitude_column(*channel), phase_column(*channel)];
+            columns.extend(names.map(|name| Column::number(format!("{of}_{name}"))));
         }
     }
-    csv.write_record(names)?;
-    for point in &tracks.points {
-        let tracks = point.tracks.iter().flatten();
-        let mut row = vec![point.time, point.speed];
-        row.extend(tracks.flat_map(|track| [track.amplitude, track.phase]));
-        csv.serialize(&row)?;
-    }
-    csv.flush()
+    columns
 }
 
 /// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`.

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{file_name, names};
+use super::{names, table_name};
 use crate::analysis::{
     Axis, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity,
 };
@@ -18,7 +18,7 @@ pub(in crate::report) fn estimated_json(spectrum: &EstimatedSpectrum) -> Value {
         })
     });
     let mut entry = json!({
-        "file": file_name(spectrum),
+        "table": table_name(spectrum),
         "name": request.name,
         "kind": request.kind.name(),
         "channels": channels.collect::<Value>(),

@@ -1,15 +1,19 @@
 //! The spectra that a scenario asks for: a table each, and how each was made.
 
-mod csv;
+mod figure;
 mod json;
 mod names;
+mod shown;
+mod table;
 
-pub use csv::write_estimated;
+pub(super) use figure::estimated_figure;
 pub(super) use json::estimated_json;
+pub(super) use shown::{ShownColumns, shown_columns, shown_places};
+pub(super) use table::write_estimated;
 
 use crate::analysis::EstimatedSpectrum;
 
-/// Name of the file of a spectrum.
-pub(super) fn file_name(spectrum: &EstimatedSpectrum) -> String {
-    format!("spectrum_{}.csv", spectrum.request.name)
+/// Name of the table of a spectrum, without the ending of its format.
+pub(super) fn table_name(spectrum: &EstimatedSpectrum) -> String {
+    format!("spectrum_{}", spectrum.request.name)
 }

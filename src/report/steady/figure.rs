@@ -6,7 +6,9 @@ use plotters::prelude::*;
 
 use super::super::ReportError;
 use super::super::figure::{Area, DrawError, LINE, PALETTE, svg};
-use super::super::figure_lines::{self, draw_legend, legend_stroke, line_chart};
+use super::super::figure_lines::{
+    self, AMPLITUDE_OVER_FREQUENCY, draw_legend, legend_stroke, line_chart,
+};
 use crate::steady::SteadyLines;
 
 /// m → µm.
@@ -52,7 +54,7 @@ fn draw(area: &Area, lines: &SteadyLines) -> Result<(), DrawError> {
         .map(|(frequency, _)| frequency)
         .fold(0.0, f64::max);
     let limit = if highest > 0.0 { 1.05 * highest } else { 1.0 };
-    let mut chart = line_chart(area, limit, amplitudes)?;
+    let mut chart = line_chart(area, 0.0..limit, amplitudes, AMPLITUDE_OVER_FREQUENCY)?;
     for (place, (index, name, colour)) in lengths(lines).enumerate() {
         // strokes of the same frequency stand side by side
         let beside = limit * 1.5e-3 * place as f64;

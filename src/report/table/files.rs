@@ -21,6 +21,29 @@ impl Origin {
     pub const VERSION: &'static str = env!("CARGO_PKG_VERSION");
 }
 
+/// Where whole tables are written, in which formats, and what they come from.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::report) struct TableTarget<'a> {
+    pub folder: &'a RunFolder,
+    pub formats: &'a [TableFormat],
+    pub origin: &'a Origin,
+}
+
+impl TableTarget<'_> {
+    /// Writes the table `stem` in every format; `rows` gives its rows one by one.
+    pub fn write(
+        &self,
+        stem: &str,
+        columns: &[Column],
+        rows: impl FnOnce(&mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()>,
+    ) -> Result<Vec<WholeFile>, ReportError> {
+        let mut table = TableFiles::open(self.folder, stem, self.formats, columns, self.origin)?;
+        rows(&mut |row| table.row(row))
+            .map_err(ReportError::file(FileAction::Write, self.folder.path()))?;
+        table.close()
+    }
+}
+
 /// A table being written.
 #[derive(Debug)]
 pub(in crate::report) struct TableFiles(Vec<TableFile>);

@@ -15,7 +15,7 @@ mod scratch;
 pub use self::column::{Column, ColumnKind};
 pub use self::csv::CsvTable;
 pub use self::files::Origin;
-pub(super) use self::files::TableFiles;
+pub(super) use self::files::{TableFiles, TableTarget};
 pub use self::mat::MatTable;
 #[cfg(feature = "parquet")]
 pub use self::parquet::ParquetTable;

@@ -16,7 +16,7 @@ pub use checks::Recorded;
 /// Share of a segment that the next one holds, where none is given: as in SciPy and Matlab.
 const OVERLAP: f64 = 0.5;
 
-/// A spectrum of its own, in `spectrum_<name>.csv`; its settings stand in `summary.json`. It is taken
+/// A spectrum of its own, in `spectrum_<name>.csv` and `.svg`; its settings stand in `summary.json`. It is taken
 /// of what comes after `settle`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

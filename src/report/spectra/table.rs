@@ -1,28 +1,26 @@
-//! One spectrum as CSV.
+//! One spectrum as a table.
 
-use std::io::{self, Write};
-
-use super::names;
+use super::super::table::{Column, TableTarget};
+use super::super::{ReportError, WholeFile};
+use super::{names, table_name};
 use crate::analysis::{Axis, EstimatedSpectrum};
 
 /// Writes one row a bin: `f_Hz` and, where the shaft turns steadily, `order`, in the other order over
 /// orders; then every column.
-///
-/// # Errors
-/// What the writer answers.
-pub fn write_estimated(spectrum: &EstimatedSpectrum, writer: impl Write) -> io::Result<()> {
-    let mut csv = csv::WriterBuilder::new()
-        .has_headers(false)
-        .from_writer(writer);
-    csv.write_record(header(spectrum))?;
-    let mut row = Vec::new();
-    for k in 0..spectrum.bins() {
-        row.clear();
-        row.extend(axes(spectrum, k).into_iter().flatten());
-        row.extend(spectrum.columns.iter().map(|column| column.values[k]));
-        csv.serialize(&row)?;
-    }
-    csv.flush()
+pub(in super::super) fn write_estimated(
+    spectrum: &EstimatedSpectrum,
+    target: TableTarget<'_>,
+) -> Result<Vec<WholeFile>, ReportError> {
+    target.write(&table_name(spectrum), &columns(spectrum), |take| {
+        let mut row = Vec::new();
+        for k in 0..spectrum.bins() {
+            row.clear();
+            row.extend(axes(spectrum, k).into_iter().flatten());
+            row.extend(spectrum.columns.iter().map(|column| column.values[k]));
+            take(&row)?;
+        }
+        Ok(())
+    })
 }
 
 /// The places of a row, that of the axis first.
@@ -34,7 +32,7 @@ fn axes(spectrum: &EstimatedSpectrum, k: usize) -> [Option<f64>; 2] {
     }
 }
 
-fn header(spectrum: &EstimatedSpectrum) -> Vec<String> {
+fn columns(spectrum: &EstimatedSpectrum) -> Vec<Column> {
     let names = match spectrum.request.axis {
         Axis::Frequency => ["f_Hz", "order"],
         Axis::Order => ["order", "f_Hz"],
@@ -43,5 +41,6 @@ fn header(spectrum: &EstimatedSpectrum) -> Vec<String> {
     let axes = axes.filter_map(|(name, place)| place.map(|_| name.to_owned()));
     let columns = spectrum.columns.iter();
     axes.chain(columns.map(|column| names::column(spectrum, column.quantity)))
+        .map(Column::number)
         .collect()
 }
