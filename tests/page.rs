@@ -163,8 +163,8 @@ fn further_spectra_are_drawn() {
     let figure = shown.page.with_file_name("spectrum_velocity.svg");
     let figure = fs::read_to_string(figure).expect("a figure");
     for text in [
-        "density in (m/s)²/Hz",
-        "density in (rad/s)²/Hz",
+        "density in m²/s²/Hz",
+        "density in rad²/s²/Hz",
         "tilt_y_velocity",
     ] {
         assert!(figure.contains(text), "{text}");
