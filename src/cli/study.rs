@@ -17,7 +17,7 @@ use crate::report::many::{
 use crate::report::{self, Outputs, ReportError, RunReport};
 use crate::scenario::{self, StudyFile};
 use crate::simulate::{Monitor, SimulateError, simulate};
-use crate::study::many::{Maker, NumberColumn, Schedule, Shard, Stopped, number_columns, work};
+use crate::study::many::{Maker, Schedule, Shard, Stopped, work};
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
 #[derive(Debug, clap::Args)]
@@ -177,7 +177,6 @@ struct Task<'a> {
     make: &'a Make,
     folder: PathBuf,
     schedule: Schedule,
-    columns: Vec<NumberColumn>,
     freedoms: usize,
 }
 
@@ -194,7 +193,6 @@ impl<'a> Task<'a> {
             make,
             folder,
             schedule: Schedule::new(points, last, study.sweep),
-            columns: number_columns(freedoms, model.rotor.bearings.len()),
             freedoms,
         })
     }
@@ -206,7 +204,7 @@ impl<'a> Task<'a> {
             schedule: self.schedule,
             keep: self.study.keep,
             verify_every: self.study.verify_every,
-            columns: &self.columns,
+            columns: &self.study.columns,
             model: &model,
             stop: &STOP,
         };
@@ -221,7 +219,7 @@ impl<'a> Task<'a> {
         let shard = self.make.shard.unwrap_or(Shard::WHOLE);
         let layout = Layout {
             variables: &self.study.variables,
-            columns: &self.columns,
+            columns: &self.study.columns,
             freedoms: self.freedoms,
             keep: self.study.keep,
         };

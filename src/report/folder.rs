@@ -96,6 +96,7 @@ impl FileSet {
             "map.svg",
             "sensitivity.svg",
             "bifurcation.svg",
+            "report.html",
         ],
         spent: &["runs.journal"],
     };

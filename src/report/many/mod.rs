@@ -1,12 +1,16 @@
 //! The files of a study of many runs: a journal while it goes on, tables, figures and a summary at its end.
 
+mod bifurcation;
 mod digest;
 mod figures;
 mod journal;
+mod map;
+mod page;
 mod part;
 mod response_peak;
 mod sensitivity;
 mod tables;
+mod tornado;
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
@@ -17,11 +21,12 @@ use serde_json::{Value, json};
 pub use self::digest::{Digest, Failure};
 use self::journal::Journal;
 pub use self::journal::{Done, JournalError};
+use self::page::write_page;
 pub use self::part::MergeError;
 use self::part::{PartSeal, part_name, seals};
 pub use self::tables::Layout;
 use self::tables::{Table, write_header, write_rows};
-use crate::report::{FileAction, FileSet, ReportError, RunFolder, WholeFile};
+use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::study::many::{Keep, RunRecord, Schedule, Shard};
 
 /// A study whose runs are being made.
@@ -218,21 +223,13 @@ fn seal(
     };
     let runs = named(&files, Table::Runs).unwrap_or_default();
     let digest = Digest::of(&runs, identity)?;
-    let drawn = [
-        ("response.svg", digest.response(title)),
-        ("map.svg", digest.map(title)),
-        ("sensitivity.svg", digest.tornado(title)),
-    ];
-    for (name, figure) in drawn {
-        if let Some(figure) = figure {
-            files.push(folder.write(name, figure?.as_bytes())?);
-        }
+    let points = named(&files, Table::Points);
+    let figures = figures(&digest, title, points.as_deref())?;
+    for (name, figure) in &figures {
+        files.push(folder.write(name, figure.as_bytes())?);
     }
-    if let Some(points) = named(&files, Table::Points)
-        && let Some(figure) = digest.bifurcation(title, &points)?
-    {
-        files.push(folder.write("bifurcation.svg", figure.as_bytes())?);
-    }
+    let page = |file: &mut PartialFile| write_page(title, identity, &digest, &figures, file);
+    files.push(folder.write_with("report.html", page)?);
     let summary = json!({
         "jeffcott": env!("CARGO_PKG_VERSION"),
         "title": title,
@@ -241,4 +238,25 @@ fn seal(
     });
     let paths = folder.commit(files, format!("{summary:#}\n").as_bytes())?;
     Ok((paths, digest))
+}
+
+/// What there is to draw, by the names of the files.
+fn figures(
+    digest: &Digest,
+    title: &str,
+    points: Option<&Path>,
+) -> Result<Vec<(String, String)>, ReportError> {
+    let bifurcation = points.map(|points| digest.bifurcation(title, points));
+    let drawn = [
+        ("response.svg", digest.response(title)),
+        ("bifurcation.svg", bifurcation.and_then(Result::transpose)),
+        ("map.svg", digest.map(title)),
+        ("sensitivity.svg", digest.tornado(title)),
+    ];
+    let there = drawn
+        .into_iter()
+        .filter_map(|(name, figure)| Some((name, figure?)));
+    there
+        .map(|(name, figure)| Ok((name.to_owned(), figure?)))
+        .collect()
 }

@@ -146,6 +146,10 @@ pub struct SetSpec {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct KeepSpec {
+    /// Which numbers, by the names of their columns; the figures draw them in this order. The measured error
+    /// is always kept. Default: all, of which the figures draw some.
+    #[schemars(extend("minItems" = 1, "maxItems" = 64, "examples" = [["x_rms_m", "bearing_1_life_h"]]))]
+    pub numbers: Option<Vec<String>>,
     /// Whether the amplitudes of the displacements are kept, in `spectra.csv`. Default: false.
     pub spectra: bool,
     /// Highest frequency of them in shaft orders. Default: 20.

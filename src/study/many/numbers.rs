@@ -128,6 +128,11 @@ pub struct Observed<'a> {
 }
 
 impl NumberColumn {
+    /// Whether it is the measured error of a run.
+    pub fn is_error(&self) -> bool {
+        self.kind == NumberKind::MeasuredError
+    }
+
     /// The number of a run; NaN where it has none.
     pub fn of(&self, observed: &Observed<'_>) -> f64 {
         self.found(observed).unwrap_or(f64::NAN)
