@@ -5,6 +5,9 @@ mod raster;
 mod waterfall_csv;
 mod waterfall_figure;
 
+pub(in crate::report) use raster::{MOST_CELLS, Raster};
+pub(in crate::report) use waterfall_figure::draw_runs;
+
 use serde_json::{Value, json};
 
 use super::{ReportError, RunFolder, WholeFile};

@@ -13,7 +13,7 @@ use super::error::ScenarioError;
 use super::issue::Issue;
 use super::problems::Problems;
 use super::schema::schema_of;
-use super::vary::{Key, keys, put, questions_of};
+use super::vary::{Key, all_keys, keys, put, questions_of};
 use super::walk::{self, nearest};
 use super::{Scenario, echo, read_tree, stem};
 use crate::simulate::Model;
@@ -169,7 +169,7 @@ fn base_of(
     if let Value::Object(tables) = &mut base {
         tables.retain(|name, _| name != "study");
     }
-    let known = keys(&base, &LEFT_OUT);
+    let known = all_keys(&base, &LEFT_OUT);
     for (index, set) in spec.set.iter().enumerate() {
         let path = format!("set[{index}]");
         let key = find(&set.key, &known, &format!("{path}.key"), problems)?;
@@ -306,6 +306,8 @@ fn keep(spec: &StudyFileSpec) -> Keep {
         highest_order: keep
             .spectra
             .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
+        bearing_stiffness: keep.bearing_stiffness,
+        traces: keep.traces,
         section: keep.poincare.map(|section| match section {
             SectionChoice::Revolution => Section::Revolution,
             SectionChoice::BallPass => Section::BallPass,

@@ -134,8 +134,8 @@ pub enum DistributionChoice {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SetSpec {
-    /// Path of the key.
-    #[schemars(extend("examples" = ["time.duration"]))]
+    /// Path of the key of a number, or of a word out of several.
+    #[schemars(extend("examples" = ["time.duration", "model.contact"]))]
     pub key: String,
     /// Its value, written as that key is.
     #[schemars(extend("examples" = ["0.5 s"]))]
@@ -155,6 +155,12 @@ pub struct KeepSpec {
     /// Highest frequency of them in shaft orders. Default: 20.
     #[schemars(extend("x-minimum" = 0.0))]
     pub highest_order: Option<f64>,
+    /// Whether the trace of every run is kept, in `traces/trace-<number>.csv`. Default: false.
+    pub traces: bool,
+    /// Whether stiffness and damping of every bearing at the static equilibrium are kept, in
+    /// `stiffness.csv`, and for rotor dynamics with ROSS, in `ross_*.toml`, as functions of the speed.
+    /// Default: false.
+    pub bearing_stiffness: bool,
     /// Whether the place of the shaft is kept once a revolution or once a ball pass after the settle
     /// time, in `poincare.csv`. Default: not.
     pub poincare: Option<SectionChoice>,
