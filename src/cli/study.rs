@@ -146,7 +146,7 @@ enum Failure {
     NoRun { number: u64, last: u64 },
     #[error("run {number}: {message}")]
     Run { number: u64, message: String },
-    #[error("a trace cannot be kept: {0}; the same command goes on from what is done")]
+    #[error("{0}; with that mended the same command goes on from what is done")]
     Trace(io::Error),
     #[error("interrupted; the same command goes on from what is done")]
     Interrupted,

@@ -31,6 +31,15 @@ impl BallContacts {
         }
     }
 
+    /// Room for none of the balls: they are not looked at.
+    pub(super) fn unwatched(supports: &[Support]) -> Self {
+        Self {
+            balls: Vec::new(),
+            axial_forces: vec![0.0; supports.len()],
+            ends: vec![0; supports.len()],
+        }
+    }
+
     /// Bearings in their order, each with its balls, ball 0 first; none of a linear bearing.
     pub fn bearings(&self) -> impl Iterator<Item = &[BallContact]> {
         (0..self.ends.len()).map(|bearing| self.of_bearing(bearing))

@@ -247,6 +247,11 @@ impl Rotor {
         BallContacts::new(&self.supports)
     }
 
+    /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls: their loads are zero there.
+    pub fn unwatched_balls(&self) -> BallContacts {
+        BallContacts::unwatched(&self.supports)
+    }
+
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
     /// own [`Rotor::ball_contacts`].
     pub fn sample<const N: usize>(
@@ -308,6 +313,7 @@ impl Rotor {
         contacts: &mut BallContacts,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
+        let watched = !contacts.balls.is_empty();
         let mut balls = contacts.balls.iter_mut();
         let mut axial_forces = contacts.axial_forces.iter_mut();
         self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
@@ -318,11 +324,13 @@ impl Rotor {
             if let Some(axial) = axial_forces.next() {
                 *axial = support.definition().facing.sign() * force[2];
             }
-            support.for_each_contact(displacement, cage, rotation.speed, &mut |contact| {
-                if let Some(ball) = balls.next() {
-                    *ball = contact;
-                }
-            });
+            if watched {
+                support.for_each_contact(displacement, cage, rotation.speed, &mut |contact| {
+                    if let Some(ball) = balls.next() {
+                        *ball = contact;
+                    }
+                });
+            }
         });
         total
     }

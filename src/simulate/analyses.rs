@@ -36,6 +36,8 @@ pub struct Analyses {
     pub motion: bool,
     /// Waterfall and order tracks of the whole run.
     pub maps: bool,
+    /// Whether the balls are left unwatched: no events, load zone or life, and loads of zero in the samples.
+    pub unwatched_balls: bool,
 }
 
 /// Maps of a run whose speed changes.
@@ -55,7 +57,7 @@ pub(super) struct Recorders {
 
 impl Recorders {
     pub fn new(model: &Model, rotor: &Rotor, grid: &Grid) -> Self {
-        let Analyses { motion, maps } = model.analyses;
+        let Analyses { motion, maps, .. } = model.analyses;
         let steady = rotor.steady_from(model.settle).filter(|_| motion);
         Self {
             motion: steady.map(|speed| MotionRecorder::new(settings(model, rotor, grid, speed))),

@@ -2,7 +2,7 @@
 
 Not part of `cargo test`. Needs ROSS 2:
 
-    pip install ross-rotordynamics
+    pip install ross-rotordynamics 'plotly<7'
     jeffcott study scenarios/studies/stiffness-7205c.toml
     python3 tests/readers/check_ross.py output/stiffness-7205c
 
@@ -38,8 +38,8 @@ def quantity(text, unit):
 
 files = {1: sorted(folder.glob("ross_bearing_1*.toml")), 2: sorted(folder.glob("ross_bearing_2*.toml"))}
 assert files[1] and len(files[1]) == len(files[2]), f"no pairs of ross_bearing_*.toml in {folder}"
-axes = [name for name in list(next(iter(runs.values())))[2:] if name.startswith("bearing_0_preload")]
-worst, compared = 0.0, 0
+PLACES = {"xx": (0, 0), "xy": (0, 1), "yx": (1, 0), "yy": (1, 1), "zz": (2, 2)}
+worst, compared = {"k": 0.0, "c": 0.0}, 0
 loaded = {}
 for bearing, paths in files.items():
     for path in paths:
@@ -51,30 +51,32 @@ for bearing, paths in files.items():
             row for row in table
             if int(row["bearing"]) == bearing and float(runs[row["run"]]["bearing_0_preload_N"]) == preload
         ]
-        assert len(rows) == len(element.frequency), path
-        for row in rows:
-            speed = float(row["speed_rad_s"])
-            stiffness, damping = element.K(speed), element.C(speed)
-            for matrix, letter, unit in [(stiffness, "k", "N_m"), (damping, "c", "N_s_m")]:
-                scale = numpy.abs(matrix).max()
-                for name, place in [("xx", (0, 0)), ("xy", (0, 1)), ("yx", (1, 0)), ("yy", (1, 1)), ("zz", (2, 2))]:
-                    written = float(row[f"{letter}{name}_{unit}"])
-                    worst = max(worst, abs(matrix[place] - written) / scale)
+        speeds = [float(row["speed_rad_s"]) for row in rows]
+        assert speeds == list(element.frequency), path
+        for letter, unit in [("k", "N_m"), ("c", "N_s_m")]:
+            for name, place in PLACES.items():
+                written = [float(row[f"{letter}{name}_{unit}"]) for row in rows]
+                assert written == list(getattr(element, letter + name)), (path, letter, name)
+                for speed, value in zip(speeds, written):
+                    matrix = element.K(speed) if letter == "k" else element.C(speed)
+                    worst[letter] = max(worst[letter], abs(matrix[place] - value))
                     compared += 1
-print(f"{compared} coefficients at the speeds of the tables: largest difference {worst:.1e} of the largest entry")
-assert worst < 1e-6, worst
+print(f"{compared} coefficients of ROSS are those of the table to the last bit; its spline through them is off")
+print(f"by at most {worst['k']:.2g} N/m of K and {worst['c']:.2g} N s/m of C at the speeds of the table")
+# the spline smooths until the sum of squares is about as many units as there are speeds, whatever the unit
+assert max(worst.values()) < 2 * math.sqrt(6), worst
 
 # Natural frequencies.
 
 mass = quantity(base["shaft"]["mass"], "kg")
-stiff = ross.Material(name="stiff", rho=1e-6, E=1e18, Poisson=0.3)
+stiff = ross.Material(name="stiff", rho=1e-2, E=1e14, Poisson=0.3)
 worst = 0.0
 for (bearing, preload), first in sorted(loaded.items(), key=lambda entry: entry[0]):
     if bearing != 1:
         continue
     second = loaded[2, preload]
     first.n, second.n = 0, 2
-    shaft = [ross.ShaftElement(L=0.03, idl=0.0, odl=0.02, material=stiff, n=n) for n in (0, 1)]
+    shaft = [ross.ShaftElement(L=0.03, idl=0.0, odl=0.2, material=stiff, n=n) for n in (0, 1)]
     disk = ross.DiskElement(n=1, m=mass, Id=0.01, Ip=0.004)
     rotor = ross.Rotor(shaft, [disk], [first, second])
     for run in runs.values():

@@ -3,7 +3,7 @@
 use std::fs;
 use std::io;
 use std::ops::Range;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::report::trace_table::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
@@ -33,13 +33,18 @@ impl Traces {
     /// What the file system answers, with the name of the file.
     pub fn begin(&self, run: u64) -> io::Result<Box<dyn KeptTrace>> {
         let file = self.folder.create(&file_name(run)).map_err(other)?;
-        let csv = TraceCsv::new(file)?;
-        Ok(Box::new(TraceFile { csv }))
+        let path = file.path().to_owned();
+        let csv = TraceCsv::new(file).map_err(|error| refused(&path, error))?;
+        Ok(Box::new(TraceFile { csv, path }))
     }
 }
 
 fn file_name(run: u64) -> String {
     format!("trace-{run}.csv")
+}
+
+fn refused(path: &Path, error: io::Error) -> io::Error {
+    other(ReportError::file(FileAction::Write, path)(error))
 }
 
 fn other(error: ReportError) -> io::Error {
@@ -66,17 +71,21 @@ pub(super) fn remove_stale(study: &Path, own: &Range<u64>, count: u64) -> Result
 #[derive(Debug)]
 struct TraceFile {
     csv: TraceCsv<PartialFile>,
+    path: PathBuf,
 }
 
 impl TraceSink for TraceFile {
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.csv.sample(sample)
+        self.csv
+            .sample(sample)
+            .map_err(|error| refused(&self.path, error))
     }
 }
 
 impl KeptTrace for TraceFile {
     fn finish(self: Box<Self>) -> io::Result<()> {
-        let file = self.csv.finish()?;
+        let file = self.csv.finish();
+        let file = file.map_err(|error| refused(&self.path, error))?;
         file.close().and_then(|file| file.rename()).map_err(other)?;
         Ok(())
     }

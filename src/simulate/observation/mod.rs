@@ -45,7 +45,11 @@ struct BearingObserver<'a> {
 
 impl<'a> Observation<'a> {
     pub fn new(model: &Model, rotor: &'a Rotor) -> Self {
-        let contacts = rotor.ball_contacts();
+        let contacts = if model.analyses.unwatched_balls {
+            rotor.unwatched_balls()
+        } else {
+            rotor.ball_contacts()
+        };
         let observer = |(index, support)| {
             let speed = rotor.speed();
             BearingObserver::new(index, support, speed, model.settle)

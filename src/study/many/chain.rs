@@ -88,6 +88,19 @@ impl Maker<'_> {
         Ok(model)
     }
 
+    /// Leaves out all that nothing of what is kept rests on.
+    fn reduce(&self, model: &mut Model) {
+        let needs = |rests: fn(&NumberColumn) -> bool| self.columns.iter().any(rests);
+        model.spectra.clear();
+        if self.keep.highest_order.is_none() && !needs(NumberColumn::rests_on_spectrum) {
+            model.spectrum = None;
+        }
+        let motion = self.keep.section.is_some() || needs(NumberColumn::rests_on_motion);
+        model.analyses.motion = motion;
+        let balls = self.traces.is_some() || needs(NumberColumn::rests_on_balls);
+        model.analyses.unwatched_balls = !balls;
+    }
+
     /// The motion of one run, with the start that the runs before it in its chain lead to.
     ///
     /// # Errors
@@ -123,6 +136,7 @@ impl Maker<'_> {
         if let Some(carried) = carried {
             carried.start(&mut model);
         }
+        self.reduce(&mut model);
         let mut sink = Gathered::new(&model, trace);
         let mut monitor = Monitor {
             stop: self.stop,
