@@ -247,9 +247,10 @@ impl Rotor {
         BallContacts::new(&self.supports)
     }
 
-    /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls: their loads are zero there.
-    pub fn unwatched_balls(&self) -> BallContacts {
-        BallContacts::unwatched(&self.supports)
+    /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls, and of the forces of the bearings
+    /// only where asked for: what they leave out is zero there.
+    pub fn unwatched_balls(&self, forces: bool) -> BallContacts {
+        BallContacts::unwatched(&self.supports, forces)
     }
 
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
@@ -284,8 +285,12 @@ impl Rotor {
         [displacement, velocity]: [Vector5; 2],
         contacts: &mut BallContacts,
     ) -> Sample {
-        let mut force = self.observe_bearings(&displacement, rotation, contacts);
-        if self.contacts_damped {
+        let mut force = if contacts.forces {
+            self.observe_bearings(&displacement, rotation, contacts)
+        } else {
+            [0.0; FREEDOMS]
+        };
+        if contacts.forces && self.contacts_damped {
             let damping = self.contact_damping(&displacement, &velocity, rotation);
             for axis in 0..FREEDOMS {
                 force[axis] += damping[axis];

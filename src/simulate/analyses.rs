@@ -36,8 +36,20 @@ pub struct Analyses {
     pub motion: bool,
     /// Waterfall and order tracks of the whole run.
     pub maps: bool,
-    /// Whether the balls are left unwatched: no events, load zone or life, and loads of zero in the samples.
-    pub unwatched_balls: bool,
+    /// What is looked at of the bearings at every sample.
+    pub watched: Watched,
+}
+
+/// What is looked at of the bearings at every sample; what is not is zero in the samples.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Watched {
+    /// Every ball: events, load zone and life rest on it.
+    #[default]
+    Balls,
+    /// The force on the shaft, but no ball.
+    Forces,
+    /// Nothing.
+    Nothing,
 }
 
 /// Maps of a run whose speed changes.

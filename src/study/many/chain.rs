@@ -11,7 +11,9 @@ use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
 use crate::physics::nominal_cage_speed;
 use crate::rotor::{CageMotion, InitialPosition, InitialState, Sample};
-use crate::simulate::{Model, Monitor, Run, SimulateError, StaticState, TraceSink, simulate};
+use crate::simulate::{
+    Model, Monitor, Run, SimulateError, StaticState, TraceSink, Watched, simulate,
+};
 use crate::study::plan::Plan;
 
 /// Why a run is to be made again.
@@ -97,8 +99,13 @@ impl Maker<'_> {
         }
         let motion = self.keep.section.is_some() || needs(NumberColumn::rests_on_motion);
         model.analyses.motion = motion;
-        let balls = self.traces.is_some() || needs(NumberColumn::rests_on_balls);
-        model.analyses.unwatched_balls = !balls;
+        model.analyses.watched = if self.traces.is_some() || needs(NumberColumn::rests_on_balls) {
+            Watched::Balls
+        } else if needs(NumberColumn::rests_on_forces) {
+            Watched::Forces
+        } else {
+            Watched::Nothing
+        };
     }
 
     /// The motion of one run, with the start that the runs before it in its chain lead to.

@@ -146,6 +146,17 @@ impl NumberColumn {
         )
     }
 
+    /// Whether the forces of the bearings tell it.
+    pub fn rests_on_forces(&self) -> bool {
+        let channel = match self.kind {
+            NumberKind::Mean(channel)
+            | NumberKind::Rms(channel)
+            | NumberKind::PeakToPeak(channel) => channel,
+            _ => return false,
+        };
+        matches!(channel, Channel::Force(_))
+    }
+
     /// Whether the balls tell it.
     pub fn rests_on_balls(&self) -> bool {
         matches!(
