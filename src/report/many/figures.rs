@@ -36,13 +36,19 @@ fn shown(name: &str, column: usize) -> Shown {
     let title = match (known, length) {
         (Some((_, title)), _) => (*title).to_owned(),
         (None, Some(rest)) => format!("{rest} in µm"),
-        (None, None) => name.to_owned(),
+        (None, None) => stiffness_title(name).unwrap_or_else(|| name.to_owned()),
     };
     Shown {
         column,
         title,
         is_length: length.is_some(),
     }
+}
+
+/// `stiffness K_xx in N/m` of `stiffness_x_N_m`.
+fn stiffness_title(name: &str) -> Option<String> {
+    let axis = name.strip_prefix("stiffness_")?.strip_suffix("_N_m")?;
+    Some(format!("stiffness K_{axis}{axis} in N/m"))
 }
 
 /// A number that the figures show.
