@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::Const;
 
-pub use analyses::{Analyses, Maps};
+pub use analyses::{Analyses, Maps, Watched};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
 pub use method::MethodMismatch;

@@ -41,6 +41,28 @@ fn run(scenario: &Path) -> Shown {
     Shown { folder, page }
 }
 
+/// A folder with the page of a study that is made for it.
+fn study(file: &Path) -> Shown {
+    let folder = TempDir::new().expect("a folder");
+    let output = Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+        .arg("study")
+        .arg(file)
+        .arg("--out")
+        .arg(folder.path())
+        .output()
+        .expect("the command starts");
+    // a study with failed runs has its page as well
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() != Some(2), "{told}");
+    let name = file.file_stem().expect("a stem");
+    let page = folder.path().join(name).join("report.html");
+    Shown { folder, page }
+}
+
+fn shipped_study(name: &str) -> PathBuf {
+    shipped(&format!("studies/{name}"))
+}
+
 /// The shipped scenario of a name with its text changed.
 fn changed(folder: &Path, name: &str, changes: &[(&str, &str)]) -> PathBuf {
     let mut text = fs::read_to_string(shipped(name)).expect("a scenario");
@@ -311,4 +333,70 @@ fn a_page_can_be_left_out() {
         &[("[output]", "[output]\nreport = false")],
     );
     assert!(!run(&scenario).page.exists());
+}
+
+/// The page of a study shows its plan, what it found, its figures and its first runs.
+#[test]
+fn a_browser_draws_every_part_of_a_studys_page() {
+    for (name, parts, figures) in [
+        ("resonance-7205c", ["resonances", "statistics"], 1),
+        ("tolerances-7205c", ["sensitivities", "statistics"], 1),
+        ("hysteresis-6306", ["figures", "runs"], 2),
+    ] {
+        let shown = study(&shipped_study(name));
+        let text = shown.text();
+        assert!(text.len() < 1_000_000, "{name}: {} bytes", text.len());
+        let Some(document) = document(&shown) else {
+            continue;
+        };
+        let sections = ["numbers", "plan", "figures", "runs", "scenario"];
+        for section in sections.into_iter().chain(parts) {
+            let start = format!("<section id=\"{section}\"");
+            assert!(document.contains(&start), "{name}: {section}");
+        }
+        assert_eq!(document.matches("<svg").count(), figures, "{name}");
+        assert!(!document.contains("id=\"failures\""), "{name}");
+        let shown_text = document.split("<script").next().expect("a start");
+        for sign in ["undefined", "NaN", "[object"] {
+            assert!(!shown_text.contains(sign), "{name}: {sign} is shown");
+        }
+    }
+}
+
+/// Of many runs the first stand in the page, of long lists the first values; failed runs stand with their
+/// values and their errors, and no text of a study gets out of its place.
+#[test]
+fn a_studys_page_stays_small_and_its_texts_stay_texts() {
+    let folder = TempDir::new().expect("a folder");
+    let values: Vec<_> = (0..150).map(|k| format!("'{} rad/s'", 100 + k)).collect();
+    let text = format!(
+        "title = \"</script><script>document.title = 'taken'</script><b>\"\n\
+         base = '{}'\n\
+         [[axis]]\nkey = 'speed.constant'\nvalues = [{}]\n\
+         [[axis]]\nkey = 'time.settle'\nvalues = ['0 s', '0.6 s']\n",
+        shipped("linear-7205c").display(),
+        values.join(", "),
+    );
+    let file = folder.path().join("hostile.toml");
+    fs::write(&file, text).expect("a writable folder");
+    let shown = study(&file);
+    let text = shown.text();
+    assert!(text.len() < 400_000, "{} bytes", text.len());
+    assert_eq!(
+        text.matches("</script>").count(),
+        2,
+        "a title ends a script"
+    );
+    let Some(document) = document(&shown) else {
+        return;
+    };
+    assert!(document.contains("<title>&lt;/script&gt;"));
+    assert!(document.contains("… 150 in all"));
+    assert!(document.contains("The first 100 of 300 runs"));
+    assert!(document.contains("The first 20 of 150;"));
+    let failures = document
+        .split_once("<section id=\"failures\"")
+        .expect("failed runs")
+        .1;
+    assert!(failures.contains("settle time") || failures.contains("settle"));
 }

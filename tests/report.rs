@@ -176,6 +176,7 @@ fn run() -> Run {
         equilibrium: StaticState {
             displacement: [0.0, -3.3e-6, 1.7e-5, 0.0, 0.0],
             stiffness: [[1.0; 5]; 5],
+            damping: [[0.0; 5]; 5],
             residual: 1e-15,
             newton_steps: 4,
             natural_frequencies: vec![natural],

@@ -236,11 +236,13 @@ fn every_shipped_study_runs() {
         ("resonance-7205c", "response.svg"),
         ("stiffness-7205c", "map.svg"),
         ("tolerances-7205c", "sensitivity.svg"),
+        ("waterfall-6306", "waterfall.svg"),
     ] {
         let output = study(&shipped(name), out.path(), &[]);
         assert!(output.status.success(), "{name}: {}", told(&output));
         let folder = out.path().join(name);
         assert!(folder.join(figure).exists(), "{name} has no {figure}");
+        assert!(folder.join("report.html").exists(), "{name} has no page");
         assert!(!folder.join("runs.journal").exists(), "{name}");
     }
     // a hundredth of the long one
@@ -255,7 +257,7 @@ fn every_shipped_study_runs() {
         .map(|entry| entry.expect("an entry").path())
         .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
         .collect();
-    assert_eq!(known.len(), 6, "{known:?}");
+    assert_eq!(known.len(), 7, "{known:?}");
 }
 
 /// The balanced shaft answers where its balls pass at a natural frequency.
@@ -289,6 +291,7 @@ fn threads_and_parts_do_not_change_a_byte() {
         assert!(output.status.success(), "{}", told(&output));
     }
     let one = files(&out("one").join("small"));
+    assert!(one.iter().any(|(name, _)| name == "report.html"));
     assert_eq!(one, files(&out("three").join("small")));
     for part in ["2/3", "1/3", "3/3"] {
         let output = study(&file, &out("parts"), &["--shard", part]);
@@ -303,6 +306,69 @@ fn threads_and_parts_do_not_change_a_byte() {
     for (name, bytes) in one {
         let merged = fs::read(out("parts").join("small").join(&name)).expect("the same file");
         assert!(merged == bytes, "{name} differs");
+    }
+}
+
+/// Tasks of a Slurm array make the parts of a study.
+#[cfg(unix)]
+#[test]
+fn an_array_of_tasks_makes_the_parts() {
+    let folder = TempDir::new().expect("a folder");
+    let file = written(folder.path(), SPEEDS);
+    assert!(
+        study(&file, &folder.path().join("whole"), &[])
+            .status
+            .success()
+    );
+    let parts = folder.path().join("parts");
+    let script = scenarios().join("studies").join("slurm.sh");
+    for task in ["3", "1", "2"] {
+        let output = Command::new("bash")
+            .arg(&script)
+            .args([&file, &parts])
+            .env("JEFFCOTT", env!("CARGO_BIN_EXE_jeffcott"))
+            .env("SLURM_ARRAY_TASK_ID", task)
+            .env("SLURM_ARRAY_TASK_COUNT", "3")
+            .output()
+            .expect("bash starts");
+        assert!(output.status.success(), "{}", told(&output));
+    }
+    let merged = Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+        .args(["study", "merge"])
+        .arg(parts.join("small"))
+        .output()
+        .expect("the command starts");
+    assert!(merged.status.success(), "{}", told(&merged));
+    for (name, bytes) in files(&folder.path().join("whole").join("small")) {
+        let merged = fs::read(parts.join("small").join(&name)).expect("the same file");
+        assert!(merged == bytes, "{name} differs");
+    }
+}
+
+/// What a study does not keep is not found out; what it keeps is the same as among all numbers.
+#[test]
+fn numbers_do_not_depend_on_which_others_are_kept() {
+    let folder = TempDir::new().expect("a folder");
+    let text = format!(
+        "base = '{}'\n[[axis]]\nkey = 'speed.constant'\nvalues = ['400 rad/s', '500 rad/s']\n",
+        scenarios().join("steady-7205c.toml").display()
+    );
+    let all = folder.path().join("all.toml");
+    fs::write(&all, &text).expect("a file");
+    assert!(study(&all, folder.path(), &[]).status.success());
+    for kept in [
+        "z_rms_m",
+        "bearing_1_life_h",
+        "y_order_1_m",
+        "force_x_rms_N",
+        "stiffness_x_N_m",
+    ] {
+        let few = folder.path().join("few.toml");
+        fs::write(&few, format!("{text}[keep]\nnumbers = ['{kept}']\n")).expect("a file");
+        assert!(study(&few, folder.path(), &["--restart"]).status.success());
+        let [all, few] = ["all", "few"].map(|name| folder.path().join(name).join("runs.csv"));
+        let [all, few] = [all, few].map(|table| column(&table, kept));
+        assert_eq!(all, few, "{kept}");
     }
 }
 
@@ -412,6 +478,146 @@ fn a_run_alone_is_that_of_the_study() {
     );
 }
 
+/// A column of a table by its name.
+fn column(table: &Path, name: &str) -> Vec<f64> {
+    let mut reader = csv::Reader::from_path(table).expect("a table");
+    let names = reader.headers().expect("names").clone();
+    let place = names.iter().position(|known| known == name);
+    let place = place.unwrap_or_else(|| panic!("no column {name} in {}", table.display()));
+    let cell = |row: Result<csv::StringRecord, csv::Error>| row.expect("a row")[place].parse();
+    let numbers: Result<_, _> = reader.records().map(cell).collect();
+    numbers.expect("numbers")
+}
+
+/// The bearings of a pair share stiffness and damping of the shaft, and stand in files of their own over the
+/// speed: a table `BearingElement_…` of TOML, whose keys are those of ROSS's `BearingElement`.
+#[test]
+fn bearings_are_written_as_ross_reads_them() {
+    let out = TempDir::new().expect("a folder");
+    let output = study(&shipped("stiffness-7205c"), out.path(), &[]);
+    assert!(output.status.success(), "{}", told(&output));
+    let folder = out.path().join("stiffness-7205c");
+    let [runs, stiffness] = ["runs.csv", "stiffness.csv"].map(|name| folder.join(name));
+    let whole = column(&runs, "stiffness_x_N_m");
+    let both = column(&stiffness, "kxx_N_m");
+    let damping = column(&stiffness, "cxx_N_s_m");
+    assert_eq!((whole.len(), both.len()), (30, 60));
+    for (run, whole) in whole.iter().enumerate() {
+        let sum = |entries: &[f64]| entries[2 * run] + entries[2 * run + 1];
+        assert!((sum(&both) / whole - 1.0).abs() < 1e-12, "run {run}");
+        // 2 ζ √(K m) with ζ = 0.02 and m = 5 kg
+        let ratio = sum(&damping) / (2.0 * 0.02 * (whole * 5.0).sqrt());
+        assert!((ratio - 1.0).abs() < 1e-12, "run {run}: {ratio}");
+    }
+    let map = fs::read_to_string(folder.join("map.svg")).expect("a figure");
+    assert!(map.contains("stiffness K_zz in N/m"));
+    // at 1600 rad/s the least preload holds the shaft less stiffly than at 100 rad/s
+    assert!(whole[5] < 0.99 * whole[0], "{} {}", whole[0], whole[5]);
+    for (bearing, place) in (1..=2).flat_map(|bearing| (1..=5).map(move |place| (bearing, place))) {
+        let name = format!("ross_bearing_{bearing}_{place}.toml");
+        let text = fs::read_to_string(folder.join(&name)).expect("a file of ROSS");
+        assert!(text.contains("frequency in rad/s, k in N/m"), "{text}");
+        let tables: toml::Table = text.parse().expect("TOML");
+        assert_eq!(tables.len(), 1, "{name}");
+        let element = tables[&format!("BearingElement_bearing_{bearing}")]
+            .as_table()
+            .expect("a table");
+        let known = [
+            "n",
+            "tag",
+            "frequency",
+            "kxx",
+            "kxy",
+            "kyx",
+            "kyy",
+            "kzz",
+            "cxx",
+            "cxy",
+            "cyx",
+            "cyy",
+            "czz",
+        ];
+        let mut keys: Vec<_> = element.keys().map(String::as_str).collect();
+        let mut expected = known.to_vec();
+        keys.sort_unstable();
+        expected.sort_unstable();
+        assert_eq!(keys, expected, "{name}");
+        let list = |key: &str| -> Vec<f64> {
+            let values = element[key].as_array().expect("a list");
+            let numbers = values
+                .iter()
+                .map(|value| value.as_float().expect("a float"));
+            numbers.collect()
+        };
+        assert_eq!(
+            list("frequency"),
+            [100.0, 400.0, 700.0, 1000.0, 1300.0, 1600.0]
+        );
+        let rows = (0..6).map(|speed| 12 * (place - 1) + 2 * speed + bearing - 1);
+        let expected: Vec<_> = rows.map(|row| both[row]).collect();
+        assert_eq!(list("kxx"), expected, "{name}");
+    }
+}
+
+/// Of the numbers that a study names, and of the measured error, the table of runs has a column.
+#[test]
+fn a_study_keeps_the_numbers_that_it_names() {
+    let folder = TempDir::new().expect("a folder");
+    let keep = "[keep]\nnumbers = ['x_rms_m', 'natural_frequency_1_Hz']\n";
+    let file = written(folder.path(), &format!("{SPEEDS}{keep}"));
+    let output = study(&file, folder.path(), &[]);
+    assert!(output.status.success(), "{}", told(&output));
+    let small = folder.path().join("small");
+    let mut reader = csv::Reader::from_path(small.join("runs.csv")).expect("a table");
+    let names: Vec<_> = reader
+        .headers()
+        .expect("names")
+        .iter()
+        .map(str::to_owned)
+        .collect();
+    let expected = [
+        "run",
+        "direction",
+        "speed_constant_rad_s",
+        "natural_frequency_1_Hz",
+        "x_rms_m",
+        "measured_error",
+        "status",
+        "error",
+    ];
+    assert_eq!(names, expected);
+    let figure = fs::read_to_string(small.join("response.svg")).expect("a figure");
+    assert!(figure.contains("lowest natural frequency in Hz") && !figure.contains("ball load"));
+}
+
+/// A trace a run stands beside the tables, the same as of that run alone; those of an earlier study go.
+#[test]
+fn traces_are_kept_on_request() {
+    let folder = TempDir::new().expect("a folder");
+    let traced = format!(
+        "{}[keep]\ntraces = true\n",
+        SPEEDS.replace("count = 40", "count = 5")
+    );
+    let file = written(folder.path(), &traced);
+    let traces = folder.path().join("small").join("traces");
+    fs::create_dir_all(&traces).expect("a folder");
+    fs::write(traces.join("trace-7.csv"), b"of an earlier study").expect("a file");
+    fs::write(traces.join("mine.csv"), b"of the reader").expect("a file");
+    for (part, there) in [("2/2", 3), ("1/2", 5)] {
+        let output = study(&file, folder.path(), &["--shard", part]);
+        assert!(output.status.success(), "{}", told(&output));
+        let names = files(&traces).into_iter().map(|(name, _)| name);
+        let names: Vec<_> = names.filter(|name| name != "mine.csv").collect();
+        assert_eq!(names.len(), there, "{names:?}");
+    }
+    let output = study(&file, folder.path(), &["--only", "3"]);
+    assert!(output.status.success(), "{}", told(&output));
+    let alone = folder.path().join("small").join("run-3").join("trace.csv");
+    let [kept, alone] =
+        [traces.join("trace-3.csv"), alone].map(|path| fs::read(path).expect("a trace"));
+    assert!(kept == alone);
+}
+
 // Bad input.
 
 /// Wrong studies are refused before a run begins, with what to do.
@@ -444,6 +650,18 @@ fn wrong_studies_are_refused_with_a_word_on_what_to_do() {
             "runs that are drawn need a number of them",
         ),
         ("[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 m']\n", "values"),
+        (
+            "[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n[keep]\nnumbers = ['x_rms']\n",
+            "did you mean `x_rms_m`?",
+        ),
+        (
+            "[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n[[set]]\nkey = 'model.contact'\nvalue = 'jonas'\n",
+            "jones",
+        ),
+        (
+            "[[axis]]\nkey = 'model.contact'\nvalues = ['jones']\n",
+            "no number `model.contact`",
+        ),
         (
             "sampling = 'sobol'\nruns = 4\nsweep = 'up'\n[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n",
             "no neighbours",
@@ -480,6 +698,116 @@ fn a_folder_that_cannot_be_written_is_told() {
     let output = study(&file, &taken, &[]);
     assert_eq!(output.status.code(), Some(1));
     assert!(told(&output).contains("cannot create"), "{}", told(&output));
+}
+
+/// Runs a study whose files may have so many kilobytes, as on a disk that is full then.
+#[cfg(unix)]
+fn study_on_small_disk(file: &Path, out: &Path, kilobytes: u32) -> Output {
+    // what is too large is refused instead of ending the process
+    let script = format!("trap '' XFSZ; ulimit -f {kilobytes}; exec \"$@\"");
+    Command::new("bash")
+        .args([
+            "-c",
+            &script,
+            "bash",
+            env!("CARGO_BIN_EXE_jeffcott"),
+            "study",
+        ])
+        .arg(file)
+        .arg("--out")
+        .arg(out)
+        .output()
+        .expect("the command starts")
+}
+
+/// On a full disk the runs that are done stay; with room again the study goes on from them to the same bytes.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_is_told_and_loses_nothing() {
+    let folder = TempDir::new().expect("a folder");
+    let whole = folder.path().join("whole");
+    for (name, keep, room, told_file) in [
+        ("journal", "", 16, "runs.journal"),
+        ("head", "", 1, "runs.journal"),
+        // the journal of three numbers is small, a trace is not
+        (
+            "traces",
+            "[keep]\nnumbers = ['x_rms_m']\ntraces = true\n",
+            60,
+            "trace-",
+        ),
+    ] {
+        let file = written(folder.path(), &format!("{SPEEDS}{keep}"));
+        let out = folder.path().join(name);
+        let output = study_on_small_disk(&file, &out, room);
+        assert_eq!(output.status.code(), Some(1), "{name}: {}", told(&output));
+        let message = told(&output);
+        assert!(message.contains("cannot write"), "{message}");
+        assert!(message.contains(told_file), "{name}: {message}");
+        assert!(!out.join("small").join("runs.json").exists(), "{name}");
+        let output = study(&file, &out, &[]);
+        assert!(output.status.success(), "{name}: {}", told(&output));
+        if name == "journal" {
+            assert!(
+                told(&output).contains("going on behind"),
+                "{}",
+                told(&output)
+            );
+        }
+        assert!(study(&file, &whole, &["--restart"]).status.success());
+        let [whole, out] = [&whole, &out].map(|folder| files_of(&folder.join("small")));
+        assert!(whole == out, "{name}");
+    }
+}
+
+/// All files of a folder and of the folders in it.
+#[cfg(unix)]
+fn files_of(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut all = Vec::new();
+    for path in entries.map(|entry| entry.expect("an entry").path()) {
+        if path.is_dir() {
+            all.extend(files_of(&path));
+        } else {
+            let name = path
+                .file_name()
+                .expect("a name")
+                .to_string_lossy()
+                .into_owned();
+            all.push((name, fs::read(path).expect("a file")));
+        }
+    }
+    all.sort();
+    all
+}
+
+/// A study that is being made is not made a second time in the same folder.
+#[test]
+fn two_processes_do_not_make_the_same_runs() {
+    let folder = TempDir::new().expect("a folder");
+    let file = written(folder.path(), &SPEEDS.replace("count = 40", "count = 4000"));
+    let mut first = Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+        .arg("study")
+        .arg(&file)
+        .arg("--out")
+        .arg(folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    let journal = folder.path().join("small").join("runs.journal");
+    while fs::metadata(&journal).map_or(0, |file| file.len()) < 10_000 {
+        thread::sleep(Duration::from_millis(2));
+    }
+    let second = study(&file, folder.path(), &["--restart"]);
+    first.kill().expect("a process to kill");
+    first.wait().expect("its end");
+    assert_eq!(second.status.code(), Some(1));
+    assert!(
+        told(&second).contains("another process"),
+        "{}",
+        told(&second)
+    );
 }
 
 /// A missing part is named; parts of different studies do not go together.

@@ -17,7 +17,7 @@ use crate::report::many::{
 use crate::report::{self, Outputs, ReportError, RunReport};
 use crate::scenario::{self, StudyFile};
 use crate::simulate::{Monitor, SimulateError, simulate};
-use crate::study::many::{Maker, NumberColumn, Schedule, Shard, Stopped, number_columns, work};
+use crate::study::many::{Maker, Schedule, Shard, Unmade, work};
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
 #[derive(Debug, clap::Args)]
@@ -146,15 +146,20 @@ enum Failure {
     NoRun { number: u64, last: u64 },
     #[error("run {number}: {message}")]
     Run { number: u64, message: String },
+    #[error("{0}; with that mended the same command goes on from what is done")]
+    Trace(io::Error),
     #[error("interrupted; the same command goes on from what is done")]
     Interrupted,
     #[error(transparent)]
     Output(#[from] io::Error),
 }
 
-impl From<Stopped> for Failure {
-    fn from(_: Stopped) -> Self {
-        Self::Interrupted
+impl From<Unmade> for Failure {
+    fn from(unmade: Unmade) -> Self {
+        match unmade {
+            Unmade::Stopped => Self::Interrupted,
+            Unmade::Trace(error) => Self::Trace(error),
+        }
     }
 }
 
@@ -177,7 +182,6 @@ struct Task<'a> {
     make: &'a Make,
     folder: PathBuf,
     schedule: Schedule,
-    columns: Vec<NumberColumn>,
     freedoms: usize,
 }
 
@@ -194,7 +198,6 @@ impl<'a> Task<'a> {
             make,
             folder,
             schedule: Schedule::new(points, last, study.sweep),
-            columns: number_columns(freedoms, model.rotor.bearings.len()),
             freedoms,
         })
     }
@@ -206,7 +209,8 @@ impl<'a> Task<'a> {
             schedule: self.schedule,
             keep: self.study.keep,
             verify_every: self.study.verify_every,
-            columns: &self.columns,
+            traces: None,
+            columns: &self.study.columns,
             model: &model,
             stop: &STOP,
         };
@@ -221,7 +225,7 @@ impl<'a> Task<'a> {
         let shard = self.make.shard.unwrap_or(Shard::WHOLE);
         let layout = Layout {
             variables: &self.study.variables,
-            columns: &self.columns,
+            columns: &self.study.columns,
             freedoms: self.freedoms,
             keep: self.study.keep,
         };
@@ -237,6 +241,15 @@ impl<'a> Task<'a> {
             let runs = done * self.schedule.runs_in_chain();
             stream::tell(&format!("going on behind {runs} runs that are done\n"));
         }
+        let traces = report.traces()?;
+        let keep = |run| match &traces {
+            Some(traces) => traces.begin(run),
+            None => Err(io::ErrorKind::Unsupported.into()),
+        };
+        let maker = Maker {
+            traces: traces.is_some().then_some(&keep),
+            ..*maker
+        };
         let mut progress = Progress::new(title);
         let left = chains.filter(|chain| !kept.holds(*chain));
         work(
@@ -245,9 +258,11 @@ impl<'a> Task<'a> {
             &STOP,
             |chain| maker.chain(chain),
             |chain, records| -> Result<(), Failure> {
-                // a chain that was stopped is made again
-                let Ok(records) = records else {
-                    return Ok(());
+                let records = match records {
+                    Ok(records) => records,
+                    // it is made again when the study goes on
+                    Err(Unmade::Stopped) => return Ok(()),
+                    Err(unmade) => return Err(unmade.into()),
                 };
                 report.add(chain, &records)?;
                 done += 1;

@@ -104,7 +104,11 @@ impl FileSet {
             "response.svg",
             "map.svg",
             "sensitivity.svg",
+            "stiffness.csv",
+            "ross_*.toml",
+            "waterfall.svg",
             "bifurcation.svg",
+            "report.html",
         ],
         spent: &["runs.journal"],
     };

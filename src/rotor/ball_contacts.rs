@@ -12,6 +12,8 @@ pub struct BallContacts {
     ends: Vec<usize>,
     /// By bearing, in its own orientation, N.
     pub(super) axial_forces: Vec<f64>,
+    /// Whether the forces of the bearings are looked at.
+    pub(super) forces: bool,
 }
 
 impl BallContacts {
@@ -28,6 +30,17 @@ impl BallContacts {
             balls: vec![BallContact::default(); ends.last().copied().unwrap_or(0)],
             axial_forces: vec![0.0; supports.len()],
             ends,
+            forces: true,
+        }
+    }
+
+    /// Room for none of the balls: they are not looked at, and the forces of the bearings only where asked for.
+    pub(super) fn unwatched(supports: &[Support], forces: bool) -> Self {
+        Self {
+            balls: Vec::new(),
+            axial_forces: vec![0.0; supports.len()],
+            ends: vec![0; supports.len()],
+            forces,
         }
     }
 

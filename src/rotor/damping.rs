@@ -1,6 +1,6 @@
 //! Viscous damping of the kept freedoms.
 
-use super::{Damping, FREEDOMS};
+use super::{Damping, FREEDOMS, Rotor};
 use crate::bearing::{Matrix5, Vector5, in_registers};
 
 /// Damping matrix C, diagonal wherever the scene allows.
@@ -8,6 +8,15 @@ use crate::bearing::{Matrix5, Vector5, in_registers};
 pub(super) enum DampingMatrix {
     Diagonal(Vector5),
     Full([Vector5; FREEDOMS]),
+}
+
+impl Rotor {
+    /// C of all that damps the shaft but the contacts of the balls: rows and columns x, y, z, θx, θy; N s/m
+    /// and what follows from it for the tilts.
+    pub fn damping_matrix(&self) -> [Vector5; FREEDOMS] {
+        let row = |row| std::array::from_fn(|column| self.damping.entry(row, column));
+        std::array::from_fn(row)
+    }
 }
 
 impl DampingMatrix {

@@ -247,6 +247,12 @@ impl Rotor {
         BallContacts::new(&self.supports)
     }
 
+    /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls, and of the forces of the bearings
+    /// only where asked for: what they leave out is zero there.
+    pub fn unwatched_balls(&self, forces: bool) -> BallContacts {
+        BallContacts::unwatched(&self.supports, forces)
+    }
+
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
     /// own [`Rotor::ball_contacts`].
     pub fn sample<const N: usize>(
@@ -279,8 +285,12 @@ impl Rotor {
         [displacement, velocity]: [Vector5; 2],
         contacts: &mut BallContacts,
     ) -> Sample {
-        let mut force = self.observe_bearings(&displacement, rotation, contacts);
-        if self.contacts_damped {
+        let mut force = if contacts.forces {
+            self.observe_bearings(&displacement, rotation, contacts)
+        } else {
+            [0.0; FREEDOMS]
+        };
+        if contacts.forces && self.contacts_damped {
             let damping = self.contact_damping(&displacement, &velocity, rotation);
             for axis in 0..FREEDOMS {
                 force[axis] += damping[axis];
@@ -308,6 +318,7 @@ impl Rotor {
         contacts: &mut BallContacts,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
+        let watched = !contacts.balls.is_empty();
         let mut balls = contacts.balls.iter_mut();
         let mut axial_forces = contacts.axial_forces.iter_mut();
         self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
@@ -318,11 +329,13 @@ impl Rotor {
             if let Some(axial) = axial_forces.next() {
                 *axial = support.definition().facing.sign() * force[2];
             }
-            support.for_each_contact(displacement, cage, rotation.speed, &mut |contact| {
-                if let Some(ball) = balls.next() {
-                    *ball = contact;
-                }
-            });
+            if watched {
+                support.for_each_contact(displacement, cage, rotation.speed, &mut |contact| {
+                    if let Some(ball) = balls.next() {
+                        *ball = contact;
+                    }
+                });
+            }
         });
         total
     }

@@ -86,9 +86,23 @@ fn find(path: &str, base: &Value, problems: &mut Problems<'_>) -> Option<Key<'st
 
 /// Every key of a number outside some tables; lists have as many entries as `given` has.
 pub(super) fn keys(given: &Value, left_out: &[&str]) -> Vec<Key<'static>> {
+    let mut keys = all_keys(given, left_out);
+    keys.retain(|key| !key.is_word());
+    keys
+}
+
+/// As [`keys`], with those of a word out of several.
+pub(super) fn all_keys(given: &Value, left_out: &[&str]) -> Vec<Key<'static>> {
     let mut keys = Vec::new();
     collect(schema(), Some(given), "", left_out, &mut keys);
     keys
+}
+
+/// Whether a schema is that of a word out of several.
+fn is_word(schema: &Value) -> bool {
+    let variants = schema["oneOf"].as_array();
+    let listed = variants.is_some_and(|all| all.iter().all(|one| one["const"].is_string()));
+    listed || schema["enum"].is_array()
 }
 
 fn collect<'a>(
@@ -99,7 +113,7 @@ fn collect<'a>(
     keys: &mut Vec<Key<'a>>,
 ) {
     let is_number = matches!(schema["type"].as_str(), Some("integer" | "number"));
-    if is_number || schema.get("x-dimension").is_some() {
+    if is_number || schema.get("x-dimension").is_some() || is_word(schema) {
         let path = path.to_owned();
         keys.push(Key { path, schema });
     }
@@ -178,6 +192,11 @@ impl Key<'_> {
         let node = problems.node(&path)?;
         let value = walk::value(node, self.schema, &path, problems)?;
         Some(Given { value, path })
+    }
+
+    /// Whether it is a word out of several.
+    pub fn is_word(&self) -> bool {
+        is_word(self.schema)
     }
 
     /// Whether it is a whole number.

@@ -36,6 +36,20 @@ pub struct Analyses {
     pub motion: bool,
     /// Waterfall and order tracks of the whole run.
     pub maps: bool,
+    /// What is looked at of the bearings at every sample.
+    pub watched: Watched,
+}
+
+/// What is looked at of the bearings at every sample; what is not is zero in the samples.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Watched {
+    /// Every ball: events, load zone and life rest on it.
+    #[default]
+    Balls,
+    /// The force on the shaft, but no ball.
+    Forces,
+    /// Nothing.
+    Nothing,
 }
 
 /// Maps of a run whose speed changes.
@@ -55,7 +69,7 @@ pub(super) struct Recorders {
 
 impl Recorders {
     pub fn new(model: &Model, rotor: &Rotor, grid: &Grid) -> Self {
-        let Analyses { motion, maps } = model.analyses;
+        let Analyses { motion, maps, .. } = model.analyses;
         let steady = rotor.steady_from(model.settle).filter(|_| motion);
         Self {
             motion: steady.map(|speed| MotionRecorder::new(settings(model, rotor, grid, speed))),

@@ -17,6 +17,8 @@ pub struct StaticState {
     pub displacement: [f64; FREEDOMS],
     /// ∂F/∂q of all bearings, rows and columns x, y, z, θx, θy.
     pub stiffness: [[f64; FREEDOMS]; FREEDOMS],
+    /// ∂F/∂q̇ of all that damps the shaft but the contacts, as the stiffness.
+    pub damping: [[f64; FREEDOMS]; FREEDOMS],
     /// Largest unbalanced force of the kept freedoms relative to the load.
     pub residual: f64,
     /// Newton steps taken.
@@ -100,6 +102,7 @@ impl StaticState {
             stiffness: std::array::from_fn(|row| {
                 std::array::from_fn(|column| stiffness[(row, column)])
             }),
+            damping: rotor.damping_matrix(),
             residual: equilibrium.residual,
             newton_steps: equilibrium.newton_steps,
             natural_frequencies: rotor.natural_frequencies(),

@@ -153,6 +153,7 @@ fn of_scene(rotor: RotorDefinition, settle: f64, window: f64, tolerance: f64) ->
         analyses: Analyses {
             motion: true,
             maps: false,
+            ..Analyses::default()
         },
         ..model(rotor, settle + window, 1.0)
     };

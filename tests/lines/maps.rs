@@ -98,6 +98,7 @@ fn mapped(definition: RotorDefinition, duration: f64) -> Maps {
         analyses: Analyses {
             motion: false,
             maps: true,
+            ..Analyses::default()
         },
         ..model(definition, duration, 10_000.0)
     };

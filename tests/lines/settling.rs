@@ -17,6 +17,7 @@ fn described(rotor: RotorDefinition, settle: f64, duration: f64) -> Run {
         analyses: Analyses {
             motion: true,
             maps: false,
+            ..Analyses::default()
         },
         ..model(rotor, duration, 1.0)
     };

@@ -12,14 +12,18 @@ use crate::report::{FileAction, ReportError};
 const MOST_ROWS: u64 = 20_000;
 /// Most failed runs that are named.
 const MOST_FAILURES: usize = 20;
+/// Runs whose rows are shown.
+const MOST_SHOWN: usize = 100;
 /// Quantiles that are told.
 const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 /// A run that failed.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Failure {
     /// Its number.
     pub run: u64,
+    /// Values of the axes, in the units of their columns.
+    pub values: Vec<f64>,
     /// Why, in words.
     pub error: String,
 }
@@ -58,12 +62,18 @@ pub struct Digest {
     pub failed: u64,
     /// The first of them.
     pub failures: Vec<Failure>,
+    /// The line of names.
+    pub(super) names: csv::StringRecord,
+    /// The first rows as they stand in the table.
+    pub(super) first: Vec<csv::StringRecord>,
     /// Names of the axes as columns.
     pub(super) axes: Vec<String>,
     pub(super) columns: Vec<ColumnDigest>,
     /// Rows that are drawn, every `stride`-th of those that were done.
     pub(super) rows: Vec<Row>,
     stride: u64,
+    /// Names of the numbers that the study keeps, where it names any.
+    pub(super) named: Option<Vec<String>>,
     /// Whether the runs were drawn instead of standing on a grid.
     pub(super) drawn: bool,
     sensitivities: Vec<Sensitivity>,
@@ -79,57 +89,70 @@ impl Digest {
         };
         let axes = identity["study"]["axis"].as_array().map_or(0, Vec::len);
         let mut reader = csv::Reader::from_path(runs).map_err(refused)?;
-        let names: Vec<String> = reader
-            .headers()
-            .map_err(refused)?
-            .iter()
-            .map(str::to_owned)
-            .collect();
-        let numbers = 2 + axes..names.len().saturating_sub(2);
-        let mut digest = Self {
-            runs: 0,
-            failed: 0,
-            failures: Vec::new(),
-            axes: names[2..numbers.start].to_vec(),
-            columns: names[numbers.clone()]
-                .iter()
-                .map(|name| ColumnDigest::new(name))
-                .collect(),
-            rows: Vec::new(),
-            stride: 1,
-            drawn: identity["study"]["sampling"] != "grid",
-            sensitivities: Vec::new(),
-            peaks: Vec::new(),
-        };
+        let names = reader.headers().map_err(refused)?.clone();
+        let mut digest = Self::empty(names, axes, &identity["study"]);
         for record in reader.records() {
-            let record = record.map_err(refused)?;
-            let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
-            let run = record.get(0).and_then(|run| run.parse().ok()).unwrap_or(0);
-            if record.get(names.len() - 2) == Some("failed") {
-                let error = record.get(names.len() - 1).unwrap_or_default();
-                digest.fail(run, error);
-                continue;
-            }
-            digest.add(Row {
-                run,
-                down: record.get(1) == Some("down"),
-                values: record.iter().skip(2).take(axes).map(number).collect(),
-                numbers: numbers
-                    .clone()
-                    .map(|k| record.get(k).map_or(f64::NAN, number))
-                    .collect(),
-            });
+            digest.read(record.map_err(refused)?);
         }
         digest.finish();
         Ok(digest)
     }
 
-    fn fail(&mut self, run: u64, error: &str) {
+    fn empty(names: csv::StringRecord, axes: usize, study: &Value) -> Self {
+        let own = |name: &str| name.to_owned();
+        let numbers = names.len().saturating_sub(4 + axes);
+        let columns = names.iter().skip(2 + axes).take(numbers);
+        let named = study["keep"]["numbers"].as_array();
+        Self {
+            runs: 0,
+            failed: 0,
+            failures: Vec::new(),
+            axes: names.iter().skip(2).take(axes).map(own).collect(),
+            columns: columns.map(ColumnDigest::new).collect(),
+            first: Vec::new(),
+            rows: Vec::new(),
+            stride: 1,
+            named: named.map(|names| names.iter().filter_map(Value::as_str).map(own).collect()),
+            drawn: study["sampling"] != "grid",
+            sensitivities: Vec::new(),
+            peaks: Vec::new(),
+            names,
+        }
+    }
+
+    /// Takes a row of the table.
+    fn read(&mut self, record: csv::StringRecord) {
+        let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
+        let run = record.get(0).and_then(|run| run.parse().ok()).unwrap_or(0);
+        let mut cells = record.iter().skip(2);
+        let values = cells.by_ref().take(self.axes.len()).map(number).collect();
+        let numbers = cells
+            .by_ref()
+            .take(self.columns.len())
+            .map(number)
+            .collect();
+        match (cells.next(), cells.next()) {
+            (Some("failed"), error) => {
+                let error = error.unwrap_or_default().to_owned();
+                self.fail(Failure { run, values, error });
+            }
+            _ => self.add(Row {
+                run,
+                down: record.get(1) == Some("down"),
+                values,
+                numbers,
+            }),
+        }
+        if self.first.len() < MOST_SHOWN {
+            self.first.push(record);
+        }
+    }
+
+    fn fail(&mut self, failure: Failure) {
         self.runs += 1;
         self.failed += 1;
         if self.failures.len() < MOST_FAILURES {
-            let error = error.to_owned();
-            self.failures.push(Failure { run, error });
+            self.failures.push(failure);
         }
     }
 
@@ -196,7 +219,7 @@ impl Digest {
             text += &format!(", {} failed; alone again by --only I", self.failed);
         }
         text.push('\n');
-        for Failure { run, error } in &self.failures {
+        for Failure { run, error, .. } in &self.failures {
             text += &format!("    run {run}: {error}\n");
         }
         if let Some(error) = self.largest_error() {
@@ -221,7 +244,7 @@ impl Digest {
             "runs": self.runs,
             "failed": self.failed,
             "failures": failures
-                .map(|failure| json!({ "run": failure.run, "error": failure.error }))
+                .map(|failure| json!({ "run": failure.run, "values": failure.values, "error": failure.error }))
                 .collect::<Value>(),
             "largest_measured_error": self.largest_error(),
             "runs_with_measured_error": self.measured(),

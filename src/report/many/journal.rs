@@ -1,14 +1,14 @@
 //! What is done of a study, kept as it is done, so that a killed study goes on from there.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use crate::report::bytes::{Checksum, Put, Take};
 use crate::report::{FileAction, ReportError};
 
-const MAGIC: [u8; 8] = *b"jcJourn1";
+const MAGIC: [u8; 8] = *b"jcJourn2";
 
 /// Bytes of an entry before its content: task, length, and after it the checksum.
 const HEAD: usize = 16;
@@ -76,6 +76,16 @@ pub enum JournalError {
         /// Path of the file.
         path: PathBuf,
     },
+    /// Another process is at it.
+    #[error(
+        "another process is making these runs: it holds {}; wait for its end, or write to another folder by \
+         --out",
+        path.display()
+    )]
+    Busy {
+        /// Path of the journal.
+        path: PathBuf,
+    },
     /// The file system refused.
     #[error(transparent)]
     Report(#[from] ReportError),
@@ -91,63 +101,41 @@ pub struct Journal {
 }
 
 impl Journal {
-    /// Begins a journal whose tasks count from `first` on, in place of any that stands there; `identity`
-    /// tells its study from others.
-    pub(super) fn create(path: &Path, identity: &str, first: u64) -> Result<Self, JournalError> {
+    /// Goes on with the journal of the same study, if one stands there, or else begins one whose tasks count
+    /// from `first` on; what was written last before a kill and is not whole is dropped. `identity` tells
+    /// its study from others; `anew` throws away what stands there.
+    pub(super) fn open(
+        path: &Path,
+        identity: &str,
+        first: u64,
+        anew: bool,
+    ) -> Result<Self, JournalError> {
         let refused = |action| ReportError::file(action, path);
-        let mut file = File::create(path).map_err(refused(FileAction::Create))?;
-        let mut head = MAGIC.to_vec();
-        head.put_text(identity);
-        head.put_u64(first);
-        file.write_all(&head).map_err(refused(FileAction::Write))?;
-        let done = Done::none(first);
+        let mut file = alone(path)?;
+        let head = head(identity, first);
+        let mut done = Done::none(first);
+        let mut whole = head.len() as u64;
+        if anew || !is_begun(&file, &head).map_err(refused(FileAction::Read))? {
+            file.set_len(0)
+                .and_then(|()| file.rewind())
+                .and_then(|()| file.write_all(&head))
+                .map_err(refused(FileAction::Write))?;
+        } else {
+            let mut entries = Entries::of_study(&file, path, identity, first)?;
+            while let Some((task, _)) = entries.next_entry() {
+                done.add(task);
+            }
+            whole = entries.whole;
+        }
+        file.set_len(whole)
+            .and_then(|()| file.seek(SeekFrom::End(0)))
+            .map_err(refused(FileAction::Write))?;
         Ok(Self {
             file,
             path: path.to_owned(),
             done,
             first,
         })
-    }
-
-    /// Goes on with the journal of the same study, if one stands there; what was written last before a
-    /// kill and is not whole is dropped.
-    pub(super) fn go_on(
-        path: &Path,
-        identity: &str,
-        first: u64,
-    ) -> Result<Option<Self>, JournalError> {
-        if !path.exists() {
-            return Ok(None);
-        }
-        let mut entries = Entries::open(path)?;
-        if entries.identity != identity || entries.first != first {
-            let [key, there, here] = entries.difference(identity, first);
-            return Err(JournalError::Other {
-                path: path.to_owned(),
-                key,
-                there,
-                here,
-            });
-        }
-        let mut done = Done::none(first);
-        while let Some((task, _)) = entries.next_entry() {
-            done.add(task);
-        }
-        let whole = entries.whole;
-        let refused = |action| ReportError::file(action, path);
-        let mut file = OpenOptions::new()
-            .write(true)
-            .open(path)
-            .map_err(refused(FileAction::Write))?;
-        file.set_len(whole)
-            .and_then(|()| file.seek(SeekFrom::End(0)))
-            .map_err(refused(FileAction::Write))?;
-        Ok(Some(Self {
-            file,
-            path: path.to_owned(),
-            done,
-            first,
-        }))
     }
 
     /// Its path.
@@ -193,7 +181,7 @@ impl Journal {
         &self,
         mut show: impl FnMut(&[u8]) -> Result<(), ReportError>,
     ) -> Result<(), JournalError> {
-        let mut entries = Entries::open(&self.path)?;
+        let mut entries = Entries::of(&self.file, &self.path)?;
         let mut waiting = BTreeMap::new();
         let mut next = self.first;
         while let Some((task, content)) = entries.next_entry() {
@@ -207,6 +195,43 @@ impl Journal {
     }
 }
 
+/// Opens the file for this process alone.
+fn alone(path: &Path) -> Result<File, JournalError> {
+    let refused = |action| ReportError::file(action, path);
+    loop {
+        let file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(path)
+            .map_err(refused(FileAction::Create))?;
+        if let Err(TryLockError::WouldBlock) = file.try_lock() {
+            let path = path.to_owned();
+            return Err(JournalError::Busy { path });
+        }
+        // a study that ended in between took the file away
+        if path.exists() {
+            return Ok(file);
+        }
+    }
+}
+
+fn head(identity: &str, first: u64) -> Vec<u8> {
+    let mut head = MAGIC.to_vec();
+    head.put_text(identity);
+    head.put_u64(first);
+    head
+}
+
+/// Whether more stands there than a beginning of the head, which a full disk may have cut off.
+fn is_begun(mut file: &File, head: &[u8]) -> io::Result<bool> {
+    let mut start = Vec::new();
+    file.rewind()?;
+    file.take(head.len() as u64).read_to_end(&mut start)?;
+    Ok(start.len() == head.len() || !head.starts_with(&start))
+}
+
 /// The entries of a journal, as far as they are whole.
 struct Entries {
     reader: BufReader<File>,
@@ -217,11 +242,34 @@ struct Entries {
 }
 
 impl Entries {
-    fn open(path: &Path) -> Result<Self, JournalError> {
+    /// Those of one study.
+    fn of_study(
+        file: &File,
+        path: &Path,
+        identity: &str,
+        first: u64,
+    ) -> Result<Self, JournalError> {
+        let entries = Self::of(file, path)?;
+        if entries.identity == identity && entries.first == first {
+            return Ok(entries);
+        }
+        let [key, there, here] = entries.difference(identity, first);
+        Err(JournalError::Other {
+            path: path.to_owned(),
+            key,
+            there,
+            here,
+        })
+    }
+
+    /// From the start of the file, by the handle that holds it.
+    fn of(file: &File, path: &Path) -> Result<Self, JournalError> {
         let unreadable = || JournalError::Unreadable {
             path: path.to_owned(),
         };
-        let file = File::open(path).map_err(ReportError::file(FileAction::Read, path))?;
+        let refused = || ReportError::file(FileAction::Read, path);
+        let mut file = file.try_clone().map_err(refused())?;
+        file.rewind().map_err(refused())?;
         let mut reader = BufReader::with_capacity(1 << 16, file);
         let mut head = [0; 16];
         reader.read_exact(&mut head).map_err(|_| unreadable())?;
@@ -312,7 +360,7 @@ mod tests {
     fn what_is_noted_in_any_order_is_shown_in_that_of_the_tasks() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("runs.journal");
-        let mut journal = Journal::create(&path, "{}", 3).unwrap();
+        let mut journal = Journal::open(&path, "{}", 3, false).unwrap();
         for task in [4, 3, 6, 5, 4] {
             journal.add(task, &[task as u8]).unwrap();
         }
@@ -323,14 +371,14 @@ mod tests {
     fn an_entry_cut_off_by_a_kill_is_dropped_and_made_again() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("runs.journal");
-        let mut journal = Journal::create(&path, "{}", 0).unwrap();
+        let mut journal = Journal::open(&path, "{}", 0, false).unwrap();
         journal.add(0, b"zero").unwrap();
         journal.add(1, b"one").unwrap();
         drop(journal);
         let length = std::fs::metadata(&path).unwrap().len();
         let file = OpenOptions::new().write(true).open(&path).unwrap();
         file.set_len(length - 3).unwrap();
-        let mut journal = Journal::go_on(&path, "{}", 0).unwrap().unwrap();
+        let mut journal = Journal::open(&path, "{}", 0, false).unwrap();
         assert!(journal.done().holds(0) && !journal.done().holds(1));
         journal.add(1, b"one").unwrap();
         assert_eq!(contents(&journal), [&b"zero"[..], b"one"]);
@@ -340,9 +388,35 @@ mod tests {
     fn the_journal_of_another_study_is_refused_by_what_differs() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("runs.journal");
-        drop(Journal::create(&path, r#"{"seed": 1}"#, 0).unwrap());
-        let error = Journal::go_on(&path, r#"{"seed": 2}"#, 0).unwrap_err();
+        drop(Journal::open(&path, r#"{"seed": 1}"#, 0, false).unwrap());
+        let error = Journal::open(&path, r#"{"seed": 2}"#, 0, false).unwrap_err();
         let told = error.to_string();
         assert!(told.contains("`seed` was 1 there and is 2 now"), "{told}");
+    }
+
+    #[test]
+    fn one_process_at_a_time_has_a_journal() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("runs.journal");
+        let mut journal = Journal::open(&path, "{}", 0, false).unwrap();
+        journal.add(0, b"zero").unwrap();
+        for anew in [false, true] {
+            let error = Journal::open(&path, "{}", 0, anew).unwrap_err();
+            assert!(error.to_string().contains("another process"), "{error}");
+        }
+        assert_eq!(contents(&journal), [b"zero"]);
+    }
+
+    #[test]
+    fn a_head_that_a_full_disk_cut_off_is_written_anew() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("runs.journal");
+        let head = head("{}", 0);
+        for length in 0..head.len() {
+            fs::write(&path, &head[..length]).unwrap();
+            let mut journal = Journal::open(&path, "{}", 0, false).unwrap();
+            journal.add(0, b"zero").unwrap();
+            assert_eq!(contents(&journal), [b"zero"], "{length} bytes");
+        }
     }
 }

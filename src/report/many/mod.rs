@@ -1,12 +1,19 @@
 //! The files of a study of many runs: a journal while it goes on, tables, figures and a summary at its end.
 
+mod bifurcation;
 mod digest;
 mod figures;
 mod journal;
+mod map;
+mod page;
 mod part;
 mod response_peak;
+mod ross;
 mod sensitivity;
 mod tables;
+mod tornado;
+mod traces;
+mod waterfall;
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
@@ -17,11 +24,15 @@ use serde_json::{Value, json};
 pub use self::digest::{Digest, Failure};
 use self::journal::Journal;
 pub use self::journal::{Done, JournalError};
+use self::page::write_page;
 pub use self::part::MergeError;
 use self::part::{PartSeal, part_name, seals};
+use self::ross::ross_files;
 pub use self::tables::Layout;
 use self::tables::{Table, write_header, write_rows};
-use crate::report::{FileAction, FileSet, ReportError, RunFolder, WholeFile};
+pub use self::traces::Traces;
+use self::traces::remove_stale;
+use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::study::many::{Keep, RunRecord, Schedule, Shard};
 
 /// A study whose runs are being made.
@@ -58,17 +69,14 @@ impl<'a> StudyReport<'a> {
             Shard::WHOLE => "runs.journal".to_owned(),
             part => part_name("study", part, "journal"),
         });
+        let runs = schedule.runs_in_chain();
+        let own = runs * first..runs * shard.chains(schedule).end;
         let known = json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "study": identity });
         let known = known.to_string();
-        let standing = if anew {
-            None
-        } else {
-            Journal::go_on(&path, &known, first)?
-        };
-        let journal = match standing {
-            Some(journal) => journal,
-            None => Journal::create(&path, &known, first)?,
-        };
+        let journal = Journal::open(&path, &known, first, anew)?;
+        if *journal.done() == Done::none(first) {
+            remove_stale(folder.path(), &own, schedule.runs())?;
+        }
         Ok(Self {
             folder,
             journal,
@@ -77,6 +85,15 @@ impl<'a> StudyReport<'a> {
             title: title.to_owned(),
             identity,
         })
+    }
+
+    /// Where the traces of the runs are kept, if they are.
+    ///
+    /// # Errors
+    /// [`ReportError`] where their folder cannot be made.
+    pub fn traces(&self) -> Result<Option<Traces>, ReportError> {
+        let keep = self.layout.keep.traces;
+        keep.then(|| Traces::open(self.folder.path())).transpose()
     }
 
     /// Chains that are done.
@@ -218,20 +235,17 @@ fn seal(
     };
     let runs = named(&files, Table::Runs).unwrap_or_default();
     let digest = Digest::of(&runs, identity)?;
-    let drawn = [
-        ("response.svg", digest.response(title)),
-        ("map.svg", digest.map(title)),
-        ("sensitivity.svg", digest.tornado(title)),
-    ];
-    for (name, figure) in drawn {
-        if let Some(figure) = figure {
-            files.push(folder.write(name, figure?.as_bytes())?);
-        }
+    let tables = [Table::Points, Table::Spectra].map(|table| named(&files, table));
+    let figures = figures(&digest, title, tables.each_ref().map(Option::as_deref))?;
+    for (name, figure) in &figures {
+        files.push(folder.write(name, figure.as_bytes())?);
     }
-    if let Some(points) = named(&files, Table::Points)
-        && let Some(figure) = digest.bifurcation(title, &points)?
-    {
-        files.push(folder.write("bifurcation.svg", figure.as_bytes())?);
+    let page = |file: &mut PartialFile| write_page(title, identity, &digest, &figures, file);
+    files.push(folder.write_with("report.html", page)?);
+    if let Some(stiffness) = named(&files, Table::Stiffness) {
+        for (name, text) in ross_files(title, identity, &digest, &stiffness)? {
+            files.push(folder.write(&name, text.as_bytes())?);
+        }
     }
     let summary = json!({
         "jeffcott": env!("CARGO_PKG_VERSION"),
@@ -241,4 +255,27 @@ fn seal(
     });
     let paths = folder.commit(files, format!("{summary:#}\n").as_bytes())?;
     Ok((paths, digest))
+}
+
+/// What there is to draw, by the names of the files.
+fn figures(
+    digest: &Digest,
+    title: &str,
+    [points, spectra]: [Option<&Path>; 2],
+) -> Result<Vec<(String, String)>, ReportError> {
+    let bifurcation = points.map(|points| digest.bifurcation(title, points));
+    let waterfall = spectra.map(|spectra| digest.waterfall(title, spectra));
+    let drawn = [
+        ("response.svg", digest.response(title)),
+        ("bifurcation.svg", bifurcation.and_then(Result::transpose)),
+        ("waterfall.svg", waterfall.and_then(Result::transpose)),
+        ("map.svg", digest.map(title)),
+        ("sensitivity.svg", digest.tornado(title)),
+    ];
+    let there = drawn
+        .into_iter()
+        .filter_map(|(name, figure)| Some((name, figure?)));
+    there
+        .map(|(name, figure)| Ok((name.to_owned(), figure?)))
+        .collect()
 }

@@ -2,10 +2,13 @@
 
 use serde_json::{Value, json};
 
-use super::digest::Digest;
+use super::digest::{ColumnDigest, Digest};
 
 /// Numbers whose peaks are told, by the end of their columns.
 const TOLD: [&str; 2] = ["_rms_m", "_order_1_m"];
+
+/// An order that is less than this part of the motion of its channel is round-off or noise.
+const LEAST_PART: f64 = 0.01;
 
 /// A peak of a response curve.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,7 +43,9 @@ pub(super) fn peaks(digest: &Digest) -> Vec<ResponsePeak> {
         return Vec::new();
     }
     let columns = digest.columns.iter().enumerate();
-    let told = columns.filter(|(_, column)| TOLD.iter().any(|end| column.name.ends_with(end)));
+    let told = columns.filter(|(_, column)| {
+        TOLD.iter().any(|end| column.name.ends_with(end)) && tells(digest, column)
+    });
     told.flat_map(|(index, column)| {
         [false, true].into_iter().flat_map(move |down| {
             let rows = digest.rows.iter().filter(|row| row.down == down);
@@ -55,6 +60,13 @@ pub(super) fn peaks(digest: &Digest) -> Vec<ResponsePeak> {
         })
     })
     .collect()
+}
+
+/// Whether a number is a fair part of the motion of its channel, as far as that is known.
+fn tells(digest: &Digest, column: &ColumnDigest) -> bool {
+    let channel = column.name.split('_').next().unwrap_or_default();
+    let whole = digest.column(&format!("{channel}_rms_m"));
+    whole.is_none_or(|whole| column.highest >= LEAST_PART * digest.columns[whole].highest)
 }
 
 /// Places in a curve that are higher than both neighbours, by half the power than the valleys that part

@@ -8,7 +8,7 @@ use crate::report::columns::{amplitude_column, value_column};
 use crate::report::statics::{cell, number};
 use crate::report::study::column_name;
 use crate::study::Variable;
-use crate::study::many::{Keep, NumberColumn, RunRecord};
+use crate::study::many::{BearingStiffness, Keep, NumberColumn, RunRecord};
 
 /// A table of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -19,11 +19,13 @@ pub(super) enum Table {
     Spectra,
     /// Places of the shaft in every run.
     Points,
+    /// Stiffness of every bearing in every run.
+    Stiffness,
 }
 
 impl Table {
     /// All of them, in the order in which a journal holds them.
-    pub const ALL: [Self; 3] = [Self::Runs, Self::Spectra, Self::Points];
+    pub const ALL: [Self; 4] = [Self::Runs, Self::Spectra, Self::Points, Self::Stiffness];
 
     /// File name without ending.
     pub fn stem(self) -> &'static str {
@@ -31,6 +33,7 @@ impl Table {
             Self::Runs => "runs",
             Self::Spectra => "spectra",
             Self::Points => "poincare",
+            Self::Stiffness => "stiffness",
         }
     }
 
@@ -40,6 +43,7 @@ impl Table {
             Self::Runs => true,
             Self::Spectra => keep.highest_order.is_some(),
             Self::Points => keep.section.is_some(),
+            Self::Stiffness => keep.bearing_stiffness,
         }
     }
 }
@@ -82,6 +86,7 @@ impl Layout<'_> {
                     .chain(displacements.map(value_column))
                     .collect()
             }
+            Table::Stiffness => run.chain(stiffness_columns()).collect(),
         }
     }
 
@@ -106,6 +111,11 @@ impl Layout<'_> {
                 }
                 Table::Points => {
                     for row in point_rows(record) {
+                        writer.write_record(row)?;
+                    }
+                }
+                Table::Stiffness => {
+                    for row in stiffness_rows(record) {
                         writer.write_record(row)?;
                     }
                 }
@@ -159,6 +169,32 @@ fn point_rows(record: &RunRecord) -> impl Iterator<Item = Vec<String>> {
         let start = [record.turn.number.to_string(), number(point.time)];
         let places = point.displacement.iter().map(|value| number(*value));
         start.into_iter().chain(places).collect()
+    })
+}
+
+/// Bearing, speed, and the entries of K and C: `kxy_N_m`, `cxy_N_s_m`.
+fn stiffness_columns() -> impl Iterator<Item = String> {
+    let entries = |letter: char, unit: &'static str| {
+        let entries = BearingStiffness::ENTRIES.into_iter();
+        entries.map(move |(entry, ..)| format!("{letter}{entry}_{unit}"))
+    };
+    let start = ["bearing", "speed_rad_s"].map(str::to_owned);
+    let entries = entries('k', "N_m").chain(entries('c', "N_s_m"));
+    start.into_iter().chain(entries)
+}
+
+fn stiffness_rows(record: &RunRecord) -> impl Iterator<Item = Vec<String>> {
+    let bearings = record.outcome.as_ref().ok().into_iter();
+    let bearings = bearings.flat_map(|outcome| &outcome.stiffness);
+    bearings.map(|bearing| {
+        let start = [
+            record.turn.number.to_string(),
+            bearing.bearing.to_string(),
+            number(bearing.speed),
+        ];
+        let entries = bearing.stiffness.iter().chain(&bearing.damping);
+        let entries = entries.map(|entry| number(*entry));
+        start.into_iter().chain(entries).collect()
     })
 }
 

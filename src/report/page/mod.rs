@@ -5,6 +5,7 @@
 
 mod balls;
 mod curve;
+mod frame;
 mod further_spectra;
 mod histories;
 mod orbit;
@@ -14,14 +15,13 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
+pub(super) use self::frame::{Frame, figures_json};
 use self::histories::Histories;
 use self::orbit::Orbit;
 use super::figure_spectrum::frequency_limit_of;
 use crate::rotor::Sample;
 use crate::simulate::Run;
 
-const FRAME: &str = include_str!("page.html");
-const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 const CHARTS: &str = include_str!("uplot/uPlot.iife.min.js");
 const CHARTS_STYLE: &str = include_str!("uplot/uPlot.min.css");
@@ -63,19 +63,18 @@ impl Page {
             "histories": self.histories.panels(),
             "orbit": self.orbit.curve(),
             "sections": run.motion.as_ref().map(orbit::sections),
-            "figures": figures.iter().map(|(name, svg)| json!({ "name": name, "svg": svg })).collect::<Value>(),
+            "figures": figures_json(figures),
             "furtherSpectra": further_spectra(run),
             "spectra": run.spectrum.as_ref().map(|spectrum| spectra::panels(spectrum, &run.peaks)),
         });
         let title = summary["title"].as_str().unwrap_or_default();
-        let parts = [
-            ("title", escaped(title)),
-            ("style", [CHARTS_STYLE, STYLE].concat()),
-            // no text in the data can end the element that it stands in
-            ("data", data.to_string().replace('<', "\\u003c")),
-            ("script", [CHARTS, SCRIPT].concat()),
-        ];
-        fill(FRAME, &parts, out)
+        let frame = Frame {
+            title,
+            sealed: "summary.json",
+            styles: CHARTS_STYLE,
+            scripts: &[CHARTS, SCRIPT],
+        };
+        frame.write(&data, out)
     }
 }
 
@@ -86,35 +85,4 @@ fn further_spectra(run: &Run) -> Vec<Value> {
     spectra
         .flat_map(|spectrum| further_spectra::panels(spectrum, limit))
         .collect()
-}
-
-/// Writes the frame with every `{{name}}` replaced by the part of that name.
-fn fill(frame: &str, parts: &[(&str, String)], out: &mut impl Write) -> io::Result<()> {
-    let mut pieces = frame.split("{{");
-    out.write_all(pieces.next().unwrap_or_default().as_bytes())?;
-    for piece in pieces {
-        let (name, rest) = piece.split_once("}}").unwrap_or(("", piece));
-        let part = parts.iter().find(|(part, _)| *part == name);
-        if let Some((_, text)) = part {
-            out.write_all(text.as_bytes())?;
-        }
-        out.write_all(rest.as_bytes())?;
-    }
-    Ok(())
-}
-
-/// Text as it may stand in HTML.
-fn escaped(text: &str) -> String {
-    let mut html = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => html += "&amp;",
-            '<' => html += "&lt;",
-            '>' => html += "&gt;",
-            '"' => html += "&quot;",
-            c if c.is_control() => html.push(' '),
-            c => html.push(c),
-        }
-    }
-    html
 }

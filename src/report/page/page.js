@@ -1,60 +1,10 @@
 
-"use strict";
 (() => {
-  const { summary, balls, histories, orbit, sections, spectra, furtherSpectra, figures } = JSON.parse(document.getElementById("data").textContent);
-  const main = document.querySelector("main");
-  const svgSpace = "http://www.w3.org/2000/svg";
+  const { element, drawn, section, table, tiles, number, drawnFigure } = page;
+  const { summary, balls, histories, orbit, sections, spectra, furtherSpectra, figures } = page.data;
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
     moment_x: "moment x", moment_y: "moment y" };
   const named = (name) => names[name] ?? name;
-
-  // Elements.
-
-  function element(tag, attributes = {}, ...children) {
-    const made = document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    made.append(...children.filter((child) => child !== null));
-    return made;
-  }
-
-  function drawn(tag, attributes, ...children) {
-    const made = document.createElementNS(svgSpace, tag);
-    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
-    made.append(...children);
-    return made;
-  }
-
-  function section(id, title, ...children) {
-    const made = element("section", { id }, element("h2", {}, title), ...children);
-    main.append(made);
-    document.querySelector("nav").append(element("a", { href: `#${id}` }, title));
-    return made;
-  }
-
-  function table(heads, rows, caption = null, nameColumns = 1) {
-    const cell = (tag) => (text, column) =>
-      element(tag, column < nameColumns ? { class: "name" } : {}, text);
-    const head = element("thead", {}, element("tr", {}, ...heads.map(cell("th"))));
-    const body = element("tbody", {}, ...rows.map((row) => element("tr", {}, ...row.map(cell("td")))));
-    const made = element("div", { class: "scroll" }, element("table", {}, head, body));
-    return element("figure", {}, made, caption && element("figcaption", {}, caption));
-  }
-
-  function tiles(entries) {
-    const tile = ([name, value, remark]) => element("div", { class: "tile" },
-      element("dt", {}, name), element("dd", {}, value), remark ? element("dd", {}, remark) : null);
-    return element("dl", { class: "tiles" }, ...entries.filter(Boolean).map(tile));
-  }
-
-  // Numbers.
-
-  function number(value, digits = 5) {
-    if (value === null || value === undefined) return "–";
-    if (value === 0) return "0";
-    const size = Math.abs(value);
-    if (size >= 1e-3 && size < 1e6) return String(Number(value.toPrecision(digits)));
-    return value.toExponential(digits - 2);
-  }
 
   const shownUnits = { m: ["µm", 1e6], rad: ["µrad", 1e6] };
   const shown = (value, unit) => {
@@ -333,14 +283,6 @@
 
   // Sections.
 
-  /** A figure as it stands in the folder, on paper of its own. */
-  function drawnFigure({ name, svg }) {
-    const image = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
-    image.setAttribute("role", "img");
-    image.setAttribute("aria-label", name);
-    return element("figure", { class: "paper" }, document.importNode(image, true), element("figcaption", {}, name));
-  }
-
   function kindText({ name, section, cycles }) {
     if (name === "periodic") return `${name}, ${cycles} × ${section.replaceAll("_", " ")}`;
     return name;
@@ -481,21 +423,17 @@
     section("bearings", "Bearings", ...bearings());
     if (summary.energy) section("energy", "Energy", energy());
     section("error", "Error and work", ...accuracy());
-    section("scenario", "Scenario", element("details", {}, element("summary", {}, "as it was run, with defaults"),
-      element("pre", {}, JSON.stringify(summary.scenario, null, 2))));
+    page.scenarioSection("as it was run, with defaults", summary.scenario);
   }
 
   write();
   charts.forEach(build);
   const rebuild = () => charts.forEach(build);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", rebuild);
-  const printed = (on) => () => { document.documentElement.classList.toggle("printed", on); rebuild(); };
-  addEventListener("beforeprint", printed(true));
-  addEventListener("afterprint", printed(false));
   let waiting = 0;
   addEventListener("resize", () => {
     clearTimeout(waiting);
     waiting = setTimeout(() => charts.forEach((chart) => chart.plot.setSize({ width: width(chart), height: chart.height })), 100);
   });
-  document.documentElement.dataset.readyMs = String(Math.round(performance.now()));
+  page.ready(rebuild);
 })();

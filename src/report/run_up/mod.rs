@@ -5,6 +5,9 @@ mod raster;
 mod waterfall_figure;
 mod waterfall_table;
 
+pub(in crate::report) use raster::{MOST_CELLS, Raster};
+pub(in crate::report) use waterfall_figure::draw_runs;
+
 use serde_json::{Value, json};
 
 use super::table::TableTarget;

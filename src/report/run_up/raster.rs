@@ -3,7 +3,7 @@
 use crate::analysis::Waterfall;
 
 /// Most cells along an axis: more cannot be seen.
-const MOST_CELLS: usize = 320;
+pub(in crate::report) const MOST_CELLS: usize = 320;
 /// Cells along the axis of speed.
 const SPEED_CELLS: usize = 200;
 /// Decades below the loudest cell that are told apart.
@@ -13,7 +13,7 @@ const MEAN_BINS: usize = 1;
 
 /// Amplitudes over one axis and frequency.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Raster {
+pub(in crate::report) struct Raster {
     /// Ends of the first axis, s or rad/s.
     pub ends: [f64; 2],
     /// Ends of the axis of frequencies, Hz.
@@ -23,6 +23,15 @@ pub(super) struct Raster {
 }
 
 impl Raster {
+    /// Of columns at even steps, each by rising frequency, m.
+    pub fn of(ends: [f64; 2], frequencies: [f64; 2], columns: Vec<Vec<f64>>) -> Self {
+        Self {
+            ends,
+            frequencies,
+            columns,
+        }
+    }
+
     /// Over time: a column a spectrum, neighbours joined where they are too many.
     pub fn over_time(waterfall: &Waterfall, channel: usize) -> Self {
         let slices = &waterfall.slices;

@@ -32,6 +32,32 @@ struct Place {
     uri: String,
 }
 
+/// Draws the spectra of several runs over what differs between them: a raster with its name a row.
+pub(in crate::report) fn draw_runs(
+    title: &str,
+    over: &str,
+    rows: &[(String, Raster)],
+) -> Result<String, ReportError> {
+    let mut places = Vec::new();
+    let height = HEAD_HEIGHT + ROW_HEIGHT * rows.len() as u32;
+    let text = svg("waterfall.svg", height, title, |area| {
+        let (scale, below) = area.split_vertically(px(SCALE_HEIGHT));
+        draw_scale(&scale)?;
+        let areas = below.split_evenly((rows.len().max(1), 1));
+        for ((name, raster), area) in rows.iter().zip(&areas) {
+            let loudest = raster.loudest();
+            let axis = Axis {
+                name: format!("{over} ({name}: loudest {:.3e} µm)", MICRO * loudest),
+                scale: 1.0,
+                orders: &[],
+            };
+            draw_map(area, raster, loudest, &axis, &mut places)?;
+        }
+        Ok(())
+    })?;
+    Ok(places.iter().fold(text, placed))
+}
+
 /// Draws the SVG, the maps as pictures inside it.
 pub(super) fn draw(title: &str, maps: &Maps) -> Result<String, ReportError> {
     let waterfall = &maps.waterfall;

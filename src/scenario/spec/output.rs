@@ -224,6 +224,7 @@ impl OutputSpec {
         Analyses {
             motion: steady && self.motion.unwrap_or(self.spectrum),
             maps: changes && self.maps.unwrap_or(self.figures),
+            ..Analyses::default()
         }
     }
 

@@ -13,12 +13,12 @@ use super::error::ScenarioError;
 use super::issue::Issue;
 use super::problems::Problems;
 use super::schema::schema_of;
-use super::vary::{Key, keys, put, questions_of};
+use super::vary::{Key, all_keys, keys, put, questions_of};
 use super::walk::{self, nearest};
 use super::{Scenario, echo, read_tree, stem};
 use crate::simulate::Model;
 use crate::study::Variable;
-use crate::study::many::{Keep, Section, Sweep};
+use crate::study::many::{Keep, NumberColumn, Section, Sweep, number_columns};
 use crate::study::plan::{Axis, AxisValues, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
 
 /// Tables of a scenario that say nothing of its motion.
@@ -40,8 +40,10 @@ pub struct StudyFile {
     pub sweep: Option<Sweep>,
     /// Every so many runs the error is measured; 0 on none.
     pub verify_every: u64,
-    /// What is kept of every run.
+    /// What is kept of every run beside its numbers.
     pub keep: Keep,
+    /// The numbers that are kept of every run, in the order of the table.
+    pub columns: Vec<NumberColumn>,
     /// The study with its defaults and the scenario that it starts from.
     pub echo: Value,
     base: Value,
@@ -111,11 +113,12 @@ fn build(
     folder: PathBuf,
     problems: &mut Problems<'_>,
 ) -> Option<StudyFile> {
-    if scenario.model.is_none() {
+    let Some(model) = &scenario.model else {
         let issue = Issue::new("base", "a study needs a scenario with a `[time]`");
         problems.refuse(issue, &[]);
         return None;
-    }
+    };
+    let columns = columns(spec, model, problems);
     let base = base_of(spec, scenario, &folder, problems)?;
     let known = keys(&base, &LEFT_OUT);
     let mut axes = Vec::new();
@@ -147,6 +150,7 @@ fn build(
         sweep: spec.sweep.map(sweep),
         verify_every: spec.verify_every,
         keep: keep(spec),
+        columns,
         echo,
         base,
         folder,
@@ -165,7 +169,7 @@ fn base_of(
     if let Value::Object(tables) = &mut base {
         tables.retain(|name, _| name != "study");
     }
-    let known = keys(&base, &LEFT_OUT);
+    let known = all_keys(&base, &LEFT_OUT);
     for (index, set) in spec.set.iter().enumerate() {
         let path = format!("set[{index}]");
         let key = find(&set.key, &known, &format!("{path}.key"), problems)?;
@@ -197,6 +201,30 @@ fn find<'k>(
         problems.refuse(Issue::new(path, message).help(help), &[]);
     }
     found
+}
+
+/// The numbers that are kept: of a scene all, or those that are named and the measured error.
+fn columns(spec: &StudyFileSpec, model: &Model, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
+    let all = number_columns(
+        model.rotor.shaft.freedoms.count(),
+        model.rotor.bearings.len(),
+    );
+    let Some(named) = &spec.keep.numbers else {
+        return all;
+    };
+    for (index, name) in named.iter().enumerate() {
+        if all.iter().all(|column| column.name != *name) {
+            let message = format!("no run of this scene has a number `{name}`");
+            let help = match nearest(name, all.iter().map(|column| column.name.as_str())) {
+                Some(known) => format!("did you mean `{known}`?"),
+                None => "for instance: \"x_rms_m\"".to_owned(),
+            };
+            let issue = Issue::new(format!("keep.numbers[{index}]"), message);
+            problems.refuse(issue.help(help), &[]);
+        }
+    }
+    let kept = |column: &NumberColumn| named.contains(&column.name) || column.is_error();
+    all.into_iter().filter(kept).collect()
 }
 
 fn sampling(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
@@ -278,6 +306,8 @@ fn keep(spec: &StudyFileSpec) -> Keep {
         highest_order: keep
             .spectra
             .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
+        bearing_stiffness: keep.bearing_stiffness,
+        traces: keep.traces,
         section: keep.poincare.map(|section| match section {
             SectionChoice::Revolution => Section::Revolution,
             SectionChoice::BallPass => Section::BallPass,

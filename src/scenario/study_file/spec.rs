@@ -134,8 +134,8 @@ pub enum DistributionChoice {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SetSpec {
-    /// Path of the key.
-    #[schemars(extend("examples" = ["time.duration"]))]
+    /// Path of the key of a number, or of a word out of several.
+    #[schemars(extend("examples" = ["time.duration", "model.contact"]))]
     pub key: String,
     /// Its value, written as that key is.
     #[schemars(extend("examples" = ["0.5 s"]))]
@@ -146,11 +146,21 @@ pub struct SetSpec {
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct KeepSpec {
+    /// Which numbers, by the names of their columns; the figures draw them in this order. The measured error
+    /// is always kept. Default: all, of which the figures draw some.
+    #[schemars(extend("minItems" = 1, "maxItems" = 64, "examples" = [["x_rms_m", "bearing_1_life_h"]]))]
+    pub numbers: Option<Vec<String>>,
     /// Whether the amplitudes of the displacements are kept, in `spectra.csv`. Default: false.
     pub spectra: bool,
     /// Highest frequency of them in shaft orders. Default: 20.
     #[schemars(extend("x-minimum" = 0.0))]
     pub highest_order: Option<f64>,
+    /// Whether the trace of every run is kept, in `traces/trace-<number>.csv`. Default: false.
+    pub traces: bool,
+    /// Whether stiffness and damping of every bearing at the static equilibrium are kept, in
+    /// `stiffness.csv`, and for rotor dynamics with ROSS, in `ross_*.toml`, as functions of the speed.
+    /// Default: false.
+    pub bearing_stiffness: bool,
     /// Whether the place of the shaft is kept once a revolution or once a ball pass after the settle
     /// time, in `poincare.csv`. Default: not.
     pub poincare: Option<SectionChoice>,

@@ -13,7 +13,7 @@ pub use history::BearingHistory;
 pub use life::{ConsumedLife, LifeHistory};
 pub use load_zone::{LoadZone, Spread};
 
-use super::{Model, TraceSink};
+use super::{Model, TraceSink, Watched};
 use crate::bearing::{ContactBand, Support};
 use crate::rotor::{BallContacts, Rotor, Sample};
 use contact_watch::ContactWatch;
@@ -45,7 +45,11 @@ struct BearingObserver<'a> {
 
 impl<'a> Observation<'a> {
     pub fn new(model: &Model, rotor: &'a Rotor) -> Self {
-        let contacts = rotor.ball_contacts();
+        let contacts = match model.analyses.watched {
+            Watched::Balls => rotor.ball_contacts(),
+            Watched::Forces => rotor.unwatched_balls(true),
+            Watched::Nothing => rotor.unwatched_balls(false),
+        };
         let observer = |(index, support)| {
             let speed = rotor.speed();
             BearingObserver::new(index, support, speed, model.settle)

@@ -5,19 +5,39 @@ use std::io;
 use std::sync::atomic::AtomicBool;
 
 use super::numbers::{NumberColumn, Observed};
-use super::record::{Line, Outcome, Point, RunRecord};
+use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord};
 use super::{Keep, Schedule, Section, Turn};
 use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
 use crate::physics::nominal_cage_speed;
 use crate::rotor::{CageMotion, InitialPosition, InitialState, Sample};
-use crate::simulate::{Model, Monitor, Run, SimulateError, TraceSink, simulate};
+use crate::simulate::{
+    Model, Monitor, Run, SimulateError, StaticState, TraceSink, Watched, simulate,
+};
 use crate::study::plan::Plan;
 
-/// The run was to stop before its end.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the study was stopped")]
-pub struct Stopped;
+/// Why a run is to be made again.
+#[derive(Debug, thiserror::Error)]
+pub enum Unmade {
+    /// It was to stop before its end.
+    #[error("the study was stopped")]
+    Stopped,
+    /// Its trace could not be kept.
+    #[error(transparent)]
+    Trace(#[from] io::Error),
+}
+
+/// Keeps the trace of a run.
+pub trait KeptTrace: TraceSink {
+    /// Takes note that the run came to its end.
+    ///
+    /// # Errors
+    /// Whatever keeps the trace from being whole.
+    fn finish(self: Box<Self>) -> io::Result<()>;
+}
+
+/// Begins to keep the trace of the run of a number.
+pub type TraceKeeper<'a> = &'a (dyn Fn(u64) -> io::Result<Box<dyn KeptTrace>> + Sync);
 
 /// Makes the runs of a study.
 #[derive(Clone, Copy)]
@@ -30,6 +50,8 @@ pub struct Maker<'a> {
     pub keep: Keep,
     /// Every so many runs the error is measured; 0 on none.
     pub verify_every: u64,
+    /// What keeps the traces of the runs, where they are kept.
+    pub traces: Option<TraceKeeper<'a>>,
     /// Numbers that are kept.
     pub columns: &'a [NumberColumn],
     /// The motion of a point's values, or what is wrong with them.
@@ -42,13 +64,14 @@ impl Maker<'_> {
     /// Makes all runs of a chain.
     ///
     /// # Errors
-    /// [`Stopped`] where it was to stop before the last one was done.
-    pub fn chain(&self, chain: u64) -> Result<Vec<RunRecord>, Stopped> {
+    /// [`Unmade`] where it was to stop before the last one was done, or a trace could not be kept.
+    pub fn chain(&self, chain: u64) -> Result<Vec<RunRecord>, Unmade> {
         let mut records = Vec::new();
         let mut carried = None;
         for turn in self.schedule.chain(chain) {
             let values = self.plan.values(turn.point);
-            let outcome = self.run(turn, &values, &mut carried)?;
+            let trace = self.traces.map(|keep| keep(turn.number)).transpose()?;
+            let outcome = self.run(turn, &values, &mut carried, trace)?;
             records.push(RunRecord {
                 turn,
                 values,
@@ -67,11 +90,29 @@ impl Maker<'_> {
         Ok(model)
     }
 
+    /// Leaves out all that nothing of what is kept rests on.
+    fn reduce(&self, model: &mut Model) {
+        let needs = |rests: fn(&NumberColumn) -> bool| self.columns.iter().any(rests);
+        model.spectra.clear();
+        if self.keep.highest_order.is_none() && !needs(NumberColumn::rests_on_spectrum) {
+            model.spectrum = None;
+        }
+        let motion = self.keep.section.is_some() || needs(NumberColumn::rests_on_motion);
+        model.analyses.motion = motion;
+        model.analyses.watched = if self.traces.is_some() || needs(NumberColumn::rests_on_balls) {
+            Watched::Balls
+        } else if needs(NumberColumn::rests_on_forces) {
+            Watched::Forces
+        } else {
+            Watched::Nothing
+        };
+    }
+
     /// The motion of one run, with the start that the runs before it in its chain lead to.
     ///
     /// # Errors
-    /// [`Stopped`] where that was to stop; what is wrong with its values, in words.
-    pub fn alone(&self, number: u64) -> Result<Result<Model, String>, Stopped> {
+    /// [`Unmade`] where that was to stop; what is wrong with its values, in words.
+    pub fn alone(&self, number: u64) -> Result<Result<Model, String>, Unmade> {
         let mut carried: Option<Carried> = None;
         for turn in self.schedule.chain(self.schedule.chain_of(number)) {
             let values = self.plan.values(turn.point);
@@ -83,7 +124,7 @@ impl Maker<'_> {
                     model
                 }));
             }
-            let _ = self.run(turn, &values, &mut carried)?;
+            let _ = self.run(turn, &values, &mut carried, None)?;
         }
         Ok(Err(format!("there is no run {number}")))
     }
@@ -93,7 +134,8 @@ impl Maker<'_> {
         turn: Turn,
         values: &[f64],
         carried: &mut Option<Carried>,
-    ) -> Result<Result<Outcome, String>, Stopped> {
+        trace: Option<Box<dyn KeptTrace>>,
+    ) -> Result<Result<Outcome, String>, Unmade> {
         let mut model = match self.model_of(turn, values) {
             Ok(model) => model,
             Err(message) => return Ok(Err(message)),
@@ -101,24 +143,33 @@ impl Maker<'_> {
         if let Some(carried) = carried {
             carried.start(&mut model);
         }
-        let mut sink = Gathered::new(&model);
+        self.reduce(&mut model);
+        let mut sink = Gathered::new(&model, trace);
         let mut monitor = Monitor {
             stop: self.stop,
             progress: &mut |_| {},
         };
         match simulate(&model, &mut sink, &mut monitor) {
             Ok(run) => {
+                sink.trace.take().map_or(Ok(()), KeptTrace::finish)?;
                 if self.schedule.runs_in_chain() > 1 {
                     *carried = sink.carried(&model);
                 }
-                Ok(Ok(self.outcome(&run, sink.largest_ball_load)))
+                Ok(Ok(self.outcome(
+                    &run,
+                    model.rotor.speed,
+                    sink.largest_ball_load,
+                )))
             }
-            Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => Err(Stopped),
+            Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => {
+                Err(Unmade::Stopped)
+            }
+            Err(SimulateError::Sink(error)) => Err(Unmade::Trace(error)),
             Err(error) => Ok(Err(error.to_string())),
         }
     }
 
-    fn outcome(&self, run: &Run, largest_ball_load: f64) -> Outcome {
+    fn outcome(&self, run: &Run, speed: f64, largest_ball_load: f64) -> Outcome {
         let observed = Observed {
             run,
             largest_ball_load,
@@ -133,6 +184,11 @@ impl Maker<'_> {
                 .collect(),
             spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
             points: points.map_or_else(Vec::new, |(motion, section)| places(motion, section)),
+            stiffness: if self.keep.bearing_stiffness {
+                bearing_stiffness(&run.equilibrium, speed)
+            } else {
+                Vec::new()
+            },
         }
     }
 }
@@ -154,6 +210,30 @@ fn lines(spectrum: &Spectrum, highest: f64) -> Vec<Line> {
                 .iter()
                 .map(|entry| entry.amplitude[k])
                 .collect(),
+        })
+        .collect()
+}
+
+/// Of every bearing that has a stiffness of its own.
+fn bearing_stiffness(equilibrium: &StaticState, speed: f64) -> Vec<BearingStiffness> {
+    let part = |row: usize, column: usize, own: f64| match equilibrium.stiffness[row][column] {
+        0.0 => 0.0,
+        whole => equilibrium.damping[row][column] * own / whole,
+    };
+    let bearings = equilibrium.bearings.iter().enumerate();
+    let known = bearings.filter_map(|(index, bearing)| Some((index, bearing.as_ref()?)));
+    known
+        .map(|(index, bearing)| {
+            let own = BearingStiffness::ENTRIES.map(|(_, row, column)| {
+                let own = bearing.stiffness[(row, column)];
+                [own, part(row, column, own)]
+            });
+            BearingStiffness {
+                bearing: index + 1,
+                speed,
+                stiffness: own.map(|[stiffness, _]| stiffness),
+                damping: own.map(|[_, damping]| damping),
+            }
         })
         .collect()
 }
@@ -215,16 +295,18 @@ struct Gathered {
     last: Option<Sample>,
     /// The sample nearest to the end of the last cycle.
     whole: Option<Sample>,
+    trace: Option<Box<dyn KeptTrace>>,
 }
 
 impl Gathered {
-    fn new(model: &Model) -> Self {
+    fn new(model: &Model, trace: Option<Box<dyn KeptTrace>>) -> Self {
         Self {
             settle: model.settle,
             cycle: cycle(model),
             largest_ball_load: 0.0,
             last: None,
             whole: None,
+            trace,
         }
     }
 
@@ -262,6 +344,9 @@ fn cycle(model: &Model) -> f64 {
 
 impl TraceSink for Gathered {
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        if let Some(trace) = &mut self.trace {
+            trace.sample(sample)?;
+        }
         if sample.time >= self.settle {
             self.largest_ball_load = self.largest_ball_load.max(sample.largest_ball_load);
         }

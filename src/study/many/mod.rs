@@ -6,9 +6,9 @@ mod record;
 mod schedule;
 mod workers;
 
-pub use chain::{Maker, Stopped};
+pub use chain::{KeptTrace, Maker, TraceKeeper, Unmade};
 pub use numbers::{NumberColumn, Numbers, Observed, number_columns};
-pub use record::{Line, Outcome, Point, RunRecord};
+pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord};
 pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
 pub use workers::{LEAD, work};
 
@@ -17,6 +17,10 @@ pub use workers::{LEAD, work};
 pub struct Keep {
     /// Highest order up to which the amplitudes of the displacements are kept; none where `None`.
     pub highest_order: Option<f64>,
+    /// Whether the stiffness of every bearing at the static equilibrium is kept.
+    pub bearing_stiffness: bool,
+    /// Whether the trace of every run is kept.
+    pub traces: bool,
     /// When the shaft is looked at, where its places are kept.
     pub section: Option<Section>,
 }

@@ -128,6 +128,51 @@ pub struct Observed<'a> {
 }
 
 impl NumberColumn {
+    /// Whether the lines of a spectrum tell it.
+    pub fn rests_on_spectrum(&self) -> bool {
+        matches!(self.kind, NumberKind::Order(..))
+    }
+
+    /// Whether the motion after the settle time tells it.
+    pub fn rests_on_motion(&self) -> bool {
+        matches!(
+            self.kind,
+            NumberKind::Mean(_)
+                | NumberKind::Rms(_)
+                | NumberKind::PeakToPeak(_)
+                | NumberKind::Velocity(_)
+                | NumberKind::Period
+                | NumberKind::Drift
+        )
+    }
+
+    /// Whether the forces of the bearings tell it.
+    pub fn rests_on_forces(&self) -> bool {
+        let channel = match self.kind {
+            NumberKind::Mean(channel)
+            | NumberKind::Rms(channel)
+            | NumberKind::PeakToPeak(channel) => channel,
+            _ => return false,
+        };
+        matches!(channel, Channel::Force(_))
+    }
+
+    /// Whether the balls tell it.
+    pub fn rests_on_balls(&self) -> bool {
+        matches!(
+            self.kind,
+            NumberKind::LargestBallLoad
+                | NumberKind::FewestLoaded(_)
+                | NumberKind::ContactLost(_)
+                | NumberKind::Life(_)
+        )
+    }
+
+    /// Whether it is the measured error of a run.
+    pub fn is_error(&self) -> bool {
+        self.kind == NumberKind::MeasuredError
+    }
+
     /// The number of a run; NaN where it has none.
     pub fn of(&self, observed: &Observed<'_>) -> f64 {
         self.found(observed).unwrap_or(f64::NAN)

@@ -23,6 +23,8 @@ pub struct Outcome {
     pub spectrum: Vec<Line>,
     /// Places of the shaft; empty where none are kept.
     pub points: Vec<Point>,
+    /// Stiffness of every bearing that has one of its own; empty where it is not kept.
+    pub stiffness: Vec<BearingStiffness>,
 }
 
 /// Amplitudes at one frequency.
@@ -34,6 +36,34 @@ pub struct Line {
     pub order: Option<f64>,
     /// Amplitude of every displacement that moves.
     pub amplitudes: Vec<f64>,
+}
+
+/// How stiffly one bearing holds the shaft at the static equilibrium, and its part of the damping.
+///
+/// The entries [`BearingStiffness::ENTRIES`]: those that do not depend on which way the bearing faces, and that
+/// a bearing without tilts has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BearingStiffness {
+    /// Number of the bearing, from 1 on.
+    pub bearing: usize,
+    /// Speed of the shaft there, rad/s.
+    pub speed: f64,
+    /// K, N/m.
+    pub stiffness: [f64; 5],
+    /// Part of C in the proportion of the stiffness, entry by entry, N s/m: what damps the shaft belongs to
+    /// no bearing by itself.
+    pub damping: [f64; 5],
+}
+
+impl BearingStiffness {
+    /// Names, rows and columns of the entries, x before y before z.
+    pub const ENTRIES: [(&str, usize, usize); 5] = [
+        ("xx", 0, 0),
+        ("xy", 0, 1),
+        ("yx", 1, 0),
+        ("yy", 1, 1),
+        ("zz", 2, 2),
+    ];
 }
 
 /// Place of the shaft at one instant.

@@ -1,0 +1,80 @@
+
+"use strict";
+/** What every page has: its data, the elements it is made of, how numbers are written. */
+const page = (() => {
+  const data = JSON.parse(document.getElementById("data").textContent);
+  const main = document.querySelector("main");
+  const svgSpace = "http://www.w3.org/2000/svg";
+
+  // Elements.
+
+  function element(tag, attributes = {}, ...children) {
+    const made = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+    made.append(...children.filter((child) => child !== null));
+    return made;
+  }
+
+  function drawn(tag, attributes, ...children) {
+    const made = document.createElementNS(svgSpace, tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+    made.append(...children);
+    return made;
+  }
+
+  function section(id, title, ...children) {
+    const made = element("section", { id }, element("h2", {}, title), ...children);
+    main.append(made);
+    document.querySelector("nav").append(element("a", { href: `#${id}` }, title));
+    return made;
+  }
+
+  function table(heads, rows, caption = null, nameColumns = 1) {
+    const cell = (tag) => (text, column) =>
+      element(tag, column < nameColumns ? { class: "name" } : {}, text);
+    const head = element("thead", {}, element("tr", {}, ...heads.map(cell("th"))));
+    const body = element("tbody", {}, ...rows.map((row) => element("tr", {}, ...row.map(cell("td")))));
+    const made = element("div", { class: "scroll" }, element("table", {}, head, body));
+    return element("figure", {}, made, caption && element("figcaption", {}, caption));
+  }
+
+  function tiles(entries) {
+    const tile = ([name, value, remark]) => element("div", { class: "tile" },
+      element("dt", {}, name), element("dd", {}, value), remark ? element("dd", {}, remark) : null);
+    return element("dl", { class: "tiles" }, ...entries.filter(Boolean).map(tile));
+  }
+
+  // Numbers.
+
+  function number(value, digits = 5) {
+    if (value === null || value === undefined) return "–";
+    if (value === 0) return "0";
+    const size = Math.abs(value);
+    if (size >= 1e-3 && size < 1e6) return String(Number(value.toPrecision(digits)));
+    return value.toExponential(digits - 2);
+  }
+
+  /** A figure as it stands in the folder, on paper of its own. */
+  function drawnFigure({ name, svg }) {
+    const image = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+    image.setAttribute("role", "img");
+    image.setAttribute("aria-label", name);
+    return element("figure", { class: "paper" }, document.importNode(image, true), element("figcaption", {}, name));
+  }
+
+  /** The scenario as a text that can be opened. */
+  function scenarioSection(remark, scenario) {
+    return section("scenario", "Scenario", element("details", {}, element("summary", {}, remark),
+      element("pre", {}, JSON.stringify(scenario, null, 2))));
+  }
+
+  /** The page stands: paper is light whatever the screen is. */
+  function ready(redraw = () => {}) {
+    const printed = (on) => () => { document.documentElement.classList.toggle("printed", on); redraw(); };
+    addEventListener("beforeprint", printed(true));
+    addEventListener("afterprint", printed(false));
+    document.documentElement.dataset.readyMs = String(Math.round(performance.now()));
+  }
+
+  return { data, element, drawn, section, table, tiles, number, drawnFigure, scenarioSection, ready };
+})();
