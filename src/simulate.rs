@@ -188,6 +188,7 @@ where
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         counters: passes.main.counters(),
+        method_use: passes.main.method_use(),
         samples: passes.grid.count,
         bearings: observers.observation.finish(),
         tables: observers.tables.finish(),

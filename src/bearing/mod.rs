@@ -26,6 +26,7 @@ mod jones;
 mod life;
 mod linear_force;
 mod oil;
+mod price;
 mod races;
 mod ring;
 mod ring_lift_off;

@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
+use super::auto::{AutoWalk, MethodUse};
 use super::block::Block;
 use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76, Walk};
 use super::exponential::ExponentialWalk;
@@ -55,6 +56,8 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     walk: Walk<N>,
     /// The exponential method, where it is asked for.
     exponential: Option<Box<ExponentialWalk<N>>>,
+    /// All methods that are chosen from, where the choice is left open.
+    auto: Option<Box<AutoWalk<N>>>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -71,6 +74,8 @@ where
         stop: &'a AtomicBool,
         state: &[f64; N],
     ) -> Self {
+        let deviation = std::array::from_fn(|i| state[i] - scaling.origin[i]);
+        let method = settings.method;
         Self {
             system,
             scaling,
@@ -82,11 +87,11 @@ where
             step: 0.0,
             counters: Counters::default(),
             stiffness: None,
-            walk: Walk::new(std::array::from_fn(|i| state[i] - scaling.origin[i])),
-            exponential: (settings.method == Method::Exponential).then(|| {
-                let deviation = std::array::from_fn(|i| state[i] - scaling.origin[i]);
-                Box::new(ExponentialWalk::new(deviation, grid.interval))
-            }),
+            walk: Walk::new(deviation),
+            exponential: (method == Method::Exponential)
+                .then(|| Box::new(ExponentialWalk::new(deviation, grid.interval))),
+            auto: (method == Method::Auto)
+                .then(|| Box::new(AutoWalk::new(deviation, grid.interval))),
         }
     }
 
@@ -98,9 +103,10 @@ where
             step: self.step,
             counters: self.counters,
             stiffness: self.stiffness,
-            latest_step: match &self.exponential {
-                Some(walk) => walk.numbers(),
-                None => self.walk.numbers(),
+            latest_step: match (&self.exponential, &self.auto) {
+                (Some(walk), _) => walk.numbers(),
+                (_, Some(walk)) => walk.numbers(),
+                _ => self.walk.numbers(),
             },
         }
     }
@@ -126,6 +132,8 @@ where
         if let Some(walk) = &mut self.exponential {
             let interval = self.grid.interval;
             **walk = ExponentialWalk::restored(numbers, counters, interval).ok_or(mismatch)?;
+        } else if let Some(walk) = &mut self.auto {
+            **walk = AutoWalk::restored(numbers, self.grid.interval).ok_or(mismatch)?;
         } else {
             self.walk = Walk::restored(numbers, counters).ok_or(mismatch)?;
         }
@@ -146,6 +154,11 @@ where
     /// below what accuracy asks for. [`Integration::advance`] looks for it at its end.
     pub fn stiffness(&self) -> Option<Stiffness> {
         self.stiffness
+    }
+
+    /// Which methods walked, where the choice was left open.
+    pub fn method_use(&self) -> Option<MethodUse> {
+        self.auto.as_ref().map(|walk| walk.usage())
     }
 
     /// Number of grid times handed out so far.
@@ -171,6 +184,7 @@ where
             Method::Dop853 => self.walk::<Dop853>(points, states),
             Method::Tsit5 => self.walk::<Tsit5>(points, states),
             Method::Exponential => self.walk_exponentially(points, states),
+            Method::Auto => self.walk_by_choice(points, states),
             Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
                 self.by_blocks(points, states)
             }
@@ -255,6 +269,36 @@ where
         Ok(())
     }
 
+    /// Walks with the method that costs least; a block's end is no end of a step.
+    fn walk_by_choice(
+        &mut self,
+        points: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), IntegrateError> {
+        let slack = self.slack();
+        let Some(walk) = &mut self.auto else {
+            return Ok(());
+        };
+        let course = Course {
+            system: self.system,
+            scaling: &self.scaling,
+            settings: &self.settings,
+            stop: self.stop,
+            end: self.grid.time(self.grid.count.saturating_sub(1)),
+            slack,
+        };
+        for _ in 0..points {
+            let time = self.grid.time(self.next);
+            let result = walk.state_at(&course, time);
+            self.counters = walk.counters();
+            self.step = walk.step_size();
+            self.scaled = walk.scaled(&self.scaling);
+            states.push(result?);
+            self.next += 1;
+        }
+        Ok(())
+    }
+
     /// Ends a run that stability keeps from its end.
     fn give_up_where_stiff(&self) -> Result<(), IntegrateError> {
         let time = self.walk.time();
@@ -292,7 +336,7 @@ where
             Method::Tsit5 => Some(Tsit5::STABILITY),
             Method::Dopri5 => Some(ExplicitMethod::Dopri5.stability_limit()),
             Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
-            Method::Rodas | Method::Exponential => None,
+            Method::Rodas | Method::Exponential | Method::Auto => None,
         }
     }
 

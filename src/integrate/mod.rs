@@ -5,8 +5,10 @@
 //! not grow with the duration.
 
 mod adapter;
+mod auto;
 mod block;
 mod checkpoint;
+mod effort;
 mod error;
 mod explicit;
 mod exponential;
@@ -18,7 +20,9 @@ mod stiffness;
 mod system;
 mod variation;
 
+pub use auto::{MethodChange, MethodUse, Stretch};
 pub use checkpoint::{Checkpoint, CheckpointMismatch};
+pub use effort::Effort;
 pub use error::IntegrateError;
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};

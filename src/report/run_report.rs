@@ -9,12 +9,12 @@ use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
 use super::sample_table::{SampleTable, TableKind};
 use super::{
     BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
-    RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json,
-    method_choice_json, spectrum_figure, summary, write_spectrum,
+    RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json, spectrum_figure,
+    summary, write_spectrum,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, Model, Run, TraceSink};
-use crate::study::{ContactChoice, MethodChoice};
+use crate::study::ContactChoice;
 
 /// Which files a run writes besides `summary.json`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,7 +52,6 @@ pub struct RunReport {
     figure: Option<TraceFigure>,
     samples: u64,
     contact_choice: Option<ContactChoice>,
-    method_choice: Option<MethodChoice>,
 }
 
 /// A table being written.
@@ -109,20 +108,13 @@ impl RunReport {
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
             samples: 0,
             contact_choice: None,
-            method_choice: None,
         })
     }
 
-    /// The same with what was chosen for the run, which the summary tells: the law of the contacts and
-    /// the method.
-    pub fn with_choices(
-        self,
-        contact: Option<&ContactChoice>,
-        method: Option<&MethodChoice>,
-    ) -> Self {
+    /// The same with the law of the contacts that was chosen for the run, which the summary tells.
+    pub fn with_choice(self, contact: Option<&ContactChoice>) -> Self {
         Self {
             contact_choice: contact.cloned(),
-            method_choice: method.cloned(),
             ..self
         }
     }
@@ -173,9 +165,6 @@ impl RunReport {
         let mut summary = summary(&self.title, &self.scenario, model, run);
         if let Some(choice) = &self.contact_choice {
             summary["contact_choice"] = contact_choice_json(choice);
-        }
-        if let Some(choice) = &self.method_choice {
-            summary["method_choice"] = method_choice_json(choice);
         }
         let mut files = Vec::new();
         if let Some(trace) = self.trace {

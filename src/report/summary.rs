@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::columns::{ball_pass, matrix, value_column};
 use super::histories::histories_json;
+use super::method_use::method_use_json;
 use crate::analysis::{Channel, Peak, Spectrum};
 use crate::bearing::Matrix5;
 use crate::integrate::Counters;
@@ -38,6 +39,7 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
             .collect::<Value>(),
         "tables": run.tables.iter().map(|table| table.as_ref().map(table_use)).collect::<Value>(),
         "counters": counters(&run.counters),
+        "method_use": run.method_use.as_ref().map(method_use_json),
         "measured_error": run
             .measured_error
             .as_ref()

@@ -4,7 +4,7 @@ use super::BearingHistory;
 use super::EnergyReport;
 use super::TableUse;
 use crate::analysis::{Peak, Spectrum};
-use crate::integrate::Counters;
+use crate::integrate::{Counters, MethodUse};
 use crate::physics::BallPass;
 use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
 
@@ -55,6 +55,8 @@ pub struct Run {
     pub ball_pass: Vec<BallPass>,
     /// Work done.
     pub counters: Counters,
+    /// Which methods did it, where the choice was left open.
+    pub method_use: Option<MethodUse>,
     /// Number of samples written.
     pub samples: u64,
     /// What was observed of each bearing, in the order of the scenario.

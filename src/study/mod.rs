@@ -3,13 +3,11 @@
 
 pub mod accuracy;
 mod contact_choice;
-mod method_choice;
 mod rung;
 
 pub use contact_choice::{
     ContactChoice, ContactQuestion, Difference, RungDifference, choose_contact,
 };
-pub use method_choice::{MethodChoice, MethodCost, choose_method};
 pub use rung::Rung;
 
 use crate::bearing::Around;

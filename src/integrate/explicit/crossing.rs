@@ -72,6 +72,11 @@ impl<const N: usize> Crossing<N> {
         seen: false,
     };
 
+    /// Sides at the end of the latest step.
+    pub fn sides(&self) -> Sides {
+        self.sides
+    }
+
     /// What the steps to come depend on, as numbers; another look finds the rest.
     pub fn numbers(&self) -> impl Iterator<Item = f64> + use<N> {
         let none = Landing {
