@@ -9,7 +9,7 @@ const JONES: f64 = 270e-9;
 const JONES_FILM: f64 = 630e-9;
 const TABLE: f64 = 18e-9;
 /// Of the damping of its contacts.
-const DAMPED: f64 = 135e-9;
+const DAMPED: f64 = 60e-9;
 
 impl Support {
     /// Price of the force at a displacement, s: only ratios are of use on other machines.

@@ -51,8 +51,19 @@ fn shocks_within_the_blocks() {
 
 #[test]
 fn an_implicit_method() {
-    let text = shipped("steady-7205c.toml").replace("dop853", "rodas");
+    let text = shipped("steady-7205c.toml").replace("verner76", "rodas");
+    assert!(text.contains("rodas"));
     check("rodas", &text, &["0.1 s", "0.3 s"]);
+}
+
+#[test]
+fn a_method_that_is_chosen_on_the_way() {
+    let text = shipped("run-up-7205c.toml");
+    assert!(!text.contains("method"));
+    // before the first change, and between later ones
+    check("run-up", &text, &["100 us", "20 ms", "0.2 s", "0.27 s"]);
+    let text = shipped("steady-7205c.toml").replace("\"verner76\"", "\"exponential\"");
+    check("exponential", &text, &["1 ms", "0.2 s"]);
 }
 
 #[test]

@@ -20,7 +20,7 @@ const EXPONENTIAL: [f64; 2] = [200e-9, 3.6e-9];
 /// Matrices of a step size, by the products of two of their rows and columns.
 const MATRICES: f64 = 75e-9;
 /// Step sizes that are gone through before steps have found theirs.
-const FIRST_SIZES: f64 = 6.0;
+const FIRST_SIZES: f64 = 5.0;
 
 /// Prices for a system.
 #[derive(Debug, Clone, Copy)]

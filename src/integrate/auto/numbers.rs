@@ -83,8 +83,8 @@ impl Selector {
         numbers.extend(of_mark(self.began));
         numbers.extend(of_mark(self.window));
         numbers.extend(self.rates);
-        numbers.extend([flag(self.open), self.next_trial, self.failures]);
-        numbers.push(flag(self.linear_part));
+        numbers.extend(self.failures);
+        numbers.extend([flag(self.open), self.next_trial, flag(self.linear_part)]);
     }
 
     fn restored(take: &mut Take<'_>) -> Option<Self> {
@@ -94,9 +94,9 @@ impl Selector {
             began: take.mark()?,
             window: take.mark()?,
             rates: take.several()?,
+            failures: take.several()?,
             open: take.one()? != 0.0,
             next_trial: take.one()?,
-            failures: take.one()?,
             linear_part: take.one()? != 0.0,
         })
     }

@@ -19,12 +19,13 @@ const WORTH: f64 = 1.5;
 const PAID_OFF: f64 = 20.0;
 /// The same where a method is expected to become cheaper than it was, and its growth with every failure.
 const SOON: f64 = 3.0;
-/// How much cheaper than it was found to be the exponential method may be by now, and an explicit pair
-/// after the other one and after the exponential method, which may have had its turn for long; and how much
-/// cheaper one pair may be than the other.
+/// How much cheaper than it was found to be the exponential method may be by now, and how much cheaper one
+/// explicit pair may be than the other.
 const HOPE: f64 = 0.6;
-const PAIR_HOPE: [f64; 2] = [0.9, 0.3];
 const OTHER_PAIR: f64 = 0.8;
+/// How much cheaper than it was found to be an explicit pair cannot be by now, after the other one and after
+/// the exponential method, which may have had its turn for long; the latter with every failure by half.
+const NO_HOPE: [f64; 2] = [0.1, 0.5];
 /// Evaluations by which a trial of a pair is dearer than one that needs no trial.
 const PAIR_EVALUATIONS: f64 = 100.0;
 
@@ -54,8 +55,8 @@ pub(super) struct Selector {
     pub rates: [f64; WAYS.len()],
     /// Cost of the run from which on another trial may be made.
     pub next_trial: f64,
-    /// Trials of the exponential method that failed since the latest that did not.
-    pub failures: f64,
+    /// Trials of the exponential method that failed since the latest that did not, and of the pairs.
+    pub failures: [f64; 2],
     /// Whether the exponential method has a linear part from an earlier stretch.
     pub linear_part: bool,
 }
@@ -87,7 +88,7 @@ impl Selector {
             open: false,
             rates: [f64::INFINITY; WAYS.len()],
             next_trial: 0.0,
-            failures: 0.0,
+            failures: [0.0; 2],
             linear_part: false,
         }
     }
@@ -126,7 +127,7 @@ impl Selector {
         if rate < self.rates[against as usize] {
             self.rates[self.way as usize] = rate;
             self.against = None;
-            self.failures = 0.0;
+            self.failures[usize::from(self.way != Way::Exponential)] = 0.0;
             self.next_trial = here.spent + PAID_OFF * self.loss(here, against).max(0.0);
             return None;
         }
@@ -153,14 +154,13 @@ impl Selector {
         self.rates[self.way as usize] = rate.max(self.rates[against as usize]);
         self.against = None;
         let times = if self.falls(against, outlook) {
-            SOON.powf(1.0 + self.failures).min(PAID_OFF)
+            SOON.powf(1.0 + self.failures[0]).min(PAID_OFF)
         } else {
             PAID_OFF
         };
-        self.next_trial = here.spent + times * self.loss(here, against).max(0.0);
-        if self.way == Way::Exponential {
-            self.failures += 1.0;
-        }
+        let least = PAIR_EVALUATIONS * outlook.prices.evaluation[Way::Verner76 as usize];
+        self.next_trial = here.spent + times * self.loss(here, against).max(least);
+        self.failures[usize::from(self.way != Way::Exponential)] += 1.0;
         against
     }
 
@@ -185,7 +185,7 @@ impl Selector {
         };
         let allowed = self.beginning(self.way, outlook)
             + BLIND * other * outlook.left
-            + PATIENCE / (1.0 + 2.0 * self.failures) * saved;
+            + PATIENCE / (1.0 + 2.0 * self.failures[0]) * saved;
         self.loss(here, against) > allowed
     }
 
@@ -232,10 +232,20 @@ impl Selector {
         let hoped = match way {
             // both fall as a motion settles
             Way::Exponential => (HOPE * known).min(outlook.exponential),
-            _ if known.is_finite() => PAIR_HOPE[usize::from(self.way == Way::Exponential)] * known,
+            _ if known.is_finite() => self.pair_hope() * known,
             Way::Verner76 => OTHER_PAIR * self.rates[Way::Dop853 as usize],
             Way::Dop853 => OTHER_PAIR * self.rates[Way::Verner76 as usize],
         };
         hoped.is_finite().then_some(hoped)
+    }
+
+    /// How much cheaper than it was found to be an explicit pair may be by now.
+    fn pair_hope(&self) -> f64 {
+        let [after_pair, after_exponential] = NO_HOPE;
+        if self.way == Way::Exponential {
+            1.0 - after_exponential * 0.5_f64.powf(self.failures[1])
+        } else {
+            1.0 - after_pair
+        }
     }
 }

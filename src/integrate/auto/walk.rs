@@ -13,6 +13,11 @@ const AT_TOLERANCE: f64 = 1e-8;
 /// Root of the tolerance that they fall with.
 const ROOT: f64 = -1.0 / 7.0;
 
+/// Step sizes that a break adds to those of the exponential method: up to it and after it.
+const SIZES_PER_BREAK: f64 = 2.0;
+/// Breaks that are looked ahead to.
+const BREAKS: u32 = 16;
+
 /// The walks of all methods, of which one goes on.
 #[derive(Debug, Clone)]
 pub(in crate::integrate) struct AutoWalk<const N: usize> {
@@ -205,13 +210,14 @@ impl<const N: usize> AutoWalk<N> {
             let finer = (course.settings.tolerance / AT_TOLERANCE).powf(ROOT);
             let evaluation = prices.evaluation[Way::Exponential as usize];
             let evaluations = EVALUATIONS_PER_RADIAN * pace * finer;
+            let breaks = SIZES_PER_BREAK * breaks_per_time(course, time);
             Outlook {
                 prices,
                 left: course.end - time,
                 exponential: if self.contacts_change {
                     f64::NAN
                 } else {
-                    evaluations * evaluation
+                    evaluations * evaluation + breaks * prices.matrices
                 },
             }
         };
@@ -253,6 +259,19 @@ impl<const N: usize> AutoWalk<N> {
         self.selector.change(here, way);
         self.changes.push((time, way));
     }
+}
+
+/// How often the system breaks from a time on, 1/s.
+fn breaks_per_time<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>, from: f64) -> f64 {
+    let (mut time, mut count) = (from, 0);
+    while count < BREAKS {
+        let next = course.system.next_break(time + course.slack);
+        if next >= course.end {
+            return f64::from(count) / (course.end - from);
+        }
+        (time, count) = (next, count + 1);
+    }
+    f64::from(count) / (time - from)
 }
 
 /// A limit on steps is that of the run.

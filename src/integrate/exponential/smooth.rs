@@ -8,7 +8,7 @@ use crate::integrate::System;
 /// the way is longer.
 const SAFE: f64 = 0.7;
 /// Factor of what the fall of the coefficients promises: measured.
-const CAUTION: f64 = 3.0;
+const CAUTION: f64 = 2.0;
 
 impl<S: System<N>, const N: usize> Trial<'_, S, N> {
     /// Factor of the error estimate, which is that of the polynomial without its highest power.
