@@ -1,6 +1,6 @@
 //! What steps of the methods cost, s on one core of one server: measured by `benches/method_map`.
 
-use crate::integrate::Effort;
+use crate::integrate::{Effort, Method};
 
 /// The methods that are chosen from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -8,6 +8,17 @@ pub(super) enum Way {
     Verner76,
     Dop853,
     Exponential,
+}
+
+impl Way {
+    /// As users know it.
+    pub(super) fn method(self) -> Method {
+        match self {
+            Self::Verner76 => Method::Verner76,
+            Self::Dop853 => Method::Dop853,
+            Self::Exponential => Method::Exponential,
+        }
+    }
 }
 
 /// All of them, in the order of their numbers.

@@ -5,6 +5,7 @@
 //! other. What counts as cost are evaluations and matrices at prices that are part of the code, so that
 //! the same scene takes the same steps on every machine.
 
+mod choice;
 mod cost;
 mod numbers;
 mod selector;

@@ -149,6 +149,7 @@ impl<const N: usize> AutoWalk<N> {
             explicit_size,
             contacts_change,
             changes: changes_of(changes)?,
+            prices: None,
         })
     }
 }

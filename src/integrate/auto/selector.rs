@@ -146,6 +146,11 @@ impl Selector {
         self.way = way;
     }
 
+    /// Has a method be so dear that it is not tried again.
+    pub fn rule_out(&mut self, way: Way) {
+        self.rates[way as usize] = f64::MAX;
+    }
+
     /// Ends a trial whose cost is taken from a mark on; the method to go back to.
     fn fail(&mut self, from: Mark, here: Mark, against: Way, outlook: &Outlook) -> Way {
         let from = if from == here { self.began } else { from };
@@ -214,7 +219,8 @@ impl Selector {
         let own = self.rates[self.way as usize];
         let beginning = self.beginning(way, outlook);
         let hoped = self.hoped(way, outlook);
-        let expected = way == Way::Exponential && outlook.exponential < own;
+        let expected =
+            way == Way::Exponential && outlook.exponential.max(hoped.unwrap_or(0.0)) < own;
         if !expected && beginning >= BLIND * own * outlook.left {
             return 0.0;
         }
@@ -229,6 +235,9 @@ impl Selector {
     /// Least cost per simulated time that a method may have by now, where anything is known.
     fn hoped(&self, way: Way, outlook: &Outlook) -> Option<f64> {
         let known = self.rates[way as usize];
+        if known == f64::MAX {
+            return Some(known);
+        }
         let hoped = match way {
             // both fall as a motion settles
             Way::Exponential => (HOPE * known).min(outlook.exponential),

@@ -1,22 +1,11 @@
 //! A walk whose method changes.
 
 use super::cost::{Prices, WAYS, Way};
-use super::selector::{Mark, Outlook, Selector};
+use super::selector::{Mark, Selector};
 use super::usage::{MethodChange, MethodUse, Stretch};
 use crate::integrate::explicit::{Course, Dop853, Verner76, Walk};
 use crate::integrate::exponential::ExponentialWalk;
-use crate::integrate::{Counters, IntegrateError, Linearised, Method, Scaling, Settings};
-
-/// Evaluations of the exponential method per radian of what drives a settled motion, at a tolerance.
-const EVALUATIONS_PER_RADIAN: f64 = 20.0;
-const AT_TOLERANCE: f64 = 1e-8;
-/// Root of the tolerance that they fall with.
-const ROOT: f64 = -1.0 / 7.0;
-
-/// Step sizes that a break adds to those of the exponential method: up to it and after it.
-const SIZES_PER_BREAK: f64 = 2.0;
-/// Breaks that are looked ahead to.
-const BREAKS: u32 = 16;
+use crate::integrate::{Counters, IntegrateError, Linearised, Scaling, Settings};
 
 /// The walks of all methods, of which one goes on.
 #[derive(Debug, Clone)]
@@ -32,17 +21,8 @@ pub(in crate::integrate) struct AutoWalk<const N: usize> {
     /// Whether a surface was crossed in the latest stretch of an explicit pair.
     pub(super) contacts_change: bool,
     pub(super) changes: Vec<(f64, Way)>,
-}
-
-impl Way {
-    /// As users know it.
-    pub(super) fn method(self) -> Method {
-        match self {
-            Self::Verner76 => Method::Verner76,
-            Self::Dop853 => Method::Dop853,
-            Self::Exponential => Method::Exponential,
-        }
-    }
+    /// Prices for the system, once it was asked.
+    pub(super) prices: Option<Prices>,
 }
 
 impl<const N: usize> AutoWalk<N> {
@@ -58,6 +38,7 @@ impl<const N: usize> AutoWalk<N> {
             explicit_size: 0.0,
             contacts_change: false,
             changes: vec![(0.0, first)],
+            prices: None,
         }
     }
 
@@ -103,7 +84,7 @@ impl<const N: usize> AutoWalk<N> {
     }
 
     /// Work of a method so far.
-    fn work(&self, way: Way) -> Counters {
+    pub(super) fn work(&self, way: Way) -> Counters {
         let mut work = self.done[way as usize];
         if way == self.selector.way {
             work.add(&self.under_way());
@@ -134,7 +115,7 @@ impl<const N: usize> AutoWalk<N> {
                 method: way.method(),
                 covered: self.covered[way as usize] + under_way,
                 counters: self.work(way),
-                rate: rate.is_finite().then_some(rate),
+                rate: (rate < f64::MAX).then_some(rate),
             }
         };
         let changes = self.changes.iter();
@@ -168,8 +149,27 @@ impl<const N: usize> AutoWalk<N> {
         })
     }
 
+    /// Takes a step; where the exponential method cannot, an explicit one goes on for it.
     fn step<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
         self.choose(course);
+        match self.step_by_choice(course) {
+            Err(IntegrateError::StepUnderflow { .. } | IntegrateError::NotFinite { .. })
+                if self.is_exponential() =>
+            {
+                let prices = self.prices(course);
+                let here = self.mark(&prices);
+                self.selector.rule_out(Way::Exponential);
+                self.change(here, Way::Verner76);
+                self.step_by_choice(course)
+            }
+            result => result,
+        }
+    }
+
+    fn step_by_choice<S: Linearised<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+    ) -> Result<(), IntegrateError> {
         let limit = course.settings.step_limit;
         let settings = self.settings_left(course.settings);
         let course = Course {
@@ -197,50 +197,8 @@ impl<const N: usize> AutoWalk<N> {
         }
     }
 
-    /// Goes over to another method where the latest step leads to it.
-    fn choose<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
-        let (time, prices) = (self.time(), Prices::new(course.system.effort(), N));
-        let here = Mark {
-            time,
-            spent: self.spent(&prices),
-            steps: self.counters().steps,
-        };
-        let outlook = || {
-            let pace = course.system.pace(time, course.end);
-            let finer = (course.settings.tolerance / AT_TOLERANCE).powf(ROOT);
-            let evaluation = prices.evaluation[Way::Exponential as usize];
-            let evaluations = EVALUATIONS_PER_RADIAN * pace * finer;
-            let breaks = SIZES_PER_BREAK * breaks_per_time(course, time);
-            Outlook {
-                prices,
-                left: course.end - time,
-                exponential: if self.contacts_change {
-                    f64::NAN
-                } else {
-                    evaluations * evaluation + breaks * prices.matrices
-                },
-            }
-        };
-        let mut selector = self.selector;
-        let way = selector.look(here, outlook);
-        self.selector = selector;
-        if let Some(way) = way {
-            self.change(here, way);
-        }
-    }
-
-    /// Cost of all that was done, s.
-    fn spent(&self, prices: &Prices) -> f64 {
-        let evaluations =
-            WAYS.map(|way| self.work(way).evaluations as f64 * prices.evaluation[way as usize]);
-        let [linear_parts, sizes] = self.exponential.matrices().map(|count| count as f64);
-        evaluations.iter().sum::<f64>()
-            + linear_parts * prices.linear_part
-            + sizes * prices.matrices
-    }
-
     /// Lets another method go on from the end of the latest step.
-    fn change(&mut self, here: Mark, way: Way) {
+    pub(super) fn change(&mut self, here: Mark, way: Way) {
         let (time, old) = (self.time(), self.selector.way);
         let deviation = if self.is_exponential() {
             self.exponential.deviation()
@@ -259,19 +217,6 @@ impl<const N: usize> AutoWalk<N> {
         self.selector.change(here, way);
         self.changes.push((time, way));
     }
-}
-
-/// How often the system breaks from a time on, 1/s.
-fn breaks_per_time<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>, from: f64) -> f64 {
-    let (mut time, mut count) = (from, 0);
-    while count < BREAKS {
-        let next = course.system.next_break(time + course.slack);
-        if next >= course.end {
-            return f64::from(count) / (course.end - from);
-        }
-        (time, count) = (next, count + 1);
-    }
-    f64::from(count) / (time - from)
 }
 
 /// A limit on steps is that of the run.

@@ -1,0 +1,90 @@
+//! What a run has cost, what is ahead of it, and the choice that follows.
+
+use super::cost::{Prices, WAYS, Way};
+use super::selector::{Mark, Outlook};
+use super::walk::AutoWalk;
+use crate::integrate::Linearised;
+use crate::integrate::explicit::Course;
+
+/// Evaluations of the exponential method per radian of what drives a settled motion, at a tolerance.
+const EVALUATIONS_PER_RADIAN: f64 = 20.0;
+const AT_TOLERANCE: f64 = 1e-8;
+/// Root of the tolerance that they fall with.
+const ROOT: f64 = -1.0 / 7.0;
+/// Step sizes that a break adds to those of the exponential method: up to it and after it.
+const SIZES_PER_BREAK: f64 = 2.0;
+/// Breaks that are looked ahead to.
+const BREAKS: u32 = 8;
+
+impl<const N: usize> AutoWalk<N> {
+    /// Goes over to another method where the latest step leads to it.
+    pub(super) fn choose<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        let (time, prices) = (self.time(), self.prices(course));
+        let here = self.mark(&prices);
+        let outlook = || Outlook {
+            prices,
+            left: course.end - time,
+            exponential: if self.contacts_change {
+                f64::NAN
+            } else {
+                settled_cost(course, time, &prices)
+            },
+        };
+        let mut selector = self.selector;
+        let way = selector.look(here, outlook);
+        self.selector = selector;
+        if let Some(way) = way {
+            self.change(here, way);
+        }
+    }
+
+    /// Prices for the system.
+    pub(super) fn prices<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Prices {
+        let new = || Prices::new(course.system.effort(), N);
+        *self.prices.get_or_insert_with(new)
+    }
+
+    /// How far the run has come.
+    pub(super) fn mark(&self, prices: &Prices) -> Mark {
+        Mark {
+            time: self.time(),
+            spent: self.spent(prices),
+            steps: self.counters().steps,
+        }
+    }
+
+    /// Cost of all that was done, s.
+    fn spent(&self, prices: &Prices) -> f64 {
+        let evaluations =
+            WAYS.map(|way| self.work(way).evaluations as f64 * prices.evaluation[way as usize]);
+        let [linear_parts, sizes] = self.exponential.matrices().map(|count| count as f64);
+        evaluations.iter().sum::<f64>()
+            + linear_parts * prices.linear_part
+            + sizes * prices.matrices
+    }
+}
+
+/// Cost per simulated time that the exponential method is expected to have once the motion has settled.
+fn settled_cost<S: Linearised<N>, const N: usize>(
+    course: &Course<'_, S, N>,
+    time: f64,
+    prices: &Prices,
+) -> f64 {
+    let finer = (course.settings.tolerance / AT_TOLERANCE).powf(ROOT);
+    let evaluations = EVALUATIONS_PER_RADIAN * finer * course.system.pace(time, course.end);
+    let sizes = SIZES_PER_BREAK * breaks_per_time(course, time);
+    evaluations * prices.evaluation[Way::Exponential as usize] + sizes * prices.matrices
+}
+
+/// How often the system breaks from a time on, 1/s.
+fn breaks_per_time<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>, from: f64) -> f64 {
+    let (mut time, mut count) = (from, 0);
+    while count < BREAKS {
+        let next = course.system.next_break(time + course.slack);
+        if next >= course.end {
+            return f64::from(count) / (course.end - from);
+        }
+        (time, count) = (next, count + 1);
+    }
+    f64::from(count) / (time - from)
+}
