@@ -4,7 +4,10 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
-use jeffcott::analysis::{Recorder, Window, causes};
+use jeffcott::analysis::{
+    Axis, BearingFrequencies, Channel, Detrend, Recorder, Recording, SampleGrid, Scaling, Segment,
+    Sources, SpectrumKind, SpectrumRequest, Window, causes, estimate,
+};
 use jeffcott::physics::ball_pass_frequencies;
 use jeffcott::rotor::Sample;
 
@@ -29,18 +32,25 @@ fn sample(n: u32) -> Sample {
     }
 }
 
-fn recorded() -> Recorder {
-    let mut recorder = Recorder::on_angle_grid(3, 0.0, 1.0, PER_REVOLUTION);
-    for n in 0..PER_REVOLUTION * REVOLUTIONS {
+fn recorded(freedoms: usize, revolutions: u32) -> Recorder {
+    let mut recorder = Recorder::on_angle_grid(freedoms, 0.0, 1.0, PER_REVOLUTION);
+    for n in 0..PER_REVOLUTION * revolutions {
         recorder.record(&sample(n));
     }
     recorder
 }
 
 fn spectrum(criterion: &mut Criterion) {
-    let recorder = recorded();
+    let recorder = recorded(3, REVOLUTIONS);
     let pass = ball_pass_frequencies(TAU, 12, 1.0, 5.0, 0.2);
-    let lines = causes(1.0, &[pass], &[3.3, 7.1]);
+    let lines = causes(&Sources {
+        shaft: 1.0,
+        bearings: vec![BearingFrequencies {
+            simulated: pass,
+            operating: pass,
+        }],
+        ..Sources::default()
+    });
     criterion.bench_function("spectra and peaks, 1e5 samples, 6 channels", |bencher| {
         bencher.iter_batched(
             || recorder.clone(),
@@ -50,5 +60,75 @@ fn spectrum(criterion: &mut Criterion) {
     });
 }
 
-criterion_group!(benches, spectrum);
+/// Spectra of a long run of five freedoms: 1e6 samples of ten channels.
+fn long_spectrum(criterion: &mut Criterion) {
+    let recorder = recorded(5, 10 * REVOLUTIONS);
+    let pass = ball_pass_frequencies(TAU, 12, 1.0, 5.0, 0.2);
+    let lines = causes(&Sources {
+        shaft: 1.0,
+        bearings: vec![BearingFrequencies {
+            simulated: pass,
+            operating: pass,
+        }],
+        ..Sources::default()
+    });
+    let mut group = criterion.benchmark_group("1e6 samples, 10 channels");
+    group.sample_size(10);
+    group.bench_function("spectra and peaks", |bencher| {
+        bencher.iter_batched(
+            || recorder.clone(),
+            |recorder| black_box(recorder.finish(Window::Rectangular, &lines)),
+            BatchSize::LargeInput,
+        );
+    });
+    for (name, segment, scaling) in [
+        ("one segment, peak", Segment::Whole, Scaling::Peak),
+        (
+            "Welch, 64 revolutions",
+            Segment::Revolutions(64),
+            Scaling::Density,
+        ),
+    ] {
+        let request = request(segment, scaling, Axis::Frequency);
+        let recording = recording(&request, Some(PER_REVOLUTION));
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| black_box(estimate(&recording, &request)));
+        });
+    }
+    let request = request(Segment::Revolutions(64), Scaling::Peak, Axis::Order);
+    let recording = recording(&request, None);
+    group.bench_function("resampled to angles, Welch", |bencher| {
+        bencher.iter(|| black_box(estimate(&recording, &request)));
+    });
+    group.finish();
+}
+
+fn request(segment: Segment, scaling: Scaling, axis: Axis) -> SpectrumRequest {
+    SpectrumRequest {
+        name: "bench".to_owned(),
+        kind: SpectrumKind::Plain,
+        channels: Channel::of_freedoms(5),
+        scaling,
+        window: Window::Hann,
+        segment,
+        overlap: 0.5,
+        detrend: Detrend::Constant,
+        axis,
+    }
+}
+
+fn recording(request: &SpectrumRequest, per_revolution: Option<u32>) -> Recording {
+    let grid = SampleGrid {
+        rate: f64::from(PER_REVOLUTION),
+        shaft_frequency: 1.0,
+        per_revolution,
+    };
+    let mut recording = Recording::new(grid, 0.0, std::slice::from_ref(request));
+    for n in 0..10 * PER_REVOLUTION * REVOLUTIONS {
+        recording.record(&sample(n), Some(&[0.0; 5]));
+    }
+    recording
+}
+
+criterion_group!(benches, spectrum, long_spectrum);
 criterion_main!(benches);

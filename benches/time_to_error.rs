@@ -16,9 +16,11 @@ use jeffcott::scenario;
 
 const STATES: usize = 10;
 const SAMPLES: u64 = 200;
-const METHODS: [Method; 5] = [
+const METHODS: [Method; 7] = [
     Method::Verner76,
     Method::Dop853,
+    Method::Dprkn8,
+    Method::Dprkn12,
     Method::Tsit5,
     Method::Dopri5,
     Method::OdeSolversDop853,

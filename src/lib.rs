@@ -15,7 +15,7 @@
 //! | [`mod@simulate`] | the stair: a model in, a run out |
 //! | [`mod@steady`] | the stair past the wait: a model in, the motion that it settles to out |
 //! | [`mod@quasi_static`] | the other stair: a static question in, an answer out; no time passes |
-//! | [`analysis`] | samples → spectra, peaks and their causes |
+//! | [`analysis`] | samples → spectra, peaks and their causes, kinds of motion, maps of run-ups |
 //! | [`rotor`] | shaft, loads, speed, supports → derivative |
 //! | [`shooting`] | the map over a period → motions that repeat, their stability, their branches |
 //! | [`integrate`] | derivative → states on a time grid, with error control |

@@ -1,7 +1,9 @@
 //! The stair: a [`Model`] goes in, a [`Run`] comes out. No files, no clock, no printing.
 
+mod analyses;
 mod bare;
 mod energy_audit;
+mod method;
 mod model;
 mod observation;
 mod observers;
@@ -9,6 +11,7 @@ mod part;
 mod reference;
 mod run;
 mod sampling;
+mod spectra;
 mod tables;
 mod warnings;
 mod watch;
@@ -17,8 +20,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::Const;
 
+pub use analyses::{Analyses, Maps};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
+pub use method::MethodMismatch;
 pub use model::{Model, Sampling};
 pub use observation::{
     BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone, Spread,
@@ -63,6 +68,7 @@ pub fn simulate_part(
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
 ) -> Result<Run, SimulateError> {
+    model.check_method()?;
     let mut rotor = Rotor::assemble(&model.rotor)?;
     let tables = TableAudit::new(if model.table {
         rotor.tabulate()
@@ -181,22 +187,38 @@ where
         loose,
     };
     let analysis = sampling::analyse(model, rotor, observers.recorder);
+    let (motion, maps) = observers.recorders.finish();
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });
+    let estimated = spectra::estimated(model, observers.recording.as_ref());
+    let mut warnings = warnings::warnings(model, rotor, &outcome, motion.as_ref());
+    let speed_changes = rotor.steady_from(model.settle).is_none();
+    warnings.extend(spectra::warnings(
+        spectrum.as_ref(),
+        &estimated,
+        speed_changes,
+    ));
     Run {
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
+        operating_ball_pass: sampling::operating_ball_pass(model, rotor),
         counters: passes.main.counters(),
         method_use: passes.main.method_use(),
         samples: passes.grid.count,
         bearings: observers.observation.finish(),
         tables: observers.tables.finish(),
-        warnings: warnings::warnings(model, rotor, &outcome),
+        warnings,
         measured_error,
         energy: observers.audit.finish(),
         spectrum,
         peaks,
+        motion,
+        maps,
+        spectra: estimated
+            .into_iter()
+            .filter_map(|(_, found)| found.ok())
+            .collect(),
     }
 }
 

@@ -299,18 +299,9 @@ fn memory_is_flat_in_the_duration_when_the_trace_is_written() {
 #[test]
 fn memory_is_flat_in_the_duration_when_the_states_are_kept() {
     let folder = tempfile::tempdir().expect("a folder");
-    let nothing = Outputs {
-        trace: false,
-        energy: false,
-        drive: false,
-        balls: false,
-        events: false,
-        spectrum: false,
-        figures: false,
-    };
     let peak = |samples: u32| {
         let (scenario, model) = (serde_json::Value::Null, unbalanced(samples, 1e-8));
-        let report = RunReport::open(folder.path(), nothing, "", scenario.clone(), 3);
+        let report = RunReport::open(folder.path(), Outputs::default(), "", scenario.clone(), 3);
         let identity = RunIdentity {
             scenario: &scenario,
             model: &model,

@@ -22,15 +22,20 @@ const FLOORS: [&str; 13] = [
 ];
 
 /// Libraries and the only floors that may name them.
-const LIBRARIES: [(&str, &[&str]); 14] = [
+const LIBRARIES: [(&str, &[&str]); 19] = [
     ("ode_solvers", &["integrate"]),
     ("rustfft", &["analysis"]),
     ("realfft", &["analysis"]),
     ("ellip", &["physics"]),
     ("csv", &["report", "scenario"]),
+    ("parquet", &["report"]),
+    ("ryu", &["report"]),
+    ("itoa", &["report"]),
     ("plotters", &["report"]),
     ("comfy_table", &["report", "cli"]),
     ("clap", &["cli"]),
+    ("clap_complete", &["cli"]),
+    ("clap_mangen", &["cli"]),
     ("ctrlc", &["cli"]),
     ("indicatif", &["cli"]),
     ("toml", &["scenario"]),

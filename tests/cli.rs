@@ -126,6 +126,9 @@ fn the_same_scenario_gives_the_same_bytes() {
     for name in [
         "trace.csv",
         "spectrum.csv",
+        "peaks.csv",
+        "poincare.csv",
+        "orbit.svg",
         "trace.svg",
         "spectrum.svg",
         "summary.json",
@@ -253,5 +256,5 @@ fn usage_errors_are_code_2_and_help_is_code_0() {
     assert_eq!(run(&["run"]).status.code(), Some(2));
     assert_eq!(run(&["fly"]).status.code(), Some(2));
     assert_eq!(run(&["--help"]).status.code(), Some(0));
-    assert!(text(&run(&["run", "--help"]).stdout).contains("Example:"));
+    assert!(text(&run(&["run", "--help"]).stdout).contains("Example"));
 }

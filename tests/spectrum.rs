@@ -5,10 +5,11 @@
 use std::f64::consts::{PI, TAU};
 
 use jeffcott::analysis::{
-    Analysis, Channel, Line, MOST_PEAKS, Peak, Recorder, Transform, Window, causes, nearest_cause,
+    Analysis, BearingFrequencies, Channel, Line, MOST_PEAKS, Peak, Recorder, Sources, Transform,
+    Window, causes, nearest_cause, other_causes,
 };
 use jeffcott::physics::BallPass;
-use jeffcott::rotor::Sample;
+use jeffcott::rotor::{NaturalFrequency, Sample, Whirl};
 use proptest::prelude::*;
 
 const LENGTHS: [usize; 6] = [64, 100, 97, 101, 1000, 4099];
@@ -192,6 +193,35 @@ fn less_than_a_revolution_makes_no_spectrum() {
     assert_eq!(recorder.finish(Window::Hann, &[]), None);
 }
 
+/// Lines of a shaft, of bearings whose cages follow their balls, and of natural frequencies.
+fn lines_of(shaft: f64, bearings: &[BallPass], natural: &[f64]) -> Vec<Line> {
+    causes(&Sources {
+        shaft,
+        bearings: bearings.iter().map(|pass| same(*pass)).collect(),
+        natural: natural
+            .iter()
+            .map(|frequency| undamped(*frequency))
+            .collect(),
+        meshing: Vec::new(),
+    })
+}
+
+fn same(pass: BallPass) -> BearingFrequencies {
+    BearingFrequencies {
+        simulated: pass,
+        operating: pass,
+    }
+}
+
+fn undamped(frequency: f64) -> NaturalFrequency {
+    NaturalFrequency {
+        frequency,
+        damped_frequency: frequency,
+        damping_ratio: 0.0,
+        whirl: Whirl::Straight,
+    }
+}
+
 fn cause(frequency: f64, resolution: f64, lines: &[Line]) -> Option<String> {
     nearest_cause(frequency, resolution, lines).map(|line| line.kind.to_string())
 }
@@ -204,7 +234,7 @@ fn the_simplest_of_equally_near_causes_names_a_line() {
         spin: 200.0,
         cage: 40.0,
     };
-    let lines = causes(100.0, &[pass], &[600.0]);
+    let lines = lines_of(100.0, &[pass], &[600.0]);
     // 4× = BPFO, 6× = BPFI = natural frequency, 5× = BPFO + 1×.
     for (frequency, name) in [(400.0, "4×"), (600.0, "6×"), (500.0, "5×"), (40.0, "cage")] {
         assert_eq!(cause(frequency, 1.0, &lines).as_deref(), Some(name));
@@ -226,7 +256,7 @@ fn bearings_are_told_apart_only_where_their_frequencies_differ() {
         spin: 235.7 * scale,
         cage: 39.8 * scale,
     };
-    let lines = causes(100.0, &[bearing(1.0), bearing(1.0), bearing(1.1)], &[]);
+    let lines = lines_of(100.0, &[bearing(1.0), bearing(1.0), bearing(1.1)], &[]);
     let name = |frequency| cause(frequency, 0.1, &lines);
     assert_eq!(name(717.0).as_deref(), Some("2×BPFO"));
     assert_eq!(name(441.5).as_deref(), Some("BPFI − 1×"));
@@ -242,12 +272,78 @@ fn a_shaft_that_stands_has_natural_frequencies_only() {
         spin: 0.0,
         cage: 0.0,
     };
-    let lines = causes(0.0, &[pass], &[50.0, 80.0]);
+    let lines = lines_of(0.0, &[pass], &[50.0, 80.0]);
     assert_eq!(lines.len(), 2);
     assert_eq!(
         cause(80.0, 1.0, &lines).as_deref(),
         Some("natural frequency 2")
     );
+}
+
+#[test]
+fn a_spot_on_a_ball_shows_at_its_spin_beside_the_cage() {
+    let pass = |scale: f64| BallPass {
+        outer: 358.5 * scale,
+        inner: 541.5 / scale,
+        spin: 235.7 * scale,
+        cage: 39.83 * scale,
+    };
+    let lines = causes(&Sources {
+        shaft: 100.0,
+        bearings: vec![BearingFrequencies {
+            simulated: pass(1.0),
+            operating: pass(0.99),
+        }],
+        ..Sources::default()
+    });
+    let name = |frequency| cause(frequency, 0.1, &lines);
+    // 2 × 0.99 × 235.7 − 0.99 × 39.83: balls roll as they are loaded
+    assert_eq!(name(427.2543).as_deref(), Some("2×BSF − 1×cage"));
+    // the outer race's line stands where the simulated cage puts it
+    assert_eq!(name(358.5).as_deref(), Some("BPFO"));
+    let line = nearest_cause(358.5, 0.1, &lines).unwrap();
+    assert!((line.operating.unwrap() - 354.915).abs() < 1e-9);
+}
+
+#[test]
+fn what_else_is_within_the_tolerance_is_listed_nearest_first() {
+    let pass = BallPass {
+        outer: 400.0,
+        inner: 600.0,
+        spin: 200.2,
+        cage: 40.0,
+    };
+    let lines = lines_of(100.0, &[pass], &[400.5]);
+    let named = nearest_cause(400.1, 1.0, &lines);
+    assert_eq!(
+        named.map(|line| line.kind.to_string()).as_deref(),
+        Some("4×")
+    );
+    let others = other_causes(400.1, 1.0, &lines, named);
+    let names: Vec<String> = others.iter().map(|line| line.kind.to_string()).collect();
+    assert_eq!(names[0], "BPFO");
+    assert!(names.contains(&"2×BSF".to_owned()), "{names:?}");
+    assert!(
+        names.contains(&"natural frequency 1".to_owned()),
+        "{names:?}"
+    );
+    let distances = others.iter().map(|line| (line.frequency - 400.1).abs());
+    assert!(distances.is_sorted());
+}
+
+#[test]
+fn the_phase_of_a_line_between_bins_is_that_of_its_cosine() {
+    for length in [4096, 4095] {
+        for (step, phase) in (0..12).zip((-6..6).map(|j| 0.5 * f64::from(j))) {
+            let bin = 700.0 + f64::from(step) / 12.0;
+            let peaks = peaks_of(&cosine(length, bin, 2.5e-6, phase));
+            assert!(
+                (peaks[0].phase - phase).abs() < 1e-6,
+                "bin {bin}: {}",
+                peaks[0].phase
+            );
+        }
+    }
 }
 
 proptest! {

@@ -1,17 +1,42 @@
 //! From samples to spectra: windows, one-sided amplitudes, peaks and what they are.
 
+mod aliasing;
 mod causes;
 mod channel;
+mod estimation;
+mod leakage;
+mod line_kind;
+mod motion;
 mod peaks;
 mod recorder;
+mod run_up;
 mod spectrum;
 mod transform;
 mod window;
 
-pub use causes::{Line, LineKind, causes, nearest_cause};
+pub use aliasing::{TopPower, rest_amplitude};
+pub use causes::{
+    BearingFrequencies, Line, Sources, TOLERANCE_BINS, causes, nearest_cause, other_causes,
+};
 pub use channel::Channel;
+pub use estimation::{
+    Axis, CrossPower, Detrend, EstimateError, EstimatedSpectrum, Recording, Resampling, SampleGrid,
+    Scaling, Segment, SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch,
+    envelope, estimate,
+};
+pub use leakage::{Leak, leak};
+pub use line_kind::LineKind;
+pub use motion::{
+    ChannelStatistics, ClosedCurve, Drift, DriftRecorder, Kind, LONGEST_PERIOD, Moments, Motion,
+    MotionRecorder, MotionSettings, PoincarePoint, Recognition, Section, SectionKind, Series,
+    VELOCITY_BAND, VelocityLevel, closed_curve, recognise, velocity_level, zero_one_test,
+};
 pub use peaks::{MOST_PEAKS, Peak};
 pub use recorder::{Analysis, Recorder};
+pub use run_up::{
+    OrderTracks, Slice, Track, TrackPoint, TrackRecorder, TrackedOrder, Waterfall,
+    WaterfallRecorder,
+};
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub use transform::{Transform, fourier_coefficients};
 pub use window::Window;

@@ -3,9 +3,9 @@
 //! They are sought in the Hann-weighted spectrum whatever window the output uses: its side lobes
 //! fall by 18 dB an octave, and the ratio of two neighbouring bins gives the frequency exactly.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
-use super::{Channel, Line, Transform, Window, nearest_cause};
+use super::{Channel, Line, Transform, Window, nearest_cause, other_causes};
 
 /// Largest number of peaks kept of one channel.
 pub const MOST_PEAKS: usize = 12;
@@ -17,7 +17,7 @@ const RELATIVE_THRESHOLD: f64 = 1e-6;
 const NOISE: f64 = 1e-9;
 
 /// A local maximum of an amplitude spectrum.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Peak {
     /// Quantity it was found in.
     pub channel: Channel,
@@ -25,8 +25,13 @@ pub struct Peak {
     pub frequency: f64,
     /// Amplitude (peak value) in the unit of the channel.
     pub amplitude: f64,
+    /// Phase in rad of `cos(2πft + phase)` at the refined frequency, time counted from the start of the
+    /// window.
+    pub phase: f64,
     /// The nearest known cause within three quarters of a bin, if any.
     pub line: Option<Line>,
+    /// Further causes within three quarters of a bin, nearest first.
+    pub others: Vec<Line>,
 }
 
 /// Peaks of one channel, strongest first, each with its nearest cause.
@@ -48,12 +53,7 @@ pub(super) fn peaks(
         .into_iter()
         .take_while(|peak| peak.amplitude > threshold)
         .take(MOST_PEAKS)
-        .map(|Refined { bin, amplitude }| Peak {
-            channel,
-            frequency: bin * resolution,
-            amplitude,
-            line: nearest_cause(bin * resolution, resolution, causes),
-        })
+        .map(|refined| refined.named(channel, resolution, causes))
         .collect()
 }
 
@@ -63,21 +63,42 @@ struct Refined {
     bin: f64,
     /// Peak value.
     amplitude: f64,
+    /// Phase at the start of the window, rad.
+    phase: f64,
+}
+
+impl Refined {
+    fn named(self, channel: Channel, resolution: f64, causes: &[Line]) -> Peak {
+        let frequency = self.bin * resolution;
+        let line = nearest_cause(frequency, resolution, causes);
+        Peak {
+            channel,
+            frequency,
+            amplitude: self.amplitude,
+            phase: self.phase,
+            line,
+            others: other_causes(frequency, resolution, causes, line),
+        }
+    }
 }
 
 /// Hann-weighted amplitudes of a signal less its mean.
 struct HannSpectrum {
     amplitude: Vec<f64>,
+    phase: Vec<f64>,
     length: f64,
 }
 
 impl HannSpectrum {
     fn new(transform: &Transform) -> Self {
         let centred = transform.clone().without_mean();
+        let bins = 0..centred.bins();
         Self {
-            amplitude: (0..centred.bins())
+            amplitude: bins
+                .clone()
                 .map(|k| centred.amplitude(k, Window::Hann))
                 .collect(),
+            phase: bins.map(|k| centred.phase(k, Window::Hann)).collect(),
             length: centred.length() as f64,
         }
     }
@@ -102,11 +123,19 @@ impl HannSpectrum {
         if offset < -0.5 {
             return None;
         }
+        let beside = if upwards { offset } else { -offset };
         Some(Refined {
-            bin: k as f64 + if upwards { offset } else { -offset },
+            bin: k as f64 + beside,
             amplitude: amplitude[k] / hann_response(offset, self.length),
+            // the periodic window is even about its middle: a line δ bins beside turns by πδ
+            phase: wrapped(self.phase[k] - PI * beside),
         })
     }
+}
+
+/// The same angle within −π … π.
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
 }
 
 /// Offset δ in bins of a line from bin k towards k + 1, from the ratio α = |Y_{k+1}|/|Y_k|.

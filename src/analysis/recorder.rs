@@ -100,7 +100,7 @@ impl Recorder {
         }
         self.start.get_or_insert(sample.time);
         for (channel, values) in &mut self.channels {
-            values.push(channel.of(sample));
+            values.extend(channel.of(sample));
         }
     }
 

@@ -9,7 +9,8 @@ use std::fmt;
 /// w_n = Σ_j (−1)^j a_j cos(2πjn/N),   n = 0 … N−1
 /// ```
 ///
-/// Source: F. J. Harris, Proc. IEEE 66 (1978) 51–83 for Hann; G. D'Antona & A. Ferrero, *Digital
+/// Source: F. J. Harris, Proc. IEEE 66 (1978) 51–83 for Hann, Hamming and the four-term
+/// Blackman–Harris; G. D'Antona & A. Ferrero, *Digital
 /// Signal Processing for Measurement Systems* (2006), p. 72, for the five-term flat top.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Window {
@@ -17,6 +18,10 @@ pub enum Window {
     Rectangular,
     /// Hann: narrow lines, 15 % amplitude error at the worst place between bins.
     Hann,
+    /// Hamming: as Hann, its nearest side lobes lower (−43 dB), its far ones higher.
+    Hamming,
+    /// Four-term Blackman–Harris: no side lobe above −92 dB, lines eight bins wide.
+    BlackmanHarris,
     /// Flat top: amplitudes within 1 % anywhere between bins.
     FlatTop,
 }
@@ -27,6 +32,8 @@ impl Window {
         match self {
             Self::Rectangular => &[1.0],
             Self::Hann => &[0.5, 0.5],
+            Self::Hamming => &[0.54, 0.46],
+            Self::BlackmanHarris => &[0.358_75, 0.488_29, 0.141_28, 0.011_68],
             Self::FlatTop => &[
                 0.215_578_95,
                 0.416_631_58,
@@ -47,6 +54,25 @@ impl Window {
         self.coefficients()[0]
     }
 
+    /// Equivalent noise bandwidth in bins: the width of the box that passes as much of white noise.
+    ///
+    /// ```text
+    /// ENBW = N Σ w_n²/(Σ w_n)² = 1 + Σ_{j≥1} a_j²/(2 a_0²)
+    /// ```
+    ///
+    /// The closed form holds from eleven samples on. Source: Harris, eq. (15).
+    ///
+    /// ```
+    /// use jeffcott::analysis::Window;
+    /// assert_eq!(Window::Hann.equivalent_noise_bandwidth(), 1.5);
+    /// assert!((Window::BlackmanHarris.equivalent_noise_bandwidth() - 2.0044).abs() < 1e-4);
+    /// ```
+    pub fn equivalent_noise_bandwidth(self) -> f64 {
+        let mean = self.coherent_gain();
+        let others = self.coefficients()[1..].iter();
+        1.0 + others.map(|a| 0.5 * (a / mean).powi(2)).sum::<f64>()
+    }
+
     /// Weight of sample `index` of `length`.
     ///
     /// ```
@@ -63,11 +89,13 @@ impl Window {
             .sum()
     }
 
-    /// Name as in the files: `rectangular`, `hann`, `flat_top`.
+    /// Name as in the files: `rectangular`, `hann`, `hamming`, `blackman_harris`, `flat_top`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Rectangular => "rectangular",
             Self::Hann => "hann",
+            Self::Hamming => "hamming",
+            Self::BlackmanHarris => "blackman_harris",
             Self::FlatTop => "flat_top",
         }
     }

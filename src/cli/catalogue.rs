@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::{Outcome, stream};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
+use crate::report::wrapped;
 
 /// Lists the bearings that a scenario can name, with the source of every number.
 #[derive(Debug, clap::Args)]
@@ -62,7 +63,10 @@ fn table() -> Table {
 }
 
 fn sources() -> String {
-    let line = |entry: &CatalogueEntry| format!("  {}: {}\n", entry.designation, entry.source);
+    let line = |entry: &CatalogueEntry| {
+        let line = format!("  {}: {}", entry.designation, entry.source);
+        wrapped(&line, 4) + "\n"
+    };
     CATALOGUE.iter().map(line).collect()
 }
 

@@ -5,7 +5,13 @@ use std::io::{self, ErrorKind};
 use std::path::PathBuf;
 
 use super::{Outcome, stream};
-use crate::report::compare::{CompareError, Comparison, Tolerance, Tolerances, compare};
+use crate::report::compare::{
+    CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison_figure,
+};
+use crate::scenario::{ScenarioError, ToleranceFile};
+
+/// Relative tolerance where none is given.
+const RELATIVE: f64 = 1e-6;
 
 /// Compares two traces or spectra, or all tables of two run folders.
 ///
@@ -15,7 +21,8 @@ use crate::report::compare::{CompareError, Comparison, Tolerance, Tolerances, co
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott compare output/old output/new --relative 1e-4 --column \
-                  force_z_N=1e-3,0.5\n\nExit code: 0 equal within tolerance, 1 different, 2 not \
+                  force_z_N=1e-3,0.5\n  jeffcott compare old/spectrum.csv new/spectrum.csv --lines \
+                  --worst 3 --figure difference.svg\n\nExit code: 0 equal within tolerance, 1 different, 2 not \
                   comparable."
 )]
 pub struct Arguments {
@@ -25,25 +32,33 @@ pub struct Arguments {
     /// Second CSV file or run folder
     #[arg(value_name = "B")]
     second: PathBuf,
-    /// Allowed difference as part of the largest magnitude in the column
-    #[arg(
-        long,
-        value_name = "R",
-        default_value_t = 1e-6,
-        allow_negative_numbers = true
-    )]
-    relative: f64,
-    /// Allowed difference in the unit of the column, added to the relative one
-    #[arg(
-        long,
-        value_name = "A",
-        default_value_t = 0.0,
-        allow_negative_numbers = true
-    )]
-    absolute: f64,
+    /// Allowed difference as part of the largest magnitude in the column [default: 1e-6]
+    #[arg(long, value_name = "R", allow_negative_numbers = true)]
+    relative: Option<f64>,
+    /// Allowed difference in the unit of the column, added to the relative one [default: 0]
+    #[arg(long, value_name = "A", allow_negative_numbers = true)]
+    absolute: Option<f64>,
     /// Another tolerance for one column; may be given several times
     #[arg(long = "column", value_name = "NAME=R[,A]", value_parser = column)]
     columns: Vec<Column>,
+    /// Tolerances from a file: `relative`, `absolute`, and `[[column]]` with `name`, `relative` and
+    /// `absolute`; options on the command line go before it
+    #[arg(long, value_name = "FILE.toml")]
+    tolerances: Option<PathBuf>,
+    /// Show this many of the worst places of every column
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..))]
+    worst: u16,
+    /// Compare spectra by the N strongest lines of every column, matched within one bin of the coarser
+    /// frequency axis, instead of row by row
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true, default_missing_value = "10",
+          value_parser = clap::value_parser!(u16).range(1..))]
+    lines: Option<u16>,
+    /// Leave out what only one of them has: files, columns, samples of a trace that was thinned
+    #[arg(long)]
+    common: bool,
+    /// Draw the columns that are furthest apart, both curves and their difference
+    #[arg(long, value_name = "FILE.svg")]
+    figure: Option<PathBuf>,
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
@@ -73,11 +88,21 @@ fn number(text: &str) -> Result<f64, String> {
         .map_err(|_| format!("{text:?} is not a number"))
 }
 
-/// Compares and prints the worst place of every column.
+/// Why nothing is compared.
+#[derive(Debug, thiserror::Error)]
+enum Failure {
+    /// The file of tolerances is wrong.
+    #[error("{}", .0.render(stream::color()))]
+    File(#[from] Box<ScenarioError>),
+    #[error("{}", message(.0))]
+    Compare(#[from] CompareError),
+}
+
+/// Compares and prints the worst places of every column.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     match comparison(arguments) {
-        Err(error) => {
-            stream::tell(&message(&error));
+        Err(failure) => {
+            stream::tell(&failure.to_string());
             Ok(Outcome::WrongInput)
         }
         Ok(comparison) => {
@@ -91,13 +116,51 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     }
 }
 
-fn comparison(arguments: &Arguments) -> Result<Comparison, CompareError> {
-    let default = Tolerance::new(arguments.relative, arguments.absolute)?;
+fn comparison(arguments: &Arguments) -> Result<Comparison, Failure> {
+    let file = arguments.tolerances.as_deref().map(ToleranceFile::load);
+    let file = file.transpose().map_err(Box::new)?;
+    let rules = Rules {
+        tolerances: tolerances(arguments, file.as_ref())?,
+        worst: arguments.worst.into(),
+        common: arguments.common,
+        lines: arguments.lines.map(usize::from),
+    };
+    let (first, second) = (&arguments.first, &arguments.second);
+    let comparison =
+        compare(first, second, &rules).map_err(|error| placed(error, file.as_ref()))?;
+    if let Some(figure) = &arguments.figure {
+        write_comparison_figure(&comparison, first, second, figure)?;
+    }
+    Ok(comparison)
+}
+
+/// What the file says, unless the command line says otherwise.
+fn tolerances(
+    arguments: &Arguments,
+    file: Option<&ToleranceFile>,
+) -> Result<Tolerances, CompareError> {
+    let from_file = |part: fn(&ToleranceFile) -> Option<f64>| file.and_then(part);
+    let relative = arguments.relative.or(from_file(|file| file.relative));
+    let absolute = arguments.absolute.or(from_file(|file| file.absolute));
+    let default = Tolerance::new(relative.unwrap_or(RELATIVE), absolute.unwrap_or(0.0))?;
+    let mut tolerances = Tolerances::uniform(default);
+    for (name, relative, absolute) in file.iter().flat_map(|file| &file.columns) {
+        tolerances = tolerances.with_column(name, Tolerance::new(*relative, *absolute)?);
+    }
     let columns = arguments.columns.iter();
-    let tolerances = columns.fold(Tolerances::uniform(default), |tolerances, column| {
+    Ok(columns.fold(tolerances, |tolerances, column| {
         tolerances.with_column(&column.name, column.tolerance)
-    });
-    compare(&arguments.first, &arguments.second, &tolerances)
+    }))
+}
+
+/// A column that no table has is shown where the file names it.
+fn placed(error: CompareError, file: Option<&ToleranceFile>) -> Failure {
+    if let (CompareError::UnknownColumn { name, known }, Some(file)) = (&error, file)
+        && let Some(placed) = file.unused(name, known)
+    {
+        return Box::new(placed).into();
+    }
+    error.into()
 }
 
 /// Prints the result; a reader that goes away early does not change the verdict.

@@ -5,17 +5,22 @@
 
 mod accuracy;
 mod bearing;
+mod campbell;
 mod catalogue;
 mod check;
 mod compare;
+mod completions;
 mod ending;
 mod jobs;
+mod man;
 mod parts;
 mod progress;
 mod run;
 mod schema;
 mod steady;
 mod stream;
+mod study;
+mod written;
 
 use std::ffi::OsString;
 use std::process::ExitCode;
@@ -40,11 +45,15 @@ enum Verb {
     Run(run::Arguments),
     Steady(steady::Arguments),
     Bearing(bearing::Arguments),
+    Campbell(campbell::Arguments),
+    Study(study::Arguments),
     Accuracy(accuracy::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
     Schema(schema::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 /// How a verb ended.
@@ -84,11 +93,15 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Steady(arguments) => steady::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),
+        Verb::Campbell(arguments) => campbell::run(&arguments),
+        Verb::Study(arguments) => study::run(&arguments),
         Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
-        Verb::Schema(_) => schema::run(),
+        Verb::Schema(arguments) => schema::run(&arguments),
+        Verb::Completions(arguments) => completions::run(&arguments),
+        Verb::Man(arguments) => man::run(&arguments),
     };
     stream::finish(outcome)
 }

@@ -11,6 +11,7 @@ use super::ending::{Failed, Interrupted, Kept, Stopped};
 use super::jobs::{Job, document, jobs};
 use super::parts::Parts;
 use super::progress::Progress;
+use super::written::Written;
 use super::{Outcome, stream};
 use crate::integrate::{Counters, IntegrateError};
 use crate::report::{self, Failure as Cause, Outputs, RestartReader, RestartWriter, RunReport};
@@ -18,15 +19,22 @@ use crate::scenario::Scenario;
 use crate::simulate::{
     Earlier, Model, Monitor, Part, Run, SimulateError, Standing, StateKeeper, simulate_part,
 };
+use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml\n\n\
+    after_help = "Examples:\n  jeffcott run scenarios/steady-7205c.toml\n  \
+                  jeffcott run scenarios/steady-7205c.toml --format csv,mat --every 4 --channels \
+                  x,y,force_x\n\n\
                   Each file writes to DIR/<its name without ending>/: trace.csv, events.csv,\n\
-                  spectrum.csv, trace.svg, spectrum.svg and, last, summary.json; trace_balls.csv and\n\
-                  energy.csv where the scenario asks for them, drive.csv where there is a drive. A run\n\
-                  that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\n\
+                  spectrum.csv, peaks.csv, trace.svg, spectrum.svg, report.html and, last, summary.json;\n\
+                  poincare.csv and orbit.svg at constant speed; waterfall, order_tracks and campbell\n\
+                  (.csv and .svg) where the speed changes; trace_balls.csv and energy.csv where the\n\
+                  scenario asks for them, spectrum_NAME.csv for each of its `[[spectrum]]`,\n\
+                  drive.csv where there is a drive. A run\n\
+                  that cannot go on leaves trace.until-failure.csv and failure.json instead.\n\
+                  With --format the tables have other formats.\n\n\
                   Exit code: 0 all runs are done, or stopped as asked, 1 a run failed or was\n\
                   interrupted, 2 a file is wrong."
 )]
@@ -44,6 +52,8 @@ pub struct Arguments {
     #[arg(long)]
     no_verify: bool,
     #[command(flatten)]
+    written: Written,
+    #[command(flatten)]
     parts: Parts,
 }
 
@@ -55,9 +65,13 @@ impl Arguments {
             _ => format!(" --out {}", self.out.display()),
         };
         let verify = if self.no_verify { " --no-verify" } else { "" };
-        format!("jeffcott run {}{out}{verify} --resume", job.name)
+        let written = &self.written;
+        format!("jeffcott run {}{out}{verify}{written} --resume", job.name)
     }
 }
+
+/// Speeds of the diagram of a run-up.
+const CAMPBELL_SPEEDS: usize = 61;
 
 /// Set by Ctrl-C and by a request to terminate.
 static STOP: AtomicBool = AtomicBool::new(false);
@@ -123,6 +137,7 @@ fn motions(jobs: Vec<Job>, arguments: &Arguments) -> Option<Vec<Motion>> {
             // the summary tells what was run
             job.scenario.echo["integrator"]["verify"] = false.into();
         }
+        arguments.written.apply(&mut job.scenario);
         match arguments.parts.restart(&job, &model) {
             Ok(restart) => Some(Motion {
                 job,
@@ -213,6 +228,10 @@ impl Motion {
             events: output.events,
             spectrum: output.spectrum,
             figures: output.figures,
+            page: output.report,
+            formats: output.formats.clone(),
+            every: output.every,
+            channels: output.channels.clone(),
         };
         let kept = self.model.rotor.shaft.freedoms.count();
         let report = RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)?;
@@ -220,13 +239,44 @@ impl Motion {
         Ok(report.with_choice(scenario.contact_choice.as_ref()))
     }
 
-    fn finish(&self, report: RunReport, run: Run, started: Instant) -> Result<Done, Failure> {
+    /// Natural frequencies up to the highest speed, where the run is mapped.
+    fn campbell(&self, run: &Run) -> Result<Option<Campbell>, CampbellError> {
+        let highest = self.model.rotor.highest_speed();
+        let Some(maps) = run.maps.as_ref().filter(|_| highest > 0.0) else {
+            return Ok(None);
+        };
+        let orders = maps.tracks.orders.iter();
+        let question = CampbellQuestion {
+            rotor: self.model.rotor.clone(),
+            from: 0.0,
+            to: highest,
+            count: CAMPBELL_SPEEDS,
+            orders: orders.map(|order| order.order).collect(),
+        };
+        question.solve().map(Some)
+    }
+
+    /// The same; where there is no diagram the run tells why.
+    fn campbell_or_warning(&self, run: &mut Run) -> Option<Campbell> {
+        self.campbell(run).unwrap_or_else(|error| {
+            run.warnings.push(format!(
+                "there is no diagram of natural frequencies: {error}"
+            ));
+            None
+        })
+    }
+
+    fn finish(&self, report: RunReport, mut run: Run, started: Instant) -> Result<Done, Failure> {
+        let campbell = self.campbell_or_warning(&mut run);
         for warning in &run.warnings {
             stream::tell(&format!("warning: {}: {warning}\n", self.job.name));
         }
-        let files = report.finish(&self.model, &run)?;
+        let files = report
+            .with_campbell(campbell.clone())
+            .finish(&self.model, &run)?;
         Ok(Done {
             run,
+            campbell,
             files,
             seconds: started.elapsed().as_secs_f64(),
         })
@@ -265,6 +315,7 @@ fn kept(
 /// A run whose files are written.
 struct Done {
     run: Run,
+    campbell: Option<Campbell>,
     files: Vec<PathBuf>,
     seconds: f64,
 }
@@ -287,6 +338,9 @@ impl Done {
         let files = self.files.iter().map(|file| file.display().to_string());
         if let Some(choice) = &motion.job.scenario.contact_choice {
             summary["contact_choice"] = report::contact_choice_json(choice);
+        }
+        if let Some(campbell) = &self.campbell {
+            summary["critical_speeds"] = report::critical_speeds(campbell);
         }
         if let Value::Object(entries) = &mut summary {
             entries.insert("wall_time_s".to_owned(), self.seconds.into());

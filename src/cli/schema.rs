@@ -5,13 +5,22 @@ use std::io;
 use super::{Outcome, stream};
 use crate::scenario;
 
-/// Prints the JSON Schema of scenario files, for editors.
+/// Prints the JSON Schema of scenario files, or of study files, for editors.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Example:\n  jeffcott schema > scenario.schema.json")]
-pub struct Arguments {}
+pub struct Arguments {
+    /// That of study files
+    #[arg(long)]
+    study: bool,
+}
 
 /// Prints the schema.
-pub fn run() -> io::Result<Outcome> {
-    stream::print(&format!("{:#}\n", scenario::schema()))?;
+pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
+    let schema = if arguments.study {
+        scenario::study_schema()
+    } else {
+        scenario::schema()
+    };
+    stream::print(&format!("{schema:#}\n"))?;
     Ok(Outcome::Done)
 }

@@ -5,12 +5,12 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
-use super::auto::{AutoWalk, MethodUse};
+use super::auto::MethodUse;
 use super::block::Block;
-use super::explicit::{Course, Dop853, Pair, Tsit5, Verner76, Walk};
-use super::exponential::ExponentialWalk;
+use super::course::Course;
 use super::rosenbrock;
 use super::stiffness::stiffness;
+use super::walks::Walks;
 use super::{
     Checkpoint, CheckpointMismatch, Counters, IntegrateError, Linearised, Method, Scaling,
     Settings, Square, Stiffness,
@@ -52,12 +52,8 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     step: f64,
     counters: Counters,
     stiffness: Option<Stiffness>,
-    /// Where the pairs of this crate stand: their steps do not end with a block.
-    walk: Walk<N>,
-    /// The exponential method, where it is asked for.
-    exponential: Option<Box<ExponentialWalk<N>>>,
-    /// All methods that are chosen from, where the choice is left open.
-    auto: Option<Box<AutoWalk<N>>>,
+    /// Where the methods of this crate stand whose steps do not end with a block.
+    walk: Walks<N>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -74,8 +70,6 @@ where
         stop: &'a AtomicBool,
         state: &[f64; N],
     ) -> Self {
-        let deviation = std::array::from_fn(|i| state[i] - scaling.origin[i]);
-        let method = settings.method;
         Self {
             system,
             scaling,
@@ -87,11 +81,11 @@ where
             step: 0.0,
             counters: Counters::default(),
             stiffness: None,
-            walk: Walk::new(deviation),
-            exponential: (method == Method::Exponential)
-                .then(|| Box::new(ExponentialWalk::new(deviation, grid.interval))),
-            auto: (method == Method::Auto)
-                .then(|| Box::new(AutoWalk::new(deviation, grid.interval))),
+            walk: Walks::new(
+                settings.method,
+                std::array::from_fn(|i| state[i] - scaling.origin[i]),
+                grid.interval,
+            ),
         }
     }
 
@@ -103,11 +97,7 @@ where
             step: self.step,
             counters: self.counters,
             stiffness: self.stiffness,
-            latest_step: match (&self.exponential, &self.auto) {
-                (Some(walk), _) => walk.numbers(),
-                (_, Some(walk)) => walk.numbers(),
-                _ => self.walk.numbers(),
-            },
+            latest_step: self.walk.numbers(),
         }
     }
 
@@ -128,15 +118,9 @@ where
         if checkpoint.next > self.grid.count {
             return Err(mismatch);
         }
-        let (numbers, counters) = (&checkpoint.latest_step[..], checkpoint.counters);
-        if let Some(walk) = &mut self.exponential {
-            let interval = self.grid.interval;
-            **walk = ExponentialWalk::restored(numbers, counters, interval).ok_or(mismatch)?;
-        } else if let Some(walk) = &mut self.auto {
-            **walk = AutoWalk::restored(numbers, self.grid.interval).ok_or(mismatch)?;
-        } else {
-            self.walk = Walk::restored(numbers, counters).ok_or(mismatch)?;
-        }
+        let (method, interval) = (self.settings.method, self.grid.interval);
+        let (numbers, counters) = (&checkpoint.latest_step, checkpoint.counters);
+        self.walk = Walks::restored(method, numbers, counters, interval).ok_or(mismatch)?;
         self.scaled = scaled;
         self.next = checkpoint.next;
         self.step = checkpoint.step;
@@ -158,7 +142,7 @@ where
 
     /// Which methods walked, where the choice was left open.
     pub fn method_use(&self) -> Option<MethodUse> {
-        self.auto.as_ref().map(|walk| walk.usage())
+        self.walk.method_use()
     }
 
     /// Number of grid times handed out so far.
@@ -180,14 +164,16 @@ where
         let left = self.grid.count - self.next;
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
         match self.settings.method {
-            Method::Verner76 => self.walk::<Verner76>(points, states),
-            Method::Dop853 => self.walk::<Dop853>(points, states),
-            Method::Tsit5 => self.walk::<Tsit5>(points, states),
-            Method::Exponential => self.walk_exponentially(points, states),
-            Method::Auto => self.walk_by_choice(points, states),
             Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
                 self.by_blocks(points, states)
             }
+            Method::Verner76
+            | Method::Dop853
+            | Method::Tsit5
+            | Method::Dprkn8
+            | Method::Dprkn12
+            | Method::Exponential
+            | Method::Auto => self.walk(points, states),
         }?;
         if self.stiffness.is_none() && self.step < self.grid.interval {
             // steps that are longer than the distance of the samples are no burden
@@ -196,12 +182,8 @@ where
         Ok(())
     }
 
-    /// Walks with a pair of this crate; a block's end is no end of a step.
-    fn walk<P: Pair>(
-        &mut self,
-        points: usize,
-        states: &mut Vec<[f64; N]>,
-    ) -> Result<(), IntegrateError> {
+    /// Walks with a method of this crate; a block's end is no end of a step.
+    fn walk(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
         let course = Course {
             system: self.system,
             scaling: &self.scaling,
@@ -214,7 +196,7 @@ where
         for _ in 0..points {
             let time = self.grid.time(self.next);
             let steps_before = self.counters.steps;
-            let result = self.walk.state_at::<P, S>(&course, time);
+            let result = self.walk.state_at(&course, time);
             self.counters = self.walk.counters();
             self.step = self.walk.step_size();
             self.scaled = self.walk.scaled(&self.scaling);
@@ -235,66 +217,6 @@ where
                 }
                 Err(error) => return Err(error),
             }
-        }
-        Ok(())
-    }
-
-    /// Walks with the exponential method; a block's end is no end of a step.
-    fn walk_exponentially(
-        &mut self,
-        points: usize,
-        states: &mut Vec<[f64; N]>,
-    ) -> Result<(), IntegrateError> {
-        let slack = self.slack();
-        let Some(walk) = &mut self.exponential else {
-            return Ok(());
-        };
-        let course = Course {
-            system: self.system,
-            scaling: &self.scaling,
-            settings: &self.settings,
-            stop: self.stop,
-            end: self.grid.time(self.grid.count.saturating_sub(1)),
-            slack,
-        };
-        for _ in 0..points {
-            let time = self.grid.time(self.next);
-            let result = walk.state_at(&course, time);
-            self.counters = walk.counters();
-            self.step = walk.step_size();
-            self.scaled = walk.scaled(&self.scaling);
-            states.push(result?);
-            self.next += 1;
-        }
-        Ok(())
-    }
-
-    /// Walks with the method that costs least; a block's end is no end of a step.
-    fn walk_by_choice(
-        &mut self,
-        points: usize,
-        states: &mut Vec<[f64; N]>,
-    ) -> Result<(), IntegrateError> {
-        let slack = self.slack();
-        let Some(walk) = &mut self.auto else {
-            return Ok(());
-        };
-        let course = Course {
-            system: self.system,
-            scaling: &self.scaling,
-            settings: &self.settings,
-            stop: self.stop,
-            end: self.grid.time(self.grid.count.saturating_sub(1)),
-            slack,
-        };
-        for _ in 0..points {
-            let time = self.grid.time(self.next);
-            let result = walk.state_at(&course, time);
-            self.counters = walk.counters();
-            self.step = walk.step_size();
-            self.scaled = walk.scaled(&self.scaling);
-            states.push(result?);
-            self.next += 1;
         }
         Ok(())
     }
@@ -331,12 +253,10 @@ where
     /// never does.
     fn stability_limit(&self) -> Option<f64> {
         match self.settings.method {
-            Method::Verner76 => Some(Verner76::STABILITY),
-            Method::Dop853 => Some(Dop853::STABILITY),
-            Method::Tsit5 => Some(Tsit5::STABILITY),
             Method::Dopri5 => Some(ExplicitMethod::Dopri5.stability_limit()),
             Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
-            Method::Rodas | Method::Exponential | Method::Auto => None,
+            Method::Rodas => None,
+            method => self.walk.stability_limit(method),
         }
     }
 

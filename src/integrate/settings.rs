@@ -11,6 +11,11 @@ pub enum Method {
     Dop853,
     /// Tsitouras 5(4).
     Tsit5,
+    /// Dormand–El-Mikkawy–Prince 8(6), a Runge–Kutta–Nyström pair: for forces that know the velocity in
+    /// constant linear terms alone.
+    Dprkn8,
+    /// Dormand–El-Mikkawy–Prince 12(10), as [`Method::Dprkn8`].
+    Dprkn12,
     /// Dormand–Prince 5(4) of the library `ode_solvers`.
     Dopri5,
     /// Dormand–Prince 8(5,3) of the library `ode_solvers`.
@@ -19,6 +24,19 @@ pub enum Method {
     Exponential,
     /// RODAS 4(3): linearly implicit, for stiff systems.
     Rodas,
+}
+
+impl Method {
+    /// Whether it is a Nyström method, which a [`super::System`] must serve by
+    /// [`super::System::velocity_slopes`].
+    pub fn is_nystrom(self) -> bool {
+        matches!(self, Self::Dprkn8 | Self::Dprkn12)
+    }
+
+    /// Whether its steps end on the surfaces of a [`super::System`] at which the derivative is not smooth.
+    pub fn lands_on_surfaces(self) -> bool {
+        matches!(self, Self::Verner76 | Self::Dop853 | Self::Tsit5)
+    }
 }
 
 /// Method, tolerance and limits.

@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::{Effort, Linearised, Surroundings, System};
+use super::{Effort, Linearised, Surroundings, System, VelocityDependence};
 
 /// The same system with its time counted from `start`, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,6 +42,10 @@ impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
 
     fn is_second_order(&self) -> bool {
         self.system.is_second_order()
+    }
+
+    fn velocity_slopes(&self) -> Result<[[f64; N]; N], VelocityDependence> {
+        self.system.velocity_slopes()
     }
 }
 

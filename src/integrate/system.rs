@@ -2,7 +2,7 @@
 
 use nalgebra::{DimMin, SMatrix};
 
-use super::Effort;
+use super::{Effort, VelocityDependence};
 
 /// Sides of surfaces, a bit for each: set past the surface. Those beyond the last bit go unseen.
 pub type Sides = u128;
@@ -67,6 +67,18 @@ pub trait System<const N: usize> {
     /// between two steps then follows from both ends at no cost.
     fn is_second_order(&self) -> bool {
         false
+    }
+
+    /// ∂q″/∂q′ of a motion whose forces know the velocity in constant linear terms alone, in the first
+    /// N/2 rows and columns: of a state (q, q′), then, q″ is this times q′ and a part that knows only time
+    /// and place.
+    ///
+    /// # Errors
+    /// [`VelocityDependence`] where the velocity enters otherwise.
+    fn velocity_slopes(&self) -> Result<[[f64; N]; N], VelocityDependence> {
+        Err(VelocityDependence {
+            because: "how the forces depend on the velocity is not known",
+        })
     }
 }
 

@@ -4,7 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use nalgebra::SMatrix;
 
-use super::explicit::{Course, Dop853, Tsit5, Verner76, Walk};
+use super::course::Course;
+use super::explicit::{Dop853, Tsit5, Verner76, Walk};
 use super::{Counters, IntegrateError, Linearised, Method, Scaling, Settings, System};
 
 /// Distance of a break from either end of the motion, as a part of its duration, below which it counts

@@ -9,6 +9,8 @@ use std::path::{Path, PathBuf};
 pub enum FileAction {
     /// Create a file or folder.
     Create,
+    /// Read a file.
+    Read,
     /// Write into a file.
     Write,
     /// Give a finished file its name.
@@ -21,6 +23,7 @@ impl fmt::Display for FileAction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Create => "create",
+            Self::Read => "read",
             Self::Write => "write",
             Self::Rename => "rename",
             Self::Remove => "remove",

@@ -4,9 +4,12 @@ use serde_json::{Value, json};
 
 use super::FileSet;
 use crate::integrate::{Counters, IntegrateError};
+use crate::scenario::TableFormat;
 
-/// Name of the trace up to the failure.
-pub(super) const TRACE_UNTIL_FAILURE: &str = "trace.until-failure.csv";
+/// Name of the trace up to the failure in a format.
+pub(super) fn until_failure(format: TableFormat) -> String {
+    format!("trace.until-failure.{}", format.extension())
+}
 
 /// How a run failed.
 #[derive(Debug, Clone, Copy)]
@@ -19,14 +22,15 @@ pub struct Failure<'a> {
 
 /// The failure as JSON, every number with its unit in its name.
 ///
-/// `earlier` are the files of an earlier run that stand in the same folder.
+/// `trace` names what keeps the trace up to the failure, `earlier` are the files of an earlier run that
+/// stand in the same folder.
 pub(super) fn failure_json(
     title: &str,
     scenario: &Value,
     failure: &Failure<'_>,
     samples: u64,
-    trace: bool,
-    earlier: &[&str],
+    trace: &[String],
+    earlier: &[String],
 ) -> Value {
     let Counters {
         steps,
@@ -42,7 +46,7 @@ pub(super) fn failure_json(
         "time_s": failure.error.time(),
         "samples": samples,
         "counters": { "steps": steps, "rejected": rejected, "evaluations": evaluations },
-        "trace": trace.then_some(TRACE_UNTIL_FAILURE),
+        "trace": trace.first(),
         "of_an_earlier_run": earlier,
     })
 }
@@ -53,6 +57,7 @@ fn kind(error: &IntegrateError) -> &'static str {
         IntegrateError::StepLimit { .. } => "step_limit",
         IntegrateError::StepUnderflow { .. } => "step_underflow",
         IntegrateError::Stiff { .. } => "stiff",
+        IntegrateError::Velocity(_) => "velocity",
         IntegrateError::NotFinite { .. } => "not_finite",
         IntegrateError::Interrupted { .. } => "interrupted",
     }
@@ -62,7 +67,11 @@ impl FileSet {
     /// What a run leaves that cannot go on; beside it an earlier run may stand whole.
     pub const FAILURE: Self = Self {
         seal: "failure.json",
-        others: &[TRACE_UNTIL_FAILURE],
+        others: &[
+            "trace.until-failure.csv",
+            "trace.until-failure.parquet",
+            "trace.until-failure.mat",
+        ],
         spent: &[],
     };
 }

@@ -58,7 +58,7 @@ fn is_length(channel: Channel) -> bool {
 }
 
 /// Largest frequency shown, Hz: a little above the highest peak, at least ten shaft orders.
-fn frequency_limit(spectrum: &Spectrum, peaks: &[Peak]) -> f64 {
+pub(super) fn frequency_limit(spectrum: &Spectrum, peaks: &[Peak]) -> f64 {
     let highest = peaks
         .iter()
         .filter(|peak| is_length(peak.channel))

@@ -46,7 +46,9 @@ impl TraceFigure {
         let (start, _) = self.time.unwrap_or((sample.time, sample.time));
         self.time = Some((start, sample.time));
         for (channel, envelope) in &mut self.panels {
-            envelope.push(sample.time, MICRO * channel.of(sample));
+            if let Some(value) = channel.of(sample) {
+                envelope.push(sample.time, MICRO * value);
+            }
         }
     }
 

@@ -11,7 +11,8 @@ use super::{FileAction, ReportError};
 pub struct FileSet {
     /// The file that says that the set is whole: removed before the first rename, renamed last.
     pub seal: &'static str,
-    /// Files that may stand beside the seal; those of an earlier run do not outlive the next.
+    /// Files that may stand beside the seal; those of an earlier run do not outlive the next. A name
+    /// with a `*` stands for all that begin and end as it does.
     pub others: &'static [&'static str],
     /// Files that a whole set makes needless: removed when it stands.
     pub spent: &'static [&'static str],
@@ -23,15 +24,45 @@ impl FileSet {
         seal: "summary.json",
         others: &[
             "trace.csv",
+            "trace.parquet",
+            "trace.mat",
             "energy.csv",
+            "energy.parquet",
+            "energy.mat",
             "drive.csv",
+            "drive.parquet",
+            "drive.mat",
             "trace_balls.csv",
+            "trace_balls.parquet",
+            "trace_balls.mat",
             "events.csv",
+            "events.parquet",
+            "events.mat",
             "spectrum.csv",
+            "peaks.csv",
+            "spectrum_*.csv",
+            "spectrum.parquet",
+            "spectrum.mat",
             "trace.svg",
             "spectrum.svg",
+            "report.html",
+            "poincare.csv",
+            "orbit.svg",
+            "waterfall.csv",
+            "waterfall.svg",
+            "order_tracks.csv",
+            "order_tracks.svg",
+            "campbell.csv",
+            "campbell.svg",
+            "campbell.json",
         ],
-        spent: &["restart.bin", "failure.json", "trace.until-failure.csv"],
+        spent: &[
+            "restart.bin",
+            "failure.json",
+            "trace.until-failure.csv",
+            "trace.until-failure.parquet",
+            "trace.until-failure.mat",
+        ],
     };
     /// What the answer to a static question leaves; a study of the same name does not outlive it.
     pub const BEARING: Self = Self {
@@ -47,6 +78,26 @@ impl FileSet {
             "contact_angle.svg",
         ],
         spent: &[],
+    };
+    /// What natural frequencies over the speed leave.
+    pub const CAMPBELL: Self = Self {
+        seal: "campbell.json",
+        others: &["campbell.csv", "campbell.svg"],
+        spent: &[],
+    };
+    /// What many runs of a scenario leave.
+    pub const RUNS: Self = Self {
+        seal: "runs.json",
+        others: &[
+            "runs.csv",
+            "spectra.csv",
+            "poincare.csv",
+            "response.svg",
+            "map.svg",
+            "sensitivity.svg",
+            "bifurcation.svg",
+        ],
+        spent: &["runs.journal"],
     };
     /// What a measurement of speed against error leaves.
     pub const ACCURACY: Self = Self {
@@ -184,25 +235,59 @@ impl RunFolder {
     }
 
     /// Files of the folder's set, if an earlier run stands here whole.
-    pub(super) fn standing(&self) -> Vec<&'static str> {
-        let is_there = |name: &&str| self.path.join(name).exists();
-        let whole = Some(self.set.seal).filter(is_there);
-        let others = self.set.others.iter().copied().filter(is_there);
-        whole.map_or_else(Vec::new, |seal| {
-            std::iter::once(seal).chain(others).collect()
-        })
+    pub(super) fn standing(&self) -> Vec<String> {
+        if !self.path.join(self.set.seal).exists() {
+            return Vec::new();
+        }
+        let others = self.set.others.iter();
+        let others = others.flat_map(|pattern| self.matching(pattern));
+        let others = others.filter(|name| self.path.join(name).exists());
+        std::iter::once(self.set.seal.to_owned())
+            .chain(others)
+            .collect()
+    }
+
+    /// Names that a pattern stands for: itself, or those of the files that are there, in the order of
+    /// the alphabet.
+    fn matching(&self, pattern: &str) -> Vec<String> {
+        let Some((start, end)) = pattern.split_once('*') else {
+            return vec![pattern.to_owned()];
+        };
+        let entries = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        let long = start.len() + end.len();
+        let alike =
+            |name: &String| name.len() > long && name.starts_with(start) && name.ends_with(end);
+        let mut names: Vec<_> = names.filter(alike).collect();
+        names.sort();
+        names
     }
 
     fn remove<'a>(
         &self,
         names: impl IntoIterator<Item = &'a &'static str>,
     ) -> Result<(), ReportError> {
-        for name in names {
+        for name in names.into_iter().flat_map(|pattern| self.matching(pattern)) {
             let path = self.path.join(name);
             remove_if_there(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
         }
         Ok(())
     }
+}
+
+/// Writes a file that belongs to no set, under a temporary name first; its folder is created where it
+/// is missing.
+///
+/// # Errors
+/// [`ReportError::File`] where folder or file cannot be created or written.
+pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
+    let parent = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    let folder = RunFolder::open(parent.unwrap_or(Path::new(".")), FileSet::MOTION)?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    folder.write(&name, content)?.rename()?;
+    Ok(())
 }
 
 fn remove_if_there(path: &Path) -> io::Result<()> {
@@ -270,6 +355,16 @@ pub struct WholeFile {
 }
 
 impl WholeFile {
+    /// Path that the file will have.
+    pub(super) fn path(&self) -> &Path {
+        &self.pending.path
+    }
+
+    /// Path that it has until then.
+    pub(super) fn temporary(&self) -> &Path {
+        &self.pending.temporary
+    }
+
     /// The same file, to have another name.
     pub(super) fn named(mut self, name: &str) -> Self {
         self.pending.path.set_file_name(name);

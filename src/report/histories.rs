@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use serde_json::{Map, Value, json};
 
+use super::wrapped;
 use crate::simulate::{BearingHistory, ConsumedLife, EventCount, EventKind, Spread};
 
 /// One object a bearing.
@@ -62,7 +63,8 @@ pub(super) fn write_histories(out: &mut String, bearings: &[BearingHistory]) -> 
         };
         if let Some(zone) = &bearing.load_zone {
             let loaded = balls_loaded(&zone.balls, bearing.balls);
-            writeln!(out, "  load zone     {name}{loaded}{}", losses(bearing))?;
+            let line = format!("  load zone     {name}{loaded}{}", losses(bearing));
+            writeln!(out, "{}", wrapped(&line, 16))?;
         }
         // the start is left out where enough remains
         let life = bearing

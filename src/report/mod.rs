@@ -1,13 +1,15 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
 mod accuracy;
-mod ball_trace_csv;
+mod ball_table;
+mod bytes;
+mod campbell;
 mod columns;
 pub mod compare;
 mod contact_choice;
 mod decimator;
 mod error;
-mod events_csv;
+mod events_table;
 mod failure;
 mod figure;
 mod figure_curves;
@@ -16,30 +18,42 @@ mod figure_spectrum;
 mod figure_trace;
 mod folder;
 mod histories;
+pub mod many;
 mod method_use;
+mod motion;
+mod page;
+mod peaks_csv;
+mod png;
 mod restart;
 mod run_report;
+mod run_up;
 mod sample_table;
+mod spectra;
 mod spectrum_csv;
 mod statics;
 mod steady;
 mod study;
 mod summary;
+mod table;
 mod text;
-mod trace_csv;
+mod trace_table;
+mod wrapped;
 
 pub use accuracy::{accuracy_json, accuracy_text, write_accuracy};
-pub use ball_trace_csv::BallTraceCsv;
+pub use ball_table::{ball_columns, ball_row};
+pub use campbell::{campbell_json, campbell_text, critical_speeds, write_campbell};
 pub use contact_choice::{contact_choice_json, contact_choice_text};
 pub use decimator::{Bucket, Decimator};
 pub use error::{FileAction, ReportError};
-pub use events_csv::{EVENT_COLUMNS, EventsCsv};
+pub use events_table::{EVENT_COLUMNS, event_columns, event_row};
 pub use failure::Failure;
 pub use figure_spectrum::spectrum_figure;
 pub use figure_trace::TraceFigure;
-pub use folder::{FileSet, PartialFile, RunFolder, WholeFile};
+pub use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
+pub use peaks_csv::write_peaks;
 pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub use run_report::{KeptFiles, Outputs, RunReport};
+pub use spectra::write_estimated;
 pub use spectrum_csv::write_spectrum;
 pub use statics::{answer_json, answer_text, write_answer};
 pub use steady::{
@@ -47,5 +61,9 @@ pub use steady::{
 };
 pub use study::{study_json, study_text, write_study};
 pub use summary::summary;
+#[cfg(feature = "parquet")]
+pub use table::ParquetTable;
+pub use table::{Column, ColumnKind, CsvTable, MatTable, Origin};
 pub use text::text;
-pub use trace_csv::{TRACE_COLUMNS, TraceCsv};
+pub use trace_table::{TRACE_COLUMNS, TraceCsv};
+pub use wrapped::wrapped;

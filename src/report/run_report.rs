@@ -1,38 +1,80 @@
 //! The files of one run, from the opening of the folder to the last rename.
 
+use std::fs;
 use std::io;
+use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::failure::{Failure, TRACE_UNTIL_FAILURE, failure_json};
-use super::sample_table::{SampleTable, TableKind};
+use super::ball_table::{ball_columns, ball_row};
+use super::campbell;
+use super::events_table::{event_columns, event_row};
+use super::failure::{Failure, failure_json, until_failure};
+use super::motion::{orbit_figure, write_poincare};
+use super::page::Page;
+use super::run_up::write_maps;
+use super::sample_table::TableKind;
+use super::spectra::file_name;
+use super::spectrum_csv::{spectrum_columns, spectrum_rows};
+use super::table::{Column, Origin, TableFiles};
+use super::trace_table::TraceTable;
 use super::{
-    BallTraceCsv, EventsCsv, FileAction, FileSet, PartialFile, ReportError, RestartWriter,
-    RunFolder, RunIdentity, TraceCsv, TraceFigure, WholeFile, contact_choice_json, spectrum_figure,
-    summary, write_spectrum,
+    FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
+    TraceFigure, WholeFile, contact_choice_json, spectrum_figure, summary, write_estimated,
+    write_peaks,
 };
+use crate::analysis::Spectrum;
 use crate::rotor::{BallContacts, Sample};
+use crate::scenario::{TableFormat, TraceChannel};
 use crate::simulate::{Event, Model, Run, TraceSink};
 use crate::study::ContactChoice;
+use crate::study::campbell::Campbell;
 
 /// Which files a run writes besides `summary.json`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Outputs {
-    /// `trace.csv`.
+    /// The trace.
     pub trace: bool,
-    /// `energy.csv`.
+    /// Where the energy is.
     pub energy: bool,
-    /// `drive.csv`.
+    /// Moments of a drive.
     pub drive: bool,
-    /// `trace_balls.csv`.
+    /// Load and contact angle of every ball.
     pub balls: bool,
-    /// `events.csv`.
+    /// The events.
     pub events: bool,
-    /// `spectrum.csv`, where the run has spectra.
+    /// The spectra, where the run has them.
     pub spectrum: bool,
     /// `trace.svg`, and `spectrum.svg` where the run has spectra.
     pub figures: bool,
+    /// `report.html`.
+    pub page: bool,
+    /// Formats of all tables.
+    pub formats: Vec<TableFormat>,
+    /// Of how many samples one is written to the tables, the first; spectra and figures rest on all.
+    pub every: NonZeroU64,
+    /// What the trace shows beside the time; none: everything.
+    pub channels: Option<Vec<TraceChannel>>,
+}
+
+impl Default for Outputs {
+    /// No file, and where one is asked for, CSV of all samples.
+    fn default() -> Self {
+        Self {
+            trace: false,
+            energy: false,
+            drive: false,
+            balls: false,
+            events: false,
+            spectrum: false,
+            figures: false,
+            page: false,
+            formats: vec![TableFormat::Csv],
+            every: NonZeroU64::MIN,
+            channels: None,
+        }
+    }
 }
 
 /// Takes the trace of a run and writes its files.
@@ -44,21 +86,20 @@ pub struct RunReport {
     folder: RunFolder,
     title: String,
     scenario: Value,
+    origin: Origin,
     outputs: Outputs,
-    trace: Option<Open<TraceCsv<PartialFile>>>,
-    tables: Vec<Open<SampleTable<PartialFile>>>,
-    balls: Option<Open<BallTraceCsv<PartialFile>>>,
-    events: Option<Open<EventsCsv<PartialFile>>>,
+    trace: Option<(TraceTable, TableFiles)>,
+    tables: Vec<(TableKind, TableFiles)>,
+    /// Begun with the first sample, which knows the balls.
+    balls: Option<TableFiles>,
+    events: Option<TableFiles>,
     figure: Option<TraceFigure>,
+    page: Option<Page>,
     samples: u64,
+    /// Kept from row to row for its room.
+    row: Vec<f64>,
     contact_choice: Option<ContactChoice>,
-}
-
-/// A table being written.
-#[derive(Debug)]
-struct Open<C> {
-    path: PathBuf,
-    csv: C,
+    campbell: Option<Campbell>,
 }
 
 impl RunReport {
@@ -75,40 +116,59 @@ impl RunReport {
         scenario: Value,
         freedoms: usize,
     ) -> Result<Self, ReportError> {
-        let folder = RunFolder::open(folder, FileSet::MOTION)?;
-        let trace = outputs
-            .trace
-            .then(|| open(&folder, "trace.csv", TraceCsv::new));
-        let balls = outputs.balls.then(|| {
-            open(&folder, "trace_balls.csv", |file| {
-                Ok(BallTraceCsv::new(file))
-            })
-        });
-        let events = outputs
-            .events
-            .then(|| open(&folder, "events.csv", EventsCsv::new));
-        let tables = [
-            (outputs.energy, TableKind::ENERGY),
-            (outputs.drive, TableKind::DRIVE),
-        ];
-        let tables = tables
-            .into_iter()
-            .filter(|(asked, _)| *asked)
-            .map(|(_, kind)| open(&folder, kind.file, |file| SampleTable::new(kind, file)))
-            .collect::<Result<_, _>>()?;
-        Ok(Self {
-            folder,
+        let mut report = Self {
+            folder: RunFolder::open(folder, FileSet::MOTION)?,
             title: title.to_owned(),
+            origin: Origin {
+                scenario: scenario.to_string(),
+            },
             scenario,
-            outputs,
-            trace: trace.transpose()?,
-            tables,
-            balls: balls.transpose()?,
-            events: events.transpose()?,
+            trace: None,
+            tables: Vec::new(),
+            balls: None,
+            events: None,
             figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
+            page: outputs.page.then(|| Page::new(freedoms)),
+            outputs,
             samples: 0,
+            row: Vec::new(),
             contact_choice: None,
-        })
+            campbell: None,
+        };
+        report.open_tables()?;
+        Ok(report)
+    }
+
+    /// Begins the tables whose columns are known before the run.
+    fn open_tables(&mut self) -> Result<(), ReportError> {
+        if self.outputs.trace {
+            let table = TraceTable::new(self.outputs.channels.as_deref());
+            let files = self.open_table("trace", &table.columns())?;
+            self.trace = Some((table, files));
+        }
+        if self.outputs.events {
+            self.events = Some(self.open_table("events", &event_columns())?);
+        }
+        for (asked, kind) in [
+            (self.outputs.energy, TableKind::ENERGY),
+            (self.outputs.drive, TableKind::DRIVE),
+        ] {
+            if asked {
+                let files = self.open_table(kind.stem, &kind.columns())?;
+                self.tables.push((kind, files));
+            }
+        }
+        Ok(())
+    }
+
+    fn open_table(&self, stem: &str, columns: &[Column]) -> Result<TableFiles, ReportError> {
+        let formats = &self.outputs.formats;
+        TableFiles::open(&self.folder, stem, formats, columns, &self.origin)
+    }
+
+    /// Whether the sample that was taken last goes to the tables.
+    fn keeps_sample(&self) -> bool {
+        (self.samples - 1).is_multiple_of(self.outputs.every.get())
     }
 
     /// The same with the law of the contacts that was chosen for the run, which the summary tells.
@@ -117,6 +177,11 @@ impl RunReport {
             contact_choice: contact.cloned(),
             ..self
         }
+    }
+
+    /// The same with natural frequencies over the speed.
+    pub fn with_campbell(self, campbell: Option<Campbell>) -> Self {
+        Self { campbell, ..self }
     }
 
     /// Starts the file that keeps what it takes to go on.
@@ -135,19 +200,23 @@ impl RunReport {
     /// [`ReportError`] where a file cannot be written.
     pub fn fail(self, failure: &Failure<'_>) -> Result<KeptFiles, ReportError> {
         let earlier = self.folder.standing();
-        let trace = self.trace.is_some();
+        let formats = self.trace.is_some().then_some(&self.outputs.formats[..]);
+        let names: Vec<String> = formats
+            .unwrap_or_default()
+            .iter()
+            .map(|format| until_failure(*format))
+            .collect();
         let json = failure_json(
             &self.title,
             &self.scenario,
             failure,
             self.samples,
-            trace,
+            &names,
             &earlier,
         );
-        let trace = self.trace.map(|trace| trace.close(TraceCsv::finish));
-        let trace = trace.transpose()?;
-        let files = trace.map(|file| file.named(TRACE_UNTIL_FAILURE));
-        let files = files.into_iter().collect();
+        let trace = self.trace.map(|(_, files)| files.close()).transpose()?;
+        let files = trace.into_iter().flatten().zip(&names);
+        let files = files.map(|(file, name)| file.named(name)).collect();
         let sealed = format!("{json:#}\n");
         Ok(KeptFiles {
             files: self
@@ -166,18 +235,19 @@ impl RunReport {
         if let Some(choice) = &self.contact_choice {
             summary["contact_choice"] = contact_choice_json(choice);
         }
+        if let Some(campbell) = &self.campbell {
+            summary["critical_speeds"] = campbell::critical_speeds(campbell);
+        }
         let mut files = Vec::new();
-        if let Some(trace) = self.trace {
-            files.push(trace.close(TraceCsv::finish)?);
-        }
-        if let Some(balls) = self.balls {
-            files.push(balls.close(BallTraceCsv::finish)?);
-        }
-        if let Some(events) = self.events {
-            files.push(events.close(EventsCsv::finish)?);
-        }
-        for table in self.tables {
-            files.push(table.close(SampleTable::finish)?);
+        let trace = self.trace.map(|(_, files)| files);
+        let tables = self.tables.into_iter().map(|(_, files)| files);
+        let tables = trace
+            .into_iter()
+            .chain(self.balls)
+            .chain(self.events)
+            .chain(tables);
+        for table in tables {
+            files.extend(table.close()?);
         }
         if let Some(figure) = self.figure {
             let svg = figure.draw(&self.title)?;
@@ -185,20 +255,79 @@ impl RunReport {
         }
         if let Some(spectrum) = &run.spectrum {
             if self.outputs.spectrum {
-                let mut file = self.folder.create("spectrum.csv")?;
-                let path = file.path().to_owned();
-                write_spectrum(spectrum, &mut file)
-                    .map_err(ReportError::file(FileAction::Write, &path))?;
-                files.push(file.close()?);
+                let (formats, origin) = (&self.outputs.formats, &self.origin);
+                files.extend(write_spectra(&self.folder, spectrum, formats, origin)?);
+                let write = |file: &mut PartialFile| write_peaks(&run.peaks, spectrum, file);
+                files.push(self.folder.write_with("peaks.csv", write)?);
             }
             if self.outputs.figures {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;
                 files.push(self.folder.write("spectrum.svg", svg.as_bytes())?);
             }
         }
+        if let Some(motion) = &run.motion {
+            files.push(
+                self.folder
+                    .write_with("poincare.csv", |file| write_poincare(motion, file))?,
+            );
+            if self.outputs.figures {
+                let svg = orbit_figure(&self.title, motion)?;
+                files.push(self.folder.write("orbit.svg", svg.as_bytes())?);
+            }
+        }
+        let (title, figures) = (&self.title, self.outputs.figures);
+        if let Some(maps) = &run.maps {
+            files.extend(write_maps(&self.folder, title, maps, figures)?);
+        }
+        if let Some(campbell) = &self.campbell {
+            files.extend(campbell::write_files(
+                &self.folder,
+                title,
+                campbell,
+                figures,
+            )?);
+        }
+        for spectrum in &run.spectra {
+            let write = |file: &mut PartialFile| write_estimated(spectrum, file);
+            files.push(self.folder.write_with(&file_name(spectrum), write)?);
+        }
+        if let Some(page) = &self.page {
+            let figures = shown_figures(&files)?;
+            let write = |file: &mut PartialFile| page.write(&summary, run, &figures, file);
+            files.push(self.folder.write_with("report.html", write)?);
+        }
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())
     }
+}
+
+/// Writes the table of the spectra in every format.
+fn write_spectra(
+    folder: &RunFolder,
+    spectrum: &Spectrum,
+    formats: &[TableFormat],
+    origin: &Origin,
+) -> Result<Vec<WholeFile>, ReportError> {
+    let columns = spectrum_columns(spectrum);
+    let mut table = TableFiles::open(folder, "spectrum", formats, &columns, origin)?;
+    spectrum_rows(spectrum, |row| table.row(row))
+        .map_err(ReportError::file(FileAction::Write, folder.path()))?;
+    table.close()
+}
+
+/// Figures that the page shows as they are: what its own charts do not.
+fn shown_figures(files: &[WholeFile]) -> Result<Vec<(&'static str, String)>, ReportError> {
+    const SHOWN: [&str; 3] = ["waterfall.svg", "order_tracks.svg", "campbell.svg"];
+    let found = |name: &&'static str| {
+        let name = *name;
+        let file = files.iter().find(|file| file.path().ends_with(name))?;
+        let text = fs::read_to_string(file.temporary());
+        Some(
+            text.map(|svg| (name, svg))
+                .map_err(ReportError::file(FileAction::Read, file.temporary())),
+        )
+    };
+    SHOWN.iter().filter_map(found).collect()
 }
 
 /// What was kept of a run that cannot go on.
@@ -216,57 +345,46 @@ impl TraceSink for RunReport {
         if let Some(figure) = &mut self.figure {
             figure.sample(sample);
         }
-        for table in &mut self.tables {
-            table.write(|csv| csv.sample(sample))?;
+        if let Some(page) = &mut self.page {
+            page.sample(sample);
+        }
+        if !self.keeps_sample() {
+            return Ok(());
+        }
+        for (kind, files) in &mut self.tables {
+            self.row.clear();
+            (kind.row)(sample, &mut self.row);
+            if !self.row.is_empty() {
+                files.row(&self.row)?;
+            }
         }
         match &mut self.trace {
             None => Ok(()),
-            Some(trace) => trace.write(|csv| csv.sample(sample)),
+            Some((table, files)) => files.row(table.row(sample)),
         }
     }
 
     fn balls(&mut self, sample: &Sample, balls: &BallContacts) -> io::Result<()> {
+        if !self.outputs.balls || !self.keeps_sample() {
+            return Ok(());
+        }
+        if self.balls.is_none() {
+            let files = self.open_table("trace_balls", &ball_columns(balls));
+            self.balls = Some(files.map_err(io::Error::other)?);
+        }
         match &mut self.balls {
             None => Ok(()),
-            Some(table) => table.write(|csv| csv.row(sample, balls)),
+            Some(files) => {
+                ball_row(sample, balls, &mut self.row);
+                files.row(&self.row)
+            }
         }
     }
 
     fn event(&mut self, event: &Event) -> io::Result<()> {
         match &mut self.events {
             None => Ok(()),
-            Some(table) => table.write(|csv| csv.row(event)),
+            Some(files) => files.row(&event_row(event)),
         }
-    }
-}
-
-fn open<C>(
-    folder: &RunFolder,
-    name: &str,
-    start: impl FnOnce(PartialFile) -> io::Result<C>,
-) -> Result<Open<C>, ReportError> {
-    let file = folder.create(name)?;
-    let path = file.path().to_owned();
-    let csv = start(file).map_err(ReportError::file(FileAction::Write, &path))?;
-    Ok(Open { path, csv })
-}
-
-impl<C> Open<C> {
-    /// Writes by `row`; what goes wrong is told with the name of the file.
-    fn write(&mut self, row: impl FnOnce(&mut C) -> io::Result<()>) -> io::Result<()> {
-        row(&mut self.csv).map_err(|error| {
-            let kind = error.kind();
-            let named = ReportError::file(FileAction::Write, &self.path)(error);
-            io::Error::new(kind, named)
-        })
-    }
-
-    fn close(
-        self,
-        finish: impl FnOnce(C) -> io::Result<PartialFile>,
-    ) -> Result<WholeFile, ReportError> {
-        finish(self.csv)
-            .map_err(ReportError::file(FileAction::Write, &self.path))?
-            .close()
     }
 }

@@ -1,14 +1,13 @@
 //! Tables beside the trace, one row a sample.
 
-use std::io::{self, Write};
-
+use super::table::Column;
 use crate::rotor::Sample;
 
 /// What a table shows of the samples.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TableKind {
-    /// Name of the file.
-    pub file: &'static str,
+    /// Name of the file without its ending.
+    pub stem: &'static str,
     /// Names of the columns, each with its unit.
     pub columns: &'static [&'static str],
     /// Appends the values of a row; none where the sample has nothing to show.
@@ -18,7 +17,7 @@ pub(super) struct TableKind {
 impl TableKind {
     /// Where the energy is: `energy.csv`.
     pub const ENERGY: Self = Self {
-        file: "energy.csv",
+        stem: "energy",
         columns: &[
             "t_s",
             "kinetic_J",
@@ -42,7 +41,7 @@ impl TableKind {
     };
     /// Moments on a driven shaft: `drive.csv`.
     pub const DRIVE: Self = Self {
-        file: "drive.csv",
+        stem: "drive",
         columns: &[
             "t_s",
             "speed_rad_s",
@@ -59,45 +58,9 @@ impl TableKind {
             }
         },
     };
-}
 
-/// Writes rows of numbers in the shortest form that reads back to the same value.
-#[derive(Debug)]
-pub(super) struct SampleTable<W: Write> {
-    kind: TableKind,
-    writer: csv::Writer<W>,
-    row: Vec<f64>,
-}
-
-impl<W: Write> SampleTable<W> {
-    /// Writes the header.
-    pub fn new(kind: TableKind, writer: W) -> io::Result<Self> {
-        let mut writer = csv::WriterBuilder::new()
-            .has_headers(false)
-            .from_writer(writer);
-        writer.write_record(kind.columns)?;
-        Ok(Self {
-            kind,
-            writer,
-            row: Vec::with_capacity(kind.columns.len()),
-        })
-    }
-
-    pub fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.row.clear();
-        (self.kind.row)(sample, &mut self.row);
-        if self.row.is_empty() {
-            return Ok(());
-        }
-        self.writer
-            .serialize(&self.row[..])
-            .map_err(io::Error::from)
-    }
-
-    /// Gives the writer back, with everything written.
-    pub fn finish(self) -> io::Result<W> {
-        self.writer
-            .into_inner()
-            .map_err(csv::IntoInnerError::into_error)
+    /// Its columns.
+    pub fn columns(&self) -> Vec<Column> {
+        self.columns.iter().copied().map(Column::number).collect()
     }
 }

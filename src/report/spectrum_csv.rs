@@ -1,8 +1,9 @@
-//! The spectra as CSV.
+//! The spectra as a table, and as CSV.
 
 use std::io::{self, Write};
 
 use super::columns::{amplitude_column, phase_column};
+use super::table::{Column, CsvTable};
 use crate::analysis::Spectrum;
 
 /// Writes one row a frequency: `f_Hz`, `order` (where the shaft turns), then amplitude and phase of
@@ -11,10 +12,27 @@ use crate::analysis::Spectrum;
 /// # Errors
 /// What the writer answers.
 pub fn write_spectrum(spectrum: &Spectrum, writer: impl Write) -> io::Result<()> {
-    let mut csv = csv::WriterBuilder::new()
-        .has_headers(false)
-        .from_writer(writer);
-    csv.write_record(header(spectrum))?;
+    let mut csv = CsvTable::new(writer, &spectrum_columns(spectrum))?;
+    spectrum_rows(spectrum, |row| csv.row(row))?;
+    csv.finish().map(drop)
+}
+
+/// Columns of the table.
+pub(super) fn spectrum_columns(spectrum: &Spectrum) -> Vec<Column> {
+    let mut columns = vec![Column::number("f_Hz")];
+    columns.extend(spectrum.order(0).map(|_| Column::number("order")));
+    for entry in &spectrum.channels {
+        columns.push(Column::number(amplitude_column(entry.channel)));
+        columns.push(Column::number(phase_column(entry.channel)));
+    }
+    columns
+}
+
+/// Gives the rows of the table one by one.
+pub(super) fn spectrum_rows(
+    spectrum: &Spectrum,
+    mut take: impl FnMut(&[f64]) -> io::Result<()>,
+) -> io::Result<()> {
     let mut row = Vec::new();
     for k in 0..spectrum.bins() {
         row.clear();
@@ -22,17 +40,7 @@ pub fn write_spectrum(spectrum: &Spectrum, writer: impl Write) -> io::Result<()>
         row.extend(spectrum.order(k));
         let channels = spectrum.channels.iter();
         row.extend(channels.flat_map(|channel| [channel.amplitude[k], channel.phase[k]]));
-        csv.serialize(&row)?;
+        take(&row)?;
     }
-    csv.flush()
-}
-
-fn header(spectrum: &Spectrum) -> Vec<String> {
-    let mut names = vec!["f_Hz".to_owned()];
-    names.extend(spectrum.order(0).map(|_| "order".to_owned()));
-    for entry in &spectrum.channels {
-        names.push(amplitude_column(entry.channel));
-        names.push(phase_column(entry.channel));
-    }
-    names
+    Ok(())
 }

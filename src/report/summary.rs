@@ -5,6 +5,10 @@ use serde_json::{Map, Value, json};
 use super::columns::{ball_pass, matrix, value_column};
 use super::histories::histories_json;
 use super::method_use::method_use_json;
+use super::motion::motion_json;
+use super::peaks_csv::other_names;
+use super::run_up::maps_json;
+use super::spectra::estimated_json;
 use crate::analysis::{Channel, Peak, Spectrum};
 use crate::bearing::Matrix5;
 use crate::integrate::Counters;
@@ -30,13 +34,17 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
             .map(natural_frequency)
             .collect::<Value>(),
         "ball_pass": run.ball_pass.iter().map(ball_pass).collect::<Value>(),
+        "operating_ball_pass": run.operating_ball_pass.iter().map(ball_pass).collect::<Value>(),
         "bearings": histories_json(&run.bearings),
         "spectrum": run.spectrum.as_ref().map(spectrum),
+        "spectra": run.spectra.iter().map(estimated_json).collect::<Value>(),
         "peaks": run
             .peaks
             .iter()
             .map(|peak| named_peak(peak, run.spectrum.as_ref()))
             .collect::<Value>(),
+        "motion": run.motion.as_ref().map(motion_json),
+        "maps": run.maps.as_ref().map(maps_json),
         "tables": run.tables.iter().map(|table| table.as_ref().map(table_use)).collect::<Value>(),
         "counters": counters(&run.counters),
         "method_use": run.method_use.as_ref().map(method_use_json),
@@ -68,7 +76,9 @@ fn stiffness(rows: &[[f64; FREEDOMS]; FREEDOMS]) -> Value {
 fn natural_frequency(natural: &NaturalFrequency) -> Value {
     json!({
         "frequency_Hz": natural.frequency,
+        "damped_frequency_Hz": natural.damped_frequency,
         "damping_ratio": natural.damping_ratio,
+        "whirl": natural.whirl.to_string(),
     })
 }
 
@@ -87,14 +97,22 @@ fn named_peak(peak: &Peak, spectrum: Option<&Spectrum>) -> Value {
     let order = spectrum
         .filter(|spectrum| spectrum.shaft_frequency > 0.0)
         .map(|spectrum| peak.frequency / spectrum.shaft_frequency);
+    let distance = peak.line.map(|line| peak.frequency - line.frequency);
     json!({
         "channel": peak.channel.name(),
         "frequency_Hz": peak.frequency,
         "order": order,
         "amplitude": peak.amplitude,
+        "phase_rad": peak.phase,
         "unit": peak.channel.unit(),
         "label": peak.line.map(|line| line.kind.to_string()),
-        "distance_Hz": peak.line.map(|line| peak.frequency - line.frequency),
+        "label_Hz": peak.line.map(|line| line.frequency),
+        "distance_Hz": distance,
+        "distance_bins": distance
+            .zip(spectrum)
+            .map(|(distance, spectrum)| distance / spectrum.resolution),
+        "operating_Hz": peak.line.and_then(|line| line.operating),
+        "other_labels": other_names(peak),
     })
 }
 

@@ -7,6 +7,8 @@ use comfy_table::{CellAlignment, Table, presets};
 
 use super::histories::write_histories;
 use super::method_use::method_use_text;
+use super::motion::write_motion;
+use super::wrapped;
 use crate::analysis::{Peak, Spectrum};
 use crate::rotor::Freedoms;
 use crate::simulate::{Model, Run, StaticState};
@@ -40,7 +42,8 @@ fn write_text(
         equilibrium(&run.equilibrium, freedoms)
     )?;
     if !run.equilibrium.natural_frequencies.is_empty() {
-        writeln!(out, "  natural       {}", natural(&run.equilibrium))?;
+        let line = format!("  natural       {}", natural(&run.equilibrium));
+        writeln!(out, "{}", wrapped(&line, 16))?;
     }
     writeln!(
         out,
@@ -73,6 +76,9 @@ fn write_text(
         )?;
     }
     write_histories(out, &run.bearings)?;
+    if let Some(motion) = &run.motion {
+        write_motion(out, motion)?;
+    }
     if !run.peaks.is_empty() {
         writeln!(out, "{}", peak_table(&run.peaks, run.spectrum.as_ref()))?;
     }

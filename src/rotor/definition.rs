@@ -139,4 +139,14 @@ impl RotorDefinition {
         let points = self.speed_points.iter().map(|point| point.speed);
         points.chain(idle).fold(self.speed, f64::max)
     }
+
+    /// The same shaft at a constant speed in rad/s.
+    pub fn at_constant_speed(&self, speed: f64) -> Self {
+        Self {
+            speed,
+            speed_points: Vec::new(),
+            drive: None,
+            ..self.clone()
+        }
+    }
 }

@@ -109,6 +109,30 @@ impl Rotor {
         }
         Ok(found)
     }
+
+    /// Ball passes a revolution of the shaft at the outer and the inner race, of every bearing whose balls
+    /// go round.
+    pub fn ball_pass_orders(&self) -> Vec<[f64; 2]> {
+        let passing = self
+            .supports
+            .iter()
+            .filter(|support| support.follows_cage());
+        let orders = passing.map(|support| {
+            let balls = support.definition().bearing.geometry.balls() as f64;
+            let outer = balls * self.cage_ratio(support);
+            [outer, balls - outer]
+        });
+        orders.filter(|[outer, _]| *outer > 0.0).collect()
+    }
+
+    /// Meshing frequency z ω/2π of every sprocket at a speed in rad/s, Hz.
+    pub fn meshing_frequencies(&self, speed: f64) -> Vec<f64> {
+        let sprockets = self.loads.iter().filter_map(|load| match &load.kind {
+            LoadKind::Sprocket(sprocket) => Some(sprocket.swing().order),
+            _ => None,
+        });
+        sprockets.map(|order| order * speed / TAU).collect()
+    }
 }
 
 /// Angular frequency and begin of a load that repeats; none where it does not act.

@@ -26,6 +26,7 @@ mod phases;
 mod sample;
 mod speed_profile;
 mod tabulation;
+mod velocity_slopes;
 
 pub use accounted::{ACCOUNTED_STATES, AccountedRotor};
 pub use assembly::RotorError;
@@ -40,7 +41,7 @@ pub use energy::{EnergyBalance, Works};
 pub use forcing::{Forcing, ForcingCause, Unrepeated};
 pub use load::{Load, LoadKind};
 pub use loose::{LooseError, Looseness, check_loose};
-pub use modes::NaturalFrequency;
+pub use modes::{Mode, NaturalFrequency, Whirl};
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;
 pub use moving::Moving;

@@ -1,37 +1,223 @@
-//! Natural frequencies of the rotor linearised at its static equilibrium.
+//! Modes of the rotor linearised at its static equilibrium: eigenvalues, shapes, and how they whirl.
 
 use std::f64::consts::TAU;
+use std::fmt;
 
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
 
-use super::{FREEDOMS, Rotor};
+use super::Rotor;
 
-/// A mode of vibration of the linearised rotor.
+/// Part of the kinetic energy along z above which a mode is axial.
+const AXIAL: f64 = 0.5;
+/// Below this share of whirl a mode is a straight line rather than a circle either way.
+const STRAIGHT: f64 = 0.05;
+/// Eigenvalues nearer than this part of their size share their eigenvectors.
+const REPEATED: f64 = 1e-6;
+
+/// How the shaft goes round in a mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Whirl {
+    /// With the shaft's rotation.
+    Forward,
+    /// Against it.
+    Backward,
+    /// Along a line, neither way by more than a twentieth.
+    Straight,
+    /// Along the shaft's axis.
+    Axial,
+}
+
+/// `forward`, `backward`, `straight`, `axial`.
+impl fmt::Display for Whirl {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Forward => "forward",
+            Self::Backward => "backward",
+            Self::Straight => "straight",
+            Self::Axial => "axial",
+        })
+    }
+}
+
+/// A natural frequency of the linearised rotor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NaturalFrequency {
     /// Undamped natural frequency |λ|/2π, Hz.
     pub frequency: f64,
+    /// Frequency of the damped free vibration, Im λ/2π, Hz: where its line stands.
+    pub damped_frequency: f64,
     /// Damping ratio −Re λ/|λ|.
     pub damping_ratio: f64,
+    /// How the shaft goes round.
+    pub whirl: Whirl,
+}
+
+/// A mode of vibration: an eigenvalue with its shape.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mode {
+    /// Eigenvalue λ of positive imaginary part, 1/s.
+    pub eigenvalue: Complex<f64>,
+    /// Displacements of the kept freedoms times the root of their mass or moment of inertia, of unit
+    /// length.
+    pub shape: Vec<Complex<f64>>,
+}
+
+impl Mode {
+    /// Frequency of the damped free vibration, Im λ/2π, Hz.
+    pub fn damped_frequency(&self) -> f64 {
+        self.eigenvalue.im / TAU
+    }
+
+    /// Damping ratio −Re λ/|λ|.
+    pub fn damping_ratio(&self) -> f64 {
+        -self.eigenvalue.re / self.eigenvalue.norm()
+    }
+
+    /// Modal assurance criterion: 1 for the same shape, 0 for one that is orthogonal.
+    ///
+    /// `MAC = |aᴴ b|²/((aᴴ a)(bᴴ b))`
+    ///
+    /// Source: R. J. Allemang & D. L. Brown, *A correlation coefficient for modal vector analysis*,
+    /// Proc. 1st Int. Modal Analysis Conf. (1982) 110–116; here of shapes weighted by the masses.
+    pub fn assurance(&self, other: &Self) -> f64 {
+        let product = |a: &[Complex<f64>], b: &[Complex<f64>]| -> Complex<f64> {
+            a.iter().zip(b).map(|(a, b)| a.conj() * b).sum()
+        };
+        let both = product(&self.shape, &other.shape).norm_sqr();
+        let own = product(&self.shape, &self.shape).re * product(&other.shape, &other.shape).re;
+        both / own
+    }
+
+    /// How much more goes round with the shaft than against it, −1 … 1, of translation and tilt by
+    /// their kinetic energy.
+    ///
+    /// ```text
+    /// F = |x + iy|² + |θx + iθy|²,   B = |x − iy|² + |θx − iθy|²,   (F − B)/(F + B)
+    /// ```
+    pub fn forward_share(&self) -> f64 {
+        let (mut forward, mut backward) = (0.0, 0.0);
+        for pair in [0, 3] {
+            if let [x, y, ..] = self.shape[pair.min(self.shape.len())..] {
+                let turned = Complex::<f64>::I * y;
+                forward += (x + turned).norm_sqr();
+                backward += (x - turned).norm_sqr();
+            }
+        }
+        let both = forward + backward;
+        if both > 0.0 {
+            (forward - backward) / both
+        } else {
+            0.0
+        }
+    }
+
+    /// How the shaft goes round.
+    pub fn whirl(&self) -> Whirl {
+        let all: f64 = self.shape.iter().map(Complex::norm_sqr).sum();
+        let along = self.shape.get(2).map_or(0.0, Complex::norm_sqr);
+        if along > AXIAL * all {
+            return Whirl::Axial;
+        }
+        match self.forward_share() {
+            share if share > STRAIGHT => Whirl::Forward,
+            share if share < -STRAIGHT => Whirl::Backward,
+            _ => Whirl::Straight,
+        }
+    }
+}
+
+impl From<&Mode> for NaturalFrequency {
+    fn from(mode: &Mode) -> Self {
+        Self {
+            frequency: mode.eigenvalue.norm() / TAU,
+            damped_frequency: mode.damped_frequency(),
+            damping_ratio: mode.damping_ratio(),
+            whirl: mode.whirl(),
+        }
+    }
 }
 
 impl Rotor {
     /// Natural frequencies, lowest first; overdamped and rigid-body modes are left out.
+    pub fn natural_frequencies(&self) -> Vec<NaturalFrequency> {
+        self.modes().iter().map(NaturalFrequency::from).collect()
+    }
+
+    /// Modes by their undamped natural frequency, lowest first; overdamped and rigid-body ones are
+    /// left out.
     ///
     /// Eigenvalues λ of `M q̈ + (C + ωG) q̇ + K q = 0`, one of each conjugate pair, with K at the
-    /// static equilibrium, G the gyroscopic coupling of the tilts and ω the speed at t = 0.
-    pub fn natural_frequencies(&self) -> Vec<NaturalFrequency> {
+    /// static equilibrium, G the gyroscopic coupling of the tilts and ω the speed at t = 0; damping of
+    /// the contacts is left out.
+    pub fn modes(&self) -> Vec<Mode> {
         let eigenvalues = self.state_matrix().complex_eigenvalues();
-        let mut modes: Vec<NaturalFrequency> = eigenvalues
+        let mut eigenvalues: Vec<Complex<f64>> = eigenvalues
             .iter()
             .filter(|eigenvalue| eigenvalue.im > 1e-9 * eigenvalue.re.abs())
-            .map(|eigenvalue| NaturalFrequency {
-                frequency: eigenvalue.norm() / TAU,
-                damping_ratio: -eigenvalue.re / eigenvalue.norm(),
-            })
+            .copied()
             .collect();
-        modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
-        modes
+        eigenvalues.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
+        let alike = |a: &Complex<f64>, b: &Complex<f64>| (a - b).norm() < REPEATED * a.norm();
+        let groups = eigenvalues.chunk_by(alike);
+        groups.flat_map(|group| self.modes_of(group)).collect()
+    }
+
+    /// Modes of an eigenvalue, or of several that are the same.
+    fn modes_of(&self, group: &[Complex<f64>]) -> Vec<Mode> {
+        let shapes = self.shapes(group[0], group.len().min(self.kept));
+        let pairs = group.iter().zip(shapes.column_iter());
+        pairs
+            .map(|(eigenvalue, shape)| Mode {
+                eigenvalue: *eigenvalue,
+                shape: shape.iter().copied().collect(),
+            })
+            .collect()
+    }
+
+    /// The directions that `λ² + λ M^(−½)(C + ωG)M^(−½) + M^(−½) K M^(−½)` shrinks most, as many as
+    /// there are modes of this eigenvalue: of modes that share one any mixture is a mode, and here they
+    /// are those that go round as clearly as can be.
+    fn shapes(&self, eigenvalue: Complex<f64>, count: usize) -> DMatrix<Complex<f64>> {
+        let dynamic = DMatrix::from_fn(self.kept, self.kept, |row, column| {
+            let weight = (self.inverse_mass[row] * self.inverse_mass[column]).sqrt();
+            let rate = self.damping.entry(row, column) + self.gyroscopic_entry(row, column);
+            let inertia = if row == column {
+                eigenvalue * eigenvalue
+            } else {
+                Complex::ZERO
+            };
+            inertia + (eigenvalue * rate + self.equilibrium.stiffness[(row, column)]) * weight
+        });
+        let decomposed = (dynamic / Complex::from(eigenvalue.norm_sqr())).svd(false, true);
+        let Some(directions) = decomposed.v_t else {
+            return DMatrix::zeros(self.kept, 0);
+        };
+        let shapes = directions.rows(self.kept - count, count).adjoint();
+        if count == 1 {
+            return shapes;
+        }
+        let whirl = shapes.adjoint() * self.whirl() * &shapes;
+        shapes * whirl.symmetric_eigen().eigenvectors
+    }
+
+    /// The Hermitian form of [`Mode::forward_share`]'s F − B.
+    fn whirl(&self) -> DMatrix<Complex<f64>> {
+        let mut form = DMatrix::zeros(self.kept, self.kept);
+        for pair in [0, 3].into_iter().filter(|pair| pair + 1 < self.kept) {
+            form[(pair, pair + 1)] = Complex::new(0.0, 2.0);
+            form[(pair + 1, pair)] = Complex::new(0.0, -2.0);
+        }
+        form
+    }
+
+    /// Entry of the gyroscopic coupling ωG of the tilts, N m s/rad.
+    fn gyroscopic_entry(&self, row: usize, column: usize) -> f64 {
+        let coupling = self.inertia_polar * self.speed();
+        match (row, column) {
+            (3, 4) => coupling,
+            (4, 3) => -coupling,
+            _ => 0.0,
+        }
     }
 
     /// Matrix A of `d/dt (q, q̇) = A (q, q̇)`.
@@ -43,15 +229,10 @@ impl Rotor {
             matrix[(row, kept + row)] = 1.0;
             for column in 0..kept {
                 let inverse_mass = self.inverse_mass[row];
+                let rate = self.damping.entry(row, column) + self.gyroscopic_entry(row, column);
                 matrix[(kept + row, column)] = -stiffness[(row, column)] * inverse_mass;
-                matrix[(kept + row, kept + column)] =
-                    -self.damping.entry(row, column) * inverse_mass;
+                matrix[(kept + row, kept + column)] = -rate * inverse_mass;
             }
-        }
-        if kept == FREEDOMS {
-            let coupling = self.inertia_polar * self.speed() * self.inverse_mass[3];
-            matrix[(kept + 3, kept + 4)] -= coupling;
-            matrix[(kept + 4, kept + 3)] += coupling;
         }
         matrix
     }

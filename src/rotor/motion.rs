@@ -7,7 +7,7 @@ use super::phases::Phases;
 use super::{BallContacts, CageMotion, Drive, FREEDOMS, Load, Rotation, Sample, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{CageAngle, Support, Vector5, in_registers};
-use crate::integrate::{Surroundings, System};
+use crate::integrate::{Surroundings, System, VelocityDependence};
 
 /// A concentrated mass on its bearings, assembled and ready to move.
 ///
@@ -367,6 +367,10 @@ impl<const N: usize> System<N> for Rotor {
 
     fn is_second_order(&self) -> bool {
         true
+    }
+
+    fn velocity_slopes(&self) -> Result<[[f64; N]; N], VelocityDependence> {
+        self.constant_velocity_slopes()
     }
 }
 

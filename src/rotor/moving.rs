@@ -1,6 +1,6 @@
 //! What a simulation asks of a shaft in motion, whatever its states are.
 
-use super::{BallContacts, MotionScale, Rotor, Sample};
+use super::{BallContacts, FREEDOMS, MotionScale, Rotor, Sample};
 use crate::integrate::{Linearised, Scaling};
 
 /// A rotor as a system of N equations: by itself, or with more that is integrated beside it.
@@ -19,6 +19,15 @@ pub trait Moving<const N: usize>: Linearised<N> {
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's own
     /// [`Rotor::ball_contacts`].
     fn sample(&self, time: f64, state: &[f64; N], contacts: &mut BallContacts) -> Sample;
+
+    /// Second time derivatives of x, y, z, θx, θy in a state at a time: those of the equations
+    /// themselves. One evaluation of them, for whoever asks.
+    fn acceleration(&self, time: f64, state: &[f64; N]) -> [f64; FREEDOMS] {
+        let kept = self.rotor().kept();
+        let mut rate = [0.0; N];
+        self.derivative(time, state, &mut rate);
+        std::array::from_fn(|axis| if axis < kept { rate[kept + axis] } else { 0.0 })
+    }
 }
 
 impl<const N: usize> Moving<N> for Rotor {

@@ -23,20 +23,28 @@ mod scalar;
 mod schema;
 mod series_file;
 mod spec;
+mod speed;
+mod study_file;
 mod time;
+mod tolerance_file;
 mod varied;
 mod vary;
 mod walk;
 
+use std::num::NonZeroU64;
 use std::path::Path;
 
+use serde::Serialize;
 use serde_json::Value;
 
 pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
-pub use spec::{MethodError, method, methods, tolerance};
+pub use spec::{MethodError, TableFormat, TraceChannel, method, methods, tolerance};
+pub use speed::{SpeedError, speed};
+pub use study_file::{RunError, StudyFile, load_study, study_schema};
 pub use time::{TimeError, time};
+pub use tolerance_file::ToleranceFile;
 pub use varied::{Varied, VariedError};
 
 use crate::bearing::Oil;
@@ -57,7 +65,7 @@ pub enum Format {
 }
 
 /// What a run writes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OutputChoice {
     /// Whether the trace is written.
     pub trace: bool,
@@ -69,6 +77,14 @@ pub struct OutputChoice {
     pub spectrum: bool,
     /// Whether figures are drawn.
     pub figures: bool,
+    /// Whether the page for a browser is written.
+    pub report: bool,
+    /// Formats of the tables.
+    pub formats: Vec<TableFormat>,
+    /// Of how many samples one is written.
+    pub every: NonZeroU64,
+    /// Columns of the trace beside the time; none: all.
+    pub channels: Option<Vec<TraceChannel>>,
 }
 
 /// A checked scenario.
@@ -99,6 +115,12 @@ pub struct Scenario {
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong, also where the file cannot be read.
 pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
+    let (name, text, root) = read_tree(path)?;
+    check(&root, &name).map_err(|issues| ScenarioError::new(&name, &text, issues))
+}
+
+/// Name, text and tree of a file.
+fn read_tree(path: &Path) -> Result<(String, String, Node), ScenarioError> {
     let name = path.display().to_string();
     let unreadable = |message: String| ScenarioError::new(&name, "", vec![Issue::new("", message)]);
     let extension = path
@@ -115,14 +137,22 @@ pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
     };
     let bytes = std::fs::read(path)
         .map_err(|error| unreadable(format!("cannot read the file: {error}")))?;
-    match String::from_utf8(bytes) {
-        Ok(text) => parse(&text, &name, format),
-        Err(error) => {
-            let place = error.utf8_error().valid_up_to();
-            Err(unreadable(format!(
-                "the file is not UTF-8 text: byte {place} is wrong"
-            )))
-        }
+    let mut text = String::from_utf8(bytes).map_err(|error| {
+        let place = error.utf8_error().valid_up_to();
+        unreadable(format!("the file is not UTF-8 text: byte {place} is wrong"))
+    })?;
+    // spans count from behind a byte order mark
+    if text.starts_with('\u{feff}') {
+        text.remove(0);
+    }
+    let root = tree(&text, format).map_err(|issues| ScenarioError::new(&name, &text, issues))?;
+    Ok((name, text, root))
+}
+
+fn tree(text: &str, format: Format) -> Result<Node, Vec<Issue>> {
+    match format {
+        Format::Toml => read_toml::read(text),
+        Format::Json => read_json::read(text),
     }
 }
 
@@ -132,11 +162,8 @@ pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
 /// [`ScenarioError`] with everything that is wrong.
 pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, ScenarioError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let tree = match format {
-        Format::Toml => read_toml::read(text),
-        Format::Json => read_json::read(text),
-    };
-    tree.and_then(|root| check(&root, name))
+    tree(text, format)
+        .and_then(|root| check(&root, name))
         .map_err(|issues| ScenarioError::new(name, text, issues))
 }
 
@@ -192,7 +219,7 @@ fn stem(name: &str) -> String {
 }
 
 /// The scenario as JSON, without the keys that are not given and have no default.
-fn echo(spec: &ScenarioSpec) -> Value {
+fn echo(spec: &impl Serialize) -> Value {
     let mut value = serde_json::to_value(spec).unwrap_or_default();
     remove_null(&mut value);
     value

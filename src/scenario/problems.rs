@@ -9,6 +9,7 @@ use super::node::Node;
 pub(super) struct Problems<'a> {
     root: &'a Node,
     folder: &'a Path,
+    subject: &'static str,
     issues: Vec<Issue>,
     faulty: Vec<String>,
     warnings: Vec<String>,
@@ -20,10 +21,21 @@ impl<'a> Problems<'a> {
         Self {
             root,
             folder,
+            subject: "the scenario",
             issues: Vec::new(),
             faulty: Vec::new(),
             warnings: Vec::new(),
         }
+    }
+
+    /// The same about another kind of file.
+    pub fn about(self, subject: &'static str) -> Self {
+        Self { subject, ..self }
+    }
+
+    /// What messages call the file as a whole.
+    pub fn subject(&self) -> &'static str {
+        self.subject
     }
 
     /// The folder that the files named in the scenario are relative to.

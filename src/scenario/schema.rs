@@ -2,9 +2,9 @@
 
 use std::sync::LazyLock;
 
-use schemars::Schema;
 use schemars::generate::SchemaSettings;
 use schemars::transform::{Transform, transform_subschemas};
+use schemars::{JsonSchema, Schema};
 use serde_json::Value;
 
 use super::spec::ScenarioSpec;
@@ -12,15 +12,18 @@ use super::spec::ScenarioSpec;
 /// JSON Schema (draft 7) of a scenario file. Keys that begin with `x-` are ours: the dimension,
 /// the units and the range in SI units of a quantity, and keys that exclude each other.
 pub fn schema() -> &'static Value {
-    static SCHEMA: LazyLock<Value> = LazyLock::new(|| {
-        SchemaSettings::draft07()
-            .with(|settings| settings.inline_subschemas = true)
-            .with_transform(WithoutNull)
-            .into_generator()
-            .into_root_schema_for::<ScenarioSpec>()
-            .to_value()
-    });
+    static SCHEMA: LazyLock<Value> = LazyLock::new(schema_of::<ScenarioSpec>);
     &SCHEMA
+}
+
+/// JSON Schema of a file that is read as strictly as a scenario.
+pub(super) fn schema_of<T: JsonSchema>() -> Value {
+    SchemaSettings::draft07()
+        .with(|settings| settings.inline_subschemas = true)
+        .with_transform(WithoutNull)
+        .into_generator()
+        .into_root_schema_for::<T>()
+        .to_value()
 }
 
 /// A key that may be left out is not a key that may be null.

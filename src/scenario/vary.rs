@@ -11,7 +11,7 @@ use super::node::Node;
 use super::problems::Problems;
 use super::schema::schema;
 use super::spec::{Questions, StudySpec};
-use super::walk::{self, nearest};
+use super::walk::{self, Range, nearest};
 use super::{build as build_scenario, quantity};
 use crate::quasi_static::StaticQuestion;
 use crate::study::{Study, StudyPoint, Variable};
@@ -20,14 +20,15 @@ use crate::study::{Study, StudyPoint, Variable};
 const MOTION: [&str; 5] = ["damping", "initial", "time", "integrator", "output"];
 
 /// A key that can vary.
+#[derive(Debug, Clone)]
 pub(super) struct Key<'a> {
     pub path: String,
     schema: &'a Value,
 }
 
 /// A value of the key, and where it was given.
-struct Given {
-    value: Value,
+pub(super) struct Given {
+    pub value: Value,
     path: String,
 }
 
@@ -173,7 +174,7 @@ fn spaced(spec: &StudySpec, key: &Key<'_>, problems: &mut Problems<'_>) -> Optio
 
 impl Key<'_> {
     /// The value that stands at `path` of the file, if this key can have it.
-    fn read(&self, path: String, problems: &mut Problems<'_>) -> Option<Given> {
+    pub fn read(&self, path: String, problems: &mut Problems<'_>) -> Option<Given> {
         let node = problems.node(&path)?;
         let value = walk::value(node, self.schema, &path, problems)?;
         Some(Given { value, path })
@@ -189,6 +190,14 @@ impl Key<'_> {
         Dimension::named(self.schema["x-dimension"].as_str()?)
     }
 
+    /// Whether it can have a value, SI units.
+    pub fn contains(&self, si: f64) -> bool {
+        match self.dimension() {
+            Some(_) => Range::of_quantity(self.schema).contains(si),
+            None => Range::of_number(self.schema).contains(si),
+        }
+    }
+
     /// SI value and unit of a quantity.
     fn parsed(&self, value: &Value) -> Option<(f64, &'static Unit)> {
         let parsed = quantity::parse(value.as_str()?, self.dimension()?).ok()?;
@@ -196,13 +205,13 @@ impl Key<'_> {
     }
 
     /// The number that a checked value is, in SI units.
-    fn si(&self, value: &Value) -> f64 {
+    pub fn si(&self, value: &Value) -> f64 {
         let quantity = self.parsed(value).map(|(si, _)| si);
         quantity.or(value.as_f64()).unwrap_or(f64::NAN)
     }
 
     /// The value that this key has for a number in SI units.
-    fn written(&self, si: f64) -> Value {
+    pub fn written(&self, si: f64) -> Value {
         match self.dimension() {
             Some(dimension) => format!("{si} {}", dimension.units()[0].symbol).into(),
             None => Number::from_f64(si).map_or(Value::Null, Value::Number),
@@ -210,7 +219,7 @@ impl Key<'_> {
     }
 
     /// What varies, shown in the unit of `value`.
-    fn variable(&self, value: &Value) -> Variable {
+    pub fn variable(&self, value: &Value) -> Variable {
         let shown = self.parsed(value).map(|(_, unit)| unit);
         Variable {
             key: self.path.clone(),
@@ -242,7 +251,12 @@ pub(super) fn questions(
 ) -> Result<Questions, Issue> {
     let mut scenario = base.clone();
     put(&mut scenario, path, value);
-    let root = Node::from(&scenario);
+    questions_of(&scenario, folder)
+}
+
+/// What a scenario asks; the files that it names stand in `folder`.
+pub(super) fn questions_of(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
+    let root = Node::from(scenario);
     let mut problems = Problems::new(&root, folder);
     let built = build_scenario(&root, &mut problems);
     let (issues, _) = problems.finish();
@@ -254,7 +268,7 @@ pub(super) fn questions(
 }
 
 /// Puts a value into a tree, making the tables on its way.
-fn put(tree: &mut Value, path: &str, value: &Value) {
+pub(super) fn put(tree: &mut Value, path: &str, value: &Value) {
     let mut place = tree;
     for step in path.split(['.', '[']) {
         let index = step.strip_suffix(']').and_then(|index| index.parse().ok());

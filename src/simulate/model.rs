@@ -1,6 +1,9 @@
 //! The question: what to simulate, how exactly, and what to keep.
 
-use crate::analysis::Window;
+use std::f64::consts::TAU;
+
+use super::Analyses;
+use crate::analysis::{SpectrumRequest, Window};
 use crate::integrate::Settings;
 use crate::rotor::RotorDefinition;
 
@@ -12,6 +15,16 @@ pub enum Sampling {
     PerRevolution(u32),
     /// Samples per second.
     Rate(f64),
+}
+
+impl Sampling {
+    /// Samples a second of a shaft whose highest speed is `highest` rad/s.
+    pub fn rate(self, highest: f64) -> f64 {
+        match self {
+            Self::PerRevolution(samples) => f64::from(samples) * highest / TAU,
+            Self::Rate(rate) => rate,
+        }
+    }
 }
 
 /// A complete, checked question: what to simulate, how exactly, and what to keep.
@@ -35,4 +48,8 @@ pub struct Model {
     pub table: bool,
     /// Window of the spectra; `None` leaves the spectra out, and memory is flat in the duration.
     pub spectrum: Option<Window>,
+    /// What is made of the samples beside the spectra.
+    pub analyses: Analyses,
+    /// Spectra to estimate besides; without any, nothing is recorded for them.
+    pub spectra: Vec<SpectrumRequest>,
 }

@@ -1,10 +1,11 @@
 //! Everybody who takes the samples of a run.
 
+use super::analyses::Recorders;
 use super::energy_audit::EnergyAudit;
 use super::observation::Observation;
 use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
-use crate::analysis::Recorder;
+use crate::analysis::{Recorder, Recording};
 use crate::integrate::Grid;
 use crate::rotor::{Moving, Rotor};
 
@@ -13,6 +14,8 @@ pub(super) struct Observers<'a> {
     grid: Grid,
     sink: &'a mut dyn TraceSink,
     pub recorder: Option<Recorder>,
+    pub recorders: Recorders,
+    pub recording: Option<Recording>,
     pub observation: Observation<'a>,
     pub audit: EnergyAudit,
     pub tables: TableAudit,
@@ -30,6 +33,8 @@ impl<'a> Observers<'a> {
             grid,
             sink,
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
+            recorders: Recorders::new(model, rotor, &grid),
+            recording: sampling::recording(model, rotor),
             observation: Observation::new(model, rotor),
             audit: EnergyAudit::default(),
             tables,
@@ -52,6 +57,12 @@ impl<'a> Observers<'a> {
             self.tables.sample(system.rotor(), &sample);
             if let Some(recorder) = &mut self.recorder {
                 recorder.record(&sample);
+            }
+            self.recorders.record(&sample);
+            if let Some(recording) = self.recording.as_mut().filter(|all| all.takes(time)) {
+                let asked = recording.needs_acceleration();
+                let acceleration = asked.then(|| system.acceleration(time, state));
+                recording.record(&sample, acceleration.as_ref());
             }
         }
         Ok(())

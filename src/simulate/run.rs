@@ -2,8 +2,10 @@
 
 use super::BearingHistory;
 use super::EnergyReport;
+use super::Maps;
 use super::TableUse;
-use crate::analysis::{Peak, Spectrum};
+use crate::analysis::{EstimatedSpectrum, Motion, Peak, Spectrum};
+use crate::bearing::{BearingState, Vector5};
 use crate::integrate::{Counters, MethodUse};
 use crate::physics::BallPass;
 use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
@@ -21,6 +23,8 @@ pub struct StaticState {
     pub newton_steps: usize,
     /// Natural frequencies, lowest first.
     pub natural_frequencies: Vec<NaturalFrequency>,
+    /// Every bearing there, ball by ball, its cage where it starts; none of a linear one.
+    pub bearings: Vec<Option<BearingState>>,
 }
 
 /// Difference of the run from a second pass at a tenth of its tolerance.
@@ -53,6 +57,11 @@ pub struct Run {
     /// Ball-pass frequencies of each bearing, in the order of the scenario, at the speed after the
     /// settle time; at the highest speed where it changes there.
     pub ball_pass: Vec<BallPass>,
+    /// The same at the mean operating contact angle of the static equilibrium; none without spectra.
+    ///
+    /// The simulated cages keep the nominal angle: simulated lines stand at [`Run::ball_pass`], those of a
+    /// bearing whose cage follows its balls here.
+    pub operating_ball_pass: Vec<BallPass>,
     /// Work done.
     pub counters: Counters,
     /// Which methods did it, where the choice was left open.
@@ -71,6 +80,13 @@ pub struct Run {
     pub spectrum: Option<Spectrum>,
     /// Peaks of the spectra with their names.
     pub peaks: Vec<Peak>,
+    /// What the motion after the settle time is like, where asked for and at constant speed.
+    pub motion: Option<Motion>,
+    /// Waterfall and order tracks, where asked for.
+    pub maps: Option<Maps>,
+    /// Spectra that were asked for besides, as far as the run was long enough; a warning names the
+    /// others.
+    pub spectra: Vec<EstimatedSpectrum>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
 }
@@ -80,6 +96,7 @@ impl StaticState {
     pub(crate) fn of(rotor: &Rotor) -> Self {
         let equilibrium = rotor.equilibrium();
         let stiffness = &equilibrium.stiffness;
+        let place = Vector5::from(equilibrium.displacement);
         Self {
             displacement: equilibrium.displacement,
             stiffness: std::array::from_fn(|row| {
@@ -88,6 +105,13 @@ impl StaticState {
             residual: equilibrium.residual,
             newton_steps: equilibrium.newton_steps,
             natural_frequencies: rotor.natural_frequencies(),
+            bearings: rotor
+                .supports()
+                .iter()
+                .map(|support| {
+                    (support.known_balls() > 0).then(|| support.state(&place, rotor.speed()))
+                })
+                .collect(),
         }
     }
 }

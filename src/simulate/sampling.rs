@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::{Model, Sampling, SimulateError};
-use crate::analysis::{Analysis, Recorder, causes};
+use crate::analysis::{
+    Analysis, BearingFrequencies, Recorder, Recording, SampleGrid, Sources, causes,
+};
 use crate::integrate::Grid;
 use crate::physics::BallPass;
 use crate::rotor::Rotor;
@@ -26,20 +28,41 @@ pub(super) fn grid(model: &Model, rotor: &Rotor) -> Result<Grid, SimulateError> 
     })
 }
 
+pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
+    let (kept, settle) = (rotor.kept(), model.settle);
+    let SampleGrid {
+        rate,
+        shaft_frequency: shaft,
+        per_revolution,
+    } = sample_grid(model, rotor);
+    match per_revolution {
+        Some(samples) => Recorder::on_angle_grid(kept, settle, shaft, samples),
+        None => Recorder::on_time_grid(kept, settle, shaft, rate),
+    }
+}
+
+/// Takes what the spectra that are asked for need, if there are any.
+pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
+    let asked = !model.spectra.is_empty();
+    asked.then(|| Recording::new(sample_grid(model, rotor), model.settle, &model.spectra))
+}
+
 /// On a grid of shaft angle where the speed is steady after the settle time at its highest, and so
 /// makes a whole number of samples a revolution; else on a free grid of time.
-pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
-    let (kept, shaft) = (rotor.kept(), shaft_frequency(model, rotor));
+fn sample_grid(model: &Model, rotor: &Rotor) -> SampleGrid {
+    let shaft_frequency = shaft_frequency(model, rotor);
     let highest = rotor.highest_speed() / TAU;
-    match model.sampling {
-        Sampling::PerRevolution(samples) if shaft == highest => {
-            Recorder::on_angle_grid(kept, model.settle, shaft, samples)
-        }
+    let (rate, per_revolution) = match model.sampling {
         Sampling::PerRevolution(samples) => {
-            let rate = highest * f64::from(samples);
-            Recorder::on_time_grid(kept, model.settle, shaft, rate)
+            let is_uniform = shaft_frequency == highest;
+            (highest * f64::from(samples), is_uniform.then_some(samples))
         }
-        Sampling::Rate(rate) => Recorder::on_time_grid(kept, model.settle, shaft, rate),
+        Sampling::Rate(rate) => (rate, None),
+    };
+    SampleGrid {
+        rate,
+        shaft_frequency,
+        per_revolution,
     }
 }
 
@@ -59,10 +82,30 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
     supports.map(|support| support.ball_pass(speed)).collect()
 }
 
-/// Ball passes that make lines: none where the speed changes.
-fn spectral_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
-    let steady = rotor.steady_from(model.settle);
-    steady.map_or_else(Vec::new, |speed| ball_pass(rotor, speed))
+/// Ball-pass frequencies at the operating contact angles of the static equilibrium, at the reported
+/// speed; none without spectra.
+pub(super) fn operating_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
+    if model.spectrum.is_none() {
+        return Vec::new();
+    }
+    let speed = reported_speed(model, rotor);
+    let elsewhere = standing_at(model, rotor, speed);
+    operating_at(elsewhere.as_ref().unwrap_or(rotor), speed)
+}
+
+/// At the operating contact angles of a rotor's own equilibrium.
+fn operating_at(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
+    let place = &rotor.equilibrium().displacement;
+    let supports = rotor.supports().iter();
+    supports
+        .map(|support| support.state(place, speed).ball_pass)
+        .collect()
+}
+
+/// The rotor in the equilibrium of another speed than that of its start, where it has one.
+fn standing_at(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
+    let elsewhere = || Rotor::assemble(&model.rotor.at_constant_speed(speed)).ok();
+    (speed != rotor.speed()).then(elsewhere).flatten()
 }
 
 /// Spectra of what was recorded, where the scene asks for them, their peaks named.
@@ -72,11 +115,31 @@ pub(super) fn analyse(
     recorder: Option<Recorder>,
 ) -> Option<Analysis> {
     let (recorder, window) = recorder.zip(model.spectrum)?;
-    let modes = rotor.natural_frequencies();
-    let natural: Vec<f64> = modes.iter().map(|mode| mode.frequency).collect();
-    let shaft = shaft_frequency(model, rotor);
-    recorder.finish(
-        window,
-        &causes(shaft, &spectral_ball_pass(model, rotor), &natural),
-    )
+    recorder.finish(window, &causes(&sources(model, rotor)))
+}
+
+/// What makes lines: nothing that turns where the speed changes.
+fn sources(model: &Model, rotor: &Rotor) -> Sources {
+    let Some(speed) = rotor.steady_from(model.settle) else {
+        return Sources {
+            natural: rotor.natural_frequencies(),
+            ..Sources::default()
+        };
+    };
+    let elsewhere = standing_at(model, rotor, speed);
+    let standing = elsewhere.as_ref().unwrap_or(rotor);
+    let frequencies = |(simulated, operating)| BearingFrequencies {
+        simulated,
+        operating,
+    };
+    let simulated = ball_pass(rotor, speed).into_iter();
+    Sources {
+        shaft: speed / TAU,
+        bearings: simulated
+            .zip(operating_at(standing, speed))
+            .map(frequencies)
+            .collect(),
+        natural: standing.natural_frequencies(),
+        meshing: rotor.meshing_frequencies(speed),
+    }
 }

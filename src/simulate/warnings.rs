@@ -1,6 +1,7 @@
 //! What the reader of a run should know.
 
 use super::{MeasuredError, Model};
+use crate::analysis::{Channel, Kind, Motion};
 use crate::integrate::Stiffness;
 use crate::rotor::Rotor;
 
@@ -17,7 +18,12 @@ pub(super) struct Outcome<'a> {
     pub loose: Vec<String>,
 }
 
-pub(super) fn warnings(model: &Model, rotor: &Rotor, outcome: &Outcome<'_>) -> Vec<String> {
+pub(super) fn warnings(
+    model: &Model,
+    rotor: &Rotor,
+    outcome: &Outcome<'_>,
+    motion: Option<&Motion>,
+) -> Vec<String> {
     let mut warnings = outcome.loose.clone();
     if model.spectrum.is_some() && rotor.steady_from(model.settle).is_none() {
         warnings.push(format!(
@@ -33,8 +39,13 @@ pub(super) fn warnings(model: &Model, rotor: &Rotor, outcome: &Outcome<'_>) -> V
         Some(error) if error.relative > PROMISE * tolerance => warnings.push(format!(
             "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
              {tolerance:.0e}: the motion may be irregular or rest on contact changes; trust \
-             statistics rather than the single trace",
-            error.relative
+             statistics rather than the single trace{}",
+            error.relative,
+            if model.integrator.method.lands_on_surfaces() {
+                ""
+            } else {
+                ", or set method = \"verner76\" in [integrator], whose steps end where balls lift off"
+            }
         )),
         _ => {}
     }
@@ -45,6 +56,7 @@ pub(super) fn warnings(model: &Model, rotor: &Rotor, outcome: &Outcome<'_>) -> V
         ));
     }
     warnings.extend(outcome.stiffness.as_ref().map(stiff));
+    warnings.extend(motion.and_then(not_settled));
     warnings
 }
 
@@ -55,4 +67,19 @@ fn stiff(stiffness: &Stiffness) -> String {
          there for the same tolerance",
         stiffness.time, stiffness.step, stiffness.eigenvalue, stiffness.implicit_step
     )
+}
+
+/// The statistics of an irregular motion move by themselves, and nothing is said of them.
+fn not_settled(motion: &Motion) -> Option<String> {
+    let drift = motion.drift.filter(|drift| !drift.is_settled())?;
+    if matches!(motion.recognition.kind, Kind::Irregular { .. }) {
+        return None;
+    }
+    Some(format!(
+        "the motion has not settled: from the second to the last third after the settle time the mean of \
+         {} moves by {:.1} % of the vibration and its RMS by {:.1} %; make `settle` and `duration` longer",
+        Channel::Displacement(drift.freedom),
+        100.0 * drift.mean,
+        100.0 * drift.rms
+    ))
 }

@@ -24,11 +24,12 @@ pub struct Swing {
     pub rms: f64,
 }
 
-/// Values of a channel over one period: a row a place, a column an instant.
+/// Values of a channel over one period: a row a place, a column an instant; not a number where samples
+/// do not carry it.
 pub(super) fn values(channel: Channel, sampled: &[Vec<Sample>]) -> DMatrix<f64> {
     let instants = sampled.first().map_or(0, Vec::len);
     DMatrix::from_fn(sampled.len(), instants, |place, instant| {
-        channel.of(&sampled[place][instant])
+        channel.of(&sampled[place][instant]).unwrap_or(f64::NAN)
     })
 }
 

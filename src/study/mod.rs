@@ -2,7 +2,10 @@
 //! and in many configurations.
 
 pub mod accuracy;
+pub mod campbell;
 mod contact_choice;
+pub mod many;
+pub mod plan;
 mod rung;
 
 pub use contact_choice::{

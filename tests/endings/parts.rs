@@ -50,10 +50,21 @@ fn shocks_within_the_blocks() {
 }
 
 #[test]
-fn an_implicit_method() {
-    let text = shipped("steady-7205c.toml").replace("verner76", "rodas");
-    assert!(text.contains("rodas"));
-    check("rodas", &text, &["0.1 s", "0.3 s"]);
+fn every_other_family_of_methods() {
+    let text = shipped("steady-7205c.toml");
+    for method in ["rodas", "dprkn8", "dprkn12", "exponential"] {
+        let other = text.replace("\"verner76\"", &format!("\"{method}\""));
+        assert_ne!(text, other);
+        check(method, &other, &["0.1 s", "0.3 s"]);
+    }
+}
+
+#[test]
+fn gyroscopic_moments_and_shocks_by_a_nystrom_method() {
+    let text = shipped("coal-impact-7205c.toml");
+    let other = text.replace("[integrator]\n", "[integrator]\nmethod = \"dprkn8\"\n");
+    assert_ne!(text, other);
+    check("dprkn8", &other, &["90 ms", "0.102 s", "0.35 s"]);
 }
 
 #[test]

@@ -120,22 +120,89 @@ fn linearisation_knows_damped_contacts() {
     }
 }
 
-#[test]
-fn linearisation_is_the_derivative_of_the_right_hand_side() {
+/// The laws of the contacts, with a film and without.
+fn laws() -> [(ContactLaw, Option<Oil>); 5] {
     let oil = Oil {
         viscosity: 0.04,
         pressure_viscosity: 2.2e-8,
     };
     let outer = ContactLaw::Jones(RaceControl::Outer);
-    let laws = [
+    [
         (ContactLaw::Linear, None),
         (ContactLaw::Hertz, None),
         (ContactLaw::Hertz, Some(oil)),
         (outer, None),
         (outer, Some(oil)),
-    ];
-    for (law, oil) in laws {
+    ]
+}
+
+#[test]
+fn linearisation_is_the_derivative_of_the_right_hand_side() {
+    for (law, oil) in laws() {
         let rotor = Rotor::assemble(&unbalanced_pair(law, oil)).expect("a rotor");
         check(&rotor, &format!("{law:?}"));
     }
+}
+
+/// At any place, time and speed: a Nyström method takes out what is linear in the velocity, and must leave
+/// none of it behind.
+#[test]
+fn velocity_slopes_times_the_velocity_are_all_that_the_velocity_does() {
+    for (law, oil) in laws() {
+        let rotor = Rotor::assemble(&unbalanced_pair(law, oil)).expect("a rotor");
+        let slopes: [[f64; N]; N] = rotor.velocity_slopes().expect("constant ones");
+        for (far, time) in [(0.0, 0.0), (3e-6, 0.0123), (-40e-6, 7.7)] {
+            let place = rotor.equilibrium().displacement;
+            let mut state: [f64; N] =
+                std::array::from_fn(|i| if i < 5 { place[i] + far } else { 0.0 });
+            let (mut rest, mut moving) = ([0.0; N], [0.0; N]);
+            rotor.derivative(time, &state, &mut rest);
+            let velocity = [0.3, -0.7, 0.2, 15.0, -40.0];
+            state[5..].copy_from_slice(&velocity);
+            rotor.derivative(time, &state, &mut moving);
+            for (row, slopes) in slopes.iter().enumerate().take(5) {
+                let terms = || slopes.iter().zip(&velocity).map(|(a, b)| a * b);
+                let size = terms().map(f64::abs).sum::<f64>() + rest[5 + row].abs();
+                let error = (moving[5 + row] - rest[5 + row] - terms().sum::<f64>()).abs();
+                assert!(terms().sum::<f64>() != 0.0);
+                assert!(
+                    error < 1e-13 * size,
+                    "{law:?}, {row}: {error:e} of {size:e}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn velocity_slopes_that_change_are_refused_with_the_reason() {
+    let damped = |bearing| MountedBearing {
+        contact_damping: ContactDamping {
+            inner: 0.5,
+            outer: 2.0,
+        },
+        ..bearing
+    };
+    let refused = |definition: &RotorDefinition| {
+        let rotor = Rotor::assemble(definition).expect("a rotor");
+        let slopes: Result<[[f64; N]; N], _> = rotor.velocity_slopes();
+        slopes.expect_err("no constant ones").to_string()
+    };
+    let mut definition = unbalanced_pair(ContactLaw::Hertz, None);
+    definition.speed_points = vec![SpeedPoint {
+        time: 0.5,
+        speed: 1200.0,
+    }];
+    let reason = refused(&definition);
+    assert!(
+        reason.contains("gyroscopic moments change with the speed"),
+        "{reason}"
+    );
+    definition.speed_points.clear();
+    definition.bearings = definition.bearings.into_iter().map(damped).collect();
+    let reason = refused(&definition);
+    assert!(
+        reason.contains("damping of the contacts changes"),
+        "{reason}"
+    );
 }

@@ -17,7 +17,9 @@ use jeffcott::physics::Material;
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, RotorDefinition, Sample, Shaft,
 };
-use jeffcott::simulate::{Model, Monitor, Run, Sampling, SimulateError, TraceSink, simulate};
+use jeffcott::simulate::{
+    Analyses, Model, Monitor, Run, Sampling, SimulateError, TraceSink, simulate,
+};
 
 /// Micrometre in m.
 pub const MICROMETRE: f64 = 1e-6;
@@ -189,6 +191,8 @@ pub fn model(rotor: RotorDefinition, duration: f64, rate: f64) -> Model {
         energy: false,
         table: false,
         spectrum: None,
+        analyses: Analyses::default(),
+        spectra: Vec::new(),
     }
 }
 

@@ -4,7 +4,7 @@ use super::cost::{Prices, WAYS, Way};
 use super::selector::{Mark, Outlook};
 use super::walk::AutoWalk;
 use crate::integrate::Linearised;
-use crate::integrate::explicit::Course;
+use crate::integrate::course::Course;
 
 /// Evaluations of the exponential method per radian of what drives a settled motion, at a tolerance.
 const EVALUATIONS_PER_RADIAN: f64 = 20.0;

@@ -3,7 +3,8 @@
 use super::cost::{Prices, WAYS, Way};
 use super::selector::{Mark, Selector};
 use super::usage::{MethodChange, MethodUse, Stretch};
-use crate::integrate::explicit::{Course, Dop853, Verner76, Walk};
+use crate::integrate::course::Course;
+use crate::integrate::explicit::{Dop853, Verner76, Walk};
 use crate::integrate::exponential::ExponentialWalk;
 use crate::integrate::{Counters, IntegrateError, Linearised, Scaling, Settings};
 

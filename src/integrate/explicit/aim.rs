@@ -4,9 +4,8 @@ use super::landing::Landing;
 use super::substitution::Substitution;
 use super::tableau::Pair;
 use super::walk::Walk;
+use crate::integrate::course::STRETCH;
 
-/// Part of a step that the end of a stretch may lengthen it by.
-const STRETCH: f64 = 1.01;
 /// Error of a step from or to a surface, over its estimate: measured. Such steps stand alone, and one whose
 /// estimate is too good has no neighbours to make up for it.
 const DOUBT: f64 = 3.0;

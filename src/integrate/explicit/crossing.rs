@@ -7,7 +7,8 @@
 use super::aim::Aim;
 use super::landing::{Landing, crossing_time, insert};
 use super::tableau::Pair;
-use super::walk::{Course, Walk};
+use super::walk::Walk;
+use crate::integrate::course::Course;
 use crate::integrate::{Sides, System};
 
 /// Error of a step over its size and what a surface adds over a short part at its end, over that part:
@@ -235,7 +236,7 @@ impl<const N: usize> Walk<N> {
         distance: f64,
     ) -> f64 {
         let added = course.system.added(surface, time, distance);
-        self.norm(course, &added) * self.size
+        course.norm(&self.from, &added) * self.size
     }
 
     /// When the trial crosses surfaces towards `sides`: the first two landings.

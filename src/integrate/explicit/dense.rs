@@ -2,8 +2,9 @@
 
 use super::quintic::{self, Quintic};
 use super::tableau::Pair;
-use super::walk::{Course, Walk};
+use super::walk::Walk;
 use crate::integrate::System;
+use crate::integrate::course::Course;
 
 /// Part of the local error that the interpolation without evaluations may be estimated to have.
 const QUINTIC_PART: f64 = 0.1;

@@ -4,7 +4,6 @@
 mod aim;
 #[cfg(test)]
 mod conditions;
-mod control;
 mod crossing;
 mod dense;
 mod dop853;
@@ -21,4 +20,4 @@ pub(super) use dop853::Dop853;
 pub(super) use tableau::Pair;
 pub(super) use tsit5::Tsit5;
 pub(super) use verner76::Verner76;
-pub(super) use walk::{Course, Walk};
+pub(super) use walk::Walk;

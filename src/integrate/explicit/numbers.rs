@@ -1,10 +1,10 @@
 //! A walk as plain numbers, and from them.
 
-use super::control::Control;
 use super::crossing::{self, Crossing};
 use super::substitution::Substitution;
 use super::walk::Walk;
 use crate::integrate::Counters;
+use crate::integrate::control::Control;
 
 /// Single numbers of a walk.
 const SINGLE: usize = 11;

@@ -1,29 +1,14 @@
 //! Steps of an explicit pair, one after the other, and the states between their ends.
 
-use std::sync::atomic::{AtomicBool, Ordering};
-
-use super::control::Control;
 use super::crossing::Crossing;
 use super::substitution::Substitution;
 use super::tableau::{Arguments, CoarseError, Error, Factors, MOST, Pair, Weights, sum};
-use crate::integrate::{Counters, IntegrateError, Scaling, Settings, Sides, System};
+use crate::integrate::control::Control;
+use crate::integrate::course::Course;
+use crate::integrate::{Counters, IntegrateError, Scaling, Sides, System};
 
 /// Times that a step looks for a better place to land on.
 const MOST_SEARCHES: u32 = 5;
-/// Least first guess of a step size, in units of the scaling's time.
-const LEAST_GUESS: f64 = 1e-6;
-
-/// What a walk goes by.
-pub(in crate::integrate) struct Course<'a, S, const N: usize> {
-    pub system: &'a S,
-    pub scaling: &'a Scaling<N>,
-    pub settings: &'a Settings,
-    pub stop: &'a AtomicBool,
-    /// No step ends after this, s.
-    pub end: f64,
-    /// Breaks nearer than this to a step's start count as standing there, s.
-    pub slack: f64,
-}
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin: sums
 /// of them lose less to round-off.
@@ -177,7 +162,8 @@ impl<const N: usize> Walk<N> {
         let start_rate = self.stages[0];
         let (mut next, mut searches) = ([self.crossing.planned, None], 0);
         loop {
-            self.check(course)?;
+            let size = self.next_size.min(self.crossing.sizes[0]);
+            course.check(self.start, size, &self.counters, self.fault)?;
             let aim = self.aim(next[0]);
             self.size = aim.size;
             self.substitute(&aim, &start_rate);
@@ -213,38 +199,17 @@ impl<const N: usize> Walk<N> {
             if self.counters.steps == 0 {
                 self.look_around(course);
             }
-            let next = course.system.next_break(self.time + course.slack);
-            self.limit = if next < course.end - course.slack {
-                next
-            } else {
-                course.end
-            };
+            self.limit = course.limit_after(self.time);
             // the derivative after a break, or the very first
             let from = self.from;
             self.evaluate(course, 0, self.time, &from);
             self.jerk = [f64::INFINITY; N];
         }
         if self.next_size <= 0.0 {
-            self.next_size = self.first_size(course, P::ORDER);
+            self.counters.evaluations += 1;
+            let stretch = [self.start, self.limit];
+            self.next_size = course.first_size(stretch, &self.from, &self.stages[0], P::ORDER);
         }
-    }
-
-    fn check<S>(&self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
-        let (time, limit) = (self.start, course.settings.step_limit);
-        if course.stop.load(Ordering::Relaxed) {
-            return Err(IntegrateError::Interrupted { time });
-        }
-        if self.counters.steps + self.counters.rejected >= limit {
-            return Err(IntegrateError::StepLimit { time, limit });
-        }
-        if time + 0.1 * self.next_size.min(self.crossing.sizes[0]) <= time {
-            return Err(if self.fault {
-                IntegrateError::NotFinite { time }
-            } else {
-                IntegrateError::StepUnderflow { time }
-            });
-        }
-        Ok(())
     }
 
     /// Derivative in a deviation as a stage.
@@ -380,36 +345,6 @@ impl<const N: usize> Walk<N> {
             return;
         }
         self.quintic = course.system.is_second_order() && self.judge_quintic::<P, S>(course);
-    }
-
-    /// First step size, s.
-    ///
-    /// Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sec. II.4.
-    fn first_size<S: System<N>>(&mut self, course: &Course<'_, S, N>, order: i32) -> f64 {
-        let slope = self.stages[0];
-        let state_size = self.norm(course, &self.from);
-        let slope_size = self.norm(course, &slope);
-        let least = LEAST_GUESS * course.scaling.time;
-        let most = (self.limit - self.start).max(least);
-        // no number where nothing moves
-        let guess = (0.01 * state_size / slope_size).max(least).min(most);
-        let ahead = std::array::from_fn(|i| self.from[i] + guess * slope[i]);
-        self.evaluate(course, 1, self.start + guess, &ahead);
-        let change = std::array::from_fn(|i| self.stages[1][i] - slope[i]);
-        let bend_size = self.norm(course, &change) / guess;
-        let fastest = slope_size.max(bend_size);
-        (0.01 / fastest)
-            .powf(1.0 / f64::from(order))
-            .min(100.0 * guess)
-    }
-
-    /// Root mean square over what is allowed.
-    pub(super) fn norm<S>(&self, course: &Course<'_, S, N>, vector: &[f64; N]) -> f64 {
-        let squares = (0..N).map(|i| {
-            let unit = course.scaling.scale[i] + self.from[i].abs();
-            (vector[i] / (course.settings.tolerance * unit)).powi(2)
-        });
-        (squares.sum::<f64>() / N as f64).sqrt()
     }
 }
 

@@ -1,9 +1,11 @@
 //! Steps of equal size show the orders of the pairs, of their interpolants and of the quintic.
 
+use std::sync::atomic::AtomicBool;
+
 use super::*;
-use crate::integrate::Method;
 use crate::integrate::explicit::quintic::{self, Quintic};
 use crate::integrate::explicit::{Dop853, Tsit5, Verner76};
+use crate::integrate::{Method, Settings};
 
 /// q″ = −(1 + sin(t)/2) q³ + cos 2t, as (q, q′): time enters, and it is not linear.
 struct Duffing;

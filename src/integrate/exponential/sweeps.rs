@@ -4,7 +4,7 @@ use super::columns::apply;
 use super::nodes::{NODES, POINTS, Points, SPARE, combined};
 use super::propagator::{LinearPart, Propagator};
 use crate::integrate::System;
-use crate::integrate::explicit::Course;
+use crate::integrate::course::Course;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
 const LOCAL_PART: f64 = 0.05;

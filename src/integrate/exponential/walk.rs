@@ -1,14 +1,12 @@
 //! Steps of the method, one after the other, and the states at samples within them.
 
-use std::sync::atomic::Ordering;
-
 use super::columns::balanced_norm;
 use super::dense::Cursor;
 use super::nodes::{NODES, POINTS, Points, combined, weights};
 use super::plan::Leg;
 use super::propagator::{LinearPart, Propagators};
 use super::sweeps::{self, Ending, Trial, slow_part};
-use crate::integrate::explicit::Course;
+use crate::integrate::course::Course;
 use crate::integrate::{Counters, IntegrateError, Linearised, Scaling};
 
 /// Power of the size that the error estimate falls with.
@@ -198,7 +196,7 @@ impl<const N: usize> Walk<N> {
     ) -> Result<(), IntegrateError> {
         self.begin(course);
         loop {
-            self.check(course)?;
+            course.check(self.start, self.wish, &self.counters, self.fault)?;
             self.plan();
             let (ending, sweeps) = self.trial(course);
             match ending {
@@ -262,24 +260,6 @@ impl<const N: usize> Walk<N> {
         self.slow_size = 0.0;
         self.slow[POINTS - 1] = slow_part(&self.linear, course, self.start, &self.from);
         self.counters.evaluations += 1;
-    }
-
-    fn check<S>(&self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
-        let (time, limit) = (self.start, course.settings.step_limit);
-        if course.stop.load(Ordering::Relaxed) {
-            return Err(IntegrateError::Interrupted { time });
-        }
-        if self.counters.steps + self.counters.rejected >= limit {
-            return Err(IntegrateError::StepLimit { time, limit });
-        }
-        if time + 0.1 * self.wish <= time {
-            return Err(if self.fault {
-                IntegrateError::NotFinite { time }
-            } else {
-                IntegrateError::StepUnderflow { time }
-            });
-        }
-        Ok(())
     }
 
     /// Chooses the size of the step to come.

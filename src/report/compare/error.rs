@@ -73,11 +73,22 @@ pub enum CompareError {
         file: PathBuf,
     },
     /// Two folders hold no table.
-    #[error("neither {} nor {} holds a trace.csv or spectrum.csv", first.display(), second.display())]
+    #[error("neither {} nor {} holds a table to compare ({names}), or no table is in both", first.display(), second.display())]
     NoTables {
         /// First folder.
         first: PathBuf,
         /// Second folder.
         second: PathBuf,
+        /// Names of the tables that are looked for.
+        names: String,
     },
+    /// A table that is to be compared by its lines is no spectrum.
+    #[error("{} is no spectrum: lines need a column f_Hz first, and amplitudes", path.display())]
+    NoLines {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A figure of the comparison cannot be drawn or written.
+    #[error("the comparison stands, its figure does not")]
+    Figure(#[from] crate::report::ReportError),
 }

@@ -1,4 +1,4 @@
-//! Whether two results say the same: tables (trace or spectrum) or whole run folders.
+//! Whether two results say the same: tables (trace, spectrum or events) or whole run folders.
 //!
 //! Columns are matched by name and rows by number. Two values a, b of a column agree where
 //!
@@ -16,25 +16,42 @@
 //!
 //! Where the amplitude is within its allowance of zero, the phase says nothing and is not compared.
 //!
+//! Of a trace that was thinned while it was written, every row is compared with the one of the same
+//! time. Spectra can be compared by their lines instead of row by row; events are compared with the
+//! events of the same kind at the same ball.
+//!
 //! ```no_run
-//! use jeffcott::report::compare::{Tolerance, Tolerances, compare};
-//! let tolerances = Tolerances::uniform(Tolerance::new(1e-6, 0.0)?);
-//! let comparison = compare("output/old".as_ref(), "output/new".as_ref(), &tolerances)?;
+//! use jeffcott::report::compare::{Rules, Tolerance, Tolerances, compare};
+//! let rules = Rules::new(Tolerances::uniform(Tolerance::new(1e-6, 0.0)?));
+//! let comparison = compare("output/old".as_ref(), "output/new".as_ref(), &rules)?;
 //! println!("{comparison}");
 //! assert!(comparison.agrees());
 //! # Ok::<(), jeffcott::report::compare::CompareError>(())
 //! ```
 
+mod assertion;
+mod column;
+mod difference;
 mod error;
+mod events;
+mod figure;
+mod json;
+mod lines;
 mod paths;
 mod rows;
 mod rule;
+mod rules;
 mod table;
 mod text;
 mod tolerance;
 
+pub use assertion::{ComparedSpectrum, spectra_close};
+pub use column::{ColumnComparison, Worst};
+pub use difference::Difference;
 pub use error::CompareError;
+pub use figure::write_comparison_figure;
 pub use paths::{Comparison, compare};
-pub use rows::{ColumnComparison, TableComparison, Worst};
-pub use text::Difference;
+pub use rows::TableComparison;
+pub use rules::Rules;
+
 pub use tolerance::{Tolerance, Tolerances};

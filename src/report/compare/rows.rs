@@ -1,58 +1,8 @@
 //! Compares two tables row by row, reading each twice and keeping one row in memory.
 
-use std::path::Path;
-
-use super::rule::{Judgement, Place, Rule};
+use super::rule::{Place, Rule};
 use super::table::Table;
-use super::{CompareError, Difference, Tolerances};
-
-/// The place where the values of a column are furthest beyond, or closest to, what is allowed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Worst {
-    /// Row, from 1, the header not counted.
-    pub row: u64,
-    /// Value of the first table's first column there: time in s or frequency in Hz.
-    pub at: f64,
-    /// Value in the first table.
-    pub first: f64,
-    /// Value in the second table.
-    pub second: f64,
-    /// |first − second|, of phases the shorter way round; infinite where only one is a number.
-    pub difference: f64,
-    /// Difference allowed there.
-    pub allowed: f64,
-}
-
-/// What the comparison of a column found.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ColumnComparison {
-    /// Name of the column.
-    pub name: String,
-    /// The worst place; `None` where nothing was compared, as with phases of nothing.
-    pub worst: Option<Worst>,
-    /// Number of rows beyond what is allowed.
-    pub failures: u64,
-}
-
-impl ColumnComparison {
-    /// Whether no row is beyond what is allowed.
-    pub fn agrees(&self) -> bool {
-        self.failures == 0
-    }
-
-    fn take(&mut self, worst: Worst) {
-        let excess = |worst: &Worst| worst.difference - worst.allowed;
-        if excess(&worst) > 0.0 {
-            self.failures += 1;
-        }
-        if self
-            .worst
-            .is_none_or(|known| excess(&worst) > excess(&known))
-        {
-            self.worst = Some(worst);
-        }
-    }
-}
+use super::{ColumnComparison, CompareError, Difference, Rules, Tolerances};
 
 /// What the comparison of two tables found.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,6 +13,8 @@ pub struct TableComparison {
     pub columns: Vec<ColumnComparison>,
     /// What keeps the tables from being compared value by value.
     pub differences: Vec<Difference>,
+    /// What only one of them has and is not asked for.
+    pub left_out: Vec<Difference>,
     /// Names of the columns of both tables.
     pub(super) known: Vec<String>,
 }
@@ -74,44 +26,82 @@ impl TableComparison {
     }
 }
 
-/// Compares two files; `name` is what the result calls them.
-pub(super) fn compare_tables(
+/// Compares two tables row by row; `name` is what the result calls them.
+pub(super) fn compare_rows(
     name: String,
-    first: &Path,
-    second: &Path,
-    tolerances: &Tolerances,
+    mut tables: [Table; 2],
+    rules: &Rules,
 ) -> Result<TableComparison, CompareError> {
-    let mut tables = [Table::open(first)?, Table::open(second)?];
     let shared = Shared::of(&tables);
-    let mut differences = shared.differences(&tables);
     let known = known_columns(&tables);
     let [left, right] = &mut tables;
-    let (left_rows, left_scales) = scales(left)?;
-    let (right_rows, right_scales) = scales(right)?;
-    if left_rows != right_rows {
-        differences.push(Difference::Rows {
-            first: left_rows,
-            second: right_rows,
-        });
+    let extents = [extent(left)?, extent(right)?];
+    let steps = steps(&known, &extents);
+    let mut differences = Vec::new();
+    let mut partial = shared.only_in_one(&tables);
+    match steps {
+        [1, 1] if extents[0].rows != extents[1].rows => differences.push(Difference::Rows {
+            first: extents[0].rows,
+            second: extents[1].rows,
+        }),
+        [1, 1] => {}
+        [first, second] => partial.push(Difference::Thinned {
+            thinned: tables[usize::from(first > 1)].path().to_owned(),
+            every: first.max(second),
+        }),
     }
-    let scale = |place: Place| left_scales[place.first].max(right_scales[place.second]);
-    let rules = shared.rules(scale, tolerances);
+    let scale = |place: Place| extents[0].scales[place.first].max(extents[1].scales[place.second]);
+    let columns = shared.rules(scale, &rules.tolerances);
     for table in &mut tables {
         table.rewind()?;
     }
-    let columns = compare_rows(&shared, &rules, &mut tables)?;
+    let columns = judge_rows(&shared, &columns, &mut tables, steps, rules.worst)?;
     let axis = columns.first().filter(|column| !column.agrees());
     if let Some(axis) = axis.filter(|axis| known.first() == Some(&axis.name)) {
         differences.push(Difference::Axis {
             name: axis.name.clone(),
         });
     }
-    Ok(TableComparison {
+    Ok(TableComparison::new(
         name,
         columns,
-        differences,
         known,
-    })
+        differences,
+        partial,
+        rules,
+    ))
+}
+
+impl TableComparison {
+    /// What only one table has is a difference, or left out.
+    pub(super) fn new(
+        name: String,
+        columns: Vec<ColumnComparison>,
+        known: Vec<String>,
+        mut differences: Vec<Difference>,
+        mut partial: Vec<Difference>,
+        rules: &Rules,
+    ) -> Self {
+        if !rules.common {
+            differences.append(&mut partial);
+        }
+        Self {
+            name,
+            columns,
+            differences,
+            left_out: partial,
+            known,
+        }
+    }
+}
+
+/// How many rows of each table stand for one row that is compared: more than one of a trace where the
+/// other is one of every so many of its samples.
+fn steps(known: &[String], [first, second]: &[Extent; 2]) -> [u64; 2] {
+    if known.first().is_none_or(|axis| axis != "t_s") {
+        return [1, 1];
+    }
+    [first.thinned_to(second), second.thinned_to(first)]
 }
 
 /// Columns that both tables have.
@@ -131,7 +121,7 @@ impl Shared {
         Self(places.collect())
     }
 
-    fn differences(&self, tables: &[Table; 2]) -> Vec<Difference> {
+    fn only_in_one(&self, tables: &[Table; 2]) -> Vec<Difference> {
         let missing = |table: &Table| -> Vec<Difference> {
             let own = table.columns().iter();
             own.filter(|name| !self.0.iter().any(|(shared, _)| shared == *name))
@@ -163,59 +153,94 @@ fn known_columns([first, second]: &[Table; 2]) -> Vec<String> {
     known
 }
 
-/// Number of rows, and the largest finite magnitude of every column.
-fn scales(table: &mut Table) -> Result<(u64, Vec<f64>), CompareError> {
-    let mut scales = vec![0.0f64; table.columns().len()];
+/// What a table holds, on the whole.
+struct Extent {
+    rows: u64,
+    /// Largest finite magnitude of every column.
+    scales: Vec<f64>,
+    /// First column of the first two rows.
+    start: [f64; 2],
+}
+
+impl Extent {
+    /// N where `other` can hold the first of every N rows of this, one otherwise.
+    fn thinned_to(&self, other: &Self) -> u64 {
+        let step = |extent: &Self| extent.start[1] - extent.start[0];
+        let ratio = (step(other) / step(self)).round();
+        if !(ratio > 1.0 && ratio < self.rows as f64) {
+            return 1;
+        }
+        match ratio as u64 {
+            every if self.rows.div_ceil(every) == other.rows => every,
+            _ => 1,
+        }
+    }
+}
+
+fn extent(table: &mut Table) -> Result<Extent, CompareError> {
+    let mut extent = Extent {
+        rows: 0,
+        scales: vec![0.0; table.columns().len()],
+        start: [0.0; 2],
+    };
     let mut row = Vec::new();
-    let mut rows = 0;
     while table.read(&mut row)? {
-        rows += 1;
-        for (scale, value) in scales.iter_mut().zip(&row) {
+        if let Some(start) = extent.start.get_mut(extent.rows as usize) {
+            *start = row[0];
+        }
+        extent.rows += 1;
+        for (scale, value) in extent.scales.iter_mut().zip(&row) {
             if value.is_finite() {
                 *scale = scale.max(value.abs());
             }
         }
     }
-    if rows == 0 {
+    if extent.rows == 0 {
         return Err(CompareError::Empty {
             path: table.path().to_owned(),
         });
     }
-    Ok((rows, scales))
+    Ok(extent)
 }
 
-fn compare_rows(
+fn judge_rows(
     shared: &Shared,
     rules: &[Rule],
-    [left, right]: &mut [Table; 2],
+    tables: &mut [Table; 2],
+    steps: [u64; 2],
+    room: usize,
 ) -> Result<Vec<ColumnComparison>, CompareError> {
-    let names = shared.0.iter().map(|(name, _)| ColumnComparison {
-        name: name.clone(),
-        worst: None,
-        failures: 0,
-    });
-    let mut columns: Vec<ColumnComparison> = names.collect();
-    let (mut first, mut second) = (Vec::new(), Vec::new());
+    let names = shared.0.iter().map(|(name, _)| name);
+    let mut columns: Vec<_> = names
+        .map(|name| ColumnComparison::new(name, room))
+        .collect();
     let mut row = 0;
-    while left.read(&mut first)? && right.read(&mut second)? {
+    each_pair(tables, steps, |first, second| {
         row += 1;
         for ((column, (_, place)), rule) in columns.iter_mut().zip(&shared.0).zip(rules) {
-            let judgement = rule.judge(*place, &first, &second);
-            if let Some(Judgement {
-                difference,
-                allowed,
-            }) = judgement
-            {
-                column.take(Worst {
-                    row,
-                    at: first[0],
-                    first: first[place.first],
-                    second: second[place.second],
-                    difference,
-                    allowed,
-                });
+            if let Some(judgement) = rule.judge(*place, first, second) {
+                let values = [first[place.first], second[place.second]];
+                column.take(row, first[0], values, judgement);
+            }
+        }
+    })?;
+    Ok(columns)
+}
+
+/// Gives the rows that stand for each other.
+fn each_pair(
+    [left, right]: &mut [Table; 2],
+    [left_step, right_step]: [u64; 2],
+    mut take: impl FnMut(&[f64], &[f64]),
+) -> Result<(), CompareError> {
+    let (mut first, mut second, mut unused) = (Vec::new(), Vec::new(), Vec::new());
+    while left.read(&mut first)? && right.read(&mut second)? {
+        take(&first, &second);
+        for (table, step) in [(&mut *left, left_step), (&mut *right, right_step)] {
+            for _ in 1..step {
+                table.read(&mut unused)?;
             }
         }
     }
-    Ok(columns)
+    Ok(())
 }

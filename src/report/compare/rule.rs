@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::Tolerances;
+use super::{Tolerance, Tolerances};
 
 /// Where a column stands in the two tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,6 +20,8 @@ pub(super) struct Judgement {
     pub difference: f64,
     /// Difference allowed.
     pub allowed: f64,
+    /// The relative tolerance that alone would allow it; infinite where none would.
+    pub needed: f64,
 }
 
 /// What is compared of a column.
@@ -27,13 +29,15 @@ pub(super) struct Judgement {
 pub(super) enum Rule {
     /// The values themselves.
     Value {
-        /// Difference allowed.
-        allowed: f64,
+        /// What is allowed.
+        tolerance: Tolerance,
+        /// Largest magnitude of the column.
+        scale: f64,
     },
     /// An angle, modulo 2π, where the amplitude is significant.
     Phase {
-        /// Difference allowed whatever the amplitude.
-        allowed: f64,
+        /// What is allowed whatever the amplitude.
+        tolerance: Tolerance,
         /// Where the amplitude stands.
         amplitude: Place,
         /// Difference allowed of the amplitude.
@@ -60,10 +64,11 @@ impl Rule {
         });
         match amplitude {
             None => Self::Value {
-                allowed: tolerance.allowed(scale(place)),
+                tolerance,
+                scale: scale(place),
             },
             Some((other, amplitude)) => Self::Phase {
-                allowed: tolerance.allowed(PI),
+                tolerance,
                 amplitude,
                 amplitude_allowed: tolerances.of(other).allowed(scale(amplitude)),
             },
@@ -74,27 +79,41 @@ impl Rule {
     pub fn judge(&self, place: Place, first: &[f64], second: &[f64]) -> Option<Judgement> {
         let (a, b) = (first[place.first], second[place.second]);
         match *self {
-            Self::Value { allowed } => Some(Judgement {
-                difference: distance(a, b),
-                allowed,
-            }),
+            Self::Value { tolerance, scale } => {
+                Some(judgement(distance(a, b), tolerance, scale, 0.0))
+            }
             Self::Phase {
-                allowed,
+                tolerance,
                 amplitude,
                 amplitude_allowed,
             } => {
                 let size = first[amplitude.first].max(second[amplitude.second]);
-                (size > amplitude_allowed).then(|| Judgement {
-                    difference: turn(distance(a, b)),
-                    allowed: allowed + amplitude_allowed / size,
-                })
+                let turned = || {
+                    judgement(
+                        turn(distance(a, b)),
+                        tolerance,
+                        PI,
+                        amplitude_allowed / size,
+                    )
+                };
+                (size > amplitude_allowed).then(turned)
             }
         }
     }
 }
 
+/// The judgement on a difference that may be as large as the tolerance of `scale` and something `more`.
+pub(super) fn judgement(difference: f64, tolerance: Tolerance, scale: f64, more: f64) -> Judgement {
+    let beyond = difference - more;
+    Judgement {
+        difference,
+        allowed: tolerance.allowed(scale) + more,
+        needed: if beyond > 0.0 { beyond / scale } else { 0.0 },
+    }
+}
+
 /// |a − b|; zero for equal infinities and for two NaN, infinite where only one is a number.
-fn distance(a: f64, b: f64) -> f64 {
+pub(super) fn distance(a: f64, b: f64) -> f64 {
     if a == b || (a.is_nan() && b.is_nan()) {
         return 0.0;
     }

@@ -1,14 +1,27 @@
-//! Reads a CSV table of numbers row by row.
+//! A table of numbers, read row by row: a CSV file, or a spectrum in memory.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use super::CompareError;
+use crate::analysis::Spectrum;
+use crate::report::spectrum_csv::{spectrum_columns, spectrum_rows};
 
-/// A CSV file with a header line and numbers below, of which one row is in memory at a time.
+/// A table with a header and numbers below; of a file, one row is in memory at a time.
 pub(super) struct Table {
     path: PathBuf,
     columns: Vec<String>,
+    rows: Rows,
+}
+
+/// Where the rows come from.
+enum Rows {
+    File(Box<FileRows>),
+    /// All numbers row by row, and how many of them are read.
+    Memory(Vec<f64>, usize),
+}
+
+struct FileRows {
     reader: csv::Reader<File>,
     /// Place of the first row.
     start: csv::Position,
@@ -41,10 +54,28 @@ impl Table {
         Ok(Self {
             path: path.to_owned(),
             columns,
-            start: reader.position().clone(),
-            reader,
-            record: csv::StringRecord::new(),
+            rows: Rows::File(Box::new(FileRows {
+                start: reader.position().clone(),
+                reader,
+                record: csv::StringRecord::new(),
+            })),
         })
+    }
+
+    /// The table of a spectrum, as its file would be; `name` is what messages call it.
+    pub fn of_spectrum(name: &str, spectrum: &Spectrum) -> Self {
+        let columns = spectrum_columns(spectrum).into_iter();
+        let mut numbers = Vec::new();
+        // keeping rows cannot fail
+        let _ = spectrum_rows(spectrum, |row| {
+            numbers.extend_from_slice(row);
+            Ok(())
+        });
+        Self {
+            path: PathBuf::from(name),
+            columns: columns.map(|column| column.name.into_owned()).collect(),
+            rows: Rows::Memory(numbers, 0),
+        }
     }
 
     /// Names of the columns.
@@ -59,22 +90,48 @@ impl Table {
 
     /// Goes back to the first row; a pipe cannot.
     pub fn rewind(&mut self) -> Result<(), CompareError> {
-        let start = self.start.clone();
-        self.reader
-            .seek(start)
-            .map_err(|source| bad_csv(&self.path, source))
+        match &mut self.rows {
+            Rows::Memory(_, read) => {
+                *read = 0;
+                Ok(())
+            }
+            Rows::File(rows) => {
+                let start = rows.start.clone();
+                let sought = rows.reader.seek(start);
+                sought.map_err(|source| bad_csv(&self.path, source))
+            }
+        }
     }
 
     /// Reads the next row into `row`; `false` at the end.
     pub fn read(&mut self, row: &mut Vec<f64>) -> Result<bool, CompareError> {
         row.clear();
+        match &mut self.rows {
+            Rows::Memory(numbers, read) => {
+                let rest = numbers.get(*read..).unwrap_or_default();
+                row.extend(rest.iter().take(self.columns.len()));
+                *read += row.len();
+                Ok(!row.is_empty())
+            }
+            Rows::File(rows) => rows.read(&self.path, &self.columns, row),
+        }
+    }
+}
+
+impl FileRows {
+    fn read(
+        &mut self,
+        path: &Path,
+        columns: &[String],
+        row: &mut Vec<f64>,
+    ) -> Result<bool, CompareError> {
         let more = self.reader.read_record(&mut self.record);
-        if !more.map_err(|source| bad_csv(&self.path, source))? {
+        if !more.map_err(|source| bad_csv(path, source))? {
             return Ok(false);
         }
-        for (text, column) in self.record.iter().zip(&self.columns) {
+        for (text, column) in self.record.iter().zip(columns) {
             let number = text.parse().map_err(|_| CompareError::Number {
-                path: self.path.clone(),
+                path: path.to_owned(),
                 line: self.record.position().map_or(0, csv::Position::line),
                 column: column.clone(),
                 text: text.to_owned(),
@@ -86,7 +143,7 @@ impl Table {
 }
 
 /// A failure to read is told apart from a file that is not CSV.
-fn bad_csv(path: &Path, source: csv::Error) -> CompareError {
+pub(super) fn bad_csv(path: &Path, source: csv::Error) -> CompareError {
     let path = path.to_owned();
     if !source.is_io_error() {
         return CompareError::Csv { path, source };

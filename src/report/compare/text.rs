@@ -1,141 +1,131 @@
-//! A comparison for people and as JSON.
+//! A comparison for people.
 
 use std::fmt;
-use std::path::PathBuf;
 
 use comfy_table::{CellAlignment, Table, presets};
-use serde_json::{Value, json};
 
-use super::{ColumnComparison, Comparison, TableComparison, Worst};
+use super::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
+use crate::report::wrapped;
 
-/// What keeps two results from being compared value by value.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Difference {
-    /// Only one of two run folders has a file.
-    File {
-        /// The file that exists.
-        only: PathBuf,
-    },
-    /// Only one of two tables has a column.
-    Column {
-        /// Its name.
-        name: String,
-        /// The table that has it.
-        only_in: PathBuf,
-    },
-    /// The tables have different numbers of rows; the common ones are compared.
-    Rows {
-        /// Rows of the first table.
-        first: u64,
-        /// Rows of the second table.
-        second: u64,
-    },
-    /// The times or frequencies differ, so that equal rows do not stand for equal places.
-    Axis {
-        /// Name of the first column.
-        name: String,
-    },
-}
-
-impl fmt::Display for Difference {
+impl fmt::Display for Comparison {
+    /// A table of the worst places, what keeps the results from being compared, the verdict and, where
+    /// they differ, what to do.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::File { only } => write!(f, "only one run has {}", only.display()),
-            Self::Column { name, only_in } => {
-                write!(f, "only {} has the column {name}", only_in.display())
+        for table in &self.tables {
+            write_table(f, table)?;
+            for difference in table.differences.iter().chain(&table.left_out) {
+                writeln!(f, "{}", wrapped(&format!("  {difference}"), 4))?;
             }
-            Self::Rows { first, second } => {
-                let common = first.min(second);
-                write!(
-                    f,
-                    "{first} rows against {second}: the first {common} are compared"
-                )
-            }
-            Self::Axis { name } => write!(
-                f,
-                "the axes {name} differ: rows are matched by number and stand for different places"
-            ),
         }
+        for difference in self.differences.iter().chain(&self.left_out) {
+            writeln!(f, "{}", wrapped(&format!("  {difference}"), 4))?;
+        }
+        if self.agrees() {
+            return f.write_str("equal within tolerance");
+        }
+        f.write_str("different")?;
+        if let Some((table, column)) = self.furthest() {
+            advise(f, table, column)?;
+        }
+        if self.is_partial() {
+            f.write_str("\nwhat only one of them has is left out with --common")?;
+        }
+        Ok(())
     }
 }
 
 impl Comparison {
-    /// The comparison as JSON; a difference that is not finite is null.
-    pub fn to_json(&self) -> Value {
-        json!({
-            "agrees": self.agrees(),
-            "differences": messages(&self.differences),
-            "tables": self.tables.iter().map(table_json).collect::<Value>(),
+    /// Whether one of the results has files, columns or samples that the other has not.
+    fn is_partial(&self) -> bool {
+        let of_tables = self.tables.iter().flat_map(|table| &table.differences);
+        let mut all = self.differences.iter().chain(of_tables);
+        all.any(|difference| {
+            matches!(
+                difference,
+                Difference::File { .. } | Difference::Column { .. } | Difference::Thinned { .. }
+            )
         })
+    }
+
+    /// The column that is furthest from agreeing.
+    fn furthest(&self) -> Option<(&TableComparison, &ColumnComparison)> {
+        let tables = self.tables.iter();
+        tables
+            .flat_map(|table| table.columns.iter().map(move |column| (table, column)))
+            .filter(|(_, column)| !column.agrees())
+            .max_by(|a, b| a.1.needed.total_cmp(&b.1.needed))
     }
 }
 
-fn messages(differences: &[Difference]) -> Value {
-    differences.iter().map(Difference::to_string).collect()
-}
-
-fn table_json(table: &TableComparison) -> Value {
-    json!({
-        "name": table.name,
-        "agrees": table.agrees(),
-        "differences": messages(&table.differences),
-        "columns": table.columns.iter().map(column_json).collect::<Value>(),
-    })
-}
-
-fn column_json(column: &ColumnComparison) -> Value {
-    let worst = column.worst.map(|worst| {
-        json!({
-            "row": worst.row,
-            "at": worst.at,
-            "first": worst.first,
-            "second": worst.second,
-            "difference": worst.difference,
-            "allowed": worst.allowed,
-        })
-    });
-    json!({
-        "name": column.name,
-        "agrees": column.agrees(),
-        "failures": column.failures,
-        "worst": worst,
-    })
-}
-
-impl fmt::Display for Comparison {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for table in &self.tables {
-            writeln!(f, "{}", table.name)?;
-            writeln!(f, "{}", worst_places(table))?;
-            for difference in &table.differences {
-                writeln!(f, "  {difference}")?;
-            }
-        }
-        for difference in &self.differences {
-            writeln!(f, "  {difference}")?;
-        }
-        f.write_str(if self.agrees() {
-            "equal within tolerance"
-        } else {
-            "different"
-        })
+/// Where to look, and what would let the results agree.
+fn advise(
+    f: &mut fmt::Formatter<'_>,
+    table: &TableComparison,
+    column: &ColumnComparison,
+) -> fmt::Result {
+    let Some(worst) = column.worst() else {
+        return Ok(());
+    };
+    let (name, at) = (&column.name, short(worst.at));
+    write!(f, ": most of all {name}, at {} = {at}", axis(table))?;
+    let needed = rounded_up(column.needed);
+    if !needed.is_finite() {
+        return write!(f, ", where no tolerance would let it agree");
     }
+    write!(
+        f,
+        "\nlook there first; if that is meant, a relative tolerance of {needed:e} allows it:\n\
+         --column {name}={needed:e}"
+    )
+}
+
+/// A positive number rounded up to two digits.
+fn rounded_up(number: f64) -> f64 {
+    if !(number > 0.0 && number.is_finite()) {
+        return number;
+    }
+    let text = format!("{:.1e}", number);
+    let rounded: f64 = text.parse().unwrap_or(number);
+    if rounded >= number {
+        return rounded;
+    }
+    let text = format!("{:.1e}", rounded + 0.1 * 10f64.powf(number.log10().floor()));
+    text.parse().unwrap_or(number)
+}
+
+fn write_table(f: &mut fmt::Formatter<'_>, table: &TableComparison) -> fmt::Result {
+    writeln!(f, "{}", table.name)?;
+    if table.columns.is_empty() {
+        return Ok(());
+    }
+    writeln!(f, "{}", worst_places(table))
+}
+
+fn axis(table: &TableComparison) -> &str {
+    table.known.first().map_or("row", String::as_str)
 }
 
 fn worst_places(table: &TableComparison) -> String {
-    let axis = table.known.first().map_or("row", String::as_str);
     let mut out = Table::new();
     out.load_style(presets::NOTHING).set_header([
         "column",
-        "worst |a−b|",
+        "|a−b|",
         "allowed",
-        axis,
+        axis(table),
         "a",
         "b",
-        "verdict",
+        "differs in",
     ]);
     for column in &table.columns {
-        out.add_row(worst_place(column));
+        if column.places.is_empty() {
+            let mut row = [const { String::new() }; 7];
+            row[0].clone_from(&column.name);
+            row[6] = "not significant".to_owned();
+            out.add_row(row);
+        }
+        for (place, worst) in column.places.iter().enumerate() {
+            out.add_row(worst_place(column, worst, place == 0));
+        }
     }
     for index in 1..=5 {
         if let Some(column) = out.column_mut(index) {
@@ -145,40 +135,72 @@ fn worst_places(table: &TableComparison) -> String {
     out.trim_fmt()
 }
 
-fn worst_place(column: &ColumnComparison) -> [String; 7] {
+/// The row of a place; the first of a column names it.
+fn worst_place(column: &ColumnComparison, worst: &Worst, first: bool) -> [String; 7] {
     let verdict = match column.failures {
-        0 => "ok".to_owned(),
-        1 => "differs in 1 row".to_owned(),
-        rows => format!("differs in {rows} rows"),
+        0 => "nowhere".to_owned(),
+        1 => "1 row".to_owned(),
+        rows => format!("{rows} rows"),
     };
-    let name = column.name.clone();
-    let Some(worst) = &column.worst else {
-        let none = String::new;
-        return [
-            name,
-            none(),
-            none(),
-            none(),
-            none(),
-            none(),
-            "not significant".to_owned(),
-        ];
-    };
-    let Worst {
-        difference,
-        allowed,
-        at,
-        first,
-        second,
-        ..
-    } = worst;
+    let only_first = |text: String| if first { text } else { String::new() };
     [
-        name,
-        format!("{difference:.2e}"),
-        format!("{allowed:.2e}"),
-        format!("{at}"),
-        format!("{first:e}"),
-        format!("{second:e}"),
-        verdict,
+        only_first(column.name.clone()),
+        format!("{:.1e}", worst.difference),
+        format!("{:.1e}", worst.allowed),
+        short(worst.at),
+        short(worst.first),
+        short(worst.second),
+        only_first(verdict),
     ]
+}
+
+/// A number as it is where that is short, otherwise six digits of it.
+pub(super) fn short(number: f64) -> String {
+    let size = number.abs();
+    let ordinary = size == 0.0 || (1e-3..1e6).contains(&size);
+    let exact = if ordinary {
+        format!("{number}")
+    } else {
+        format!("{number:e}")
+    };
+    if exact.len() <= 8 {
+        return exact;
+    }
+    if !ordinary {
+        return format!("{number:.5e}");
+    }
+    let decimals = (5.0 - size.log10().floor()).clamp(0.0, 8.0) as usize;
+    format!("{number:.decimals$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rounded_up;
+
+    #[test]
+    fn numbers_are_short_and_as_exact_as_that_allows() {
+        let shown = [
+            0.0,
+            -0.25,
+            159.15494309189535,
+            1e-6,
+            1.00123456e-6,
+            1e5 / 3.0,
+            1e300 / 3.0,
+        ];
+        let shown = shown.map(super::short);
+        assert_eq!(shown[..4], ["0", "-0.25", "159.155", "1e-6"]);
+        assert_eq!(shown[4..], ["1.00123e-6", "33333.3", "3.33333e299"]);
+    }
+
+    #[test]
+    fn what_is_advised_is_enough_and_hardly_more() {
+        for number in [1.0, 0.33333, 9.99e-7, 1.01e3, 1e-300, 5.04e-1] {
+            let rounded = rounded_up(number);
+            assert!(
+                (number..=1.1 * number).contains(&rounded),
+                "{number:e} {rounded:e}"
+            );
+        }
+    }
 }

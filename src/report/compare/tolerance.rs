@@ -10,6 +10,12 @@ pub struct Tolerance {
 }
 
 impl Tolerance {
+    /// A millionth of the largest magnitude in the column.
+    pub const DEFAULT: Self = Self {
+        relative: 1e-6,
+        absolute: 0.0,
+    };
+
     /// Checks both parts; `absolute` is in the unit of the column.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
-use super::bytes::Checksum;
+use crate::report::bytes::Checksum;
 use crate::simulate::Model;
 
 /// What makes a run this one and no other.
@@ -26,8 +26,21 @@ impl RunIdentity<'_> {
     }
 }
 
+/// Keys of `[output]` that say how samples are written: a restart file holds them all, and a run that
+/// goes on writes its files anew from the first sample.
+const WRITTEN: [&str; 3] = ["formats", "every", "channels"];
+
+/// The part of a scenario that decides what a restart file holds.
+pub(super) fn of_the_motion(scenario: &Value) -> Value {
+    let mut motion = scenario.clone();
+    if let Some(Value::Object(output)) = motion.get_mut("output") {
+        output.retain(|key, _| !WRITTEN.contains(&key.as_str()));
+    }
+    motion
+}
+
 /// The first key in which two scenarios differ, with the values there and here.
-pub(super) fn difference(there: &Value, here: &Value) -> Option<[String; 3]> {
+pub(in crate::report) fn difference(there: &Value, here: &Value) -> Option<[String; 3]> {
     let (Value::Object(entries), Value::Object(others)) = (there, here) else {
         return (there != here).then(|| [String::new(), there.to_string(), here.to_string()]);
     };

@@ -14,7 +14,6 @@
 //! All numbers are little endian. States come before the standing, which is known last: a run writes
 //! them as it goes, and memory does not grow with it.
 
-mod bytes;
 mod error;
 mod identity;
 mod reader;
@@ -25,6 +24,7 @@ use std::path::{Path, PathBuf};
 
 pub use error::RestartError;
 pub use identity::RunIdentity;
+pub(super) use identity::difference;
 pub use reader::RestartReader;
 pub use writer::RestartWriter;
 

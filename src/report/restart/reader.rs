@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-use super::bytes::{Checksum, Take};
-use super::identity::difference;
+use super::identity::{difference, of_the_motion};
 use super::{END, FORMAT, MAGIC, RestartError, RunIdentity, TAIL, standing};
+use crate::report::bytes::{Checksum, Take};
 use crate::simulate::{Standing, StateSource};
 
 /// This version.
@@ -167,7 +167,9 @@ impl Opening {
         let Ok(scenario) = self.text()?.parse::<Value>() else {
             return Err(self.damaged("its scenario cannot be read"));
         };
-        if let Some([key, there, here]) = difference(&scenario, identity.scenario) {
+        if let Some([key, there, here]) =
+            difference(&of_the_motion(&scenario), &of_the_motion(identity.scenario))
+        {
             return Err(RestartError::Scenario {
                 path,
                 key,

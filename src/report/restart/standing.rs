@@ -1,7 +1,7 @@
 //! Where a run stands, to bytes and back.
 
-use super::bytes::{Put, Take};
 use crate::integrate::{Checkpoint, Counters, Stiffness};
+use crate::report::bytes::{Put, Take};
 use crate::simulate::{ReferenceStanding, Standing};
 
 pub(super) fn encode(standing: &Standing) -> Vec<u8> {

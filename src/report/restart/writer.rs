@@ -3,8 +3,8 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use super::bytes::{Checksum, Put};
 use super::{END, FORMAT, MAGIC, RESTART, RunIdentity, standing};
+use crate::report::bytes::{Checksum, Put};
 use crate::report::{FileAction, PartialFile, ReportError, RunFolder};
 use crate::simulate::{Standing, StateKeeper};
 

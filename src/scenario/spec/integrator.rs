@@ -36,6 +36,11 @@ pub enum MethodChoice {
     Dop853,
     /// Tsitouras 5(4): for coarse tolerances.
     Tsit5,
+    /// Dormand–El-Mikkawy–Prince 8(6), a Nyström pair: half the evaluations where all balls stay loaded. Not
+    /// with a drive, `energy` or damping of contacts, nor with gyroscopic moments at a changing speed.
+    Dprkn8,
+    /// Dormand–El-Mikkawy–Prince 12(10), as `dprkn8`: for the finest tolerances and few samples.
+    Dprkn12,
     /// Exponential collocation: for preloaded bearings whose shaft turns slowly beside its natural
     /// frequencies.
     Exponential,
@@ -77,6 +82,8 @@ impl MethodChoice {
             Self::Verner76 => Method::Verner76,
             Self::Dop853 => Method::Dop853,
             Self::Tsit5 => Method::Tsit5,
+            Self::Dprkn8 => Method::Dprkn8,
+            Self::Dprkn12 => Method::Dprkn12,
             Self::Exponential => Method::Exponential,
             Self::Rodas => Method::Rodas,
             Self::Dopri5 => Method::Dopri5,

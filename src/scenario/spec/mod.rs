@@ -17,12 +17,15 @@ mod output;
 mod scenario;
 mod set;
 mod shaft;
+mod spectrum;
 mod speed;
 mod statics;
 mod study;
 mod time;
 mod torsion;
+mod written;
 
 pub use method::{MethodError, method, methods, tolerance};
 pub use scenario::{Questions, ScenarioSpec};
 pub use study::StudySpec;
+pub use written::{TableFormat, TraceChannel};

@@ -1,22 +1,26 @@
 //! `[output]`.
 
 use std::f64::consts::PI;
+use std::num::NonZeroU64;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::time::TimeSpec;
+use super::written::{TableFormat, TraceChannel};
 use crate::analysis::Window;
 use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity};
 use crate::scenario::{Issue, OutputChoice};
-use crate::simulate::Sampling;
+use crate::simulate::{Analyses, Sampling};
 
 /// Samples per revolution where neither key is given.
 const SAMPLES_PER_REVOLUTION: u32 = 128;
 /// Most samples of a run.
 const MOST_SAMPLES: f64 = 1e9;
+/// Most rows of a MAT-file of level 5, whose variables take less than 2 GiB each.
+const MOST_MAT_ROWS: f64 = 2.68e8;
 /// Fewest samples that a spectrum is taken of.
 const FEWEST_IN_SPECTRUM: f64 = 8.0;
 
@@ -46,10 +50,31 @@ pub struct OutputSpec {
     /// Whether every loss and return of contact and preload is written, to `events.csv`; they are
     /// counted in the summary either way. Default: true.
     pub events: bool,
-    /// Whether spectra are taken. Default: true.
+    /// Whether spectra are taken, in `spectrum.csv`; those of `[[spectrum]]` are either way. Default:
+    /// true.
     pub spectrum: bool,
     /// Whether figures are drawn. Default: true.
     pub figures: bool,
+    /// Whether `report.html` is written, one page that shows the run in a browser. Default: true.
+    pub report: bool,
+    /// Whether the motion after the settle time is described: statistics, points once per revolution
+    /// and per ball pass (`poincare.csv`, `orbit.svg`), its period, and whether it has settled. It takes
+    /// a constant speed there. Default: as `spectrum`, where the speed is constant.
+    pub motion: Option<bool>,
+    /// Whether a run whose speed changes is mapped: short-time spectra (`waterfall.csv`, `waterfall.svg`),
+    /// orders of the shaft (`order_tracks.csv`, `order_tracks.svg`) and natural frequencies over the speed
+    /// (`campbell.csv`, `campbell.svg`). Default: as `figures`, where the speed changes.
+    pub maps: Option<bool>,
+    /// Formats of the tables. Default: CSV alone.
+    #[schemars(extend("minItems" = 1))]
+    pub formats: Vec<TableFormat>,
+    /// Of how many samples one is written to the trace and the tables beside it, beginning with the
+    /// first; spectra, figures and the summary rest on all samples. Default: 1.
+    #[schemars(range(min = 1, max = 1_000_000))]
+    pub every: NonZeroU64,
+    /// What the written trace shows beside the time, in this order. Default: everything.
+    #[schemars(extend("minItems" = 1))]
+    pub channels: Option<Vec<TraceChannel>>,
 }
 
 /// How the shaft turns, as far as sampling asks.
@@ -71,6 +96,10 @@ pub enum WindowChoice {
     Rectangular,
     /// Hann: narrow lines, amplitudes up to 15 % low between bins.
     Hann,
+    /// Hamming: as Hann, its nearest side lobes lower and its far ones higher.
+    Hamming,
+    /// Four-term Blackman-Harris: no side lobe above -92 dB, lines eight bins wide.
+    BlackmanHarris,
     /// Flat top: amplitudes within 1 % anywhere between bins.
     FlatTop,
 }
@@ -80,6 +109,8 @@ impl From<WindowChoice> for Window {
         match choice {
             WindowChoice::Rectangular => Self::Rectangular,
             WindowChoice::Hann => Self::Hann,
+            WindowChoice::Hamming => Self::Hamming,
+            WindowChoice::BlackmanHarris => Self::BlackmanHarris,
             WindowChoice::FlatTop => Self::FlatTop,
         }
     }
@@ -97,6 +128,12 @@ impl Default for OutputSpec {
             events: true,
             spectrum: true,
             figures: true,
+            report: true,
+            motion: None,
+            maps: None,
+            formats: vec![TableFormat::Csv],
+            every: NonZeroU64::MIN,
+            channels: None,
         }
     }
 }
@@ -110,6 +147,31 @@ impl OutputSpec {
             events: self.events,
             spectrum: self.spectrum,
             figures: self.figures,
+            report: self.report,
+            formats: self.formats.clone(),
+            every: self.every,
+            channels: self.channels.clone(),
+        }
+    }
+
+    /// Refuses formats that this build cannot write, and what is asked for twice.
+    pub fn check_written(&self, problems: &mut Problems<'_>) {
+        for (index, format) in self.formats.iter().enumerate() {
+            let path = format!("output.formats[{index}]");
+            if !format.is_built() {
+                let issue = Issue::new(path, "this `jeffcott` is built without Parquet")
+                    .help("take \"csv\" or \"mat\", or build it with `--features parquet`");
+                problems.refuse(issue, &[]);
+            } else if self.formats[..index].contains(format) {
+                problems.refuse(twice(path, format.extension()), &[]);
+            }
+        }
+        let channels = self.channels.as_deref().unwrap_or_default();
+        for (index, channel) in channels.iter().enumerate() {
+            if channels[..index].contains(channel) {
+                let path = format!("output.channels[{index}]");
+                problems.refuse(twice(path, channel.name()), &[]);
+            }
         }
     }
 
@@ -132,16 +194,37 @@ impl OutputSpec {
                 return None;
             }
         };
-        let rate = match sampling {
-            Sampling::Rate(rate) => rate,
-            Sampling::PerRevolution(samples) => f64::from(samples) * speed / (2.0 * PI),
-        };
+        let rate = sampling.rate(speed);
         self.check_count(rate, key, time, problems);
         if self.spectrum && time.window() > 0.0 {
             // where the speed changes, a spectrum rests on no revolution
             check_window((key, turning.steady), rate, time, problems);
         }
         Some(sampling)
+    }
+
+    /// What is made of the samples beside the spectra: `steady` tells whether the speed is constant after
+    /// the settle time, `changes` whether it changes at all.
+    pub fn analyses(&self, steady: bool, changes: bool, problems: &mut Problems<'_>) -> Analyses {
+        if self.motion == Some(true) && !steady {
+            let message =
+                "the speed changes after `settle`: only a motion at constant speed has a period";
+            let issue = Issue::new("output.motion", message)
+                .help("remove it, or set `settle` in `[time]` to where the speed is constant");
+            problems.refuse(issue, &["time.settle".to_owned()]);
+        }
+        if self.maps == Some(true) && !changes {
+            let issue = Issue::new(
+                "output.maps",
+                "the speed does not change: there is nothing to map",
+            )
+            .help("remove it; `jeffcott campbell` follows natural frequencies over the speed");
+            problems.refuse(issue, &["speed.constant".to_owned()]);
+        }
+        Analyses {
+            motion: steady && self.motion.unwrap_or(self.spectrum),
+            maps: changes && self.maps.unwrap_or(self.figures),
+        }
     }
 
     /// Refuses a trace of balls where no bearing knows any.
@@ -189,7 +272,20 @@ impl OutputSpec {
                 Issue::new("time.duration", message).help("shorten it or sample less often");
             problems.refuse(issue, &[key.to_owned(), speed.to_owned()]);
         }
+        let rows = count / self.every.get() as f64;
+        if self.trace && rows > MOST_MAT_ROWS && self.formats.contains(&TableFormat::Mat) {
+            let message = format!(
+                "{rows:.3e} rows are too many for a MAT-file, which holds {MOST_MAT_ROWS:e}"
+            );
+            let issue = Issue::new("output.formats", message)
+                .help("write fewer of them with `every`, or another format");
+            problems.refuse(issue, &["output.every".to_owned()]);
+        }
     }
+}
+
+fn twice(path: String, word: &str) -> Issue {
+    Issue::new(path, format!("\"{word}\" is asked for twice")).help("remove one")
 }
 
 /// Refuses a spectrum of less than one revolution, or of hardly any samples.

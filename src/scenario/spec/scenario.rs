@@ -11,6 +11,7 @@ use super::load::{self, LoadSpec, Surroundings};
 use super::model::{ContactChoice, ModelSpec};
 use super::output::{OutputSpec, Turning};
 use super::shaft::ShaftSpec;
+use super::spectrum::{self, Recorded, SpectrumSpec};
 use super::speed::SpeedSpec;
 use super::statics::StaticSpec;
 use super::study::StudySpec;
@@ -21,7 +22,7 @@ use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::simulate::Model;
+use crate::simulate::{MethodMismatch, Model};
 use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
 
 /// Largest difference of the law that is chosen, where none is given.
@@ -68,6 +69,9 @@ pub struct ScenarioSpec {
     /// What to keep of the run.
     #[serde(default)]
     pub output: OutputSpec,
+    /// Further spectra, one `[[spectrum]]` for each.
+    #[serde(default)]
+    pub spectrum: Vec<SpectrumSpec>,
     /// What only static questions ask.
     #[serde(default, rename = "static")]
     pub statics: StaticSpec,
@@ -158,6 +162,7 @@ impl ScenarioSpec {
         let shaft = self.shaft.build(self.time.is_some(), turns, problems);
         let freedoms = shaft.freedoms;
         self.check_race_control(problems);
+        self.output.check_written(problems);
         let knows_balls =
             |bearing: &BearingSpec| bearing.contact(&self.model) != ContactChoice::Linear;
         self.output
@@ -248,7 +253,20 @@ impl ScenarioSpec {
             steady: steady.filter(|_| !driven).unwrap_or(0.0),
         };
         let sampling = self.output.sampling(turning, time, problems)?;
-        Some(Model {
+        let recorded = Recorded {
+            freedoms: rotor.shaft.freedoms,
+            window: time.window(),
+            rate: sampling.rate(turning.highest),
+            speed: turning.key,
+            highest: turning.highest,
+            steady: turning.steady,
+        };
+        let spectra = spectrum::build(&self.spectrum, &recorded, problems);
+        let changes = driven || !speed.is_constant();
+        let analyses = self
+            .output
+            .analyses(steady.is_some() && !driven, changes, problems);
+        let model = Model {
             rotor,
             duration: time.duration.si(),
             settle: time.settle.si(),
@@ -258,6 +276,24 @@ impl ScenarioSpec {
             energy: self.output.energy,
             table: self.model.table,
             spectrum: self.output.spectrum.then_some(self.output.window.into()),
-        })
+            analyses,
+            spectra,
+        };
+        self.check_method(&model, problems);
+        Some(model)
+    }
+
+    /// Refuses a method of integration that does not serve the model.
+    fn check_method(&self, model: &Model, problems: &mut Problems<'_>) {
+        let Err(mismatch) = model.check_method() else {
+            return;
+        };
+        let against = match mismatch {
+            MethodMismatch::ContactDamping => "damping.contact",
+            MethodMismatch::Energy => "output.energy",
+            MethodMismatch::Gyroscopic | MethodMismatch::Drive => self.speed.path(),
+        };
+        let issue = Issue::new("integrator.method", mismatch.to_string());
+        problems.refuse(issue, &[against.to_owned()]);
     }
 }

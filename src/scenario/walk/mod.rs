@@ -13,7 +13,7 @@ use serde_json::{Number, Value};
 use super::Issue;
 use super::node::{Content, Node};
 use super::problems::Problems;
-use range::Range;
+pub(super) use range::Range;
 
 /// The value of a node, if it is what the schema asks for.
 pub(super) fn value(

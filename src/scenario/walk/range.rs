@@ -4,7 +4,7 @@ use serde_json::Value;
 
 /// Limits of a number.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Range {
+pub(in crate::scenario) struct Range {
     minimum: Option<f64>,
     above: Option<f64>,
     maximum: Option<f64>,

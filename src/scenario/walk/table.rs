@@ -36,7 +36,7 @@ pub(super) fn table(
         let known: Vec<_> = properties.keys().map(String::as_str).collect();
         let message = format!(
             "{} needs at least one of {}",
-            table_name(path),
+            table_name(path, problems),
             quoted(&known, ", ")
         );
         problems.add(Issue::new(path, message).at(place_of(node, path)));
@@ -61,7 +61,9 @@ fn fill_required(
         let inner = join(path, key);
         let property = &schema["properties"][key];
         if !given.contains(key) && !problems.distrusts(&inner) {
-            problems.add(missing_key(&inner, path, property).at(place_of(node, path)));
+            problems.add(
+                missing_key(&inner, &table_name(path, problems), property).at(place_of(node, path)),
+            );
         }
         if !values.contains_key(key) {
             match example(property) {
@@ -81,10 +83,10 @@ fn join(path: &str, key: &str) -> String {
     }
 }
 
-/// What a table is called: `[shaft]`, or the scenario as a whole.
-fn table_name(path: &str) -> String {
+/// What a table is called: `[shaft]`, or the file as a whole.
+fn table_name(path: &str, problems: &Problems<'_>) -> String {
     if path.is_empty() {
-        "the scenario".to_owned()
+        problems.subject().to_owned()
     } else {
         format!("`{path}`")
     }
@@ -103,7 +105,7 @@ fn unknown_key(
     problems: &mut Problems<'_>,
 ) {
     let key = &entry.key;
-    let message = format!("{} has no key `{key}`", table_name(path));
+    let message = format!("{} has no key `{key}`", table_name(path, problems));
     let known = properties.keys().map(String::as_str);
     let known: Vec<_> = known.filter(|known| !known.starts_with('$')).collect();
     let free = known.iter().copied().filter(|known| !given.contains(known));
@@ -118,9 +120,9 @@ fn unknown_key(
     problems.add(issue.at(Some(entry.key_span.clone())));
 }
 
-fn missing_key(inner: &str, path: &str, schema: &Value) -> Issue {
+fn missing_key(inner: &str, table: &str, schema: &Value) -> Issue {
     let key = last(inner);
-    let message = format!("{} needs `{key}`", table_name(path));
+    let message = format!("{table} needs `{key}`");
     let issue = Issue::new(inner, message);
     match (schema["type"].as_str(), example(schema)) {
         (Some("object"), _) => issue.help(format!("add a table `[{inner}]`")),
@@ -155,14 +157,18 @@ fn exclusive_keys(
             .collect();
         let expected = group.iter().any(|key| problems.distrusts(&join(path, key)));
         if given.is_empty() && one_is_due && !expected {
-            let message = format!("{} needs one of {}", table_name(path), quoted(&group, ", "));
+            let message = format!(
+                "{} needs one of {}",
+                table_name(path, problems),
+                quoted(&group, ", ")
+            );
             problems.add(Issue::new(path, message).at(place_of(node, path)));
         }
         if given.len() > 1 {
             let keys: Vec<_> = given.iter().map(|entry| entry.key.as_str()).collect();
             let message = format!(
                 "{} cannot have {} together",
-                table_name(path),
+                table_name(path, problems),
                 quoted(&keys, " and ")
             );
             let mut issue = Issue::new(join(path, keys[1]), message).help("keep one of them");

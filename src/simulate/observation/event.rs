@@ -27,7 +27,7 @@ impl EventKind {
     ];
 
     /// Name in the files: `contact_lost` ….
-    pub fn name(self) -> &'static str {
+    pub const fn name(self) -> &'static str {
         match self {
             Self::ContactLost => "contact_lost",
             Self::ContactRegained => "contact_regained",

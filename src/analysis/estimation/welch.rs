@@ -1,0 +1,225 @@
+//! Welch's method: the powers of overlapping, weighted segments, averaged.
+
+use std::sync::Arc;
+
+use realfft::num_complex::Complex;
+use realfft::{RealFftPlanner, RealToComplex};
+
+use super::Detrend;
+use crate::analysis::Window;
+
+/// Powers of signals, averaged over overlapping segments.
+///
+/// Every segment loses its trend, is weighted by the periodic window and transformed; powers are
+/// averaged and divided by (Σ w)². Samples at the end that fill no segment are left out. This is what
+/// `scipy.signal.welch` does with `window=(name, fftbins=True)`, `nperseg`, `noverlap`, `detrend` and
+/// the average "mean"; [`super::Scaling`] gives its results their scale.
+///
+/// Source: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70–73.
+///
+/// ```
+/// use jeffcott::analysis::{Detrend, Welch, Window};
+/// let turn = |n: i32| std::f64::consts::TAU * f64::from(n) / 16.0;
+/// let signal: Vec<f64> = (0..256).map(|n| 3.0 * (2.0 * turn(n)).cos()).collect();
+/// let welch = Welch::new(Window::Hann, 64, 32, Detrend::Constant);
+/// assert_eq!(welch.averages(signal.len()), 7);
+/// assert!((welch.power(&signal)[8] - 2.25).abs() < 1e-14);
+/// ```
+pub struct Welch {
+    window: Window,
+    length: usize,
+    overlap: usize,
+    detrend: Detrend,
+    weights: Vec<f64>,
+    /// Σ w, to which the powers are referred.
+    sum: f64,
+    plan: Arc<dyn RealToComplex<f64>>,
+}
+
+/// Cross power of two signals with what it is compared to.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CrossPower {
+    /// Mean of `conj(X) Y`, X of the reference.
+    pub cross: Vec<Complex<f64>>,
+    /// Power of the reference.
+    pub reference: Vec<f64>,
+    /// Power of the other signal.
+    pub other: Vec<f64>,
+}
+
+impl CrossPower {
+    /// Coherence `|P_xy|²/(P_xx P_yy)` of bin `k`, 0 … 1; zero where one of the signals has no power.
+    /// It says something of averages only: of a single segment it is 1.
+    pub fn coherence(&self, k: usize) -> f64 {
+        let powers = self.reference[k] * self.other[k];
+        if powers > 0.0 {
+            self.cross[k].norm_sqr() / powers
+        } else {
+            0.0
+        }
+    }
+}
+
+impl Welch {
+    /// Segments of `length` samples, at least one, that share `overlap` samples, less than `length`,
+    /// with their neighbours.
+    pub fn new(window: Window, length: usize, overlap: usize, detrend: Detrend) -> Self {
+        let length = length.max(1);
+        let weights: Vec<f64> = (0..length).map(|n| window.weight(n, length)).collect();
+        Self {
+            window,
+            length,
+            overlap: overlap.min(length - 1),
+            detrend,
+            sum: weights.iter().sum(),
+            weights,
+            plan: RealFftPlanner::new().plan_fft_forward(length),
+        }
+    }
+
+    /// Number of segments in so many samples.
+    pub fn averages(&self, samples: usize) -> usize {
+        if samples < self.length {
+            return 0;
+        }
+        (samples - self.overlap) / (self.length - self.overlap)
+    }
+
+    /// Samples of a segment.
+    pub fn length(&self) -> usize {
+        self.length
+    }
+
+    /// Samples that a segment shares with the next.
+    pub fn overlap(&self) -> usize {
+        self.overlap
+    }
+
+    /// Window.
+    pub fn window(&self) -> Window {
+        self.window
+    }
+
+    /// Equivalent noise bandwidth in bins, `N Σ w²/(Σ w)²`.
+    pub fn noise_bandwidth(&self) -> f64 {
+        let squares: f64 = self.weights.iter().map(|w| w * w).sum();
+        self.length as f64 * squares / (self.sum * self.sum)
+    }
+
+    /// How often bin `k` of a one-sided spectrum counts: twice where it has an image at −f.
+    pub fn sides(&self, k: usize) -> f64 {
+        if k > 0 && 2 * k < self.length {
+            2.0
+        } else {
+            1.0
+        }
+    }
+
+    /// Power of bins 0 … N/2, images not counted.
+    pub fn power(&self, signal: &[f64]) -> Vec<f64> {
+        let mut powers = vec![0.0; self.bins()];
+        self.for_each_segment([signal], |[bins]| {
+            for (power, bin) in powers.iter_mut().zip(bins) {
+                *power += bin.norm_sqr();
+            }
+        });
+        self.averaged(&mut powers, signal.len());
+        powers
+    }
+
+    /// Cross power of a signal with a reference of the same length, images not counted.
+    pub fn cross(&self, reference: &[f64], other: &[f64]) -> CrossPower {
+        let bins = self.bins();
+        let mut cross = vec![Complex::new(0.0, 0.0); bins];
+        let mut powers = [vec![0.0; bins], vec![0.0; bins]];
+        self.for_each_segment([reference, other], |[x, y]| {
+            for k in 0..bins {
+                cross[k] += x[k].conj() * y[k];
+                powers[0][k] += x[k].norm_sqr();
+                powers[1][k] += y[k].norm_sqr();
+            }
+        });
+        let scale = self.scale(reference.len());
+        cross.iter_mut().for_each(|bin| *bin *= scale);
+        for powers in &mut powers {
+            self.averaged(powers, reference.len());
+        }
+        let [reference, other] = powers;
+        CrossPower {
+            cross,
+            reference,
+            other,
+        }
+    }
+
+    /// Power of x + iy on both sides, from the lowest frequency, −N/2 bins, upwards: at positive
+    /// frequencies what turns from x to y, at negative ones what turns against it.
+    pub fn rotary(&self, x: &[f64], y: &[f64]) -> Vec<f64> {
+        let length = self.length;
+        let below = length / 2;
+        let mut powers = vec![0.0; length];
+        self.for_each_segment([x, y], |[x, y]| {
+            for (place, power) in powers.iter_mut().enumerate() {
+                // X_{−k} of a real signal is the conjugate of X_k
+                let (x, y) = match place.checked_sub(below) {
+                    Some(k) => (x[k], y[k]),
+                    None => (x[below - place].conj(), y[below - place].conj()),
+                };
+                *power += (x + Complex::<f64>::I * y).norm_sqr();
+            }
+        });
+        self.averaged(&mut powers, x.len());
+        powers
+    }
+
+    /// Phase in rad of `cos(2πft + phase)` at every bin of the first segment, t from its start.
+    pub fn phase(&self, signal: &[f64]) -> Vec<f64> {
+        let mut phases = Vec::new();
+        let first = &signal[..self.length.min(signal.len())];
+        self.for_each_segment([first], |[bins]| {
+            phases = bins.iter().map(|bin| bin.arg()).collect();
+        });
+        phases
+    }
+
+    fn bins(&self) -> usize {
+        self.length / 2 + 1
+    }
+
+    /// From the sum over the segments of so many samples to the mean, referred to (Σ w)².
+    fn scale(&self, samples: usize) -> f64 {
+        1.0 / (self.averages(samples).max(1) as f64 * self.sum * self.sum)
+    }
+
+    fn averaged(&self, powers: &mut [f64], samples: usize) {
+        let scale = self.scale(samples);
+        powers.iter_mut().for_each(|power| *power *= scale);
+    }
+
+    /// Shows the transforms of the signals segment by segment.
+    fn for_each_segment<const SIGNALS: usize>(
+        &self,
+        signals: [&[f64]; SIGNALS],
+        mut visit: impl FnMut(&[Vec<Complex<f64>>; SIGNALS]),
+    ) {
+        let samples = signals.iter().map(|signal| signal.len()).min();
+        let mut scratch = self.plan.make_scratch_vec();
+        let mut segment = self.plan.make_input_vec();
+        let mut bins = signals.map(|_| self.plan.make_output_vec());
+        for index in 0..self.averages(samples.unwrap_or(0)) {
+            let start = index * (self.length - self.overlap);
+            for (signal, bins) in signals.iter().zip(&mut bins) {
+                segment.copy_from_slice(&signal[start..start + self.length]);
+                self.detrend.apply(&mut segment);
+                if self.window != Window::Rectangular {
+                    let weighted = segment.iter_mut().zip(&self.weights);
+                    weighted.for_each(|(x, weight)| *x *= weight);
+                }
+                self.plan
+                    .process_with_scratch(&mut segment, bins, &mut scratch)
+                    .expect("segment and bins were made by the plan");
+            }
+            visit(&bins);
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! Whether a motion has settled: how its mean and its spread move from third to third.
+
+use std::f64::consts::TAU;
+
+use crate::rotor::{FREEDOMS, Sample};
+
+/// A motion whose statistics move by less than this part of it has settled.
+pub const SETTLED: f64 = 0.02;
+
+/// How far mean and RMS of a freedom move from the second to the last third of the window.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drift {
+    /// The freedom that moves most, 0 … 4.
+    pub freedom: usize,
+    /// Change of its mean, in parts of the RMS of the motion.
+    pub mean: f64,
+    /// Change of its RMS, in the same parts.
+    pub rms: f64,
+}
+
+impl Drift {
+    /// The larger of both changes.
+    pub fn largest(&self) -> f64 {
+        self.mean.abs().max(self.rms.abs())
+    }
+
+    /// Whether the motion has settled.
+    pub fn is_settled(&self) -> bool {
+        self.largest() < SETTLED
+    }
+}
+
+/// Takes samples of the freedoms over a window of known ends.
+///
+/// Mean and RMS of each third are weighted by a Hann window over it, so that a vibration of no whole
+/// number of periods in a third does not move them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DriftRecorder {
+    start: f64,
+    third: f64,
+    /// Where the sums count from.
+    origin: Option<[f64; FREEDOMS]>,
+    /// Of the second and the last third Σ w, and of every freedom Σ w x and Σ w x².
+    sums: [(f64, [[f64; 2]; FREEDOMS]); 2],
+}
+
+impl DriftRecorder {
+    /// For samples from `start` to `end`, s.
+    pub fn new(start: f64, end: f64) -> Self {
+        Self {
+            start,
+            third: (end - start) / 3.0,
+            origin: None,
+            sums: [(0.0, [[0.0; 2]; FREEDOMS]); 2],
+        }
+    }
+
+    /// Takes one sample.
+    pub fn record(&mut self, sample: &Sample) {
+        let origin = *self.origin.get_or_insert(sample.displacement);
+        let place = (sample.time - self.start) / self.third;
+        let sums = match place.floor() as i64 {
+            1 => &mut self.sums[0],
+            2 => &mut self.sums[1],
+            _ => return,
+        };
+        let weight = 0.5 - 0.5 * (TAU * place).cos();
+        sums.0 += weight;
+        for (axis, [first, second]) in sums.1.iter_mut().enumerate() {
+            let value = sample.displacement[axis] - origin[axis];
+            *first += weight * value;
+            *second += weight * value * value;
+        }
+    }
+
+    /// The freedom that moves most, lengths and angles made comparable by `levers`, in parts of `scale`;
+    /// none where a third holds too little.
+    pub fn finish(&self, levers: &[f64; FREEDOMS], scale: f64) -> Option<Drift> {
+        let [second, last] = &self.sums;
+        if !(second.0 > 0.0 && last.0 > 0.0 && scale > 0.0) {
+            return None;
+        }
+        let statistics = |(weight, sums): &(f64, [[f64; 2]; FREEDOMS]), axis: usize| {
+            let [first, square] = sums[axis].map(|sum| sum / weight);
+            [first, (square - first * first).max(0.0).sqrt()]
+        };
+        let drifts = levers.iter().enumerate().map(|(freedom, lever)| {
+            let (before, after) = (statistics(second, freedom), statistics(last, freedom));
+            let change = |index: usize| lever * (after[index] - before[index]) / scale;
+            Drift {
+                freedom,
+                mean: change(0),
+                rms: change(1),
+            }
+        });
+        drifts.max_by(|a, b| a.largest().total_cmp(&b.largest()))
+    }
+}

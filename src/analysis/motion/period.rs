@@ -1,0 +1,218 @@
+//! What kind of motion the points of its sections belong to.
+
+use super::chaos::zero_one_test;
+use super::closed_curve::{ClosedCurve, closed_curve};
+use super::section::SectionKind;
+
+/// Longest period that is looked for, cycles of a section.
+pub const LONGEST_PERIOD: usize = 12;
+/// Points that come back within this part of the motion repeat.
+const REPEATS: f64 = 1e-3;
+/// Points that a closed curve misses by less than this part of their spread lie on it.
+const ON_CURVE: f64 = 0.02;
+/// Cycles of a period that it must stand.
+const FEWEST_COMPARED: usize = 3;
+/// Fewest points that a closed curve is sought through.
+const FEWEST_ON_CURVE: usize = 20;
+/// Fewest points that a motion is called irregular by.
+const FEWEST_IRREGULAR: usize = 100;
+/// The 0–1 test says that a motion is irregular above this.
+const IRREGULAR: f64 = 0.5;
+/// Cycles after which the other drive may repeat in a motion of two frequencies.
+const MOST_REPEATED: u32 = 4;
+
+/// Points of one section.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// What a point is taken once of.
+    pub kind: SectionKind,
+    /// Cycles of the section a revolution of the shaft.
+    pub order: f64,
+    /// Displacements and rates of every point, in parts of the RMS of the whole motion.
+    pub points: Vec<Vec<f64>>,
+}
+
+/// What kind of motion it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// There is none.
+    Rest,
+    /// It repeats after a number of cycles of a section.
+    Periodic {
+        /// The section.
+        section: SectionKind,
+        /// The number.
+        cycles: usize,
+        /// RMS distance of points any multiple of so many cycles apart, in parts of the motion.
+        distance: f64,
+    },
+    /// It has two frequencies: the points of a section lie on a closed curve.
+    QuasiPeriodic {
+        /// The section.
+        section: SectionKind,
+        /// The curve.
+        curve: ClosedCurve,
+    },
+    /// Neither, and the 0–1 test says that it is irregular.
+    Irregular {
+        /// The test: near 1 for chaos.
+        test: f64,
+    },
+    /// None of these: too few points, or not settled.
+    Unknown {
+        /// Number of points of the section that has most.
+        points: usize,
+        /// The 0–1 test, where there are enough points for it.
+        test: Option<f64>,
+    },
+}
+
+/// The kind of a motion and what speaks for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recognition {
+    /// The kind.
+    pub kind: Kind,
+    /// Of every section the RMS distance of points any multiple of 1, 2, … cycles apart, in parts of the
+    /// motion, over the last half of the points.
+    pub distances: Vec<(SectionKind, Vec<f64>)>,
+    /// Of every section the best closed curve, where no period was found.
+    pub curves: Vec<(SectionKind, ClosedCurve)>,
+}
+
+/// Recognises a motion by the points of its sections.
+///
+/// In this order: it is periodic where points so many cycles apart (up to [`LONGEST_PERIOD`]), and any
+/// multiple of it, are the same within a thousandth of the motion; of two frequencies where the points lie on a closed curve
+/// within a fiftieth of their spread ([`closed_curve`]); irregular where at least a hundred points have
+/// a 0–1 test above a half ([`zero_one_test`]).
+pub fn recognise(series: &[Series]) -> Recognition {
+    let distances: Vec<(SectionKind, Vec<f64>)> = series
+        .iter()
+        .map(|section| (section.kind, distances(&section.points)))
+        .collect();
+    if let Some(kind) = shortest_period(series, &distances) {
+        return Recognition {
+            kind,
+            distances,
+            curves: Vec::new(),
+        };
+    }
+    let curves: Vec<(SectionKind, ClosedCurve)> = series
+        .iter()
+        .filter_map(|section| Some((section.kind, curve(section, series)?)))
+        .collect();
+    let best = curves
+        .iter()
+        .min_by(|a, b| a.1.residual.total_cmp(&b.1.residual));
+    let kind = match best {
+        Some((section, curve)) if curve.residual < ON_CURVE => Kind::QuasiPeriodic {
+            section: *section,
+            curve: *curve,
+        },
+        _ => irregular(series),
+    };
+    Recognition {
+        kind,
+        distances,
+        curves,
+    }
+}
+
+/// RMS distance, over the last half of the points, of two points any multiple of 1, 2, … cycles apart: √2
+/// times their distance from the mean of those that would be one point.
+fn distances(points: &[Vec<f64>]) -> Vec<f64> {
+    let most = (points.len() / FEWEST_COMPARED).min(LONGEST_PERIOD);
+    let apart = |cycles: usize| {
+        let wanted = (points.len() / 2).max(FEWEST_COMPARED * cycles);
+        let last = &points[points.len() - wanted..];
+        let sum: f64 = (0..cycles)
+            .map(|first| scatter(last.iter().skip(first).step_by(cycles)))
+            .sum();
+        (2.0 * sum / last.len() as f64).sqrt()
+    };
+    (1..=most).map(apart).collect()
+}
+
+/// Sum of the squared distances of points from their mean.
+fn scatter<'a>(points: impl Iterator<Item = &'a Vec<f64>> + Clone) -> f64 {
+    let count = points.clone().count() as f64;
+    let Some(first) = points.clone().next() else {
+        return 0.0;
+    };
+    let components = 0..first.len();
+    components
+        .map(|index| {
+            // counted from the first point, so that nothing cancels
+            let from = points.clone().map(|point| point[index] - first[index]);
+            let mean = from.clone().sum::<f64>() / count;
+            from.map(|value| (value - mean).powi(2)).sum::<f64>()
+        })
+        .sum()
+}
+
+/// The period that takes the shortest time.
+fn shortest_period(series: &[Series], distances: &[(SectionKind, Vec<f64>)]) -> Option<Kind> {
+    let periods = series
+        .iter()
+        .zip(distances)
+        .filter_map(|(section, (kind, apart))| {
+            let cycles = 1 + apart.iter().position(|distance| *distance < REPEATS)?;
+            let period = Kind::Periodic {
+                section: *kind,
+                cycles,
+                distance: apart[cycles - 1],
+            };
+            Some((cycles as f64 / section.order, period))
+        });
+    let shortest = periods.min_by(|a, b| a.0.total_cmp(&b.0));
+    shortest.map(|(_, kind)| kind)
+}
+
+/// The closed curve of a section, with the rotation numbers that the other sections would make.
+fn curve(section: &Series, all: &[Series]) -> Option<ClosedCurve> {
+    if section.points.len() < FEWEST_ON_CURVE {
+        return None;
+    }
+    let others = all.iter().filter(|other| other.kind != section.kind);
+    let known: Vec<f64> = others
+        .flat_map(|other| {
+            let turns = other.order / section.order;
+            (1..=MOST_REPEATED).map(move |repeated| turns / f64::from(repeated))
+        })
+        .collect();
+    closed_curve(&section.points, &known)
+}
+
+/// By the section that has most points, along the component that varies most.
+fn irregular(series: &[Series]) -> Kind {
+    let longest = series.iter().max_by_key(|section| section.points.len());
+    let points = longest.map_or(&[][..], |section| &section.points[..]);
+    let known = points.len();
+    if known < FEWEST_IRREGULAR {
+        return Kind::Unknown {
+            points: known,
+            test: None,
+        };
+    }
+    let components = (0..points[0].len())
+        .map(|index| -> Vec<f64> { points.iter().map(|point| point[index]).collect() });
+    let widest = components.max_by(|a, b| spread(a).total_cmp(&spread(b)));
+    let test = zero_one_test(&widest.unwrap_or_default());
+    if test > IRREGULAR {
+        Kind::Irregular { test }
+    } else {
+        Kind::Unknown {
+            points: known,
+            test: Some(test),
+        }
+    }
+}
+
+fn spread(values: &[f64]) -> f64 {
+    let ends = values
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(*value), high.max(*value)]
+        });
+    ends[1] - ends[0]
+}

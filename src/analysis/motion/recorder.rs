@@ -1,0 +1,219 @@
+//! Takes the samples of a steady motion and says what it is like.
+
+use std::collections::VecDeque;
+
+use super::drift::{Drift, DriftRecorder};
+use super::moments::Moments;
+use super::period::{Kind, Recognition, Series, recognise};
+use super::section::{PoincarePoint, Section, SectionKind};
+use super::velocity::{VelocityLevel, velocity_level};
+use crate::analysis::Channel;
+use crate::rotor::{FREEDOMS, Sample};
+
+/// Number of freedoms that are lengths.
+const LENGTHS: usize = 3;
+/// A motion below this part of the displacement is round-off.
+const REST: f64 = 1e-9;
+/// Samples that the orbit keeps: the last ones.
+const ORBIT: usize = 8192;
+
+/// What the recorder must know of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionSettings {
+    /// Number of freedoms that move.
+    pub freedoms: usize,
+    /// Time from which on samples count, s.
+    pub start: f64,
+    /// Time of the last sample, s.
+    pub end: f64,
+    /// Samples a second.
+    pub rate: f64,
+    /// Lengths that make displacements of tilts, 1 for those that are lengths.
+    pub levers: [f64; FREEDOMS],
+    /// Sections, each with its cycles a revolution; none where the shaft stands.
+    pub sections: Vec<(SectionKind, f64)>,
+}
+
+/// Statistics of one quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChannelStatistics {
+    /// The quantity.
+    pub channel: Channel,
+    /// Its moments.
+    pub moments: Moments,
+}
+
+/// What a steady motion is like.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// First sample, s.
+    pub start: f64,
+    /// Last sample, s.
+    pub end: f64,
+    /// Displacements and forces of the freedoms that move.
+    pub statistics: Vec<ChannelStatistics>,
+    /// RMS velocity of the lengths that move, in their order.
+    pub velocity: Vec<Option<VelocityLevel>>,
+    /// What kind of motion it is.
+    pub recognition: Recognition,
+    /// How its statistics move; none at rest.
+    pub drift: Option<Drift>,
+    /// Points of every section.
+    pub sections: Vec<Section>,
+    /// Samples a second.
+    pub rate: f64,
+    /// x and y of the last samples, m.
+    pub orbit: Vec<[f64; 2]>,
+}
+
+/// Takes samples at equal times and constant speed.
+///
+/// Beside three velocities a sample its memory grows with the sections' points only.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionRecorder {
+    settings: MotionSettings,
+    statistics: Vec<ChannelStatistics>,
+    rates: [Moments; FREEDOMS],
+    velocity: Vec<Vec<f64>>,
+    drift: DriftRecorder,
+    sections: Vec<Section>,
+    orbit: VecDeque<[f64; 2]>,
+    times: Option<[f64; 2]>,
+}
+
+impl MotionRecorder {
+    /// For one scene.
+    pub fn new(settings: MotionSettings) -> Self {
+        let freedoms = settings.freedoms.min(FREEDOMS);
+        let displacements = (0..freedoms).map(Channel::Displacement);
+        let channels = displacements.chain((0..freedoms).map(Channel::Force));
+        let sections = settings.sections.iter();
+        Self {
+            statistics: channels
+                .map(|channel| ChannelStatistics {
+                    channel,
+                    moments: Moments::default(),
+                })
+                .collect(),
+            rates: [Moments::default(); FREEDOMS],
+            velocity: vec![Vec::new(); freedoms.min(LENGTHS)],
+            drift: DriftRecorder::new(settings.start, settings.end),
+            sections: sections
+                .map(|(kind, order)| Section::new(*kind, *order))
+                .collect(),
+            orbit: VecDeque::new(),
+            times: None,
+            settings,
+        }
+    }
+
+    /// Takes one sample; those before the start are dropped.
+    pub fn record(&mut self, sample: &Sample) {
+        if sample.time < self.settings.start {
+            return;
+        }
+        let first = self.times.map_or(sample.time, |[first, _]| first);
+        self.times = Some([first, sample.time]);
+        for each in &mut self.statistics {
+            if let Some(value) = each.channel.of(sample) {
+                each.moments.take(value);
+            }
+        }
+        for (rate, velocity) in self.rates.iter_mut().zip(sample.velocity) {
+            rate.take(velocity);
+        }
+        for (kept, velocity) in self.velocity.iter_mut().zip(sample.velocity) {
+            kept.push(velocity);
+        }
+        self.drift.record(sample);
+        for section in &mut self.sections {
+            section.record(sample);
+        }
+        if self.orbit.len() == ORBIT {
+            self.orbit.pop_front();
+        }
+        let [x, y, ..] = sample.displacement;
+        self.orbit.push_back([x, y]);
+    }
+
+    /// What the motion is like; none without samples.
+    pub fn finish(self) -> Option<Motion> {
+        let [start, end] = self.times?;
+        let [place, rate] = self.scales();
+        let resting = place <= REST * self.largest_mean();
+        let recognition = if resting {
+            Recognition {
+                kind: Kind::Rest,
+                distances: Vec::new(),
+                curves: Vec::new(),
+            }
+        } else {
+            recognise(&self.series(place, rate))
+        };
+        let drift = self.drift.finish(&self.settings.levers, place);
+        let velocity = self.velocity.into_iter();
+        Some(Motion {
+            start,
+            end,
+            statistics: self.statistics,
+            velocity: velocity
+                .map(|values| velocity_level(values, self.settings.rate))
+                .collect(),
+            recognition,
+            drift: drift.filter(|_| !resting),
+            sections: self.sections,
+            rate: self.settings.rate,
+            orbit: self.orbit.into(),
+        })
+    }
+
+    /// RMS of the displacements, and of their rates, of the freedom where they are largest, m and m/s.
+    fn scales(&self) -> [f64; 2] {
+        let levers = &self.settings.levers[..self.freedoms()];
+        let largest = |rms: &dyn Fn(usize) -> f64| {
+            let sizes = levers
+                .iter()
+                .enumerate()
+                .map(|(axis, lever)| lever * rms(axis));
+            sizes.fold(0.0, f64::max)
+        };
+        [
+            largest(&|axis| self.statistics[axis].moments.rms()),
+            largest(&|axis| self.rates[axis].rms()),
+        ]
+    }
+
+    /// Largest mean displacement, m.
+    fn largest_mean(&self) -> f64 {
+        let levers = self.settings.levers.iter();
+        let means = levers.zip(&self.statistics[..self.freedoms()]);
+        means
+            .map(|(lever, each)| lever * each.moments.mean().abs())
+            .fold(0.0, f64::max)
+    }
+
+    fn freedoms(&self) -> usize {
+        self.statistics.len() / 2
+    }
+
+    /// The sections' points in parts of the motion.
+    fn series(&self, place: f64, rate: f64) -> Vec<Series> {
+        let parts = |point: &PoincarePoint| -> Vec<f64> {
+            let axes = 0..self.freedoms();
+            axes.flat_map(|axis| {
+                let lever = self.settings.levers[axis];
+                [
+                    lever * point.displacement[axis] / place,
+                    lever * point.velocity[axis] / rate,
+                ]
+            })
+            .collect()
+        };
+        let series = self.sections.iter().map(|section| Series {
+            kind: section.kind,
+            order: section.order,
+            points: section.points.iter().map(parts).collect(),
+        });
+        series.collect()
+    }
+}

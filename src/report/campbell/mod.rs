@@ -1,0 +1,46 @@
+//! Natural frequencies over the speed: tables, figure, text and JSON.
+
+mod csv;
+mod figure;
+mod json;
+mod text;
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+pub use self::json::{campbell_json, critical_speeds};
+pub use self::text::campbell_text;
+use super::{FileSet, ReportError, RunFolder, WholeFile};
+use crate::study::campbell::Campbell;
+
+/// Writes `campbell.csv`, `campbell.svg` and, last, `campbell.json` into `folder`; returns their paths.
+///
+/// # Errors
+/// [`ReportError`] where a file cannot be written or drawn.
+pub fn write_campbell(
+    folder: &Path,
+    title: &str,
+    scenario: &Value,
+    campbell: &Campbell,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let folder = RunFolder::open(folder, FileSet::CAMPBELL)?;
+    let files = write_files(&folder, title, campbell, true)?;
+    let json = campbell_json(title, scenario, campbell);
+    folder.commit(files, format!("{json:#}\n").as_bytes())
+}
+
+/// The table, and the figure where it is drawn.
+pub(super) fn write_files(
+    folder: &RunFolder,
+    title: &str,
+    campbell: &Campbell,
+    figure: bool,
+) -> Result<Vec<WholeFile>, ReportError> {
+    let mut files = vec![folder.write_with("campbell.csv", |file| csv::write(campbell, file))?];
+    if figure {
+        let svg = figure::draw_campbell(title, campbell)?;
+        files.push(folder.write("campbell.svg", svg.as_bytes())?);
+    }
+    Ok(files)
+}

@@ -1,0 +1,307 @@
+//! What the table of runs says as a whole.
+
+use std::path::Path;
+
+use serde_json::{Map, Value, json};
+
+use super::response_peak::{ResponsePeak, peaks};
+use super::sensitivity::{Sensitivity, sensitivities};
+use crate::report::{FileAction, ReportError};
+
+/// Most rows that are looked at for quantiles and figures: of more, every so many.
+const MOST_ROWS: u64 = 20_000;
+/// Most failed runs that are named.
+const MOST_FAILURES: usize = 20;
+/// Quantiles that are told.
+const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
+
+/// A run that failed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Failure {
+    /// Its number.
+    pub run: u64,
+    /// Why, in words.
+    pub error: String,
+}
+
+/// A row of the table.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Row {
+    pub run: u64,
+    /// Whether it was come to from the value above.
+    pub down: bool,
+    /// Values of the axes.
+    pub values: Vec<f64>,
+    /// Its numbers, NaN where it has none.
+    pub numbers: Vec<f64>,
+}
+
+/// One number over all runs.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ColumnDigest {
+    pub name: String,
+    pub known: u64,
+    mean: f64,
+    pub lowest: f64,
+    pub highest: f64,
+    /// Runs with the lowest and the highest value.
+    at: [u64; 2],
+    quantiles: Option<[f64; QUANTILES.len()]>,
+}
+
+/// The table of runs in short.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Digest {
+    /// Number of runs.
+    pub runs: u64,
+    /// Number of those that failed.
+    pub failed: u64,
+    /// The first of them.
+    pub failures: Vec<Failure>,
+    /// Names of the axes as columns.
+    pub(super) axes: Vec<String>,
+    pub(super) columns: Vec<ColumnDigest>,
+    /// Rows that are drawn, every `stride`-th of those that were done.
+    pub(super) rows: Vec<Row>,
+    stride: u64,
+    /// Whether the runs were drawn instead of standing on a grid.
+    pub(super) drawn: bool,
+    sensitivities: Vec<Sensitivity>,
+    peaks: Vec<ResponsePeak>,
+}
+
+impl Digest {
+    /// Reads the table of runs of a study.
+    pub(super) fn of(runs: &Path, identity: &Value) -> Result<Self, ReportError> {
+        let refused = |error: csv::Error| {
+            let error = std::io::Error::other(error.to_string());
+            ReportError::file(FileAction::Read, runs)(error)
+        };
+        let axes = identity["study"]["axis"].as_array().map_or(0, Vec::len);
+        let mut reader = csv::Reader::from_path(runs).map_err(refused)?;
+        let names: Vec<String> = reader
+            .headers()
+            .map_err(refused)?
+            .iter()
+            .map(str::to_owned)
+            .collect();
+        let numbers = 2 + axes..names.len().saturating_sub(2);
+        let mut digest = Self {
+            runs: 0,
+            failed: 0,
+            failures: Vec::new(),
+            axes: names[2..numbers.start].to_vec(),
+            columns: names[numbers.clone()]
+                .iter()
+                .map(|name| ColumnDigest::new(name))
+                .collect(),
+            rows: Vec::new(),
+            stride: 1,
+            drawn: identity["study"]["sampling"] != "grid",
+            sensitivities: Vec::new(),
+            peaks: Vec::new(),
+        };
+        for record in reader.records() {
+            let record = record.map_err(refused)?;
+            let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
+            let run = record.get(0).and_then(|run| run.parse().ok()).unwrap_or(0);
+            if record.get(names.len() - 2) == Some("failed") {
+                let error = record.get(names.len() - 1).unwrap_or_default();
+                digest.fail(run, error);
+                continue;
+            }
+            digest.add(Row {
+                run,
+                down: record.get(1) == Some("down"),
+                values: record.iter().skip(2).take(axes).map(number).collect(),
+                numbers: numbers
+                    .clone()
+                    .map(|k| record.get(k).map_or(f64::NAN, number))
+                    .collect(),
+            });
+        }
+        digest.finish();
+        Ok(digest)
+    }
+
+    fn fail(&mut self, run: u64, error: &str) {
+        self.runs += 1;
+        self.failed += 1;
+        if self.failures.len() < MOST_FAILURES {
+            let error = error.to_owned();
+            self.failures.push(Failure { run, error });
+        }
+    }
+
+    fn add(&mut self, row: Row) {
+        self.runs += 1;
+        for (column, value) in self.columns.iter_mut().zip(&row.numbers) {
+            column.add(row.run, *value);
+        }
+        let done = self.runs - self.failed - 1;
+        if done.is_multiple_of(self.stride) {
+            self.rows.push(row);
+        }
+        if self.rows.len() as u64 > MOST_ROWS {
+            self.stride *= 2;
+            let mut place = 0;
+            self.rows.retain(|_| {
+                place += 1;
+                place % 2 == 1
+            });
+        }
+    }
+
+    fn finish(&mut self) {
+        if !self.drawn {
+            self.peaks = peaks(self);
+            return;
+        }
+        for (index, column) in self.columns.iter_mut().enumerate() {
+            column.quantiles = quantiles(self.rows.iter().map(|row| row.numbers[index]));
+        }
+        self.sensitivities = sensitivities(self);
+    }
+
+    /// Whether all runs are among the rows.
+    pub(super) fn is_complete(&self) -> bool {
+        self.stride == 1
+    }
+
+    /// A column by its name.
+    pub(super) fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column.name == name)
+    }
+
+    pub(super) fn sensitivities(&self) -> &[Sensitivity] {
+        &self.sensitivities
+    }
+
+    /// The largest measured error of all runs that have one.
+    pub fn largest_error(&self) -> Option<f64> {
+        let column = &self.columns[self.column("measured_error")?];
+        (column.known > 0).then_some(column.highest)
+    }
+
+    /// Numbers of runs whose error was measured.
+    pub fn measured(&self) -> u64 {
+        let column = self.column("measured_error");
+        column.map_or(0, |column| self.columns[column].known)
+    }
+
+    /// The digest for people.
+    pub fn text(&self) -> String {
+        let mut text = format!("  runs          {} done", self.runs - self.failed);
+        if self.failed > 0 {
+            text += &format!(", {} failed; alone again by --only I", self.failed);
+        }
+        text.push('\n');
+        for Failure { run, error } in &self.failures {
+            text += &format!("    run {run}: {error}\n");
+        }
+        if let Some(error) = self.largest_error() {
+            let measured = self.measured();
+            text += &format!(
+                "  error         at most {error:.1e} of the motion in {measured} runs that measured it\n"
+            );
+        }
+        text
+    }
+
+    /// The digest as JSON.
+    pub fn json(&self) -> Value {
+        let columns: Map<_, _> = self
+            .columns
+            .iter()
+            .filter(|column| column.known > 0)
+            .map(|column| (column.name.clone(), column.json()))
+            .collect();
+        let failures = self.failures.iter();
+        json!({
+            "runs": self.runs,
+            "failed": self.failed,
+            "failures": failures
+                .map(|failure| json!({ "run": failure.run, "error": failure.error }))
+                .collect::<Value>(),
+            "largest_measured_error": self.largest_error(),
+            "runs_with_measured_error": self.measured(),
+            "numbers": columns,
+            "quantiles_of_every": self.drawn.then_some(self.stride),
+            "resonances": self.peaks.iter().map(ResponsePeak::json).collect::<Value>(),
+            "sensitivities": self.sensitivities.iter().map(Sensitivity::json).collect::<Value>(),
+        })
+    }
+}
+
+impl ColumnDigest {
+    fn new(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            known: 0,
+            mean: 0.0,
+            lowest: f64::INFINITY,
+            highest: f64::NEG_INFINITY,
+            at: [0; 2],
+            quantiles: None,
+        }
+    }
+
+    fn add(&mut self, run: u64, value: f64) {
+        if value.is_nan() {
+            return;
+        }
+        self.known += 1;
+        self.mean += (value - self.mean) / self.known as f64;
+        if value < self.lowest {
+            (self.lowest, self.at[0]) = (value, run);
+        }
+        if value > self.highest {
+            (self.highest, self.at[1]) = (value, run);
+        }
+    }
+
+    fn json(&self) -> Value {
+        let shares = QUANTILES.map(|share| share.to_string());
+        let quantiles = self.quantiles.map(|values| -> Map<_, _> {
+            shares.into_iter().zip(values.map(Value::from)).collect()
+        });
+        json!({
+            "known": self.known,
+            "mean": self.mean,
+            "lowest": self.lowest,
+            "lowest_in_run": self.at[0],
+            "highest": self.highest,
+            "highest_in_run": self.at[1],
+            "quantiles": quantiles,
+        })
+    }
+}
+
+/// Quantiles by linear interpolation between the order statistics, type 7 of Hyndman & Fan (1996).
+fn quantiles(values: impl Iterator<Item = f64>) -> Option<[f64; QUANTILES.len()]> {
+    let mut sorted: Vec<f64> = values.filter(|value| !value.is_nan()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let last = sorted.len().checked_sub(1)?;
+    Some(QUANTILES.map(|share| {
+        let place = share * last as f64;
+        let below = place as usize;
+        let above = (below + 1).min(last);
+        let part = place - below as f64;
+        sorted[below] * (1.0 - part) + sorted[above] * part
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_are_those_of_numpy() {
+        let found = quantiles([3.0, 1.0, 2.0, 4.0].into_iter()).unwrap();
+        // numpy.quantile([1, 2, 3, 4], [.05, .25, .5, .75, .95])
+        let numpy = [1.15, 1.75, 2.5, 3.25, 3.85];
+        for (found, numpy) in found.iter().zip(numpy) {
+            assert!((found - numpy).abs() < 1e-12);
+        }
+    }
+}

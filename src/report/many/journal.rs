@@ -1,0 +1,348 @@
+//! What is done of a study, kept as it is done, so that a killed study goes on from there.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+use crate::report::bytes::{Checksum, Put, Take};
+use crate::report::{FileAction, ReportError};
+
+const MAGIC: [u8; 8] = *b"jcJourn1";
+
+/// Bytes of an entry before its content: task, length, and after it the checksum.
+const HEAD: usize = 16;
+/// Longest content that is believed.
+const LONGEST: u64 = 1 << 32;
+
+/// Tasks of a study that are done.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Done {
+    /// All tasks from the first one up to here, this one left out.
+    pub below: u64,
+    /// Those after it.
+    pub beyond: BTreeSet<u64>,
+}
+
+impl Done {
+    /// None, of tasks that count from `first` on.
+    pub fn none(first: u64) -> Self {
+        Self {
+            below: first,
+            beyond: BTreeSet::new(),
+        }
+    }
+
+    /// Whether a task is done.
+    pub fn holds(&self, task: u64) -> bool {
+        task < self.below || self.beyond.contains(&task)
+    }
+
+    /// Notes a task; false where it was noted before.
+    pub fn add(&mut self, task: u64) -> bool {
+        if self.holds(task) {
+            return false;
+        }
+        self.beyond.insert(task);
+        while self.beyond.remove(&self.below) {
+            self.below += 1;
+        }
+        true
+    }
+}
+
+/// Why a journal cannot be gone on with.
+#[derive(Debug, thiserror::Error)]
+pub enum JournalError {
+    /// It belongs to other runs.
+    #[error(
+        "{} holds runs of another study: `{key}` was {there} there and is {here} now; undo the change, or \
+         begin anew with --restart",
+        path.display()
+    )]
+    Other {
+        /// Path of the journal.
+        path: PathBuf,
+        /// What differs.
+        key: String,
+        /// There.
+        there: String,
+        /// Here.
+        here: String,
+    },
+    /// It is none.
+    #[error("{} is no journal of a study; remove it, or begin anew with --restart", path.display())]
+    Unreadable {
+        /// Path of the file.
+        path: PathBuf,
+    },
+    /// The file system refused.
+    #[error(transparent)]
+    Report(#[from] ReportError),
+}
+
+/// A journal that is being written.
+#[derive(Debug)]
+pub struct Journal {
+    file: File,
+    path: PathBuf,
+    done: Done,
+    first: u64,
+}
+
+impl Journal {
+    /// Begins a journal whose tasks count from `first` on, in place of any that stands there; `identity`
+    /// tells its study from others.
+    pub(super) fn create(path: &Path, identity: &str, first: u64) -> Result<Self, JournalError> {
+        let refused = |action| ReportError::file(action, path);
+        let mut file = File::create(path).map_err(refused(FileAction::Create))?;
+        let mut head = MAGIC.to_vec();
+        head.put_text(identity);
+        head.put_u64(first);
+        file.write_all(&head).map_err(refused(FileAction::Write))?;
+        let done = Done::none(first);
+        Ok(Self {
+            file,
+            path: path.to_owned(),
+            done,
+            first,
+        })
+    }
+
+    /// Goes on with the journal of the same study, if one stands there; what was written last before a
+    /// kill and is not whole is dropped.
+    pub(super) fn go_on(
+        path: &Path,
+        identity: &str,
+        first: u64,
+    ) -> Result<Option<Self>, JournalError> {
+        if !path.exists() {
+            return Ok(None);
+        }
+        let mut entries = Entries::open(path)?;
+        if entries.identity != identity || entries.first != first {
+            let [key, there, here] = entries.difference(identity, first);
+            return Err(JournalError::Other {
+                path: path.to_owned(),
+                key,
+                there,
+                here,
+            });
+        }
+        let mut done = Done::none(first);
+        while let Some((task, _)) = entries.next_entry() {
+            done.add(task);
+        }
+        let whole = entries.whole;
+        let refused = |action| ReportError::file(action, path);
+        let mut file = OpenOptions::new()
+            .write(true)
+            .open(path)
+            .map_err(refused(FileAction::Write))?;
+        file.set_len(whole)
+            .and_then(|()| file.seek(SeekFrom::End(0)))
+            .map_err(refused(FileAction::Write))?;
+        Ok(Some(Self {
+            file,
+            path: path.to_owned(),
+            done,
+            first,
+        }))
+    }
+
+    /// Its path.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Removes the file: what it held stands elsewhere.
+    pub(super) fn remove(self) -> Result<(), ReportError> {
+        fs::remove_file(&self.path).map_err(ReportError::file(FileAction::Remove, &self.path))
+    }
+
+    /// Tasks that are done.
+    pub fn done(&self) -> &Done {
+        &self.done
+    }
+
+    /// Notes a task with its content; one that is noted already is left as it was.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be written: the journal then ends before it.
+    pub fn add(&mut self, task: u64, content: &[u8]) -> Result<(), ReportError> {
+        if self.done.holds(task) {
+            return Ok(());
+        }
+        let mut entry = Vec::with_capacity(content.len() + HEAD + 8);
+        entry.put_u64(task);
+        entry.put_u64(content.len() as u64);
+        entry.extend(content);
+        let mut checksum = Checksum::START;
+        checksum.add(&entry);
+        entry.put_u64(checksum.value());
+        // in one piece: what a full disk cuts off is found by its checksum
+        self.file
+            .write_all(&entry)
+            .map_err(ReportError::file(FileAction::Write, &self.path))?;
+        self.done.add(task);
+        Ok(())
+    }
+
+    /// Shows the contents in the order of their tasks.
+    pub(super) fn in_order(
+        &self,
+        mut show: impl FnMut(&[u8]) -> Result<(), ReportError>,
+    ) -> Result<(), JournalError> {
+        let mut entries = Entries::open(&self.path)?;
+        let mut waiting = BTreeMap::new();
+        let mut next = self.first;
+        while let Some((task, content)) = entries.next_entry() {
+            waiting.insert(task, content);
+            while let Some(content) = waiting.remove(&next) {
+                show(&content)?;
+                next += 1;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The entries of a journal, as far as they are whole.
+struct Entries {
+    reader: BufReader<File>,
+    identity: String,
+    first: u64,
+    /// Bytes up to the end of the last whole entry.
+    whole: u64,
+}
+
+impl Entries {
+    fn open(path: &Path) -> Result<Self, JournalError> {
+        let unreadable = || JournalError::Unreadable {
+            path: path.to_owned(),
+        };
+        let file = File::open(path).map_err(ReportError::file(FileAction::Read, path))?;
+        let mut reader = BufReader::with_capacity(1 << 16, file);
+        let mut head = [0; 16];
+        reader.read_exact(&mut head).map_err(|_| unreadable())?;
+        let mut take = Take(&head);
+        let magic: Option<[u8; 8]> = take.array();
+        let length = take.u64().filter(|length| *length < LONGEST);
+        let length = length
+            .filter(|_| magic == Some(MAGIC))
+            .ok_or_else(unreadable)?;
+        let text = exactly(&mut reader, length + 8).map_err(|_| unreadable())?;
+        let mut take = Take(&text);
+        let identity = take.bytes(length).map(<[u8]>::to_vec);
+        let identity = identity.and_then(|bytes| String::from_utf8(bytes).ok());
+        let (Some(identity), Some(first)) = (identity, take.u64()) else {
+            return Err(unreadable());
+        };
+        Ok(Self {
+            reader,
+            identity,
+            first,
+            whole: 16 + length + 8,
+        })
+    }
+
+    /// Task and content of the next entry, if it is whole.
+    fn next_entry(&mut self) -> Option<(u64, Vec<u8>)> {
+        let mut head = [0; HEAD];
+        self.reader.read_exact(&mut head).ok()?;
+        let mut take = Take(&head);
+        let (task, length) = (take.u64()?, take.u64()?);
+        if length > LONGEST {
+            return None;
+        }
+        let mut rest = exactly(&mut self.reader, length + 8).ok()?;
+        let sum = rest.split_off(usize::try_from(length).ok()?);
+        let mut checksum = Checksum::START;
+        checksum.add(&head);
+        checksum.add(&rest);
+        if Take(&sum).u64()? != checksum.value() {
+            return None;
+        }
+        self.whole += HEAD as u64 + length + 8;
+        Some((task, rest))
+    }
+
+    /// What differs from the study that is to be gone on with.
+    fn difference(&self, identity: &str, first: u64) -> [String; 3] {
+        let trees = [&self.identity[..], identity].map(serde_json::from_str);
+        if let [Ok(there), Ok(here)] = &trees
+            && let Some(found) = crate::report::restart::difference(there, here)
+        {
+            return found;
+        }
+        [
+            "first chain".to_owned(),
+            self.first.to_string(),
+            first.to_string(),
+        ]
+    }
+}
+
+/// So many bytes, without believing the number before they are there.
+fn exactly(reader: &mut impl Read, count: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    reader.take(count).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 == count {
+        Ok(bytes)
+    } else {
+        Err(io::ErrorKind::UnexpectedEof.into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn contents(journal: &Journal) -> Vec<Vec<u8>> {
+        let mut all = Vec::new();
+        let shown = journal.in_order(|content| {
+            all.push(content.to_vec());
+            Ok(())
+        });
+        shown.unwrap();
+        all
+    }
+
+    #[test]
+    fn what_is_noted_in_any_order_is_shown_in_that_of_the_tasks() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("runs.journal");
+        let mut journal = Journal::create(&path, "{}", 3).unwrap();
+        for task in [4, 3, 6, 5, 4] {
+            journal.add(task, &[task as u8]).unwrap();
+        }
+        assert_eq!(contents(&journal), [[3], [4], [5], [6]]);
+    }
+
+    #[test]
+    fn an_entry_cut_off_by_a_kill_is_dropped_and_made_again() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("runs.journal");
+        let mut journal = Journal::create(&path, "{}", 0).unwrap();
+        journal.add(0, b"zero").unwrap();
+        journal.add(1, b"one").unwrap();
+        drop(journal);
+        let length = std::fs::metadata(&path).unwrap().len();
+        let file = OpenOptions::new().write(true).open(&path).unwrap();
+        file.set_len(length - 3).unwrap();
+        let mut journal = Journal::go_on(&path, "{}", 0).unwrap().unwrap();
+        assert!(journal.done().holds(0) && !journal.done().holds(1));
+        journal.add(1, b"one").unwrap();
+        assert_eq!(contents(&journal), [&b"zero"[..], b"one"]);
+    }
+
+    #[test]
+    fn the_journal_of_another_study_is_refused_by_what_differs() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("runs.journal");
+        drop(Journal::create(&path, r#"{"seed": 1}"#, 0).unwrap());
+        let error = Journal::go_on(&path, r#"{"seed": 2}"#, 0).unwrap_err();
+        let told = error.to_string();
+        assert!(told.contains("`seed` was 1 there and is 2 now"), "{told}");
+    }
+}

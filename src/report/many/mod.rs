@@ -1,0 +1,244 @@
+//! The files of a study of many runs: a journal while it goes on, tables, figures and a summary at its end.
+
+mod digest;
+mod figures;
+mod journal;
+mod part;
+mod response_peak;
+mod sensitivity;
+mod tables;
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+pub use self::digest::{Digest, Failure};
+use self::journal::Journal;
+pub use self::journal::{Done, JournalError};
+pub use self::part::MergeError;
+use self::part::{PartSeal, part_name, seals};
+pub use self::tables::Layout;
+use self::tables::{Table, write_header, write_rows};
+use crate::report::{FileAction, FileSet, ReportError, RunFolder, WholeFile};
+use crate::study::many::{Keep, RunRecord, Schedule, Shard};
+
+/// A study whose runs are being made.
+#[derive(Debug)]
+pub struct StudyReport<'a> {
+    folder: RunFolder,
+    journal: Journal,
+    layout: Layout<'a>,
+    shard: Shard,
+    title: String,
+    identity: Value,
+}
+
+impl<'a> StudyReport<'a> {
+    /// Opens the folder of a study, going on from the runs that an earlier attempt has kept there unless
+    /// all is to begin anew.
+    ///
+    /// `identity` is all that the runs depend on.
+    ///
+    /// # Errors
+    /// [`JournalError`] where the folder cannot be written, or holds runs of another study.
+    pub fn open(
+        folder: &Path,
+        title: &str,
+        identity: Value,
+        layout: Layout<'a>,
+        part: (Shard, &Schedule),
+        anew: bool,
+    ) -> Result<Self, JournalError> {
+        let (shard, schedule) = part;
+        let folder = RunFolder::open(folder, FileSet::RUNS)?;
+        let first = shard.chains(schedule).start;
+        let path = folder.path().join(match shard {
+            Shard::WHOLE => "runs.journal".to_owned(),
+            part => part_name("study", part, "journal"),
+        });
+        let known = json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "study": identity });
+        let known = known.to_string();
+        let standing = if anew {
+            None
+        } else {
+            Journal::go_on(&path, &known, first)?
+        };
+        let journal = match standing {
+            Some(journal) => journal,
+            None => Journal::create(&path, &known, first)?,
+        };
+        Ok(Self {
+            folder,
+            journal,
+            layout,
+            shard,
+            title: title.to_owned(),
+            identity,
+        })
+    }
+
+    /// Chains that are done.
+    pub fn done(&self) -> &Done {
+        self.journal.done()
+    }
+
+    /// Notes the runs of a chain.
+    ///
+    /// # Errors
+    /// [`ReportError`] where they cannot be written; those before them stay.
+    pub fn add(&mut self, chain: u64, records: &[RunRecord]) -> Result<(), ReportError> {
+        let content = self.layout.content(records);
+        let content = content.map_err(ReportError::file(FileAction::Write, self.journal.path()))?;
+        self.journal.add(chain, &content)
+    }
+
+    /// Writes the tables and, last, what seals them; returns the paths, and for a whole study its digest.
+    ///
+    /// # Errors
+    /// [`JournalError`] where a file cannot be read, written or drawn; the journal then stays.
+    pub fn finish(self) -> Result<(Vec<PathBuf>, Option<Digest>), JournalError> {
+        let mut files = Vec::new();
+        let kept = Table::ALL
+            .iter()
+            .filter(|table| table.is_kept(&self.layout.keep));
+        for table in kept {
+            files.push(self.table(*table)?);
+        }
+        if self.shard != Shard::WHOLE {
+            return Ok((self.seal_part(files)?, None));
+        }
+        let (paths, digest) = seal(self.folder, files, &self.title, &self.identity)?;
+        Ok((paths, Some(digest)))
+    }
+
+    /// Writes a table in the order of the runs.
+    fn table(&self, table: Table) -> Result<WholeFile, JournalError> {
+        let name = match self.shard {
+            Shard::WHOLE => format!("{}.csv", table.stem()),
+            part => part_name(table.stem(), part, "csv"),
+        };
+        let mut file = self.folder.create(&name)?;
+        let path = file.path().to_owned();
+        let refused = || ReportError::file(FileAction::Write, &path);
+        write_header(&self.layout.header(table), &mut file).map_err(refused())?;
+        self.journal
+            .in_order(|content| write_rows(content, table, &mut file).map_err(refused()))?;
+        Ok(file.close()?)
+    }
+
+    fn seal_part(self, files: Vec<WholeFile>) -> Result<Vec<PathBuf>, ReportError> {
+        let seal = PartSeal {
+            jeffcott: env!("CARGO_PKG_VERSION").to_owned(),
+            title: self.title,
+            identity: self.identity,
+            number: self.shard.number,
+            count: self.shard.count,
+            tables: tables_of(&self.layout.keep),
+        };
+        let text = seal.json();
+        let name = part_name("study", self.shard, "json");
+        let seal = self.folder.write(&name, format!("{text:#}\n").as_bytes())?;
+        let files = files.into_iter().chain([seal]);
+        let paths: Vec<_> = files.map(WholeFile::rename).collect::<Result<_, _>>()?;
+        self.journal.remove()?;
+        Ok(paths)
+    }
+}
+
+fn tables_of(keep: &Keep) -> Vec<String> {
+    let kept = Table::ALL.iter().filter(|table| table.is_kept(keep));
+    kept.map(|table| table.stem().to_owned()).collect()
+}
+
+/// Puts the parts of a study together, in the folder that they stand in: to the bytes of the study made in
+/// one piece.
+///
+/// # Errors
+/// [`MergeError`] where one is missing, broken or of another study.
+pub fn merge(folder: &Path) -> Result<(Vec<PathBuf>, Digest), MergeError> {
+    let seals = seals(folder)?;
+    let Some(first) = seals.first().cloned() else {
+        return Err(MergeError::None {
+            folder: folder.to_owned(),
+        });
+    };
+    let target = RunFolder::open(folder, FileSet::RUNS)?;
+    let mut files = Vec::new();
+    for table in Table::ALL {
+        if first.tables.iter().any(|name| name == table.stem()) {
+            files.push(joined(&target, table, &seals)?);
+        }
+    }
+    Ok(seal(target, files, &first.title, &first.identity)?)
+}
+
+/// One table of all parts, its line of names once.
+fn joined(folder: &RunFolder, table: Table, seals: &[PartSeal]) -> Result<WholeFile, MergeError> {
+    let mut file = folder.create(&format!("{}.csv", table.stem()))?;
+    let mut names = None;
+    for seal in seals {
+        let path = seal.table(folder.path(), table);
+        let broken = |error: io::Error| MergeError::Broken {
+            path: path.clone(),
+            reason: error.to_string(),
+        };
+        let mut reader = BufReader::with_capacity(1 << 16, File::open(&path).map_err(broken)?);
+        let mut header = String::new();
+        reader.read_line(&mut header).map_err(broken)?;
+        let written = match &names {
+            None => file.write_all(header.as_bytes()),
+            Some(names) if *names == header => Ok(()),
+            Some(_) => {
+                let other = io::Error::other("its columns are not those of the first part");
+                return Err(broken(other));
+            }
+        };
+        let target = file.path().to_owned();
+        written
+            .and_then(|()| io::copy(&mut reader, &mut file).map(drop))
+            .map_err(ReportError::file(FileAction::Write, &target))?;
+        names = Some(header);
+    }
+    Ok(file.close()?)
+}
+
+/// Digests the table of runs, draws what there is to draw, and gives all files their names.
+fn seal(
+    folder: RunFolder,
+    mut files: Vec<WholeFile>,
+    title: &str,
+    identity: &Value,
+) -> Result<(Vec<PathBuf>, Digest), ReportError> {
+    let named = |files: &[WholeFile], table: Table| {
+        let name = format!("{}.csv", table.stem());
+        let found = files.iter().find(|file| file.path().ends_with(&name));
+        found.map(|file| file.temporary().to_owned())
+    };
+    let runs = named(&files, Table::Runs).unwrap_or_default();
+    let digest = Digest::of(&runs, identity)?;
+    let drawn = [
+        ("response.svg", digest.response(title)),
+        ("map.svg", digest.map(title)),
+        ("sensitivity.svg", digest.tornado(title)),
+    ];
+    for (name, figure) in drawn {
+        if let Some(figure) = figure {
+            files.push(folder.write(name, figure?.as_bytes())?);
+        }
+    }
+    if let Some(points) = named(&files, Table::Points)
+        && let Some(figure) = digest.bifurcation(title, &points)?
+    {
+        files.push(folder.write("bifurcation.svg", figure.as_bytes())?);
+    }
+    let summary = json!({
+        "jeffcott": env!("CARGO_PKG_VERSION"),
+        "title": title,
+        "study": identity,
+        "digest": digest.json(),
+    });
+    let paths = folder.commit(files, format!("{summary:#}\n").as_bytes())?;
+    Ok((paths, digest))
+}

@@ -1,0 +1,186 @@
+//! The parts that a study is made in, and what says that one is whole.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+use super::tables::Table;
+use crate::study::many::Shard;
+
+/// What a whole part says of itself.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct PartSeal {
+    /// Version of the program.
+    pub jeffcott: String,
+    /// Title of the study.
+    pub title: String,
+    /// The study and its scenario.
+    pub identity: Value,
+    /// Which part.
+    pub number: u64,
+    /// Of how many.
+    pub count: u64,
+    /// Names of its tables.
+    pub tables: Vec<String>,
+}
+
+/// Why parts make no whole.
+#[derive(Debug, thiserror::Error)]
+pub enum MergeError {
+    /// There are none.
+    #[error(
+        "{} holds no part of a study; `jeffcott study FILE --shard 1/N` writes the first of N",
+        folder.display()
+    )]
+    None {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// Some are missing.
+    #[error("{} of {count} parts are missing: {}", numbers.len(), listed(numbers))]
+    Missing {
+        /// Their numbers.
+        numbers: Vec<u64>,
+        /// Of how many.
+        count: u64,
+    },
+    /// Two parts are of different wholes.
+    #[error("{} and {} are parts of different studies: {what}", a.display(), b.display())]
+    Different {
+        /// One.
+        a: PathBuf,
+        /// The other.
+        b: PathBuf,
+        /// What differs.
+        what: String,
+    },
+    /// A file is not what it should be.
+    #[error("{} is not whole: {reason}; make that part again", path.display())]
+    Broken {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
+    /// The file system refused.
+    #[error(transparent)]
+    Report(#[from] crate::report::ReportError),
+}
+
+fn listed(numbers: &[u64]) -> String {
+    let shown: Vec<_> = numbers.iter().take(20).map(u64::to_string).collect();
+    let more = if numbers.len() > 20 { ", …" } else { "" };
+    shown.join(", ") + more
+}
+
+/// File name of a part, with an ending.
+pub(super) fn part_name(stem: &str, shard: Shard, ending: &str) -> String {
+    format!("{stem}.part-{}-of-{}.{ending}", shard.number, shard.count)
+}
+
+/// The seals of all parts in a folder, in order, if they are one whole.
+pub(super) fn seals(folder: &Path) -> Result<Vec<PartSeal>, MergeError> {
+    let mut found = Vec::new();
+    let entries = fs::read_dir(folder).map_err(crate::report::ReportError::file(
+        crate::report::FileAction::Read,
+        folder,
+    ))?;
+    for entry in entries.flatten() {
+        let path = entry.path();
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name.starts_with("study.part-") && name.ends_with(".json") {
+            found.push((read(&path)?, path));
+        }
+    }
+    found.sort_by_key(|(seal, _)| (seal.count, seal.number));
+    let Some((first, first_path)) = found.first() else {
+        return Err(MergeError::None {
+            folder: folder.to_owned(),
+        });
+    };
+    for (seal, path) in &found {
+        if let Some(what) = difference(first, seal) {
+            return Err(MergeError::Different {
+                a: first_path.clone(),
+                b: path.clone(),
+                what,
+            });
+        }
+    }
+    let count = first.count;
+    let there = |number: &u64| found.iter().any(|(seal, _)| seal.number == *number);
+    let numbers: Vec<u64> = (1..=count).filter(|number| !there(number)).collect();
+    if !numbers.is_empty() {
+        return Err(MergeError::Missing { numbers, count });
+    }
+    Ok(found.into_iter().map(|(seal, _)| seal).collect())
+}
+
+fn read(path: &Path) -> Result<PartSeal, MergeError> {
+    let broken = |reason: String| MergeError::Broken {
+        path: path.to_owned(),
+        reason,
+    };
+    let text = fs::read_to_string(path).map_err(|error| broken(error.to_string()))?;
+    let value = serde_json::from_str(&text).map_err(|error| broken(error.to_string()))?;
+    PartSeal::of(&value).ok_or_else(|| broken("it says not what it seals".to_owned()))
+}
+
+fn difference(a: &PartSeal, b: &PartSeal) -> Option<String> {
+    if a.count != b.count {
+        return Some(format!(
+            "one is of {} parts, the other of {}",
+            a.count, b.count
+        ));
+    }
+    if a.jeffcott != b.jeffcott {
+        return Some(format!("versions {} and {}", a.jeffcott, b.jeffcott));
+    }
+    let [key, there, here] = crate::report::restart::difference(&a.identity, &b.identity)?;
+    Some(format!("`{key}` is {there} in one and {here} in the other"))
+}
+
+impl PartSeal {
+    /// The seal as JSON.
+    pub fn json(&self) -> Value {
+        json!({
+            "jeffcott": self.jeffcott,
+            "title": self.title,
+            "identity": self.identity,
+            "number": self.number,
+            "count": self.count,
+            "tables": self.tables,
+        })
+    }
+
+    /// The seal of its JSON.
+    fn of(value: &Value) -> Option<Self> {
+        let text = |value: &Value| value.as_str().map(str::to_owned);
+        Some(Self {
+            jeffcott: text(&value["jeffcott"])?,
+            title: text(&value["title"])?,
+            identity: value["identity"].clone(),
+            number: value["number"].as_u64()?,
+            count: value["count"].as_u64()?,
+            tables: value["tables"]
+                .as_array()?
+                .iter()
+                .map(text)
+                .collect::<Option<_>>()?,
+        })
+    }
+
+    /// The part that it seals.
+    pub fn shard(&self) -> Shard {
+        Shard {
+            number: self.number,
+            count: self.count,
+        }
+    }
+
+    /// The file of a table of this part.
+    pub fn table(&self, folder: &Path, table: Table) -> PathBuf {
+        folder.join(part_name(table.stem(), self.shard(), "csv"))
+    }
+}

@@ -1,0 +1,184 @@
+//! The tables of a study: a row a run, a row a line of its spectrum, a row a point.
+
+use std::io::{self, Write};
+
+use crate::analysis::Channel;
+use crate::report::bytes::{Put, Take};
+use crate::report::columns::{amplitude_column, value_column};
+use crate::report::statics::{cell, number};
+use crate::report::study::column_name;
+use crate::study::Variable;
+use crate::study::many::{Keep, NumberColumn, RunRecord};
+
+/// A table of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Table {
+    /// Values and numbers of every run.
+    Runs,
+    /// Amplitudes of every run.
+    Spectra,
+    /// Places of the shaft in every run.
+    Points,
+}
+
+impl Table {
+    /// All of them, in the order in which a journal holds them.
+    pub const ALL: [Self; 3] = [Self::Runs, Self::Spectra, Self::Points];
+
+    /// File name without ending.
+    pub fn stem(self) -> &'static str {
+        match self {
+            Self::Runs => "runs",
+            Self::Spectra => "spectra",
+            Self::Points => "poincare",
+        }
+    }
+
+    /// Whether a study has it.
+    pub fn is_kept(self, keep: &Keep) -> bool {
+        match self {
+            Self::Runs => true,
+            Self::Spectra => keep.highest_order.is_some(),
+            Self::Points => keep.section.is_some(),
+        }
+    }
+}
+
+/// What the tables of a study hold.
+#[derive(Debug, Clone, Copy)]
+pub struct Layout<'a> {
+    /// What varies.
+    pub variables: &'a [Variable],
+    /// Numbers of a run.
+    pub columns: &'a [NumberColumn],
+    /// Number of freedoms that move.
+    pub freedoms: usize,
+    /// What is kept.
+    pub keep: Keep,
+}
+
+impl Layout<'_> {
+    /// The line of names.
+    pub(super) fn header(&self, table: Table) -> Vec<String> {
+        let displacements = (0..self.freedoms).map(Channel::Displacement);
+        let run = std::iter::once("run".to_owned());
+        match table {
+            Table::Runs => {
+                let turn = ["direction".to_owned()];
+                let variables = self.variables.iter().map(column_name);
+                let numbers = self.columns.iter().map(|column| column.name.clone());
+                let ends = ["status", "error"].map(str::to_owned);
+                let start = run.chain(turn).chain(variables);
+                start.chain(numbers).chain(ends).collect()
+            }
+            Table::Spectra => {
+                let frequency = ["frequency_Hz", "order"].map(str::to_owned);
+                let amplitudes = displacements.map(amplitude_column);
+                run.chain(frequency).chain(amplitudes).collect()
+            }
+            Table::Points => {
+                let time = ["time_s".to_owned()];
+                run.chain(time)
+                    .chain(displacements.map(value_column))
+                    .collect()
+            }
+        }
+    }
+
+    /// The rows of some runs in all tables, as a journal holds them.
+    pub(super) fn content(&self, records: &[RunRecord]) -> io::Result<Vec<u8>> {
+        let mut content = Vec::new();
+        for table in Table::ALL {
+            content.put_text(&self.rows(table, records)?);
+        }
+        Ok(content)
+    }
+
+    fn rows(&self, table: Table, records: &[RunRecord]) -> io::Result<String> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for record in records {
+            match table {
+                Table::Runs => writer.write_record(self.run_row(record))?,
+                Table::Spectra => {
+                    for row in spectrum_rows(record) {
+                        writer.write_record(row)?;
+                    }
+                }
+                Table::Points => {
+                    for row in point_rows(record) {
+                        writer.write_record(row)?;
+                    }
+                }
+            }
+        }
+        let bytes = writer.into_inner().map_err(|error| error.into_error())?;
+        String::from_utf8(bytes).map_err(io::Error::other)
+    }
+
+    fn run_row(&self, record: &RunRecord) -> Vec<String> {
+        let mut row = vec![
+            record.turn.number.to_string(),
+            record.direction().name().to_owned(),
+        ];
+        row.extend(record.values.iter().map(|value| number(*value)));
+        match &record.outcome {
+            Ok(outcome) => {
+                // what a run does not have is an empty cell
+                let known = |value: &f64| cell(Some(*value).filter(|value| !value.is_nan()));
+                row.extend(outcome.numbers.iter().map(known));
+                row.extend(["done".to_owned(), String::new()]);
+            }
+            Err(message) => {
+                row.extend(self.columns.iter().map(|_| String::new()));
+                let message = message.replace(['\n', '\r'], " ");
+                row.extend(["failed".to_owned(), message]);
+            }
+        }
+        row
+    }
+}
+
+fn spectrum_rows(record: &RunRecord) -> impl Iterator<Item = Vec<String>> {
+    let lines = record.outcome.as_ref().ok().into_iter();
+    let lines = lines.flat_map(|outcome| &outcome.spectrum);
+    lines.map(|line| {
+        let start = [
+            record.turn.number.to_string(),
+            number(line.frequency),
+            cell(line.order),
+        ];
+        let amplitudes = line.amplitudes.iter().map(|value| number(*value));
+        start.into_iter().chain(amplitudes).collect()
+    })
+}
+
+fn point_rows(record: &RunRecord) -> impl Iterator<Item = Vec<String>> {
+    let points = record.outcome.as_ref().ok().into_iter();
+    let points = points.flat_map(|outcome| &outcome.points);
+    points.map(|point| {
+        let start = [record.turn.number.to_string(), number(point.time)];
+        let places = point.displacement.iter().map(|value| number(*value));
+        start.into_iter().chain(places).collect()
+    })
+}
+
+/// Writes the rows that a journal holds of a table.
+pub(super) fn write_rows(content: &[u8], table: Table, out: &mut impl Write) -> io::Result<()> {
+    let mut take = Take(content);
+    for held in Table::ALL {
+        let length = take.u64();
+        let rows = length.and_then(|length| take.bytes(length));
+        let rows = rows.ok_or_else(|| io::Error::from(io::ErrorKind::InvalidData))?;
+        if held == table {
+            return out.write_all(rows);
+        }
+    }
+    Ok(())
+}
+
+/// Writes the line of names of a table.
+pub(super) fn write_header(header: &[String], out: &mut impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(header)?;
+    writer.flush()
+}

@@ -1,0 +1,499 @@
+
+"use strict";
+(() => {
+  const { summary, balls, histories, orbit, sections, spectra, figures } = JSON.parse(document.getElementById("data").textContent);
+  const main = document.querySelector("main");
+  const svgSpace = "http://www.w3.org/2000/svg";
+  const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
+    moment_x: "moment x", moment_y: "moment y" };
+  const named = (name) => names[name] ?? name;
+
+  // Elements.
+
+  function element(tag, attributes = {}, ...children) {
+    const made = document.createElement(tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+    made.append(...children.filter((child) => child !== null));
+    return made;
+  }
+
+  function drawn(tag, attributes, ...children) {
+    const made = document.createElementNS(svgSpace, tag);
+    for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+    made.append(...children);
+    return made;
+  }
+
+  function section(id, title, ...children) {
+    const made = element("section", { id }, element("h2", {}, title), ...children);
+    main.append(made);
+    document.querySelector("nav").append(element("a", { href: `#${id}` }, title));
+    return made;
+  }
+
+  function table(heads, rows, caption = null, nameColumns = 1) {
+    const cell = (tag) => (text, column) =>
+      element(tag, column < nameColumns ? { class: "name" } : {}, text);
+    const head = element("thead", {}, element("tr", {}, ...heads.map(cell("th"))));
+    const body = element("tbody", {}, ...rows.map((row) => element("tr", {}, ...row.map(cell("td")))));
+    const made = element("div", { class: "scroll" }, element("table", {}, head, body));
+    return element("figure", {}, made, caption && element("figcaption", {}, caption));
+  }
+
+  function tiles(entries) {
+    const tile = ([name, value, remark]) => element("div", { class: "tile" },
+      element("dt", {}, name), element("dd", {}, value), remark ? element("dd", {}, remark) : null);
+    return element("dl", { class: "tiles" }, ...entries.filter(Boolean).map(tile));
+  }
+
+  // Numbers.
+
+  function number(value, digits = 5) {
+    if (value === null || value === undefined) return "–";
+    if (value === 0) return "0";
+    const size = Math.abs(value);
+    if (size >= 1e-3 && size < 1e6) return String(Number(value.toPrecision(digits)));
+    return value.toExponential(digits - 2);
+  }
+
+  const shownUnits = { m: ["µm", 1e6], rad: ["µrad", 1e6] };
+  const shown = (value, unit) => {
+    const [name, factor] = shownUnits[unit] ?? [unit, 1];
+    return `${number(value * factor)} ${name}`;
+  };
+
+  function floats(base64) {
+    const text = atob(base64);
+    const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
+    return Array.from(new Float32Array(bytes.buffer));
+  }
+
+  // Charts.
+
+  const charts = [];
+  const groups = new Map();
+  const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+
+  /** Axes of a panel in the colours of the page. */
+  function axes(panel) {
+    const look = { stroke: colour("--ink"), grid: { stroke: colour("--line"), width: 1 },
+      ticks: { stroke: colour("--line"), width: 1 }, font: "12px system-ui, sans-serif",
+      labelFont: "12px system-ui, sans-serif" };
+    const unit = panel.unit ? ` in ${panel.unit}` : "";
+    const powers = (_, splits) => splits.map((v) => {
+      const power = Math.log10(v);
+      return v !== null && Math.abs(power - Math.round(power)) < 1e-9 ? `1e${Math.round(power)}` : "";
+    });
+    const upright = { ...look, size: 70, label: `${named(panel.name)}${unit}`, labelSize: 22 };
+    if (panel.logarithmic) upright.values = powers;
+    else upright.values = (_, splits) => splits.map((v) => (v === null ? "" : number(v, 7)));
+    const below = panel.last ? { label: `${panel.over[0]} in ${panel.over[1]}`, labelSize: 20 } : {};
+    return [{ ...look, size: 30, ...below }, upright];
+  }
+
+  /** Six decades below the largest value, whatever part is looked at. */
+  function decades(curves) {
+    let top = 0;
+    for (const values of curves) for (const value of values) if (value > top) top = value;
+    const highest = top > 0 ? Math.ceil(Math.log10(top * 1.5)) : 0;
+    return [10 ** (highest - 7), 10 ** highest];
+  }
+
+  /** What is to be seen with a margin; a constant in the middle of a neighbourhood. */
+  function padded(low, high) {
+    const margin = 0.06 * (high - low) || 0.5 * Math.abs(low) || 1;
+    return [low - margin, high + margin];
+  }
+
+  /** Names of peaks, the highest first, each only where it covers no other. */
+  function drawMarks(u, marks) {
+    const { ctx, bbox } = u;
+    const ratio = devicePixelRatio;
+    const taken = [];
+    const seen = new Set();
+    ctx.save();
+    ctx.font = `${12 * ratio}px system-ui, sans-serif`;
+    ctx.fillStyle = colour("--ink");
+    ctx.textAlign = "center";
+    for (const { at, height, name } of [...marks].sort((a, b) => b.height - a.height)) {
+      const x = u.valToPos(at, "x", true);
+      const y = u.valToPos(height, "y", true);
+      const half = ctx.measureText(name).width / 2 + 3 * ratio;
+      const hidden = x - half < bbox.left || x + half > bbox.left + bbox.width
+        || y < bbox.top || y > bbox.top + bbox.height;
+      const covered = taken.some((other) => Math.abs(other.x - x) < other.half + half
+        && Math.abs(other.y - y) < 14 * ratio);
+      if (hidden || covered || seen.has(name)) continue;
+      seen.add(name);
+      taken.push({ x, y, half });
+      ctx.fillText(name, x, Math.max(y - 6 * ratio, bbox.top + 12 * ratio));
+    }
+    ctx.restore();
+  }
+
+  function options(panel, width, height, data) {
+    const series = panel.curves.map((curve, index) => ({
+      label: named(curve.name), stroke: colour(`--c${index % 6}`), width: 1.25,
+      value: (_, value) => (value === null ? "–" : `${number(value)}${panel.unit ? ` ${panel.unit}` : ""}`),
+      points: { show: false },
+    }));
+    const [abscissa, abscissaUnit] = panel.over;
+    const settings = {
+      width, height, legend: { live: true }, axes: axes(panel),
+      series: [{ label: abscissa, value: (_, v) => (v === null ? "–" : `${number(v, 7)} ${abscissaUnit}`) }, ...series],
+      scales: { x: { time: false, ...(panel.shown ? { min: data[0][0], max: panel.shown } : {}) }, y: panel.logarithmic ? { distr: 3, range: () => decades(data.slice(1)) }
+        : { range: (_, low, high) => (low === null ? [-1, 1] : padded(low, high)) } },
+      cursor: { drag: { x: true, y: false }, sync: { key: panel.group, scales: ["x", null], setSeries: false } },
+      hooks: { draw: [(u) => drawMarks(u, panel.marks)] },
+    };
+    return settings;
+  }
+
+  function span(u) {
+    const abscissas = u.data[0];
+    return [abscissas[0], abscissas[abscissas.length - 1]];
+  }
+
+  /** Shows a stretch in all charts of a group, kept within what there is. */
+  function show(group, from, to) {
+    for (const { plot } of groups.get(group)) {
+      const [first, last] = span(plot);
+      const size = Math.min(to - from, last - first);
+      const start = Math.min(Math.max(from, first), last - size);
+      plot.setScale("x", { min: start, max: start + size });
+    }
+  }
+
+  function keys(chart, event) {
+    const { plot, panel } = chart;
+    const { min, max } = plot.scales.x;
+    const [step, middle] = [(max - min) / 10, (max + min) / 2];
+    const moves = {
+      ArrowLeft: () => show(panel.group, min - step, max - step),
+      ArrowRight: () => show(panel.group, min + step, max + step),
+      "+": () => show(panel.group, middle - 4 * step, middle + 4 * step),
+      "=": () => show(panel.group, middle - 4 * step, middle + 4 * step),
+      "-": () => show(panel.group, middle - 6.25 * step, middle + 6.25 * step),
+      0: () => show(panel.group, ...span(plot)),
+      Escape: () => show(panel.group, ...span(plot)),
+      ",": () => point(plot, -1),
+      ".": () => point(plot, 1),
+    };
+    const move = event.ctrlKey || event.metaKey || event.altKey ? null : moves[event.key];
+    if (!move) return;
+    event.preventDefault();
+    move();
+  }
+
+  /** Moves the reading by one point that is shown. */
+  function point(plot, step) {
+    const { min, max } = plot.scales.x;
+    const abscissas = plot.data[0];
+    const start = plot.cursor.idx ?? abscissas.findIndex((x) => x >= (min + max) / 2);
+    const next = Math.min(Math.max(start + step, 0), abscissas.length - 1);
+    const left = plot.valToPos(abscissas[next], "x");
+    plot.setCursor({ left, top: plot.over.clientHeight / 2 });
+  }
+
+  function build(chart) {
+    const kept = chart.plot && { ...chart.plot.scales.x };
+    chart.plot?.destroy();
+    const settings = options(chart.panel, width(chart), chart.height, chart.data);
+    chart.plot = new uPlot(settings, chart.data, chart.holder);
+    if (kept) chart.plot.setScale("x", kept);
+    for (const entry of chart.holder.querySelectorAll(".u-legend .u-series th")) {
+      entry.tabIndex = 0;
+      entry.onkeydown = (event) => { if (event.key === "Enter") { event.stopPropagation(); entry.click(); } };
+    }
+  }
+
+  const width = (chart) => (document.documentElement.classList.contains("printed") ? 680
+    : Math.max(chart.holder.clientWidth, 280));
+
+  function addChart(panel, group, height, last = true) {
+    const holder = element("div", { class: "chart", tabindex: "0", role: "group",
+      "aria-label": `${named(panel.name)} over ${panel.over[0]}; arrow keys move, plus and minus zoom, 0 shows all, comma and full stop read points` });
+    const data = [floats(panel.curves[0].abscissas), ...panel.curves.map((curve) => floats(curve.values))];
+    const chart = { panel: { ...panel, group, last }, holder, height: last ? height + 20 : height, data };
+    if (panel.logarithmic) chart.data = [data[0], ...data.slice(1).map((curve) => curve.map((v) => (v > 0 ? v : null)))];
+    holder.addEventListener("keydown", (event) => keys(chart, event));
+    charts.push(chart);
+    groups.set(group, [...(groups.get(group) ?? []), chart]);
+    return element("figure", {}, holder);
+  }
+
+  const hint = () => element("p", { class: "quiet screen" },
+    "Drag to zoom, double click to see all. With the keyboard: Tab to a chart, ← → move, + − zoom, 0 shows all, , and . read points, Enter on a name hides its curve.");
+
+  // The orbit.
+
+  function orbitFigure({ revolutions, curve }) {
+    const [xs, ys] = [floats(curve.abscissas), floats(curve.values)];
+    if (xs.length < 2) return null;
+    const bounds = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
+    const [[left, right], [low, high]] = [bounds(xs), bounds(ys)];
+    const half = 0.55 * Math.max(right - left, high - low, 1e-9);
+    const [cx, cy] = [(left + right) / 2, (low + high) / 2];
+    const [size, margin] = [380, 56];
+    const place = (x, y) => [margin + ((x - cx + half) / (2 * half)) * size, margin / 2 + ((cy + half - y) / (2 * half)) * size];
+    const path = xs.map((x, i) => `${i ? "L" : "M"}${place(x, ys[i]).map((v) => v.toFixed(2)).join(" ")}`).join("");
+    const image = drawn("svg", { viewBox: `0 0 ${size + 1.5 * margin} ${size + 1.7 * margin}`, width: "460", role: "img",
+      "aria-label": `Orbit: x from ${number(left)} to ${number(right)}, y from ${number(low)} to ${number(high)} micrometres` });
+    image.append(drawn("rect", { x: margin, y: margin / 2, width: size, height: size, fill: "none", stroke: "var(--line)" }));
+    for (const tick of ticks(cx - half, cx + half)) {
+      const [x, bottom] = [place(tick.at, 0)[0], margin / 2 + size];
+      image.append(drawn("line", { x1: x, x2: x, y1: margin / 2, y2: bottom, stroke: "var(--line)" }));
+      image.append(drawn("text", { x, y: bottom + 16, "text-anchor": "middle" }, tick.text));
+    }
+    for (const tick of ticks(cy - half, cy + half)) {
+      const y = place(0, tick.at)[1];
+      image.append(drawn("line", { x1: margin, x2: margin + size, y1: y, y2: y, stroke: "var(--line)" }));
+      image.append(drawn("text", { x: margin - 5, y: y + 4, "text-anchor": "end" }, tick.text));
+    }
+    image.append(drawn("path", { d: path, fill: "none", stroke: "var(--c0)", "stroke-width": "1.2" }));
+    const told = ["the last " + number(revolutions, 3) + " revolutions, seen along −Z"];
+    (sections ?? []).forEach((section, index) => {
+      const name = `var(--c${1 + (index % 5)})`;
+      const [px, py] = [floats(section.abscissas), floats(section.values)];
+      px.forEach((x, i) => {
+        const [cx_, cy_] = place(x, py[i]);
+        image.append(drawn("circle", { cx: cx_.toFixed(2), cy: cy_.toFixed(2), r: 2.2, fill: name }));
+      });
+      told.push(`${["orange", "green"][index] ?? "coloured"} points: once per ${section.name.replaceAll("_", " ")}`);
+    });
+    image.append(drawn("text", { x: margin + size / 2, y: size + 1.4 * margin, "text-anchor": "middle" }, "x in µm"));
+    image.append(drawn("text", { x: 12, y: margin / 2 + size / 2, "text-anchor": "middle",
+      transform: `rotate(-90 12 ${margin / 2 + size / 2})` }, "y in µm"));
+    const reading = element("figcaption", {}, told.join("; "));
+    const still = reading.textContent;
+    image.addEventListener("pointermove", (event) => {
+      const box = image.getBoundingClientRect();
+      const scale = (size + 1.5 * margin) / box.width;
+      const [px, py] = [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
+      let [best, distance] = [0, Infinity];
+      xs.forEach((x, i) => {
+        const [qx, qy] = place(x, ys[i]);
+        const d = (qx - px) ** 2 + (qy - py) ** 2;
+        if (d < distance) [best, distance] = [i, d];
+      });
+      reading.textContent = distance < 400 ? `x ${number(xs[best])} µm, y ${number(ys[best])} µm` : still;
+    });
+    image.addEventListener("pointerleave", () => { reading.textContent = still; });
+    return element("figure", {}, image, reading);
+  }
+
+  /** Round values that divide a range into about four, with as many decimals as tell them apart. */
+  function ticks(low, high) {
+    const rough = (high - low) / 4;
+    const power = 10 ** Math.floor(Math.log10(rough));
+    const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= rough);
+    const decimals = Math.max(0, -Math.floor(Math.log10(step)));
+    const found = [];
+    for (let k = Math.ceil(low / step); k * step <= high && found.length < 20; k += 1) {
+      found.push({ at: k * step, text: (k * step).toFixed(decimals) });
+    }
+    return found;
+  }
+
+  // Balls at the equilibrium.
+
+  function ballFigure(bearing, index, count) {
+    const size = 300;
+    const [centre, pitch, longest] = [size / 2, 62, 70];
+    const largest = Math.max(...bearing.flatMap((ball) => ball.load), 1e-300);
+    const at = (azimuth, radius) => {
+      const angle = (azimuth * Math.PI) / 180;
+      return [centre + radius * Math.cos(angle), centre - radius * Math.sin(angle)];
+    };
+    const image = drawn("svg", { viewBox: `0 0 ${size} ${size}`, width: size, role: "img",
+      "aria-label": `Ball loads around bearing ${index + 1}, the largest ${number(largest)} newtons` });
+    for (const radius of [pitch, pitch + 12 + longest]) {
+      image.append(drawn("circle", { cx: centre, cy: centre, r: radius, fill: "none", stroke: "var(--line)" }));
+    }
+    bearing.forEach((ball, number_) => {
+      const [x, y] = at(ball.azimuth, pitch);
+      const outwards = (load, shift, name) => {
+        const [fx, fy] = at(ball.azimuth + shift, pitch + 12);
+        const [tx, ty] = at(ball.azimuth + shift, pitch + 12 + (longest * load) / largest);
+        image.append(drawn("line", { x1: fx, y1: fy, x2: tx, y2: ty, stroke: `var(${name})`, "stroke-width": 4 }));
+      };
+      outwards(ball.load[0], 2, "--c0");
+      outwards(ball.load[1], -2, "--c1");
+      image.append(drawn("circle", { cx: x, cy: y, r: 10, fill: ball.load[0] > 0 ? "var(--panel)" : "none", stroke: "var(--ink)" }));
+      image.append(drawn("text", { x, y: y + 4, "text-anchor": "middle" }, String(number_ + 1)));
+    });
+    image.append(drawn("text", { x: centre, y: centre + 4, "text-anchor": "middle" }, `${number(largest, 4)} N`));
+    const name = count > 1 ? `Bearing ${index + 1}. ` : "";
+    const rows = bearing.map((ball, k) => [String(k + 1), number(ball.azimuth, 4), ...ball.load.map((v) => number(v)), ...ball.angle.map((v) => number(v))]);
+    const details = element("details", {}, element("summary", {}, "as a table"),
+      table(["ball", "azimuth in °", "load inner in N", "load outer in N", "angle inner in °", "angle outer in °"], rows));
+    return element("figure", {}, image, element("figcaption", {},
+      `${name}Loads at inner (blue) and outer race (orange), X to the right, Y up; the outer circle is the largest load.`), details);
+  }
+
+  // Sections.
+
+  /** A figure as it stands in the folder, on paper of its own. */
+  function drawnFigure({ name, svg }) {
+    const image = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+    image.setAttribute("role", "img");
+    image.setAttribute("aria-label", name);
+    return element("figure", { class: "paper" }, document.importNode(image, true), element("figcaption", {}, name));
+  }
+
+  function kindText({ name, section, cycles }) {
+    if (name === "periodic") return `${name}, ${cycles} × ${section.replaceAll("_", " ")}`;
+    return name;
+  }
+
+  /** Statistics of a motion after its settle time. */
+  function statistics(motion) {
+    const rows = motion.statistics.map((entry) => {
+      const [, name, unit] = /^(.*?)_(N_m|m|rad|N)$/.exec(entry.channel);
+      const of = (value) => (value === null || value === undefined ? "–" : shown(value, unit.replace("_", " ")));
+      return [named(name), of(entry.mean), of(entry.rms), of(entry.peak), of(entry.peak_to_peak),
+        number(entry.crest_factor, 4), number(entry.kurtosis, 4)];
+    });
+    return table(["channel", "mean", "RMS", "peak", "peak to peak", "crest factor", "kurtosis"], rows,
+      "After the settle time; RMS, peak and kurtosis about the mean.");
+  }
+
+  function speedText({ constant, from, to, drive, profile }) {
+    if (constant) return constant;
+    if (from || to) return `${from ?? "0 rpm"} to ${to}`;
+    if (drive) return "by a drive";
+    return profile ? "by a profile" : "–";
+  }
+
+  function largestOf(name) {
+    const panel = histories.find((entry) => entry.name === name);
+    return panel ? floats(panel.curves[0].values).reduce((a, b) => Math.max(a, b), 0) : null;
+  }
+
+  function keyNumbers() {
+    const error = summary.measured_error;
+    const first = summary.natural_frequencies[0];
+    const load = largestOf("largest ball load");
+    const lives = summary.bearings.map((bearing) => bearing.life?.after_settle.life_h ?? bearing.life?.whole_run.life_h).filter((h) => h);
+    const ballsOf = summary.ball_pass[0];
+    const peak = [...summary.peaks].filter((entry) => entry.unit === "m").sort((a, b) => b.amplitude - a.amplitude)[0];
+    return tiles([
+      ["speed", speedText(summary.scenario.speed ?? {})],
+      ["measured error", error ? `${number(error.relative, 3)} of the motion` : "not measured",
+        error && `${shown(error.displacement_m, "m")}; tolerance asked ${number(error.tolerance, 3)}`],
+      summary.motion && ["kind of motion", kindText(summary.motion.kind), summary.motion.settling
+        && (summary.motion.settling.settled ? "settled" : "not settled")],
+      peak && ["strongest line", shown(peak.amplitude, "m"), `${peak.channel} at ${number(peak.frequency_Hz)} Hz${peak.label ? `, ${peak.label}` : ""}`],
+      load && ["largest ball load", `${number(load)} N`],
+      first && ["lowest natural frequency", `${number(first.frequency_Hz)} Hz`, `damping ratio ${number(first.damping_ratio, 3)}`],
+      ballsOf && ballsOf.outer_Hz > 0 && ["ball pass, outer race", `${number(ballsOf.outer_Hz)} Hz`, `inner race ${number(ballsOf.inner_Hz)} Hz`],
+      lives.length > 0 && ["life L10r", `${number(Math.min(...lives), 4)} h`, "of this motion, shortest-lived bearing"],
+      ["evaluations", number(summary.counters.evaluations, 9), `${number(summary.counters.steps, 9)} steps, ${summary.counters.rejected} rejected`],
+    ]);
+  }
+
+  function warnings() {
+    const all = summary.warnings.map((text) => element("p", { class: "warning" }, text));
+    return all.length ? all : [element("p", { class: "quiet" }, "None.")];
+  }
+
+  function equilibrium() {
+    const places = Object.entries(summary.equilibrium).flatMap(([key, value]) => {
+      const [, name, unit] = /^(.*)_(m|rad)$/.exec(key) ?? [];
+      return name ? [{ name, value, unit }] : [];
+    });
+    // what is round-off beside the others is zero
+    const largest = Math.max(...places.map(({ value }) => Math.abs(value)));
+    const place = places.map(({ name, value, unit }) =>
+      [named(name), shown(Math.abs(value) < 1e-12 * largest ? 0 : value, unit)]);
+    const columns = ["x", "y", "z", "θx", "θy"];
+    // of N/m: per µm and per mrad
+    const factor = (column) => (column < 3 ? 1e-6 : 1e-3);
+    const rows = summary.stiffness.matrix.map((row, r) => [
+      r < 3 ? `force ${columns[r]} in N` : `moment ${columns[r][1]} in N m`,
+      ...row.map((value, c) => number(Math.abs(value) < 1e-12 * Math.sqrt(Math.abs(summary.stiffness.matrix[r][r] * summary.stiffness.matrix[c][c])) ? 0 : value * factor(c), 4)),
+    ]);
+    const stiffness = table(["stiffness", "x, µm", "y, µm", "z, µm", "θx, mrad", "θy, mrad"], rows, "Force and moment that the bearings need per displacement and tilt.");
+    const frequencies = table(["natural frequency in Hz", "damping ratio"],
+      summary.natural_frequencies.map((entry) => [number(entry.frequency_Hz), number(entry.damping_ratio, 4)]), "Linearised here.", 0);
+    const figures = balls.flatMap((bearing, index) => (bearing ? [ballFigure(bearing, index, balls.length)] : []));
+    return [element("div", { class: "side" }, table(["place", ""], place), stiffness, frequencies), element("div", { class: "side" }, ...figures)];
+  }
+
+  function bearings() {
+    const passes = summary.ball_pass.map((pass, index) => [String(index + 1), ...[pass.outer_Hz, pass.inner_Hz, pass.spin_Hz, pass.cage_Hz].map((v) => number(v))]);
+    const told = summary.bearings.map((bearing, index) => {
+      const zone = bearing.load_zone;
+      const life = bearing.life?.after_settle.life_h ? bearing.life.after_settle : bearing.life?.whole_run;
+      return [String(index + 1), zone ? `${zone.balls_loaded.smallest} to ${zone.balls_loaded.largest} of ${bearing.balls}` : "–",
+        String(bearing.events?.contact_lost?.count ?? "–"), String(bearing.events?.preload_lost?.count ?? "–"),
+        number(life?.life_Mrev), number(life?.life_h)];
+    });
+    return [
+      table(["bearing", "outer race in Hz", "inner race in Hz", "ball spin in Hz", "cage in Hz"], passes, "Ball-pass frequencies."),
+      table(["bearing", "loaded balls", "contact lost", "preload lost", "life in 10⁶ revolutions", "life in h"], told),
+    ];
+  }
+
+  function peaks() {
+    const rows = summary.peaks.map((peak) => [named(peak.channel), peak.label ?? "", number(peak.frequency_Hz, 7),
+      number(peak.order, 6), shown(peak.amplitude, peak.unit), number(peak.distance_Hz, 2)]);
+    return element("details", { open: "" }, element("summary", {}, `${rows.length} peaks`),
+      table(["channel", "name", "frequency in Hz", "order", "amplitude", "off the name in Hz"], rows, null, 2));
+  }
+
+  function accuracy() {
+    const error = summary.measured_error;
+    const row = (name, counters) => [name, ...[counters.evaluations, counters.steps, counters.rejected].map((v) => number(v, 9))];
+    const rows = [row("run", summary.counters), ...(error ? [row("second pass", error.reference_counters)] : [])];
+    const text = error
+      ? `The run was repeated at tolerance ${number(error.reference_tolerance, 3)}; the largest difference of any sample is ${shown(error.displacement_m, "m")}, ${number(error.relative, 3)} of the motion. Asked: ${number(error.tolerance, 3)}.`
+      : "Not measured: the second pass was left out.";
+    return [element("p", {}, text), table(["pass", "evaluations", "steps", "rejected"], rows)];
+  }
+
+  function energy() {
+    const account = summary.energy;
+    const rows = [["kinetic energy, change", account.kinetic_change_J], ["stored energy, change", account.stored_change_J],
+      ...Object.entries(account.supplied_J).map(([name, value]) => [`supplied by ${name}`, value]),
+      ...Object.entries(account.dissipated_J).map(([name, value]) => [`dissipated by ${name.replaceAll("_", " ")}`, value]),
+      ["largest residual", account.largest_residual_J]].filter(([, value]) => value !== null);
+    return table(["account", "J"], rows.map(([name, value]) => [name, number(value)]),
+      `The residual is ${number(account.relative_residual, 3)} of the energy turned over.`);
+  }
+
+  function write() {
+    document.getElementById("origin").textContent = `jeffcott ${summary.jeffcott}, ${summary.samples} samples`;
+    section("numbers", "Key numbers", keyNumbers());
+    section("warnings", "Warnings", ...warnings());
+    section("equilibrium", "Static equilibrium", ...equilibrium());
+    if (histories.length) {
+      section("motion", "Motion", hint(), ...histories.map((panel, index) =>
+        addChart(panel, "time", 170, index === histories.length - 1)));
+    }
+    const orbitDrawn = orbitFigure(orbit);
+    if (orbitDrawn) section("orbit", "Orbit", orbitDrawn);
+    if (summary.motion) section("statistics", "Statistics", statistics(summary.motion));
+    if (figures.length) section("maps", "Maps", ...figures.map(drawnFigure));
+    if (spectra) section("spectra", "Spectra", ...spectra.map((panel) => addChart(panel, "frequency", 320)), peaks());
+    section("bearings", "Bearings", ...bearings());
+    if (summary.energy) section("energy", "Energy", energy());
+    section("error", "Error and work", ...accuracy());
+    section("scenario", "Scenario", element("details", {}, element("summary", {}, "as it was run, with defaults"),
+      element("pre", {}, JSON.stringify(summary.scenario, null, 2))));
+  }
+
+  write();
+  charts.forEach(build);
+  const rebuild = () => charts.forEach(build);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", rebuild);
+  const printed = (on) => () => { document.documentElement.classList.toggle("printed", on); rebuild(); };
+  addEventListener("beforeprint", printed(true));
+  addEventListener("afterprint", printed(false));
+  let waiting = 0;
+  addEventListener("resize", () => {
+    clearTimeout(waiting);
+    waiting = setTimeout(() => charts.forEach((chart) => chart.plot.setSize({ width: width(chart), height: chart.height })), 100);
+  });
+  document.documentElement.dataset.readyMs = String(Math.round(performance.now()));
+})();

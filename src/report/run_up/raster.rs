@@ -1,0 +1,121 @@
+//! The cells of a waterfall over time and over speed, as levels of brightness.
+
+use crate::analysis::Waterfall;
+
+/// Most cells along an axis: more cannot be seen.
+const MOST_CELLS: usize = 320;
+/// Cells along the axis of speed.
+const SPEED_CELLS: usize = 200;
+/// Decades below the loudest cell that are told apart.
+pub(super) const DECADES: f64 = 4.0;
+/// Bins that hold the mean, which was taken away.
+const MEAN_BINS: usize = 1;
+
+/// Amplitudes over one axis and frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Raster {
+    /// Ends of the first axis, s or rad/s.
+    pub ends: [f64; 2],
+    /// Ends of the axis of frequencies, Hz.
+    pub frequencies: [f64; 2],
+    /// Columns by the first axis, each by rising frequency, m.
+    columns: Vec<Vec<f64>>,
+}
+
+impl Raster {
+    /// Over time: a column a spectrum, neighbours joined where they are too many.
+    pub fn over_time(waterfall: &Waterfall, channel: usize) -> Self {
+        let slices = &waterfall.slices;
+        let step = waterfall.window() * waterfall.hop as f64 / waterfall.length as f64;
+        let columns = slices
+            .chunks(slices.len().div_ceil(MOST_CELLS).max(1))
+            .map(|some| mean_square(waterfall, channel, some.iter()))
+            .collect();
+        let end = |slice: Option<&crate::analysis::Slice>| slice.map_or(0.0, |slice| slice.time);
+        Self {
+            ends: [
+                end(slices.first()) - 0.5 * step,
+                end(slices.last()) + 0.5 * step,
+            ],
+            frequencies: frequencies(waterfall),
+            columns,
+        }
+    }
+
+    /// Over speed: in a column all spectra of about its speed, or the nearest one where there is none.
+    pub fn over_speed(waterfall: &Waterfall, channel: usize) -> Self {
+        let slices = &waterfall.slices;
+        let speeds = slices.iter().map(|slice| slice.speed);
+        let (low, high) = speeds.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), speed| {
+            (low.min(speed), high.max(speed))
+        });
+        let step = (high - low) / SPEED_CELLS as f64;
+        let columns = (0..SPEED_CELLS).map(|cell| {
+            let middle = low + (cell as f64 + 0.5) * step;
+            let away = |speed: f64| (speed - middle).abs();
+            let nearest = slices
+                .iter()
+                .map(|slice| away(slice.speed))
+                .fold(f64::INFINITY, f64::min);
+            let reach = nearest.max(0.5 * step);
+            mean_square(
+                waterfall,
+                channel,
+                slices.iter().filter(|slice| away(slice.speed) <= reach),
+            )
+        });
+        Self {
+            ends: [low, high],
+            frequencies: frequencies(waterfall),
+            columns: columns.collect(),
+        }
+    }
+
+    /// Loudest cell but for the mean, m.
+    pub fn loudest(&self) -> f64 {
+        let cells = self
+            .columns
+            .iter()
+            .flat_map(|column| column.iter().skip(MEAN_BINS));
+        cells.copied().fold(0.0, f64::max)
+    }
+
+    /// Pixels row by row from the highest frequency down, 0 at [`DECADES`] below `loudest` or less, 255
+    /// there or above; the number of columns before.
+    pub fn pixels(&self, loudest: f64) -> (usize, Vec<u8>) {
+        let height = self.columns.first().map_or(0, Vec::len);
+        let joined = height.div_ceil(MOST_CELLS).max(1);
+        let level = |row: usize, column: &Vec<f64>| {
+            let cells = column[row * joined..((row + 1) * joined).min(height)].iter();
+            let value = cells.copied().fold(0.0, f64::max);
+            let part = 1.0 + (value / loudest).log10() / DECADES;
+            (255.0 * part.clamp(0.0, 1.0)).round() as u8
+        };
+        let rows = (0..height.div_ceil(joined)).rev();
+        let pixels = rows.flat_map(|row| self.columns.iter().map(move |column| level(row, column)));
+        (self.columns.len(), pixels.collect())
+    }
+}
+
+/// A bin is as wide as the step of frequencies, about its middle.
+fn frequencies(waterfall: &Waterfall) -> [f64; 2] {
+    let half = 0.5 * waterfall.resolution;
+    [-half, waterfall.bins() as f64 * waterfall.resolution - half]
+}
+
+/// Root of the mean square of some spectra.
+fn mean_square<'a>(
+    waterfall: &Waterfall,
+    channel: usize,
+    slices: impl Iterator<Item = &'a crate::analysis::Slice>,
+) -> Vec<f64> {
+    let mut sums = vec![0.0; waterfall.bins()];
+    let mut count = 0.0;
+    for slice in slices {
+        count += 1.0;
+        for (sum, amplitude) in sums.iter_mut().zip(&slice.amplitude[channel]) {
+            *sum += amplitude * amplitude;
+        }
+    }
+    sums.iter().map(|sum: &f64| (sum / count).sqrt()).collect()
+}

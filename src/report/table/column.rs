@@ -1,0 +1,40 @@
+//! What a column of a table is called, and what its numbers stand for.
+
+use std::borrow::Cow;
+
+/// What the numbers of a column stand for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ColumnKind {
+    /// A real number.
+    Number,
+    /// A whole number, exact below 2^53.
+    Count,
+    /// A whole number, or nothing where it is NaN.
+    OptionalCount,
+    /// The word at this index.
+    Word(&'static [&'static str]),
+}
+
+/// A column of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    /// Quantity and unit, valid as a name in MATLAB and pandas: `x_velocity_m_s`.
+    pub name: Cow<'static, str>,
+    /// What its numbers stand for.
+    pub kind: ColumnKind,
+}
+
+impl Column {
+    /// A column of real numbers.
+    pub fn number(name: impl Into<Cow<'static, str>>) -> Self {
+        Self::of(name, ColumnKind::Number)
+    }
+
+    /// A column of a kind.
+    pub fn of(name: impl Into<Cow<'static, str>>, kind: ColumnKind) -> Self {
+        Self {
+            name: name.into(),
+            kind,
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! A table as CSV.
+
+use std::io::{self, Write};
+
+use super::{Column, ColumnKind};
+
+/// Writes rows of numbers in the shortest form that reads back to the same value.
+///
+/// ```
+/// use jeffcott::report::{Column, ColumnKind, CsvTable};
+/// let columns = [Column::number("x_m"), Column::of("balls", ColumnKind::Count)];
+/// let mut table = CsvTable::new(Vec::new(), &columns)?;
+/// table.row(&[0.1 + 0.2, 7.0])?;
+/// assert_eq!(table.finish()?, b"x_m,balls\n0.30000000000000004,7\n");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct CsvTable<W: Write> {
+    writer: W,
+    kinds: Vec<ColumnKind>,
+    /// Kept from row to row for its room.
+    line: Vec<u8>,
+}
+
+impl<W: Write> CsvTable<W> {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// What the writer answers.
+    pub fn new(mut writer: W, columns: &[Column]) -> io::Result<Self> {
+        let names: Vec<&str> = columns.iter().map(|column| &*column.name).collect();
+        writeln!(writer, "{}", names.join(","))?;
+        Ok(Self {
+            writer,
+            kinds: columns.iter().map(|column| column.kind).collect(),
+            line: Vec::new(),
+        })
+    }
+
+    /// Writes a row, one number a column.
+    ///
+    /// # Errors
+    /// What the writer answers.
+    pub fn row(&mut self, row: &[f64]) -> io::Result<()> {
+        self.line.clear();
+        for (value, kind) in row.iter().zip(&self.kinds) {
+            cell(*value, *kind, &mut self.line);
+            self.line.push(b',');
+        }
+        if let Some(last) = self.line.last_mut() {
+            *last = b'\n';
+        }
+        self.writer.write_all(&self.line)
+    }
+
+    /// Gives the writer back.
+    ///
+    /// # Errors
+    /// What the writer answers.
+    pub fn finish(mut self) -> io::Result<W> {
+        self.writer.flush()?;
+        Ok(self.writer)
+    }
+}
+
+fn cell(value: f64, kind: ColumnKind, line: &mut Vec<u8>) {
+    match kind {
+        ColumnKind::Number => {
+            let mut digits = ryu::Buffer::new();
+            line.extend_from_slice(digits.format(value).as_bytes());
+        }
+        ColumnKind::OptionalCount if value.is_nan() => {}
+        ColumnKind::Count | ColumnKind::OptionalCount => {
+            let mut digits = itoa::Buffer::new();
+            line.extend_from_slice(digits.format(value as i64).as_bytes());
+        }
+        ColumnKind::Word(words) => {
+            let word = words.get(value as usize).copied().unwrap_or_default();
+            line.extend_from_slice(word.as_bytes());
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! `[[spectrum]]`.
+
+mod channels;
+mod checks;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::output::WindowChoice;
+use crate::analysis::{Axis, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest};
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Frequency, Quantity, Time};
+use channels::ChannelChoice;
+pub use checks::Recorded;
+
+/// Share of a segment that the next one holds, where none is given: as in SciPy and Matlab.
+const OVERLAP: f64 = 0.5;
+
+/// A spectrum of its own, in `spectrum_<name>.csv`; its settings stand in `summary.json`. It is taken
+/// of what comes after `settle`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-at-most-one" = ["segment", "segment_revolutions", "segment_samples"]))]
+pub struct SpectrumSpec {
+    /// Its name, of letters, digits, `_` and `-`. Default: made of kind, scaling and `over`, for
+    /// instance "envelope_peak".
+    #[schemars(extend("examples" = ["velocity"]))]
+    pub name: Option<String>,
+    /// Channels, or groups of them: "displacement", "velocity", "acceleration" and "force" stand for
+    /// all freedoms that move. A whirl takes pairs of x and y; a cross spectrum takes the first
+    /// channel as reference of each of the others.
+    #[schemars(extend("minItems" = 1, "examples" = [["displacement"]]))]
+    pub channels: Vec<ChannelChoice>,
+    /// What is made of the channels. Default: "plain".
+    #[serde(default)]
+    pub kind: KindChoice,
+    /// What the values are. Default: "peak"; of a cross spectrum "density".
+    pub scaling: Option<ScalingChoice>,
+    /// Window of every segment, periodic. Default: "hann".
+    #[serde(default = "hann")]
+    pub window: WindowChoice,
+    /// Length of the segments whose powers are averaged (Welch). Default: one segment, all there is;
+    /// with samples per revolution the last whole revolutions.
+    #[schemars(extend("examples" = ["0.1 s"], "x-above" = 0.0))]
+    pub segment: Option<Quantity<Time>>,
+    /// The same in revolutions, 1 to 1000000.
+    #[schemars(range(min = 1, max = 1_000_000))]
+    pub segment_revolutions: Option<u32>,
+    /// The same in samples, at least 16.
+    #[schemars(range(min = 16, max = 1_000_000_000))]
+    pub segment_samples: Option<u32>,
+    /// Share of a segment that the next one holds too, 0 to 0.95. Default: 0.5.
+    #[serde(default = "overlap")]
+    #[schemars(range(min = 0.0, max = 0.95))]
+    pub overlap: f64,
+    /// What is taken out of every segment before its window. Default: "constant".
+    #[serde(default)]
+    pub detrend: DetrendChoice,
+    /// What the spectrum stands over. Default: "frequency".
+    #[serde(default)]
+    pub over: AxisChoice,
+    /// Lowest and highest frequency of what the envelope is taken of, for instance
+    /// ["1 kHz", "5 kHz"].
+    #[schemars(extend("maxItems" = 2, "examples" = [["1 kHz", "5 kHz"]]))]
+    pub band: Option<Vec<Quantity<Frequency>>>,
+}
+
+/// What is made of the channels.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum KindChoice {
+    /// A one-sided spectrum of each.
+    #[default]
+    Plain,
+    /// The same of the envelope of what stands in a `band`: what knocks regularly.
+    Envelope,
+    /// Two-sided spectra of x + iy: positive frequencies turn with the shaft, negative ones against it.
+    Whirl,
+    /// Cross spectra of the first channel with each other one: magnitude, phase and, where segments
+    /// are averaged, coherence.
+    Cross,
+}
+
+/// What the values of a spectrum are.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum ScalingChoice {
+    /// Amplitude.
+    Peak,
+    /// Root mean square.
+    Rms,
+    /// Twice the amplitude.
+    PeakToPeak,
+    /// Mean square: "spectrum" of SciPy, "power" of Matlab.
+    Power,
+    /// Mean square per Hz or per order: "density" of SciPy, "psd" of Matlab.
+    Density,
+}
+
+/// What is taken out of every segment.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DetrendChoice {
+    /// Nothing.
+    None,
+    /// The mean.
+    #[default]
+    Constant,
+    /// The straight line of least squares.
+    Linear,
+}
+
+/// What a spectrum stands over.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum AxisChoice {
+    /// Frequency in Hz.
+    #[default]
+    Frequency,
+    /// Shaft orders; at a changing speed of samples at equal shaft angles.
+    Order,
+}
+
+fn hann() -> WindowChoice {
+    WindowChoice::Hann
+}
+
+fn overlap() -> f64 {
+    OVERLAP
+}
+
+impl From<ScalingChoice> for Scaling {
+    fn from(choice: ScalingChoice) -> Self {
+        match choice {
+            ScalingChoice::Peak => Self::Peak,
+            ScalingChoice::Rms => Self::Rms,
+            ScalingChoice::PeakToPeak => Self::PeakToPeak,
+            ScalingChoice::Power => Self::Power,
+            ScalingChoice::Density => Self::Density,
+        }
+    }
+}
+
+impl From<DetrendChoice> for Detrend {
+    fn from(choice: DetrendChoice) -> Self {
+        match choice {
+            DetrendChoice::None => Self::None,
+            DetrendChoice::Constant => Self::Constant,
+            DetrendChoice::Linear => Self::Linear,
+        }
+    }
+}
+
+impl From<AxisChoice> for Axis {
+    fn from(choice: AxisChoice) -> Self {
+        match choice {
+            AxisChoice::Frequency => Self::Frequency,
+            AxisChoice::Order => Self::Order,
+        }
+    }
+}
+
+/// The spectra that are asked for, as far as nothing contradicts them.
+pub fn build(
+    spectra: &[SpectrumSpec],
+    recorded: &Recorded<'_>,
+    problems: &mut Problems<'_>,
+) -> Vec<SpectrumRequest> {
+    let mut requests: Vec<SpectrumRequest> = Vec::new();
+    for (index, spec) in spectra.iter().enumerate() {
+        let path = format!("spectrum[{index}]");
+        let name = spec.name();
+        spec.check_name(&path, &name, &requests, problems);
+        requests.extend(spec.request(&path, name, recorded, problems));
+    }
+    requests
+}
+
+impl SpectrumSpec {
+    fn request(
+        &self,
+        path: &str,
+        name: String,
+        recorded: &Recorded<'_>,
+        problems: &mut Problems<'_>,
+    ) -> Option<SpectrumRequest> {
+        let channels = self.channels(path, recorded.freedoms, problems);
+        self.check_scaling(path, problems);
+        self.check_segment(path, recorded, problems);
+        let band = self.band(path, recorded, problems);
+        Some(SpectrumRequest {
+            name,
+            kind: match self.kind {
+                KindChoice::Plain => SpectrumKind::Plain,
+                KindChoice::Envelope => SpectrumKind::Envelope { band: band? },
+                KindChoice::Whirl => SpectrumKind::Whirl,
+                KindChoice::Cross => SpectrumKind::Cross,
+            },
+            channels,
+            scaling: self.scaling().into(),
+            window: self.window.into(),
+            segment: self.segment(),
+            overlap: self.overlap,
+            detrend: self.detrend.into(),
+            axis: self.over.into(),
+        })
+    }
+
+    fn scaling(&self) -> ScalingChoice {
+        self.scaling.unwrap_or(match self.kind {
+            KindChoice::Cross => ScalingChoice::Density,
+            _ => ScalingChoice::Peak,
+        })
+    }
+
+    fn segment(&self) -> Segment {
+        let seconds = self.segment.as_ref();
+        let seconds = seconds.map(|segment| Segment::Seconds(segment.si()));
+        let revolutions = self.segment_revolutions.map(Segment::Revolutions);
+        let samples = self.segment_samples;
+        let samples = samples.map(|count| Segment::Samples(count as usize));
+        seconds
+            .or(revolutions)
+            .or(samples)
+            .unwrap_or(Segment::Whole)
+    }
+
+    /// As given, or made of what tells spectra apart.
+    fn name(&self) -> String {
+        if let Some(name) = &self.name {
+            return name.clone();
+        }
+        let kind = match self.kind {
+            KindChoice::Plain => "",
+            KindChoice::Envelope => "envelope_",
+            KindChoice::Whirl => "whirl_",
+            KindChoice::Cross => "cross_",
+        };
+        let over = match self.over {
+            AxisChoice::Frequency => "",
+            AxisChoice::Order => "_order",
+        };
+        format!("{kind}{}{over}", Scaling::from(self.scaling()).name())
+    }
+}

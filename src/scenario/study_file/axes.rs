@@ -1,0 +1,235 @@
+//! From `[[axis]]` to the values of a plan.
+
+use super::spec::{AxisSpec, DistributionChoice, SpacingChoice};
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::scalar::Scalar;
+use crate::scenario::vary::Key;
+use crate::study::Variable;
+use crate::study::plan::{Axis, AxisValues, Distribution};
+
+/// How many standard deviations a normal distribution reaches: beyond lies less than one draw in 10¹⁶.
+const REACH: f64 = 8.3;
+
+/// An axis of a study: a key of the base and its values.
+pub(super) struct AxisBuilder<'a, 'p> {
+    /// Path of the axis in the study file.
+    pub path: String,
+    pub spec: &'a AxisSpec,
+    pub key: &'a Key<'static>,
+    pub problems: &'a mut Problems<'p>,
+}
+
+impl AxisBuilder<'_, '_> {
+    /// The axis with what varies, if nothing contradicts it.
+    pub fn build(mut self) -> Option<(Axis, Variable)> {
+        self.refuse_strangers();
+        let values = match (&self.spec.values, self.spec.distribution) {
+            (Some(values), _) => self.listed(values.len())?,
+            (None, Some(choice)) => AxisValues::Drawn(self.drawn(choice)?),
+            (None, None) => self.spaced()?,
+        };
+        let shown = self.shown()?;
+        Some((Axis { values }, shown))
+    }
+
+    fn at(&self, name: &str) -> String {
+        format!("{}.{name}", self.path)
+    }
+
+    fn refuse(&mut self, name: &str, message: String, help: &str) {
+        let issue = Issue::new(self.at(name), message).help(help);
+        self.problems.refuse(issue, &[]);
+    }
+
+    /// Keys that are given.
+    fn given(&self) -> [(&'static str, &Option<Scalar>); 7] {
+        let spec = self.spec;
+        [
+            ("from", &spec.from),
+            ("to", &spec.to),
+            ("mean", &spec.mean),
+            ("deviation", &spec.deviation),
+            ("mode", &spec.mode),
+            ("lowest", &spec.lowest),
+            ("highest", &spec.highest),
+        ]
+    }
+
+    /// Refuses keys that do not belong to the way in which the values are given.
+    fn refuse_strangers(&mut self) {
+        let (way, own): (&str, &[&str]) = match (&self.spec.values, self.spec.distribution) {
+            (Some(_), _) => ("`values`", &[]),
+            (None, None) => ("`count`", &["from", "to"]),
+            (None, Some(DistributionChoice::Uniform)) => {
+                ("distribution = \"uniform\"", &["from", "to"])
+            }
+            (None, Some(DistributionChoice::Normal)) => (
+                "distribution = \"normal\"",
+                &["mean", "deviation", "lowest", "highest"],
+            ),
+            (None, Some(DistributionChoice::Triangular)) => (
+                "distribution = \"triangular\"",
+                &["lowest", "mode", "highest"],
+            ),
+        };
+        let given = self.given();
+        let strangers = given
+            .iter()
+            .filter(|(name, value)| value.is_some() && !own.contains(name));
+        let strangers: Vec<_> = strangers.map(|(name, _)| *name).collect();
+        for name in strangers {
+            self.refuse(
+                name,
+                format!("{way} does not go with `{name}`"),
+                "remove it",
+            );
+        }
+        if self.spec.spacing.is_some() && self.spec.count.is_none() {
+            let message = format!("{way} does not go with `spacing`");
+            self.refuse("spacing", message, "remove it");
+        }
+    }
+
+    /// A value of the key in SI units.
+    fn number(&mut self, name: &str) -> Option<f64> {
+        let value = self.key.read(self.at(name), self.problems)?;
+        Some(self.key.si(&value.value))
+    }
+
+    /// A value that must be given.
+    fn needed(&mut self, name: &'static str, by: &str) -> Option<f64> {
+        let missing = self
+            .given()
+            .iter()
+            .any(|(key, value)| *key == name && value.is_none());
+        if missing {
+            let message = format!("{by} needs `{name}`");
+            let issue = Issue::new(self.path.clone(), message);
+            self.problems.refuse(issue, &[]);
+            return None;
+        }
+        self.number(name)
+    }
+
+    fn listed(&mut self, count: usize) -> Option<AxisValues> {
+        let values = (0..count).map(|index| self.number(&format!("values[{index}]")));
+        let values: Vec<_> = values.collect();
+        Some(AxisValues::Listed(
+            values.into_iter().collect::<Option<_>>()?,
+        ))
+    }
+
+    fn spaced(&mut self) -> Option<AxisValues> {
+        if self.key.is_whole() {
+            let message = format!("`{}` is a whole number", self.spec.key);
+            self.refuse("count", message, "list its `values`");
+            return None;
+        }
+        let ends = ["from", "to"].map(|name| self.needed(name, "`count`"));
+        let [Some(from), Some(to)] = ends else {
+            return None;
+        };
+        let logarithmic = self.spec.spacing == Some(SpacingChoice::Logarithmic);
+        if logarithmic && !(from > 0.0 && to > 0.0) {
+            let message = "values of equal ratios cannot come from zero or below".to_owned();
+            self.refuse("spacing", message, "let both ends be above zero");
+            return None;
+        }
+        Some(AxisValues::Spaced {
+            from,
+            to,
+            count: self.spec.count?,
+            logarithmic,
+        })
+    }
+
+    fn drawn(&mut self, choice: DistributionChoice) -> Option<Distribution> {
+        if self.key.is_whole() {
+            let message = format!("`{}` is a whole number", self.spec.key);
+            self.refuse(
+                "distribution",
+                message,
+                "list its `values`: they are drawn evenly",
+            );
+            return None;
+        }
+        let distribution = match choice {
+            DistributionChoice::Uniform => {
+                let ends = ["from", "to"].map(|name| self.needed(name, "a uniform distribution"));
+                let [Some(lowest), Some(highest)] = ends else {
+                    return None;
+                };
+                Distribution::Uniform { lowest, highest }
+            }
+            DistributionChoice::Normal => self.normal()?,
+            DistributionChoice::Triangular => {
+                let corners = ["lowest", "mode", "highest"]
+                    .map(|name| self.needed(name, "a triangular distribution"));
+                let [Some(lowest), Some(mode), Some(highest)] = corners else {
+                    return None;
+                };
+                Distribution::Triangular {
+                    lowest,
+                    mode,
+                    highest,
+                }
+            }
+        };
+        let checked = distribution.checked();
+        checked
+            .map_err(|error| {
+                let issue = Issue::new(self.at("distribution"), error.to_string());
+                self.problems
+                    .refuse(issue.help("numbers in SI units; change its bounds"), &[]);
+            })
+            .ok()
+    }
+
+    fn normal(&mut self) -> Option<Distribution> {
+        let parameters =
+            ["mean", "deviation"].map(|name| self.needed(name, "a normal distribution"));
+        let [Some(mean), Some(deviation)] = parameters else {
+            return None;
+        };
+        let spec = self.spec;
+        let lowest = self.bound("lowest", &spec.lowest, mean - REACH * deviation)?;
+        let highest = self.bound("highest", &spec.highest, mean + REACH * deviation)?;
+        Some(Distribution::Normal {
+            mean,
+            deviation,
+            lowest,
+            highest,
+        })
+    }
+
+    /// A bound of a normal distribution; where none is given, how far it reaches, if the key can have that
+    /// value.
+    fn bound(&mut self, name: &str, given: &Option<Scalar>, reach: f64) -> Option<f64> {
+        if given.is_some() {
+            return self.number(name);
+        }
+        if self.key.contains(reach) {
+            return Some(reach);
+        }
+        let message = format!(
+            "a normal distribution needs `{name}` here: without it draws reach {reach:.4e}, which `{}` cannot \
+             be",
+            self.spec.key
+        );
+        self.problems
+            .refuse(Issue::new(self.path.clone(), message), &[]);
+        None
+    }
+
+    /// What varies, shown in the unit of the first value given.
+    fn shown(&self) -> Option<Variable> {
+        let listed = self.spec.values.as_ref().and_then(|values| values.first());
+        let others = self
+            .given()
+            .into_iter()
+            .find_map(|(_, value)| value.as_ref());
+        let first = listed.or(others)?;
+        Some(self.key.variable(&first.0))
+    }
+}

@@ -1,0 +1,311 @@
+//! Study files: many runs of one scenario.
+
+mod axes;
+mod spec;
+
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+use self::axes::AxisBuilder;
+use self::spec::{SamplingChoice, SectionChoice, StudyFileSpec, SweepChoice};
+use super::error::ScenarioError;
+use super::issue::Issue;
+use super::problems::Problems;
+use super::schema::schema_of;
+use super::vary::{Key, keys, put, questions_of};
+use super::walk::{self, nearest};
+use super::{Scenario, echo, read_tree, stem};
+use crate::simulate::Model;
+use crate::study::Variable;
+use crate::study::many::{Keep, Section, Sweep};
+use crate::study::plan::{Axis, AxisValues, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
+
+/// Tables of a scenario that say nothing of its motion.
+const LEFT_OUT: [&str; 2] = ["static", "study"];
+
+/// Highest order of the spectra that are kept where none is given.
+const HIGHEST_ORDER: f64 = 20.0;
+
+/// A checked study: which runs there are and how each is made.
+#[derive(Debug, Clone)]
+pub struct StudyFile {
+    /// Its title, or the name of its file.
+    pub title: String,
+    /// The values of every run.
+    pub plan: Plan,
+    /// What varies, an entry an axis.
+    pub variables: Vec<Variable>,
+    /// Order in which each run goes on from its neighbour, where it does.
+    pub sweep: Option<Sweep>,
+    /// Every so many runs the error is measured; 0 on none.
+    pub verify_every: u64,
+    /// What is kept of every run.
+    pub keep: Keep,
+    /// The study with its defaults and the scenario that it starts from.
+    pub echo: Value,
+    base: Value,
+    folder: PathBuf,
+    axes: Vec<Key<'static>>,
+}
+
+/// A run that the values of its numbers do not make.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct RunError {
+    /// What is wrong, in words.
+    pub message: String,
+}
+
+/// JSON Schema (draft 7) of a study file.
+pub fn study_schema() -> &'static Value {
+    static SCHEMA: std::sync::LazyLock<Value> =
+        std::sync::LazyLock::new(schema_of::<StudyFileSpec>);
+    &SCHEMA
+}
+
+/// Reads and checks a study file and the scenario that it starts from.
+///
+/// # Errors
+/// [`ScenarioError`] with everything that is wrong, of the study or else of the scenario.
+pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
+    let (name, text, root) = read_tree(path)?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let mut problems = Problems::new(&root, folder);
+    let spec = walk::value(&root, study_schema(), "", &mut problems).and_then(|value| {
+        let filled = serde_json::from_value::<StudyFileSpec>(value);
+        filled
+            .map_err(|error| problems.add(Issue::new("", error.to_string())))
+            .ok()
+    });
+    let base = spec
+        .as_ref()
+        .filter(|_| !problems.distrusts("base"))
+        .map(|spec| folder.join(&spec.base));
+    let study = match (spec, base.map(|base| (super::load(&base), base))) {
+        (Some(spec), Some((Ok(scenario), base))) => {
+            let folder = base.parent().unwrap_or(Path::new("")).to_owned();
+            let title = spec.title.clone().unwrap_or_else(|| stem(&name));
+            build(&spec, &scenario, title, folder, &mut problems)
+        }
+        (_, Some((Err(error), base))) if base.exists() => return Err(error),
+        (Some(spec), Some((Err(_), base))) => {
+            let message = format!("there is no scenario {}", base.display());
+            let help = format!("`{}` is looked for from the folder of the study", spec.base);
+            problems.add(Issue::new("base", message).help(help));
+            None
+        }
+        _ => None,
+    };
+    let (issues, _) = problems.finish();
+    match study {
+        Some(study) if issues.is_empty() => Ok(study),
+        _ => Err(ScenarioError::new(&name, &text, issues)),
+    }
+}
+
+fn build(
+    spec: &StudyFileSpec,
+    scenario: &Scenario,
+    title: String,
+    folder: PathBuf,
+    problems: &mut Problems<'_>,
+) -> Option<StudyFile> {
+    if scenario.model.is_none() {
+        let issue = Issue::new("base", "a study needs a scenario with a `[time]`");
+        problems.refuse(issue, &[]);
+        return None;
+    }
+    let base = base_of(spec, scenario, &folder, problems)?;
+    let known = keys(&base, &LEFT_OUT);
+    let mut axes = Vec::new();
+    let mut found = Vec::new();
+    for (index, axis) in spec.axis.iter().enumerate() {
+        let path = format!("axis[{index}]");
+        let Some(key) = find(&axis.key, &known, &format!("{path}.key"), problems) else {
+            continue;
+        };
+        let builder = AxisBuilder {
+            path,
+            spec: axis,
+            key,
+            problems,
+        };
+        axes.extend(builder.build());
+        found.push(key.clone());
+    }
+    let (axes, variables): (Vec<Axis>, Vec<Variable>) = axes.into_iter().unzip();
+    let sampling = sampling(spec, &axes, problems)?;
+    let plan = Plan::new(axes, sampling, spec.seed);
+    check_count(&plan, spec, problems);
+    check_sweep(spec, problems);
+    let echo = json!({ "study": echo(spec), "base": base });
+    problems.is_clean().then(|| StudyFile {
+        title,
+        plan,
+        variables,
+        sweep: spec.sweep.map(sweep),
+        verify_every: spec.verify_every,
+        keep: keep(spec),
+        echo,
+        base,
+        folder,
+        axes: found,
+    })
+}
+
+/// The scenario with what all runs have otherwise.
+fn base_of(
+    spec: &StudyFileSpec,
+    scenario: &Scenario,
+    folder: &Path,
+    problems: &mut Problems<'_>,
+) -> Option<Value> {
+    let mut base = scenario.echo.clone();
+    if let Value::Object(tables) = &mut base {
+        tables.retain(|name, _| name != "study");
+    }
+    let known = keys(&base, &LEFT_OUT);
+    for (index, set) in spec.set.iter().enumerate() {
+        let path = format!("set[{index}]");
+        let key = find(&set.key, &known, &format!("{path}.key"), problems)?;
+        let given = key.read(format!("{path}.value"), problems)?;
+        put(&mut base, &set.key, &given.value);
+    }
+    if let Err(issue) = questions_of(&base, folder) {
+        let issue = Issue::new("set", format!("the base with `set`: {}", issue.message));
+        problems.refuse(issue, &[]);
+        return None;
+    }
+    Some(base)
+}
+
+/// A key of the base, refused with the nearest one where there is none.
+fn find<'k>(
+    key: &str,
+    known: &'k [Key<'static>],
+    path: &str,
+    problems: &mut Problems<'_>,
+) -> Option<&'k Key<'static>> {
+    let found = known.iter().find(|known| known.path == key);
+    if found.is_none() {
+        let message = format!("the scenario has no number `{key}`");
+        let help = match nearest(key, known.iter().map(|known| known.path.as_str())) {
+            Some(known) => format!("did you mean `{known}`?"),
+            None => "for instance: \"speed.constant\"".to_owned(),
+        };
+        problems.refuse(Issue::new(path, message).help(help), &[]);
+    }
+    found
+}
+
+fn sampling(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
+    let drawn: fn(u64) -> Sampling = match spec.sampling {
+        SamplingChoice::Grid => return grid(spec, axes, problems),
+        SamplingChoice::LatinHypercube => Sampling::LatinHypercube,
+        SamplingChoice::Sobol => Sampling::Sobol,
+        SamplingChoice::MonteCarlo => Sampling::MonteCarlo,
+    };
+    if spec.sampling == SamplingChoice::Sobol && axes.len() > MOST_SOBOL_AXES {
+        let message = format!("Sobol's sequence has at most {MOST_SOBOL_AXES} axes");
+        let issue = Issue::new("sampling", message).help("take \"latin_hypercube\"");
+        problems.refuse(issue, &[]);
+    }
+    match spec.runs {
+        Some(runs) => Some(drawn(runs)),
+        None => {
+            let issue = Issue::new("sampling", "runs that are drawn need a number of them");
+            problems.refuse(issue.help("for instance: runs = 1000"), &[]);
+            None
+        }
+    }
+}
+
+fn grid(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
+    if spec.runs.is_some() {
+        let issue = Issue::new("runs", "a grid has as many runs as its axes make");
+        problems.refuse(issue.help("remove it, or draw: sampling = \"sobol\""), &[]);
+    }
+    for (index, axis) in axes.iter().enumerate() {
+        if matches!(axis.values, AxisValues::Drawn(_)) {
+            let path = format!("axis[{index}].distribution");
+            let issue = Issue::new(path, "a distribution has no values for a grid");
+            let help = "set sampling = \"latin_hypercube\", \"sobol\" or \"monte_carlo\"";
+            problems.refuse(issue.help(help), &["sampling".to_owned()]);
+        }
+    }
+    Some(Sampling::Grid)
+}
+
+fn check_count(plan: &Plan, spec: &StudyFileSpec, problems: &mut Problems<'_>) {
+    let runs = plan.runs();
+    if runs.is_none_or(|runs| runs > MOST_RUNS) {
+        let shown = runs.map_or_else(|| "more than 1e19".to_owned(), |runs| runs.to_string());
+        let message = format!("the axes make {shown} runs: at most {MOST_RUNS:e} in a study");
+        let issue = Issue::new("axis", message).help("take fewer values, or draw the runs");
+        let others: Vec<_> = (0..spec.axis.len())
+            .map(|index| format!("axis[{index}].count"))
+            .collect();
+        problems.refuse(issue, &others);
+    }
+}
+
+fn check_sweep(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
+    if spec.sweep.is_some() && spec.sampling != SamplingChoice::Grid {
+        let issue = Issue::new(
+            "sweep",
+            "runs that are drawn have no neighbours to go on from",
+        );
+        problems.refuse(issue.help("take a grid"), &["sampling".to_owned()]);
+    }
+    if spec.keep.highest_order.is_some() && !spec.keep.spectra {
+        let issue = Issue::new("keep.highest_order", "no spectra are kept");
+        problems.refuse(issue.help("set spectra = true, or remove it"), &[]);
+    }
+}
+
+fn sweep(choice: SweepChoice) -> Sweep {
+    match choice {
+        SweepChoice::Up => Sweep::Up,
+        SweepChoice::Down => Sweep::Down,
+        SweepChoice::Both => Sweep::Both,
+    }
+}
+
+fn keep(spec: &StudyFileSpec) -> Keep {
+    let keep = &spec.keep;
+    Keep {
+        highest_order: keep
+            .spectra
+            .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
+        section: keep.poincare.map(|section| match section {
+            SectionChoice::Revolution => Section::Revolution,
+            SectionChoice::BallPass => Section::BallPass,
+        }),
+    }
+}
+
+impl StudyFile {
+    /// The scenario of a run with its values put in, as JSON.
+    pub fn scenario(&self, values: &[f64]) -> Value {
+        let mut scenario = self.base.clone();
+        for (key, value) in self.axes.iter().zip(values) {
+            put(&mut scenario, &key.path, &key.written(*value));
+        }
+        scenario
+    }
+
+    /// The motion of a run.
+    ///
+    /// # Errors
+    /// [`RunError`] where its values make no scenario.
+    pub fn model(&self, values: &[f64]) -> Result<Model, RunError> {
+        let questions = questions_of(&self.scenario(values), &self.folder);
+        let questions = questions.map_err(|issue| RunError {
+            message: issue.message,
+        })?;
+        questions.model.ok_or_else(|| RunError {
+            message: "the scenario has no `[time]`".to_owned(),
+        })
+    }
+}

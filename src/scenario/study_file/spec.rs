@@ -1,0 +1,167 @@
+//! The keys of a study file.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::scenario::scalar::Scalar;
+use crate::study::plan::MOST_RUNS;
+
+/// Many runs of one scenario.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "jeffcott study")]
+pub struct StudyFileSpec {
+    /// What the study is called. Default: the name of its file.
+    pub title: Option<String>,
+    /// The scenario that all runs start from, relative to this file.
+    #[schemars(extend("examples" = ["../steady-7205c.toml"]))]
+    pub base: String,
+    /// How the values of the axes are combined. Default: "grid".
+    #[serde(default)]
+    pub sampling: SamplingChoice,
+    /// How many runs are drawn; only where they are drawn.
+    #[schemars(range(min = 1, max = MOST_RUNS))]
+    pub runs: Option<u64>,
+    /// Decides all that is drawn. Default: 0.
+    #[serde(default)]
+    pub seed: u64,
+    /// Every so many runs the error is measured by a second pass, from the first run on; 0 on none.
+    /// Default: 10.
+    #[serde(default = "every_tenth")]
+    pub verify_every: u64,
+    /// Whether each run goes on from where its neighbour along the last axis ended, and in which order.
+    /// Default: every run starts by itself.
+    pub sweep: Option<SweepChoice>,
+    /// The numbers that vary, on a grid the last one fastest.
+    #[schemars(extend("minItems" = 1, "maxItems" = 16))]
+    pub axis: Vec<AxisSpec>,
+    /// What all runs have otherwise than the base.
+    #[serde(default)]
+    pub set: Vec<SetSpec>,
+    /// What is kept of every run.
+    #[serde(default)]
+    pub keep: KeepSpec,
+}
+
+fn every_tenth() -> u64 {
+    10
+}
+
+/// How the values of the axes are combined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SamplingChoice {
+    /// Every value with every other.
+    #[default]
+    Grid,
+    /// Drawn, each part of every axis once.
+    LatinHypercube,
+    /// Sobol's sequence, shifted at random.
+    Sobol,
+    /// Drawn independently.
+    MonteCarlo,
+}
+
+/// Order of the runs along the last axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SweepChoice {
+    /// From its first value to its last.
+    Up,
+    /// From its last value to its first.
+    Down,
+    /// Up, and from there down again.
+    Both,
+}
+
+/// One number of the base that takes many values: by a list, evenly spaced or drawn.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = ["values", "count", "distribution"]))]
+pub struct AxisSpec {
+    /// Path of its key, for instance "speed.constant" or "bearing[0].preload".
+    #[schemars(extend("examples" = ["speed.constant"]))]
+    pub key: String,
+    /// The values, each written as that key is.
+    #[schemars(extend("minItems" = 1, "maxItems" = 1_000_000))]
+    pub values: Option<Vec<Scalar>>,
+    /// First of `count` values, or least value of a uniform distribution.
+    pub from: Option<Scalar>,
+    /// Last of `count` values, or largest value of a uniform distribution.
+    pub to: Option<Scalar>,
+    /// How many evenly spaced values.
+    #[schemars(range(min = 2, max = MOST_RUNS))]
+    pub count: Option<u64>,
+    /// Whether `count` values have equal differences or equal ratios. Default: "linear".
+    pub spacing: Option<SpacingChoice>,
+    /// How values are drawn.
+    pub distribution: Option<DistributionChoice>,
+    /// Mean of a normal distribution.
+    pub mean: Option<Scalar>,
+    /// Standard deviation of a normal distribution.
+    pub deviation: Option<Scalar>,
+    /// Most likely value of a triangular distribution.
+    pub mode: Option<Scalar>,
+    /// Least value of a normal or triangular distribution.
+    pub lowest: Option<Scalar>,
+    /// Largest value of a normal or triangular distribution.
+    pub highest: Option<Scalar>,
+}
+
+/// Spacing of values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SpacingChoice {
+    /// Equal differences.
+    Linear,
+    /// Equal ratios.
+    Logarithmic,
+}
+
+/// How values are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DistributionChoice {
+    /// Evenly between `from` and `to`.
+    Uniform,
+    /// By `mean` and `deviation`, cut off at `lowest` and `highest`.
+    Normal,
+    /// From `lowest` to `highest` with the most likely value `mode`.
+    Triangular,
+}
+
+/// One value that all runs have.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SetSpec {
+    /// Path of the key.
+    #[schemars(extend("examples" = ["time.duration"]))]
+    pub key: String,
+    /// Its value, written as that key is.
+    #[schemars(extend("examples" = ["0.5 s"]))]
+    pub value: Scalar,
+}
+
+/// What is kept of every run, beside its numbers.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct KeepSpec {
+    /// Whether the amplitudes of the displacements are kept, in `spectra.csv`. Default: false.
+    pub spectra: bool,
+    /// Highest frequency of them in shaft orders. Default: 20.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub highest_order: Option<f64>,
+    /// Whether the place of the shaft is kept once a revolution or once a ball pass after the settle
+    /// time, in `poincare.csv`. Default: not.
+    pub poincare: Option<SectionChoice>,
+}
+
+/// When the shaft is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SectionChoice {
+    /// Once a revolution of the shaft.
+    Revolution,
+    /// Every time a ball of the first bearing passes where ball 0 began.
+    BallPass,
+}

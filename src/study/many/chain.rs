@@ -1,0 +1,278 @@
+//! Makes the runs of a chain, each from where the one before ended.
+
+use std::f64::consts::TAU;
+use std::io;
+use std::sync::atomic::AtomicBool;
+
+use super::numbers::{NumberColumn, Observed};
+use super::record::{Line, Outcome, Point, RunRecord};
+use super::{Keep, Schedule, Section, Turn};
+use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
+use crate::integrate::IntegrateError;
+use crate::physics::nominal_cage_speed;
+use crate::rotor::{CageMotion, InitialPosition, InitialState, Sample};
+use crate::simulate::{Model, Monitor, Run, SimulateError, TraceSink, simulate};
+use crate::study::plan::Plan;
+
+/// The run was to stop before its end.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the study was stopped")]
+pub struct Stopped;
+
+/// Makes the runs of a study.
+#[derive(Clone, Copy)]
+pub struct Maker<'a> {
+    /// Values of every point.
+    pub plan: &'a Plan,
+    /// Runs and chains.
+    pub schedule: Schedule,
+    /// What is kept.
+    pub keep: Keep,
+    /// Every so many runs the error is measured; 0 on none.
+    pub verify_every: u64,
+    /// Numbers that are kept.
+    pub columns: &'a [NumberColumn],
+    /// The motion of a point's values, or what is wrong with them.
+    pub model: &'a (dyn Fn(&[f64]) -> Result<Model, String> + Sync),
+    /// Set where all is to stop.
+    pub stop: &'a AtomicBool,
+}
+
+impl Maker<'_> {
+    /// Makes all runs of a chain.
+    ///
+    /// # Errors
+    /// [`Stopped`] where it was to stop before the last one was done.
+    pub fn chain(&self, chain: u64) -> Result<Vec<RunRecord>, Stopped> {
+        let mut records = Vec::new();
+        let mut carried = None;
+        for turn in self.schedule.chain(chain) {
+            let values = self.plan.values(turn.point);
+            let outcome = self.run(turn, &values, &mut carried)?;
+            records.push(RunRecord {
+                turn,
+                values,
+                outcome,
+            });
+        }
+        Ok(records)
+    }
+
+    /// The motion of a run as it stands by itself.
+    fn model_of(&self, turn: Turn, values: &[f64]) -> Result<Model, String> {
+        let mut model = (self.model)(values)?;
+        model.verify = self.verify_every > 0 && turn.number.is_multiple_of(self.verify_every);
+        model.analyses.motion = true;
+        model.analyses.maps = false;
+        Ok(model)
+    }
+
+    /// The motion of one run, with the start that the runs before it in its chain lead to.
+    ///
+    /// # Errors
+    /// [`Stopped`] where that was to stop; what is wrong with its values, in words.
+    pub fn alone(&self, number: u64) -> Result<Result<Model, String>, Stopped> {
+        let mut carried: Option<Carried> = None;
+        for turn in self.schedule.chain(self.schedule.chain_of(number)) {
+            let values = self.plan.values(turn.point);
+            if turn.number == number {
+                return Ok(self.model_of(turn, &values).map(|mut model| {
+                    if let Some(carried) = &carried {
+                        carried.start(&mut model);
+                    }
+                    model
+                }));
+            }
+            let _ = self.run(turn, &values, &mut carried)?;
+        }
+        Ok(Err(format!("there is no run {number}")))
+    }
+
+    fn run(
+        &self,
+        turn: Turn,
+        values: &[f64],
+        carried: &mut Option<Carried>,
+    ) -> Result<Result<Outcome, String>, Stopped> {
+        let mut model = match self.model_of(turn, values) {
+            Ok(model) => model,
+            Err(message) => return Ok(Err(message)),
+        };
+        if let Some(carried) = carried {
+            carried.start(&mut model);
+        }
+        let mut sink = Gathered::new(&model);
+        let mut monitor = Monitor {
+            stop: self.stop,
+            progress: &mut |_| {},
+        };
+        match simulate(&model, &mut sink, &mut monitor) {
+            Ok(run) => {
+                if self.schedule.runs_in_chain() > 1 {
+                    *carried = sink.carried(&model);
+                }
+                Ok(Ok(self.outcome(&run, sink.largest_ball_load)))
+            }
+            Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => Err(Stopped),
+            Err(error) => Ok(Err(error.to_string())),
+        }
+    }
+
+    fn outcome(&self, run: &Run, largest_ball_load: f64) -> Outcome {
+        let observed = Observed {
+            run,
+            largest_ball_load,
+        };
+        let spectrum = run.spectrum.as_ref().zip(self.keep.highest_order);
+        let points = run.motion.as_ref().zip(self.keep.section);
+        Outcome {
+            numbers: self
+                .columns
+                .iter()
+                .map(|column| column.of(&observed))
+                .collect(),
+            spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
+            points: points.map_or_else(Vec::new, |(motion, section)| places(motion, section)),
+        }
+    }
+}
+
+/// Amplitudes of the displacements up to an order; all of them where the shaft stands.
+fn lines(spectrum: &Spectrum, highest: f64) -> Vec<Line> {
+    let displacements: Vec<_> = spectrum
+        .channels
+        .iter()
+        .filter(|entry| matches!(entry.channel, Channel::Displacement(_)))
+        .collect();
+    let shown = |k: &usize| spectrum.order(*k).is_none_or(|order| order <= highest);
+    (1..spectrum.bins())
+        .take_while(shown)
+        .map(|k| Line {
+            frequency: spectrum.frequency(k),
+            order: spectrum.order(k),
+            amplitudes: displacements
+                .iter()
+                .map(|entry| entry.amplitude[k])
+                .collect(),
+        })
+        .collect()
+}
+
+fn places(motion: &Motion, section: Section) -> Vec<Point> {
+    let kind = match section {
+        Section::Revolution => SectionKind::Revolution,
+        Section::BallPass => SectionKind::BallPass,
+    };
+    let moving = motion
+        .statistics
+        .iter()
+        .filter(|entry| matches!(entry.channel, Channel::Displacement(_)))
+        .count();
+    let found = motion.sections.iter().find(|section| section.kind == kind);
+    let points = found.map_or(&[][..], |section| &section.points);
+    points
+        .iter()
+        .map(|point| Point {
+            time: point.time,
+            displacement: point.displacement[..moving].to_vec(),
+        })
+        .collect()
+}
+
+/// Where the next run of a chain starts.
+///
+/// The shaft has its angle at the start again. With unbalance it ends at a whole revolution, and the balls
+/// stand where the cages have brought them; without, it ends where a ball has come to the place of another,
+/// and the balls stand as they began.
+#[derive(Debug, Clone)]
+struct Carried {
+    sample: Sample,
+    /// Azimuths of ball 0 of every bearing, rad.
+    first_balls: Vec<f64>,
+}
+
+impl Carried {
+    /// Lets a motion start there.
+    fn start(&self, model: &mut Model) {
+        let rotor = &mut model.rotor;
+        rotor.initial = InitialState {
+            from: InitialPosition::Equilibrium,
+            displacement: self.sample.displacement.map(Some),
+            velocity: self.sample.velocity.map(Some),
+        };
+        for (bearing, azimuth) in rotor.bearings.iter_mut().zip(&self.first_balls) {
+            bearing.first_ball = *azimuth;
+        }
+    }
+}
+
+/// What is looked at while a run goes on.
+struct Gathered {
+    settle: f64,
+    /// Turns of the shaft after which the scene is as it was.
+    cycle: f64,
+    largest_ball_load: f64,
+    last: Option<Sample>,
+    /// The sample nearest to the end of the last cycle.
+    whole: Option<Sample>,
+}
+
+impl Gathered {
+    fn new(model: &Model) -> Self {
+        Self {
+            settle: model.settle,
+            cycle: cycle(model),
+            largest_ball_load: 0.0,
+            last: None,
+            whole: None,
+        }
+    }
+
+    fn carried(&self, model: &Model) -> Option<Carried> {
+        let sample = self.whole.or(self.last)?;
+        let rotor = &model.rotor;
+        let turned = match rotor.cage {
+            CageMotion::Rolling if rotor.shaft.eccentricity != 0.0 => sample.angle,
+            _ => 0.0,
+        };
+        let first_balls = rotor.bearings.iter().map(|bearing| {
+            let gamma = bearing.bearing.geometry.gamma();
+            (bearing.first_ball + nominal_cage_speed(turned, gamma)).rem_euclid(TAU)
+        });
+        Some(Carried {
+            sample,
+            first_balls: first_balls.collect(),
+        })
+    }
+}
+
+/// Turns of the shaft after which unbalance or, without one, the balls of the first bearing are where they
+/// were.
+fn cycle(model: &Model) -> f64 {
+    let rotor = &model.rotor;
+    let first = rotor
+        .bearings
+        .first()
+        .filter(|_| rotor.shaft.eccentricity == 0.0);
+    first.map_or(1.0, |bearing| {
+        let geometry = &bearing.bearing.geometry;
+        1.0 / (nominal_cage_speed(1.0, geometry.gamma()) * geometry.balls() as f64)
+    })
+}
+
+impl TraceSink for Gathered {
+    fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        if sample.time >= self.settle {
+            self.largest_ball_load = self.largest_ball_load.max(sample.largest_ball_load);
+        }
+        let cycles = sample.angle / (TAU * self.cycle);
+        let since = self
+            .last
+            .map_or(1.0, |last| (sample.angle - last.angle) / (TAU * self.cycle));
+        if (cycles - cycles.round()).abs() <= 0.5 * since {
+            self.whole = Some(*sample);
+        }
+        self.last = Some(*sample);
+        Ok(())
+    }
+}

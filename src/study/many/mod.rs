@@ -1,0 +1,31 @@
+//! Many runs of one scenario: which there are, in which order, on how many threads, and what is kept.
+
+mod chain;
+mod numbers;
+mod record;
+mod schedule;
+mod workers;
+
+pub use chain::{Maker, Stopped};
+pub use numbers::{NumberColumn, Numbers, Observed, number_columns};
+pub use record::{Line, Outcome, Point, RunRecord};
+pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
+pub use workers::{LEAD, work};
+
+/// What is kept of every run, beside its numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Keep {
+    /// Highest order up to which the amplitudes of the displacements are kept; none where `None`.
+    pub highest_order: Option<f64>,
+    /// When the shaft is looked at, where its places are kept.
+    pub section: Option<Section>,
+}
+
+/// When the shaft is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Section {
+    /// Once a revolution.
+    Revolution,
+    /// Every time a ball of the first bearing passes where ball 0 began.
+    BallPass,
+}

@@ -1,0 +1,203 @@
+//! The numbers that are kept of every run.
+
+use crate::analysis::{Channel, Kind, Motion, Spectrum};
+use crate::rotor::FREEDOMS;
+use crate::simulate::{EventKind, Run};
+
+/// Multiples of the shaft frequency whose lines are kept.
+const ORDERS: [u32; 3] = [1, 2, 3];
+
+/// A number of a run: what it is, its unit, and how it is found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NumberColumn {
+    /// Name with its unit as a column of a table: `x_rms_m`.
+    pub name: String,
+    kind: NumberKind,
+}
+
+/// What a number is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum NumberKind {
+    Equilibrium(usize),
+    Stiffness(usize),
+    NaturalFrequency(usize),
+    DampingRatio(usize),
+    Mean(Channel),
+    Rms(Channel),
+    PeakToPeak(Channel),
+    Order(usize, u32),
+    Velocity(usize),
+    Period,
+    Drift,
+    LargestBallLoad,
+    FewestLoaded(usize),
+    ContactLost(usize),
+    Life(usize),
+    MeasuredError,
+    Evaluations,
+}
+
+/// The numbers of a run in the order of the columns; NaN where it has none.
+pub type Numbers = Vec<f64>;
+
+/// Columns for scenes of so many freedoms and bearings.
+pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
+    let freedoms = freedoms.min(FREEDOMS);
+    let mut columns = Vec::new();
+    let mut add = |name: String, kind| columns.push(NumberColumn { name, kind });
+    let unit = |channel: Channel| channel.unit().replace(' ', "_");
+    for freedom in 0..freedoms {
+        let channel = Channel::Displacement(freedom);
+        add(
+            format!("{channel}_equilibrium_{}", unit(channel)),
+            NumberKind::Equilibrium(freedom),
+        );
+    }
+    for freedom in 0..freedoms {
+        let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
+        let name = format!("stiffness_{channel}_{}_{}", unit(force), unit(channel));
+        add(name, NumberKind::Stiffness(freedom));
+    }
+    for mode in 0..freedoms {
+        let number = mode + 1;
+        add(
+            format!("natural_frequency_{number}_Hz"),
+            NumberKind::NaturalFrequency(mode),
+        );
+        add(
+            format!("damping_ratio_{number}"),
+            NumberKind::DampingRatio(mode),
+        );
+    }
+    for channel in Channel::of_freedoms(freedoms) {
+        let unit = unit(channel);
+        add(format!("{channel}_mean_{unit}"), NumberKind::Mean(channel));
+        add(format!("{channel}_rms_{unit}"), NumberKind::Rms(channel));
+        add(
+            format!("{channel}_peak_to_peak_{unit}"),
+            NumberKind::PeakToPeak(channel),
+        );
+    }
+    for freedom in 0..freedoms {
+        let channel = Channel::Displacement(freedom);
+        for order in ORDERS {
+            let name = format!("{channel}_order_{order}_{}", unit(channel));
+            add(name, NumberKind::Order(freedom, order));
+        }
+    }
+    for freedom in 0..freedoms.min(3) {
+        let channel = Channel::Displacement(freedom);
+        add(
+            format!("{channel}_velocity_rms_m_s"),
+            NumberKind::Velocity(freedom),
+        );
+    }
+    add("period_cycles".to_owned(), NumberKind::Period);
+    add("drift".to_owned(), NumberKind::Drift);
+    add(
+        "largest_ball_load_N".to_owned(),
+        NumberKind::LargestBallLoad,
+    );
+    for bearing in 0..bearings {
+        let number = bearing + 1;
+        add(
+            format!("bearing_{number}_fewest_loaded"),
+            NumberKind::FewestLoaded(bearing),
+        );
+        add(
+            format!("bearing_{number}_contact_lost"),
+            NumberKind::ContactLost(bearing),
+        );
+        add(
+            format!("bearing_{number}_life_h"),
+            NumberKind::Life(bearing),
+        );
+    }
+    add("measured_error".to_owned(), NumberKind::MeasuredError);
+    add("evaluations".to_owned(), NumberKind::Evaluations);
+    columns
+}
+
+/// What the numbers are taken from.
+#[derive(Debug, Clone, Copy)]
+pub struct Observed<'a> {
+    /// The run.
+    pub run: &'a Run,
+    /// Largest ball load after the settle time, N.
+    pub largest_ball_load: f64,
+}
+
+impl NumberColumn {
+    /// The number of a run; NaN where it has none.
+    pub fn of(&self, observed: &Observed<'_>) -> f64 {
+        self.found(observed).unwrap_or(f64::NAN)
+    }
+
+    fn found(&self, observed: &Observed<'_>) -> Option<f64> {
+        let run = observed.run;
+        let motion = run.motion.as_ref();
+        let moments = |channel: Channel| {
+            let statistics = &motion?.statistics;
+            let found = statistics.iter().find(|entry| entry.channel == channel);
+            found.map(|entry| &entry.moments)
+        };
+        match self.kind {
+            NumberKind::Equilibrium(freedom) => Some(run.equilibrium.displacement[freedom]),
+            NumberKind::Stiffness(freedom) => Some(run.equilibrium.stiffness[freedom][freedom]),
+            NumberKind::NaturalFrequency(mode) => {
+                let modes = &run.equilibrium.natural_frequencies;
+                modes.get(mode).map(|mode| mode.frequency)
+            }
+            NumberKind::DampingRatio(mode) => {
+                let modes = &run.equilibrium.natural_frequencies;
+                modes.get(mode).map(|mode| mode.damping_ratio)
+            }
+            NumberKind::Mean(channel) => moments(channel).map(|moments| moments.mean()),
+            NumberKind::Rms(channel) => moments(channel).map(|moments| moments.rms()),
+            NumberKind::PeakToPeak(channel) => {
+                moments(channel).map(|moments| moments.peak_to_peak())
+            }
+            NumberKind::Order(freedom, order) => order_line(run.spectrum.as_ref()?, freedom, order),
+            NumberKind::Velocity(freedom) => motion?
+                .velocity
+                .get(freedom)
+                .copied()
+                .flatten()
+                .map(|level| level.rms),
+            NumberKind::Period => motion.map(period),
+            NumberKind::Drift => motion?.drift.map(|drift| drift.largest()),
+            NumberKind::LargestBallLoad => Some(observed.largest_ball_load),
+            NumberKind::FewestLoaded(bearing) => {
+                let zone = run.bearings.get(bearing)?.load_zone?;
+                Some(zone.balls.smallest)
+            }
+            NumberKind::ContactLost(bearing) => {
+                let events = run.bearings.get(bearing)?;
+                Some(events.events(EventKind::ContactLost).count as f64)
+            }
+            NumberKind::Life(bearing) => run.bearings.get(bearing)?.life?.after_settle.hours(),
+            NumberKind::MeasuredError => run.measured_error.map(|error| error.relative),
+            NumberKind::Evaluations => Some(run.counters.evaluations as f64),
+        }
+    }
+}
+
+/// Amplitude at a multiple of the shaft frequency, where that is a bin.
+fn order_line(spectrum: &Spectrum, freedom: usize, order: u32) -> Option<f64> {
+    let bin = f64::from(order) * spectrum.shaft_frequency / spectrum.resolution;
+    if spectrum.shaft_frequency <= 0.0 || (bin - bin.round()).abs() > 1e-6 {
+        return None;
+    }
+    let entry = spectrum.channel(Channel::Displacement(freedom))?;
+    entry.amplitude.get(bin.round() as usize).copied()
+}
+
+/// Cycles after which a motion repeats; 0 at rest, −2 of two frequencies, −1 irregular or unknown.
+fn period(motion: &Motion) -> f64 {
+    match motion.recognition.kind {
+        Kind::Rest => 0.0,
+        Kind::Periodic { cycles, .. } => cycles as f64,
+        Kind::QuasiPeriodic { .. } => -2.0,
+        _ => -1.0,
+    }
+}

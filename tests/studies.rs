@@ -1,0 +1,532 @@
+//! Studies of many runs: which runs there are, and that nothing is lost, made twice or told wrong.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::thread;
+use std::time::Duration;
+
+use jeffcott::study::many::{Schedule, Shard, Sweep};
+use jeffcott::study::plan::{Axis, AxisValues, Distribution, Plan, Sampling, sobol};
+use tempfile::TempDir;
+
+fn scenarios() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios")
+}
+
+fn shipped(name: &str) -> PathBuf {
+    scenarios()
+        .join("studies")
+        .join(name)
+        .with_extension("toml")
+}
+
+fn study(file: &Path, out: &Path, more: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+        .arg("study")
+        .arg(file)
+        .arg("--out")
+        .arg(out)
+        .args(more)
+        .output()
+        .expect("the command starts")
+}
+
+fn told(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// A study on the linear shaft, a run of which takes a millisecond.
+fn written(folder: &Path, text: &str) -> PathBuf {
+    let base = scenarios().join("linear-7205c.toml");
+    let file = folder.join("small.toml");
+    let text = format!("base = '{}'\n{text}", base.display());
+    fs::write(&file, text).expect("a writable folder");
+    file
+}
+
+const SPEEDS: &str = "
+[[axis]]
+key = 'speed.constant'
+from = '100 rad/s'
+to = '400 rad/s'
+count = 40
+";
+
+/// All files of a folder with their bytes.
+fn files(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut all: Vec<_> = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| {
+            let entry = entry.expect("an entry");
+            let name = entry.file_name().to_string_lossy().into_owned();
+            (name, fs::read(entry.path()).expect("a file"))
+        })
+        .collect();
+    all.sort();
+    all
+}
+
+fn rows(folder: &Path) -> Vec<csv::StringRecord> {
+    let mut reader = csv::Reader::from_path(folder.join("runs.csv")).expect("a table");
+    reader.records().map(|row| row.expect("a row")).collect()
+}
+
+// Which runs there are.
+
+/// scipy.stats.qmc.Sobol(d=16, scramble=False, bits=32) of SciPy 1.17.
+#[test]
+fn sobols_points_are_those_of_scipy() {
+    let points: [(u64, [f64; 16]); 4] = [
+        (
+            1,
+            [
+                0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5,
+            ],
+        ),
+        (
+            5,
+            [
+                0.875, 0.875, 0.125, 0.375, 0.875, 0.625, 0.875, 0.375, 0.375, 0.125, 0.375, 0.875,
+                0.875, 0.125, 0.875, 0.375,
+            ],
+        ),
+        (
+            100,
+            [
+                0.414_062_5,
+                0.257_812_5,
+                0.773_437_5,
+                0.726_562_5,
+                0.882_812_5,
+                0.742_187_5,
+                0.023_437_5,
+                0.476_562_5,
+                0.632_812_5,
+                0.695_312_5,
+                0.460_937_5,
+                0.679_687_5,
+                0.476_562_5,
+                0.851_562_5,
+                0.320_312_5,
+                0.492_187_5,
+            ],
+        ),
+        (
+            1023,
+            [
+                0.000_976_562_5,
+                0.752_929_687_5,
+                0.612_304_687_5,
+                0.145_507_812_5,
+                0.186_523_437_5,
+                0.438_476_562_5,
+                0.139_648_437_5,
+                0.618_164_062_5,
+                0.344_726_562_5,
+                0.850_585_937_5,
+                0.678_710_937_5,
+                0.036_132_812_5,
+                0.129_882_812_5,
+                0.665_039_062_5,
+                0.362_304_687_5,
+                0.463_867_187_5,
+            ],
+        ),
+    ];
+    for (index, point) in points {
+        for (axis, coordinate) in point.into_iter().enumerate() {
+            assert_eq!(sobol(index, axis), coordinate, "point {index}, axis {axis}");
+        }
+    }
+}
+
+/// Every one of n parts of every axis is met once.
+#[test]
+fn a_latin_hypercube_meets_every_part_once() {
+    let axis = |to| Axis {
+        values: AxisValues::Spaced {
+            from: 0.0,
+            to,
+            count: 2,
+            logarithmic: false,
+        },
+    };
+    for runs in [1, 2, 7, 64, 1000] {
+        let plan = Plan::new(
+            vec![axis(1.0), axis(1.0)],
+            Sampling::LatinHypercube(runs),
+            5,
+        );
+        for place in 0..2 {
+            let parts: BTreeSet<u64> = (0..runs)
+                .map(|run| (plan.values(run)[place] * runs as f64) as u64)
+                .collect();
+            assert_eq!(parts.len() as u64, runs);
+        }
+    }
+}
+
+/// Mean and deviation of a cut normal distribution, from its closed form with bounds at ±1 deviation:
+/// variance 1 − 2 φ(1)/(2 Φ(1) − 1) = 0.291 124 72.
+#[test]
+fn draws_have_the_moments_of_their_distribution() {
+    let values = AxisValues::Drawn(Distribution::Normal {
+        mean: 3.0,
+        deviation: 2.0,
+        lowest: 1.0,
+        highest: 5.0,
+    });
+    let runs = 4096;
+    let plan = Plan::new(vec![Axis { values }], Sampling::Sobol(runs), 9);
+    let drawn: Vec<f64> = (0..runs).map(|run| plan.values(run)[0]).collect();
+    let mean = drawn.iter().sum::<f64>() / runs as f64;
+    let variance = drawn.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / runs as f64;
+    // the sequence integrates smooth functions to about 1/n
+    assert!((mean - 3.0).abs() < 1e-3, "{mean}");
+    assert!((variance - 4.0 * 0.291_124_72).abs() < 3e-3, "{variance}");
+}
+
+/// The values of a run depend on its number and the seed alone.
+#[test]
+fn another_seed_draws_other_values() {
+    let values = AxisValues::Drawn(Distribution::Uniform {
+        lowest: 0.0,
+        highest: 1.0,
+    });
+    for sampling in [
+        Sampling::MonteCarlo(100),
+        Sampling::LatinHypercube(100),
+        Sampling::Sobol(100),
+    ] {
+        let plan = |seed| {
+            Plan::new(
+                vec![Axis {
+                    values: values.clone(),
+                }],
+                sampling,
+                seed,
+            )
+        };
+        assert_eq!(plan(1).values(17), plan(1).values(17));
+        assert_ne!(plan(1).values(17), plan(2).values(17));
+    }
+}
+
+/// Every chain stands in one part, whatever the number of parts.
+#[test]
+fn parts_hold_every_chain_once() {
+    let schedule = Schedule::new(300, 3, Some(Sweep::Both));
+    for count in [1, 2, 7, 99, 100, 250] {
+        let chains = (1..=count).flat_map(|number| Shard { number, count }.chains(&schedule));
+        assert!(chains.eq(0..schedule.chains()));
+    }
+}
+
+// What a study leaves.
+
+/// Every shipped study that takes seconds runs to its end, without a failed run, and draws what it is about.
+#[test]
+fn every_shipped_study_runs() {
+    let out = TempDir::new().expect("a folder");
+    for (name, figure) in [
+        ("hysteresis-6306", "bifurcation.svg"),
+        ("map-6306", "map.svg"),
+        ("resonance-7205c", "response.svg"),
+        ("stiffness-7205c", "map.svg"),
+        ("tolerances-7205c", "sensitivity.svg"),
+    ] {
+        let output = study(&shipped(name), out.path(), &[]);
+        assert!(output.status.success(), "{name}: {}", told(&output));
+        let folder = out.path().join(name);
+        assert!(folder.join(figure).exists(), "{name} has no {figure}");
+        assert!(!folder.join("runs.journal").exists(), "{name}");
+    }
+    // a hundredth of the long one
+    let output = study(
+        &shipped("bifurcation-6306"),
+        out.path(),
+        &["--shard", "50/100"],
+    );
+    assert!(output.status.success(), "{}", told(&output));
+    let known: BTreeSet<_> = fs::read_dir(scenarios().join("studies"))
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
+        .collect();
+    assert_eq!(known.len(), 6, "{known:?}");
+}
+
+/// The balanced shaft answers where its balls pass at a natural frequency.
+#[test]
+fn a_resonance_stands_where_the_balls_pass_at_a_natural_frequency() {
+    let out = TempDir::new().expect("a folder");
+    let output = study(&shipped("resonance-7205c"), out.path(), &["--json"]);
+    let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let digest = &answer["digest"];
+    let natural = digest["numbers"]["natural_frequency_1_Hz"]["mean"]
+        .as_f64()
+        .expect("a number");
+    // ball passes a revolution of the 7205C at its nominal contact angle, as in any run's summary
+    let expected = natural * std::f64::consts::TAU / 4.805_06;
+    let peaks = digest["resonances"].as_array().expect("a list");
+    let near = peaks.iter().any(|peak| {
+        let at = peak["at"].as_f64().expect("a number");
+        peak["number"] == "z_rms_m" && (at / expected - 1.0).abs() < 0.02
+    });
+    assert!(near, "no peak of z near {expected} rad/s: {peaks:#?}");
+}
+
+/// One thread or three, in one piece or in parts: the same bytes.
+#[test]
+fn threads_and_parts_do_not_change_a_byte() {
+    let folder = TempDir::new().expect("a folder");
+    let file = written(folder.path(), SPEEDS);
+    let out = |name: &str| folder.path().join(name);
+    for (name, threads) in [("one", "1"), ("three", "3")] {
+        let output = study(&file, &out(name), &["--threads", threads]);
+        assert!(output.status.success(), "{}", told(&output));
+    }
+    let one = files(&out("one").join("small"));
+    assert_eq!(one, files(&out("three").join("small")));
+    for part in ["2/3", "1/3", "3/3"] {
+        let output = study(&file, &out("parts"), &["--shard", part]);
+        assert!(output.status.success(), "{}", told(&output));
+    }
+    let merged = Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+        .args(["study", "merge"])
+        .arg(out("parts").join("small"))
+        .output()
+        .expect("the command starts");
+    assert!(merged.status.success(), "{}", told(&merged));
+    for (name, bytes) in one {
+        let merged = fs::read(out("parts").join("small").join(&name)).expect("the same file");
+        assert!(merged == bytes, "{name} differs");
+    }
+}
+
+/// Killed at any time, a study goes on from the runs that are done, and ends with the same bytes.
+#[test]
+fn a_killed_study_goes_on_and_loses_nothing() {
+    let folder = TempDir::new().expect("a folder");
+    let long = SPEEDS.replace("count = 40", "count = 400");
+    let file = written(folder.path(), &long);
+    let whole = folder.path().join("whole");
+    assert!(study(&file, &whole, &[]).status.success());
+    let killed = folder.path().join("killed");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+        .arg("study")
+        .arg(&file)
+        .arg("--out")
+        .arg(&killed)
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the command starts");
+    let journal = killed.join("small").join("runs.journal");
+    while fs::metadata(&journal).map_or(0, |file| file.len()) < 20_000 {
+        thread::sleep(Duration::from_millis(2));
+    }
+    child.kill().expect("a process to kill");
+    child.wait().expect("its end");
+    assert!(!killed.join("small").join("runs.json").exists());
+    let output = study(&file, &killed, &[]);
+    assert!(output.status.success(), "{}", told(&output));
+    assert!(
+        told(&output).contains("going on behind"),
+        "{}",
+        told(&output)
+    );
+    assert_eq!(files(&whole.join("small")), files(&killed.join("small")));
+}
+
+/// A study that was changed after a kill does not go on from other runs; nothing is lost.
+#[test]
+fn a_changed_study_is_refused_until_it_is_to_begin_anew() {
+    let folder = TempDir::new().expect("a folder");
+    let file = written(folder.path(), SPEEDS);
+    let journal = folder.path().join("small").join("runs.journal");
+    // a part leaves a journal while it is made: that of the whole is written by hand here
+    fs::create_dir_all(journal.parent().expect("a folder")).expect("a folder");
+    fs::write(&journal, b"not a journal").expect("a file");
+    let output = study(&file, folder.path(), &[]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(told(&output).contains("--restart"), "{}", told(&output));
+    assert_eq!(fs::read(&journal).expect("the file"), b"not a journal");
+    let output = study(&file, folder.path(), &["--restart"]);
+    assert!(output.status.success(), "{}", told(&output));
+}
+
+/// A run that fails is told with its error, alone gives the same one, and keeps no other from its end.
+#[test]
+fn failed_runs_are_recorded_and_made_alone() {
+    let folder = TempDir::new().expect("a folder");
+    // past 0.2 s nothing is left of the run after its settle time
+    let axis = "[[axis]]\nkey = 'time.settle'\nvalues = ['0 s', '0.1 s', '0.6 s']\n";
+    let file = written(folder.path(), axis);
+    let output = study(&file, folder.path(), &[]);
+    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    let rows = rows(&folder.path().join("small"));
+    let status: Vec<_> = rows.iter().map(|row| &row[row.len() - 2]).collect();
+    assert_eq!(status, ["done", "done", "failed"]);
+    let error = rows[2][rows[2].len() - 1].to_owned();
+    assert!(error.contains("settle"), "{error}");
+    let alone = study(&file, folder.path(), &["--only", "2"]);
+    assert_eq!(alone.status.code(), Some(1));
+    assert!(told(&alone).contains(&error), "{}", told(&alone));
+}
+
+/// A run made alone is the run of the study.
+#[test]
+fn a_run_alone_is_that_of_the_study() {
+    let folder = TempDir::new().expect("a folder");
+    let file = written(folder.path(), SPEEDS);
+    assert!(study(&file, folder.path(), &[]).status.success());
+    let small = folder.path().join("small");
+    let mut reader = csv::Reader::from_path(small.join("runs.csv")).expect("a table");
+    let names = reader.headers().expect("names").clone();
+    let column = |name: &str| {
+        names
+            .iter()
+            .position(|known| known == name)
+            .expect("a column")
+    };
+    let row = rows(&small).swap_remove(10);
+    let output = study(&file, folder.path(), &["--only", "10"]);
+    assert!(output.status.success(), "{}", told(&output));
+    let summary = fs::read_to_string(small.join("run-10").join("summary.json")).expect("a file");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    let number = |name: &str| row[column(name)].parse::<f64>().expect("a number");
+    assert_eq!(
+        summary["counters"]["evaluations"].as_f64(),
+        Some(number("evaluations"))
+    );
+    assert_eq!(
+        summary["equilibrium"]["y_m"].as_f64(),
+        Some(number("y_equilibrium_m"))
+    );
+    assert_eq!(
+        summary["measured_error"]["relative"].as_f64(),
+        Some(number("measured_error"))
+    );
+}
+
+// Bad input.
+
+/// Wrong studies are refused before a run begins, with what to do.
+#[test]
+fn wrong_studies_are_refused_with_a_word_on_what_to_do() {
+    let folder = TempDir::new().expect("a folder");
+    for (text, message) in [
+        (
+            "[[axis]]\nkey = 'speed.constnt'\nvalues = ['1 rad/s']\n",
+            "did you mean `speed.constant`?",
+        ),
+        ("[[axis]]\nkey = 'speed.constant'\nvalues = []\n", "values"),
+        ("axis = []\n", "axis"),
+        (
+            "[[axis]]\nkey = 'speed.constant'\nfrom = '1 rad/s'\nto = '2 rad/s'\ncount = 100000\n\
+             [[axis]]\nkey = 'shaft.mass'\nfrom = '1 kg'\nto = '2 kg'\ncount = 100000\n",
+            "at most 1e9 in a study",
+        ),
+        (
+            "sampling = 'sobol'\nruns = 4\n[[axis]]\nkey = 'shaft.mass'\ndistribution = 'normal'\n\
+             mean = '1 kg'\ndeviation = '1 kg'\n",
+            "needs `lowest` here",
+        ),
+        (
+            "[[axis]]\nkey = 'shaft.mass'\ndistribution = 'uniform'\nfrom = '1 kg'\nto = '2 kg'\n",
+            "a distribution has no values for a grid",
+        ),
+        (
+            "sampling = 'monte_carlo'\n[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n",
+            "runs that are drawn need a number of them",
+        ),
+        ("[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 m']\n", "values"),
+        (
+            "sampling = 'sobol'\nruns = 4\nsweep = 'up'\n[[axis]]\nkey = 'shaft.mass'\nvalues = ['1 kg']\n",
+            "no neighbours",
+        ),
+    ] {
+        let file = written(folder.path(), text);
+        let output = study(&file, folder.path(), &[]);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        assert!(told(&output).contains(message), "{text}\n{}", told(&output));
+        assert!(!folder.path().join("small").exists(), "{text}");
+    }
+    let missing = folder.path().join("missing.toml");
+    fs::write(
+        &missing,
+        "base = 'none.toml'\n[[axis]]\nkey = 'x'\nvalues = [1]\n",
+    )
+    .expect("a file");
+    let output = study(&missing, folder.path(), &[]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        told(&output).contains("there is no scenario"),
+        "{}",
+        told(&output)
+    );
+}
+
+/// What cannot be written is said at once.
+#[test]
+fn a_folder_that_cannot_be_written_is_told() {
+    let folder = TempDir::new().expect("a folder");
+    let file = written(folder.path(), SPEEDS);
+    let taken = folder.path().join("taken");
+    fs::write(&taken, b"a file").expect("a file");
+    let output = study(&file, &taken, &[]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(told(&output).contains("cannot create"), "{}", told(&output));
+}
+
+/// A missing part is named; parts of different studies do not go together.
+#[test]
+fn parts_that_make_no_whole_are_refused() {
+    let folder = TempDir::new().expect("a folder");
+    let file = written(folder.path(), SPEEDS);
+    let merge = || {
+        Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+            .args(["study", "merge"])
+            .arg(folder.path().join("small"))
+            .output()
+            .expect("the command starts")
+    };
+    assert!(
+        study(&file, folder.path(), &["--shard", "1/2"])
+            .status
+            .success()
+    );
+    let output = merge();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        told(&output).contains("1 of 2 parts are missing: 2"),
+        "{}",
+        told(&output)
+    );
+    let other = written(folder.path(), &format!("seed = 3\n{SPEEDS}"));
+    assert!(
+        study(&other, folder.path(), &["--shard", "2/2"])
+            .status
+            .success()
+    );
+    let output = merge();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(told(&output).contains("study.seed"), "{}", told(&output));
+}
+
+/// The schema that editors read is that of the program.
+#[test]
+fn the_schema_of_studies_is_up_to_date() {
+    let output = Command::new(env!("CARGO_BIN_EXE_jeffcott"))
+        .args(["schema", "--study"])
+        .output()
+        .expect("the command starts");
+    let kept = fs::read(scenarios().join("study.schema.json")).expect("the schema");
+    assert!(
+        kept == output.stdout,
+        "run `jeffcott schema --study > scenarios/study.schema.json`"
+    );
+}
