@@ -93,6 +93,12 @@ impl<L: BallLaw> Ring<L> {
 }
 
 impl DampedRaces {
+    /// Parts of the approach of both contacts in series that the inner and the outer one have.
+    pub fn shares(&self) -> [f64; 2] {
+        let [inner, outer] = self.stiffness;
+        [outer, inner].map(|other| other / (inner + outer))
+    }
+
     /// Axial and radial force on one ball whose inner groove centre moves at a rate in m/s.
     fn push(&self, law: &impl BallLaw, ball: &PlacedBall, speed: f64, rate: [f64; 2]) -> [f64; 2] {
         let slopes = law.load_slopes(ball.axial, ball.radial, speed);

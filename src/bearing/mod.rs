@@ -31,6 +31,7 @@ mod races;
 mod ring;
 mod ring_lift_off;
 mod seat;
+mod series_damping;
 mod state;
 mod static_safety;
 mod support;

@@ -8,7 +8,8 @@ const HERTZ_FILM: f64 = 65e-9;
 const JONES: f64 = 270e-9;
 const JONES_FILM: f64 = 630e-9;
 const TABLE: f64 = 18e-9;
-/// Of the damping of its contacts.
+/// Of the damping of its contacts: two dry Hertz contacts in series, and any others.
+const HERTZ_DAMPED: f64 = 7e-9;
 const DAMPED: f64 = 60e-9;
 
 impl Support {
@@ -28,11 +29,12 @@ impl Support {
 
     /// Price of the force against the damping of the contacts, s.
     pub(crate) fn damping_price(&self) -> f64 {
-        let balls = self.definition.bearing.geometry.balls() as f64;
-        if self.damped.is_some() {
-            DAMPED * balls
-        } else {
-            0.0
-        }
+        let definition = &self.definition;
+        let ball = match (definition.law, definition.oil.is_some()) {
+            _ if self.damped.is_none() => 0.0,
+            (ContactLaw::Linear | ContactLaw::Hertz, false) => HERTZ_DAMPED,
+            _ => DAMPED,
+        };
+        ball * definition.bearing.geometry.balls() as f64
     }
 }

@@ -15,6 +15,7 @@ mod error;
 mod explicit;
 mod exponential;
 mod integration;
+mod look;
 mod nystrom;
 mod rosenbrock;
 mod settings;

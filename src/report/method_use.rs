@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::wrapped;
 use crate::integrate::{Method, MethodUse, Stretch};
 use crate::scenario;
 
@@ -22,6 +23,9 @@ fn cost(stretch: &Stretch) -> Option<String> {
     Some(format!("{} {:.3} ms", name(stretch.method), 1e3 * rate))
 }
 
+/// Characters before the text of a line.
+const INDENT: usize = 16;
+
 /// Two lines or more that begin as those of a run do.
 pub(super) fn method_use_text(used: &MethodUse) -> String {
     let costs: Vec<String> = used.stretches.iter().filter_map(cost).collect();
@@ -33,7 +37,9 @@ pub(super) fn method_use_text(used: &MethodUse) -> String {
         ),
         _ => format!("expected cost of a second: {}", costs.join(", ")),
     };
-    format!("  method        {}\n                {why}\n", course(used))
+    let course = wrapped(&format!("  method        {}", course(used)), INDENT);
+    let why = wrapped(&format!("{:INDENT$}{why}", ""), INDENT);
+    format!("{course}\n{why}\n")
 }
 
 /// `verner76, exponential from 1.234 ms on`.

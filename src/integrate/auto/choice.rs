@@ -19,9 +19,39 @@ const BREAKS: u32 = 8;
 impl<const N: usize> AutoWalk<N> {
     /// Goes over to another method where the latest step leads to it.
     pub(super) fn choose<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
-        let (time, prices) = (self.time(), self.prices(course));
+        let prices = self.prices(course);
+        let (here, before) = (self.mark(&prices), self.selector);
+        let mut selector = before;
+        let way = selector.look(here, || self.outlook(course, prices));
+        self.selector = selector;
+        // what was crossed in a window is of no account after it
+        self.contacts_change &= !before.open || selector.window == before.window;
+        if let Some(way) = way {
+            self.change(here, way);
+        }
+    }
+
+    /// Leaves a stretch of the Nyström pair that comes to a surface.
+    pub(super) fn turn_back<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        let prices = self.prices(course);
+        let (here, outlook) = (self.mark(&prices), self.outlook(course, prices));
+        let way = self.selector.turn_back(here, &outlook);
+        self.change(here, way);
+        self.contacts_change = true;
+    }
+
+    /// Lets the explicit pair go on that always can, and the present method never again.
+    pub(super) fn give_up_method<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        let prices = self.prices(course);
         let here = self.mark(&prices);
-        let outlook = || Outlook {
+        self.selector.rule_out(self.selector.way);
+        self.change(here, Way::Verner76);
+    }
+
+    /// What is ahead of the run.
+    fn outlook<S: Linearised<N>>(&self, course: &Course<'_, S, N>, prices: Prices) -> Outlook {
+        let time = self.time();
+        Outlook {
             prices,
             left: course.end - time,
             exponential: if self.contacts_change {
@@ -29,23 +59,25 @@ impl<const N: usize> AutoWalk<N> {
             } else {
                 settled_cost(course, time, &prices)
             },
-        };
-        let mut selector = self.selector;
-        let way = selector.look(here, outlook);
-        self.selector = selector;
-        if let Some(way) = way {
-            self.change(here, way);
+            contacts_change: self.contacts_change,
         }
     }
 
-    /// Prices for the system.
-    pub(super) fn prices<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Prices {
-        let new = || Prices::new(course.system.effort(), N);
-        *self.prices.get_or_insert_with(new)
+    /// Prices for the system; as it is asked for them, also whether a Nyström pair serves it.
+    fn prices<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Prices {
+        if let Some(prices) = self.prices {
+            return prices;
+        }
+        if course.system.velocity_slopes().is_err() {
+            self.selector.rule_out(Way::Dprkn8);
+        }
+        let prices = Prices::new(course.system.effort(), N);
+        self.prices = Some(prices);
+        prices
     }
 
     /// How far the run has come.
-    pub(super) fn mark(&self, prices: &Prices) -> Mark {
+    fn mark(&self, prices: &Prices) -> Mark {
         Mark {
             time: self.time(),
             spent: self.spent(prices),

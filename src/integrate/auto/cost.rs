@@ -7,6 +7,7 @@ use crate::integrate::{Effort, Method};
 pub(super) enum Way {
     Verner76,
     Dop853,
+    Dprkn8,
     Exponential,
 }
 
@@ -16,16 +17,19 @@ impl Way {
         match self {
             Self::Verner76 => Method::Verner76,
             Self::Dop853 => Method::Dop853,
+            Self::Dprkn8 => Method::Dprkn8,
             Self::Exponential => Method::Exponential,
         }
     }
 }
 
 /// All of them, in the order of their numbers.
-pub(super) const WAYS: [Way; 3] = [Way::Verner76, Way::Dop853, Way::Exponential];
+pub(super) const WAYS: [Way; 4] = [Way::Verner76, Way::Dop853, Way::Dprkn8, Way::Exponential];
 
 /// What an explicit pair does with an evaluation, and with each state of it.
 const EXPLICIT: [f64; 2] = [30e-9, 4e-9];
+/// What a Nyström pair does more, with the integrating factor.
+const NYSTROM: f64 = 35e-9;
 /// The same of the exponential method, and with each entry of a matrix.
 const EXPONENTIAL: [f64; 2] = [200e-9, 3.6e-9];
 /// Matrices of a step size, by the products of two of their rows and columns.
@@ -50,7 +54,7 @@ impl Prices {
         let explicit = effort.derivative + EXPLICIT[0] + EXPLICIT[1] * n;
         let exponential = effort.derivative + EXPONENTIAL[0] + EXPONENTIAL[1] * n * n;
         Self {
-            evaluation: [explicit, explicit, exponential],
+            evaluation: [explicit, explicit, explicit + NYSTROM, exponential],
             linear_part: effort.linearisation,
             matrices: MATRICES * n * n * n,
         }

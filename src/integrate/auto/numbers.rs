@@ -6,6 +6,7 @@ use super::walk::AutoWalk;
 use crate::integrate::Counters;
 use crate::integrate::explicit::Walk;
 use crate::integrate::exponential::ExponentialWalk;
+use crate::integrate::nystrom;
 
 /// The number that stands for no method.
 const NONE: f64 = -1.0;
@@ -117,12 +118,14 @@ impl<const N: usize> AutoWalk<N> {
         for list in [
             changes.collect(),
             self.explicit.numbers(),
+            self.nystrom.numbers(),
             self.exponential.numbers(),
         ] {
             numbers.push(list.len() as f64);
             numbers.extend(list);
         }
         numbers.extend(of_counters(self.explicit.counters()));
+        numbers.extend(of_counters(self.nystrom.counters()));
         numbers.extend(of_counters(self.exponential.counters()));
         numbers
     }
@@ -137,17 +140,20 @@ impl<const N: usize> AutoWalk<N> {
         }
         let (covered, explicit_size) = (take.several()?, take.one()?);
         let contacts_change = take.one()? != 0.0;
-        let (changes, explicit, exponential) = (take.list()?, take.list()?, take.list()?);
-        let (own, other) = (take.counters()?, take.counters()?);
+        let mut list = || take.list();
+        let (changes, walks) = (list()?, [list()?, list()?, list()?]);
+        let counters = [take.counters()?, take.counters()?, take.counters()?];
         take.0.is_empty().then_some(())?;
         Some(Self {
-            explicit: Walk::restored(explicit, own)?,
-            exponential: ExponentialWalk::restored(exponential, other, interval)?,
+            explicit: Walk::restored(walks[0], counters[0])?,
+            nystrom: nystrom::Walk::restored(walks[1], counters[1])?,
+            exponential: ExponentialWalk::restored(walks[2], counters[2], interval)?,
             selector,
             done,
             covered,
             explicit_size,
             contacts_change,
+            looked: None,
             changes: changes_of(changes)?,
             prices: None,
         })

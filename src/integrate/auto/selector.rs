@@ -20,9 +20,10 @@ const PAID_OFF: f64 = 20.0;
 /// The same where a method is expected to become cheaper than it was, and its growth with every failure.
 const SOON: f64 = 3.0;
 /// How much cheaper than it was found to be the exponential method may be by now, and how much cheaper one
-/// explicit pair may be than the other.
+/// explicit pair may be than the other, and the Nyström pair than both.
 const HOPE: f64 = 0.6;
 const OTHER_PAIR: f64 = 0.8;
+const NYSTROM_PAIR: f64 = 0.7;
 /// How much cheaper than it was found to be an explicit pair cannot be by now, after the other one and after
 /// the exponential method, which may have had its turn for long; the latter with every failure by half.
 const NO_HOPE: [f64; 2] = [0.1, 0.5];
@@ -70,6 +71,8 @@ pub(super) struct Outlook {
     /// Cost per simulated time that the exponential method is expected to have; no number where nothing
     /// is known.
     pub exponential: f64,
+    /// Whether surfaces were crossed of late: not for methods that step over them.
+    pub contacts_change: bool,
 }
 
 impl Selector {
@@ -151,6 +154,23 @@ impl Selector {
         self.rates[way as usize] = f64::MAX;
     }
 
+    /// Leaves a method that cannot go over what is ahead; the method to go on with.
+    pub fn turn_back(&mut self, here: Mark, outlook: &Outlook) -> Way {
+        if let Some(against) = self.against {
+            return self.fail(here, here, against, outlook);
+        }
+        // as if it had never been: it is no better than the others while this lasts
+        self.rates[self.way as usize] = f64::INFINITY;
+        let least = PAIR_EVALUATIONS * outlook.prices.evaluation[Way::Verner76 as usize];
+        self.next_trial = here.spent + PAID_OFF * least;
+        let [verner, dop853] = [Way::Verner76, Way::Dop853].map(|way| self.rates[way as usize]);
+        if dop853 < verner {
+            Way::Dop853
+        } else {
+            Way::Verner76
+        }
+    }
+
     /// Ends a trial whose cost is taken from a mark on; the method to go back to.
     fn fail(&mut self, from: Mark, here: Mark, against: Way, outlook: &Outlook) -> Way {
         let from = if from == here { self.began } else { from };
@@ -218,6 +238,9 @@ impl Selector {
     fn promise(&self, way: Way, outlook: &Outlook) -> f64 {
         let own = self.rates[self.way as usize];
         let beginning = self.beginning(way, outlook);
+        if way == Way::Dprkn8 && outlook.contacts_change {
+            return 0.0;
+        }
         let hoped = self.hoped(way, outlook);
         let expected =
             way == Way::Exponential && outlook.exponential.max(hoped.unwrap_or(0.0)) < own;
@@ -244,6 +267,7 @@ impl Selector {
             _ if known.is_finite() => self.pair_hope() * known,
             Way::Verner76 => OTHER_PAIR * self.rates[Way::Dop853 as usize],
             Way::Dop853 => OTHER_PAIR * self.rates[Way::Verner76 as usize],
+            Way::Dprkn8 => NYSTROM_PAIR * self.rates[Way::Verner76 as usize],
         };
         hoped.is_finite().then_some(hoped)
     }

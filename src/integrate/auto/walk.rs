@@ -6,12 +6,35 @@ use super::usage::{MethodChange, MethodUse, Stretch};
 use crate::integrate::course::Course;
 use crate::integrate::explicit::{Dop853, Verner76, Walk};
 use crate::integrate::exponential::ExponentialWalk;
+use crate::integrate::look::Look;
+use crate::integrate::nystrom::{self, Dprkn8};
 use crate::integrate::{Counters, IntegrateError, Linearised, Scaling, Settings};
+
+/// The same of the walk that goes on.
+macro_rules! present {
+    ($auto:expr, $walk:ident => $of:expr) => {
+        match $auto.selector.way {
+            Way::Verner76 | Way::Dop853 => {
+                let $walk = &$auto.explicit;
+                $of
+            }
+            Way::Dprkn8 => {
+                let $walk = &$auto.nystrom;
+                $of
+            }
+            Way::Exponential => {
+                let $walk = &$auto.exponential;
+                $of
+            }
+        }
+    };
+}
 
 /// The walks of all methods, of which one goes on.
 #[derive(Debug, Clone)]
 pub(in crate::integrate) struct AutoWalk<const N: usize> {
     pub(super) explicit: Walk<N>,
+    pub(super) nystrom: nystrom::Walk<N>,
     pub(super) exponential: ExponentialWalk<N>,
     pub(super) selector: Selector,
     /// Work and simulated time of each method up to its latest change.
@@ -19,8 +42,10 @@ pub(in crate::integrate) struct AutoWalk<const N: usize> {
     pub(super) covered: [f64; WAYS.len()],
     /// Step size that the explicit pairs had last, s.
     pub(super) explicit_size: f64,
-    /// Whether a surface was crossed in the latest stretch of an explicit pair.
+    /// Whether a surface was crossed in the latest window of a pair.
     pub(super) contacts_change: bool,
+    /// The latest look around of the Nyström pair, which steps over surfaces.
+    pub(super) looked: Option<Look<N>>,
     pub(super) changes: Vec<(f64, Way)>,
     /// Prices for the system, once it was asked.
     pub(super) prices: Option<Prices>,
@@ -32,47 +57,32 @@ impl<const N: usize> AutoWalk<N> {
         let first = Way::Verner76;
         Self {
             explicit: Walk::new(deviation),
+            nystrom: nystrom::Walk::new(deviation),
             exponential: ExponentialWalk::new(deviation, interval),
             selector: Selector::new(first),
             done: [Counters::default(); WAYS.len()],
             covered: [0.0; WAYS.len()],
             explicit_size: 0.0,
             contacts_change: false,
+            looked: None,
             changes: vec![(0.0, first)],
             prices: None,
         }
     }
 
-    /// Whether the exponential method walks.
-    fn is_exponential(&self) -> bool {
-        self.selector.way == Way::Exponential
-    }
-
     /// End of the latest step, s.
     pub fn time(&self) -> f64 {
-        if self.is_exponential() {
-            self.exponential.time()
-        } else {
-            self.explicit.time()
-        }
+        present!(self, walk => walk.time())
     }
 
     /// Size of the latest step, s.
     pub fn step_size(&self) -> f64 {
-        if self.is_exponential() {
-            self.exponential.step_size()
-        } else {
-            self.explicit.step_size()
-        }
+        present!(self, walk => walk.step_size())
     }
 
     /// Scaled state at the end of the latest step.
     pub fn scaled(&self, scaling: &Scaling<N>) -> [f64; N] {
-        if self.is_exponential() {
-            self.exponential.scaled(scaling)
-        } else {
-            self.explicit.scaled(scaling)
-        }
+        present!(self, walk => walk.scaled(scaling))
     }
 
     /// Work done so far.
@@ -95,11 +105,7 @@ impl<const N: usize> AutoWalk<N> {
 
     /// Work since the latest change.
     fn under_way(&self) -> Counters {
-        if self.is_exponential() {
-            self.exponential.counters()
-        } else {
-            self.explicit.counters()
-        }
+        present!(self, walk => walk.counters())
     }
 
     /// Which methods walked.
@@ -146,25 +152,44 @@ impl<const N: usize> AutoWalk<N> {
         Ok(match self.selector.way {
             Way::Verner76 => self.explicit.state_within::<Verner76, S>(course, time),
             Way::Dop853 => self.explicit.state_within::<Dop853, S>(course, time),
+            Way::Dprkn8 => self.nystrom.state_at::<Dprkn8, S>(course, time)?,
             Way::Exponential => self.exponential.state_within(course, time),
         })
     }
 
-    /// Takes a step; where the exponential method cannot, an explicit one goes on for it.
+    /// Takes a step; where the method cannot, one that always can goes on for it.
     fn step<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
         self.choose(course);
         match self.step_by_choice(course) {
             Err(IntegrateError::StepUnderflow { .. } | IntegrateError::NotFinite { .. })
-                if self.is_exponential() =>
+                if matches!(self.selector.way, Way::Exponential | Way::Dprkn8) =>
             {
-                let prices = self.prices(course);
-                let here = self.mark(&prices);
-                self.selector.rule_out(Way::Exponential);
-                self.change(here, Way::Verner76);
+                self.give_up_method(course);
                 self.step_by_choice(course)
+            }
+            Ok(()) if self.selector.way == Way::Dprkn8 && self.steps_over(course) => {
+                self.nystrom.step_back();
+                self.turn_back(course);
+                self.step(course)
             }
             result => result,
         }
+    }
+
+    /// Whether the latest step of the Nyström pair went over a surface.
+    fn steps_over<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> bool {
+        let origin = &course.scaling.origin;
+        let (time, deviation) = (self.nystrom.time(), self.nystrom.deviation());
+        let state = std::array::from_fn(|i| origin[i] + deviation[i]);
+        let Some(looked) = &mut self.looked else {
+            return false;
+        };
+        if looked.is_clear(course.system, time, &state) {
+            return false;
+        }
+        let sides = looked.sides;
+        *looked = Look::around(course.system, time, state);
+        looked.sides != sides
     }
 
     fn step_by_choice<S: Linearised<N>>(
@@ -181,12 +206,26 @@ impl<const N: usize> AutoWalk<N> {
         match self.selector.way {
             Way::Verner76 => self.explicit.step::<Verner76, S>(&course),
             Way::Dop853 => self.explicit.step::<Dop853, S>(&course),
+            Way::Dprkn8 => {
+                self.look_around(&course);
+                self.nystrom.go_on::<Dprkn8, S>(&course)
+            }
             Way::Exponential => self.exponential.step(&course),
         }
         .map_err(|error| with_limit(error, limit))?;
         // before the first step nothing is known
         self.contacts_change |= sides.is_some_and(|sides| self.explicit.sides() != Some(sides));
         Ok(())
+    }
+
+    /// Looks around for the Nyström pair, where it has not.
+    fn look_around<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        if self.selector.way == Way::Dprkn8 && self.looked.is_none() {
+            let origin = &course.scaling.origin;
+            let deviation = self.nystrom.deviation();
+            let state = std::array::from_fn(|i| origin[i] + deviation[i]);
+            self.looked = Some(Look::around(course.system, self.nystrom.time(), state));
+        }
     }
 
     /// The limit on steps less those of earlier stretches.
@@ -201,19 +240,22 @@ impl<const N: usize> AutoWalk<N> {
     /// Lets another method go on from the end of the latest step.
     pub(super) fn change(&mut self, here: Mark, way: Way) {
         let (time, old) = (self.time(), self.selector.way);
-        let deviation = if self.is_exponential() {
-            self.exponential.deviation()
-        } else {
+        let deviation = present!(self, walk => walk.deviation());
+        if matches!(old, Way::Verner76 | Way::Dop853) {
             self.explicit_size = self.explicit.step_size();
-            self.explicit.deviation()
-        };
+        }
         self.done[old as usize] = self.work(old);
         self.covered[old as usize] += time - self.selector.began.time;
-        if way == Way::Exponential {
-            self.exponential.stand_at(time, deviation);
-        } else {
-            self.explicit = Walk::at(time, deviation, self.explicit_size);
-            self.contacts_change = false;
+        match way {
+            Way::Exponential => self.exponential.stand_at(time, deviation),
+            Way::Dprkn8 => {
+                self.nystrom.stand_at(time, deviation, self.explicit_size);
+                self.looked = None;
+            }
+            Way::Verner76 | Way::Dop853 => {
+                self.explicit = Walk::at(time, deviation, self.explicit_size);
+                self.contacts_change = false;
+            }
         }
         self.selector.change(here, way);
         self.changes.push((time, way));

@@ -15,12 +15,15 @@ impl<S: System<N>, const N: usize> Trial<'_, S, N> {
     ///
     /// Where the slow part is smooth its Legendre coefficients fall by about the same factor from one to
     /// the next, and what the polynomial leaves out is smaller than what the estimate sees by two of
-    /// them. Where a surface is crossed they fall slowly, and no faster than seen.
+    /// them. Where a surface is crossed they fall slowly, and no faster than seen. A part that is nearly
+    /// odd about the middle of the step has next to no even coefficients: there the fall is not seen.
     pub(super) fn smoothness(&self) -> f64 {
         let [before, middle, highest] = NODES
             .modes
             .map(|mode| self.norm(&combined(&mode, &self.slow)));
-        let factor = CAUTION * highest / before.max(middle);
+        let squares = [before, middle, highest].map(|mode| mode * mode);
+        let fall = (squares[1] + squares[2]) / (squares[0] + squares[1]);
+        let factor = CAUTION * fall.max(highest / before.max(middle));
         // no number where the slow part is constant
         if factor < 1.0 && !self.crosses() {
             factor
