@@ -27,8 +27,8 @@ pub struct IntegratorSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MethodChoice {
-    /// The cheapest of Verner 7(6), Dormand–Prince 8(5,3) and exponential collocation, chosen and chosen
-    /// again during the run.
+    /// The cheapest of Verner 7(6), Dormand–Prince 8(5,3), the Nyström pair dprkn8 and exponential
+    /// collocation, chosen and chosen again during the run.
     Auto,
     /// Verner 7(6): for all tolerances.
     Verner76,
