@@ -13,12 +13,17 @@ const AT_TOLERANCE: f64 = 1e-8;
 const ROOT: f64 = -1.0 / 7.0;
 /// Step sizes that a break adds to those of the exponential method: up to it and after it.
 const SIZES_PER_BREAK: f64 = 2.0;
+/// Mean decay times of the modes after which what is left of the start costs the exponential method little.
+const DECAYS: f64 = 2.0;
 /// Breaks that are looked ahead to.
 const BREAKS: u32 = 8;
 
 impl<const N: usize> AutoWalk<N> {
     /// Goes over to another method where the latest step leads to it.
     pub(super) fn choose<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
+        if self.selector.is_waiting(self.counters().steps) {
+            return;
+        }
         let prices = self.prices(course);
         let (here, before) = (self.mark(&prices), self.selector);
         let mut selector = before;
@@ -54,6 +59,7 @@ impl<const N: usize> AutoWalk<N> {
         Outlook {
             prices,
             left: course.end - time,
+            settled: course.end - time.max(self.settled_from),
             exponential: if self.contacts_change {
                 f64::NAN
             } else {
@@ -73,6 +79,7 @@ impl<const N: usize> AutoWalk<N> {
         }
         let prices = Prices::new(course.system.effort(), N);
         self.prices = Some(prices);
+        self.settled_from = settled_from(course);
         prices
     }
 
@@ -94,6 +101,14 @@ impl<const N: usize> AutoWalk<N> {
             + linear_parts * prices.linear_part
             + sizes * prices.matrices
     }
+}
+
+/// When a motion has settled by and large, s: by the mean decay of its modes at the origin.
+fn settled_from<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>) -> f64 {
+    let (slopes, _) = course.system.linearisation(0.0, &course.scaling.origin);
+    let decay = -slopes.trace() / N as f64;
+    // no decay tells nothing
+    if decay > 0.0 { DECAYS / decay } else { 0.0 }
 }
 
 /// Cost per simulated time that the exponential method is expected to have once the motion has settled.

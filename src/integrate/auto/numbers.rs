@@ -155,6 +155,7 @@ impl<const N: usize> AutoWalk<N> {
             contacts_change,
             looked: None,
             changes: changes_of(changes)?,
+            settled_from: 0.0,
             prices: None,
         })
     }

@@ -66,8 +66,9 @@ pub(super) struct Selector {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Outlook {
     pub prices: Prices,
-    /// Simulated time that is left, s.
+    /// Simulated time that is left, s, and that which is left once the motion has settled.
     pub left: f64,
+    pub settled: f64,
     /// Cost per simulated time that the exponential method is expected to have; no number where nothing
     /// is known.
     pub exponential: f64,
@@ -94,6 +95,12 @@ impl Selector {
             failures: [0.0; 2],
             linear_part: false,
         }
+    }
+
+    /// Whether a run that has come so far is not to be looked at yet.
+    pub fn is_waiting(&self, steps: u64) -> bool {
+        let enough = if self.open { LEAST_STEPS } else { FIRST_STEPS };
+        self.against.is_none() && steps - self.window.steps < enough
     }
 
     /// Looks at a run after a step; the method that is to go on, where it is another.
@@ -247,7 +254,13 @@ impl Selector {
         if !expected && beginning >= BLIND * own * outlook.left {
             return 0.0;
         }
-        let saved = (own - hoped.unwrap_or(HOPE * own)) * outlook.left;
+        // a motion that has not settled leaves the exponential method little to save
+        let left = if way == Way::Exponential {
+            outlook.settled
+        } else {
+            outlook.left
+        };
+        let saved = (own - hoped.unwrap_or(HOPE * own)) * left;
         if saved > WORTH * beginning {
             saved
         } else {
