@@ -204,6 +204,7 @@ where
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         operating_ball_pass: sampling::operating_ball_pass(model, rotor),
         counters: passes.main.counters(),
+        method_use: passes.main.method_use(),
         samples: passes.grid.count,
         bearings: observers.observation.finish(),
         tables: observers.tables.finish(),

@@ -11,8 +11,8 @@ mod choice;
 mod command;
 #[path = "accuracy/measurement.rs"]
 mod measurement;
-#[path = "accuracy/method_choice.rs"]
-mod method_choice;
+#[path = "accuracy/method_use.rs"]
+mod method_use;
 #[path = "accuracy/promise.rs"]
 mod promise;
 

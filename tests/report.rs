@@ -189,6 +189,7 @@ fn run() -> Run {
             rejected: 20,
             evaluations: 14_000,
         },
+        method_use: None,
         samples: 257,
         bearings: vec![history()],
         tables: Vec::new(),

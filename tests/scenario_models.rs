@@ -49,7 +49,7 @@ fn the_smallest_scenario_has_the_documented_defaults() {
     assert_eq!(model.rotor.initial.from, InitialPosition::Equilibrium);
     assert_eq!((model.duration, model.settle), (0.1, 0.0));
     assert_eq!(model.sampling, Sampling::PerRevolution(128));
-    assert_eq!(model.integrator.method, Method::Verner76);
+    assert_eq!(model.integrator.method, Method::Auto);
     assert_eq!(model.integrator.step_limit, 100_000_000);
     assert!(model.verify && model.spectrum.is_some());
     let bearing = &model.rotor.bearings[0];

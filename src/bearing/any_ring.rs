@@ -113,6 +113,9 @@ impl AnyRing {
         speed: f64,
         races: &DampedRaces,
     ) -> Vector5 {
+        if let Self::Hertz(ring) = self {
+            return ring.series_damping(displacement, rate, cage, races);
+        }
         with_ring!(self, ring => ring.damping_force(displacement, rate, cage, speed, races))
     }
 

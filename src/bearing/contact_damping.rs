@@ -54,7 +54,7 @@ impl ContactDamping {
         let coefficients = [1.5 * self.inner, 1.5 * self.outer];
         Ok((!self.is_none()).then_some(DampedRaces {
             coefficients,
-            springs,
+            stiffness: springs.map(|spring| spring.stiffness_under(1.0)),
         }))
     }
 }
@@ -64,8 +64,8 @@ impl ContactDamping {
 pub(super) struct DampedRaces {
     /// c of both races, inner first, s/m.
     pub coefficients: [f64; 2],
-    /// Elastic contacts of both races.
-    pub springs: [HertzSpring; 2],
+    /// 3/2 K^(2/3) of both races: their stiffness over the cube root of the load.
+    stiffness: [f64; 2],
 }
 
 impl<L: BallLaw> Ring<L> {
@@ -93,15 +93,28 @@ impl<L: BallLaw> Ring<L> {
 }
 
 impl DampedRaces {
+    /// Parts of the approach of both contacts in series that the inner and the outer one have.
+    pub fn shares(&self) -> [f64; 2] {
+        let [inner, outer] = self.stiffness;
+        [outer, inner].map(|other| other / (inner + outer))
+    }
+
     /// Axial and radial force on one ball whose inner groove centre moves at a rate in m/s.
     fn push(&self, law: &impl BallLaw, ball: &PlacedBall, speed: f64, rate: [f64; 2]) -> [f64; 2] {
         let slopes = law.load_slopes(ball.axial, ball.radial, speed);
         let mut push = [0.0; 2];
+        let root = slopes[0].load.cbrt();
+        // most laws load both races alike
+        let roots = if slopes[1].load == slopes[0].load {
+            [root; 2]
+        } else {
+            [root, slopes[1].load.cbrt()]
+        };
         for (race, slope) in slopes.iter().enumerate() {
             if slope.load <= 0.0 {
                 continue;
             }
-            let stiffness = self.springs[race].stiffness_under(slope.load);
+            let stiffness = self.stiffness[race] * roots[race];
             // ∂δ/∂A = (∂Q/∂A)/k
             let approach = slope.by_place.map(|by_place| by_place / stiffness);
             let approach_rate = approach[0] * rate[0] + approach[1] * rate[1];

@@ -35,7 +35,7 @@ pub struct HertzLaw {
 }
 
 /// Keeps the direction of the line of centres defined where the two centres meet (no contact there).
-const SMALLEST_DISTANCE: f64 = f64::MIN_POSITIVE;
+pub(super) const SMALLEST_DISTANCE: f64 = f64::MIN_POSITIVE;
 
 impl HertzLaw {
     /// Distance d of the groove centres and approach max(δ, 0).

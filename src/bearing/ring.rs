@@ -46,10 +46,10 @@ pub struct Around {
 /// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
 #[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
-struct Azimuths {
-    cos: [f64; LANES],
-    sin: [f64; LANES],
-    weight: [f64; LANES],
+pub(super) struct Azimuths {
+    pub cos: [f64; LANES],
+    pub sin: [f64; LANES],
+    pub weight: [f64; LANES],
 }
 
 /// All balls of a bearing under one law: the force that holds the inner ring in place.
@@ -68,12 +68,12 @@ struct Azimuths {
 pub struct Ring<L> {
     law: L,
     /// What the processor has.
-    level: Level,
-    lanes: Vec<Azimuths>,
+    pub(super) level: Level,
+    pub(super) lanes: Vec<Azimuths>,
     azimuths: Vec<f64>,
-    free_axial: f64,
-    free_radial: f64,
-    arm: f64,
+    pub(super) free_axial: f64,
+    pub(super) free_radial: f64,
+    pub(super) arm: f64,
 }
 
 impl<L: BallLaw> Ring<L> {
@@ -288,7 +288,7 @@ impl<L: BallLaw> Ring<L> {
 
 /// Each sum over its lanes. A loop: closures that are handed on are not compiled for wide registers.
 #[inline(always)]
-fn sums_over_lanes<S: Simd>(lanes: &[Lanes<S>; 5]) -> Vector5 {
+pub(super) fn sums_over_lanes<S: Simd>(lanes: &[Lanes<S>; 5]) -> Vector5 {
     let mut sums = [0.0; 5];
     for (sum, lanes) in sums.iter_mut().zip(lanes) {
         let [a, b, c, d] = **lanes;
@@ -316,7 +316,7 @@ fn lanes_of(azimuths: &[f64]) -> Azimuths {
 
 /// Components of a displacement along the axes that turn with the cage.
 #[inline(always)]
-fn into_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
+pub(super) fn into_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
     let CageAngle { cos, sin } = cage;
     let [x, y, z, tilt_x, tilt_y] = *vector;
     [
@@ -330,7 +330,7 @@ fn into_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
 
 /// The inverse of [`into_cage`].
 #[inline(always)]
-fn out_of_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
+pub(super) fn out_of_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
     let back = CageAngle {
         cos: cage.cos,
         sin: -cage.sin,

@@ -236,10 +236,7 @@ impl Motion {
         let kept = self.model.rotor.shaft.freedoms.count();
         let report = RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)?;
         let scenario = &self.job.scenario;
-        Ok(report.with_choices(
-            scenario.contact_choice.as_ref(),
-            scenario.method_choice.as_ref(),
-        ))
+        Ok(report.with_choice(scenario.contact_choice.as_ref()))
     }
 
     /// Natural frequencies up to the highest speed, where the run is mapped.
@@ -331,9 +328,6 @@ impl Done {
         if let Some(choice) = &motion.job.scenario.contact_choice {
             stream::print(&report::contact_choice_text(choice))?;
         }
-        if let Some(choice) = &motion.job.scenario.method_choice {
-            stream::print(&report::method_choice_text(choice))?;
-        }
         stream::tell(&format!("done in {:.3} s\n", self.seconds));
         Ok(())
     }
@@ -344,9 +338,6 @@ impl Done {
         let files = self.files.iter().map(|file| file.display().to_string());
         if let Some(choice) = &motion.job.scenario.contact_choice {
             summary["contact_choice"] = report::contact_choice_json(choice);
-        }
-        if let Some(choice) = &motion.job.scenario.method_choice {
-            summary["method_choice"] = report::method_choice_json(choice);
         }
         if let Some(campbell) = &self.campbell {
             summary["critical_speeds"] = report::critical_speeds(campbell);

@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
+use super::auto::MethodUse;
 use super::block::Block;
 use super::course::Course;
 use super::rosenbrock;
@@ -142,6 +143,11 @@ where
         self.stiffness
     }
 
+    /// Which methods walked, where the choice was left open.
+    pub fn method_use(&self) -> Option<MethodUse> {
+        self.walk.method_use()
+    }
+
     /// Number of grid times handed out so far.
     pub fn done(&self) -> u64 {
         self.next
@@ -170,7 +176,8 @@ where
             | Method::Tsit5
             | Method::Dprkn8
             | Method::Dprkn12
-            | Method::Exponential => self.walk(points, states),
+            | Method::Exponential
+            | Method::Auto => self.walk(points, states),
         }?;
         let due = self.counters.steps / LOOK_EVERY != looks_before;
         if due && self.stiffness.is_none() && self.step < self.grid.interval {

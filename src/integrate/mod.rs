@@ -5,14 +5,17 @@
 //! not grow with the duration.
 
 mod adapter;
+mod auto;
 mod block;
 mod checkpoint;
 mod control;
 mod course;
+mod effort;
 mod error;
 mod explicit;
 mod exponential;
 mod integration;
+mod look;
 mod nystrom;
 mod rosenbrock;
 mod settings;
@@ -22,7 +25,9 @@ mod system;
 mod variation;
 mod walks;
 
+pub use auto::{MethodChange, MethodUse, Stretch};
 pub use checkpoint::{Checkpoint, CheckpointMismatch};
+pub use effort::Effort;
 pub use error::{IntegrateError, VelocityDependence};
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};

@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::{Linearised, Surroundings, System, VelocityDependence};
+use super::{Effort, Linearised, Surroundings, System, VelocityDependence};
 
 /// The same system with its time counted from `start`, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,5 +52,13 @@ impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
 impl<const N: usize, S: Linearised<N>> Linearised<N> for Shifted<'_, S> {
     fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]) {
         self.system.linearisation(self.start + time, state)
+    }
+
+    fn effort(&self) -> Effort {
+        self.system.effort()
+    }
+
+    fn pace(&self, from: f64, to: f64) -> f64 {
+        self.system.pace(self.start + from, self.start + to)
     }
 }

@@ -2,7 +2,7 @@
 
 use nalgebra::{DimMin, SMatrix};
 
-use super::VelocityDependence;
+use super::{Effort, VelocityDependence};
 
 /// Sides of surfaces, a bit for each: set past the surface. Those beyond the last bit go unseen.
 pub type Sides = u128;
@@ -86,6 +86,17 @@ pub trait System<const N: usize> {
 pub trait Linearised<const N: usize>: System<N> {
     /// `∂f/∂y`, rows by component of f, and `∂f/∂t` at fixed state.
     fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]);
+
+    /// What it costs to ask for the derivative and for its slopes.
+    fn effort(&self) -> Effort {
+        Effort::SMALL
+    }
+
+    /// Mean angular frequency, rad/s, of what drives the motion between two times in s; no number where
+    /// that is not known.
+    fn pace(&self, _from: f64, _to: f64) -> f64 {
+        f64::NAN
+    }
 }
 
 /// A number of states for which square matrices can be factored: every `Const<N>` that is used.

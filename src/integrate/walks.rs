@@ -1,5 +1,6 @@
 //! The walk of the method in use.
 
+use super::auto::{AutoWalk, MethodUse};
 use super::course::Course;
 use super::explicit::{self, Dop853, Pair, Tsit5, Verner76};
 use super::exponential::ExponentialWalk;
@@ -12,6 +13,7 @@ pub(super) enum Walks<const N: usize> {
     Explicit(Box<explicit::Walk<N>>),
     Nystrom(Box<nystrom::Walk<N>>),
     Exponential(Box<ExponentialWalk<N>>),
+    Auto(Box<AutoWalk<N>>),
 }
 
 /// The same of any walk.
@@ -21,6 +23,7 @@ macro_rules! any {
             Self::Explicit($walk) => $of,
             Self::Nystrom($walk) => $of,
             Self::Exponential($walk) => $of,
+            Self::Auto($walk) => $of,
         }
     };
 }
@@ -35,6 +38,7 @@ impl<const N: usize> Walks<N> {
             Method::Exponential => {
                 Self::Exponential(Box::new(ExponentialWalk::new(deviation, interval)))
             }
+            Method::Auto => Self::Auto(Box::new(AutoWalk::new(deviation, interval))),
             _ => Self::Explicit(Box::new(explicit::Walk::new(deviation))),
         }
     }
@@ -54,6 +58,7 @@ impl<const N: usize> Walks<N> {
                 let walk = ExponentialWalk::restored(numbers, counters, interval)?;
                 Self::Exponential(Box::new(walk))
             }
+            Method::Auto => Self::Auto(Box::new(AutoWalk::restored(numbers, interval)?)),
             _ => Self::Explicit(Box::new(explicit::Walk::restored(numbers, counters)?)),
         })
     }
@@ -69,6 +74,7 @@ impl<const N: usize> Walks<N> {
     ) -> Result<[f64; N], IntegrateError> {
         match (self, course.settings.method) {
             (Self::Exponential(walk), _) => walk.state_at(course, time),
+            (Self::Auto(walk), _) => walk.state_at(course, time),
             (Self::Nystrom(walk), Method::Dprkn8) => walk.state_at::<Dprkn8, S>(course, time),
             (Self::Nystrom(walk), _) => walk.state_at::<Dprkn12, S>(course, time),
             (Self::Explicit(walk), Method::Dop853) => walk.state_at::<Dop853, S>(course, time),
@@ -81,12 +87,20 @@ impl<const N: usize> Walks<N> {
     /// grows with eigenvalues; none where nothing holds it.
     pub fn stability_limit(&self, method: Method) -> Option<f64> {
         match (self, method) {
-            (Self::Exponential(_), _) => None,
+            (Self::Exponential(_) | Self::Auto(_), _) => None,
             (Self::Nystrom(walk), Method::Dprkn8) => Some(walk.stability::<Dprkn8>()),
             (Self::Nystrom(walk), _) => Some(walk.stability::<Dprkn12>()),
             (Self::Explicit(_), Method::Dop853) => Some(Dop853::STABILITY),
             (Self::Explicit(_), Method::Tsit5) => Some(Tsit5::STABILITY),
             (Self::Explicit(_), _) => Some(Verner76::STABILITY),
+        }
+    }
+
+    /// Which methods walked, where the choice was left open.
+    pub fn method_use(&self) -> Option<MethodUse> {
+        match self {
+            Self::Auto(walk) => Some(walk.usage()),
+            _ => None,
         }
     }
 

@@ -22,14 +22,14 @@ use super::table::{Column, Origin, TableFiles, TableTarget};
 use super::trace_table::TraceTable;
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    TraceFigure, WholeFile, contact_choice_json, method_choice_json, spectrum_figure, summary,
+    TraceFigure, WholeFile, contact_choice_json, spectrum_figure, summary,
     write_peaks,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{TableFormat, TraceChannel};
 use crate::simulate::{Event, Model, Run, TraceSink};
+use crate::study::ContactChoice;
 use crate::study::campbell::Campbell;
-use crate::study::{ContactChoice, MethodChoice};
 
 /// Which files a run writes besides `summary.json`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -99,7 +99,6 @@ pub struct RunReport {
     /// Kept from row to row for its room.
     row: Vec<f64>,
     contact_choice: Option<ContactChoice>,
-    method_choice: Option<MethodChoice>,
     campbell: Option<Campbell>,
 }
 
@@ -134,7 +133,6 @@ impl RunReport {
             samples: 0,
             row: Vec::new(),
             contact_choice: None,
-            method_choice: None,
             campbell: None,
         };
         report.open_tables()?;
@@ -173,16 +171,10 @@ impl RunReport {
         (self.samples - 1).is_multiple_of(self.outputs.every.get())
     }
 
-    /// The same with what was chosen for the run, which the summary tells: the law of the contacts and
-    /// the method.
-    pub fn with_choices(
-        self,
-        contact: Option<&ContactChoice>,
-        method: Option<&MethodChoice>,
-    ) -> Self {
+    /// The same with the law of the contacts that was chosen for the run, which the summary tells.
+    pub fn with_choice(self, contact: Option<&ContactChoice>) -> Self {
         Self {
             contact_choice: contact.cloned(),
-            method_choice: method.cloned(),
             ..self
         }
     }
@@ -242,9 +234,6 @@ impl RunReport {
         let mut summary = summary(&self.title, &self.scenario, model, run);
         if let Some(choice) = &self.contact_choice {
             summary["contact_choice"] = contact_choice_json(choice);
-        }
-        if let Some(choice) = &self.method_choice {
-            summary["method_choice"] = method_choice_json(choice);
         }
         if let Some(campbell) = &self.campbell {
             summary["critical_speeds"] = campbell::critical_speeds(campbell);

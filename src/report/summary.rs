@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::columns::{ball_pass, matrix, value_column};
 use super::histories::histories_json;
+use super::method_use::method_use_json;
 use super::motion::motion_json;
 use super::peaks_csv::other_names;
 use super::run_up::maps_json;
@@ -46,6 +47,7 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
         "maps": run.maps.as_ref().map(maps_json),
         "tables": run.tables.iter().map(|table| table.as_ref().map(table_use)).collect::<Value>(),
         "counters": counters(&run.counters),
+        "method_use": run.method_use.as_ref().map(method_use_json),
         "measured_error": run
             .measured_error
             .as_ref()

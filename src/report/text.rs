@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use comfy_table::{CellAlignment, Table, presets};
 
 use super::histories::write_histories;
+use super::method_use::method_use_text;
 use super::motion::write_motion;
 use super::wrapped;
 use crate::analysis::{Peak, Spectrum};
@@ -49,6 +50,9 @@ fn write_text(
         "  integration   {} steps, {} rejected, {} evaluations, {} samples",
         run.counters.steps, run.counters.rejected, run.counters.evaluations, run.samples
     )?;
+    if let Some(used) = &run.method_use {
+        out.push_str(&method_use_text(used));
+    }
     if let Some(error) = &run.measured_error {
         writeln!(
             out,

@@ -11,6 +11,7 @@ mod ball_contacts;
 mod damping;
 mod definition;
 mod drive;
+mod effort;
 mod energy;
 mod forcing;
 mod lift_off;

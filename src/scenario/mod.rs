@@ -50,7 +50,7 @@ pub use varied::{Varied, VariedError};
 use crate::bearing::Oil;
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
-use crate::study::{ContactChoice, MethodChoice, Study};
+use crate::study::{ContactChoice, Study};
 use node::Node;
 use problems::Problems;
 use spec::{Questions, ScenarioSpec};
@@ -98,8 +98,6 @@ pub struct Scenario {
     pub model: Option<Model>,
     /// The law of the contacts, where it was to be chosen.
     pub contact_choice: Option<ContactChoice>,
-    /// The method of integration, where it was to be chosen.
-    pub method_choice: Option<MethodChoice>,
     /// Oil of each bearing, whether its films are simulated or not.
     pub oils: Vec<Option<Oil>>,
     /// The static question at many values of one number.
@@ -187,7 +185,6 @@ fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
             question: questions.question,
             model: questions.model,
             contact_choice: questions.contact_choice,
-            method_choice: questions.method_choice,
             oils: questions.oils,
             study,
             output: spec.output.choice(),

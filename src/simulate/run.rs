@@ -6,7 +6,7 @@ use super::Maps;
 use super::TableUse;
 use crate::analysis::{EstimatedSpectrum, Motion, Peak, Spectrum};
 use crate::bearing::{BearingState, Vector5};
-use crate::integrate::Counters;
+use crate::integrate::{Counters, MethodUse};
 use crate::physics::BallPass;
 use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
 
@@ -66,6 +66,8 @@ pub struct Run {
     pub operating_ball_pass: Vec<BallPass>,
     /// Work done.
     pub counters: Counters,
+    /// Which methods did it, where the choice was left open.
+    pub method_use: Option<MethodUse>,
     /// Number of samples written.
     pub samples: u64,
     /// What was observed of each bearing, in the order of the scenario.

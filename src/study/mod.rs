@@ -5,14 +5,12 @@ pub mod accuracy;
 pub mod campbell;
 mod contact_choice;
 pub mod many;
-mod method_choice;
 pub mod plan;
 mod rung;
 
 pub use contact_choice::{
     ContactChoice, ContactQuestion, Difference, RungDifference, choose_contact,
 };
-pub use method_choice::{MethodChoice, MethodCost, choose_method};
 pub use rung::Rung;
 
 use crate::bearing::Around;

@@ -60,7 +60,9 @@ fn the_error_of_every_method_falls_with_its_tolerance_and_its_work_grows() {
                 "{tight:?} {seen:?}"
             );
             assert!(tight.force_relative < force, "{tight:?} {seen:?}");
-            assert!(pair[1].cost.counters.evaluations > pair[0].cost.counters.evaluations);
+            // the method left open may go over to one of fewer and dearer evaluations
+            let more = pair[1].cost.counters.evaluations > pair[0].cost.counters.evaluations;
+            assert!(more || rows[0].method == "auto", "{}", rows[0].method);
         }
         for (row, measured) in rows.iter().zip(&measured) {
             assert!(measured.cost.seconds > 0.0 && measured.cost.repeats >= 1);

@@ -68,6 +68,16 @@ fn gyroscopic_moments_and_shocks_by_a_nystrom_method() {
 }
 
 #[test]
+fn a_method_that_is_chosen_on_the_way() {
+    let text = shipped("run-up-7205c.toml");
+    assert!(!text.contains("method"));
+    // before the first change, and between later ones
+    check("run-up", &text, &["100 us", "20 ms", "0.2 s", "0.27 s"]);
+    let text = shipped("steady-7205c.toml").replace("\"verner76\"", "\"exponential\"");
+    check("exponential", &text, &["1 ms", "0.2 s"]);
+}
+
+#[test]
 fn a_stiff_run_whose_warning_was_earned_in_the_first_part() {
     let text = shipped("steady-7205c.toml").replace(
         "ratio = 0.02 ",

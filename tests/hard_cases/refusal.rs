@@ -17,9 +17,9 @@ fn an_impossible_load_is_refused_before_the_first_step() {
 /// Steps run out: the trace up to there has been handed over.
 #[test]
 fn a_limit_on_steps_keeps_the_trace_so_far() {
-    let text = THRUST.replace("tolerance = 1e-8", "tolerance = 1e-8\n    step_limit = 300");
+    let text = THRUST.replace("tolerance = 1e-8", "tolerance = 1e-8\n    step_limit = 100");
     let (result, extremes) = try_run(&text);
-    let message = result.expect_err("300 steps are too few").to_string();
-    assert!(message.contains("300 steps are used up"), "{message}");
+    let message = result.expect_err("100 steps are too few").to_string();
+    assert!(message.contains("100 steps are used up"), "{message}");
     assert!(extremes.samples > 100, "{}", extremes.samples);
 }

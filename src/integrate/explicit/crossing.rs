@@ -9,6 +9,7 @@ use super::landing::{Landing, crossing_time, insert};
 use super::tableau::Pair;
 use super::walk::Walk;
 use crate::integrate::course::Course;
+use crate::integrate::look::Look;
 use crate::integrate::{Sides, System};
 
 /// Error of a step over its size and what a surface adds over a short part at its end, over that part:
@@ -25,9 +26,6 @@ const WILD: f64 = 1e-2;
 const TOGETHER: f64 = 1e-3;
 /// Part of a trial within which its ends are as good as a landing.
 const AT_END: f64 = 1e-6;
-/// Part of the distance of the nearest surface that may be walked without another look: within a step
-/// the way is longer than between its ends.
-const SAFE: f64 = 0.7;
 
 /// Numbers that hold a set of surfaces, 32 each.
 const PARTS: usize = 4;
@@ -52,16 +50,6 @@ pub(super) struct Crossing<const N: usize> {
     seen: bool,
 }
 
-/// What was seen from a state.
-#[derive(Debug, Clone, Copy)]
-struct Look<const N: usize> {
-    time: f64,
-    state: [f64; N],
-    /// Distance of the nearest surface.
-    nearest: f64,
-    sides: Sides,
-}
-
 impl<const N: usize> Crossing<N> {
     pub const NEW: Self = Self {
         sides: 0,
@@ -72,6 +60,11 @@ impl<const N: usize> Crossing<N> {
         ahead: Look::NONE,
         seen: false,
     };
+
+    /// Sides at the end of the latest step.
+    pub fn sides(&self) -> Sides {
+        self.sides
+    }
 
     /// What the steps to come depend on, as numbers; another look finds the rest.
     pub fn numbers(&self) -> impl Iterator<Item = f64> + use<N> {
@@ -110,16 +103,6 @@ impl<const N: usize> Crossing<N> {
     }
 }
 
-impl<const N: usize> Look<N> {
-    /// From where nothing is known.
-    const NONE: Self = Self {
-        time: 0.0,
-        state: [0.0; N],
-        nearest: 0.0,
-        sides: 0,
-    };
-}
-
 impl<const N: usize> Walk<N> {
     fn look<S: System<N>>(
         &self,
@@ -127,14 +110,7 @@ impl<const N: usize> Walk<N> {
         time: f64,
         deviation: &[f64; N],
     ) -> Look<N> {
-        let state = self.state(course, deviation);
-        let seen = course.system.surroundings(time, &state);
-        Look {
-            time,
-            state,
-            nearest: seen.nearest,
-            sides: seen.sides,
-        }
+        Look::around(course.system, time, self.state(course, deviation))
     }
 
     /// Looks around at the start of the walk.
@@ -145,15 +121,9 @@ impl<const N: usize> Walk<N> {
 
     /// Whether the end of the trial is nearer to the latest look than any surface was.
     fn is_clear<S: System<N>>(&self, course: &Course<'_, S, N>, aim: &Aim) -> bool {
-        let looked = &self.crossing.looked;
-        if looked.nearest == f64::INFINITY {
-            return true;
-        }
         let state = self.state(course, &self.to);
-        let walked = course
-            .system
-            .approach([looked.time, aim.end], [&looked.state, &state]);
-        walked < SAFE * looked.nearest
+        let looked = &self.crossing.looked;
+        looked.is_clear(course.system, aim.end, &state)
     }
 
     /// Where the trial crosses surfaces that spoil it: the first time, and the next one.

@@ -5,7 +5,7 @@ use super::substitution::Substitution;
 use super::tableau::{Arguments, CoarseError, Error, Factors, MOST, Pair, Weights, sum};
 use crate::integrate::control::Control;
 use crate::integrate::course::Course;
-use crate::integrate::{Counters, IntegrateError, Scaling, System};
+use crate::integrate::{Counters, IntegrateError, Scaling, Sides, System};
 
 /// Times that a step looks for a better place to land on.
 const MOST_SEARCHES: u32 = 5;
@@ -72,6 +72,27 @@ impl<const N: usize> Walk<N> {
         }
     }
 
+    /// Stands at a time, s, in a deviation from the origin; a size of zero lets the first step find its own.
+    pub fn at(time: f64, deviation: [f64; N], size: f64) -> Self {
+        Self {
+            start: time,
+            time,
+            limit: time,
+            next_size: size,
+            ..Self::new(deviation)
+        }
+    }
+
+    /// Sides of the surfaces on which the latest step ended; none before the first.
+    pub fn sides(&self) -> Option<Sides> {
+        (self.counters.steps > 0).then_some(self.crossing.sides())
+    }
+
+    /// Deviation at the end of the latest step.
+    pub fn deviation(&self) -> [f64; N] {
+        self.to
+    }
+
     /// End of the latest step, s.
     pub fn time(&self) -> f64 {
         self.time
@@ -109,6 +130,15 @@ impl<const N: usize> Walk<N> {
         while self.time < time {
             self.step::<P, S>(course)?;
         }
+        Ok(self.state_within::<P, S>(course, time))
+    }
+
+    /// State at a time that is neither before the start of the latest step nor after its end.
+    pub fn state_within<P: Pair, S: System<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+        time: f64,
+    ) -> [f64; N] {
         let deviation = if time >= self.time {
             self.to
         } else if self.quintic {
@@ -117,10 +147,14 @@ impl<const N: usize> Walk<N> {
             self.extend::<P, S>(course);
             self.by_stages::<P>(time)
         };
-        Ok(self.state(course, &deviation))
+        self.state(course, &deviation)
     }
 
-    fn step<P: Pair, S: System<N>>(
+    /// Takes a step.
+    ///
+    /// # Errors
+    /// Why the walk ends here.
+    pub fn step<P: Pair, S: System<N>>(
         &mut self,
         course: &Course<'_, S, N>,
     ) -> Result<(), IntegrateError> {

@@ -38,6 +38,8 @@ pub(super) struct Nodes {
     pub local: [[[f64; POINTS]; POINTS]; POINTS - 1],
     /// Value at the spare point less that of the polynomial through the others.
     pub spare: [f64; POINTS],
+    /// Coefficients of the three highest Legendre polynomials in the polynomial through the values.
+    pub modes: [[f64; POINTS]; 3],
 }
 
 /// The points.
@@ -56,6 +58,7 @@ impl Nodes {
             power,
             local,
             spare: left_out(&part, SPARE),
+            modes: std::array::from_fn(|index| mode(&part, POINTS - 3 + index)),
         }
     }
 }
@@ -79,8 +82,29 @@ fn lobatto() -> [f64; POINTS] {
 
 /// P_n and P_{n−1} of the degree of the points.
 fn legendre(x: f64) -> (f64, f64) {
+    legendre_of(POINTS - 1, x)
+}
+
+/// Factors of the values in the coefficient of a Legendre polynomial, by Lobatto's quadrature.
+fn mode(part: &[f64; POINTS], degree: usize) -> [f64; POINTS] {
+    let highest = (POINTS - 1) as f64;
+    // the quadrature of the square of the highest polynomial is not exact
+    let square = if degree == POINTS - 1 {
+        2.0 / highest
+    } else {
+        2.0 / (2 * degree + 1) as f64
+    };
+    part.map(|part| {
+        let x = 2.0 * part - 1.0;
+        let weight = 2.0 / (highest * (highest + 1.0) * legendre(x).0.powi(2));
+        weight * legendre_of(degree, x).0 / square
+    })
+}
+
+/// P_n and P_{n−1}.
+fn legendre_of(highest: usize, x: f64) -> (f64, f64) {
     let (mut before, mut value) = (1.0, x);
-    for degree in 2..POINTS {
+    for degree in 2..=highest {
         let n = degree as f64;
         (before, value) = (
             value,

@@ -6,7 +6,7 @@ use super::walk::Walk;
 use crate::integrate::Counters;
 
 /// Single numbers of a walk.
-const SINGLE: usize = 18;
+const SINGLE: usize = 19;
 
 fn flag(set: bool) -> f64 {
     f64::from(u8::from(set))
@@ -34,15 +34,19 @@ impl<const N: usize> Walk<N> {
             self.since_rate,
             self.waste,
             flag(self.rejected),
+            self.renewals as f64,
         ];
+        let known = self.propagators.numbers();
         let vectors = [&self.from, &self.to].into_iter();
         let vectors = vectors.chain(&self.slow).chain(&self.linear.jacobian);
-        single.iter().chain(vectors.flatten()).copied().collect()
+        let single = single.iter().chain(&known);
+        single.chain(vectors.flatten()).copied().collect()
     }
 
     /// The walk of numbers as by [`Walk::numbers`], with its counters; none of any others.
     pub fn restored(numbers: &[f64], counters: Counters, interval: f64) -> Option<Self> {
-        let (single, vectors) = numbers.split_at_checked(SINGLE)?;
+        let (single, numbers) = numbers.split_at_checked(SINGLE)?;
+        let (known, vectors) = numbers.split_first_chunk()?;
         let vectors: &[[f64; N]] = match vectors.as_chunks() {
             (vectors, []) if vectors.len() == 2 + POINTS + N => vectors,
             _ => return None,
@@ -66,6 +70,7 @@ impl<const N: usize> Walk<N> {
             since_rate,
             waste,
             rejected,
+            renewals,
         ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
         let mut walk = Self::new(vectors[1], interval);
         walk.from = vectors[0];
@@ -83,6 +88,8 @@ impl<const N: usize> Walk<N> {
         (walk.slow_size, walk.fresh) = (slow_size, fresh != 0.0);
         (walk.rate, walk.since_rate) = (rate, since_rate);
         (walk.waste, walk.rejected) = (waste, rejected != 0.0);
+        walk.renewals = renewals as u64;
+        walk.propagators.restore(&walk.linear, known);
         walk.counters = counters;
         Some(walk)
     }

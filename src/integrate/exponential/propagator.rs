@@ -6,6 +6,8 @@ use super::phi::{self, Family};
 
 /// Sizes that are kept.
 const KEPT: usize = 12;
+/// Numbers of [`Propagators::numbers`].
+pub(super) const NUMBERS: usize = 2 + 2 * KEPT;
 
 /// The linear part of a system: `∂f/∂y` at one place.
 #[derive(Debug, Clone, Copy)]
@@ -147,6 +149,8 @@ pub(super) struct Propagators<const N: usize> {
     /// When each was asked for, to forget the one that has not been for longest.
     used: [u64; KEPT],
     clock: u64,
+    /// Number built so far.
+    pub built: u64,
     samples: Box<Family<N>>,
     samples_valid: bool,
 }
@@ -158,6 +162,7 @@ impl<const N: usize> Propagators<N> {
             valid: 0,
             used: [0; KEPT],
             clock: 0,
+            built: 0,
             samples: Box::new([[[0.0; N]; N]; phi::HIGHEST + 1]),
             samples_valid: false,
         }
@@ -189,11 +194,40 @@ impl<const N: usize> Propagators<N> {
         } else {
             (0..KEPT).min_by_key(|&index| self.used[index]).unwrap_or(0)
         };
+        self.put(index, part, size);
+        self.built += 1;
+        index
+    }
+
+    fn put(&mut self, index: usize, part: &LinearPart<N>, size: f64) {
         if index == self.kept.len() {
             self.kept.push(Propagator::new());
         }
         self.kept[index].build(part, size);
-        index
+    }
+
+    /// What [`Propagators::restore`] takes: of every place its size and when it was asked for.
+    pub fn numbers(&self) -> [f64; NUMBERS] {
+        let mut numbers = [0.0; NUMBERS];
+        numbers[0] = self.clock as f64;
+        numbers[1] = self.built as f64;
+        for index in 0..self.valid {
+            numbers[2 + 2 * index] = self.kept[index].size;
+            numbers[3 + 2 * index] = self.used[index] as f64;
+        }
+        numbers
+    }
+
+    /// Finds the matrices again that were kept: what is built from here on is what would have been.
+    pub fn restore(&mut self, part: &LinearPart<N>, numbers: &[f64; NUMBERS]) {
+        let [clock, built, places @ ..] = numbers;
+        (self.clock, self.built) = (*clock as u64, *built as u64);
+        let (places, _) = places.as_chunks::<2>();
+        let known = places.iter().take_while(|[size, _]| *size > 0.0);
+        for (index, [size, used]) in known.enumerate() {
+            self.put(index, part, *size);
+            (self.valid, self.used[index]) = (index + 1, *used as u64);
+        }
     }
 
     /// The functions over an interval of samples.

@@ -31,6 +31,8 @@ pub(super) struct Trial<'a, S, const N: usize> {
     /// The slow part at the points: known at the first, guessed at the others.
     pub slow: Points<N>,
     pub to: [f64; N],
+    /// States at the points between, as the latest sweep had them.
+    pub states: Points<N>,
     /// Reciprocals of the errors allowed.
     inverse: [f64; N],
     /// Fall of the change from sweep to sweep: of an earlier step, then of this one; one where none is
@@ -73,6 +75,7 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
             from,
             slow,
             to,
+            states: [[0.0; N]; POINTS],
             inverse: std::array::from_fn(|i| {
                 (allowed * (scale[i] + from[i].abs().max(to[i].abs()))).recip()
             }),
@@ -113,8 +116,8 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
         let mut change = [[0.0; N]; POINTS];
         for (point, change) in change.iter_mut().enumerate().skip(1) {
             let state = self.propagator.state(point, self.from, &self.slow);
-            let time = self.start + NODES.part[point] * self.size;
-            let slow = slow_part(self.linear, self.course, time.min(self.limit), &state);
+            let slow = slow_part(self.linear, self.course, self.time_of(point), &state);
+            self.states[point] = state;
             *change = std::array::from_fn(|i| slow[i] - self.slow[point][i]);
             self.slow[point] = slow;
         }
@@ -126,16 +129,21 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
         self.norm(&moved)
     }
 
+    /// Time of a point, s.
+    pub(super) fn time_of(&self, point: usize) -> f64 {
+        (self.start + NODES.part[point] * self.size).min(self.limit)
+    }
+
     /// What the highest power of the polynomial does at the end and in the middle of the step, over
-    /// what is allowed.
+    /// what is allowed, as far as it is not better than that.
     fn error(&self) -> f64 {
         let spare = combined(&NODES.spare, &self.slow);
         let at = |point| self.norm(&self.propagator.effect(point, SPARE, &spare));
-        at(POINTS - 1).max(at(SPARE + 1))
+        self.smoothness() * at(POINTS - 1).max(at(SPARE + 1))
     }
 
     /// Root mean square over what is allowed.
-    fn norm(&self, vector: &[f64; N]) -> f64 {
+    pub(super) fn norm(&self, vector: &[f64; N]) -> f64 {
         let squares = vector.iter().zip(&self.inverse);
         let sum: f64 = squares
             .map(|(value, inverse)| (value * inverse).powi(2))

@@ -59,8 +59,10 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     pub(super) rejected: bool,
     /// Whether a trial since the latest good step was not finite.
     fault: bool,
+    /// Linear parts taken.
+    pub(super) renewals: u64,
     pub(super) counters: Counters,
-    propagators: Propagators<N>,
+    pub(super) propagators: Propagators<N>,
     /// Weights that carry the polynomial on into a step whose size is in a ratio to the latest one's.
     ahead: [[f64; POINTS]; POINTS],
     ahead_ratio: f64,
@@ -92,12 +94,34 @@ impl<const N: usize> Walk<N> {
             waste: f64::INFINITY,
             rejected: false,
             fault: false,
+            renewals: 0,
             counters: Counters::default(),
             propagators: Propagators::new(),
             ahead: [[0.0; POINTS]; POINTS],
             ahead_ratio: 0.0,
             cursor: None,
         }
+    }
+
+    /// Stands at a time, s, in a deviation from the origin, with the linear part that there is; the first
+    /// step has the size of the latest one here.
+    pub fn stand_at(&mut self, time: f64, deviation: [f64; N]) {
+        (self.start, self.time, self.limit) = (time, time, time);
+        (self.from, self.to) = (deviation, deviation);
+        self.leg = Leg::ENDED;
+        self.cursor = None;
+        (self.fresh, self.rejected, self.fault) = (false, false, false);
+        self.counters = Counters::default();
+    }
+
+    /// Deviation at the end of the latest step.
+    pub fn deviation(&self) -> [f64; N] {
+        self.to
+    }
+
+    /// Linear parts taken, and steps of a size whose matrices had to be found.
+    pub fn matrices(&self) -> [u64; 2] {
+        [self.renewals, self.propagators.built]
     }
 
     /// End of the latest step, s.
@@ -132,13 +156,18 @@ impl<const N: usize> Walk<N> {
         while self.time() < time {
             self.step(course)?;
         }
+        Ok(self.state_within(course, time))
+    }
+
+    /// State at a sample that is neither before the start of the latest step nor after its end.
+    pub fn state_within<S>(&mut self, course: &Course<'_, S, N>, time: f64) -> [f64; N] {
         let origin = &course.scaling.origin;
         let deviation = if time >= self.time {
             self.to
         } else {
             self.within(time)
         };
-        Ok(std::array::from_fn(|i| origin[i] + deviation[i]))
+        std::array::from_fn(|i| origin[i] + deviation[i])
     }
 
     /// Deviation at a sample within the latest step.
@@ -157,7 +186,14 @@ impl<const N: usize> Walk<N> {
         deviation
     }
 
-    fn step<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
+    /// Takes a step.
+    ///
+    /// # Errors
+    /// Why the walk ends here.
+    pub fn step<S: Linearised<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+    ) -> Result<(), IntegrateError> {
         self.begin(course);
         loop {
             course.check(self.start, self.wish, &self.counters, self.fault)?;
@@ -214,6 +250,7 @@ impl<const N: usize> Walk<N> {
             },
         };
         (self.fresh, self.rate, self.waste) = (true, 1.0, 0.0);
+        self.renewals += 1;
         self.propagators.clear();
         self.forget(course);
     }

@@ -9,7 +9,7 @@ use super::tableau::{MOST, Pair};
 use super::within::{ENDS, Within};
 use crate::integrate::control::Control;
 use crate::integrate::course::{Course, STRETCH};
-use crate::integrate::{Counters, IntegrateError, Scaling, System};
+use crate::integrate::{Counters, IntegrateError, Scaling, System, VelocityDependence};
 
 /// Factors of the step size between which it stays as it is: the integrating factor is then at hand.
 const KEPT: std::ops::Range<f64> = 0.95..1.2;
@@ -73,6 +73,32 @@ impl<const N: usize> Walk<N> {
         }
     }
 
+    /// Stands at a time, s, in a deviation from the origin, with the factor that there is; the first step
+    /// has the size of the latest one here, or this one, s, where there was none.
+    pub fn stand_at(&mut self, time: f64, deviation: [f64; N], size: f64) {
+        let next_size = if self.next_size > 0.0 {
+            self.next_size
+        } else {
+            size
+        };
+        let mut new = Self::new(deviation);
+        (new.from.time, new.to.time, new.limit) = (time, time, time);
+        (new.next_size, new.factor) = (next_size, self.factor.take());
+        *self = new;
+    }
+
+    /// Goes back to the start of the latest step.
+    pub fn step_back(&mut self) {
+        self.to = self.from;
+        self.counters.steps -= 1;
+        self.counters.rejected += 1;
+    }
+
+    /// Deviation at the end of the latest step.
+    pub fn deviation(&self) -> [f64; N] {
+        self.to.state
+    }
+
     /// End of the latest step, s.
     pub fn time(&self) -> f64 {
         self.to.time
@@ -119,10 +145,7 @@ impl<const N: usize> Walk<N> {
         course: &Course<'_, S, N>,
         time: f64,
     ) -> Result<[f64; N], IntegrateError> {
-        let mut factor = match self.factor.take() {
-            Some(factor) => factor,
-            None => AnyFactor::of(course.system)?,
-        };
+        let mut factor = self.take_factor(course)?;
         let deviation = match &mut factor {
             AnyFactor::Few(factor) => self.deviation_at::<P, S, _>(course, factor, time),
             AnyFactor::All(factor) => self.deviation_at::<P, S, _>(course, factor, time),
@@ -130,6 +153,36 @@ impl<const N: usize> Walk<N> {
         self.factor = Some(factor);
         let origin = &course.scaling.origin;
         deviation.map(|deviation| std::array::from_fn(|i| origin[i] + deviation[i]))
+    }
+
+    /// Takes a step.
+    ///
+    /// # Errors
+    /// Why the walk ends here; it then stands where it stood.
+    pub fn go_on<P: Pair, S: System<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+    ) -> Result<(), IntegrateError> {
+        let mut factor = self.take_factor(course)?;
+        let result = match &mut factor {
+            AnyFactor::Few(factor) => self.step::<P, S, _>(course, factor),
+            AnyFactor::All(factor) => self.step::<P, S, _>(course, factor),
+        };
+        self.factor = Some(factor);
+        if result.is_err() {
+            self.to = self.from;
+        }
+        result
+    }
+
+    fn take_factor<S: System<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+    ) -> Result<AnyFactor<N>, VelocityDependence> {
+        match self.factor.take() {
+            Some(factor) => Ok(factor),
+            None => AnyFactor::of(course.system),
+        }
     }
 
     fn deviation_at<P: Pair, S: System<N>, E: Entries<N>>(

@@ -9,7 +9,7 @@ use crate::integrate::{Method, Settings};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct IntegratorSpec {
-    /// Integration method. Default: "verner76".
+    /// Integration method. Default: "auto".
     pub method: MethodChoice,
     /// Error aimed at, relative to the scale of the motion, 1e-13 to 1e-2.
     /// Default: 1e-8.
@@ -27,8 +27,8 @@ pub struct IntegratorSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MethodChoice {
-    /// The cheapest of Verner 7(6), exponential collocation and, with damped contacts, RODAS, by trial on
-    /// the first part of the run.
+    /// The cheapest of Verner 7(6), Dormand–Prince 8(5,3), the Nyström pair dprkn8 and exponential
+    /// collocation, chosen and chosen again during the run.
     Auto,
     /// Verner 7(6): for all tolerances.
     Verner76,
@@ -55,7 +55,7 @@ pub enum MethodChoice {
 impl Default for IntegratorSpec {
     fn default() -> Self {
         Self {
-            method: MethodChoice::Verner76,
+            method: MethodChoice::Auto,
             tolerance: 1e-8,
             step_limit: 100_000_000,
             verify: true,
@@ -67,8 +67,7 @@ impl IntegratorSpec {
     /// Method, tolerance and limit.
     pub fn build(&self) -> Settings {
         Settings {
-            // a choice comes when the scene is known
-            method: self.method.fixed().unwrap_or(Method::Verner76),
+            method: self.method.method(),
             tolerance: self.tolerance,
             step_limit: self.step_limit,
         }
@@ -76,10 +75,10 @@ impl IntegratorSpec {
 }
 
 impl MethodChoice {
-    /// The method, unless it is to be chosen.
-    pub fn fixed(self) -> Option<Method> {
-        Some(match self {
-            Self::Auto => return None,
+    /// As the integration knows it.
+    pub fn method(self) -> Method {
+        match self {
+            Self::Auto => Method::Auto,
             Self::Verner76 => Method::Verner76,
             Self::Dop853 => Method::Dop853,
             Self::Tsit5 => Method::Tsit5,
@@ -89,6 +88,6 @@ impl MethodChoice {
             Self::Rodas => Method::Rodas,
             Self::Dopri5 => Method::Dopri5,
             Self::OdeSolversDop853 => Method::OdeSolversDop853,
-        })
+        }
     }
 }

@@ -52,7 +52,7 @@ pub fn methods() -> &'static [NamedMethod] {
             let choice: MethodChoice = serde_json::from_value(word.into()).ok()?;
             Some(NamedMethod {
                 name: word.to_owned(),
-                method: choice.fixed()?,
+                method: choice.method(),
             })
         });
         named.collect()

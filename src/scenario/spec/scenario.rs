@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::bearing::BearingSpec;
 use super::damping::{self, DampingSpec};
 use super::initial::InitialSpec;
-use super::integrator::{IntegratorSpec, MethodChoice};
+use super::integrator::IntegratorSpec;
 use super::load::{self, LoadSpec, Surroundings};
 use super::model::{ContactChoice, ModelSpec};
 use super::output::{OutputSpec, Turning};
@@ -23,10 +23,7 @@ use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::simulate::{MethodMismatch, Model};
-use crate::study::{
-    ContactChoice as ChosenContact, ContactQuestion, MethodChoice as ChosenMethod, choose_contact,
-    choose_method,
-};
+use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
 
 /// Largest difference of the law that is chosen, where none is given.
 const MODEL_ERROR: f64 = 1e-3;
@@ -90,8 +87,6 @@ pub struct Questions {
     pub model: Option<Model>,
     /// The law of the contacts, where it was to be chosen.
     pub contact_choice: Option<ChosenContact>,
-    /// The method of integration, where it was to be chosen.
-    pub method_choice: Option<ChosenMethod>,
     /// Oil of each bearing.
     pub oils: Vec<Option<Oil>>,
 }
@@ -101,11 +96,10 @@ impl ScenarioSpec {
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<Questions> {
         let (rotor, contact_choice) = self.chosen(self.rotor(problems), problems);
         let displacement = self.statics.displacement(&self.load, problems);
-        let mut model = match &self.time {
+        let model = match &self.time {
             Some(time) => Some(self.model(time, rotor.clone(), problems)?),
             None => None,
         };
-        let method_choice = self.choose_method(model.as_mut(), problems);
         Some(Questions {
             question: StaticQuestion {
                 rotor: rotor?,
@@ -115,7 +109,6 @@ impl ScenarioSpec {
             },
             model,
             contact_choice,
-            method_choice,
             oils: self.bearing.iter().flat_map(BearingSpec::oils).collect(),
         })
     }
@@ -141,20 +134,6 @@ impl ScenarioSpec {
         };
         let (rotor, choice) = choose_contact(rotor, &question);
         (Some(rotor), Some(choice))
-    }
-
-    /// Chooses the method of a motion where the scene leaves it open. A scene that cannot be tried keeps
-    /// the default; its run tells why.
-    fn choose_method(
-        &self,
-        model: Option<&mut Model>,
-        problems: &Problems<'_>,
-    ) -> Option<ChosenMethod> {
-        let open = self.integrator.method == MethodChoice::Auto;
-        let model = model.filter(|_| open && problems.is_clean())?;
-        let choice = choose_method(model).ok()?;
-        model.integrator.method = choice.chosen;
-        Some(choice)
     }
 
     /// Refuses what belongs to a choice where there is none, and what leaves none.

@@ -1,0 +1,67 @@
+//! What steps of the methods cost, s on one core of one server: measured by `benches/method_map`.
+
+use crate::integrate::{Effort, Method};
+
+/// The methods that are chosen from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Way {
+    Verner76,
+    Dop853,
+    Dprkn8,
+    Exponential,
+}
+
+impl Way {
+    /// As users know it.
+    pub(super) fn method(self) -> Method {
+        match self {
+            Self::Verner76 => Method::Verner76,
+            Self::Dop853 => Method::Dop853,
+            Self::Dprkn8 => Method::Dprkn8,
+            Self::Exponential => Method::Exponential,
+        }
+    }
+}
+
+/// All of them, in the order of their numbers.
+pub(super) const WAYS: [Way; 4] = [Way::Verner76, Way::Dop853, Way::Dprkn8, Way::Exponential];
+
+/// What an explicit pair does with an evaluation, and with each state of it.
+const EXPLICIT: [f64; 2] = [30e-9, 4e-9];
+/// What a Nyström pair does more, with the integrating factor.
+const NYSTROM: f64 = 35e-9;
+/// The same of the exponential method, and with each entry of a matrix.
+const EXPONENTIAL: [f64; 2] = [200e-9, 3.6e-9];
+/// Matrices of a step size, by the products of two of their rows and columns.
+const MATRICES: f64 = 75e-9;
+/// Step sizes that are gone through before steps have found theirs.
+const FIRST_SIZES: f64 = 5.0;
+
+/// Prices for a system.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Prices {
+    /// Of an evaluation, by way.
+    pub evaluation: [f64; WAYS.len()],
+    /// Of a linear part, and of the matrices of a step size.
+    pub linear_part: f64,
+    pub matrices: f64,
+}
+
+impl Prices {
+    /// For a system of so many states.
+    pub fn new(effort: Effort, states: usize) -> Self {
+        let n = states as f64;
+        let explicit = effort.derivative + EXPLICIT[0] + EXPLICIT[1] * n;
+        let exponential = effort.derivative + EXPONENTIAL[0] + EXPONENTIAL[1] * n * n;
+        Self {
+            evaluation: [explicit, explicit, explicit + NYSTROM, exponential],
+            linear_part: effort.linearisation,
+            matrices: MATRICES * n * n * n,
+        }
+    }
+
+    /// Of what the exponential method begins with.
+    pub fn first_matrices(&self) -> f64 {
+        self.linear_part + FIRST_SIZES * self.matrices
+    }
+}

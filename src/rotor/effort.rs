@@ -1,0 +1,42 @@
+//! What the equations of motion cost, and how fast they are driven.
+
+use super::Rotor;
+use crate::bearing::Support;
+use crate::integrate::Effort;
+
+/// Of a derivative without its bearings, s.
+const SHAFT: f64 = 45e-9;
+/// Slopes of a bearing over its force, and of the damping of contacts, which differences find.
+const SLOPES: f64 = 3.0;
+const DAMPING_SLOPES: f64 = 20.0;
+
+impl Rotor {
+    /// Prices on one server, by the laws of the bearings.
+    pub(super) fn effort(&self) -> Effort {
+        let forces: f64 = self.supports.iter().map(Support::price).sum();
+        let damping: f64 = self.supports.iter().map(Support::damping_price).sum();
+        Effort {
+            derivative: SHAFT + forces + damping,
+            linearisation: SLOPES * (SHAFT + forces) + DAMPING_SLOPES * damping,
+        }
+    }
+
+    /// Mean angular frequency between two times of the fastest of shaft and loads, rad/s.
+    pub(super) fn pace(&self, from: f64, to: f64) -> f64 {
+        let speed = self.mean_speed(from, to);
+        let loads = self.loads.iter().map(|load| {
+            let swing = load.swing(self.mass[0]);
+            swing.frequency + swing.order * speed
+        });
+        loads.fold(speed, f64::max)
+    }
+
+    /// Mean speed of the shaft between two times, rad/s; with a drive, the highest one.
+    fn mean_speed(&self, from: f64, to: f64) -> f64 {
+        if self.is_driven() {
+            return self.highest_speed();
+        }
+        let angle = self.speed.at(to).angle - self.speed.at(from).angle;
+        angle / (to - from)
+    }
+}
