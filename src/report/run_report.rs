@@ -22,8 +22,7 @@ use super::table::{Column, Origin, TableFiles, TableTarget};
 use super::trace_table::TraceTable;
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    TraceFigure, WholeFile, contact_choice_json, spectrum_figure, summary,
-    write_peaks,
+    TraceFigure, WholeFile, contact_choice_json, spectrum_figure, summary, write_peaks,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{TableFormat, TraceChannel};
