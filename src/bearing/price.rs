@@ -3,7 +3,7 @@
 use super::{ContactLaw, Support};
 
 /// Of a ball by each law, s on one core of one server: measured by `benches/right_hand_side`.
-const HERTZ: f64 = 5e-9;
+const HERTZ: f64 = 4.2e-9;
 const HERTZ_FILM: f64 = 65e-9;
 const JONES: f64 = 270e-9;
 const JONES_FILM: f64 = 630e-9;

@@ -4,8 +4,8 @@ use super::Rotor;
 use crate::bearing::Support;
 use crate::integrate::Effort;
 
-/// Of a derivative without its bearings, s.
-const SHAFT: f64 = 45e-9;
+/// Of a derivative without its bearings by freedom, s.
+const FREEDOM: f64 = 11e-9;
 /// Slopes of a bearing over its force, and of the damping of contacts, which differences find.
 const SLOPES: f64 = 3.0;
 const DAMPING_SLOPES: f64 = 20.0;
@@ -14,10 +14,11 @@ impl Rotor {
     /// Prices on one server, by the laws of the bearings.
     pub(super) fn effort(&self) -> Effort {
         let forces: f64 = self.supports.iter().map(Support::price).sum();
+        let shaft = FREEDOM * self.kept() as f64;
         let damping: f64 = self.supports.iter().map(Support::damping_price).sum();
         Effort {
-            derivative: SHAFT + forces + damping,
-            linearisation: SLOPES * (SHAFT + forces) + DAMPING_SLOPES * damping,
+            derivative: shaft + forces + damping,
+            linearisation: SLOPES * (shaft + forces) + DAMPING_SLOPES * damping,
         }
     }
 

@@ -15,6 +15,8 @@ const ROOT: f64 = -1.0 / 7.0;
 const SIZES_PER_BREAK: f64 = 2.0;
 /// Mean decay times of the modes after which what is left of the start costs the exponential method little.
 const DECAYS: f64 = 2.0;
+/// The same in radians of their oscillation where they hardly decay: the method takes them exactly.
+const RADIANS: f64 = 50.0;
 /// Breaks that are looked ahead to.
 const BREAKS: u32 = 8;
 
@@ -103,12 +105,18 @@ impl<const N: usize> AutoWalk<N> {
     }
 }
 
-/// When a motion has settled by and large, s: by the mean decay of its modes at the origin.
+/// When a motion has settled by and large, s: by the mean decay and frequency of its modes at the origin.
 fn settled_from<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>) -> f64 {
     let (slopes, _) = course.system.linearisation(0.0, &course.scaling.origin);
     let decay = -slopes.trace() / N as f64;
-    // no decay tells nothing
-    if decay > 0.0 { DECAYS / decay } else { 0.0 }
+    // Σ λ² = tr J²
+    let square = -slopes.component_mul(&slopes.transpose()).sum() / N as f64;
+    let by_decay = if decay > 0.0 { DECAYS / decay } else { 0.0 };
+    if square > 0.0 {
+        by_decay.min(RADIANS / square.sqrt())
+    } else {
+        by_decay
+    }
 }
 
 /// Cost per simulated time that the exponential method is expected to have once the motion has settled.
