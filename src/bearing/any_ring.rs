@@ -1,10 +1,7 @@
 //! A ring under whichever ball law its bearing asks for.
 
-use fearless_simd::Simd;
-
 use super::contact_damping::DampedRaces;
 use super::contact_spring::ContactSpring;
-use super::ring::in_registers;
 use super::ring_lift_off::LiftOffs;
 use super::{
     Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, HertzSpring,
@@ -74,24 +71,16 @@ impl AnyRing {
         Self::new(&dry, 0.0).map(Some)
     }
 
-    /// Force by a ring, for the processor's level `S`; only the cheap law is compiled where it is
-    /// asked for.
+    /// The ring, where its law is the cheap one.
     #[inline(always)]
-    pub fn force_by<S: Simd>(
-        &self,
-        simd: S,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-    ) -> Vector5 {
+    pub fn hertz(&self) -> Option<&Ring<HertzLaw>> {
         match self {
-            Self::Hertz(ring) => ring.force_by(simd, displacement, cage, speed),
-            _ => in_registers(self.costly_force(displacement, cage, speed)),
+            Self::Hertz(ring) => Some(ring),
+            _ => None,
         }
     }
 
-    #[inline(never)]
-    fn costly_force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+    pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         with_ring!(self, ring => ring.force(displacement, cage, speed))
     }
 

@@ -29,6 +29,7 @@ mod oil;
 mod price;
 mod races;
 mod ring;
+mod ring_lanes;
 mod ring_lift_off;
 mod seat;
 mod series_damping;

@@ -1,9 +1,10 @@
 //! The ring sum: one ball law, Z balls, five freedoms.
 
-use fearless_simd::{Level, Simd, SimdBase, dispatch};
+use fearless_simd::{Level, Simd, dispatch};
 use nalgebra::SMatrix;
 
-use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry, LANES, Lanes};
+use super::ring_lanes::{Azimuths, LaneSums, LaneVector, side_by_side};
+use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry, LANES};
 
 /// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
 pub type Vector5 = [f64; 5];
@@ -43,15 +44,6 @@ pub struct Around {
     pub contact: BallContact,
 }
 
-/// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
-#[derive(Debug, Clone, Copy)]
-#[repr(align(32))]
-pub(super) struct Azimuths {
-    pub cos: [f64; LANES],
-    pub sin: [f64; LANES],
-    pub weight: [f64; LANES],
-}
-
 /// All balls of a bearing under one law: the force that holds the inner ring in place.
 ///
 /// ```text
@@ -60,8 +52,8 @@ pub(super) struct Azimuths {
 /// F = Σ_j (F_r cos φ, F_r sin φ, F_a, N sin φ, −N cos φ)
 /// ```
 ///
-/// The balls never move in the tables: the displacement is turned into the cage's frame once, and
-/// the force back, so that the azimuths' cosines and sines are constants.
+/// The balls never move in the tables: cosines and sines of their azimuths are constants, turned with
+/// the cage.
 ///
 /// Source: Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), ch. 7; Jones (1960).
 #[derive(Debug, Clone)]
@@ -86,7 +78,7 @@ impl<L: BallLaw> Ring<L> {
         Self {
             law,
             level: Level::new(),
-            lanes: azimuths.chunks(LANES).map(lanes_of).collect(),
+            lanes: azimuths.chunks(LANES).map(Azimuths::new).collect(),
             azimuths,
             free_axial: geometry.free_axial(),
             free_radial: geometry.free_radial(),
@@ -115,7 +107,10 @@ impl<L: BallLaw> Ring<L> {
     /// Force and moment that hold the inner ring at `displacement`, in N and N m.
     #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        dispatch!(self.level, simd => self.force_by(simd, displacement, cage, speed))
+        dispatch!(self.level, simd => {
+            let displacement = side_by_side(simd, displacement);
+            self.force_by(simd, &displacement, cage, speed)
+        })
     }
 
     /// As [`Ring::force`], for the processor's level `S`.
@@ -123,20 +118,15 @@ impl<L: BallLaw> Ring<L> {
     pub(super) fn force_by<S: Simd>(
         &self,
         simd: S,
-        displacement: &Vector5,
+        displacement: &LaneVector<S>,
         cage: CageAngle,
         speed: f64,
     ) -> Vector5 {
-        let [x, y, z, tilt_x, tilt_y] = into_cage(displacement, cage);
-        let axial_0 = self.free_axial + z;
-        let (swing_x, swing_y) = (self.arm * tilt_x, self.arm * tilt_y);
-        let mut sums = [Lanes::splat(simd, 0.0); 5];
+        let mut sums = LaneSums::new(simd);
         for azimuths in &self.lanes {
-            let cos = simd.load_array_ref_f64x4(&azimuths.cos);
-            let sin = simd.load_array_ref_f64x4(&azimuths.sin);
-            let weight = simd.load_array_ref_f64x4(&azimuths.weight);
-            let axial = axial_0 + swing_x * sin - swing_y * cos;
-            let radial = self.free_radial + x * cos + y * sin;
+            let directions = azimuths.turned(simd, cage);
+            let axial = directions.axial(self.free_axial, displacement, self.arm);
+            let radial = directions.radial(self.free_radial, displacement);
             let balls = self.law.forces(axial, radial, speed);
             // moments by the arm, so that without a couple the arm stays out of the loop
             let moment = if L::HAS_COUPLE {
@@ -144,14 +134,9 @@ impl<L: BallLaw> Ring<L> {
             } else {
                 balls.axial
             };
-            sums[0] += balls.radial * cos;
-            sums[1] += balls.radial * sin;
-            sums[2] += balls.axial * weight;
-            sums[3] += moment * sin;
-            sums[4] += moment * cos;
+            sums.add(&directions, [balls.radial, balls.axial, moment]);
         }
-        let [f_x, f_y, f_z, m_x, m_y] = sums_over_lanes(&sums);
-        out_of_cage(&[f_x, f_y, f_z, self.arm * m_x, -self.arm * m_y], cage)
+        sums.force(self.arm)
     }
 
     /// Force as by [`Ring::force`] and its exact derivative K = ∂F/∂q.
@@ -286,17 +271,6 @@ impl<L: BallLaw> Ring<L> {
     }
 }
 
-/// Each sum over its lanes. A loop: closures that are handed on are not compiled for wide registers.
-#[inline(always)]
-pub(super) fn sums_over_lanes<S: Simd>(lanes: &[Lanes<S>; 5]) -> Vector5 {
-    let mut sums = [0.0; 5];
-    for (sum, lanes) in sums.iter_mut().zip(lanes) {
-        let [a, b, c, d] = **lanes;
-        *sum = (a + b) + (c + d);
-    }
-    sums
-}
-
 /// A ball at its azimuth, with the place (A1, A2) of its inner groove centre.
 pub(super) struct PlacedBall {
     pub axial: f64,
@@ -305,41 +279,9 @@ pub(super) struct PlacedBall {
     sin: f64,
 }
 
-fn lanes_of(azimuths: &[f64]) -> Azimuths {
-    let [mut cos, mut sin, mut weight] = [[0.0; LANES]; 3];
-    for (lane, azimuth) in azimuths.iter().enumerate() {
-        (sin[lane], cos[lane]) = azimuth.sin_cos();
-        weight[lane] = 1.0;
-    }
-    Azimuths { cos, sin, weight }
-}
-
-/// Components of a displacement along the axes that turn with the cage.
-#[inline(always)]
-pub(super) fn into_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
-    let CageAngle { cos, sin } = cage;
-    let [x, y, z, tilt_x, tilt_y] = *vector;
-    [
-        x * cos + y * sin,
-        y * cos - x * sin,
-        z,
-        tilt_x * cos + tilt_y * sin,
-        tilt_y * cos - tilt_x * sin,
-    ]
-}
-
-/// The inverse of [`into_cage`].
-#[inline(always)]
-pub(super) fn out_of_cage(vector: &Vector5, cage: CageAngle) -> Vector5 {
-    let back = CageAngle {
-        cos: cage.cos,
-        sin: -cage.sin,
-    };
-    into_cage(vector, back)
-}
-
-/// The same components. Keeps what a function out of line returns from sharing its memory with what
-/// is worked out in place: reading that as a whole right after writing it in parts waits for the parts.
+/// The same components. Keeps what a function out of line is given, or returns, from sharing its memory
+/// with what is worked out in place: reading that as a whole right after writing it in parts waits for the
+/// parts.
 #[inline(always)]
 pub(crate) fn in_registers([x, y, z, tilt_x, tilt_y]: Vector5) -> Vector5 {
     [x, y, z, tilt_x, tilt_y]

@@ -40,7 +40,6 @@ impl Seat {
     }
 
     /// Displacement of the inner ring from the outer one; `shaft` is what the shaft imposes.
-    #[inline(always)]
     pub fn settle(&self, ring: &AnyRing, shaft: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = *shaft;
         match *self {
@@ -104,7 +103,6 @@ const STEP_LIMIT: usize = 60;
 
 /// Axial place at which the ring carries `force`, all else as in `place`: Newton, its step at most
 /// `reach`.
-#[inline(never)]
 fn pressed(
     ring: &AnyRing,
     mut place: Vector5,

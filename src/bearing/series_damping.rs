@@ -4,7 +4,7 @@ use fearless_simd::{Simd, SimdBase, SimdFloat, dispatch};
 
 use super::contact_damping::DampedRaces;
 use super::hertz_law::SMALLEST_DISTANCE;
-use super::ring::{into_cage, out_of_cage, sums_over_lanes};
+use super::ring_lanes::{LaneSums, side_by_side};
 use super::{CageAngle, HertzLaw, Lanes, Ring, Vector5};
 
 impl Ring<HertzLaw> {
@@ -32,24 +32,19 @@ impl Ring<HertzLaw> {
         cage: CageAngle,
         races: &DampedRaces,
     ) -> Vector5 {
-        let [x, y, z, tilt_x, tilt_y] = into_cage(displacement, cage);
-        let [rate_x, rate_y, rate_z, turn_x, turn_y] = into_cage(rate, cage);
-        let axial_0 = self.free_axial + z;
-        let (swing_x, swing_y) = (self.arm * tilt_x, self.arm * tilt_y);
-        let (swing_rate_x, swing_rate_y) = (self.arm * turn_x, self.arm * turn_y);
         let law = self.law();
         let (none, pull) = (Lanes::splat(simd, 0.0), Lanes::splat(simd, -1.0));
         let [inner, outer] = races.shares();
         let [inner_loss, outer_loss] = races.coefficients;
-        let mut sums = [none; 5];
+        let displacement = &side_by_side(simd, displacement);
+        let rate = &side_by_side(simd, rate);
+        let mut sums = LaneSums::new(simd);
         for azimuths in &self.lanes {
-            let cos = simd.load_array_ref_f64x4(&azimuths.cos);
-            let sin = simd.load_array_ref_f64x4(&azimuths.sin);
-            let weight = simd.load_array_ref_f64x4(&azimuths.weight);
-            let axial = axial_0 + swing_x * sin - swing_y * cos;
-            let radial = self.free_radial + x * cos + y * sin;
-            let axial_rate = rate_z + swing_rate_x * sin - swing_rate_y * cos;
-            let radial_rate = rate_x * cos + rate_y * sin;
+            let directions = azimuths.turned(simd, cage);
+            let axial = directions.axial(self.free_axial, displacement, self.arm);
+            let radial = directions.radial(self.free_radial, displacement);
+            let axial_rate = directions.axial(0.0, rate, self.arm);
+            let radial_rate = directions.radial(0.0, rate);
             let distance = (axial * axial + radial * radial).sqrt();
             // δ ≤ 0: separated
             let approach = (distance - law.distance).max(none);
@@ -60,14 +55,9 @@ impl Ring<HertzLaw> {
                 + outer * (outer_loss * outer * approach_rate).max(pull);
             let lateral = load * damped / distance;
             let (push_axial, push_radial) = (lateral * axial, lateral * radial);
-            sums[0] += push_radial * cos;
-            sums[1] += push_radial * sin;
-            sums[2] += push_axial * weight;
-            sums[3] += push_axial * sin;
-            sums[4] += push_axial * cos;
+            sums.add(&directions, [push_radial, push_axial, push_axial]);
         }
-        let [f_x, f_y, f_z, m_x, m_y] = sums_over_lanes(&sums);
-        out_of_cage(&[f_x, f_y, f_z, self.arm * m_x, -self.arm * m_y], cage)
+        sums.force(self.arm)
     }
 }
 

@@ -1,5 +1,7 @@
 //! A mounted bearing as a restoring force on the shaft.
 
+use std::ops::{Add, Mul, Sub};
+
 use fearless_simd::{Level, Simd, dispatch};
 
 use super::any_ring::AnyRing;
@@ -9,11 +11,12 @@ use super::contact_damping::DampedRaces;
 use super::elastic_energy::race_springs;
 use super::linear_force::LinearForce;
 use super::ring::{CageAngle, Matrix5, Vector5, in_registers, quarter_turn};
+use super::ring_lanes::side_by_side;
 use super::seat::Seat;
 use super::table_ring::TableRing;
 use super::{
     Around, BallContact, BearingError, BearingState, ContactBand, ContactLaw, FrictionMoment,
-    Geometry, HertzSpring, MountedBearing, Preload,
+    Geometry, HertzLaw, HertzSpring, MountedBearing, Preload, Ring,
 };
 use crate::physics::{BallPass, HertzContact, ball_pass_frequencies, nominal_cage_speed};
 
@@ -150,18 +153,39 @@ impl Support {
         cage: CageAngle,
         speed: f64,
     ) -> Vector5 {
-        let imposed = self.imposed(displacement);
-        let force = match &self.frozen {
-            Some(linear) => in_registers(linear.force(imposed)),
-            None => {
-                let place = self.seat.settle(&self.ring, &imposed, cage, speed);
-                match &self.table {
-                    Some(table) => in_registers(table.force(&place, cage, speed)),
-                    None => self.ring.force_by(simd, &place, cage, speed),
-                }
+        let force = match self.plain_ring() {
+            Some((ring, offset)) => {
+                let [x, y, z, tilt_x, tilt_y] = self.imposed(&side_by_side(simd, displacement));
+                let place = [x, y, z + offset, tilt_x, tilt_y];
+                ring.force_by(simd, &place, cage, speed)
             }
+            None => in_registers(self.other_force(in_registers(*displacement), cage, speed)),
         };
         self.on_shaft(&force)
+    }
+
+    /// The ring and its axial preset in m, where its balls obey the cheap law and nothing else enters.
+    #[inline(always)]
+    fn plain_ring(&self) -> Option<(&Ring<HertzLaw>, f64)> {
+        match (&self.frozen, &self.table, &self.seat) {
+            (None, None, Seat::Fixed { offset }) => Some((self.ring.hertz()?, *offset)),
+            _ => None,
+        }
+    }
+
+    /// The force in the bearing's own orientation, whatever enters. Out of line, so that the plain ring
+    /// stays small.
+    #[inline(never)]
+    fn other_force(&self, displacement: Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+        let imposed = self.imposed(&displacement);
+        if let Some(linear) = &self.frozen {
+            return linear.force(imposed);
+        }
+        let place = self.seat.settle(&self.ring, &imposed, cage, speed);
+        match &self.table {
+            Some(table) => table.force(&place, cage, speed),
+            None => self.ring.force(&place, cage, speed),
+        }
     }
 
     /// Force as by [`Support::force`] and its derivative by the shaft's displacement.
@@ -345,15 +369,18 @@ impl Support {
 
     /// What the shaft's displacement imposes on the inner ring.
     #[inline(always)]
-    pub(super) fn imposed(&self, displacement: &Vector5) -> Vector5 {
+    pub(super) fn imposed<T>(&self, displacement: &[T; 5]) -> [T; 5]
+    where
+        T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
+    {
         let [x, y, z, tilt_x, tilt_y] = *displacement;
         let (s, a) = (self.sign, self.definition.position);
         [
-            x + a * tilt_y,
-            y - a * tilt_x,
-            s * z,
-            s * tilt_x,
-            s * tilt_y,
+            x + tilt_y * a,
+            y - tilt_x * a,
+            z * s,
+            tilt_x * s,
+            tilt_y * s,
         ]
     }
 

@@ -63,8 +63,6 @@ impl TableRing {
         }
     }
 
-    /// Out of line: where there is no table it costs nothing.
-    #[inline(never)]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         with_table!(self, ring => ring.force(displacement, cage, speed))
     }

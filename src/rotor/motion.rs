@@ -188,10 +188,9 @@ impl Rotor {
     /// Loads, weight and unbalance on the shaft, N and N m.
     #[inline(always)]
     fn push(&self, time: f64, rotation: &Rotation, phases: &Phases) -> Vector5 {
-        let mut push = self.load;
-        let unbalance = self.unbalance(rotation, phases);
-        push[0] += unbalance[0];
-        push[1] += unbalance[1];
+        let [x, y, ..] = self.unbalance(rotation, phases);
+        let [f_x, f_y, f_z, m_x, m_y] = self.load;
+        let push = [f_x + x, f_y + y, f_z, m_x, m_y];
         if self.loads.is_empty() {
             push
         } else {
@@ -343,9 +342,7 @@ impl Rotor {
     /// Five components, the kept ones from a state, the others from `held`.
     #[inline(always)]
     pub(super) fn full(&self, held: &Vector5, kept: &[f64]) -> Vector5 {
-        let mut full = *held;
-        full[..kept.len()].copy_from_slice(kept);
-        full
+        std::array::from_fn(|axis| kept.get(axis).copied().unwrap_or(held[axis]))
     }
 }
 
@@ -399,9 +396,9 @@ impl Rotor {
     ) {
         let kept = N / 2;
         let velocity = &state[kept..];
-        let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
         let rotation = self.speed.at(time);
         let phases = self.phases(&rotation);
+        let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
         let force = self.force_on_bearings(simd, &displacement, &rotation, &phases);
         let mut push = self.push(time, &rotation, &phases);
         if kept == FREEDOMS {
@@ -415,6 +412,7 @@ impl Rotor {
         }
         if self.contacts_damped {
             let velocity = self.full(&[0.0; FREEDOMS], velocity);
+            let displacement = in_registers(displacement);
             let damping = in_registers(self.contact_damping(&displacement, &velocity, &rotation));
             for axis in 0..kept {
                 push[axis] -= damping[axis];

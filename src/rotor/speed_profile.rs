@@ -135,7 +135,19 @@ impl SpeedProfile {
     pub fn at(&self, time: f64) -> Rotation {
         match &self.pieces[..] {
             [only] => only.at(time),
-            _ => self.passing(time),
+            _ => {
+                // field by field, so that the constant speed's stay in registers
+                let Rotation {
+                    angle,
+                    speed,
+                    acceleration,
+                } = self.passing(time);
+                Rotation {
+                    angle,
+                    speed,
+                    acceleration,
+                }
+            }
         }
     }
 
