@@ -17,6 +17,7 @@ mod exponential;
 mod integration;
 mod look;
 mod nystrom;
+mod registers;
 mod rosenbrock;
 mod settings;
 mod shifted;

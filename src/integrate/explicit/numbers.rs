@@ -61,6 +61,7 @@ impl<const N: usize> Walk<N> {
             return None;
         };
         Some(Self {
+            level: fearless_simd::Level::new(),
             start,
             time,
             size,

@@ -1,10 +1,13 @@
 //! Steps of an explicit pair, one after the other, and the states between their ends.
 
+use fearless_simd::Level;
+
 use super::crossing::Crossing;
 use super::substitution::Substitution;
 use super::tableau::{Arguments, CoarseError, Error, Factors, MOST, Pair, Weights, sum};
 use crate::integrate::control::Control;
 use crate::integrate::course::Course;
+use crate::integrate::registers::in_wide_registers;
 use crate::integrate::{Counters, IntegrateError, Scaling, Sides, System};
 
 /// Times that a step looks for a better place to land on.
@@ -14,6 +17,8 @@ const MOST_SEARCHES: u32 = 5;
 /// of them lose less to round-off.
 #[derive(Debug, Clone)]
 pub(in crate::integrate) struct Walk<const N: usize> {
+    /// What the processor has.
+    pub(super) level: Level,
     /// Start and end of the latest step, s.
     pub(super) start: f64,
     pub(super) time: f64,
@@ -50,6 +55,7 @@ impl<const N: usize> Walk<N> {
     /// Stands at time 0 in a deviation from the origin.
     pub fn new(deviation: [f64; N]) -> Self {
         Self {
+            level: Level::new(),
             start: 0.0,
             time: 0.0,
             size: 0.0,
@@ -280,6 +286,11 @@ impl<const N: usize> Walk<N> {
 
     /// Tries a step; its error over what is allowed, or no number.
     fn trial<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) -> f64 {
+        in_wide_registers!(self.level, self.tried::<P, S>(course))
+    }
+
+    #[inline(always)]
+    fn tried<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) -> f64 {
         macro_rules! stages {
             ($($stage:literal)*) => {$(
                 if const { $stage < P::TRIAL } {

@@ -25,6 +25,11 @@ const START: [f64; 2] = [1.0, 0.0];
 
 /// The walk over a time in so many equal steps.
 fn walked<P: Pair>(steps: u32, time: f64) -> Walk<2> {
+    walked_by::<P>(Level::new(), steps, time)
+}
+
+/// The same by a level of the processor.
+fn walked_by<P: Pair>(level: Level, steps: u32, time: f64) -> Walk<2> {
     let (stop, scaling) = (AtomicBool::new(false), Scaling::IDENTITY);
     let settings = Settings {
         method: Method::Verner76,
@@ -39,7 +44,10 @@ fn walked<P: Pair>(steps: u32, time: f64) -> Walk<2> {
         end: 100.0,
         slack: 1e-9,
     };
-    let mut walk = Walk::new(START);
+    let mut walk = Walk {
+        level,
+        ..Walk::new(START)
+    };
     for step in 1..=steps {
         walk.begin::<P, _>(&course);
         walk.size = time / f64::from(steps);
@@ -58,6 +66,15 @@ fn distance([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
 /// Slope of log error over log step, from an error and that at half the step.
 fn order(coarse: f64, fine: f64) -> f64 {
     (coarse / fine).log2()
+}
+
+#[test]
+fn every_width_of_registers_gives_the_same_bytes() {
+    let slopes = |walk: Walk<2>| walk.stages.map(|stage| stage.map(f64::to_bits));
+    assert_eq!(
+        slopes(walked::<Verner76>(50, 4.0)),
+        slopes(walked_by::<Verner76>(Level::baseline(), 50, 4.0))
+    );
 }
 
 fn steps_have_order<P: Pair>(steps: u32) {
