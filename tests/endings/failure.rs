@@ -2,9 +2,9 @@
 
 use crate::command::{Scene, shipped};
 
-/// A steady run that may take so many steps.
+/// A steady run that may take so many steps, by one method throughout: some 5000 to its end.
 fn limited(steps: u32) -> String {
-    let limit = format!("tolerance = 1e-8\nstep_limit = {steps}");
+    let limit = format!("method = \"verner76\"\ntolerance = 1e-8\nstep_limit = {steps}");
     shipped("steady-7205c.toml").replace("tolerance = 1e-8", &limit)
 }
 
