@@ -1,6 +1,5 @@
 //! A trial step: sweeps over its points until the slow part there is that of the states there.
 
-use super::columns::apply;
 use super::nodes::{NODES, POINTS, Points, SPARE, combined};
 use super::propagator::{LinearPart, Propagator};
 use crate::integrate::System;
@@ -121,8 +120,7 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
             *change = std::array::from_fn(|i| slow[i] - self.slow[point][i]);
             self.slow[point] = slow;
         }
-        let mut moved = [0.0; N];
-        self.propagator.add(POINTS - 1, &change, &mut moved);
+        let moved = self.propagator.moved(POINTS - 1, &change);
         for (to, moved) in self.to.iter_mut().zip(&moved) {
             *to += moved;
         }
@@ -170,9 +168,9 @@ pub(super) fn slow_part<S: System<N>, const N: usize>(
 ) -> [f64; N] {
     let origin = &course.scaling.origin;
     let state = std::array::from_fn(|i| origin[i] + deviation[i]);
-    let (mut rate, mut moved) = ([0.0; N], [0.0; N]);
+    let mut rate = [0.0; N];
     course.system.derivative(time, &state, &mut rate);
-    apply(&linear.jacobian, 0, deviation, &mut moved);
+    let moved = linear.applied(deviation);
     std::array::from_fn(|i| {
         if i < linear.first {
             0.0
@@ -185,6 +183,8 @@ pub(super) fn slow_part<S: System<N>, const N: usize>(
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::AtomicBool;
+
+    use fearless_simd::Level;
 
     use super::super::propagator::Propagators;
     use super::*;
@@ -223,6 +223,7 @@ mod tests {
             jacobian: [[0.0, square], [1.0, 0.0]],
             norm: 1.1 * NATURAL,
             first: 1,
+            level: Level::new(),
         };
         let (mut propagators, mut from) = (Propagators::new(), [0.98, 0.0]);
         let size = time / f64::from(steps);

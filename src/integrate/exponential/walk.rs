@@ -86,7 +86,7 @@ impl<const N: usize> Walk<N> {
             to: deviation,
             slow: [[0.0; N]; POINTS],
             slow_size: 0.0,
-            linear: LinearPart::NONE,
+            linear: LinearPart::none(),
             fresh: false,
             rate: 1.0,
             since_rate: 0.0,
@@ -178,10 +178,10 @@ impl<const N: usize> Walk<N> {
             Some(cursor) if cursor.index() <= index => cursor,
             _ => {
                 let intervals = [self.interval, self.intervals];
-                Cursor::new(self.from, &self.slow, intervals, family, self.linear.first)
+                Cursor::new(self.from, &self.slow, intervals, family, &self.linear)
             }
         };
-        let deviation = cursor.go_to(index, family);
+        let deviation = cursor.go_to(index, family, self.linear.level);
         self.cursor = Some(cursor);
         deviation
     }
@@ -243,6 +243,7 @@ impl<const N: usize> Walk<N> {
         self.linear = LinearPart {
             jacobian,
             norm: balanced_norm(&jacobian),
+            level: self.linear.level,
             first: if course.system.is_second_order() {
                 N / 2
             } else {
