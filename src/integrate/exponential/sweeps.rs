@@ -7,14 +7,20 @@ use crate::integrate::course::Course;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
 const LOCAL_PART: f64 = 0.05;
+/// The loosest tolerance that is gone by. Beyond it sweeps under strong damping of the contacts meet where
+/// the motion is not, and what follows costs more than it saves.
+const LOOSEST: f64 = 1e-2;
 /// Part of it that sweeps which are not made may leave.
-const REST: f64 = 0.1;
+const REST: f64 = 0.03;
 /// Most sweeps of a trial.
 pub(super) const MOST: u32 = 6;
 /// Fall of the change from sweep to sweep that is not worth another.
 const SLOWEST: f64 = 0.7;
 /// Least fall that is believed, and factor of the caution where it is an earlier step's.
 const LEAST_RATE: f64 = 1e-3;
+/// Part of the fall so far below which it is not believed: what falls fast goes first, and what is left
+/// falls more slowly.
+const LASTING: f64 = 0.7;
 const CAUTION: f64 = 3.0;
 
 /// A trial step that is under way.
@@ -62,7 +68,7 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
         rate: f64,
     ) -> Self {
         let to = propagator.state(POINTS - 1, from, &slow);
-        let allowed = LOCAL_PART * course.settings.tolerance;
+        let allowed = LOCAL_PART * course.settings.tolerance.min(LOOSEST);
         let scale = &course.scaling.scale;
         Self {
             course,
@@ -94,7 +100,12 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
             let rest = if self.sweeps == 1 {
                 rest(change, CAUTION * self.rate)
             } else {
-                self.rate = (change / before).max(LEAST_RATE);
+                let lasting = if self.rate < 1.0 {
+                    LASTING * self.rate
+                } else {
+                    LEAST_RATE
+                };
+                self.rate = (change / before).max(LEAST_RATE).max(lasting);
                 rest(change, self.rate)
             };
             if rest <= REST {
