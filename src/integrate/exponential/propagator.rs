@@ -272,3 +272,37 @@ impl<const N: usize> Propagators<N> {
         &self.samples
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ten states, two of them far faster than the others, at all widths of registers.
+    #[test]
+    fn every_width_of_registers_gives_the_same_bytes() {
+        let mut best = LinearPart::<10>::none();
+        for (column, entries) in best.jacobian.iter_mut().enumerate() {
+            for (row, entry) in entries.iter_mut().enumerate() {
+                *entry = (1.0 + (7 * column + 3 * row) as f64).sin();
+            }
+            entries[column] -= if column < 2 { 1e3 } else { 3.0 };
+        }
+        (best.norm, best.first) = (1.1e3, 5);
+        let mut levels = vec![Level::baseline()];
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        levels.extend(best.level.as_sse4_2().map(Level::Sse4_2));
+        let from = std::array::from_fn(|i| (i as f64).cos());
+        let slow = std::array::from_fn(|j| from.map(|value: f64| (value + j as f64).sin()));
+        let bytes = |part: &LinearPart<10>| {
+            let mut propagators = Propagators::new();
+            let propagator = propagators.of(part, 0.3);
+            let state = propagator.state(POINTS - 1, &from, &slow);
+            assert!(state.iter().all(|value| value.abs() < 10.0), "{state:?}");
+            let all = [state, propagator.moved(3, &slow), part.applied(&from)];
+            all.map(|vector| vector.map(f64::to_bits))
+        };
+        for level in levels {
+            assert_eq!(bytes(&best), bytes(&LinearPart { level, ..best }));
+        }
+    }
+}
