@@ -392,7 +392,7 @@ impl Support {
     }
 
     /// ∂(local displacement)/∂(shaft displacement).
-    fn transform(&self) -> Matrix5 {
+    pub(super) fn transform(&self) -> Matrix5 {
         let (s, a) = (self.sign, self.definition.position);
         let mut transform = Matrix5::from_diagonal(&[1.0, 1.0, s, s, s].into());
         transform[(0, 4)] = a;

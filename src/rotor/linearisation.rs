@@ -1,9 +1,9 @@
 //! Slopes of the shaft's equations of motion, for implicit methods.
 
-use nalgebra::SMatrix;
+use nalgebra::{ArrayStorage, SMatrix};
 
 use super::{FREEDOMS, Rotation, Rotor};
-use crate::bearing::{Geometry, Matrix5, Support, Vector5};
+use crate::bearing::{DampingSlopes, Geometry, Matrix5, Support, Vector5};
 use crate::integrate::{Effort, Linearised};
 
 /// Time over which the change of a load is looked at, s.
@@ -42,13 +42,15 @@ impl<const N: usize> Linearised<N> for Rotor {
         }
         if self.contacts_damped {
             let velocity = self.full(&[0.0; FREEDOMS], &state[kept..]);
-            let slopes = self.contact_damping_slopes(time, &displacement, &velocity);
+            let slopes = self
+                .exact_damping_slopes(&rotation, &displacement, &velocity)
+                .unwrap_or_else(|| self.contact_damping_slopes(time, &displacement, &velocity));
             for row in 0..kept {
                 let inverse_mass = self.inverse_mass[row];
                 for column in 0..kept {
-                    jacobian[(kept + row, column)] -= slopes.by_place[column][row] * inverse_mass;
+                    jacobian[(kept + row, column)] -= slopes.by_place[(row, column)] * inverse_mass;
                     jacobian[(kept + row, kept + column)] -=
-                        slopes.by_rate[column][row] * inverse_mass;
+                        slopes.by_rate[(row, column)] * inverse_mass;
                 }
                 by_time[kept + row] -= slopes.by_time[row] * inverse_mass;
             }
@@ -65,13 +67,6 @@ impl<const N: usize> Linearised<N> for Rotor {
     }
 }
 
-/// Derivatives of the force against the damping of the contacts, one vector a freedom.
-struct DampingSlopes {
-    by_place: [Vector5; FREEDOMS],
-    by_rate: [Vector5; FREEDOMS],
-    by_time: Vector5,
-}
-
 impl Rotor {
     /// K of all bearings, and the rate at which their force changes as the cages turn. What a change
     /// of speed does to the inertia of the balls is left out: it is slow beside the passing of a ball.
@@ -86,6 +81,23 @@ impl Rotor {
             }
         });
         (stiffness, rate)
+    }
+
+    /// Slopes of the force against the damping of all contacts; none where only differences find them.
+    fn exact_damping_slopes(
+        &self,
+        rotation: &Rotation,
+        displacement: &Vector5,
+        velocity: &Vector5,
+    ) -> Option<DampingSlopes> {
+        let mut sum = Some(DampingSlopes::NONE);
+        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
+            let ratio = self.cage_ratio(support);
+            let cage_motion = [rotation.speed, rotation.acceleration].map(|rate| ratio * rate);
+            let slopes = support.damping_slopes(displacement, velocity, cage, cage_motion);
+            sum = sum.zip(slopes).map(|(sum, slopes)| sum.plus(&slopes));
+        });
+        sum
     }
 
     /// By central differences: the force is smooth and, until a contact parts, linear in the rate.
@@ -125,9 +137,12 @@ impl Rotor {
             later(0.5 * LOAD_RATE_STEP),
             later(LOAD_RATE_STEP),
         );
+        let columns = |column: &dyn Fn(usize) -> Vector5| {
+            Matrix5::from_array_storage(ArrayStorage(std::array::from_fn(column)))
+        };
         DampingSlopes {
-            by_place: std::array::from_fn(by_place),
-            by_rate: std::array::from_fn(by_rate),
+            by_place: columns(&by_place),
+            by_rate: columns(&by_rate),
             by_time: std::array::from_fn(|axis| {
                 (4.0 * half[axis] - 3.0 * now[axis] - full[axis]) / LOAD_RATE_STEP
             }),

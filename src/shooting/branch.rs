@@ -54,6 +54,21 @@ pub struct Special {
     pub after: usize,
 }
 
+/// Where a motion changes its kind between two points of a branch, and the place could not be found: the
+/// multipliers jump there, as where a contact parts all at once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unrefined {
+    /// What a number that changes its sign speaks for.
+    pub kind: SpecialKind,
+    /// Parameters of both points.
+    pub between: [f64; 2],
+    /// The least that was found of that number, zero at the place itself: how far a multiplier stays from
+    /// the unit circle or, at a fold, the branch from turning.
+    pub left: f64,
+    /// Number of branch points before it.
+    pub after: usize,
+}
+
 /// Why a branch ends.
 #[derive(Debug, Clone, PartialEq)]
 pub enum BranchEnd {
@@ -76,6 +91,8 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// Where they change their kind.
     pub specials: Vec<Special>,
+    /// Where they seem to, without a place that could be found.
+    pub unrefined: Vec<Unrefined>,
     /// Why it ends.
     pub end: BranchEnd,
 }
@@ -140,6 +157,7 @@ fn follow_from(
     let mut branch = Branch {
         points: Vec::new(),
         specials: Vec::new(),
+        unrefined: Vec::new(),
         end: BranchEnd::Points,
     };
     branch.end = match walk.along(first, &mut branch, watch) {
@@ -147,4 +165,75 @@ fn follow_from(
         Err(error) => BranchEnd::Lost(error),
     };
     Ok(branch)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Circle, Image, MapError, ReturnMap, Slopes};
+    use super::*;
+
+    /// A motion at rest whose multiplier goes from −0.5 to −1.5: all at once, as where a contact parts, or
+    /// little by little.
+    struct Parting {
+        circle: Circle,
+        multiplier: f64,
+        at_once: bool,
+    }
+
+    impl ReturnMap for Parting {
+        fn size(&self) -> usize {
+            1
+        }
+
+        fn circle(&self) -> &Circle {
+            &self.circle
+        }
+
+        fn image(&mut self, states: &DVector<f64>, _slopes: Slopes) -> Result<Image, MapError> {
+            Ok(Image {
+                end: states * self.multiplier,
+                slopes: vec![DMatrix::from_element(1, 1, self.multiplier)],
+            })
+        }
+    }
+
+    impl Family for Parting {
+        fn set(&mut self, parameter: f64) -> Result<(), MapError> {
+            self.multiplier = match self.at_once {
+                false => -0.5 - parameter,
+                true if parameter < 0.512_3 => -0.5,
+                true => -1.5,
+            };
+            Ok(())
+        }
+    }
+
+    fn followed(at_once: bool) -> Branch {
+        let mut family = Parting {
+            circle: Circle::point(1.0),
+            multiplier: 0.0,
+            at_once,
+        };
+        let plan = Continuation {
+            tolerance: 1e-9,
+            step: 0.1,
+            least_step: 1e-4,
+            points: 100,
+        };
+        follow(&mut family, DVector::zeros(1), &plan, &mut |_| true).unwrap()
+    }
+
+    /// A multiplier that jumps over −1 has no place where it is −1: the branch says between which points.
+    #[test]
+    fn a_jump_of_a_multiplier_is_told_of() {
+        let smooth = followed(false);
+        assert_eq!((smooth.specials.len(), smooth.unrefined.len()), (1, 0));
+        assert!((smooth.specials[0].point.parameter - 0.5).abs() < 1e-6);
+        let jump = followed(true);
+        assert_eq!((jump.specials.len(), jump.unrefined.len()), (0, 1));
+        let found = jump.unrefined[0];
+        assert_eq!(found.kind, SpecialKind::PeriodDoubling);
+        assert!((found.left - 0.5).abs() < 1e-12, "{found:?}");
+        assert!(found.between[0] < 0.512_3 && 0.512_3 < found.between[1]);
+    }
 }

@@ -94,7 +94,9 @@ impl Crossing {
 
     /// What may happen between two motions of a branch.
     pub fn between(before: &Self, after: &Self) -> Vec<SpecialKind> {
-        let changes = |kind: &SpecialKind| before.of_kind(*kind) * after.of_kind(*kind) < 0.0;
+        // a zero at a point itself belongs to one of its two sides
+        let changes =
+            |kind: &SpecialKind| (before.of_kind(*kind) < 0.0) != (after.of_kind(*kind) < 0.0);
         let folds = changes(&SpecialKind::Fold);
         [
             SpecialKind::Fold,

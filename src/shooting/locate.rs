@@ -2,14 +2,21 @@
 
 use super::newton::ShootingError;
 use super::walk::{Node, Walk, is_interrupted};
-use super::{Branch, Crossing, Special, SpecialKind};
+use super::{Branch, Crossing, Special, SpecialKind, Unrefined};
 
 /// Points looked at to find where a motion changes its kind.
 const MOST_LOCATIONS: usize = 16;
 /// A motion changes its kind where the number that says so is this small,
 const LOCATED: f64 = 1e-6;
-/// and where it does not fall below this, it jumps and means nothing.
+/// and where it does not fall below this, it jumps and has no such place.
 const CONTINUOUS: f64 = 1e-2;
+
+/// Number of multipliers outside the unit circle. Where it stays, a number that jumps means nothing: a pair
+/// outside became two real ones there, or the reverse.
+fn outside(node: &Node) -> usize {
+    let all = node.point.multipliers.values();
+    all.iter().filter(|value| value.norm() >= 1.0).count()
+}
 
 impl Walk<'_> {
     /// Finds where the motion changes its kind between two neighbouring points.
@@ -22,11 +29,19 @@ impl Walk<'_> {
     ) -> Result<(), ShootingError> {
         for kind in Crossing::between(&before.crossing(), &after.crossing()) {
             let found = self.locate(before, after, length, kind)?;
-            if found.crossing().of_kind(kind).abs() < CONTINUOUS {
+            let (left, after_points) = (found.crossing().of_kind(kind).abs(), branch.points.len());
+            if left < CONTINUOUS {
                 branch.specials.push(Special {
                     kind,
                     point: found.point,
-                    after: branch.points.len(),
+                    after: after_points,
+                });
+            } else if kind == SpecialKind::Fold || outside(before) != outside(after) {
+                branch.unrefined.push(Unrefined {
+                    kind,
+                    between: [before.point.parameter, after.point.parameter],
+                    left,
+                    after: after_points,
                 });
             }
         }

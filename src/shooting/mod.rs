@@ -20,7 +20,9 @@ mod multipliers;
 mod newton;
 mod walk;
 
-pub use branch::{Branch, BranchEnd, BranchPoint, Continuation, Special, follow, follow_doubled};
+pub use branch::{
+    Branch, BranchEnd, BranchPoint, Continuation, Special, Unrefined, follow, follow_doubled,
+};
 pub use circle::Circle;
 pub use crossing::{Crossing, SpecialKind};
 pub use map::{Family, Image, MapError, ReturnMap, Slopes};

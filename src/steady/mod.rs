@@ -18,5 +18,7 @@ pub use basis::{Base, bases};
 pub use error::SteadyError;
 pub use lines::{SteadyLine, SteadyLines};
 pub use motion::{Measured, Steady, SteadyQuestion, steady};
-pub use response::{Response, ResponsePoint, ResponseQuestion, ResponseSpecial, response};
+pub use response::{
+    Response, ResponsePoint, ResponseQuestion, ResponseSpecial, ResponseUnrefined, response,
+};
 pub use swing::Swing;

@@ -14,7 +14,8 @@ use crate::analysis::Channel;
 use crate::integrate::{Counters, Square};
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::shooting::{
-    Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, follow, follow_doubled,
+    Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, Unrefined, follow,
+    follow_doubled,
 };
 use crate::simulate::Model;
 
@@ -72,6 +73,20 @@ pub struct ResponseSpecial {
     pub point: ResponsePoint,
 }
 
+/// Where a motion seems to change its kind between two motions of a branch, and the place was not found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ResponseUnrefined {
+    /// How.
+    pub kind: SpecialKind,
+    /// Number of points of the branch before it.
+    pub after: usize,
+    /// Values of the parameter between which it happens.
+    pub between: [f64; 2],
+    /// How far a multiplier stays from the unit circle or, at a fold, the branch from turning: zero where the
+    /// place is found.
+    pub left: f64,
+}
+
 /// A branch of motions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Response {
@@ -81,6 +96,8 @@ pub struct Response {
     pub points: Vec<ResponsePoint>,
     /// Where it turns or its motion changes its kind.
     pub specials: Vec<ResponseSpecial>,
+    /// Where they seem to, without a place that could be found.
+    pub unrefined: Vec<ResponseUnrefined>,
     /// Why it ends, in words.
     pub end: String,
     /// Whether it ends because it was lost.
@@ -157,6 +174,7 @@ where
             Err(error) => Branch {
                 points: Vec::new(),
                 specials: Vec::new(),
+                unrefined: Vec::new(),
                 end: BranchEnd::Lost(error),
             },
         };
@@ -243,6 +261,11 @@ where
         multiple: map.places.multiple,
         points,
         specials,
+        unrefined: branch
+            .unrefined
+            .iter()
+            .map(|unrefined| unrefined_over(question.stretch, unrefined))
+            .collect(),
         end: match &branch.end {
             BranchEnd::Reached => "the parameter reached its last value".to_owned(),
             BranchEnd::CameBack => "the branch came back to the first value".to_owned(),
@@ -253,6 +276,16 @@ where
         lost: matches!(branch.end, BranchEnd::Lost(_)),
         counters: map.counters,
     })
+}
+
+/// The same in the unit of the parameter.
+fn unrefined_over([from, to]: [f64; 2], unrefined: &Unrefined) -> ResponseUnrefined {
+    ResponseUnrefined {
+        kind: unrefined.kind,
+        after: unrefined.after,
+        between: unrefined.between.map(|part| from + (to - from) * part),
+        left: unrefined.left,
+    }
 }
 
 fn told<const N: usize, const M: usize, const A: usize>(

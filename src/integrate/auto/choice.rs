@@ -17,6 +17,8 @@ const SIZES_PER_BREAK: f64 = 2.0;
 const DECAYS: f64 = 2.0;
 /// The same in radians of their oscillation where they hardly decay: the method takes them exactly.
 const RADIANS: f64 = 50.0;
+/// Mean decay times of the modes after which next to nothing is left of the start.
+const DECAYED: f64 = 4.0;
 /// Breaks that are looked ahead to.
 const BREAKS: u32 = 8;
 
@@ -61,7 +63,8 @@ impl<const N: usize> AutoWalk<N> {
         Outlook {
             prices,
             left: course.end - time,
-            settled: course.end - time.max(self.settled_from),
+            settled: course.end - time.max(self.settled_from[0]),
+            decayed: time > self.settled_from[1],
             exponential: if self.contacts_change {
                 f64::NAN
             } else {
@@ -105,18 +108,23 @@ impl<const N: usize> AutoWalk<N> {
     }
 }
 
-/// When a motion has settled by and large, s: by the mean decay and frequency of its modes at the origin.
-fn settled_from<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>) -> f64 {
+/// When a motion has settled by and large, by the mean decay and frequency of its modes at the origin, and
+/// when next to nothing is left of its start, s.
+fn settled_from<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>) -> [f64; 2] {
     let (slopes, _) = course.system.linearisation(0.0, &course.scaling.origin);
     let decay = -slopes.trace() / N as f64;
     // Σ λ² = tr J²
     let square = -slopes.component_mul(&slopes.transpose()).sum() / N as f64;
-    let by_decay = if decay > 0.0 { DECAYS / decay } else { 0.0 };
-    if square > 0.0 {
+    if decay <= 0.0 {
+        return [0.0, f64::INFINITY];
+    }
+    let by_decay = DECAYS / decay;
+    let settled = if square > 0.0 {
         by_decay.min(RADIANS / square.sqrt())
     } else {
         by_decay
-    }
+    };
+    [settled, DECAYED / decay]
 }
 
 /// Cost per simulated time that the exponential method is expected to have once the motion has settled.

@@ -85,7 +85,8 @@ impl Selector {
         numbers.extend(of_mark(self.window));
         numbers.extend(self.rates);
         numbers.extend(self.failures);
-        numbers.extend([flag(self.open), self.next_trial, flag(self.linear_part)]);
+        numbers.extend([flag(self.open), self.next_trial]);
+        numbers.extend([self.linear_part, self.disproved].map(flag));
     }
 
     fn restored(take: &mut Take<'_>) -> Option<Self> {
@@ -99,6 +100,7 @@ impl Selector {
             open: take.one()? != 0.0,
             next_trial: take.one()?,
             linear_part: take.one()? != 0.0,
+            disproved: take.one()? != 0.0,
         })
     }
 }
@@ -155,7 +157,7 @@ impl<const N: usize> AutoWalk<N> {
             contacts_change,
             looked: None,
             changes: changes_of(changes)?,
-            settled_from: 0.0,
+            settled_from: [0.0, f64::INFINITY],
             prices: None,
         })
     }

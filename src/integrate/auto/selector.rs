@@ -60,6 +60,9 @@ pub(super) struct Selector {
     pub failures: [f64; 2],
     /// Whether the exponential method has a linear part from an earlier stretch.
     pub linear_part: bool,
+    /// Whether its cost is that of settled motion, found on a trial that was not won: what was expected of
+    /// it is then no longer believed.
+    pub disproved: bool,
 }
 
 /// What a selector decides by, besides what it has seen.
@@ -69,6 +72,8 @@ pub(super) struct Outlook {
     /// Simulated time that is left, s, and that which is left once the motion has settled.
     pub left: f64,
     pub settled: f64,
+    /// Whether next to nothing is left of the start.
+    pub decayed: bool,
     /// Cost per simulated time that the exponential method is expected to have; no number where nothing
     /// is known.
     pub exponential: f64,
@@ -94,6 +99,7 @@ impl Selector {
             next_trial: 0.0,
             failures: [0.0; 2],
             linear_part: false,
+            disproved: false,
         }
     }
 
@@ -132,7 +138,10 @@ impl Selector {
             let weight = if known.is_finite() { LATEST } else { 1.0 };
             let before = if known.is_finite() { known } else { 0.0 };
             self.rates[self.way as usize] = before + weight * (rate - before);
-            return self.candidate(here, outlook);
+            let next = self.candidate(here, outlook);
+            let left = self.way == Way::Exponential && next.is_some();
+            self.disproved |= left && outlook.decayed;
+            return next;
         };
         if rate < self.rates[against as usize] {
             self.rates[self.way as usize] = rate;
@@ -184,6 +193,7 @@ impl Selector {
         let rate = (here.spent - from.spent) / (here.time - from.time);
         // it comes here where it is dearer, whatever the window says
         self.rates[self.way as usize] = rate.max(self.rates[against as usize]);
+        self.disproved |= self.way == Way::Exponential && outlook.decayed;
         self.against = None;
         let times = if self.falls(against, outlook) {
             SOON.powf(1.0 + self.failures[0]).min(PAID_OFF)
@@ -204,14 +214,25 @@ impl Selector {
 
     /// Whether the method on trial is expected to come to cost less than the other one.
     fn falls(&self, against: Way, outlook: &Outlook) -> bool {
-        self.way == Way::Exponential && outlook.exponential < self.rates[against as usize]
+        self.way == Way::Exponential && self.expected(outlook) < self.rates[against as usize]
+    }
+
+    /// Cost per simulated time that the exponential method is expected to have; no number where nothing is
+    /// known.
+    fn expected(&self, outlook: &Outlook) -> f64 {
+        let known = self.rates[Way::Exponential as usize];
+        if self.disproved && known.is_finite() {
+            outlook.exponential.max(self.exponential_hope() * known)
+        } else {
+            outlook.exponential
+        }
     }
 
     /// Whether a trial has cost too much to go on.
     fn is_dear(&self, here: Mark, against: Way, outlook: &Outlook) -> bool {
         let other = self.rates[against as usize];
         let saved = if self.falls(against, outlook) {
-            (other - outlook.exponential) * outlook.left
+            (other - self.expected(outlook)) * outlook.left
         } else {
             0.0
         };
@@ -250,7 +271,7 @@ impl Selector {
         }
         let hoped = self.hoped(way, outlook);
         let expected =
-            way == Way::Exponential && outlook.exponential.max(hoped.unwrap_or(0.0)) < own;
+            way == Way::Exponential && self.expected(outlook).max(hoped.unwrap_or(0.0)) < own;
         if !expected && beginning >= BLIND * own * outlook.left {
             return 0.0;
         }
@@ -276,13 +297,23 @@ impl Selector {
         }
         let hoped = match way {
             // both fall as a motion settles
-            Way::Exponential => (HOPE * known).min(outlook.exponential),
+            Way::Exponential => (self.exponential_hope() * known).min(self.expected(outlook)),
             _ if known.is_finite() => self.pair_hope() * known,
             Way::Verner76 => OTHER_PAIR * self.rates[Way::Dop853 as usize],
             Way::Dop853 => OTHER_PAIR * self.rates[Way::Verner76 as usize],
             Way::Dprkn8 => NYSTROM_PAIR * self.rates[Way::Verner76 as usize],
         };
         hoped.is_finite().then_some(hoped)
+    }
+
+    /// Part of its known cost that the exponential method may have by now: of settled motion it is known ever
+    /// better with every failure.
+    fn exponential_hope(&self) -> f64 {
+        if self.disproved {
+            1.0 - (1.0 - HOPE) * 0.5_f64.powf(self.failures[0])
+        } else {
+            HOPE
+        }
     }
 
     /// How much cheaper than it was found to be an explicit pair may be by now.

@@ -47,8 +47,9 @@ pub(in crate::integrate) struct AutoWalk<const N: usize> {
     /// The latest look around of the Nyström pair, which steps over surfaces.
     pub(super) looked: Option<Look<N>>,
     pub(super) changes: Vec<(f64, Way)>,
-    /// When the motion has settled by and large, s, known with the prices.
-    pub(super) settled_from: f64,
+    /// When the motion has settled by and large, and when next to nothing is left of its start, s, known with
+    /// the prices.
+    pub(super) settled_from: [f64; 2],
     /// Prices for the system, once it was asked.
     pub(super) prices: Option<Prices>,
 }
@@ -68,7 +69,7 @@ impl<const N: usize> AutoWalk<N> {
             contacts_change: false,
             looked: None,
             changes: vec![(0.0, first)],
-            settled_from: 0.0,
+            settled_from: [0.0, f64::INFINITY],
             prices: None,
         }
     }

@@ -1,4 +1,8 @@
 //! Small square matrices as arrays of columns, whose products are straight-line code.
+//!
+//! What is worked out in place here (`#[inline(always)]`) is compiled for the width of registers that its
+//! caller has dispatched to. Products and sums are the same and in the same order whatever the width, and
+//! so are the bytes.
 
 /// A matrix by its columns.
 pub(super) type Columns<const N: usize> = [[f64; N]; N];
@@ -19,12 +23,13 @@ pub(super) fn apply<const N: usize>(
 }
 
 /// The product of two matrices.
+#[inline(always)]
 pub(super) fn product<const N: usize>(left: &Columns<N>, right: &Columns<N>) -> Columns<N> {
-    right.map(|column| {
-        let mut sum = [0.0; N];
-        apply(left, 0, &column, &mut sum);
-        sum
-    })
+    let mut product = [[0.0; N]; N];
+    for (column, sum) in right.iter().zip(&mut product) {
+        apply(left, 0, column, sum);
+    }
+    product
 }
 
 /// Sweeps of [`balanced_norm`]: each brings rows and columns nearer to each other.

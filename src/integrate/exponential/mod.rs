@@ -19,6 +19,7 @@ mod numbers;
 mod phi;
 mod plan;
 mod propagator;
+mod renewal;
 mod smooth;
 mod sweeps;
 mod walk;

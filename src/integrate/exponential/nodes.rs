@@ -11,6 +11,7 @@ pub(super) const SPARE: usize = POINTS / 2;
 pub(super) type Points<const N: usize> = [[f64; N]; POINTS];
 
 /// Weighted sum of the vectors at the points.
+#[inline(always)]
 pub(super) fn combined<const N: usize>(weights: &[f64; POINTS], points: &Points<N>) -> [f64; N] {
     let mut sum = [0.0; N];
     for (weight, point) in weights.iter().zip(points) {

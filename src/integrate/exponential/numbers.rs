@@ -2,6 +2,7 @@
 
 use super::nodes::POINTS;
 use super::plan::Leg;
+use super::renewal::Renewal;
 use super::walk::Walk;
 use crate::integrate::Counters;
 
@@ -32,20 +33,22 @@ impl<const N: usize> Walk<N> {
             flag(self.fresh),
             self.rate,
             self.since_rate,
-            self.waste,
+            self.rate_size,
             flag(self.rejected),
             self.renewals as f64,
         ];
         let known = self.propagators.numbers();
         let vectors = [&self.from, &self.to].into_iter();
         let vectors = vectors.chain(&self.slow).chain(&self.linear.jacobian);
-        let single = single.iter().chain(&known);
+        let renewal = self.renewal.numbers();
+        let single = single.iter().chain(&renewal).chain(&known);
         single.chain(vectors.flatten()).copied().collect()
     }
 
     /// The walk of numbers as by [`Walk::numbers`], with its counters; none of any others.
     pub fn restored(numbers: &[f64], counters: Counters, interval: f64) -> Option<Self> {
         let (single, numbers) = numbers.split_at_checked(SINGLE)?;
+        let (&renewal, numbers) = numbers.split_first_chunk()?;
         let (known, vectors) = numbers.split_first_chunk()?;
         let vectors: &[[f64; N]] = match vectors.as_chunks() {
             (vectors, []) if vectors.len() == 2 + POINTS + N => vectors,
@@ -68,7 +71,7 @@ impl<const N: usize> Walk<N> {
             fresh,
             rate,
             since_rate,
-            waste,
+            rate_size,
             rejected,
             renewals,
         ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
@@ -86,8 +89,9 @@ impl<const N: usize> Walk<N> {
             intervals: leg_intervals,
         };
         (walk.slow_size, walk.fresh) = (slow_size, fresh != 0.0);
-        (walk.rate, walk.since_rate) = (rate, since_rate);
-        (walk.waste, walk.rejected) = (waste, rejected != 0.0);
+        (walk.rate, walk.since_rate, walk.rate_size) = (rate, since_rate, rate_size);
+        walk.renewal = Renewal::from_numbers(renewal);
+        walk.rejected = rejected != 0.0;
         walk.renewals = renewals as u64;
         walk.propagators.restore(&walk.linear, known);
         walk.counters = counters;

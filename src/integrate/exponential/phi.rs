@@ -25,14 +25,14 @@ pub(super) type Family<const N: usize> = [Columns<N>; HIGHEST + 1];
 
 /// The functions of a matrix whose size by a sensible norm is known; of φ_1 and those after it only the
 /// columns from `first` on are right.
+#[inline(always)]
 pub(super) fn family<const N: usize>(matrix: &Columns<N>, norm: f64, first: usize) -> Family<N> {
     let halvings = if norm > SMALL {
         ((norm / SMALL).log2().ceil() as u32).min(MOST_HALVINGS)
     } else {
         0
     };
-    let part = 0.5_f64.powi(halvings as i32);
-    let mut family = small(&matrix.map(|column| column.map(|value| part * value)));
+    let mut family = small(&times(0.5_f64.powi(halvings as i32), matrix));
     for _ in 0..halvings {
         double(&mut family, first);
     }
@@ -40,18 +40,18 @@ pub(super) fn family<const N: usize>(matrix: &Columns<N>, norm: f64, first: usiz
 }
 
 /// The functions of a matrix of small norm.
+#[inline(always)]
 fn small<const N: usize>(matrix: &Columns<N>) -> Family<N> {
     let mut family = [[[0.0; N]; N]; HIGHEST + 1];
     // n!/(n+k)! by Horner's rule, then the factor 1/n!
     let mut sum = diagonal(1.0);
     for term in (1..=TERMS).rev() {
-        let factor = 1.0 / (HIGHEST + term) as f64;
-        let scaled = sum.map(|column: [f64; N]| column.map(|value| factor * value));
+        let scaled = times(1.0 / (HIGHEST + term) as f64, &sum);
         sum = diagonal(1.0);
         add_product(matrix, &scaled, &mut sum);
     }
     let mut inverse = (1..=HIGHEST).map(|k| 1.0 / k as f64).product::<f64>();
-    family[HIGHEST] = sum.map(|column| column.map(|value| inverse * value));
+    family[HIGHEST] = times(inverse, &sum);
     for k in (0..HIGHEST).rev() {
         inverse *= (k + 1) as f64;
         let mut sum = diagonal(inverse);
@@ -62,6 +62,7 @@ fn small<const N: usize>(matrix: &Columns<N>) -> Family<N> {
 }
 
 /// From the functions of X to those of 2X.
+#[inline(always)]
 fn double<const N: usize>(family: &mut Family<N>, first: usize) {
     let exponential = family[0];
     for k in (0..=HIGHEST).rev() {
@@ -83,23 +84,37 @@ fn double<const N: usize>(family: &mut Family<N>, first: usize) {
                 }
                 inverse /= (k - j + 1) as f64;
             }
-            *doubled = sum.map(|value| part * value);
+            for row in 0..N {
+                doubled[row] = part * sum[row];
+            }
         }
     }
 }
 
+#[inline(always)]
 fn add_product<const N: usize>(left: &Columns<N>, right: &Columns<N>, sum: &mut Columns<N>) {
     for (column, sum) in right.iter().zip(sum) {
         apply(left, 0, column, sum);
     }
 }
 
+#[inline(always)]
 fn diagonal<const N: usize>(value: f64) -> Columns<N> {
-    std::array::from_fn(|column| {
-        let mut entries = [0.0; N];
-        entries[column] = value;
-        entries
-    })
+    let mut matrix = [[0.0; N]; N];
+    for (place, column) in matrix.iter_mut().enumerate() {
+        column[place] = value;
+    }
+    matrix
+}
+
+/// A matrix in another unit.
+#[inline(always)]
+pub(super) fn times<const N: usize>(factor: f64, matrix: &Columns<N>) -> Columns<N> {
+    let mut product = *matrix;
+    for entry in product.as_flattened_mut() {
+        *entry *= factor;
+    }
+    product
 }
 
 #[cfg(test)]

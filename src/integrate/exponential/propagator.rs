@@ -1,7 +1,9 @@
 //! The matrices that carry a state over a step of one size, and those that were used of late.
 
+use fearless_simd::{Level, dispatch};
+
 use super::columns::{Columns, apply, product};
-use super::nodes::{NODES, POINTS};
+use super::nodes::{NODES, POINTS, Points};
 use super::phi::{self, Family};
 
 /// Sizes that are kept.
@@ -17,21 +19,34 @@ pub(super) struct LinearPart<const N: usize> {
     pub norm: f64,
     /// First component that the slow part can have: in (q, q̇) it has none in q.
     pub first: usize,
+    /// What the processor has.
+    pub level: Level,
 }
 
 impl<const N: usize> LinearPart<N> {
     /// No linear part.
-    pub const NONE: Self = Self {
-        jacobian: [[0.0; N]; N],
-        norm: 0.0,
-        first: 0,
-    };
+    pub fn none() -> Self {
+        Self {
+            jacobian: [[0.0; N]; N],
+            norm: 0.0,
+            first: 0,
+            level: Level::new(),
+        }
+    }
+
+    /// The product of it and a vector.
+    pub fn applied(&self, vector: &[f64; N]) -> [f64; N] {
+        dispatch!(self.level, _ => {
+            let mut sum = [0.0; N];
+            apply(&self.jacobian, 0, vector, &mut sum);
+            sum
+        })
+    }
 
     /// The functions φ of it over an interval, s.
+    #[inline(always)]
     fn family(&self, interval: f64) -> Family<N> {
-        let scaled = self
-            .jacobian
-            .map(|column| column.map(|value| interval * value));
+        let scaled = phi::times(interval, &self.jacobian);
         phi::family(&scaled, interval * self.norm, self.first)
     }
 }
@@ -42,6 +57,7 @@ impl<const N: usize> LinearPart<N> {
 pub(super) struct Propagator<const N: usize> {
     size: f64,
     first: usize,
+    level: Level,
     /// E_i and A_ij of the points after the first.
     free: [Columns<N>; POINTS - 1],
     forced: [[Columns<N>; POINTS]; POINTS - 1],
@@ -52,23 +68,34 @@ impl<const N: usize> Propagator<N> {
         Self {
             size: 0.0,
             first: 0,
+            level: Level::baseline(),
             free: [[[0.0; N]; N]; POINTS - 1],
             forced: [[[[0.0; N]; N]; POINTS]; POINTS - 1],
         }
     }
 
     /// State at a point after the first.
-    #[inline(always)]
-    pub fn state(&self, point: usize, from: &[f64; N], slow: &[[f64; N]; POINTS]) -> [f64; N] {
-        let mut state = [0.0; N];
-        apply(&self.free[point - 1], 0, from, &mut state);
-        self.add(point, slow, &mut state);
-        state
+    pub fn state(&self, point: usize, from: &[f64; N], slow: &Points<N>) -> [f64; N] {
+        dispatch!(self.level, _ => {
+            let mut state = [0.0; N];
+            apply(&self.free[point - 1], 0, from, &mut state);
+            self.add(point, slow, &mut state);
+            state
+        })
+    }
+
+    /// What a slow part that vanishes at the start does to the state at a point.
+    pub fn moved(&self, point: usize, slow: &Points<N>) -> [f64; N] {
+        dispatch!(self.level, _ => {
+            let mut moved = [0.0; N];
+            self.add(point, slow, &mut moved);
+            moved
+        })
     }
 
     /// Adds what a slow part does to the state at a point.
     #[inline(always)]
-    pub fn add(&self, point: usize, slow: &[[f64; N]; POINTS], state: &mut [f64; N]) {
+    fn add(&self, point: usize, slow: &Points<N>, state: &mut [f64; N]) {
         for (forced, slow) in self.forced[point - 1].iter().zip(slow) {
             apply(forced, self.first, slow, state);
         }
@@ -82,10 +109,15 @@ impl<const N: usize> Propagator<N> {
         state
     }
 
-    /// Makes it that of a size, point by point: what came before is carried on, and what the interval
-    /// adds is added.
+    /// Makes it that of a size.
     fn build(&mut self, part: &LinearPart<N>, size: f64) {
-        (self.size, self.first) = (size, part.first);
+        (self.size, self.first, self.level) = (size, part.first, part.level);
+        dispatch!(part.level, _ => self.go_from_point_to_point(part, size));
+    }
+
+    /// What came before a point is carried on, and what the interval adds is added.
+    #[inline(always)]
+    fn go_from_point_to_point(&mut self, part: &LinearPart<N>, size: f64) {
         // intervals lie symmetrically about the middle of the step
         for interval in 0..POINTS / 2 {
             let length = NODES.part[interval + 1] - NODES.part[interval];
@@ -121,6 +153,7 @@ impl<const N: usize> Propagator<N> {
 }
 
 /// What one of the points' polynomials adds over an interval.
+#[inline(always)]
 fn integrals<const N: usize>(
     family: &Family<N>,
     local: &[f64; POINTS],
@@ -233,9 +266,43 @@ impl<const N: usize> Propagators<N> {
     /// The functions over an interval of samples.
     pub fn samples(&mut self, part: &LinearPart<N>, interval: f64) -> &Family<N> {
         if !self.samples_valid {
-            *self.samples = part.family(interval);
+            *self.samples = dispatch!(part.level, _ => part.family(interval));
             self.samples_valid = true;
         }
         &self.samples
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ten states, two of them far faster than the others, at all widths of registers.
+    #[test]
+    fn every_width_of_registers_gives_the_same_bytes() {
+        let mut best = LinearPart::<10>::none();
+        for (column, entries) in best.jacobian.iter_mut().enumerate() {
+            for (row, entry) in entries.iter_mut().enumerate() {
+                *entry = (1.0 + (7 * column + 3 * row) as f64).sin();
+            }
+            entries[column] -= if column < 2 { 1e3 } else { 3.0 };
+        }
+        (best.norm, best.first) = (1.1e3, 5);
+        let mut levels = vec![Level::baseline()];
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        levels.extend(best.level.as_sse4_2().map(Level::Sse4_2));
+        let from = std::array::from_fn(|i| (i as f64).cos());
+        let slow = std::array::from_fn(|j| from.map(|value: f64| (value + j as f64).sin()));
+        let bytes = |part: &LinearPart<10>| {
+            let mut propagators = Propagators::new();
+            let propagator = propagators.of(part, 0.3);
+            let state = propagator.state(POINTS - 1, &from, &slow);
+            assert!(state.iter().all(|value| value.abs() < 10.0), "{state:?}");
+            let all = [state, propagator.moved(3, &slow), part.applied(&from)];
+            all.map(|vector| vector.map(f64::to_bits))
+        };
+        for level in levels {
+            assert_eq!(bytes(&best), bytes(&LinearPart { level, ..best }));
+        }
     }
 }

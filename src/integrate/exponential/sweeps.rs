@@ -1,6 +1,5 @@
 //! A trial step: sweeps over its points until the slow part there is that of the states there.
 
-use super::columns::apply;
 use super::nodes::{NODES, POINTS, Points, SPARE, combined};
 use super::propagator::{LinearPart, Propagator};
 use crate::integrate::System;
@@ -8,14 +7,20 @@ use crate::integrate::course::Course;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
 const LOCAL_PART: f64 = 0.05;
+/// The loosest tolerance that is gone by. Beyond it sweeps under strong damping of the contacts meet where
+/// the motion is not, and what follows costs more than it saves.
+const LOOSEST: f64 = 1e-2;
 /// Part of it that sweeps which are not made may leave.
-const REST: f64 = 0.1;
+const REST: f64 = 0.03;
 /// Most sweeps of a trial.
 pub(super) const MOST: u32 = 6;
 /// Fall of the change from sweep to sweep that is not worth another.
 const SLOWEST: f64 = 0.7;
 /// Least fall that is believed, and factor of the caution where it is an earlier step's.
 const LEAST_RATE: f64 = 1e-3;
+/// Part of the fall so far below which it is not believed: what falls fast goes first, and what is left
+/// falls more slowly.
+const LASTING: f64 = 0.7;
 const CAUTION: f64 = 3.0;
 
 /// A trial step that is under way.
@@ -63,7 +68,7 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
         rate: f64,
     ) -> Self {
         let to = propagator.state(POINTS - 1, from, &slow);
-        let allowed = LOCAL_PART * course.settings.tolerance;
+        let allowed = LOCAL_PART * course.settings.tolerance.min(LOOSEST);
         let scale = &course.scaling.scale;
         Self {
             course,
@@ -95,7 +100,12 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
             let rest = if self.sweeps == 1 {
                 rest(change, CAUTION * self.rate)
             } else {
-                self.rate = (change / before).max(LEAST_RATE);
+                let lasting = if self.rate < 1.0 {
+                    LASTING * self.rate
+                } else {
+                    LEAST_RATE
+                };
+                self.rate = (change / before).max(LEAST_RATE).max(lasting);
                 rest(change, self.rate)
             };
             if rest <= REST {
@@ -121,8 +131,7 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
             *change = std::array::from_fn(|i| slow[i] - self.slow[point][i]);
             self.slow[point] = slow;
         }
-        let mut moved = [0.0; N];
-        self.propagator.add(POINTS - 1, &change, &mut moved);
+        let moved = self.propagator.moved(POINTS - 1, &change);
         for (to, moved) in self.to.iter_mut().zip(&moved) {
             *to += moved;
         }
@@ -170,9 +179,9 @@ pub(super) fn slow_part<S: System<N>, const N: usize>(
 ) -> [f64; N] {
     let origin = &course.scaling.origin;
     let state = std::array::from_fn(|i| origin[i] + deviation[i]);
-    let (mut rate, mut moved) = ([0.0; N], [0.0; N]);
+    let mut rate = [0.0; N];
     course.system.derivative(time, &state, &mut rate);
-    apply(&linear.jacobian, 0, deviation, &mut moved);
+    let moved = linear.applied(deviation);
     std::array::from_fn(|i| {
         if i < linear.first {
             0.0
@@ -185,6 +194,8 @@ pub(super) fn slow_part<S: System<N>, const N: usize>(
 #[cfg(test)]
 mod tests {
     use std::sync::atomic::AtomicBool;
+
+    use fearless_simd::Level;
 
     use super::super::propagator::Propagators;
     use super::*;
@@ -223,6 +234,7 @@ mod tests {
             jacobian: [[0.0, square], [1.0, 0.0]],
             norm: 1.1 * NATURAL,
             first: 1,
+            level: Level::new(),
         };
         let (mut propagators, mut from) = (Propagators::new(), [0.98, 0.0]);
         let size = time / f64::from(steps);

@@ -5,6 +5,7 @@ use super::dense::Cursor;
 use super::nodes::{NODES, POINTS, Points, combined, weights};
 use super::plan::Leg;
 use super::propagator::{LinearPart, Propagators};
+use super::renewal::{Renewal, USUAL_SWEEPS};
 use super::sweeps::{self, Ending, Trial, slow_part};
 use crate::integrate::course::Course;
 use crate::integrate::{Counters, IntegrateError, Linearised, Scaling};
@@ -17,10 +18,6 @@ const SHRINK: f64 = 0.2;
 const GROW: f64 = 8.0;
 /// Least error that counts: growth is limited anyway.
 const LEAST_ERROR: f64 = 1e-12;
-/// Sweeps that a step may take without a better linear part saving any.
-const USUAL_SWEEPS: u32 = 2;
-/// Evaluations that a new linear part and its propagators cost, about.
-const RENEWAL: f64 = 200.0;
 /// Steps after which the fall of the change from sweep to sweep is measured again.
 const RATE_HOLDS: f64 = 8.0;
 
@@ -50,11 +47,12 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     pub(super) linear: LinearPart<N>,
     /// Whether the linear part is that of the start of the step.
     pub(super) fresh: bool,
-    /// Fall of the change from sweep to sweep, and steps since it was measured.
+    /// Fall of the change from sweep to sweep, steps since it was measured, and the size of that step, s.
     pub(super) rate: f64,
     pub(super) since_rate: f64,
-    /// Evaluations that a better linear part would have saved since the latest one.
-    pub(super) waste: f64,
+    pub(super) rate_size: f64,
+    /// When a better linear part pays.
+    pub(super) renewal: Renewal,
     /// Whether the latest trial was rejected.
     pub(super) rejected: bool,
     /// Whether a trial since the latest good step was not finite.
@@ -86,12 +84,13 @@ impl<const N: usize> Walk<N> {
             to: deviation,
             slow: [[0.0; N]; POINTS],
             slow_size: 0.0,
-            linear: LinearPart::NONE,
+            linear: LinearPart::none(),
             fresh: false,
             rate: 1.0,
             since_rate: 0.0,
+            rate_size: 0.0,
             // the first step takes a linear part
-            waste: f64::INFINITY,
+            renewal: Renewal::NONE,
             rejected: false,
             fault: false,
             renewals: 0,
@@ -178,10 +177,10 @@ impl<const N: usize> Walk<N> {
             Some(cursor) if cursor.index() <= index => cursor,
             _ => {
                 let intervals = [self.interval, self.intervals];
-                Cursor::new(self.from, &self.slow, intervals, family, self.linear.first)
+                Cursor::new(self.from, &self.slow, intervals, family, &self.linear)
             }
         };
-        let deviation = cursor.go_to(index, family);
+        let deviation = cursor.go_to(index, family, self.linear.level);
         self.cursor = Some(cursor);
         deviation
     }
@@ -204,9 +203,16 @@ impl<const N: usize> Walk<N> {
                     self.accept(error, sweeps);
                     return Ok(());
                 }
-                Ending::Met(error) => self.reject(SAFETY * error.powf(-1.0 / ERROR_POWER)),
-                Ending::Apart => self.bring_together(course),
+                Ending::Met(error) => {
+                    self.renewal.count_rejected(sweeps, 1);
+                    self.reject(SAFETY * error.powf(-1.0 / ERROR_POWER));
+                }
+                Ending::Apart => {
+                    self.renewal.count_rejected(sweeps, sweeps::MOST);
+                    self.bring_together(course);
+                }
                 Ending::NotFinite => {
+                    self.renewal.count_rejected(sweeps, 1);
                     self.fault = true;
                     self.reject(SHRINK);
                 }
@@ -223,7 +229,7 @@ impl<const N: usize> Walk<N> {
         if behind_break {
             self.limit = course.system.next_break(self.time + course.slack);
         }
-        if self.waste >= RENEWAL {
+        if self.renewal.pays() {
             self.renew(course);
         } else if behind_break {
             self.forget(course);
@@ -243,13 +249,15 @@ impl<const N: usize> Walk<N> {
         self.linear = LinearPart {
             jacobian,
             norm: balanced_norm(&jacobian),
+            level: self.linear.level,
             first: if course.system.is_second_order() {
                 N / 2
             } else {
                 0
             },
         };
-        (self.fresh, self.rate, self.waste) = (true, 1.0, 0.0);
+        (self.fresh, self.rate) = (true, 1.0);
+        self.renewal.renew();
         self.renewals += 1;
         self.propagators.clear();
         self.forget(course);
@@ -276,7 +284,8 @@ impl<const N: usize> Walk<N> {
     fn trial<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> (Ending, u32) {
         let guess = self.guess();
         let span = [self.start, self.size, self.limit.next_down()];
-        let rate = if self.since_rate < RATE_HOLDS {
+        // a longer step's sweeps fall more slowly: by how much it has to find out by itself
+        let rate = if self.since_rate < RATE_HOLDS && self.size <= self.rate_size {
             self.rate
         } else {
             1.0
@@ -297,7 +306,7 @@ impl<const N: usize> Walk<N> {
             (self.to, self.slow, self.slow_size) = (to, slow, self.size);
         }
         if sweeps > 1 {
-            (self.rate, self.since_rate) = (rate, 0.0);
+            (self.rate, self.rate_size, self.since_rate) = (rate, self.size, 0.0);
         }
         (ending, sweeps)
     }
@@ -334,7 +343,7 @@ impl<const N: usize> Walk<N> {
         } else {
             proposed
         };
-        self.waste += f64::from(sweeps.saturating_sub(USUAL_SWEEPS)) * (POINTS - 1) as f64;
+        self.renewal.count_step(self.size, sweeps);
         self.since_rate += 1.0;
         (self.rejected, self.fault, self.fresh) = (false, false, false);
         self.counters.steps += 1;
@@ -347,7 +356,6 @@ impl<const N: usize> Walk<N> {
     }
 
     fn reject(&mut self, factor: f64) {
-        self.waste += (POINTS - 1) as f64;
         self.rejected = true;
         self.counters.rejected += 1;
         self.wish = self.size * if factor >= SHRINK { factor } else { SHRINK };
@@ -355,8 +363,7 @@ impl<const N: usize> Walk<N> {
 
     /// After sweeps that did not meet: a new linear part once it pays, else a shorter step.
     fn bring_together<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
-        self.waste += f64::from(sweeps::MOST) * (POINTS - 1) as f64;
-        if self.fresh || self.waste < RENEWAL {
+        if self.fresh || !self.renewal.pays() {
             self.reject(0.5);
         } else {
             self.counters.rejected += 1;

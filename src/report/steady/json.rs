@@ -8,7 +8,7 @@ use super::super::columns::value_column;
 use crate::integrate::Counters;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
-use crate::steady::{Base, Measured, Response, ResponsePoint, Steady, Swing};
+use crate::steady::{Base, Measured, Response, ResponsePoint, ResponseUnrefined, Steady, Swing};
 use crate::study::Variable;
 
 /// Everything about a steady motion except its trace and its spectrum. The same question gives the same
@@ -61,6 +61,7 @@ pub fn response_json(
                     told
                 })
                 .collect::<Value>(),
+            "unrefined": response.unrefined.iter().map(unrefined).collect::<Value>(),
             "counters": counters(&response.counters),
         })
     };
@@ -71,6 +72,15 @@ pub fn response_json(
         "over": variable.key,
         "unit": variable.unit,
         "branches": branches.iter().map(branch).collect::<Value>(),
+    })
+}
+
+fn unrefined(unrefined: &ResponseUnrefined) -> Value {
+    json!({
+        "kind": unrefined.kind.to_string(),
+        "after_points": unrefined.after,
+        "between": unrefined.between,
+        "left": unrefined.left,
     })
 }
 

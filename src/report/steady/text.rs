@@ -72,6 +72,14 @@ pub fn response_text(
             );
             line(&mut out, "", &text);
         }
+        for unrefined in &branch.unrefined {
+            let [from, to] = unrefined.between.map(|value| shown(variable, value));
+            let text = format!(
+                "{} between {from} and {to}, not found any nearer: a jump, {:.1e} are left",
+                unrefined.kind, unrefined.left
+            );
+            line(&mut out, "", &text);
+        }
     }
     wrote(&mut out, files);
     out
