@@ -845,6 +845,56 @@ fn parts_that_make_no_whole_are_refused() {
     assert!(told(&output).contains("study.seed"), "{}", told(&output));
 }
 
+/// A trace that was lost or cut off on its way to the other parts is named with its run.
+#[test]
+fn parts_whose_traces_are_not_whole_are_refused() {
+    let folder = TempDir::new().expect("a folder");
+    let traced = format!(
+        "{}[keep]\nnumbers = ['x_rms_m']\ntraces = true\n",
+        SPEEDS.replace("count = 40", "count = 4")
+    );
+    let file = written(folder.path(), &traced);
+    for part in ["1/2", "2/2"] {
+        let output = study(&file, folder.path(), &["--shard", part]);
+        assert!(output.status.success(), "{}", told(&output));
+    }
+    let small = folder.path().join("small");
+    let merge = || {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_jeffcott"));
+        let merge = command.args(["study", "merge"]).arg(&small);
+        merge.output().expect("the command starts")
+    };
+    let trace = small.join("traces").join("trace-2.csv");
+    let whole = fs::read(&trace).expect("a trace");
+    let mut changed = whole.clone();
+    changed[whole.len() / 2] ^= 1;
+    let cut = whole[..whole.len() - 7].to_vec();
+    for (bytes, reason) in [
+        (None, "it is missing"),
+        (Some(cut), "bytes"),
+        (Some(changed), "it is not what the run wrote"),
+    ] {
+        match bytes {
+            None => fs::remove_file(&trace).expect("a trace"),
+            Some(bytes) => fs::write(&trace, bytes).expect("a writable folder"),
+        }
+        let output = merge();
+        assert_eq!(output.status.code(), Some(2));
+        let told = told(&output);
+        assert!(
+            told.contains("run 2 has a trace") && told.contains(reason),
+            "{told}"
+        );
+        assert!(!small.join("runs.json").exists());
+    }
+    fs::write(&trace, whole).expect("a writable folder");
+    let output = merge();
+    assert!(output.status.success(), "{}", told(&output));
+    // each trace is named in the table of them
+    let table = fs::read_to_string(small.join("traces.csv")).expect("a table");
+    assert_eq!(table.lines().count(), 5, "{table}");
+}
+
 /// The schema that editors read is that of the program.
 #[test]
 fn the_schema_of_studies_is_up_to_date() {

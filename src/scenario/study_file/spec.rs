@@ -155,7 +155,8 @@ pub struct KeepSpec {
     /// Highest frequency of them in shaft orders. Default: 20.
     #[schemars(extend("x-minimum" = 0.0))]
     pub highest_order: Option<f64>,
-    /// Whether the trace of every run is kept, in `traces/trace-<number>.csv`. Default: false.
+    /// Whether the trace of every run is kept, in `traces/trace-<number>.csv`; `traces.csv` says what they are
+    /// known by. Default: false.
     pub traces: bool,
     /// Whether stiffness and damping of every bearing at the static equilibrium are kept, in
     /// `stiffness.csv`, and for rotor dynamics with ROSS, in `ross_*.toml`, as functions of the speed.

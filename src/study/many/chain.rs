@@ -5,7 +5,7 @@ use std::io;
 use std::sync::atomic::AtomicBool;
 
 use super::numbers::{NumberColumn, Observed};
-use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord};
+use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 use super::{Keep, Schedule, Section, Turn};
 use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
@@ -29,11 +29,11 @@ pub enum Unmade {
 
 /// Keeps the trace of a run.
 pub trait KeptTrace: TraceSink {
-    /// Takes note that the run came to its end.
+    /// Takes note that the run came to its end; answers what the trace is known by.
     ///
     /// # Errors
     /// Whatever keeps the trace from being whole.
-    fn finish(self: Box<Self>) -> io::Result<()>;
+    fn finish(self: Box<Self>) -> io::Result<TraceSeal>;
 }
 
 /// Begins to keep the trace of the run of a number.
@@ -151,15 +151,12 @@ impl Maker<'_> {
         };
         match simulate(&model, &mut sink, &mut monitor) {
             Ok(run) => {
-                sink.trace.take().map_or(Ok(()), KeptTrace::finish)?;
+                let trace = sink.trace.take().map(KeptTrace::finish).transpose()?;
                 if self.schedule.runs_in_chain() > 1 {
                     *carried = sink.carried(&model);
                 }
-                Ok(Ok(self.outcome(
-                    &run,
-                    model.rotor.speed,
-                    sink.largest_ball_load,
-                )))
+                let outcome = self.outcome(&run, model.rotor.speed, sink.largest_ball_load);
+                Ok(Ok(Outcome { trace, ..outcome }))
             }
             Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => {
                 Err(Unmade::Stopped)
@@ -189,6 +186,7 @@ impl Maker<'_> {
             } else {
                 Vec::new()
             },
+            trace: None,
         }
     }
 }

@@ -8,7 +8,7 @@ mod workers;
 
 pub use chain::{KeptTrace, Maker, TraceKeeper, Unmade};
 pub use numbers::{NumberColumn, Numbers, Observed, number_columns};
-pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord};
+pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
 pub use workers::{LEAD, work};
 
