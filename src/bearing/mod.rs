@@ -30,6 +30,7 @@ mod price;
 mod races;
 mod ring;
 mod ring_lift_off;
+mod ring_loads;
 mod seat;
 mod series_damping;
 mod state;
