@@ -318,6 +318,7 @@ impl<'a> Task<'a> {
             ..Outputs::default()
         };
         let scenario = self.study.scenario(&values);
+        let scenario = scenario.map_err(|error| failed(error.message))?;
         let folder = self.folder.join(format!("run-{number}"));
         let mut report = RunReport::open(&folder, outputs, &title, scenario, self.freedoms)?;
         let mut progress = Progress::new(&title);

@@ -1,5 +1,6 @@
 //! Points of a motion at equal phases of what drives it: Poincaré sections.
 
+use std::array;
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use std::fmt;
@@ -143,13 +144,13 @@ impl Section {
             velocity: [0.0; FREEDOMS],
         };
         for axis in 0..FREEDOMS {
-            let values: Vec<f64> = self
-                .nodes
-                .iter()
-                .map(|node| node.displacement[axis])
-                .collect();
-            let rates = self.nodes.iter().map(|node| node.velocity[axis] * interval);
-            let rates: Vec<f64> = rates.collect();
+            let node = |index: usize| &self.nodes[index];
+            let values: [f64; NODES] = array::from_fn(|index| node(index).displacement[axis]);
+            let rates: [f64; NODES] = array::from_fn(|index| node(index).velocity[axis] * interval);
+            // a freedom that is held stays where it is
+            if values == [0.0; NODES] && rates == values {
+                continue;
+            }
             let place = 1.0 + part;
             let at = |place: f64| hermite(0, &values, &rates, place);
             point.displacement[axis] = at(place);
