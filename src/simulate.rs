@@ -20,7 +20,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::Const;
 
-pub use analyses::{Analyses, Maps, Watched};
+pub use analyses::{Analyses, BallParts, Maps, Watched};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
 pub use method::MethodMismatch;
@@ -194,11 +194,9 @@ where
     let estimated = spectra::estimated(model, observers.recording.as_ref());
     let mut warnings = warnings::warnings(model, rotor, &outcome, motion.as_ref());
     let speed_changes = rotor.steady_from(model.settle).is_none();
-    warnings.extend(spectra::warnings(
-        spectrum.as_ref(),
-        &estimated,
-        speed_changes,
-    ));
+    let whole = spectrum.as_ref();
+    let whole = whole.filter(|_| model.analyses.highest_order.is_none());
+    warnings.extend(spectra::warnings(whole, &estimated, speed_changes));
     Run {
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),

@@ -590,6 +590,95 @@ fn a_study_keeps_the_numbers_that_it_names() {
     assert!(figure.contains("lowest natural frequency in Hz") && !figure.contains("ball load"));
 }
 
+/// Runs counted in ball passes last as many at every speed: each leaves as many points.
+#[test]
+fn runs_last_so_many_cycles_at_their_own_speed() {
+    let folder = TempDir::new().expect("a folder");
+    let base = scenarios().join("varying-compliance-6306.toml");
+    let cycles = |of: &str, poincare: &str| {
+        format!(
+            "base = '{}'\nverify_every = 0\n[[axis]]\nkey = 'speed.constant'\n\
+             values = ['50 rad/s', '100 rad/s', '330 rad/s']\n[cycles]\nof = '{of}'\nsettle = 20\n\
+             kept = 40\n[keep]\nnumbers = ['x_rms_m']\npoincare = '{poincare}'\n",
+            base.display()
+        )
+    };
+    let file = folder.path().join("cycles.toml");
+    // 8 balls roll past 3.0841 times a revolution
+    let pass = 8.0 * 0.5 * (1.0 - 11.9062 / 52.0);
+    for (of, order) in [("ball_pass", pass), ("revolution", 1.0)] {
+        fs::write(&file, cycles(of, of)).expect("a writable folder");
+        let output = study(&file, folder.path(), &["--restart"]);
+        assert!(output.status.success(), "{}", told(&output));
+        let table = folder.path().join("cycles").join("poincare.csv");
+        let (runs, times) = (column(&table, "run"), column(&table, "time_s"));
+        for (run, speed) in [50.0, 100.0, 330.0].into_iter().enumerate() {
+            let own = runs.iter().zip(&times);
+            let own: Vec<f64> = own
+                .filter(|(number, _)| **number == run as f64)
+                .map(|(_, time)| *time * speed * order / std::f64::consts::TAU)
+                .collect();
+            // whole revolutions are looked at, and the ends are between samples
+            assert!((35..=41).contains(&own.len()), "{of}: {}", own.len());
+            assert!(
+                own.iter().all(|cycle| (20.0..60.1).contains(cycle)),
+                "{own:?}"
+            );
+        }
+    }
+    // a run alone has the same times, and they stand in its summary
+    let output = study(&file, folder.path(), &["--only", "2"]);
+    assert!(output.status.success(), "{}", told(&output));
+    let summary = folder.path().join("cycles/run-2/summary.json");
+    let summary = fs::read_to_string(summary).expect("a summary");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    let duration = summary["scenario"]["time"]["duration"]
+        .as_str()
+        .expect("a time");
+    let duration: f64 = duration.trim_end_matches(" s").parse().expect("a number");
+    let expected = 60.0 * std::f64::consts::TAU / 330.0;
+    assert!((duration / expected - 1.0).abs() < 1e-12, "{duration}");
+}
+
+const MASSES: &str = "
+[[axis]]
+key = 'shaft.mass'
+values = ['5 kg', '6 kg']
+";
+
+/// Cycles of a scene that has none, or beside a time that is given as well, are refused.
+#[test]
+fn cycles_that_contradict_are_refused() {
+    let folder = TempDir::new().expect("a folder");
+    let cycles = |of: &str| format!("[cycles]\nof = '{of}'\nkept = 10\n");
+    let set = "[[set]]\nkey = 'time.duration'\nvalue = '1 s'\n";
+    for (base, text, reason) in [
+        (
+            "linear-7205c.toml",
+            format!("{SPEEDS}{}", cycles("ball_pass")),
+            "no ball passes here",
+        ),
+        (
+            "linear-7205c.toml",
+            format!("{SPEEDS}{set}{}", cycles("revolution")),
+            "`cycles` decides `time.duration`",
+        ),
+        (
+            "run-up-7205c.toml",
+            format!("{MASSES}{}", cycles("revolution")),
+            "a constant speed above zero",
+        ),
+    ] {
+        let file = folder.path().join("cycles.toml");
+        let base = scenarios().join(base);
+        let text = format!("base = '{}'\n{text}", base.display());
+        fs::write(&file, text).expect("a writable folder");
+        let output = study(&file, folder.path(), &["--restart"]);
+        assert_eq!(output.status.code(), Some(2), "{}", told(&output));
+        assert!(told(&output).contains(reason), "{}", told(&output));
+    }
+}
+
 /// A trace a run stands beside the tables, the same as of that run alone; those of an earlier study go.
 #[test]
 fn traces_are_kept_on_request() {
@@ -843,6 +932,56 @@ fn parts_that_make_no_whole_are_refused() {
     let output = merge();
     assert_eq!(output.status.code(), Some(2));
     assert!(told(&output).contains("study.seed"), "{}", told(&output));
+}
+
+/// A trace that was lost or cut off on its way to the other parts is named with its run.
+#[test]
+fn parts_whose_traces_are_not_whole_are_refused() {
+    let folder = TempDir::new().expect("a folder");
+    let traced = format!(
+        "{}[keep]\nnumbers = ['x_rms_m']\ntraces = true\n",
+        SPEEDS.replace("count = 40", "count = 4")
+    );
+    let file = written(folder.path(), &traced);
+    for part in ["1/2", "2/2"] {
+        let output = study(&file, folder.path(), &["--shard", part]);
+        assert!(output.status.success(), "{}", told(&output));
+    }
+    let small = folder.path().join("small");
+    let merge = || {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_jeffcott"));
+        let merge = command.args(["study", "merge"]).arg(&small);
+        merge.output().expect("the command starts")
+    };
+    let trace = small.join("traces").join("trace-2.csv");
+    let whole = fs::read(&trace).expect("a trace");
+    let mut changed = whole.clone();
+    changed[whole.len() / 2] ^= 1;
+    let cut = whole[..whole.len() - 7].to_vec();
+    for (bytes, reason) in [
+        (None, "it is missing"),
+        (Some(cut), "bytes"),
+        (Some(changed), "it is not what the run wrote"),
+    ] {
+        match bytes {
+            None => fs::remove_file(&trace).expect("a trace"),
+            Some(bytes) => fs::write(&trace, bytes).expect("a writable folder"),
+        }
+        let output = merge();
+        assert_eq!(output.status.code(), Some(2));
+        let told = told(&output);
+        assert!(
+            told.contains("run 2 has a trace") && told.contains(reason),
+            "{told}"
+        );
+        assert!(!small.join("runs.json").exists());
+    }
+    fs::write(&trace, whole).expect("a writable folder");
+    let output = merge();
+    assert!(output.status.success(), "{}", told(&output));
+    // each trace is named in the table of them
+    let table = fs::read_to_string(small.join("traces.csv")).expect("a table");
+    assert_eq!(table.lines().count(), 5, "{table}");
 }
 
 /// The schema that editors read is that of the program.

@@ -29,8 +29,8 @@ pub use leakage::{Leak, leak};
 pub use line_kind::LineKind;
 pub use motion::{
     ChannelStatistics, ClosedCurve, Drift, DriftRecorder, Kind, LONGEST_PERIOD, Moments, Motion,
-    MotionRecorder, MotionSettings, PoincarePoint, Recognition, Section, SectionKind, Series,
-    VELOCITY_BAND, VelocityLevel, closed_curve, recognise, velocity_level, zero_one_test,
+    MotionParts, MotionRecorder, MotionSettings, PoincarePoint, Recognition, Section, SectionKind,
+    Series, VELOCITY_BAND, VelocityLevel, closed_curve, recognise, velocity_level, zero_one_test,
 };
 pub use peaks::{MOST_PEAKS, Peak};
 pub use recorder::{Analysis, Recorder};
@@ -38,6 +38,7 @@ pub use run_up::{
     OrderTracks, Slice, Track, TrackPoint, TrackRecorder, TrackedOrder, Waterfall,
     WaterfallRecorder,
 };
+pub use side_by_side::Threads;
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub use transform::{Transform, fourier_coefficients};
 pub use window::Window;

@@ -1,9 +1,8 @@
 //! Collects the samples of a run and turns them into spectra at its end.
 
-use realfft::RealFftPlanner;
-
 use super::peaks::peaks;
-use super::side_by_side::side_by_side;
+use super::side_by_side::{Threads, side_by_side};
+use super::transform::plan;
 use super::{Channel, ChannelSpectrum, Line, Peak, Spectrum, Transform, Window};
 use crate::rotor::Sample;
 
@@ -61,6 +60,7 @@ pub struct Recorder {
     block: usize,
     /// Time of the first recorded sample, s.
     start: Option<f64>,
+    threads: Threads,
 }
 
 impl Recorder {
@@ -91,7 +91,22 @@ impl Recorder {
             rate,
             block,
             start: None,
+            threads: Threads::default(),
         }
+    }
+
+    /// The displacements alone.
+    #[must_use]
+    pub fn of_displacements(mut self) -> Self {
+        let moves = |channel: &Channel| matches!(channel, Channel::Displacement(_));
+        self.channels.retain(|(channel, _)| moves(channel));
+        self
+    }
+
+    /// Spectra on up to so many threads; by default on all of the machine.
+    #[must_use]
+    pub fn on_threads(self, threads: Threads) -> Self {
+        Self { threads, ..self }
     }
 
     /// Takes one sample; those before the settle time are dropped.
@@ -109,28 +124,20 @@ impl Recorder {
     ///
     /// `None` where less than one revolution, or too few samples for a spectrum, were recorded.
     pub fn finish(self, window: Window, causes: &[Line]) -> Option<Analysis> {
-        let recorded = self.channels.first()?.1.len();
-        let length = recorded / self.block * self.block;
-        if length < FEWEST_SAMPLES {
-            return None;
-        }
-        let skipped = recorded - length;
-        let mut spectrum = Spectrum {
-            resolution: self.rate / length as f64,
-            shaft_frequency: self.shaft_frequency,
-            length,
-            start: self.start? + skipped as f64 / self.rate,
-            window,
-            channels: Vec::with_capacity(self.channels.len()),
-        };
-        let plan = RealFftPlanner::new().plan_fft_forward(length);
-        let samples = recorded * self.channels.len();
-        let analysed = side_by_side(self.channels, samples, |(channel, mut values)| {
-            values.drain(..skipped);
-            let transform = Transform::by_plan(values, plan.as_ref());
-            let found = peaks(channel, &transform, spectrum.resolution, causes);
-            (ChannelSpectrum::new(channel, &transform, window), found)
-        });
+        let (mut spectrum, skipped) = self.frame(window)?;
+        let plan = plan(spectrum.length);
+        let samples = (skipped + spectrum.length) * self.channels.len();
+        let analysed = side_by_side(
+            self.channels,
+            samples,
+            self.threads,
+            |(channel, mut values)| {
+                values.drain(..skipped);
+                let transform = Transform::by_plan(values, plan.as_ref());
+                let found = peaks(channel, &transform, spectrum.resolution, causes);
+                (ChannelSpectrum::new(channel, &transform, window), found)
+            },
+        );
         let mut found = Vec::new();
         for (entry, peaks) in analysed {
             spectrum.channels.push(entry);
@@ -140,5 +147,49 @@ impl Recorder {
             spectrum,
             peaks: found,
         })
+    }
+
+    /// Amplitudes under `window` up to an order of the shaft, or all of them where it does not turn: no
+    /// phases, no peaks. `None` as by [`Recorder::finish`].
+    pub fn finish_lines(self, window: Window, highest_order: f64) -> Option<Spectrum> {
+        let (mut spectrum, skipped) = self.frame(window)?;
+        let plan = plan(spectrum.length);
+        for (channel, mut values) in self.channels {
+            values.drain(..skipped);
+            let transform = Transform::by_plan(values, plan.as_ref());
+            let bins = 0..transform.bins();
+            let is_kept = |k: &usize| {
+                spectrum
+                    .order(*k)
+                    .is_none_or(|order| order <= highest_order)
+            };
+            let amplitudes = bins.take_while(is_kept);
+            let amplitude = amplitudes.map(|k| transform.amplitude(k, window)).collect();
+            spectrum.channels.push(ChannelSpectrum {
+                channel,
+                amplitude,
+                phase: Vec::new(),
+            });
+        }
+        Some(spectrum)
+    }
+
+    /// A spectrum whose channels are still to come, and how many samples stand before it.
+    fn frame(&self, window: Window) -> Option<(Spectrum, usize)> {
+        let recorded = self.channels.first()?.1.len();
+        let length = recorded / self.block * self.block;
+        if length < FEWEST_SAMPLES {
+            return None;
+        }
+        let skipped = recorded - length;
+        let spectrum = Spectrum {
+            resolution: self.rate / length as f64,
+            shaft_frequency: self.shaft_frequency,
+            length,
+            start: self.start? + skipped as f64 / self.rate,
+            window,
+            channels: Vec::with_capacity(self.channels.len()),
+        };
+        Some((spectrum, skipped))
     }
 }

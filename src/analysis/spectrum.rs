@@ -9,7 +9,8 @@ pub struct ChannelSpectrum {
     pub channel: Channel,
     /// One-sided amplitudes (peak values) at the spectrum's frequencies.
     pub amplitude: Vec<f64>,
-    /// Phases in rad of `cos(2πft + phase)`, time counted from the start of the window.
+    /// Phases in rad of `cos(2πft + phase)`, time counted from the start of the window; none where only
+    /// amplitudes were asked for.
     pub phase: Vec<f64>,
 }
 

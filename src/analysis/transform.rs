@@ -1,9 +1,33 @@
 //! The discrete Fourier transform of a real signal, and the same seen through any window.
 
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::sync::Arc;
+
 use realfft::num_complex::Complex;
 use realfft::{RealFftPlanner, RealToComplex};
 
 use super::Window;
+
+/// Plans that a thread remembers: the last ones.
+const REMEMBERED: usize = 4;
+
+/// The plan for so many samples. Plans cost more than what they are for, and runs alike have spectra of
+/// the same lengths: each thread remembers its last ones.
+pub(super) fn plan(length: usize) -> Arc<dyn RealToComplex<f64>> {
+    thread_local! {
+        static PLANS: RefCell<VecDeque<Arc<dyn RealToComplex<f64>>>> = const { RefCell::new(VecDeque::new()) };
+    }
+    PLANS.with_borrow_mut(|plans| {
+        if let Some(known) = plans.iter().find(|plan| plan.len() == length) {
+            return Arc::clone(known);
+        }
+        let made = RealFftPlanner::new().plan_fft_forward(length);
+        plans.truncate(REMEMBERED - 1);
+        plans.push_front(Arc::clone(&made));
+        made
+    })
+}
 
 /// Coefficients `c_k = (1/N) Σ_n z_n exp(−2πikn/N)`, k = 0 … N−1, of complex samples over one period.
 ///
@@ -46,7 +70,11 @@ pub struct Transform {
 impl Transform {
     /// Transforms samples of any number.
     pub fn new(samples: Vec<f64>) -> Self {
-        Self::planned(samples, &mut RealFftPlanner::new())
+        if samples.is_empty() {
+            return Self::planned(samples, &mut RealFftPlanner::new());
+        }
+        let plan = plan(samples.len());
+        Self::by_plan(samples, plan.as_ref())
     }
 
     /// The same with a planner that remembers the lengths it has met.

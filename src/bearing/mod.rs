@@ -32,6 +32,7 @@ mod races;
 mod ring;
 mod ring_lanes;
 mod ring_lift_off;
+mod ring_loads;
 mod seat;
 mod series_damping;
 mod state;

@@ -306,6 +306,22 @@ impl Support {
         }
     }
 
+    /// Leaves the contacts of every ball in `balls`, ball 0 first, as [`Support::for_each_contact`] visits
+    /// them; without `angles` the contact angles are zero.
+    pub fn observe_balls(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+        angles: bool,
+        balls: &mut [BallContact],
+    ) {
+        if self.frozen.is_none() {
+            let place = self.ring_displacement(displacement, cage, speed);
+            self.ring.observe_balls(&place, cage, speed, angles, balls);
+        }
+    }
+
     /// Number of balls that [`Support::for_each_contact`] visits.
     pub fn known_balls(&self) -> usize {
         match self.frozen {

@@ -4,13 +4,13 @@ use std::io;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::thread;
 use std::time::Instant;
 
 use serde_json::{Value, json};
 
 use super::progress::Progress;
 use super::{Outcome, stream};
+use crate::analysis::Threads;
 use crate::report::many::{
     Digest, JournalError, Layout, MergeError, StudyReport, merge as merge_parts,
 };
@@ -254,7 +254,7 @@ impl<'a> Task<'a> {
         let left = chains.filter(|chain| !kept.holds(*chain));
         work(
             left,
-            self.threads(),
+            self.threads().count(),
             &STOP,
             |chain| maker.chain(chain),
             |chain, records| -> Result<(), Failure> {
@@ -285,9 +285,10 @@ impl<'a> Task<'a> {
         Ok(outcome(digest.as_ref()))
     }
 
-    fn threads(&self) -> usize {
-        let all = || thread::available_parallelism().map_or(1, NonZeroUsize::get);
-        self.make.threads.map_or_else(all, NonZeroUsize::get)
+    fn threads(&self) -> Threads {
+        self.make
+            .threads
+            .map_or_else(Threads::default, Threads::new)
     }
 
     /// Makes one run with all its files.
@@ -297,7 +298,8 @@ impl<'a> Task<'a> {
             return Err(Failure::NoRun { number, last });
         }
         let failed = |message| Failure::Run { number, message };
-        let model = maker.alone(number)?.map_err(failed)?;
+        let mut model = maker.alone(number)?.map_err(failed)?;
+        model.analyses.threads = self.threads();
         let title = format!("{}, run {number}", self.study.title);
         let turn = self.schedule.chain(self.schedule.chain_of(number));
         let point = turn
@@ -316,6 +318,7 @@ impl<'a> Task<'a> {
             ..Outputs::default()
         };
         let scenario = self.study.scenario(&values);
+        let scenario = scenario.map_err(|error| failed(error.message))?;
         let folder = self.folder.join(format!("run-{number}"));
         let mut report = RunReport::open(&folder, outputs, &title, scenario, self.freedoms)?;
         let mut progress = Progress::new(&title);

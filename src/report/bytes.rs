@@ -95,9 +95,81 @@ impl std::fmt::Write for Checksum {
     }
 }
 
+/// FNV-1a over words of eight bytes, the last one filled up with zeros: eight times as fast, for long files.
+/// The number of bytes goes with it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct FileSum {
+    hash: u64,
+    bytes: u64,
+    /// The bytes of a word that is not whole yet.
+    begun: [u8; 8],
+}
+
+impl FileSum {
+    pub const START: Self = Self {
+        hash: Checksum::START.0,
+        bytes: 0,
+        begun: [0; 8],
+    };
+
+    pub fn add(&mut self, mut bytes: &[u8]) {
+        let filled = (self.bytes % 8) as usize;
+        self.bytes += bytes.len() as u64;
+        if filled > 0 {
+            let (first, rest) = bytes.split_at(bytes.len().min(8 - filled));
+            self.begun[filled..filled + first.len()].copy_from_slice(first);
+            if filled + first.len() < 8 {
+                return;
+            }
+            self.end_word();
+            bytes = rest;
+        }
+        let words = bytes.chunks_exact(8);
+        let rest = words.remainder();
+        for word in words {
+            self.begun.copy_from_slice(word);
+            self.end_word();
+        }
+        self.begun[..rest.len()].copy_from_slice(rest);
+    }
+
+    fn end_word(&mut self) {
+        let word = u64::from_le_bytes(self.begun);
+        self.hash = (self.hash ^ word).wrapping_mul(0x0100_0000_01b3);
+        self.begun = [0; 8];
+    }
+
+    /// Number of bytes.
+    pub fn bytes(self) -> u64 {
+        self.bytes
+    }
+
+    pub fn value(mut self) -> u64 {
+        if !self.bytes.is_multiple_of(8) {
+            self.end_word();
+        }
+        self.hash
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_sum_of_a_file_is_that_of_its_pieces() {
+        let bytes: Vec<u8> = (0..=255).cycle().take(1003).collect();
+        let mut whole = FileSum::START;
+        whole.add(&bytes);
+        for piece in 1..20 {
+            let mut sum = FileSum::START;
+            bytes.chunks(piece).for_each(|piece| sum.add(piece));
+            assert_eq!((sum.bytes(), sum.value()), (1003, whole.value()));
+        }
+        let mut other = FileSum::START;
+        other.add(&bytes[..1002]);
+        assert_ne!(other.value(), whole.value());
+    }
 
     #[test]
     fn the_checksum_is_the_published_one() {

@@ -101,6 +101,7 @@ impl FileSet {
             "runs.csv",
             "spectra.csv",
             "poincare.csv",
+            "traces.csv",
             "response.svg",
             "map.svg",
             "sensitivity.svg",

@@ -14,6 +14,18 @@ pub struct BallContacts {
     pub(super) axial_forces: Vec<f64>,
     /// Whether the forces of the bearings are looked at.
     pub(super) forces: bool,
+    /// Whether the contact angles are.
+    pub(super) angles: bool,
+    /// Of the balls as they stand now.
+    sums: LoadSums,
+}
+
+/// What the loads of all balls have in common.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct LoadSums {
+    largest: f64,
+    least: f64,
+    loaded: u32,
 }
 
 impl BallContacts {
@@ -31,6 +43,16 @@ impl BallContacts {
             axial_forces: vec![0.0; supports.len()],
             ends,
             forces: true,
+            angles: true,
+            sums: LoadSums::default(),
+        }
+    }
+
+    /// As [`BallContacts::new`], but the contact angles stay zero.
+    pub(super) fn loads(supports: &[Support]) -> Self {
+        Self {
+            angles: false,
+            ..Self::new(supports)
         }
     }
 
@@ -41,6 +63,8 @@ impl BallContacts {
             axial_forces: vec![0.0; supports.len()],
             ends: vec![0; supports.len()],
             forces,
+            angles: false,
+            sums: LoadSums::default(),
         }
     }
 
@@ -67,21 +91,41 @@ impl BallContacts {
 
     /// Largest load at either race, N; zero without balls.
     pub fn largest_load(&self) -> f64 {
-        let largest = |ball: &BallContact| ball.load_inner.max(ball.load_outer);
-        self.balls.iter().map(largest).fold(0.0, f64::max)
+        self.sums.largest
     }
 
     /// Load at the inner race above which a ball counts as loaded, N: a millionth of the largest
     /// there, of all bearings, for behind an oil film no load is quite zero.
     pub fn least_load(&self) -> f64 {
-        let inner = self.balls.iter().map(|ball| ball.load_inner);
-        LOADED_SHARE * inner.fold(0.0, f64::max)
+        self.sums.least
     }
 
     /// Number of loaded balls of all bearings.
     pub fn loaded(&self) -> u32 {
-        let least = self.least_load();
+        self.sums.loaded
+    }
+
+    /// Takes stock of the balls, once they are those of another sample.
+    pub(super) fn sum_up(&mut self) {
+        let (mut inner, mut outer) = (0.0, 0.0);
+        for ball in &self.balls {
+            inner = if ball.load_inner > inner {
+                ball.load_inner
+            } else {
+                inner
+            };
+            outer = if ball.load_outer > outer {
+                ball.load_outer
+            } else {
+                outer
+            };
+        }
+        let least = LOADED_SHARE * inner;
         let loaded = |ball: &BallContact| u32::from(ball.load_inner > least);
-        self.balls.iter().map(loaded).sum()
+        self.sums = LoadSums {
+            largest: if outer > inner { outer } else { inner },
+            least,
+            loaded: self.balls.iter().map(loaded).sum(),
+        };
     }
 }

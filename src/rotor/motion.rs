@@ -246,6 +246,11 @@ impl Rotor {
         BallContacts::new(&self.supports)
     }
 
+    /// As [`Rotor::ball_contacts`] for samples that say nothing of contact angles.
+    pub fn ball_loads(&self) -> BallContacts {
+        BallContacts::loads(&self.supports)
+    }
+
     /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls, and of the forces of the bearings
     /// only where asked for: what they leave out is zero there.
     pub fn unwatched_balls(&self, forces: bool) -> BallContacts {
@@ -295,6 +300,7 @@ impl Rotor {
                 force[axis] += damping[axis];
             }
         }
+        contacts.sum_up();
         Sample {
             time,
             angle: rotation.angle,
@@ -317,8 +323,8 @@ impl Rotor {
         contacts: &mut BallContacts,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        let watched = !contacts.balls.is_empty();
-        let mut balls = contacts.balls.iter_mut();
+        let angles = contacts.angles;
+        let mut balls = contacts.balls.as_mut_slice();
         let mut axial_forces = contacts.axial_forces.iter_mut();
         self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
             let force = support.force(displacement, cage, rotation.speed);
@@ -328,12 +334,11 @@ impl Rotor {
             if let Some(axial) = axial_forces.next() {
                 *axial = support.definition().facing.sign() * force[2];
             }
-            if watched {
-                support.for_each_contact(displacement, cage, rotation.speed, &mut |contact| {
-                    if let Some(ball) = balls.next() {
-                        *ball = contact;
-                    }
-                });
+            let own = balls.len().min(support.known_balls());
+            if own > 0 {
+                let (own, others) = std::mem::take(&mut balls).split_at_mut(own);
+                support.observe_balls(displacement, cage, rotation.speed, angles, own);
+                balls = others;
             }
         });
         total

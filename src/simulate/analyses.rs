@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::Model;
 use crate::analysis::{
-    Channel, Motion, MotionRecorder, MotionSettings, OrderTracks, SectionKind, TrackRecorder,
-    TrackedOrder, Waterfall, WaterfallRecorder,
+    Channel, Motion, MotionParts, MotionRecorder, MotionSettings, OrderTracks, SectionKind,
+    Threads, TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
 use crate::rotor::{FREEDOMS, Rotor, Sample};
@@ -29,27 +29,74 @@ const TRACK_WINDOWS: f64 = 20.0;
 const TRACK_REVOLUTIONS: [f64; 2] = [4.0, 16.0];
 
 /// What is made of the samples beside the spectra; by default nothing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Analyses {
     /// Statistics, sections, period and settling of the last whole revolutions after the settle time, where
     /// the speed is constant there.
     pub motion: bool,
+    /// Which of these, where not all.
+    pub parts: MotionParts,
     /// Waterfall and order tracks of the whole run.
     pub maps: bool,
     /// What is looked at of the bearings at every sample.
     pub watched: Watched,
+    /// Of the spectra the amplitudes of the displacements alone, up to this order of the shaft.
+    pub highest_order: Option<f64>,
+    /// Threads that the spectra may take.
+    pub threads: Threads,
 }
 
 /// What is looked at of the bearings at every sample; what is not is zero in the samples.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Watched {
-    /// Every ball: events, load zone and life rest on it.
-    #[default]
-    Balls,
+    /// Loads of every ball, and what rests on them.
+    Balls(BallParts),
     /// The force on the shaft, but no ball.
     Forces,
     /// Nothing.
     Nothing,
+}
+
+/// What is made of the loads of the balls; by default everything.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BallParts {
+    /// Contact angles; zero where they are not asked for.
+    pub angles: bool,
+    /// Contacts that part and meet.
+    pub events: bool,
+    /// How many balls are loaded, and over which arc.
+    pub load_zone: bool,
+    /// Life that the loads consume.
+    pub life: bool,
+    /// That before the settle time as well; without it the whole run counts from there on.
+    pub early_life: bool,
+}
+
+impl BallParts {
+    /// Everything.
+    pub const ALL: Self = Self {
+        angles: true,
+        events: true,
+        load_zone: true,
+        life: true,
+        early_life: true,
+    };
+
+    /// The loads alone.
+    pub const LOADS: Self = Self {
+        angles: false,
+        events: false,
+        load_zone: false,
+        life: false,
+        early_life: false,
+    };
+}
+
+/// Everything.
+impl Default for Watched {
+    fn default() -> Self {
+        Self::Balls(BallParts::ALL)
+    }
 }
 
 /// Maps of a run whose speed changes.
@@ -100,6 +147,7 @@ impl Recorders {
 fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSettings {
     let scale = rotor.motion_scale(model.integrator.tolerance);
     let mut sections = Vec::new();
+    let parts = model.analyses.parts;
     if speed > 0.0 {
         sections.push((SectionKind::Revolution, 1.0));
         let passing = rotor.ball_pass_orders().first().copied();
@@ -113,6 +161,7 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
         rate: 1.0 / grid.interval,
         levers: std::array::from_fn::<_, FREEDOMS, _>(|axis| scale.lever(axis)),
         sections,
+        parts,
     }
 }
 

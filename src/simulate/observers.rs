@@ -12,6 +12,8 @@ use crate::rotor::{Moving, Rotor};
 /// The sink, and what the answer of the run is made of.
 pub(super) struct Observers<'a> {
     grid: Grid,
+    /// Time before which nobody needs a sample, s.
+    start: f64,
     sink: &'a mut dyn TraceSink,
     pub recorder: Option<Recorder>,
     pub recorders: Recorders,
@@ -29,13 +31,23 @@ impl<'a> Observers<'a> {
         sink: &'a mut dyn TraceSink,
         tables: TableAudit,
     ) -> Self {
+        let observation = Observation::new(model, rotor);
+        let whole_run = model.energy
+            || rotor.is_driven()
+            || model.analyses.maps
+            || tables.is_due()
+            || observation.is_of_whole_run();
         Self {
             grid,
+            start: match whole_run {
+                true => 0.0,
+                false => sink.starts_at().min(model.settle),
+            },
             sink,
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
             recorders: Recorders::new(model, rotor, &grid),
             recording: sampling::recording(model, rotor),
-            observation: Observation::new(model, rotor),
+            observation,
             audit: EnergyAudit::default(),
             tables,
         }
@@ -50,6 +62,9 @@ impl<'a> Observers<'a> {
     ) -> Result<(), SimulateError> {
         for (index, state) in states.iter().enumerate() {
             let time = self.grid.time(first + index as u64);
+            if time < self.start {
+                continue;
+            }
             let sample = system.sample(time, state, self.observation.contacts());
             self.sink.sample(&sample)?;
             self.observation.take(&sample, self.sink)?;

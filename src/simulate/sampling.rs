@@ -35,16 +35,23 @@ pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
         shaft_frequency: shaft,
         per_revolution,
     } = sample_grid(model, rotor);
-    match per_revolution {
+    let recorder = match per_revolution {
         Some(samples) => Recorder::on_angle_grid(kept, settle, shaft, samples),
         None => Recorder::on_time_grid(kept, settle, shaft, rate),
+    };
+    let recorder = recorder.on_threads(model.analyses.threads);
+    match model.analyses.highest_order {
+        Some(_) => recorder.of_displacements(),
+        None => recorder,
     }
 }
 
 /// Takes what the spectra that are asked for need, if there are any.
 pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
     let asked = !model.spectra.is_empty();
-    asked.then(|| Recording::new(sample_grid(model, rotor), model.settle, &model.spectra))
+    let grid = || sample_grid(model, rotor);
+    let recording = asked.then(|| Recording::new(grid(), model.settle, &model.spectra));
+    recording.map(|recording| recording.on_threads(model.analyses.threads))
 }
 
 /// On a grid of shaft angle where the speed is steady after the settle time at its highest, and so
@@ -83,9 +90,9 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
 }
 
 /// Ball-pass frequencies at the operating contact angles of the static equilibrium, at the reported
-/// speed; none without spectra.
+/// speed; none without spectra and their peaks.
 pub(super) fn operating_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
-    if model.spectrum.is_none() {
+    if model.spectrum.is_none() || model.analyses.highest_order.is_some() {
         return Vec::new();
     }
     let speed = reported_speed(model, rotor);
@@ -115,6 +122,11 @@ pub(super) fn analyse(
     recorder: Option<Recorder>,
 ) -> Option<Analysis> {
     let (recorder, window) = recorder.zip(model.spectrum)?;
+    if let Some(order) = model.analyses.highest_order {
+        let spectrum = recorder.finish_lines(window, order)?;
+        let peaks = Vec::new();
+        return Some(Analysis { spectrum, peaks });
+    }
     recorder.finish(window, &causes(&sources(model, rotor)))
 }
 

@@ -28,8 +28,13 @@ impl TableAudit {
         }
     }
 
+    /// Whether there is any table.
+    pub fn is_due(&self) -> bool {
+        self.tabulations.iter().any(Option::is_some)
+    }
+
     pub fn sample(&mut self, rotor: &Rotor, sample: &Sample) {
-        if self.tabulations.iter().any(Option::is_some) {
+        if self.is_due() {
             rotor.count_outside_tables(sample, &mut self.outside);
         }
     }

@@ -8,6 +8,11 @@ use crate::rotor::{BallContacts, LooseError, RotorError, Sample};
 
 /// Takes the samples of a run one by one, in the order of time.
 pub trait TraceSink {
+    /// Time from which on it needs the samples, s; those before may be left out.
+    fn starts_at(&self) -> f64 {
+        0.0
+    }
+
     /// Takes one sample.
     ///
     /// # Errors

@@ -9,7 +9,7 @@ use super::{
     SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch, envelope,
 };
 
-use crate::analysis::side_by_side::side_by_side;
+use crate::analysis::side_by_side::{Threads, side_by_side};
 use crate::analysis::{Channel, Leak, TopPower, Window, leak, rest_amplitude};
 
 /// A segment of fewer samples makes no spectrum: the widest window mixes nine bins.
@@ -42,6 +42,7 @@ pub fn estimate(
         welch: &welch,
         bandwidth: request.window.equivalent_noise_bandwidth() * resolution,
         bins: record.bins(segment),
+        threads: recording.threads,
     };
     let first = match request.kind {
         SpectrumKind::Whirl => -(columns.below() as isize),
@@ -228,6 +229,7 @@ struct Columns<'a> {
     bandwidth: f64,
     /// Bins of a one-sided spectrum.
     bins: usize,
+    threads: Threads,
 }
 
 impl Columns<'_> {
@@ -237,7 +239,8 @@ impl Columns<'_> {
         match self.request.kind {
             SpectrumKind::Plain | SpectrumKind::Envelope { .. } => {
                 let samples = signals.len() * self.record.length();
-                let columns = side_by_side(signals, samples, |signal| self.plain(signal));
+                let columns =
+                    side_by_side(signals, samples, self.threads, |signal| self.plain(signal));
                 columns.into_iter().flatten().collect()
             }
             SpectrumKind::Whirl => {

@@ -64,6 +64,27 @@ impl Moments {
         self.highest = self.highest.max(value);
     }
 
+    /// Takes a value without its part in the shape: mean, RMS and extremes are those of [`Moments::take`], bit
+    /// by bit, and the kurtosis means nothing.
+    pub fn take_plainly(&mut self, value: f64) {
+        let before = self.count;
+        self.count += 1.0;
+        let delta = value - self.mean;
+        let part = delta / self.count;
+        self.mean += part;
+        self.powers[0] += delta * part * before;
+        self.lowest = if value < self.lowest {
+            value
+        } else {
+            self.lowest
+        };
+        self.highest = if value > self.highest {
+            value
+        } else {
+            self.highest
+        };
+    }
+
     /// Mean; zero of no values.
     pub fn mean(&self) -> f64 {
         self.mean
@@ -99,5 +120,25 @@ impl Moments {
     pub fn kurtosis(&self) -> Option<f64> {
         let [second, _, fourth] = self.powers;
         (second > 0.0).then(|| self.count * fourth / (second * second))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_taken_plainly_have_the_same_mean_spread_and_extremes() {
+        let (mut whole, mut plain) = (Moments::default(), Moments::default());
+        for n in 0..1000 {
+            let value = 1e-3 + (0.37 * f64::from(n)).sin().powi(3);
+            whole.take(value);
+            plain.take_plainly(value);
+        }
+        let of = |moments: &Moments| {
+            let extremes = [moments.peak(), moments.peak_to_peak()];
+            ([moments.mean(), moments.rms()], extremes)
+        };
+        assert_eq!(of(&whole), of(&plain));
     }
 }

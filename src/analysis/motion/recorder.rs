@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use super::drift::{Drift, DriftRecorder};
 use super::moments::Moments;
+use super::parts::MotionParts;
 use super::period::{Kind, Recognition, Series, recognise};
 use super::section::{PoincarePoint, Section, SectionKind};
 use super::velocity::{VelocityLevel, velocity_level};
@@ -32,6 +33,8 @@ pub struct MotionSettings {
     pub levers: [f64; FREEDOMS],
     /// Sections, each with its cycles a revolution; none where the shaft stands.
     pub sections: Vec<(SectionKind, f64)>,
+    /// What is found out; of the sections those that it [has](MotionParts::has).
+    pub parts: MotionParts,
 }
 
 /// Statistics of one quantity.
@@ -43,6 +46,17 @@ pub struct ChannelStatistics {
     pub moments: Moments,
 }
 
+impl ChannelStatistics {
+    #[inline]
+    fn take(&mut self, value: f64, kurtosis: bool) {
+        if kurtosis {
+            self.moments.take(value);
+        } else {
+            self.moments.take_plainly(value);
+        }
+    }
+}
+
 /// What a steady motion is like.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
@@ -50,19 +64,19 @@ pub struct Motion {
     pub start: f64,
     /// Last sample, s.
     pub end: f64,
-    /// Displacements and forces of the freedoms that move.
+    /// Displacements and forces of the freedoms that move; forces where asked for.
     pub statistics: Vec<ChannelStatistics>,
-    /// RMS velocity of the lengths that move, in their order.
+    /// RMS velocity of the lengths that move, in their order, where asked for.
     pub velocity: Vec<Option<VelocityLevel>>,
-    /// What kind of motion it is.
+    /// What kind of motion it is; unknown where not asked for.
     pub recognition: Recognition,
-    /// How its statistics move; none at rest.
+    /// How its statistics move, where asked for; none at rest.
     pub drift: Option<Drift>,
-    /// Points of every section.
+    /// Points of every section that is looked at.
     pub sections: Vec<Section>,
     /// Samples a second.
     pub rate: f64,
-    /// x and y of the last samples, m.
+    /// x and y of the last samples, m, where asked for.
     pub orbit: Vec<[f64; 2]>,
 }
 
@@ -72,10 +86,11 @@ pub struct Motion {
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionRecorder {
     settings: MotionSettings,
+    freedoms: usize,
     statistics: Vec<ChannelStatistics>,
     rates: [Moments; FREEDOMS],
     velocity: Vec<Vec<f64>>,
-    drift: DriftRecorder,
+    drift: Option<DriftRecorder>,
     sections: Vec<Section>,
     orbit: VecDeque<[f64; 2]>,
     times: Option<[f64; 2]>,
@@ -85,10 +100,18 @@ impl MotionRecorder {
     /// For one scene.
     pub fn new(settings: MotionSettings) -> Self {
         let freedoms = settings.freedoms.min(FREEDOMS);
+        let parts = settings.parts;
+        let forces = if parts.forces { freedoms } else { 0 };
         let displacements = (0..freedoms).map(Channel::Displacement);
-        let channels = displacements.chain((0..freedoms).map(Channel::Force));
+        let channels = displacements.chain((0..forces).map(Channel::Force));
         let sections = settings.sections.iter();
+        let lengths = if parts.velocity {
+            freedoms.min(LENGTHS)
+        } else {
+            0
+        };
         Self {
+            freedoms,
             statistics: channels
                 .map(|channel| ChannelStatistics {
                     channel,
@@ -96,9 +119,12 @@ impl MotionRecorder {
                 })
                 .collect(),
             rates: [Moments::default(); FREEDOMS],
-            velocity: vec![Vec::new(); freedoms.min(LENGTHS)],
-            drift: DriftRecorder::new(settings.start, settings.end),
+            velocity: vec![Vec::new(); lengths],
+            drift: parts
+                .drift
+                .then(|| DriftRecorder::new(settings.start, settings.end)),
             sections: sections
+                .filter(|(kind, _)| parts.has(*kind))
                 .map(|(kind, order)| Section::new(*kind, *order))
                 .collect(),
             orbit: VecDeque::new(),
@@ -114,21 +140,35 @@ impl MotionRecorder {
         }
         let first = self.times.map_or(sample.time, |[first, _]| first);
         self.times = Some([first, sample.time]);
-        for each in &mut self.statistics {
-            if let Some(value) = each.channel.of(sample) {
-                each.moments.take(value);
-            }
+        let parts = self.settings.parts;
+        let (displacements, forces) = self.statistics.split_at_mut(self.freedoms);
+        for (each, value) in displacements.iter_mut().zip(sample.displacement) {
+            each.take(value, parts.kurtosis);
         }
-        for (rate, velocity) in self.rates.iter_mut().zip(sample.velocity) {
-            rate.take(velocity);
+        for (each, value) in forces.iter_mut().zip(sample.force_on_shaft) {
+            each.take(value, parts.kurtosis);
+        }
+        if parts.kind {
+            let rates = &mut self.rates[..self.freedoms];
+            for (rate, velocity) in rates.iter_mut().zip(sample.velocity) {
+                rate.take_plainly(velocity);
+            }
         }
         for (kept, velocity) in self.velocity.iter_mut().zip(sample.velocity) {
             kept.push(velocity);
         }
-        self.drift.record(sample);
+        if let Some(drift) = &mut self.drift {
+            drift.record(sample);
+        }
         for section in &mut self.sections {
             section.record(sample);
         }
+        if parts.orbit {
+            self.record_orbit(sample);
+        }
+    }
+
+    fn record_orbit(&mut self, sample: &Sample) {
         if self.orbit.len() == ORBIT {
             self.orbit.pop_front();
         }
@@ -141,16 +181,23 @@ impl MotionRecorder {
         let [start, end] = self.times?;
         let [place, rate] = self.scales();
         let resting = place <= REST * self.largest_mean();
-        let recognition = if resting {
-            Recognition {
-                kind: Kind::Rest,
-                distances: Vec::new(),
-                curves: Vec::new(),
-            }
-        } else {
-            recognise(&self.series(place, rate))
+        let at_once = |kind| Recognition {
+            kind,
+            distances: Vec::new(),
+            curves: Vec::new(),
         };
-        let drift = self.drift.finish(&self.settings.levers, place);
+        let recognition = if resting {
+            at_once(Kind::Rest)
+        } else if self.settings.parts.kind {
+            recognise(&self.series(place, rate))
+        } else {
+            at_once(Kind::Unknown {
+                points: 0,
+                test: None,
+            })
+        };
+        let drift = self.drift.as_ref();
+        let drift = drift.and_then(|drift| drift.finish(&self.settings.levers, place));
         let velocity = self.velocity.into_iter();
         Some(Motion {
             start,
@@ -169,7 +216,7 @@ impl MotionRecorder {
 
     /// RMS of the displacements, and of their rates, of the freedom where they are largest, m and m/s.
     fn scales(&self) -> [f64; 2] {
-        let levers = &self.settings.levers[..self.freedoms()];
+        let levers = &self.settings.levers[..self.freedoms];
         let largest = |rms: &dyn Fn(usize) -> f64| {
             let sizes = levers
                 .iter()
@@ -186,20 +233,16 @@ impl MotionRecorder {
     /// Largest mean displacement, m.
     fn largest_mean(&self) -> f64 {
         let levers = self.settings.levers.iter();
-        let means = levers.zip(&self.statistics[..self.freedoms()]);
+        let means = levers.zip(&self.statistics[..self.freedoms]);
         means
             .map(|(lever, each)| lever * each.moments.mean().abs())
             .fold(0.0, f64::max)
     }
 
-    fn freedoms(&self) -> usize {
-        self.statistics.len() / 2
-    }
-
     /// The sections' points in parts of the motion.
     fn series(&self, place: f64, rate: f64) -> Vec<Series> {
         let parts = |point: &PoincarePoint| -> Vec<f64> {
-            let axes = 0..self.freedoms();
+            let axes = 0..self.freedoms;
             axes.flat_map(|axis| {
                 let lever = self.settings.levers[axis];
                 [

@@ -1,5 +1,6 @@
 //! Points of a motion at equal phases of what drives it: Poincaré sections.
 
+use std::array;
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use std::fmt;
@@ -59,7 +60,19 @@ pub struct Section {
     /// Largest difference of a displacement from that through three samples only, m and rad by freedom:
     /// more than the error of the interpolation.
     pub interpolation: [f64; FREEDOMS],
-    nodes: VecDeque<Sample>,
+    nodes: VecDeque<Node>,
+}
+
+/// What is interpolated between.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Node {
+    /// Cycles since the start.
+    phase: f64,
+    /// Whole ones among them.
+    cycles: f64,
+    time: f64,
+    displacement: [f64; FREEDOMS],
+    velocity: [f64; FREEDOMS],
 }
 
 impl Section {
@@ -76,7 +89,14 @@ impl Section {
 
     /// Takes one sample.
     pub fn record(&mut self, sample: &Sample) {
-        self.nodes.push_back(*sample);
+        let phase = self.order * sample.angle / TAU + ON_THE_SPOT;
+        self.nodes.push_back(Node {
+            phase,
+            cycles: phase.floor(),
+            time: sample.time,
+            displacement: sample.displacement,
+            velocity: sample.velocity,
+        });
         if self.nodes.len() > NODES {
             self.nodes.pop_front();
         }
@@ -85,15 +105,11 @@ impl Section {
         }
     }
 
-    /// Cycles since the start.
-    fn phase(&self, sample: &Sample) -> f64 {
-        self.order * sample.angle / TAU + ON_THE_SPOT
-    }
-
     /// Looks for points after the second and up to the third of four samples.
     fn look(&mut self) {
-        let [before, after] = [1, 2].map(|node| self.phase(&self.nodes[node]));
-        let (mut number, last) = (before.floor() + 1.0, after.floor());
+        let [from, to] = [&self.nodes[1], &self.nodes[2]];
+        let [before, after] = [from.phase, to.phase];
+        let (mut number, last) = (from.cycles + 1.0, to.cycles);
         while number <= last {
             let part = ((number - before) / (after - before)).min(1.0);
             let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;
@@ -106,7 +122,7 @@ impl Section {
     fn add(&mut self, number: u64, part: f64) {
         let [before, after] = [&self.nodes[1], &self.nodes[2]];
         if part == 1.0 {
-            let Sample {
+            let Node {
                 time,
                 displacement,
                 velocity,
@@ -128,13 +144,13 @@ impl Section {
             velocity: [0.0; FREEDOMS],
         };
         for axis in 0..FREEDOMS {
-            let values: Vec<f64> = self
-                .nodes
-                .iter()
-                .map(|node| node.displacement[axis])
-                .collect();
-            let rates = self.nodes.iter().map(|node| node.velocity[axis] * interval);
-            let rates: Vec<f64> = rates.collect();
+            let node = |index: usize| &self.nodes[index];
+            let values: [f64; NODES] = array::from_fn(|index| node(index).displacement[axis]);
+            let rates: [f64; NODES] = array::from_fn(|index| node(index).velocity[axis] * interval);
+            // a freedom that is held stays where it is
+            if values == [0.0; NODES] && rates == values {
+                continue;
+            }
             let place = 1.0 + part;
             let at = |place: f64| hermite(0, &values, &rates, place);
             point.displacement[axis] = at(place);

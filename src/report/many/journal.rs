@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use crate::report::bytes::{Checksum, Put, Take};
 use crate::report::{FileAction, ReportError};
 
-const MAGIC: [u8; 8] = *b"jcJourn2";
+const MAGIC: [u8; 8] = *b"jcJourn3";
 
 /// Bytes of an entry before its content: task, length, and after it the checksum.
 const HEAD: usize = 16;

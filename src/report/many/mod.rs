@@ -181,10 +181,15 @@ pub fn merge(folder: &Path) -> Result<(Vec<PathBuf>, Digest), MergeError> {
             folder: folder.to_owned(),
         });
     };
+    let has = |table: Table| first.tables.iter().any(|name| name == table.stem());
+    if has(Table::Traces) {
+        let mut tables = seals.iter().map(|seal| seal.table(folder, Table::Traces));
+        tables.try_for_each(|table| traces::check(folder, &table))?;
+    }
     let target = RunFolder::open(folder, FileSet::RUNS)?;
     let mut files = Vec::new();
     for table in Table::ALL {
-        if first.tables.iter().any(|name| name == table.stem()) {
+        if has(table) {
             files.push(joined(&target, table, &seals)?);
         }
     }

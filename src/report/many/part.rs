@@ -63,6 +63,20 @@ pub enum MergeError {
         /// What is wrong.
         reason: String,
     },
+    /// The trace of a run is not what it should be.
+    #[error(
+        "run {run} has a trace that is not whole, {}: {reason}; copy it again, or make its part again with \
+         --restart",
+        path.display()
+    )]
+    Trace {
+        /// Number of the run.
+        run: String,
+        /// The file.
+        path: PathBuf,
+        /// What is wrong.
+        reason: String,
+    },
     /// The file system refused.
     #[error(transparent)]
     Report(#[from] crate::report::ReportError),

@@ -8,7 +8,7 @@ use crate::report::columns::{amplitude_column, value_column};
 use crate::report::statics::{cell, number};
 use crate::report::study::column_name;
 use crate::study::Variable;
-use crate::study::many::{BearingStiffness, Keep, NumberColumn, RunRecord};
+use crate::study::many::{BearingStiffness, Keep, NumberColumn, RunRecord, TraceSeal};
 
 /// A table of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,11 +21,19 @@ pub(super) enum Table {
     Points,
     /// Stiffness of every bearing in every run.
     Stiffness,
+    /// What the trace of every run is known by.
+    Traces,
 }
 
 impl Table {
     /// All of them, in the order in which a journal holds them.
-    pub const ALL: [Self; 4] = [Self::Runs, Self::Spectra, Self::Points, Self::Stiffness];
+    pub const ALL: [Self; 5] = [
+        Self::Runs,
+        Self::Spectra,
+        Self::Points,
+        Self::Stiffness,
+        Self::Traces,
+    ];
 
     /// File name without ending.
     pub fn stem(self) -> &'static str {
@@ -34,6 +42,7 @@ impl Table {
             Self::Spectra => "spectra",
             Self::Points => "poincare",
             Self::Stiffness => "stiffness",
+            Self::Traces => "traces",
         }
     }
 
@@ -44,6 +53,7 @@ impl Table {
             Self::Spectra => keep.highest_order.is_some(),
             Self::Points => keep.section.is_some(),
             Self::Stiffness => keep.bearing_stiffness,
+            Self::Traces => keep.traces,
         }
     }
 }
@@ -87,6 +97,10 @@ impl Layout<'_> {
                     .collect()
             }
             Table::Stiffness => run.chain(stiffness_columns()).collect(),
+            Table::Traces => {
+                let known = ["bytes", "checksum"].map(str::to_owned);
+                run.chain(known).collect()
+            }
         }
     }
 
@@ -116,6 +130,11 @@ impl Layout<'_> {
                 }
                 Table::Stiffness => {
                     for row in stiffness_rows(record) {
+                        writer.write_record(row)?;
+                    }
+                }
+                Table::Traces => {
+                    if let Some(row) = trace_row(record) {
                         writer.write_record(row)?;
                     }
                 }
@@ -196,6 +215,15 @@ fn stiffness_rows(record: &RunRecord) -> impl Iterator<Item = Vec<String>> {
         let entries = entries.map(|entry| number(*entry));
         start.into_iter().chain(entries).collect()
     })
+}
+
+fn trace_row(record: &RunRecord) -> Option<[String; 3]> {
+    let TraceSeal { bytes, checksum } = record.outcome.as_ref().ok()?.trace?;
+    Some([
+        record.turn.number.to_string(),
+        bytes.to_string(),
+        format!("{checksum:016x}"),
+    ])
 }
 
 /// Writes the rows that a journal holds of a table.

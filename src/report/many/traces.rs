@@ -1,15 +1,17 @@
 //! The traces of the runs, a file each.
 
 use std::fs;
-use std::io;
+use std::io::{self, Read, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use super::part::MergeError;
+use crate::report::bytes::FileSum;
 use crate::report::trace_table::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;
 use crate::simulate::TraceSink;
-use crate::study::many::KeptTrace;
+use crate::study::many::{KeptTrace, TraceSeal};
 
 /// Folder of the traces in that of the study.
 const FOLDER: &str = "traces";
@@ -34,7 +36,7 @@ impl Traces {
     pub fn begin(&self, run: u64) -> io::Result<Box<dyn KeptTrace>> {
         let file = self.folder.create(&file_name(run)).map_err(other)?;
         let path = file.path().to_owned();
-        let csv = TraceCsv::new(file).map_err(|error| refused(&path, error))?;
+        let csv = TraceCsv::new(Summed::new(file)).map_err(|error| refused(&path, error))?;
         Ok(Box::new(TraceFile { csv, path }))
     }
 }
@@ -70,7 +72,7 @@ pub(super) fn remove_stale(study: &Path, own: &Range<u64>, count: u64) -> Result
 /// The trace of one run.
 #[derive(Debug)]
 struct TraceFile {
-    csv: TraceCsv<PartialFile>,
+    csv: TraceCsv<Summed>,
     path: PathBuf,
 }
 
@@ -83,10 +85,85 @@ impl TraceSink for TraceFile {
 }
 
 impl KeptTrace for TraceFile {
-    fn finish(self: Box<Self>) -> io::Result<()> {
-        let file = self.csv.finish();
-        let file = file.map_err(|error| refused(&self.path, error))?;
+    fn finish(self: Box<Self>) -> io::Result<TraceSeal> {
+        let summed = self.csv.finish();
+        let Summed { file, sum } = summed.map_err(|error| refused(&self.path, error))?;
         file.close().and_then(|file| file.rename()).map_err(other)?;
-        Ok(())
+        Ok(seal(sum))
+    }
+}
+
+/// A file and the sum of what was written to it.
+#[derive(Debug)]
+struct Summed {
+    file: PartialFile,
+    sum: FileSum,
+}
+
+impl Summed {
+    fn new(file: PartialFile) -> Self {
+        let sum = FileSum::START;
+        Self { file, sum }
+    }
+}
+
+impl Write for Summed {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.file.write(bytes)?;
+        self.sum.add(&bytes[..written]);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+fn seal(sum: FileSum) -> TraceSeal {
+    TraceSeal {
+        bytes: sum.bytes(),
+        checksum: sum.value(),
+    }
+}
+
+/// Looks whether the traces that a table of them names stand in the folder of a study, each as its run has
+/// written it.
+pub(super) fn check(study: &Path, table: &Path) -> Result<(), MergeError> {
+    let broken = |error: csv::Error| MergeError::Broken {
+        path: table.to_owned(),
+        reason: error.to_string(),
+    };
+    let mut reader = csv::Reader::from_path(table).map_err(broken)?;
+    for record in reader.records() {
+        let record = record.map_err(broken)?;
+        let cell = |index: usize| record.get(index).unwrap_or_default();
+        let run = cell(0);
+        let path = study.join(FOLDER).join(format!("trace-{run}.csv"));
+        let reason = match sealed(&path) {
+            Err(error) if error.kind() == io::ErrorKind::NotFound => "it is missing".to_owned(),
+            Err(error) => error.to_string(),
+            Ok(found) if found.bytes.to_string() != cell(1) => {
+                format!("it has {} of {} bytes", found.bytes, cell(1))
+            }
+            Ok(found) if format!("{:016x}", found.checksum) != cell(2) => {
+                "it is not what the run wrote".to_owned()
+            }
+            Ok(_) => continue,
+        };
+        let run = run.to_owned();
+        return Err(MergeError::Trace { run, path, reason });
+    }
+    Ok(())
+}
+
+/// What the file there is known by.
+fn sealed(path: &Path) -> io::Result<TraceSeal> {
+    let mut file = fs::File::open(path)?;
+    let (mut sum, mut piece) = (FileSum::START, vec![0; 1 << 16]);
+    loop {
+        match file.read(&mut piece)? {
+            0 => return Ok(seal(sum)),
+            count => sum.add(&piece[..count]),
+        }
     }
 }

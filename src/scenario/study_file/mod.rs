@@ -18,11 +18,14 @@ use super::walk::{self, nearest};
 use super::{Scenario, echo, read_tree, stem};
 use crate::simulate::Model;
 use crate::study::Variable;
-use crate::study::many::{Keep, NumberColumn, Section, Sweep, number_columns};
+use crate::study::many::{Cycles, Keep, NumberColumn, Section, Sweep, number_columns};
 use crate::study::plan::{Axis, AxisValues, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
 
 /// Tables of a scenario that say nothing of its motion.
 const LEFT_OUT: [&str; 2] = ["static", "study"];
+
+/// Keys of settle time and duration.
+const TIMES: [&str; 2] = ["time.settle", "time.duration"];
 
 /// Highest order of the spectra that are kept where none is given.
 const HIGHEST_ORDER: f64 = 20.0;
@@ -49,6 +52,7 @@ pub struct StudyFile {
     base: Value,
     folder: PathBuf,
     axes: Vec<Key<'static>>,
+    cycles: Option<Cycles>,
 }
 
 /// A run that the values of its numbers do not make.
@@ -142,6 +146,7 @@ fn build(
     let plan = Plan::new(axes, sampling, spec.seed);
     check_count(&plan, spec, problems);
     check_sweep(spec, problems);
+    check_cycles(spec, problems);
     let echo = json!({ "study": echo(spec), "base": base });
     problems.is_clean().then(|| StudyFile {
         title,
@@ -155,6 +160,11 @@ fn build(
         base,
         folder,
         axes: found,
+        cycles: spec.cycles.as_ref().map(|cycles| Cycles {
+            of: section(cycles.of),
+            settle: cycles.settle,
+            kept: cycles.kept,
+        }),
     })
 }
 
@@ -292,6 +302,26 @@ fn check_sweep(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
     }
 }
 
+/// Refuses times that cycles decide.
+fn check_cycles(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
+    let axes = spec.axis.iter().map(|axis| &axis.key).enumerate();
+    let axes = axes.map(|(index, key)| (format!("axis[{index}].key"), key));
+    let sets = spec.set.iter().map(|set| &set.key).enumerate();
+    let sets = sets.map(|(index, key)| (format!("set[{index}].key"), key));
+    let decided = |key: &str| TIMES.contains(&key) && spec.cycles.is_some();
+    for (path, key) in axes.chain(sets).filter(|(_, key)| decided(key)) {
+        let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
+        problems.refuse(issue.help("remove one of them"), &["cycles".to_owned()]);
+    }
+}
+
+fn section(choice: SectionChoice) -> Section {
+    match choice {
+        SectionChoice::Revolution => Section::Revolution,
+        SectionChoice::BallPass => Section::BallPass,
+    }
+}
+
 fn sweep(choice: SweepChoice) -> Sweep {
     match choice {
         SweepChoice::Up => Sweep::Up,
@@ -308,21 +338,30 @@ fn keep(spec: &StudyFileSpec) -> Keep {
             .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
         bearing_stiffness: keep.bearing_stiffness,
         traces: keep.traces,
-        section: keep.poincare.map(|section| match section {
-            SectionChoice::Revolution => Section::Revolution,
-            SectionChoice::BallPass => Section::BallPass,
-        }),
+        section: keep.poincare.map(section),
     }
 }
 
 impl StudyFile {
     /// The scenario of a run with its values put in, as JSON.
-    pub fn scenario(&self, values: &[f64]) -> Value {
+    ///
+    /// # Errors
+    /// [`RunError`] where its values make no scenario.
+    pub fn scenario(&self, values: &[f64]) -> Result<Value, RunError> {
         let mut scenario = self.base.clone();
         for (key, value) in self.axes.iter().zip(values) {
             put(&mut scenario, &key.path, &key.written(*value));
         }
-        scenario
+        if let Some(cycles) = &self.cycles {
+            let rotor = self.asked(&scenario)?.rotor;
+            let times = cycles.times(&rotor).map_err(|error| RunError {
+                message: error.to_string(),
+            })?;
+            for (key, time) in TIMES.iter().zip(times) {
+                put(&mut scenario, key, &json!(format!("{time} s")));
+            }
+        }
+        Ok(scenario)
     }
 
     /// The motion of a run.
@@ -330,7 +369,12 @@ impl StudyFile {
     /// # Errors
     /// [`RunError`] where its values make no scenario.
     pub fn model(&self, values: &[f64]) -> Result<Model, RunError> {
-        let questions = questions_of(&self.scenario(values), &self.folder);
+        self.asked(&self.scenario(values)?)
+    }
+
+    /// The motion that a scenario asks for.
+    fn asked(&self, scenario: &Value) -> Result<Model, RunError> {
+        let questions = questions_of(scenario, &self.folder);
         let questions = questions.map_err(|issue| RunError {
             message: issue.message,
         })?;

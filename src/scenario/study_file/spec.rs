@@ -38,9 +38,26 @@ pub struct StudyFileSpec {
     /// What all runs have otherwise than the base.
     #[serde(default)]
     pub set: Vec<SetSpec>,
+    /// How long every run is in cycles at its own speed, in place of the `[time]` of the base.
+    pub cycles: Option<CyclesSpec>,
     /// What is kept of every run.
     #[serde(default)]
     pub keep: KeepSpec,
+}
+
+/// How long a run is in cycles at its own, constant speed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CyclesSpec {
+    /// What counts as a cycle.
+    pub of: SectionChoice,
+    /// Cycles that settle. Default: 0.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1_000_000_000))]
+    pub settle: u32,
+    /// Cycles after them.
+    #[schemars(range(min = 1, max = 1_000_000_000), extend("examples" = [100]))]
+    pub kept: u32,
 }
 
 fn every_tenth() -> u64 {
@@ -155,7 +172,8 @@ pub struct KeepSpec {
     /// Highest frequency of them in shaft orders. Default: 20.
     #[schemars(extend("x-minimum" = 0.0))]
     pub highest_order: Option<f64>,
-    /// Whether the trace of every run is kept, in `traces/trace-<number>.csv`. Default: false.
+    /// Whether the trace of every run is kept, in `traces/trace-<number>.csv`; `traces.csv` says what they are
+    /// known by. Default: false.
     pub traces: bool,
     /// Whether stiffness and damping of every bearing at the static equilibrium are kept, in
     /// `stiffness.csv`, and for rotor dynamics with ROSS, in `ross_*.toml`, as functions of the speed.

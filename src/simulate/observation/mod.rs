@@ -13,7 +13,7 @@ pub use history::BearingHistory;
 pub use life::{ConsumedLife, LifeHistory};
 pub use load_zone::{LoadZone, Spread};
 
-use super::{Model, TraceSink, Watched};
+use super::{BallParts, Model, TraceSink, Watched};
 use crate::bearing::{ContactBand, Support};
 use crate::rotor::{BallContacts, Rotor, Sample};
 use contact_watch::ContactWatch;
@@ -26,6 +26,8 @@ use load_zone::LoadZoneSums;
 pub(super) struct Observation<'a> {
     contacts: BallContacts,
     bearings: Vec<BearingObserver<'a>>,
+    /// Whether anything is made of the balls.
+    watching: bool,
     /// Events since the sample before, in the order of time.
     found: Vec<Event>,
     settle: f64,
@@ -35,32 +37,42 @@ pub(super) struct Observation<'a> {
 #[derive(Debug)]
 struct BearingObserver<'a> {
     support: &'a Support,
+    parts: BallParts,
     /// Speed in rad/s and where contacts part at it.
     band: (f64, ContactBand),
-    watch: ContactWatch,
+    watch: Option<ContactWatch>,
     counts: EventCounts,
-    zone: LoadZoneSums,
+    zone: Option<LoadZoneSums>,
     life: Option<LifeSums>,
 }
 
 impl<'a> Observation<'a> {
     pub fn new(model: &Model, rotor: &'a Rotor) -> Self {
-        let contacts = match model.analyses.watched {
-            Watched::Balls => rotor.ball_contacts(),
-            Watched::Forces => rotor.unwatched_balls(true),
-            Watched::Nothing => rotor.unwatched_balls(false),
+        let (contacts, parts) = match model.analyses.watched {
+            Watched::Balls(parts) if parts.angles => (rotor.ball_contacts(), parts),
+            Watched::Balls(parts) => (rotor.ball_loads(), parts),
+            Watched::Forces => (rotor.unwatched_balls(true), BallParts::LOADS),
+            Watched::Nothing => (rotor.unwatched_balls(false), BallParts::LOADS),
         };
         let observer = |(index, support)| {
             let speed = rotor.speed();
-            BearingObserver::new(index, support, speed, model.settle)
+            BearingObserver::new(index, support, speed, model.settle, parts)
         };
+        let balls = contacts.bearings().any(|balls| !balls.is_empty());
         Self {
+            watching: balls && parts != BallParts::LOADS,
             // a ball and its bearing can each do one thing between two samples
             found: Vec::with_capacity(contacts.bearings().map(|balls| balls.len() + 1).sum()),
             bearings: rotor.supports().iter().enumerate().map(observer).collect(),
             contacts,
             settle: model.settle,
         }
+    }
+
+    /// Whether what is made of the balls rests on samples before the settle time as well.
+    pub fn is_of_whole_run(&self) -> bool {
+        let mut bearings = self.bearings.iter();
+        self.watching && bearings.any(|bearing| bearing.parts.events || bearing.parts.early_life)
     }
 
     /// Where the rotor leaves what it observes of the balls.
@@ -71,6 +83,9 @@ impl<'a> Observation<'a> {
     /// Takes the sample whose balls stand in [`Observation::contacts`], and hands balls and events on.
     pub fn take(&mut self, sample: &Sample, sink: &mut dyn TraceSink) -> io::Result<()> {
         sink.balls(sample, &self.contacts)?;
+        if !self.watching {
+            return Ok(());
+        }
         let settled = sample.time >= self.settle;
         self.found.clear();
         for (index, bearing) in self.bearings.iter_mut().enumerate() {
@@ -85,7 +100,7 @@ impl<'a> Observation<'a> {
         let history = |bearing: BearingObserver<'_>| BearingHistory {
             balls: bearing.support.known_balls(),
             events: bearing.counts.finish(),
-            load_zone: bearing.zone.finish(),
+            load_zone: bearing.zone.and_then(LoadZoneSums::finish),
             life: bearing.life.and_then(LifeSums::finish),
         };
         self.bearings.into_iter().map(history).collect()
@@ -93,16 +108,19 @@ impl<'a> Observation<'a> {
 }
 
 impl<'a> BearingObserver<'a> {
-    fn new(index: usize, support: &'a Support, speed: f64, settle: f64) -> Self {
+    fn new(index: usize, support: &'a Support, speed: f64, settle: f64, parts: BallParts) -> Self {
         let bearing = &support.definition().bearing;
         let (balls, preloaded) = (support.known_balls(), support.is_preloaded());
-        let rated = bearing.dynamic_rating.filter(|_| balls > 0);
+        let rated = bearing.dynamic_rating.filter(|_| balls > 0 && parts.life);
         Self {
             support,
+            parts,
             band: (speed, support.contact_band(speed)),
-            watch: ContactWatch::new(index, balls, preloaded),
+            watch: parts
+                .events
+                .then(|| ContactWatch::new(index, balls, preloaded)),
             counts: EventCounts::new(balls > 0, preloaded),
-            zone: LoadZoneSums::default(),
+            zone: parts.load_zone.then(LoadZoneSums::default),
             life: rated.map(|rating| LifeSums::new(&bearing.geometry, rating, settle)),
         }
     }
@@ -119,20 +137,22 @@ impl<'a> BearingObserver<'a> {
         if balls.is_empty() {
             return;
         }
-        if self.band.0 != sample.speed {
-            self.band = (sample.speed, self.support.contact_band(sample.speed));
+        if let Some(watch) = &mut self.watch {
+            if self.band.0 != sample.speed {
+                self.band = (sample.speed, self.support.contact_band(sample.speed));
+            }
+            let already = found.len();
+            let axial = contacts.axial_forces()[index];
+            watch.take(sample.time, self.band.1, balls, axial, found);
+            found[already..]
+                .iter()
+                .for_each(|event| self.counts.add(event));
         }
-        let already = found.len();
-        let axial = contacts.axial_forces()[index];
-        self.watch
-            .take(sample.time, self.band.1, balls, axial, found);
-        found[already..]
-            .iter()
-            .for_each(|event| self.counts.add(event));
-        if settled {
-            self.zone.take(balls, contacts.least_load());
+        if let Some(zone) = self.zone.as_mut().filter(|_| settled) {
+            zone.take(balls, contacts.least_load());
         }
-        if let Some(life) = &mut self.life {
+        let lives = settled || self.parts.early_life;
+        if let Some(life) = self.life.as_mut().filter(|_| lives) {
             life.take(sample, balls);
         }
     }

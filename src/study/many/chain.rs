@@ -5,14 +5,14 @@ use std::io;
 use std::sync::atomic::AtomicBool;
 
 use super::numbers::{NumberColumn, Observed};
-use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord};
+use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 use super::{Keep, Schedule, Section, Turn};
-use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
+use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum, Threads};
 use crate::integrate::IntegrateError;
 use crate::physics::nominal_cage_speed;
 use crate::rotor::{CageMotion, InitialPosition, InitialState, Sample};
 use crate::simulate::{
-    Model, Monitor, Run, SimulateError, StaticState, TraceSink, Watched, simulate,
+    BallParts, Model, Monitor, SimulateError, StaticState, TraceSink, Watched, simulate,
 };
 use crate::study::plan::Plan;
 
@@ -29,11 +29,11 @@ pub enum Unmade {
 
 /// Keeps the trace of a run.
 pub trait KeptTrace: TraceSink {
-    /// Takes note that the run came to its end.
+    /// Takes note that the run came to its end; answers what the trace is known by.
     ///
     /// # Errors
     /// Whatever keeps the trace from being whole.
-    fn finish(self: Box<Self>) -> io::Result<()>;
+    fn finish(self: Box<Self>) -> io::Result<TraceSeal>;
 }
 
 /// Begins to keep the trace of the run of a number.
@@ -94,18 +94,44 @@ impl Maker<'_> {
     fn reduce(&self, model: &mut Model) {
         let needs = |rests: fn(&NumberColumn) -> bool| self.columns.iter().any(rests);
         model.spectra.clear();
-        if self.keep.highest_order.is_none() && !needs(NumberColumn::rests_on_spectrum) {
-            model.spectrum = None;
-        }
-        let motion = self.keep.section.is_some() || needs(NumberColumn::rests_on_motion);
-        model.analyses.motion = motion;
-        model.analyses.watched = if self.traces.is_some() || needs(NumberColumn::rests_on_balls) {
-            Watched::Balls
+        let orders = self.columns.iter().filter_map(NumberColumn::order);
+        let orders = orders.map(f64::from).chain(self.keep.highest_order);
+        let highest = orders.reduce(f64::max);
+        model.spectrum = model.spectrum.filter(|_| highest.is_some());
+        let analyses = &mut model.analyses;
+        // round-off may put the bin of an order just beyond it
+        analyses.highest_order = highest.map(|order| order * (1.0 + 1e-9));
+        // the other runs have the other processors
+        analyses.threads = Threads::ONE;
+        analyses.parts = MotionParts {
+            forces: needs(NumberColumn::rests_on_forces),
+            kurtosis: false,
+            velocity: needs(NumberColumn::rests_on_velocity),
+            drift: needs(NumberColumn::rests_on_drift),
+            kind: needs(NumberColumn::rests_on_kind),
+            section: self.keep.section.map(kind),
+            orbit: false,
+        };
+        analyses.motion = self.keep.section.is_some() || needs(NumberColumn::rests_on_motion);
+        analyses.watched = self.watched();
+    }
+
+    /// What is looked at of the bearings.
+    fn watched(&self) -> Watched {
+        let needs = |rests: fn(&NumberColumn) -> bool| self.columns.iter().any(rests);
+        if self.traces.is_some() || needs(NumberColumn::rests_on_balls) {
+            Watched::Balls(BallParts {
+                angles: false,
+                events: needs(NumberColumn::rests_on_events),
+                load_zone: needs(NumberColumn::rests_on_load_zone),
+                life: needs(NumberColumn::rests_on_life),
+                early_life: false,
+            })
         } else if needs(NumberColumn::rests_on_forces) {
             Watched::Forces
         } else {
             Watched::Nothing
-        };
+        }
     }
 
     /// The motion of one run, with the start that the runs before it in its chain lead to.
@@ -144,22 +170,27 @@ impl Maker<'_> {
             carried.start(&mut model);
         }
         self.reduce(&mut model);
-        let mut sink = Gathered::new(&model, trace);
+        let mut sink = Gathered {
+            largest_ball_load: LargestLoad::new(&model),
+            end: (self.schedule.runs_in_chain() > 1).then(|| End::new(&model)),
+            trace,
+        };
         let mut monitor = Monitor {
             stop: self.stop,
             progress: &mut |_| {},
         };
         match simulate(&model, &mut sink, &mut monitor) {
             Ok(run) => {
-                sink.trace.take().map_or(Ok(()), KeptTrace::finish)?;
-                if self.schedule.runs_in_chain() > 1 {
-                    *carried = sink.carried(&model);
+                let trace = sink.trace.take().map(KeptTrace::finish).transpose()?;
+                if let Some(end) = sink.end {
+                    *carried = end.carried(&model);
                 }
-                Ok(Ok(self.outcome(
-                    &run,
-                    model.rotor.speed,
-                    sink.largest_ball_load,
-                )))
+                let observed = Observed {
+                    run: &run,
+                    largest_ball_load: sink.largest_ball_load.found,
+                };
+                let outcome = self.outcome(&observed, model.rotor.speed);
+                Ok(Ok(Outcome { trace, ..outcome }))
             }
             Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => {
                 Err(Unmade::Stopped)
@@ -169,18 +200,15 @@ impl Maker<'_> {
         }
     }
 
-    fn outcome(&self, run: &Run, speed: f64, largest_ball_load: f64) -> Outcome {
-        let observed = Observed {
-            run,
-            largest_ball_load,
-        };
+    fn outcome(&self, observed: &Observed<'_>, speed: f64) -> Outcome {
+        let run = observed.run;
         let spectrum = run.spectrum.as_ref().zip(self.keep.highest_order);
         let points = run.motion.as_ref().zip(self.keep.section);
         Outcome {
             numbers: self
                 .columns
                 .iter()
-                .map(|column| column.of(&observed))
+                .map(|column| column.of(observed))
                 .collect(),
             spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
             points: points.map_or_else(Vec::new, |(motion, section)| places(motion, section)),
@@ -189,6 +217,7 @@ impl Maker<'_> {
             } else {
                 Vec::new()
             },
+            trace: None,
         }
     }
 }
@@ -238,11 +267,15 @@ fn bearing_stiffness(equilibrium: &StaticState, speed: f64) -> Vec<BearingStiffn
         .collect()
 }
 
-fn places(motion: &Motion, section: Section) -> Vec<Point> {
-    let kind = match section {
+fn kind(section: Section) -> SectionKind {
+    match section {
         Section::Revolution => SectionKind::Revolution,
         Section::BallPass => SectionKind::BallPass,
-    };
+    }
+}
+
+fn places(motion: &Motion, section: Section) -> Vec<Point> {
+    let kind = kind(section);
     let moving = motion
         .statistics
         .iter()
@@ -288,30 +321,97 @@ impl Carried {
 
 /// What is looked at while a run goes on.
 struct Gathered {
-    settle: f64,
-    /// Turns of the shaft after which the scene is as it was.
-    cycle: f64,
-    largest_ball_load: f64,
-    last: Option<Sample>,
-    /// The sample nearest to the end of the last cycle.
-    whole: Option<Sample>,
+    largest_ball_load: LargestLoad,
+    /// Where the next run of a chain starts.
+    end: Option<End>,
     trace: Option<Box<dyn KeptTrace>>,
 }
 
-impl Gathered {
-    fn new(model: &Model, trace: Option<Box<dyn KeptTrace>>) -> Self {
-        Self {
-            settle: model.settle,
-            cycle: cycle(model),
-            largest_ball_load: 0.0,
-            last: None,
-            whole: None,
-            trace,
+impl TraceSink for Gathered {
+    fn starts_at(&self) -> f64 {
+        match (&self.trace, &self.end) {
+            (None, None) => self.largest_ball_load.settle,
+            (None, Some(end)) => end.start.min(self.largest_ball_load.settle),
+            (Some(_), _) => 0.0,
         }
     }
 
+    fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        self.largest_ball_load.take(sample);
+        if let Some(end) = &mut self.end {
+            end.take(sample);
+        }
+        match &mut self.trace {
+            Some(trace) => trace.sample(sample),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The largest ball load after the settle time.
+struct LargestLoad {
+    settle: f64,
+    found: f64,
+}
+
+impl LargestLoad {
+    fn new(model: &Model) -> Self {
+        Self {
+            settle: model.settle,
+            found: 0.0,
+        }
+    }
+
+    fn take(&mut self, sample: &Sample) {
+        if sample.time >= self.settle {
+            self.found = self.found.max(sample.largest_ball_load);
+        }
+    }
+}
+
+/// Finds the sample nearest to the end of the last cycle.
+struct End {
+    /// Turns of the shaft after which the scene is as it was.
+    cycle: f64,
+    /// Time before which the last cycle cannot end, s.
+    start: f64,
+    /// Angle of the sample before.
+    before: Option<f64>,
+    whole: Option<Sample>,
+}
+
+impl End {
+    fn new(model: &Model) -> Self {
+        let cycle = cycle(model);
+        let speed = model.rotor.speed.abs();
+        let steady = model.rotor.speed_points.is_empty() && model.rotor.drive.is_none();
+        let last = match steady && speed > 0.0 {
+            // a cycle ends in every one, and the grid may end a little earlier
+            true => model.duration - 2.0 * TAU * cycle / speed,
+            false => 0.0,
+        };
+        Self {
+            cycle,
+            start: last.max(0.0),
+            before: None,
+            whole: None,
+        }
+    }
+
+    /// The first sample stands at the end of no cycle at all.
+    fn take(&mut self, sample: &Sample) {
+        let cycles = sample.angle / (TAU * self.cycle);
+        let since = self
+            .before
+            .map_or(1.0, |before| (sample.angle - before) / (TAU * self.cycle));
+        if (cycles - cycles.round()).abs() <= 0.5 * since {
+            self.whole = Some(*sample);
+        }
+        self.before = Some(sample.angle);
+    }
+
     fn carried(&self, model: &Model) -> Option<Carried> {
-        let sample = self.whole.or(self.last)?;
+        let sample = self.whole?;
         let rotor = &model.rotor;
         let turned = match rotor.cage {
             CageMotion::Rolling if rotor.shaft.eccentricity != 0.0 => sample.angle,
@@ -340,24 +440,4 @@ fn cycle(model: &Model) -> f64 {
         let geometry = &bearing.bearing.geometry;
         1.0 / (nominal_cage_speed(1.0, geometry.gamma()) * geometry.balls() as f64)
     })
-}
-
-impl TraceSink for Gathered {
-    fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        if let Some(trace) = &mut self.trace {
-            trace.sample(sample)?;
-        }
-        if sample.time >= self.settle {
-            self.largest_ball_load = self.largest_ball_load.max(sample.largest_ball_load);
-        }
-        let cycles = sample.angle / (TAU * self.cycle);
-        let since = self
-            .last
-            .map_or(1.0, |last| (sample.angle - last.angle) / (TAU * self.cycle));
-        if (cycles - cycles.round()).abs() <= 0.5 * since {
-            self.whole = Some(*sample);
-        }
-        self.last = Some(*sample);
-        Ok(())
-    }
 }

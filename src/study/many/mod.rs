@@ -1,14 +1,16 @@
 //! Many runs of one scenario: which there are, in which order, on how many threads, and what is kept.
 
 mod chain;
+mod cycles;
 mod numbers;
 mod record;
 mod schedule;
 mod workers;
 
 pub use chain::{KeptTrace, Maker, TraceKeeper, Unmade};
+pub use cycles::{Cycles, CyclesError};
 pub use numbers::{NumberColumn, Numbers, Observed, number_columns};
-pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord};
+pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
 pub use workers::{LEAD, work};
 

@@ -128,9 +128,12 @@ pub struct Observed<'a> {
 }
 
 impl NumberColumn {
-    /// Whether the lines of a spectrum tell it.
-    pub fn rests_on_spectrum(&self) -> bool {
-        matches!(self.kind, NumberKind::Order(..))
+    /// Order of the shaft whose line it is.
+    pub fn order(&self) -> Option<u32> {
+        match self.kind {
+            NumberKind::Order(_, order) => Some(order),
+            _ => None,
+        }
     }
 
     /// Whether the motion after the settle time tells it.
@@ -144,6 +147,36 @@ impl NumberColumn {
                 | NumberKind::Period
                 | NumberKind::Drift
         )
+    }
+
+    /// Whether the velocities in the band of the standards tell it.
+    pub fn rests_on_velocity(&self) -> bool {
+        matches!(self.kind, NumberKind::Velocity(_))
+    }
+
+    /// Whether it says how the motion settles.
+    pub fn rests_on_drift(&self) -> bool {
+        self.kind == NumberKind::Drift
+    }
+
+    /// Whether the kind of the motion tells it.
+    pub fn rests_on_kind(&self) -> bool {
+        self.kind == NumberKind::Period
+    }
+
+    /// Whether contacts that part and meet tell it.
+    pub fn rests_on_events(&self) -> bool {
+        matches!(self.kind, NumberKind::ContactLost(_))
+    }
+
+    /// Whether the balls that are loaded tell it.
+    pub fn rests_on_load_zone(&self) -> bool {
+        matches!(self.kind, NumberKind::FewestLoaded(_))
+    }
+
+    /// Whether the life that the loads consume tells it.
+    pub fn rests_on_life(&self) -> bool {
+        matches!(self.kind, NumberKind::Life(_))
     }
 
     /// Whether the forces of the bearings tell it.

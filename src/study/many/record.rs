@@ -25,6 +25,17 @@ pub struct Outcome {
     pub points: Vec<Point>,
     /// Stiffness of every bearing that has one of its own; empty where it is not kept.
     pub stiffness: Vec<BearingStiffness>,
+    /// What its trace is known by, where it is kept.
+    pub trace: Option<TraceSeal>,
+}
+
+/// What the trace of a run is known by wherever it goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TraceSeal {
+    /// Number of bytes.
+    pub bytes: u64,
+    /// Sum over them.
+    pub checksum: u64,
 }
 
 /// Amplitudes at one frequency.
