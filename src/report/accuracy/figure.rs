@@ -4,14 +4,22 @@ use plotters::prelude::*;
 
 use super::super::ReportError;
 use super::super::figure::{Area, DrawError, GRID, INK, LINE, PALETTE, font, px, svg};
-use super::super::figure_curves::{distinct, draw_names};
+use super::super::figure_curves::distinct;
 use super::log_axis::{LogAxis, tick_name};
 use crate::study::accuracy::{Accuracy, Agreement, LadderRow, Measured};
 
 /// Height of a panel, px.
 const PANEL_HEIGHT: u32 = 380;
-/// Height of title and names, px.
-const HEAD_HEIGHT: u32 = 60;
+/// Height of a title, px.
+const TITLE_HEIGHT: u32 = 36;
+/// Height of the methods' names, at most a row for two of them, px.
+const KEY_HEIGHT: u32 = 176;
+/// Height of a row of it, px.
+const KEY_ROW: u32 = 22;
+/// Where names and words begin, px.
+const KEY_LEFT: u32 = 82;
+/// Half the size of a mark, px.
+const MARK: u32 = 3;
 /// Height of a rung, px.
 const RUNG_HEIGHT: u32 = 30;
 /// Room for the names of the rungs, px.
@@ -85,23 +93,18 @@ pub(super) fn methods(title: &str, accuracy: &Accuracy) -> Result<String, Report
             methods.push(&row.method);
         }
     }
-    let names: Vec<_> = methods
-        .iter()
-        .enumerate()
-        .map(|(index, name)| ((*name).to_owned(), distinct(index)))
-        .collect();
     svg(
         "accuracy.svg",
-        HEAD_HEIGHT + 3 * PANEL_HEIGHT,
+        TITLE_HEIGHT + 3 * PANEL_HEIGHT,
         title,
         |area| {
-            let (strip, below) = area.split_vertically(px(24));
-            draw_names(&strip, &names)?;
-            let areas = below.split_evenly((3, 2));
+            let areas = area.split_evenly((3, 2));
             for (panel, area) in panels(&accuracy.agreement).iter().zip(&areas) {
                 draw_methods(area, accuracy, &methods, panel)?;
             }
-            draw_reading(&areas[5], accuracy)
+            let (key, reading) = areas[5].split_vertically(px(KEY_HEIGHT));
+            draw_key(&key, &methods)?;
+            draw_reading(&reading, accuracy)
         },
     )
 }
@@ -154,14 +157,42 @@ fn draw_methods(
         let colour = distinct(index);
         let line = points.iter().copied();
         chart.draw_series(LineSeries::new(line, colour.stroke_width(LINE)))?;
-        let size = px(3);
-        if index < COLOURS {
-            let mark = |point: &(f64, f64)| Circle::new(*point, size, colour.filled());
+        if is_round(index) {
+            let mark = |point: &(f64, f64)| Circle::new(*point, px(MARK), colour.filled());
             chart.draw_series(points.iter().map(mark))?;
         } else {
-            let mark = |point: &(f64, f64)| TriangleMarker::new(*point, 2 * size, colour.filled());
+            let mark =
+                |point: &(f64, f64)| TriangleMarker::new(*point, px(2 * MARK), colour.filled());
             chart.draw_series(points.iter().map(mark))?;
         }
+    }
+    Ok(())
+}
+
+/// Whether the marks of a method are circles; of the others they are triangles.
+fn is_round(index: usize) -> bool {
+    index < COLOURS
+}
+
+/// Every method's name behind its colour and mark, in two columns.
+fn draw_key(area: &Area, methods: &[&str]) -> Result<(), DrawError> {
+    let rows = methods.len().div_ceil(2);
+    let column_width = area.dim_in_pixel().0.saturating_sub(px(KEY_LEFT)) / 2;
+    for (index, method) in methods.iter().enumerate() {
+        let left = (px(KEY_LEFT) + (index / rows) as u32 * column_width) as i32;
+        let middle = px(24 + KEY_ROW * (index % rows) as u32) as i32;
+        let right = left + px(30) as i32;
+        let centre = ((left + right) / 2, middle);
+        let colour = distinct(index);
+        let stroke = [(left, middle), (right, middle)];
+        area.draw(&PathElement::new(stroke, colour.stroke_width(LINE)))?;
+        if is_round(index) {
+            area.draw(&Circle::new(centre, px(MARK), colour.filled()))?;
+        } else {
+            area.draw(&TriangleMarker::new(centre, px(2 * MARK), colour.filled()))?;
+        }
+        let corner = (right + px(8) as i32, middle - px(7) as i32);
+        area.draw(&Text::new((*method).to_owned(), corner, font(13)))?;
     }
     Ok(())
 }
@@ -186,7 +217,7 @@ fn draw_reading(area: &Area, accuracy: &Accuracy) -> Result<(), DrawError> {
         "Along a curve, the tolerance falls.".to_owned(),
     ];
     for (index, line) in lines.into_iter().enumerate() {
-        let corner = (px(82) as i32, px(24 + 22 * index as u32) as i32);
+        let corner = (px(KEY_LEFT) as i32, px(KEY_ROW * index as u32) as i32);
         area.draw(&Text::new(line, corner, font(13)))?;
     }
     Ok(())
@@ -200,7 +231,7 @@ pub(super) fn ladder(title: &str, accuracy: &Accuracy) -> Result<String, ReportE
         .iter()
         .filter(|row| row.result.is_ok())
         .collect();
-    let height = HEAD_HEIGHT + 44 + RUNG_HEIGHT * rows.len().max(1) as u32;
+    let height = TITLE_HEIGHT + 68 + RUNG_HEIGHT * rows.len().max(1) as u32;
     svg("ladder.svg", height, title, |area| {
         let (names, rest) = area.split_horizontally(px(RUNG_NAMES));
         let (left, right) = rest.split_horizontally(rest.dim_in_pixel().0 / 2);
