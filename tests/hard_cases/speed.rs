@@ -39,7 +39,7 @@ fn standing_at(contact: &str, film: bool, speed: f64) -> f64 {
 /// A light shaft with clearance lies on one or two balls: sideways it is held by hardly more than its
 /// weight in a bowl, and the stiffness of that bowl depends on how far it swings. Its critical speed
 /// is a third of the one that the bearing has when linearised at its equilibrium, whose shaft runs
-/// through the same speeds unmoved: a fortieth of the swing.
+/// through the same speeds all but unmoved: a sixteenth of the swing.
 #[test]
 fn a_run_up_through_a_critical_speed_with_clearance() {
     let scene = |contact: &str| {
@@ -73,8 +73,10 @@ fn a_run_up_through_a_critical_speed_with_clearance() {
         .expect("parts");
     println!("{swings:?}, error {:e}, {:?}", error(&run), run.counters);
     assert!((10..14).contains(&largest), "at {} rad/s", 50 * largest);
+    // the motion is irregular from 250 rad/s on: thirty runs by three explicit pairs at 1e-8 to 1e-12 have
+    // 34 to 44 um here
     assert!(
-        (38e-6..44e-6).contains(&swings[largest]),
+        (33e-6..45e-6).contains(&swings[largest]),
         "{:e}",
         swings[largest]
     );
@@ -97,7 +99,8 @@ fn a_run_up_through_a_critical_speed_with_clearance() {
         .frequency;
     assert!((1500.0..1600.0).contains(&(highest * std::f64::consts::TAU)));
     let swing = peak_to_peak(samples.iter().map(|sample| sample.displacement[0]));
-    assert!(swing < swings[largest] / 15.0, "{swing:e}");
+    println!("linear: {swing:e}");
+    assert!(swing < 2.7e-6, "{swing:e}");
 }
 
 /// To 28 650 rpm in 0.2 s: the centrifugal force of a ball grows to a quarter of its share of the

@@ -113,11 +113,15 @@ fn linearisation_knows_damped_contacts() {
         },
         ..bearing
     };
-    // under a film only differences know it; the cage of a run-up turns ever faster
+    // under a film only differences know it
     for (law, oil) in &laws()[..3] {
         let mut definition = unbalanced_pair(*law, *oil);
         definition.bearings = definition.bearings.into_iter().map(damped).collect();
         check(&Rotor::assemble(&definition).expect("a rotor"), "damped");
+        // the cage of a run-up turns ever faster; a film grows with the speed, which slopes leave out
+        if oil.is_some() {
+            continue;
+        }
         definition.speed_points = vec![SpeedPoint {
             time: 0.5,
             speed: 9000.0,
