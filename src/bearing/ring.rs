@@ -263,8 +263,9 @@ impl<L: BallLaw> Ring<L> {
     fn place(&self, displacement: &Vector5, sin: f64, cos: f64) -> PlacedBall {
         let [x, y, z, tilt_x, tilt_y] = *displacement;
         PlacedBall {
-            axial: self.free_axial + z + self.arm * (tilt_x * sin - tilt_y * cos),
-            radial: self.free_radial + x * cos + y * sin,
+            // in the order of the balls side by side: the same bytes
+            axial: (self.free_axial + z) + (self.arm * tilt_x * sin - self.arm * tilt_y * cos),
+            radial: self.free_radial + (x * cos + y * sin),
             cos,
             sin,
         }

@@ -2,6 +2,7 @@
 
 use fearless_simd::{Simd, SimdBase, SimdFloat, dispatch};
 
+use super::ring_lanes::side_by_side;
 use super::{BallContact, CageAngle, HertzLaw, LANES, Lanes, Ring, Vector5};
 
 impl Ring<HertzLaw> {
@@ -19,18 +20,13 @@ impl Ring<HertzLaw> {
         cage: CageAngle,
         balls: &mut [BallContact],
     ) {
-        let [x, y, z, tilt_x, tilt_y] = *displacement;
+        let displacement = &side_by_side(simd, displacement);
         let law = self.law();
-        let axial_0 = self.free_axial + z;
         let none = Lanes::splat(simd, 0.0);
         for (azimuths, balls) in self.lanes.iter().zip(balls.chunks_mut(LANES)) {
-            let cos_0 = simd.load_array_ref_f64x4(&azimuths.cos);
-            let sin_0 = simd.load_array_ref_f64x4(&azimuths.sin);
-            // the balls are turned, not the displacement, for the bytes of one ball alone
-            let cos = cos_0 * cage.cos - sin_0 * cage.sin;
-            let sin = sin_0 * cage.cos + cos_0 * cage.sin;
-            let axial = axial_0 + self.arm * (tilt_x * sin - tilt_y * cos);
-            let radial = self.free_radial + x * cos + y * sin;
+            let directions = azimuths.turned(simd, cage);
+            let axial = directions.axial(self.free_axial, displacement, self.arm);
+            let radial = directions.radial(self.free_radial, displacement);
             let reach = (axial * axial + radial * radial).sqrt() - law.distance;
             let approach = reach.max(none);
             let load = law.load_deflection_constant * approach * approach.sqrt();
