@@ -210,7 +210,9 @@ fn unbalance_and_passing_balls_make_two_frequencies() {
 }
 
 /// The same bearing with more clearance: passing balls alone make a second frequency of the shaft's own at
-/// 280 rad/s with 12 µm, and an irregular motion at 100 rad/s with 30 µm.
+/// 280 rad/s with 12 µm, and an irregular motion at 80 rad/s with 40 µm. That one lasts: 48 runs over 600 and
+/// 1800 passes, by four methods at tolerances from 1e-7 to 1e-10, are all irregular. At 100 rad/s with 30 µm it
+/// is a transient of hundreds of passes, which some runs leave for a motion of four.
 #[test]
 fn clearance_makes_a_torus_and_an_irregular_motion() {
     let passes = |count: f64, speed: f64| count * TAU / (4.0 * speed * (1.0 - 11.9062 / 52.0));
@@ -226,9 +228,9 @@ fn clearance_makes_a_torus_and_an_irregular_motion() {
     assert_eq!(section, SectionKind::BallPass);
     assert!(curve.residual < 0.01, "{curve:?}");
     let irregular = of_scene(
-        with_clearance(100.0, 30e-6),
-        passes(300.0, 100.0),
-        passes(300.0, 100.0),
+        with_clearance(80.0, 40e-6),
+        passes(300.0, 80.0),
+        passes(300.0, 80.0),
         1e-8,
     );
     assert!(
