@@ -17,6 +17,7 @@ pub(super) struct LinearForce {
 
 impl LinearForce {
     /// Force at a displacement.
+    #[inline(never)]
     pub fn force(&self, displacement: Vector5) -> Vector5 {
         let shift: Vector5 = std::array::from_fn(|axis| displacement[axis] - self.origin[axis]);
         let mut force = self.force;

@@ -153,13 +153,16 @@ impl Support {
         cage: CageAngle,
         speed: f64,
     ) -> Vector5 {
-        let force = match self.plain_ring() {
-            Some((ring, offset)) => {
+        let force = match (&self.frozen, self.plain_ring()) {
+            (Some(linear), _) => in_registers(linear.force(self.imposed(displacement))),
+            (None, Some((ring, offset))) => {
                 let [x, y, z, tilt_x, tilt_y] = self.imposed(&side_by_side(simd, displacement));
                 let place = [x, y, z + offset, tilt_x, tilt_y];
                 ring.force_by(simd, &place, cage, speed)
             }
-            None => in_registers(self.other_force(in_registers(*displacement), cage, speed)),
+            (None, None) => {
+                in_registers(self.settled_force(in_registers(*displacement), cage, speed))
+            }
         };
         self.on_shaft(&force)
     }
@@ -167,20 +170,17 @@ impl Support {
     /// The ring and its axial preset in m, where its balls obey the cheap law and nothing else enters.
     #[inline(always)]
     fn plain_ring(&self) -> Option<(&Ring<HertzLaw>, f64)> {
-        match (&self.frozen, &self.table, &self.seat) {
-            (None, None, Seat::Fixed { offset }) => Some((self.ring.hertz()?, *offset)),
+        match (&self.table, &self.seat) {
+            (None, Seat::Fixed { offset }) => Some((self.ring.hertz()?, *offset)),
             _ => None,
         }
     }
 
-    /// The force in the bearing's own orientation, whatever enters. Out of line, so that the plain ring
-    /// stays small.
+    /// The force of the balls in the bearing's own orientation, whatever their law and seat. Out of line, so
+    /// that the plain ring stays small.
     #[inline(never)]
-    fn other_force(&self, displacement: Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+    fn settled_force(&self, displacement: Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         let imposed = self.imposed(&displacement);
-        if let Some(linear) = &self.frozen {
-            return linear.force(imposed);
-        }
         let place = self.seat.settle(&self.ring, &imposed, cage, speed);
         match &self.table {
             Some(table) => table.force(&place, cage, speed),
