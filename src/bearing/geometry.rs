@@ -1,5 +1,7 @@
 //! Internal geometry of an angular contact or deep-groove ball bearing.
 
+use crate::physics::{BallPass, ball_pass_frequencies};
+
 /// Why a set of dimensions is not a ball bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum GeometryError {
@@ -266,6 +268,17 @@ impl Geometry {
     /// γ = D cos α/d_m, the ratio that governs rolling and curvature.
     pub fn gamma(&self) -> f64 {
         self.ball_diameter * self.rolling_angle.cos() / self.pitch_diameter
+    }
+
+    /// Ball-pass frequencies at the nominal contact angle and a shaft speed in rad/s.
+    pub fn ball_pass(&self, speed: f64) -> BallPass {
+        ball_pass_frequencies(
+            speed,
+            self.balls,
+            self.ball_diameter,
+            self.pitch_diameter,
+            self.gamma(),
+        )
     }
 
     /// Distance of the groove centres in the unloaded bearing, A = (f_i + f_o − 1)D, m.

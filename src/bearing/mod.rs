@@ -39,6 +39,7 @@ mod state;
 mod static_safety;
 mod support;
 mod support_damping;
+mod support_force;
 mod support_lift_off;
 mod support_table;
 mod table;

@@ -22,6 +22,7 @@ mod modes;
 mod motion;
 mod motion_scale;
 mod moving;
+mod observation;
 mod phases;
 mod sample;
 mod speed_profile;

@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use super::Section;
 use crate::bearing::ContactLaw;
-use crate::physics::nominal_cage_speed;
 use crate::rotor::{CageMotion, RotorDefinition};
 
 /// How long a run is, in revolutions of its shaft or in ball passes.
@@ -74,8 +73,7 @@ impl Cycles {
             .find(|bearing| bearing.law != ContactLaw::Linear);
         match (rotor.cage, passing) {
             (CageMotion::Rolling, Some(bearing)) => {
-                let geometry = &bearing.bearing.geometry;
-                Ok(nominal_cage_speed(1.0, geometry.gamma()) * geometry.balls() as f64)
+                Ok(bearing.bearing.geometry.ball_pass(TAU).outer)
             }
             _ => Err(CyclesError::BallPass),
         }

@@ -2,6 +2,7 @@
 
 mod chain;
 mod cycles;
+mod gathered;
 mod numbers;
 mod record;
 mod schedule;
