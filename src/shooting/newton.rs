@@ -101,7 +101,11 @@ fn search(
                 history: walk.history,
             });
         }
-        renewed = size > SLOW * before || size > 1.0;
+        let slow = size > SLOW * before;
+        renewed = slow || size > 1.0;
+        if slow {
+            walk.asked = Slopes::All;
+        }
         walk.apply(map, &correction, renewed)?;
         before = size;
     }
@@ -114,7 +118,7 @@ struct Search {
     states: DVector<f64>,
     missing: DVector<f64>,
     factors: Option<Factors>,
-    /// Slopes that the next look at fresh ones asks for: at first those of one state.
+    /// Slopes that the next look at fresh ones asks for: those of one state until they lead too slowly.
     asked: Slopes,
     history: Vec<f64>,
 }
@@ -130,7 +134,6 @@ impl Search {
         self.missing = residual(map, &self.states, &image.end);
         if self.factors.is_none() {
             self.factors = Some(jacobian(map, &image.slopes).lu());
-            self.asked = Slopes::All;
         }
         Ok(())
     }

@@ -5,7 +5,7 @@ use nalgebra::{Const, DVector};
 use super::rotor_map::RotorMap;
 use super::{Base, SteadyError};
 use crate::integrate::{Grid, Square};
-use crate::rotor::Sample;
+use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Model, Sampling};
 
 /// Least number of samples of a period, and the most.
@@ -13,18 +13,22 @@ const LEAST_SAMPLES: usize = 128;
 const MOST_SAMPLES: usize = 1 << 16;
 /// Periods of the slower frequency in the trace of a motion of two.
 const TRACED: f64 = 4.0;
+/// Least number of samples there, of a period of the first frequency.
+const LEAST_SHOWN: usize = 32;
 
-/// Samples of a period from every place.
+/// Samples of a period from every place: how the shaft moves and, where asked for, the forces of its
+/// bearings; nothing of balls.
 pub(super) fn sampled<const N: usize, const M: usize, const A: usize>(
     map: &mut RotorMap<'_, N, M, A>,
     states: &DVector<f64>,
     model: &Model,
+    forces: bool,
 ) -> Result<Vec<Vec<Sample>>, SteadyError>
 where
     Const<N>: Square,
 {
     let flights = flights(map, states, model)?;
-    Ok(observed(map, &flights))
+    Ok(seen(map, &flights, map.rotor.unwatched_balls(forces)))
 }
 
 /// States of a period on a grid, from every place.
@@ -49,7 +53,7 @@ where
     Ok(all)
 }
 
-/// What is observed on the flights of a period.
+/// What is observed on the flights of a period; of balls, what the trace shows where it is one of them.
 pub(super) fn observed<const N: usize, const M: usize, const A: usize>(
     map: &RotorMap<'_, N, M, A>,
     flights: &[Vec<[f64; N]>],
@@ -57,7 +61,22 @@ pub(super) fn observed<const N: usize, const M: usize, const A: usize>(
 where
     Const<N>: Square,
 {
-    let (circle, mut contacts) = (&map.places.circle, map.rotor.ball_contacts());
+    let contacts = match map.places.is_torus() {
+        true => map.rotor.unwatched_balls(true),
+        false => map.rotor.ball_loads(),
+    };
+    seen(map, flights, contacts)
+}
+
+fn seen<const N: usize, const M: usize, const A: usize>(
+    map: &RotorMap<'_, N, M, A>,
+    flights: &[Vec<[f64; N]>],
+    mut contacts: BallContacts,
+) -> Vec<Vec<Sample>>
+where
+    Const<N>: Square,
+{
+    let circle = &map.places.circle;
     let mut flight = |(states, strobe): (&Vec<[f64; N]>, &u64)| {
         let start = map.places.time(*strobe);
         let interval = circle.period() / states.len() as f64;
@@ -79,6 +98,18 @@ fn samples<const N: usize, const M: usize, const A: usize>(
     map: &RotorMap<'_, N, M, A>,
     model: &Model,
 ) -> usize {
+    let least = LEAST_SAMPLES * map.places.multiple as usize;
+    asked(map, model)
+        .max(least)
+        .next_power_of_two()
+        .min(MOST_SAMPLES)
+}
+
+/// Samples of a period that the scene asks for.
+fn asked<const N: usize, const M: usize, const A: usize>(
+    map: &RotorMap<'_, N, M, A>,
+    model: &Model,
+) -> usize {
     let period = map.places.circle.period();
     let asked = match model.sampling {
         Sampling::Rate(rate) => rate * period,
@@ -86,24 +117,21 @@ fn samples<const N: usize, const M: usize, const A: usize>(
             f64::from(samples) * period * map.rotor.speed() / std::f64::consts::TAU
         }
     };
-    let least = LEAST_SAMPLES * map.places.multiple as usize;
-    (asked as usize)
-        .max(least)
-        .next_power_of_two()
-        .min(MOST_SAMPLES)
+    asked.ceil() as usize
 }
 
 /// The trace that is shown: the period itself, or some of the slower of two frequencies, whose states
-/// stand between those of the places.
+/// stand between those of the places, as close to each other as the scene asks for.
 pub(super) fn trace<const N: usize, const M: usize, const A: usize>(
     map: &RotorMap<'_, N, M, A>,
     flights: &[Vec<[f64; N]>],
     sampled: &[Vec<Sample>],
+    model: &Model,
 ) -> Vec<Sample>
 where
     Const<N>: Square,
 {
-    let (circle, mut contacts) = (&map.places.circle, map.rotor.ball_contacts());
+    let (circle, mut contacts) = (&map.places.circle, map.rotor.ball_loads());
     if !map.places.is_torus() {
         return sampled.first().cloned().unwrap_or_default();
     }
@@ -114,11 +142,12 @@ where
         .map(Base::period)
         .fold(0.0, f64::max);
     let periods = (TRACED * slower / circle.period()).ceil() as u64;
+    let instants = flights.first().map_or(0, Vec::len);
+    let shown = asked(map, model).max(LEAST_SHOWN).next_power_of_two();
     let mut trace = Vec::new();
     for strobe in 0..periods {
         let weights = circle.values_at(&[circle.phase(strobe)]);
-        let instants = flights.first().map_or(0, Vec::len);
-        for instant in 0..instants {
+        for instant in (0..instants).step_by((instants / shown).max(1)) {
             let mut state = [0.0; N];
             for (flight, weight) in flights.iter().zip(weights.iter()) {
                 for (sum, part) in state.iter_mut().zip(flight[instant]) {

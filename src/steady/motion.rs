@@ -176,7 +176,7 @@ where
         true => Some(measured(&mut map, &found, &sampled, question.model)?),
         false => None,
     };
-    let trace = trace(&map, &flights, &sampled);
+    let trace = trace(&map, &flights, &sampled, question.model);
     let channels = Channel::of_freedoms(map.rotor.kept());
     let noise = NOISE * way.settings.tolerance;
     let instability = Crossing::cause(&found.multipliers);
@@ -281,7 +281,7 @@ where
     map.way.settings = tighter(asked);
     let tolerance = map.way.settings.tolerance;
     let again = refine(map, found.states.clone(), &found.slopes, tolerance)?;
-    let reference = sampled(map, &again.states, model)?;
+    let reference = sampled(map, &again.states, model, false)?;
     map.way.settings = asked;
     let place = map.rotor.equilibrium().displacement;
     let (mut displacement, mut excursion) = (0.0_f64, map.scale.length);

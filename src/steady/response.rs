@@ -298,7 +298,7 @@ where
 {
     let [from, to] = question.stretch;
     map.set(point.parameter)?;
-    let sampled = sampled(map, &point.states, question.model)?;
+    let sampled = sampled(map, &point.states, question.model, true)?;
     let channels = Channel::of_freedoms(map.rotor.kept());
     Ok(ResponsePoint {
         value: from + (to - from) * point.parameter,
