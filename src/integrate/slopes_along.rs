@@ -38,8 +38,6 @@ const MOMENTS: [[f64; 5]; 3] = [
     ],
 ];
 
-/// What `e (e/v)^⅔` overestimates the error by: measured on swings of varying stiffness.
-const CLOSER: f64 = 0.25;
 /// Most halvings of a step before it is tried again.
 const MOST_HALVINGS: u32 = 2;
 
@@ -158,8 +156,9 @@ where
         (0..intervals / part).try_for_each(|number| self.go(first + number * part, part))
     }
 
-    /// Ω of a step and its error: that of fourth order by every other point is off by `e ~ h⁵`, and what
-    /// changes in the step is of a size `v ~ h²`, so that `e (e/v)^⅔ ~ h⁷` is of the order of the error.
+    /// Ω of a step and a bound of its error: that of fourth order by every other point is off by `e ~ h⁵`, and
+    /// what changes in the step is of a size `v ~ h²`, so that `e (e/v)^⅔ ~ h⁷` is of the order of the error:
+    /// four times as large and more on swings of varying stiffness.
     fn exponent(&mut self, first: usize, intervals: usize) -> (SMatrix<f64, N, N>, f64) {
         let step = intervals as f64 * self.interval;
         let points: [_; 5] =
@@ -178,7 +177,7 @@ where
         let change = (linear * 12.0).amax() + (points[2] - coarse).amax();
         // where nothing changes, both differ by round-off alone
         let ratio = if off < change { off / change } else { 1.0 };
-        (exponent, CLOSER * off * ratio.powf(2.0 / 3.0))
+        (exponent, off * ratio.powf(2.0 / 3.0))
     }
 
     /// A at a point of the grid, scaled.

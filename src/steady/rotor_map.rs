@@ -20,6 +20,9 @@ const STATE_STEP: f64 = 1e-3;
 /// while what returns is judged by the motion itself.
 const SLOPE_TOLERANCE: f64 = 1e-6;
 
+/// The error of slopes along known states is below what it is taken for by this factor and more.
+const ALONG: f64 = 4.0;
+
 /// Shortest steps along a motion of known states: these are so many in a period of the forcing at least, and
 /// the fastest natural vibration turns by so much in one of them, rad.
 const LEAST_STEPS: usize = 32;
@@ -177,7 +180,7 @@ where
             system: &self.rotor,
             start,
         };
-        let (scaling, tolerance) = (self.scaling(), self.slope_tolerance());
+        let (scaling, tolerance) = (self.scaling(), ALONG * self.slope_tolerance());
         let found = slopes_along(&system, &scaling, tolerance, interval, states)?;
         self.counters.evaluations += found.linearisations;
         Some(found.slopes)
