@@ -43,13 +43,16 @@ impl Support {
             return f64::INFINITY;
         }
         let [from, to] = ends.map(|displacement| self.imposed(displacement));
-        let arm = self.definition.bearing.geometry.inner_groove_radius();
         let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
         // plain roots: this is asked for at every step
         let length = |a: f64, b: f64| (a * a + b * b).sqrt();
         // the shift of an inner groove centre, and what it turns with the cage
         let turn = turn.abs();
         let radial = length(x, y) + turn * length(to[0], to[1]);
+        if [tilt_x, tilt_y, to[3], to[4]] == [0.0; 4] {
+            return LIFT_OFF_SLOPE * length(radial, z);
+        }
+        let arm = self.definition.bearing.geometry.inner_groove_radius();
         let tilt = length(tilt_x, tilt_y) + turn * length(to[3], to[4]);
         LIFT_OFF_SLOPE * length(radial, z.abs() + arm * tilt)
     }

@@ -31,7 +31,8 @@ impl<const N: usize> AutoWalk<N> {
         let prices = self.prices(course);
         let (here, before) = (self.mark(&prices), self.selector);
         let mut selector = before;
-        let way = selector.look(here, || self.outlook(course, prices));
+        let left = course.end - here.time;
+        let way = selector.look(here, left, || self.outlook(course, prices));
         self.selector = selector;
         // what was crossed in a window is of no account after it
         self.contacts_change &= !before.open || selector.window == before.window;

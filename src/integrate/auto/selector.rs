@@ -109,11 +109,13 @@ impl Selector {
         self.against.is_none() && steps - self.window.steps < enough
     }
 
-    /// Looks at a run after a step; the method that is to go on, where it is another.
-    pub fn look(&mut self, here: Mark, outlook: impl Fn() -> Outlook) -> Option<Way> {
+    /// Looks at a run after a step, with some simulated time left, s; the method that is to go on, where it
+    /// is another.
+    pub fn look(&mut self, here: Mark, left: f64, outlook: impl Fn() -> Outlook) -> Option<Way> {
         let steps = here.steps - self.window.steps;
         if self.open && steps >= LEAST_STEPS {
-            return self.judge(here, &outlook());
+            let rate = self.rate_of_window(here, left)?;
+            return self.judge(here, rate, &outlook());
         }
         if !self.open && steps >= FIRST_STEPS {
             (self.open, self.window) = (true, here);
@@ -123,15 +125,17 @@ impl Selector {
             .then(|| self.fail(here, here, against, &outlook()))
     }
 
-    /// Looks at the cost of a window, once it is long enough.
-    fn judge(&mut self, here: Mark, outlook: &Outlook) -> Option<Way> {
+    /// Cost per simulated time of a window, once it is long enough.
+    fn rate_of_window(&self, here: Mark, left: f64) -> Option<f64> {
         let spent = here.spent - self.window.spent;
         let rate = spent / (here.time - self.window.time);
         let first = self.rates[Way::Verner76 as usize] == f64::INFINITY;
         let part = if first { FIRST_PART } else { WINDOW_PART };
-        if spent < part * (here.spent + rate * outlook.left) {
-            return None;
-        }
+        (spent >= part * (here.spent + rate * left)).then_some(rate)
+    }
+
+    /// Looks at the cost per simulated time of a window.
+    fn judge(&mut self, here: Mark, rate: f64, outlook: &Outlook) -> Option<Way> {
         let window = std::mem::replace(&mut self.window, here);
         let Some(against) = self.against else {
             let known = self.rates[self.way as usize];
