@@ -18,6 +18,10 @@ const SHRINK: f64 = 0.2;
 const GROW: f64 = 8.0;
 /// Least error that counts: growth is limited anyway.
 const LEAST_ERROR: f64 = 1e-12;
+/// Ratio of a step to the one before up to which the polynomial of that one is carried on into it: beyond, as
+/// behind a step that was cut next to a sample, it is round-off by powers of the ratio, and sweeps that begin
+/// so far off seem to meet faster than they do.
+const MOST_AHEAD: f64 = 16.0;
 /// Steps after which the fall of the change from sweep to sweep is measured again.
 const RATE_HOLDS: f64 = 8.0;
 
@@ -319,6 +323,9 @@ impl<const N: usize> Walk<N> {
             return guess;
         }
         let ratio = self.size / self.slow_size;
+        if ratio > MOST_AHEAD {
+            return guess;
+        }
         if ratio != self.ahead_ratio {
             self.ahead_ratio = ratio;
             self.ahead = NODES.part.map(|part| weights(1.0 + ratio * part));
