@@ -69,7 +69,9 @@ impl<const N: usize> AutoWalk<N> {
             exponential: if self.contacts_change {
                 f64::NAN
             } else {
-                settled_cost(course, time, &prices)
+                let samples =
+                    prices.sample[Way::Exponential as usize] / self.exponential.interval();
+                settled_cost(course, time, &prices) + samples
             },
             contacts_change: self.contacts_change,
         }
@@ -100,12 +102,15 @@ impl<const N: usize> AutoWalk<N> {
 
     /// Cost of all that was done, s.
     fn spent(&self, prices: &Prices) -> f64 {
-        let evaluations =
-            WAYS.map(|way| self.work(way).evaluations as f64 * prices.evaluation[way as usize]);
         let [linear_parts, sizes] = self.exponential.matrices().map(|count| count as f64);
-        evaluations.iter().sum::<f64>()
-            + linear_parts * prices.linear_part
-            + sizes * prices.matrices
+        let walks = WAYS.map(|way| {
+            let (work, number) = (self.work(way), way as usize);
+            let samples = self.covered_by(way) / self.exponential.interval();
+            work.evaluations as f64 * prices.evaluation[number]
+                + samples * prices.sample[number]
+                + samples.min(work.steps as f64) * prices.first_sample[number]
+        });
+        walks.iter().sum::<f64>() + linear_parts * prices.linear_part + sizes * prices.matrices
     }
 }
 
@@ -128,7 +133,8 @@ fn settled_from<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>) -> 
     [settled, DECAYED / decay]
 }
 
-/// Cost per simulated time that the exponential method is expected to have once the motion has settled.
+/// Cost per simulated time that the exponential method is expected to have once the motion has settled,
+/// without samples.
 fn settled_cost<S: Linearised<N>, const N: usize>(
     course: &Course<'_, S, N>,
     time: f64,

@@ -1,4 +1,5 @@
-//! What steps of the methods cost, s on one core of one server: measured by `benches/method_map`.
+//! What steps and samples of the methods cost, s on one core of one server: by `benches/method_map`, and where
+//! that tells no parts, by counts of instructions.
 
 use crate::integrate::{Effort, Method};
 
@@ -37,11 +38,20 @@ const MATRICES: f64 = 22e-9;
 /// Step sizes that are gone through before steps have found theirs.
 const FIRST_SIZES: f64 = 5.0;
 
+/// What the exponential method does with a sample beyond what a pair does, and with each entry of a matrix.
+const EXPONENTIAL_SAMPLE: [f64; 2] = [65e-9, 1.0e-9];
+/// What a step of a Nyström pair that has samples begins with for them, with each state.
+const NYSTROM_SAMPLES: f64 = 100e-9;
+
 /// Prices for a system.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Prices {
     /// Of an evaluation, by way.
     pub evaluation: [f64; WAYS.len()],
+    /// Of a sample, and of what a step that has samples begins with for them, by way; beyond those of an
+    /// explicit pair.
+    pub sample: [f64; WAYS.len()],
+    pub first_sample: [f64; WAYS.len()],
     /// Of a linear part, and of the matrices of a step size.
     pub linear_part: f64,
     pub matrices: f64,
@@ -55,6 +65,13 @@ impl Prices {
         let exponential = effort.derivative + EXPONENTIAL[0] + EXPONENTIAL[1] * n * n;
         Self {
             evaluation: [explicit, explicit, explicit + NYSTROM, exponential],
+            sample: [
+                0.0,
+                0.0,
+                0.0,
+                EXPONENTIAL_SAMPLE[0] + EXPONENTIAL_SAMPLE[1] * n * n,
+            ],
+            first_sample: [0.0, 0.0, NYSTROM_SAMPLES * n, 0.0],
             linear_part: effort.linearisation,
             matrices: MATRICES * n * n * n,
         }

@@ -26,7 +26,7 @@ const OTHER_PAIR: f64 = 0.8;
 const NYSTROM_PAIR: f64 = 0.7;
 /// How much cheaper than it was found to be an explicit pair cannot be by now, after the other one and after
 /// the exponential method, which may have had its turn for long; the latter with every failure by half.
-const NO_HOPE: [f64; 2] = [0.1, 0.5];
+const NO_HOPE: [f64; 2] = [0.1, 0.45];
 /// Evaluations by which a trial of a pair is dearer than one that needs no trial.
 const PAIR_EVALUATIONS: f64 = 100.0;
 

@@ -107,6 +107,16 @@ impl<const N: usize> AutoWalk<N> {
         work
     }
 
+    /// Simulated time that a method carried the run over so far, s.
+    pub(super) fn covered_by(&self, way: Way) -> f64 {
+        let under_way = if way == self.selector.way {
+            self.time() - self.selector.began.time
+        } else {
+            0.0
+        };
+        self.covered[way as usize] + under_way
+    }
+
     /// Work since the latest change.
     fn under_way(&self) -> Counters {
         present!(self, walk => walk.counters())
@@ -114,17 +124,11 @@ impl<const N: usize> AutoWalk<N> {
 
     /// Which methods walked.
     pub fn usage(&self) -> MethodUse {
-        let began = self.selector.began.time;
         let stretch = |way: Way| {
             let rate = self.selector.rates[way as usize];
-            let under_way = if way == self.selector.way {
-                self.time() - began
-            } else {
-                0.0
-            };
             Stretch {
                 method: way.method(),
-                covered: self.covered[way as usize] + under_way,
+                covered: self.covered_by(way),
                 counters: self.work(way),
                 rate: (rate < f64::MAX).then_some(rate),
             }

@@ -122,6 +122,11 @@ impl<const N: usize> Walk<N> {
         self.to
     }
 
+    /// Interval of the samples, s.
+    pub fn interval(&self) -> f64 {
+        self.interval
+    }
+
     /// Linear parts taken, and steps of a size whose matrices had to be found.
     pub fn matrices(&self) -> [u64; 2] {
         [self.renewals, self.propagators.built]
