@@ -149,7 +149,7 @@ fn what_couples_more_than_the_last_two_needs_all_entries() {
         for &(row, column) in pairs {
             matrix[row][column] = 1.0;
         }
-        Few::holds(&matrix)
+        Few::<10>::holds(&matrix)
     };
     assert!(few(&[]) && few(&[(0, 0), (3, 3)]) && few(&[(3, 4), (4, 3), (1, 1)]));
     assert!(!few(&[(3, 2)]) && !few(&[(0, 4)]) && !few(&[(0, 1)]));
