@@ -42,8 +42,9 @@ pub(crate) struct RotorEnsemble<'a> {
 }
 
 impl<'a> RotorEnsemble<'a> {
-    /// Rotors with their units of time, s; none where they cannot move side by side: at a constant speed, with
-    /// equally many freedoms and diagonal damping, on equally many plain Hertz bearings of equally many balls.
+    /// Rotors with their units of time, s; none where they cannot move side by side: at a constant speed, under
+    /// loads without jumps, with equally many freedoms and diagonal damping, on equally many plain Hertz bearings
+    /// of equally many balls.
     pub fn new(rotors: [&'a Rotor; LANES], units: [f64; LANES]) -> Option<Self> {
         let first = rotors[0];
         let alike = |rotor: &&Rotor| {
@@ -52,6 +53,7 @@ impl<'a> RotorEnsemble<'a> {
                 && rotor.speed.is_constant()
                 && rotor.drive.is_none()
                 && !rotor.contacts_damped
+                && rotor.next_break_after(-1.0) == f64::INFINITY
                 && matches!(rotor.damping, DampingMatrix::Diagonal(_))
         };
         if !rotors.iter().all(alike) {
@@ -238,13 +240,6 @@ impl<const M: usize> System<M> for RotorEnsemble<'_> {
                 accelerations[4][lane] -= gyroscopic * velocities[3][lane];
             }
         }
-    }
-
-    fn next_break(&self, after: f64) -> f64 {
-        let breaks = self.rotors.iter().zip(self.units.0);
-        breaks
-            .map(|(rotor, unit)| rotor.next_break_after(after * unit) / unit)
-            .fold(f64::INFINITY, f64::min)
     }
 
     fn is_second_order(&self) -> bool {

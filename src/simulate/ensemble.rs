@@ -28,9 +28,9 @@ const LEAST_USE: f64 = 0.75;
 /// the tolerance, by Dormand–El-Mikkawy–Prince 8(6) with steps in common.
 ///
 /// None where they do not go side by side, or where any of them fails: then each is to be run by itself, with a
-/// sink that has seen nothing. They do where their shafts turn at constant speeds in plain Hertz bearings, with
-/// equally many balls, bearings and freedoms, at the same tolerance, and where each leaves the method open and
-/// asks for no energies.
+/// sink that has seen nothing. They do where their shafts turn at constant speeds in plain Hertz bearings, under
+/// loads without jumps and diagonal damping, with equally many balls, bearings and freedoms, at the same
+/// tolerance, and where each leaves the method open and asks for no energies.
 pub fn simulate_side_by_side(
     models: &[Model; SIDE_BY_SIDE],
     sinks: [&mut dyn TraceSink; SIDE_BY_SIDE],

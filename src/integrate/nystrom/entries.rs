@@ -118,16 +118,16 @@ impl<const N: usize, const K: usize> Entries<N> for Few<N, K> {
     }
 
     fn product(&self, other: &Self) -> Self {
-        let (mut product, other) = (Self::ZERO, &other.0);
-        for index in 0..Self::FREEDOMS {
-            product.0[index] = self.0[index] * other[index];
+        let (mut product, other) = (*self, &other.0);
+        for (entry, other) in product.0.iter_mut().zip(other).take(Self::FREEDOMS) {
+            *entry *= other;
         }
         if Self::COUPLES {
             for motion in 0..K {
                 let (before, last) = (Self::BEFORE + motion, Self::LAST + motion);
                 let (right, left) = (Self::FREEDOMS + motion, Self::FREEDOMS + K + motion);
-                product.0[before] += self.0[right] * other[left];
-                product.0[last] = self.0[left] * other[right] + product.0[last];
+                product.0[before] = self.0[before] * other[before] + self.0[right] * other[left];
+                product.0[last] = self.0[left] * other[right] + self.0[last] * other[last];
                 product.0[right] = self.0[before] * other[right] + self.0[right] * other[last];
                 product.0[left] = self.0[left] * other[before] + self.0[last] * other[left];
             }
