@@ -53,7 +53,7 @@ impl<'a> RotorEnsemble<'a> {
                 && rotor.speed.is_constant()
                 && rotor.drive.is_none()
                 && !rotor.contacts_damped
-                && rotor.next_break_after(-1.0) == f64::INFINITY
+                && rotor.next_break_after(0.0) == f64::INFINITY
                 && matches!(rotor.damping, DampingMatrix::Diagonal(_))
         };
         if !rotors.iter().all(alike) {
