@@ -3,6 +3,7 @@
 mod analyses;
 mod bare;
 mod energy_audit;
+mod ensemble;
 mod method;
 mod model;
 mod observation;
@@ -23,6 +24,7 @@ use nalgebra::Const;
 pub use analyses::{Analyses, BallParts, Maps, Watched};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
+pub use ensemble::{SIDE_BY_SIDE, may_go_side_by_side, pays_side_by_side, simulate_side_by_side};
 pub use method::MethodMismatch;
 pub use model::{Model, Sampling};
 pub use observation::{
@@ -34,7 +36,7 @@ pub use run::{MeasuredError, Run, StaticState};
 pub use tables::TableUse;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
-use crate::integrate::{Grid, IntegrateError, Integration, Square};
+use crate::integrate::{Counters, Grid, IntegrateError, Integration, MethodUse, Square, Stiffness};
 use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, MotionScale, Moving, Rotor, check_loose};
 use observers::Observers;
 use reference::{Reference, reference_settings};
@@ -109,7 +111,23 @@ where
     part.go_on(&mut passes.main, passes.reference.as_mut())?;
     replay(&passes, &mut observers, monitor, part)?;
     integrate(&mut passes, &mut observers, monitor, part)?;
-    Ok(answer(&passes, observers, loose))
+    let Passes {
+        main,
+        grid,
+        reference,
+        scale,
+        ..
+    } = &passes;
+    let reference = reference.as_ref();
+    let work = Work {
+        counters: main.counters(),
+        method_use: main.method_use(),
+        stiffness: main.stiffness(),
+        samples: grid.count,
+        measured_error: reference.and_then(|reference| reference.measured(model, scale)),
+        error_unknown: reference.and_then(Reference::failure),
+    };
+    Ok(answer(model, rotor, work, observers, loose))
 }
 
 /// Shows the observers what an earlier part of the run has integrated.
@@ -168,22 +186,28 @@ where
     Ok(())
 }
 
-fn answer<S, const N: usize, const M: usize>(
-    passes: &Passes<'_, S, N, M>,
+/// What an integration has done.
+struct Work<'a> {
+    counters: Counters,
+    method_use: Option<MethodUse>,
+    stiffness: Option<Stiffness>,
+    samples: u64,
+    measured_error: Option<MeasuredError>,
+    /// Why the error is not known, where it was to be.
+    error_unknown: Option<&'a str>,
+}
+
+fn answer(
+    model: &Model,
+    rotor: &Rotor,
+    work: Work<'_>,
     observers: Observers<'_>,
     loose: Vec<String>,
-) -> Run
-where
-    S: Moving<N>,
-    Const<N>: Square,
-{
-    let (model, rotor) = (passes.model, passes.system.rotor());
-    let reference = passes.reference.as_ref();
-    let measured_error = reference.and_then(|reference| reference.measured(model, &passes.scale));
+) -> Run {
     let outcome = Outcome {
-        error: measured_error.as_ref(),
-        error_unknown: reference.and_then(Reference::failure),
-        stiffness: passes.main.stiffness(),
+        error: work.measured_error.as_ref(),
+        error_unknown: work.error_unknown,
+        stiffness: work.stiffness,
         loose,
     };
     let analysis = sampling::analyse(model, rotor, observers.recorder);
@@ -201,13 +225,13 @@ where
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         operating_ball_pass: sampling::operating_ball_pass(model, rotor),
-        counters: passes.main.counters(),
-        method_use: passes.main.method_use(),
-        samples: passes.grid.count,
+        counters: work.counters,
+        method_use: work.method_use,
+        samples: work.samples,
         bearings: observers.observation.finish(),
         tables: observers.tables.finish(),
         warnings,
-        measured_error,
+        measured_error: work.measured_error,
         energy: observers.audit.finish(),
         spectrum,
         peaks,
@@ -222,7 +246,6 @@ where
 
 /// The run and the second pass that measures its error.
 struct Passes<'a, S, const N: usize, const M: usize> {
-    model: &'a Model,
     system: &'a S,
     scale: MotionScale,
     grid: Grid,
@@ -244,7 +267,6 @@ where
             Integration::new(system, scaling, grid, settings, stop, &state)
         };
         Self {
-            model,
             system,
             grid,
             main: pass(model.integrator),

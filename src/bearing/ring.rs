@@ -62,7 +62,7 @@ pub struct Ring<L> {
     /// What the processor has.
     pub(super) level: Level,
     pub(super) lanes: Vec<Azimuths>,
-    azimuths: Vec<f64>,
+    pub(super) azimuths: Vec<f64>,
     pub(super) free_axial: f64,
     pub(super) free_radial: f64,
     pub(super) arm: f64,

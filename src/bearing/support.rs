@@ -50,7 +50,7 @@ pub struct Support {
     /// Set once the bearing is linear.
     pub(super) frozen: Option<LinearForce>,
     pub(super) definition: MountedBearing,
-    sign: f64,
+    pub(super) sign: f64,
 }
 
 impl Support {
@@ -240,22 +240,12 @@ impl Support {
     where
         T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
     {
-        let [x, y, z, tilt_x, tilt_y] = *displacement;
-        let (s, a) = (self.sign, self.definition.position);
-        [
-            x + tilt_y * a,
-            y - tilt_x * a,
-            z * s,
-            tilt_x * s,
-            tilt_y * s,
-        ]
+        imposed(displacement, self.sign, self.definition.position)
     }
 
     #[inline(always)]
     pub(super) fn on_shaft(&self, force: &Vector5) -> Vector5 {
-        let [f_x, f_y, f_z, m_x, m_y] = *force;
-        let (s, a) = (self.sign, self.definition.position);
-        [f_x, f_y, s * f_z, s * m_x - a * f_y, s * m_y + a * f_x]
+        on_shaft(force, self.sign, self.definition.position)
     }
 
     /// ∂(local displacement)/∂(shaft displacement).
@@ -266,4 +256,31 @@ impl Support {
         transform[(1, 3)] = -a;
         transform
     }
+}
+
+/// What the shaft's displacement imposes on the inner ring of a bearing of some sign and position.
+#[inline(always)]
+pub(super) fn imposed<T, A: Copy>(displacement: &[T; 5], s: A, a: A) -> [T; 5]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<A, Output = T>,
+{
+    let [x, y, z, tilt_x, tilt_y] = *displacement;
+    [
+        x + tilt_y * a,
+        y - tilt_x * a,
+        z * s,
+        tilt_x * s,
+        tilt_y * s,
+    ]
+}
+
+/// The force on that bearing as one on the shaft.
+#[inline(always)]
+pub(super) fn on_shaft<T, A>(force: &[T; 5], s: A, a: A) -> [T; 5]
+where
+    T: Copy + Add<Output = T> + Sub<Output = T>,
+    A: Copy + Mul<T, Output = T>,
+{
+    let [f_x, f_y, f_z, m_x, m_y] = *force;
+    [f_x, f_y, s * f_z, s * m_x - a * f_y, s * m_y + a * f_x]
 }

@@ -40,7 +40,7 @@ impl Support {
 
     /// The ring and its axial preset in m, where its balls obey the cheap law and nothing else enters.
     #[inline(always)]
-    fn plain_ring(&self) -> Option<(&Ring<HertzLaw>, f64)> {
+    pub(super) fn plain_ring(&self) -> Option<(&Ring<HertzLaw>, f64)> {
         match (&self.table, &self.seat) {
             (None, Seat::Fixed { offset }) => Some((self.ring.hertz()?, *offset)),
             _ => None,

@@ -30,6 +30,11 @@ impl Grid {
     pub fn time(&self, index: u64) -> f64 {
         index as f64 * self.interval
     }
+
+    /// Breaks nearer than this to a grid time, or to another break, count as standing there, s.
+    pub(super) fn slack(&self) -> f64 {
+        BREAK_SLACK * self.interval
+    }
 }
 
 /// Distance, as a part of the grid's interval, below which a break does not divide a step.
@@ -195,7 +200,7 @@ where
             settings: &self.settings,
             stop: self.stop,
             end: self.grid.time(self.grid.count.saturating_sub(1)),
-            slack: self.slack(),
+            slack: self.grid.slack(),
         };
         let part = ((EARLY * self.settings.step_limit as f64) as u64).max(1);
         for _ in 0..points {
@@ -301,16 +306,11 @@ where
         }
     }
 
-    /// Breaks nearer than this to a grid time, or to another break, count as standing there, s.
-    fn slack(&self) -> f64 {
-        BREAK_SLACK * self.grid.interval
-    }
-
     /// Number of the next intervals, up to `most`, that no break cuts.
     fn intervals_before_break(&self, most: usize) -> usize {
         let start = self.grid.time(self.next);
-        let free = self.system.next_break(start + self.slack()) - start;
-        let whole = ((free + self.slack()) / self.grid.interval).floor();
+        let free = self.system.next_break(start + self.grid.slack()) - start;
+        let whole = ((free + self.grid.slack()) / self.grid.interval).floor();
         // the cast saturates
         most.min(whole as usize)
     }
@@ -320,8 +320,12 @@ where
         let (mut start, end) = (self.grid.time(self.next), self.grid.time(self.next + 1));
         let kept = states.len() + 1;
         while start < end {
-            let next = self.system.next_break(start + self.slack());
-            let stop = if next < end - self.slack() { next } else { end };
+            let next = self.system.next_break(start + self.grid.slack());
+            let stop = if next < end - self.grid.slack() {
+                next
+            } else {
+                end
+            };
             let result = self.stretch(start, stop - start, 1, states);
             // the states at the breaks stand on no grid time
             states.truncate(kept);

@@ -18,7 +18,7 @@ impl<const N: usize> AnyFactor<N> {
     /// [`VelocityDependence`] where there is none.
     pub fn of<S: System<N>>(system: &S) -> Result<Self, VelocityDependence> {
         let slopes = system.velocity_slopes()?;
-        Ok(if Few::holds(&slopes) {
+        Ok(if Few::<N>::holds(&slopes) {
             Self::Few(Box::new(Factor::new(&slopes)))
         } else {
             Self::All(Box::new(Factor::new(&slopes)))

@@ -1,11 +1,14 @@
 //! States between the ends of a step.
 
+use fearless_simd::Level;
+
 use super::entries::Entries;
 use super::factor::Factor;
 use super::tableau::Pair;
 use super::walk::Walk;
 use crate::integrate::System;
 use crate::integrate::course::Course;
+use crate::integrate::registers::in_wide_registers;
 
 /// Part of the error aimed at that states within a step may be estimated to have of their own.
 const WITHIN_PART: f64 = 0.3;
@@ -27,6 +30,19 @@ impl<const N: usize> Walk<N> {
         course: &Course<'_, S, N>,
         factor: &Factor<E, N>,
     ) -> Dense {
+        if const { E::MOTIONS > 1 } {
+            in_wide_registers!(Level::new(), self.fitted(course, factor))
+        } else {
+            self.fitted(course, factor)
+        }
+    }
+
+    #[inline(always)]
+    fn fitted<S, E: Entries<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+        factor: &Factor<E, N>,
+    ) -> Dense {
         let part = WITHIN_PART * course.settings.tolerance;
         let scale = &course.scaling.scale;
         let per = std::array::from_fn(|i| 1.0 / (part * (scale[i] + self.from.state[i].abs())));
@@ -39,6 +55,15 @@ impl<const N: usize> Walk<N> {
             }
         }
         Dense::BySteps
+    }
+
+    /// Deviation at a time within the step by its polynomial.
+    pub(super) fn by_polynomial<E: Entries<N>>(&self, time: f64) -> [f64; N] {
+        if const { E::MOTIONS > 1 } {
+            in_wide_registers!(Level::new(), self.within.at(time))
+        } else {
+            self.within.at(time)
+        }
     }
 
     /// Deviation at a time within the step by a shorter step from its start.

@@ -43,20 +43,15 @@ pub(super) struct Factor<E, const N: usize> {
 impl<E: Entries<N>, const N: usize> Factor<E, N> {
     /// From ∂q″/∂q′ = −2 B, of which the first N/2 rows and columns are read.
     pub fn new(velocity_slopes: &Matrix<N>) -> Self {
-        let half = velocity_slopes.map(|row| row.map(|slope| -0.5 * slope));
-        let mut power = [[0.0; N]; N];
-        for (index, row) in power.iter_mut().enumerate() {
-            row[index] = 1.0;
-        }
-        let mut powers = [E::of(&power); TERMS];
-        for (order, entries) in powers.iter_mut().enumerate().skip(1) {
-            power = product(&power, &half).map(|row| row.map(|entry| entry / order as f64));
-            *entries = E::of(&power);
+        let half = scaled(E::of(velocity_slopes), -0.5);
+        let mut powers = [E::identity(); TERMS];
+        for order in 1..TERMS {
+            powers[order] = scaled(powers[order - 1].product(&half), (order as f64).recip());
         }
         Self {
-            half: E::of(&half),
-            square: E::of(&product(&half, &half)),
-            norm: norm(&half),
+            half,
+            square: half.product(&half),
+            norm: 0.5 * norm(velocity_slopes),
             powers,
             size: f64::NAN,
             forth: [E::ZERO; MOST],
@@ -141,19 +136,17 @@ impl<E: Entries<N>, const N: usize> Factor<E, N> {
     }
 }
 
-fn product<const N: usize>(left: &Matrix<N>, right: &Matrix<N>) -> Matrix<N> {
-    std::array::from_fn(|row| {
-        std::array::from_fn(|column| {
-            let terms = (0..N / 2).map(|k| left[row][k] * right[k][column]);
-            terms.sum()
-        })
-    })
+/// All entries times a number.
+fn scaled<E: AsMut<[f64]>>(mut entries: E, factor: f64) -> E {
+    for entry in entries.as_mut() {
+        *entry *= factor;
+    }
+    entries
 }
 
 /// Largest sum of magnitudes in a row.
 fn norm<const N: usize>(matrix: &Matrix<N>) -> f64 {
-    let sums = matrix
-        .iter()
-        .map(|row| row.iter().map(|entry| entry.abs()).sum());
+    let rows = matrix.iter().take(N / 2);
+    let sums = rows.map(|row| row.iter().take(N / 2).map(|entry| entry.abs()).sum());
     sums.fold(0.0, f64::max)
 }

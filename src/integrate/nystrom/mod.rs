@@ -7,6 +7,7 @@ mod conditions;
 mod dense;
 mod dprkn12;
 mod dprkn8;
+mod ensemble;
 mod entries;
 mod factor;
 mod numbers;
@@ -18,4 +19,5 @@ mod within;
 
 pub(super) use dprkn8::Dprkn8;
 pub(super) use dprkn12::Dprkn12;
+pub(super) use ensemble::EnsembleWalk;
 pub(super) use walk::Walk;

@@ -15,6 +15,7 @@ pub(super) struct Stand<const N: usize> {
 
 impl<const N: usize> Stand<N> {
     /// Place, velocity and acceleration q″ = f − 2 B q′.
+    #[inline(always)]
     pub fn end<E: Entries<N>>(&self, factor: &Factor<E, N>) -> End<N> {
         let mut velocity = [0.0; N];
         velocity[..N / 2].copy_from_slice(&self.state[N / 2..]);

@@ -1,5 +1,7 @@
 //! Stages of a step, its end and its error.
 
+use fearless_simd::Level;
+
 use super::entries::Entries;
 use super::factor::Factor;
 use super::tableau::{
@@ -7,6 +9,7 @@ use super::tableau::{
 };
 use super::walk::Walk;
 use crate::integrate::course::Course;
+use crate::integrate::registers::in_wide_registers;
 use crate::integrate::{Scaling, System};
 
 impl<const N: usize> Walk<N> {
@@ -42,13 +45,26 @@ impl<const N: usize> Walk<N> {
         course: &Course<'_, S, N>,
         factor: &Factor<E, N>,
     ) -> f64 {
+        if const { E::MOTIONS > 1 } {
+            in_wide_registers!(Level::new(), self.tried::<P, S, E>(course, factor))
+        } else {
+            self.tried::<P, S, E>(course, factor)
+        }
+    }
+
+    #[inline(always)]
+    fn tried<P: Pair, S: System<N>, E: Entries<N>>(
+        &mut self,
+        course: &Course<'_, S, N>,
+        factor: &Factor<E, N>,
+    ) -> f64 {
         self.to.state = self.moved_by::<P, S, E>(course, factor);
         if const { P::ENDS_ON_STAGE } {
             let to = self.to.state;
             self.to.push = self.push(course, self.stage_time(1.0), &to);
             self.keep_stage(factor, const { P::STAGES - 1 }, self.to.push, &to);
         }
-        self.error::<P>(course.scaling) / (P::LOCAL_PART * course.settings.tolerance)
+        self.error::<P, E>(course.scaling) / (P::LOCAL_PART * course.settings.tolerance)
     }
 
     /// Deviation after a step of the present size.
@@ -133,29 +149,36 @@ impl<const N: usize> Walk<N> {
         arrival
     }
 
-    /// Root mean square of the error, relative to one unit and the deviation.
+    /// Root mean square of the error, relative to one unit and the deviation; of motions side by side that of
+    /// the worst.
     #[inline(always)]
-    fn error<P: Pair>(&self, scaling: &Scaling<N>) -> f64 {
+    fn error<P: Pair, E: Entries<N>>(&self, scaling: &Scaling<N>) -> f64 {
         let place = sum::<PlaceError<P>, N>(&self.stages);
         let velocity = sum::<VelocityError<P>, N>(&self.stages);
         let coarse = sum::<CoarseError<P>, N>(&self.stages);
         let unit =
             |i: usize| scaling.scale[i] + self.from.state[i].abs().max(self.to.state[i].abs());
-        let (mut fine, mut both) = (0.0, 0.0);
-        for i in 0..N / 2 {
-            let per_velocity = unit(N / 2 + i).recip();
-            let parts = [
-                self.size * place[i] / unit(i),
-                velocity[i] * per_velocity,
-                coarse[i] * per_velocity,
-            ];
-            fine += parts[0] * parts[0] + parts[1] * parts[1];
-            both += parts[2] * parts[2];
+        let mut worst = 0.0;
+        for motion in 0..E::MOTIONS {
+            let (mut fine, mut both) = (0.0, 0.0);
+            for i in (motion..N / 2).step_by(E::MOTIONS) {
+                let per_velocity = unit(N / 2 + i).recip();
+                let parts = [
+                    self.size * place[i] / unit(i),
+                    velocity[i] * per_velocity,
+                    coarse[i] * per_velocity,
+                ];
+                fine += parts[0] * parts[0] + parts[1] * parts[1];
+                both += parts[2] * parts[2];
+            }
+            both += fine;
+            if both != 0.0 {
+                let states = const { N / E::MOTIONS } as f64;
+                let error = self.size * fine / (both * states).sqrt();
+                // what is no number is worst of all
+                worst = if worst >= error { worst } else { error };
+            }
         }
-        both += fine;
-        if both == 0.0 {
-            return 0.0;
-        }
-        self.size * fine / (both * N as f64).sqrt()
+        worst
     }
 }

@@ -185,7 +185,7 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    fn deviation_at<P: Pair, S: System<N>, E: Entries<N>>(
+    pub(super) fn deviation_at<P: Pair, S: System<N>, E: Entries<N>>(
         &mut self,
         course: &Course<'_, S, N>,
         factor: &mut Factor<E, N>,
@@ -201,7 +201,7 @@ impl<const N: usize> Walk<N> {
             self.dense = self.polynomial(course, factor);
         }
         if self.dense == Dense::ByPolynomial {
-            return Ok(self.within.at(time));
+            return Ok(self.by_polynomial::<E>(time));
         }
         Ok(self.by_step::<P, S, E>(course, factor, time))
     }

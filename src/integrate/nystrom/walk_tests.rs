@@ -149,8 +149,42 @@ fn what_couples_more_than_the_last_two_needs_all_entries() {
         for &(row, column) in pairs {
             matrix[row][column] = 1.0;
         }
-        Few::holds(&matrix)
+        Few::<10>::holds(&matrix)
     };
     assert!(few(&[]) && few(&[(0, 0), (3, 3)]) && few(&[(3, 4), (4, 3), (1, 1)]));
     assert!(!few(&[(3, 2)]) && !few(&[(0, 4)]) && !few(&[(0, 1)]));
+}
+
+#[test]
+fn entries_of_motions_side_by_side_multiply_as_whole_matrices() {
+    const N: usize = 24;
+    // three freedoms of four motions: the last two are coupled
+    let mut matrices = [[[0.0; N]; N]; 2];
+    for (part, matrix) in matrices.iter_mut().enumerate() {
+        for (index, row) in matrix.iter_mut().enumerate().take(N / 2) {
+            row[index] = 1.0 + (index as f64 + part as f64).sin();
+        }
+        for motion in 0..4 {
+            matrix[4 + motion][8 + motion] = 0.3 + motion as f64;
+            matrix[8 + motion][4 + motion] = -0.7 * motion as f64 - part as f64;
+        }
+    }
+    let [first, second] = matrices;
+    assert!(Few::<N, 4>::holds(&first) && !Few::<N>::holds(&first));
+    let vector = std::array::from_fn(|index| (1.3 * index as f64).cos());
+    let few = [first, second].map(|matrix| Few::<N, 4>::of(&matrix));
+    let all = [first, second].map(|matrix| All::<N>::of(&matrix));
+    let products = [
+        few[0].product(&few[1]).times(&vector),
+        all[0].product(&all[1]).times(&vector),
+    ];
+    for (few, all) in products[0].iter().zip(&products[1]).take(N / 2) {
+        assert!(
+            (few - all).abs() < 1e-14 * all.abs().max(1.0),
+            "{few} {all}"
+        );
+    }
+    let mut coupled = first;
+    coupled[4][9] = 1.0;
+    assert!(!Few::<N, 4>::holds(&coupled));
 }

@@ -53,6 +53,7 @@ impl<const N: usize> Within<N> {
     };
 
     /// Begins anew: through the start of a step and its end.
+    #[inline(always)]
     pub fn begin(&mut self, start: &End<N>, end: &End<N>) {
         self.start = start.time;
         self.size = end.time - start.time;
@@ -63,6 +64,7 @@ impl<const N: usize> Within<N> {
     }
 
     /// Goes through a further end as well, of at most [`ENDS`].
+    #[inline(always)]
     pub fn add(&mut self, end: &End<N>) {
         let node = (end.time - self.start) / self.size;
         for same in 0..3 {
@@ -88,6 +90,7 @@ impl<const N: usize> Within<N> {
     }
 
     /// h q′ or h² q″/2: divided differences of one node.
+    #[inline(always)]
     fn derivative(&self, end: &End<N>, order: usize) -> [f64; N] {
         if order == 1 {
             end.velocity.map(|velocity| self.size * velocity)
@@ -102,6 +105,7 @@ impl<const N: usize> Within<N> {
     ///
     /// The error of the quintic is that of the terms of the next end. That of the whole is below the
     /// terms of its last end, by as much as these are below those of the end before it.
+    #[inline(always)]
     pub fn is_within(&mut self, per: &[f64; N]) -> bool {
         let last = self.excess(per);
         if self.terms == QUINTIC + 3 && last <= 1.0 {
@@ -114,6 +118,7 @@ impl<const N: usize> Within<N> {
     }
 
     /// The terms of the last end over what is allowed.
+    #[inline(always)]
     fn excess(&self, per: &[f64; N]) -> f64 {
         let mut excess = 0.0;
         for part in PARTS {
@@ -134,17 +139,20 @@ impl<const N: usize> Within<N> {
     }
 
     /// What the factor of the term after one is multiplied by, and its slope.
+    #[inline(always)]
     fn next(&self, [value, slope]: [f64; 2], term: usize, part: f64) -> [f64; 2] {
         let away = part - self.nodes[term];
         [value * away, slope * away + value]
     }
 
     /// What a factor is multiplied by at a part of the step, and its slope by that part.
+    #[inline(always)]
     fn basis(&self, term: usize, part: f64) -> [f64; 2] {
         (0..term).fold([1.0, 0.0], |basis, term| self.next(basis, term, part))
     }
 
     /// Place and velocity at a time, s.
+    #[inline(always)]
     pub fn at(&self, time: f64) -> [f64; N] {
         let part = (time - self.start) / self.size;
         let (mut place, mut slope) = ([0.0; N], [0.0; N]);

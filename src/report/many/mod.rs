@@ -69,8 +69,7 @@ impl<'a> StudyReport<'a> {
             Shard::WHOLE => "runs.journal".to_owned(),
             part => part_name("study", part, "journal"),
         });
-        let runs = schedule.runs_in_chain();
-        let own = runs * first..runs * shard.chains(schedule).end;
+        let own = schedule.runs_of(shard.chains(schedule));
         let known = json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "study": identity });
         let known = known.to_string();
         let journal = Journal::open(&path, &known, first, anew)?;

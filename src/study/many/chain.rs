@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::gathered::{Carried, Gathered};
 use super::numbers::{NumberColumn, Observed};
 use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
-use super::{Keep, Schedule, Section, Turn};
+use super::{Keep, Pilots, Schedule, Section, Turn};
 use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum, Threads};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
@@ -48,6 +48,8 @@ pub struct Maker<'a> {
     pub keep: Keep,
     /// Every so many runs the error is measured; 0 on none.
     pub verify_every: u64,
+    /// Whether it pays to make runs side by side.
+    pub pilots: &'a Pilots,
     /// What keeps the traces of the runs, where they are kept.
     pub traces: Option<TraceKeeper<'a>>,
     /// Numbers that are kept.
@@ -64,6 +66,9 @@ impl Maker<'_> {
     /// # Errors
     /// [`Unmade`] where it was to stop before the last one was done, or a trace could not be kept.
     pub fn chain(&self, chain: u64) -> Result<Vec<RunRecord>, Unmade> {
+        if let Some(records) = self.side_by_side(chain) {
+            return Ok(records);
+        }
         let mut records = Vec::new();
         let mut carried = None;
         for turn in self.schedule.chain(chain) {
@@ -80,7 +85,7 @@ impl Maker<'_> {
     }
 
     /// The motion of a run as it stands by itself.
-    fn model_of(&self, turn: Turn, values: &[f64]) -> Result<Model, String> {
+    pub(super) fn model_of(&self, turn: Turn, values: &[f64]) -> Result<Model, String> {
         let mut model = (self.model)(values)?;
         model.verify = self.verify_every > 0 && turn.number.is_multiple_of(self.verify_every);
         model.analyses.motion = true;
@@ -89,7 +94,7 @@ impl Maker<'_> {
     }
 
     /// Leaves out all that nothing of what is kept rests on.
-    fn reduce(&self, model: &mut Model) {
+    pub(super) fn reduce(&self, model: &mut Model) {
         let needs = |rests: fn(&NumberColumn) -> bool| self.columns.iter().any(rests);
         model.spectra.clear();
         let orders = self.columns.iter().filter_map(NumberColumn::order);
@@ -148,7 +153,9 @@ impl Maker<'_> {
                     model
                 }));
             }
-            let _ = self.run(turn, &values, &mut carried, None)?;
+            if self.schedule.carries() {
+                let _ = self.run(turn, &values, &mut carried, None)?;
+            }
         }
         Ok(Err(format!("there is no run {number}")))
     }
@@ -168,7 +175,7 @@ impl Maker<'_> {
             carried.start(&mut model);
         }
         self.reduce(&mut model);
-        let mut sink = Gathered::new(&model, self.schedule.runs_in_chain() > 1, trace);
+        let mut sink = Gathered::new(&model, self.schedule.carries(), trace);
         let mut monitor = Monitor {
             stop: self.stop,
             progress: &mut |_| {},
@@ -192,7 +199,7 @@ impl Maker<'_> {
         }
     }
 
-    fn outcome(&self, observed: &Observed<'_>, speed: f64) -> Outcome {
+    pub(super) fn outcome(&self, observed: &Observed<'_>, speed: f64) -> Outcome {
         let run = observed.run;
         let spectrum = run.spectrum.as_ref().zip(self.keep.highest_order);
         let points = run.motion.as_ref().zip(self.keep.section);

@@ -1,5 +1,7 @@
 //! Which runs are made together, and under which numbers.
 
+use std::ops::Range;
+
 /// Order of runs that each go on from where their neighbour along the last axis ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Sweep {
@@ -44,8 +46,8 @@ pub struct Turn {
     pub direction: Direction,
 }
 
-/// The runs of a study, grouped into chains: within one, each run goes on from where the one before
-/// ended; without a sweep every chain is one run.
+/// The runs of a study, grouped into chains, which are made as a whole: by a sweep, within which each run goes
+/// on from where the one before ended, or as runs that go side by side; otherwise every chain is one run.
 ///
 /// ```
 /// use jeffcott::study::many::{Schedule, Sweep};
@@ -54,6 +56,9 @@ pub struct Turn {
 /// assert_eq!((schedule.chains(), schedule.runs()), (2, 12));
 /// let points: Vec<u64> = schedule.chain(1).map(|turn| turn.point).collect();
 /// assert_eq!(points, [3, 4, 5, 5, 4, 3]);
+/// // the same grid four by four
+/// let schedule = Schedule::new(6, 3, None).side_by_side(4);
+/// assert_eq!((schedule.chains(), schedule.runs_of(1..2)), (2, 4..6));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Schedule {
@@ -73,13 +78,27 @@ impl Schedule {
         }
     }
 
-    /// Number of chains.
-    pub fn chains(&self) -> u64 {
-        self.points / self.length
+    /// So many runs side by side in a chain, fewer in the last one, unless they go on from each other.
+    pub fn side_by_side(self, runs: u64) -> Self {
+        let length = match self.sweep {
+            None => runs.max(1),
+            Some(_) => self.length,
+        };
+        Self { length, ..self }
     }
 
-    /// Number of runs in a chain.
-    pub fn runs_in_chain(&self) -> u64 {
+    /// Whether runs go on from where others ended.
+    pub fn carries(&self) -> bool {
+        self.sweep.is_some()
+    }
+
+    /// Number of chains.
+    pub fn chains(&self) -> u64 {
+        self.points.div_ceil(self.length)
+    }
+
+    /// Number of runs in a chain that is not cut short.
+    fn most_in_chain(&self) -> u64 {
         match self.sweep {
             Some(Sweep::Both) => 2 * self.length,
             _ => self.length,
@@ -88,19 +107,30 @@ impl Schedule {
 
     /// Number of runs.
     pub fn runs(&self) -> u64 {
-        self.chains() * self.runs_in_chain()
+        match self.sweep {
+            Some(Sweep::Both) => 2 * self.points,
+            _ => self.points,
+        }
     }
 
     /// The chain that a run is made in.
     pub fn chain_of(&self, number: u64) -> u64 {
-        number / self.runs_in_chain()
+        number / self.most_in_chain()
+    }
+
+    /// Numbers of the runs of some chains.
+    pub fn runs_of(&self, chains: Range<u64>) -> Range<u64> {
+        let first = |chain: u64| chain.saturating_mul(self.most_in_chain()).min(self.runs());
+        first(chains.start)..first(chains.end)
     }
 
     /// The runs of a chain, in order.
     pub fn chain(&self, chain: u64) -> impl Iterator<Item = Turn> + use<> {
         let Self { length, sweep, .. } = *self;
-        let first = chain * self.runs_in_chain();
-        (0..self.runs_in_chain()).map(move |place| {
+        let runs = self.runs_of(chain..chain + 1);
+        let first = runs.start;
+        runs.map(move |number| {
+            let place = number - first;
             let (offset, direction) = match sweep {
                 None => (place, Direction::Alone),
                 Some(Sweep::Down) => (length - 1 - place, Direction::Down),
@@ -108,7 +138,7 @@ impl Schedule {
                 Some(_) => (place, Direction::Up),
             };
             Turn {
-                number: first + place,
+                number,
                 point: chain * length + offset,
                 direction,
             }
@@ -133,7 +163,7 @@ impl Shard {
     };
 
     /// The chains of this part, one stretch of all of them.
-    pub fn chains(self, schedule: &Schedule) -> std::ops::Range<u64> {
+    pub fn chains(self, schedule: &Schedule) -> Range<u64> {
         let all = u128::from(schedule.chains());
         let count = u128::from(self.count.max(1));
         // no product of 64 bits each is beyond 128
