@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::{Counters, IntegrateError, Scaling, Settings, System};
+use super::{Counters, Grid, IntegrateError, Scaling, Settings, System};
 
 /// Least first guess of a step size, in units of the scaling's time.
 const LEAST_GUESS: f64 = 1e-6;
@@ -21,7 +21,25 @@ pub(super) struct Course<'a, S, const N: usize> {
     pub slack: f64,
 }
 
-impl<S, const N: usize> Course<'_, S, N> {
+impl<'a, S, const N: usize> Course<'a, S, N> {
+    /// Over a grid of times.
+    pub fn over(
+        grid: &Grid,
+        system: &'a S,
+        scaling: &'a Scaling<N>,
+        settings: &'a Settings,
+        stop: &'a AtomicBool,
+    ) -> Self {
+        Self {
+            system,
+            scaling,
+            settings,
+            stop,
+            end: grid.time(grid.count.saturating_sub(1)),
+            slack: grid.slack(),
+        }
+    }
+
     /// Whether another trial may be made of a step that starts at a time; `fault` where one from there
     /// was not finite.
     ///

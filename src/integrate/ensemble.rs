@@ -65,14 +65,8 @@ impl<'a, S: System<N>, const N: usize, const K: usize> EnsembleIntegration<'a, S
         points: usize,
         states: &mut Vec<[f64; N]>,
     ) -> Result<(), IntegrateError> {
-        let course = Course {
-            system: self.system,
-            scaling: &self.scaling,
-            settings: &self.settings,
-            stop: self.stop,
-            end: self.grid.time(self.grid.count.saturating_sub(1)),
-            slack: self.grid.slack(),
-        };
+        let (scaling, settings) = (&self.scaling, &self.settings);
+        let course = Course::over(&self.grid, self.system, scaling, settings, self.stop);
         let left = self.grid.count - self.next;
         for _ in 0..left.min(points as u64) {
             states.push(self.walk.states_at(&course, self.grid.time(self.next))?);

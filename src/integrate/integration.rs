@@ -194,14 +194,8 @@ where
 
     /// Walks with a method of this crate; a block's end is no end of a step.
     fn walk(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
-        let course = Course {
-            system: self.system,
-            scaling: &self.scaling,
-            settings: &self.settings,
-            stop: self.stop,
-            end: self.grid.time(self.grid.count.saturating_sub(1)),
-            slack: self.grid.slack(),
-        };
+        let (scaling, settings) = (&self.scaling, &self.settings);
+        let course = Course::over(&self.grid, self.system, scaling, settings, self.stop);
         let part = ((EARLY * self.settings.step_limit as f64) as u64).max(1);
         for _ in 0..points {
             let time = self.grid.time(self.next);
