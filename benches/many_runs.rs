@@ -1,5 +1,5 @@
 //! A thousand runs of the steady scene as a study, on one thread and on two, beside their bare integration, and
-//! of three scenes side by side and by themselves.
+//! of four scenes side by side and by themselves.
 
 use std::fs;
 use std::path::{Path, PathBuf};
