@@ -96,42 +96,70 @@ impl RatingLife {
     /// 1/L10r = [(Q_ei/Q_ci)^(10/3) + (Q_ee/Q_ce)^(10/3)]^(9/10)
     /// Q_ei^(10/3) = (mean of Q_i³)^(10/9)   Q_ee^(10/3) = mean of Q_o^(10/3)
     /// ```
-    #[inline]
     pub fn consumption(&self, loads: impl Iterator<Item = [f64; 2]>) -> f64 {
+        self.consumption_of(Self::powers(loads))
+    }
+
+    /// Σ Q_i³ and Σ Q_o^(10/3) over the balls.
+    #[inline]
+    pub(crate) fn powers(loads: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
         let (mut inner, mut outer) = (0.0, 0.0);
         for [load_inner, load_outer] in loads {
             inner += load_inner * load_inner * load_inner;
             outer += ten_thirds(load_outer);
         }
-        let damage = self.weights[0] * inner.powf(10.0 / 9.0) + self.weights[1] * outer;
-        damage.powf(0.9)
+        [inner, outer]
+    }
+
+    /// As [`RatingLife::consumption`], by [`RatingLife::powers`].
+    #[inline]
+    pub(crate) fn consumption_of(&self, [inner, outer]: [f64; 2]) -> f64 {
+        if inner.max(outer) < LEAST {
+            return 0.0;
+        }
+        let inner = inner / inverse_root::<9>(inner);
+        let damage = self.weights[0] * inner + self.weights[1] * outer;
+        damage * inverse_root::<10>(damage)
     }
 }
 
-/// x^(10/3) of x ≥ 0, to a few units in the last place: no ball of any sample waits for a library's root.
+/// Powers below it are less than the smallest number, or near it.
+const LEAST: f64 = 1e-100;
+
+/// x^(−1/N) of x > 0, to a few units in the last place: no sample waits for a library's power.
 ///
 /// ```text
-/// e = 1 − x y³   y ← y (1 + e/3 + 2e²/9)   x^(10/3) = x³ · x y²
+/// e = 1 − x y^N   y ← y (1 + e/N + (N + 1)/(2N²) e²)
 /// ```
 ///
-/// y is x^(−1/3), at first to a thirtieth from a third of the exponent; the error is cubed at every turn. What
-/// is no number stays none.
+/// y is at first off by some thirtieth; e is cubed at every turn. What is no number stays none.
 ///
 /// Source: Halley's iteration for a root; a start from the bits after W. Kahan's for the cube root.
 #[inline]
+fn inverse_root<const N: u32>(x: f64) -> f64 {
+    // the bits of 1, by 1 + 1/N, less what makes the largest error between powers of two least
+    const BIAS: f64 = (1023.0 - 0.043) * (1u64 << 52) as f64;
+    let [first, second] = const { [1.0 / N as f64, (N + 1) as f64 / (2 * N * N) as f64] };
+    let start = const { (BIAS * (1.0 + 1.0 / N as f64)) as u64 };
+    let mut y = f64::from_bits(start.wrapping_sub(x.to_bits() / u64::from(N)));
+    for _ in 0..3 {
+        let mut product = x;
+        for _ in 0..N {
+            product *= y;
+        }
+        let e = 1.0 - product;
+        y += y * e * (first + e * second);
+    }
+    y
+}
+
+/// x^(10/3) of x ≥ 0: `x³ · x y²` with y = x^(−1/3).
+#[inline]
 fn ten_thirds(x: f64) -> f64 {
-    // below it the power is less than the smallest number
-    const LEAST: f64 = 1e-100;
-    // the bits of 1, by 4/3, less what makes the largest error between powers of two least
-    const START: u64 = 0x553E_F0FF_289D_D796;
     if x < LEAST {
         return 0.0;
     }
-    let mut y = f64::from_bits(START.wrapping_sub(x.to_bits() / 3));
-    for _ in 0..3 {
-        let e = 1.0 - x * y * (y * y);
-        y += y * e * (1.0 / 3.0 + e * (2.0 / 9.0));
-    }
+    let y = inverse_root::<3>(x);
     x * x * x * (x * y * y)
 }
 
@@ -163,13 +191,16 @@ mod tests {
     use crate::bearing::catalogue;
 
     #[test]
-    fn the_power_of_ten_thirds_is_that_of_the_library() {
+    fn powers_are_those_of_the_library() {
         assert_eq!(ten_thirds(0.0), 0.0);
         assert!(ten_thirds(f64::NAN).is_nan() && ten_thirds(-f64::NAN).is_nan());
         for step in 0..10_000 {
             let x = 1e-20 * 1.01f64.powi(step % 6000) * (1.0 + 1e-4 * f64::from(step));
             let expected = x * x * x * x.cbrt();
             assert!((ten_thirds(x) / expected - 1.0).abs() < 2e-15, "{x}");
+            let ninth = inverse_root::<9>(x) * x.powf(1.0 / 9.0);
+            let tenth = inverse_root::<10>(x) * x.powf(0.1);
+            assert!((ninth - 1.0).abs().max((tenth - 1.0).abs()) < 2e-15, "{x}");
         }
     }
 

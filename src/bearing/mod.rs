@@ -42,6 +42,7 @@ mod support_damping;
 mod support_ensemble;
 mod support_force;
 mod support_lift_off;
+mod support_observation;
 mod support_table;
 mod table;
 mod table_ring;
@@ -73,5 +74,6 @@ pub use state::{BallLine, BearingState, FilmState, FrictionMoment, RaceContact, 
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub use support::Support;
 pub(crate) use support_ensemble::{LaneRow, SupportEnsemble};
+pub(crate) use support_observation::SupportObservation;
 pub use table::{BallRegion, TableError, TableLaw, TableReport};
 pub use thrust::Thrust;

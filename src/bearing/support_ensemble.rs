@@ -91,7 +91,7 @@ impl SupportEnsemble {
 }
 
 /// The ring of a bearing and its axial preset in m, where they know nothing but Hertz contacts.
-fn plain(support: &Support) -> Option<(&Ring<HertzLaw>, f64)> {
+pub(super) fn plain(support: &Support) -> Option<(&Ring<HertzLaw>, f64)> {
     match support.frozen {
         Some(_) => None,
         None => support.plain_ring(),

@@ -1,7 +1,7 @@
 //! Finds where balls leave and meet the inner race, and where a preload is lost.
 
 use super::{Event, EventKind};
-use crate::bearing::{BallContact, ContactBand};
+use crate::bearing::{BallContact, ContactBand, SupportObservation};
 
 /// Watches the contacts of one bearing from sample to sample.
 #[derive(Debug)]
@@ -62,6 +62,42 @@ impl ContactWatch {
                 self.watch_balls([before, now], balls, found);
                 self.watch_preload([before, now], axial_force, already, found);
             }
+        }
+    }
+
+    /// Whether nothing happens in the first so many of samples that follow the last one: every ball stays in
+    /// contact or apart, and the preload held or lost.
+    pub fn is_quiet(&self, band: ContactBand, seen: &SupportObservation, count: usize) -> bool {
+        let held = |preload: &PreloadWatch| {
+            let mut forces = (0..count).map(|lane| seen.axial_force(lane));
+            let touching = preload.touching;
+            forces.all(|force| preload.is_held_on(touching, force, band.load) == preload.held)
+        };
+        self.before.is_some()
+            && self.balls_stay(band, seen)
+            && self.preload.as_ref().is_none_or(held)
+    }
+
+    fn balls_stay(&self, band: ContactBand, seen: &SupportObservation) -> bool {
+        let lowest = seen.lowest_approach();
+        if self.balls.iter().all(|ball| ball.in_contact) {
+            return lowest.iter().all(|approach| *approach >= band.lost);
+        }
+        let mut balls = self.balls.iter().zip(seen.approaches());
+        balls.all(|(ball, approaches)| match ball.in_contact {
+            true => approaches.iter().all(|approach| *approach >= band.lost),
+            false => approaches.iter().all(|approach| *approach < band.regained),
+        })
+    }
+
+    /// Goes on to the last of samples at which nothing happens.
+    pub fn pass(&mut self, time: f64, band: ContactBand, seen: &SupportObservation, lane: usize) {
+        self.before = Some(Instant { time, band });
+        for (ball, approaches) in self.balls.iter_mut().zip(seen.approaches()) {
+            ball.approach = approaches[lane];
+        }
+        if let Some(preload) = &mut self.preload {
+            preload.axial_force = seen.axial_force(lane);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::bearing::{BallContact, Geometry, RatingLife};
+use crate::bearing::{Geometry, RatingLife};
 use crate::rotor::Sample;
 
 /// Seconds of an hour.
@@ -89,12 +89,12 @@ impl LifeSums {
         }
     }
 
-    pub fn take(&mut self, sample: &Sample, balls: &[BallContact]) {
-        let loads = balls.iter().map(|ball| [ball.load_inner, ball.load_outer]);
+    /// Takes a sample with the powers of its ball loads, as by [`RatingLife::powers`].
+    pub fn take(&mut self, sample: &Sample, powers: [f64; 2]) {
         let now = Rate {
             time: sample.time,
             angle: sample.angle,
-            consumption: self.rating.consumption(loads),
+            consumption: self.rating.consumption_of(powers),
         };
         let Some(before) = self.before.replace(now) else {
             return;
@@ -150,13 +150,7 @@ mod tests {
         let bearing = catalogue::find("6305").expect("an entry").bearing();
         let bearing = bearing.expect("a bearing");
         let rating = bearing.dynamic_rating.expect("a rating");
-        let balls = |load| {
-            [BallContact {
-                load_inner: load,
-                load_outer: load,
-                ..BallContact::default()
-            }; 7]
-        };
+        let powers = |load| RatingLife::powers([[load; 2]; 7].into_iter());
         let life =
             |load| reference_rating_life(&bearing.geometry, rating, [[load; 2]; 7].into_iter());
         let mut sums = LifeSums::new(&bearing.geometry, rating, 0.0);
@@ -167,7 +161,7 @@ mod tests {
         ] {
             for part in [0.0, 0.25, 0.7, 1.0] {
                 let [time, turns] = [0, 1].map(|k| from[k] + part * (to[k] - from[k]));
-                sums.take(&sample(time, TAU * turns), &balls(load));
+                sums.take(&sample(time, TAU * turns), powers(load));
             }
         }
         let consumed = sums.finish().expect("a life").whole_run;

@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use crate::bearing::BallContact;
-
 /// Smallest, mean and largest value of the samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
@@ -64,16 +62,25 @@ pub(super) struct LoadZoneSums {
 }
 
 impl LoadZoneSums {
-    /// Takes a sample; a ball is loaded by more than `least` in N.
-    pub fn take(&mut self, balls: &[BallContact], least: f64) {
+    /// Takes the loads of all balls at the inner race in a sample; one is loaded by more than `least` in N.
+    pub fn take(&mut self, loads: impl ExactSizeIterator<Item = f64> + Clone, least: f64) {
+        let balls = loads.len();
+        let loaded = |load: &f64| *load > least;
+        let gap = longest_row(loads.clone().map(|load| !loaded(&load)));
+        self.add(balls, loads.filter(loaded).count(), balls - gap);
+    }
+
+    /// Takes a sample in which so many balls are all loaded.
+    pub fn take_full(&mut self, balls: usize) {
+        self.add(balls, balls, balls);
+    }
+
+    fn add(&mut self, balls: usize, loaded: usize, spanned: usize) {
         let first = self.samples == 0;
-        let loaded = |ball: &BallContact| ball.load_inner > least;
-        self.balls = balls.len();
+        self.balls = balls;
         self.samples += 1;
-        self.loaded
-            .add(balls.iter().filter(|ball| loaded(ball)).count(), first);
-        let gap = longest_row(balls.iter().map(|ball| !loaded(ball)));
-        self.spanned.add(balls.len() - gap, first);
+        self.loaded.add(loaded, first);
+        self.spanned.add(spanned, first);
     }
 
     pub fn finish(self) -> Option<LoadZone> {

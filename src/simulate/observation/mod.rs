@@ -3,6 +3,7 @@
 mod contact_watch;
 mod event;
 mod history;
+mod lanes;
 mod life;
 mod load_zone;
 
@@ -14,7 +15,7 @@ pub use life::{ConsumedLife, LifeHistory};
 pub use load_zone::{LoadZone, Spread};
 
 use super::{BallParts, Model, TraceSink, Watched};
-use crate::bearing::{ContactBand, Support};
+use crate::bearing::{BallContact, ContactBand, RatingLife, Support};
 use crate::rotor::{BallContacts, Rotor, Sample};
 use contact_watch::ContactWatch;
 use event::EventCounts;
@@ -86,10 +87,20 @@ impl<'a> Observation<'a> {
         if !self.watching {
             return Ok(());
         }
+        self.watch(sample, sink)?;
         let settled = sample.time >= self.settle;
+        let least = self.contacts.least_load();
+        for (bearing, balls) in self.bearings.iter_mut().zip(self.contacts.bearings()) {
+            bearing.weigh(sample, balls, least, settled);
+        }
+        Ok(())
+    }
+
+    /// Hands on what has happened since the sample before.
+    fn watch(&mut self, sample: &Sample, sink: &mut dyn TraceSink) -> io::Result<()> {
         self.found.clear();
         for (index, bearing) in self.bearings.iter_mut().enumerate() {
-            bearing.take(index, sample, &self.contacts, settled, &mut self.found);
+            bearing.watch(index, sample, &self.contacts, &mut self.found);
         }
         self.found.sort_unstable_by(Event::order);
         self.found.iter().try_for_each(|event| sink.event(event))
@@ -125,35 +136,41 @@ impl<'a> BearingObserver<'a> {
         }
     }
 
-    fn take(
+    /// Finds what has happened to the contacts since the sample before.
+    fn watch(
         &mut self,
         index: usize,
         sample: &Sample,
         contacts: &BallContacts,
-        settled: bool,
         found: &mut Vec<Event>,
     ) {
         let balls = contacts.of_bearing(index);
+        let Some(watch) = self.watch.as_mut().filter(|_| !balls.is_empty()) else {
+            return;
+        };
+        if self.band.0 != sample.speed {
+            self.band = (sample.speed, self.support.contact_band(sample.speed));
+        }
+        let already = found.len();
+        let axial = contacts.axial_forces()[index];
+        watch.take(sample.time, self.band.1, balls, axial, found);
+        found[already..]
+            .iter()
+            .for_each(|event| self.counts.add(event));
+    }
+
+    /// Adds up what the balls bear; one is loaded by more than `least` in N.
+    fn weigh(&mut self, sample: &Sample, balls: &[BallContact], least: f64, settled: bool) {
         if balls.is_empty() {
             return;
         }
-        if let Some(watch) = &mut self.watch {
-            if self.band.0 != sample.speed {
-                self.band = (sample.speed, self.support.contact_band(sample.speed));
-            }
-            let already = found.len();
-            let axial = contacts.axial_forces()[index];
-            watch.take(sample.time, self.band.1, balls, axial, found);
-            found[already..]
-                .iter()
-                .for_each(|event| self.counts.add(event));
-        }
         if let Some(zone) = self.zone.as_mut().filter(|_| settled) {
-            zone.take(balls, contacts.least_load());
+            zone.take(balls.iter().map(|ball| ball.load_inner), least);
         }
         let lives = settled || self.parts.early_life;
         if let Some(life) = self.life.as_mut().filter(|_| lives) {
-            life.take(sample, balls);
+            let loads = balls.iter().map(|ball| [ball.load_inner, ball.load_outer]);
+            life.take(sample, RatingLife::powers(loads));
         }
     }
 }

@@ -72,6 +72,10 @@ impl TraceSink for Gathered {
         }
     }
 
+    fn takes_balls(&self) -> bool {
+        false
+    }
+
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         self.largest_ball_load.take(sample);
         if let Some(end) = &mut self.end {

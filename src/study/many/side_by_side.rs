@@ -107,6 +107,10 @@ impl TraceSink for Unseen {
         f64::INFINITY
     }
 
+    fn takes_balls(&self) -> bool {
+        false
+    }
+
     fn sample(&mut self, _sample: &Sample) -> std::io::Result<()> {
         Ok(())
     }
