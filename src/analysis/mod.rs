@@ -28,9 +28,9 @@ pub use estimation::{
 pub use leakage::{Leak, leak};
 pub use line_kind::LineKind;
 pub use motion::{
-    ChannelStatistics, ClosedCurve, Drift, DriftRecorder, Kind, LONGEST_PERIOD, Moments, Motion,
-    MotionParts, MotionRecorder, MotionSettings, PoincarePoint, Recognition, Section, SectionKind,
-    Series, VELOCITY_BAND, VelocityLevel, closed_curve, recognise, velocity_level, zero_one_test,
+    ChannelStatistics, ClosedCurve, Drift, Kind, LONGEST_PERIOD, Moments, Motion, MotionParts,
+    MotionRecorder, MotionSettings, PoincarePoint, Recognition, Section, SectionKind, Series,
+    VELOCITY_BAND, VelocityLevel, closed_curve, recognise, velocity_level, zero_one_test,
 };
 pub use peaks::{MOST_PEAKS, Peak};
 pub use recorder::{Analysis, Recorder};

@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::rotor::{FREEDOMS, Sample};
+use super::row::{MOST, Row};
+use crate::rotor::FREEDOMS;
 
 /// A motion whose statistics move by less than this part of it has settled.
 pub const SETTLED: f64 = 0.02;
@@ -30,12 +31,12 @@ impl Drift {
     }
 }
 
-/// Takes samples of the freedoms over a window of known ends.
+/// Takes samples of the freedoms at equal times over a window of known ends.
 ///
 /// Mean and RMS of each third are weighted by a Hann window over it, so that a vibration of no whole
 /// number of periods in a third does not move them.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DriftRecorder {
+pub(super) struct DriftRecorder {
     start: f64,
     third: f64,
     /// Where the sums count from.
@@ -55,21 +56,43 @@ impl DriftRecorder {
         }
     }
 
-    /// Takes one sample.
-    pub fn record(&mut self, sample: &Sample) {
-        let origin = *self.origin.get_or_insert(sample.displacement);
-        let place = (sample.time - self.start) / self.third;
-        let sums = match place.floor() as i64 {
-            1 => &mut self.sums[0],
-            2 => &mut self.sums[1],
-            _ => return,
+    /// Takes the samples of a row.
+    pub fn record(&mut self, row: &Row) {
+        let times = row.times();
+        let [Some(first), Some(last)] = [times.first(), times.last()] else {
+            return;
         };
-        let weight = 0.5 - 0.5 * (TAU * place).cos();
-        sums.0 += weight;
-        for (axis, [first, second]) in sums.1.iter_mut().enumerate() {
-            let value = sample.displacement[axis] - origin[axis];
-            *first += weight * value;
-            *second += weight * value * value;
+        let origin = std::array::from_fn(|axis| row.displacements(axis)[0]);
+        self.origin.get_or_insert(origin);
+        let (start, third) = (self.start, self.third);
+        let place = |time: f64| (time - start) / third;
+        let ends = [1.0, 2.0, 3.0].map(|end| times.partition_point(|time| place(*time) < end));
+        let step = (place(*last) - place(*first)) / (times.len() - 1).max(1) as f64;
+        let mut weights = [0.0; MOST];
+        for part in 0..2 {
+            let inside = ends[part]..ends[part + 1];
+            if inside.is_empty() {
+                continue;
+            }
+            let weights = &mut weights[..inside.len()];
+            hann(place(times[inside.start]), step, weights);
+            self.add(part, weights, |axis| {
+                &row.displacements(axis)[inside.clone()]
+            });
+        }
+    }
+
+    /// Adds values of all freedoms under their weights.
+    fn add<'a>(&mut self, part: usize, weights: &[f64], of: impl Fn(usize) -> &'a [f64]) {
+        let Some(origin) = self.origin else { return };
+        let (sum, freedoms) = &mut self.sums[part];
+        *sum += weights.iter().sum::<f64>();
+        for (axis, [first, second]) in freedoms.iter_mut().enumerate() {
+            for (weight, value) in weights.iter().zip(of(axis)) {
+                let value = value - origin[axis];
+                *first += weight * value;
+                *second += weight * value * value;
+            }
         }
     }
 
@@ -94,5 +117,35 @@ impl DriftRecorder {
             }
         });
         drifts.max_by(|a, b| a.largest().total_cmp(&b.largest()))
+    }
+}
+
+/// A Hann window of whole turns at places so many turns apart: its phase is turned from one to the next.
+fn hann(place: f64, step: f64, weights: &mut [f64]) {
+    let [(mut sin, mut cos), (turn_sin, turn_cos)] =
+        [place, step].map(|turns| (TAU * turns).sin_cos());
+    for weight in weights {
+        *weight = 0.5 - 0.5 * cos;
+        (sin, cos) = (
+            sin * turn_cos + cos * turn_sin,
+            cos * turn_cos - sin * turn_sin,
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn weights_of_a_row_are_those_of_the_window() {
+        let mut weights = [0.0; MOST];
+        hann(1.37, 7e-3, &mut weights);
+        for (index, weight) in weights.iter().enumerate() {
+            let expected = (std::f64::consts::PI * (1.37 + 7e-3 * index as f64))
+                .sin()
+                .powi(2);
+            assert!((weight - expected).abs() < 1e-14, "{index}");
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Values between samples that come with their rates.
 
-/// Value at `place` of the polynomial through values and slopes at whole places `first`, `first` + 1, …
+/// The polynomial through values and slopes at whole places `first`, `first` + 1, …, seen at one place: the same
+/// weights serve every quantity that is known there.
 ///
 /// ```text
 /// p(s) = Σ_i [1 − 2 l_i'(i)(s − i)] l_i(s)² f_i + (s − i) l_i(s)² f_i'
@@ -11,19 +12,34 @@
 ///
 /// Source: Hermite's interpolation, e.g. Stoer & Bulirsch, *Introduction to Numerical Analysis*, 3rd ed.
 /// (2002), section 2.1.5.
-pub fn hermite(first: usize, values: &[f64], slopes: &[f64], place: f64) -> f64 {
-    let at = |index: usize| (first + index) as f64;
-    let mut sum = 0.0;
-    for (i, (value, slope)) in values.iter().zip(slopes).enumerate() {
-        let (mut lagrange, mut rate) = (1.0, 0.0);
-        for j in (0..values.len()).filter(|j| *j != i) {
-            lagrange *= (place - at(j)) / (at(i) - at(j));
-            rate += 1.0 / (at(i) - at(j));
-        }
-        let (square, distance) = (lagrange * lagrange, place - at(i));
-        sum += square * ((1.0 - 2.0 * rate * distance) * value + distance * slope);
+pub struct Hermite<const K: usize> {
+    /// Of every value and its slope.
+    weights: [[f64; 2]; K],
+}
+
+impl<const K: usize> Hermite<K> {
+    pub fn new(first: usize, place: f64) -> Self {
+        let at = |index: usize| (first + index) as f64;
+        let weights = std::array::from_fn(|i| {
+            let (mut lagrange, mut rate) = (1.0, 0.0);
+            for j in (0..K).filter(|j| *j != i) {
+                lagrange *= (place - at(j)) / (at(i) - at(j));
+                rate += 1.0 / (at(i) - at(j));
+            }
+            let (square, distance) = (lagrange * lagrange, place - at(i));
+            [square * (1.0 - 2.0 * rate * distance), square * distance]
+        });
+        Self { weights }
     }
-    sum
+
+    /// Value of the polynomial through these at the place.
+    pub fn value(&self, values: [f64; K], slopes: [f64; K]) -> f64 {
+        let mut sum = 0.0;
+        for (i, [own, by_slope]) in self.weights.iter().enumerate() {
+            sum += own * values[i] + by_slope * slopes[i];
+        }
+        sum
+    }
 }
 
 #[cfg(test)]
@@ -36,7 +52,7 @@ mod tests {
         let slope = |s: f64| 1.0 - 1.2 * s.powi(3) + 0.07 * s.powi(6);
         let places = [0.0, 1.0, 2.0, 3.0];
         for place in [1.0, 1.25, 1.5, 2.0] {
-            let found = hermite(0, &places.map(value), &places.map(slope), place);
+            let found = Hermite::new(0, place).value(places.map(value), places.map(slope));
             assert!((found - value(place)).abs() < 1e-14, "{place}: {found}");
         }
     }
@@ -50,8 +66,8 @@ mod tests {
             let bound = (9.0f64 / 16.0).powi(2) * step.powi(8) / 40_320.0;
             for part in 0..=10 {
                 let place = 1.0 + 0.1 * f64::from(part);
-                let error =
-                    hermite(0, &places.map(value), &places.map(slope), place) - value(place);
+                let found = Hermite::new(0, place).value(places.map(value), places.map(slope));
+                let error = found - value(place);
                 assert!(
                     error.abs() <= bound + 1e-15,
                     "{step} {place}: {error:e} of {bound:e}"

@@ -9,12 +9,13 @@ mod moments;
 mod parts;
 mod period;
 mod recorder;
+mod row;
 mod section;
 mod velocity;
 
 pub use chaos::zero_one_test;
 pub use closed_curve::{ClosedCurve, closed_curve};
-pub use drift::{Drift, DriftRecorder};
+pub use drift::Drift;
 pub use moments::Moments;
 pub use parts::MotionParts;
 pub use period::{Kind, LONGEST_PERIOD, Recognition, Series, recognise};

@@ -1,19 +1,21 @@
 //! Mean, spread and shape of a signal, one value at a time.
 
+/// Values that are summed side by side.
+const LANES: usize = 4;
+
 /// Moments of the values taken so far.
 ///
-/// Updated value by value without cancellation.
+/// Those of a row are found about its own mean, and added to those of all rows before without cancellation.
 ///
 /// Source: P. Pébay, *Formulas for robust, one-pass parallel computation of covariances and
-/// arbitrary-order statistical moments*, Sandia report SAND2008-6212 (2008), eq. 2.1–2.4 for single
-/// values.
+/// arbitrary-order statistical moments*, Sandia report SAND2008-6212 (2008), eq. 2.1 and 3.1.
 ///
 /// ```
 /// use jeffcott::analysis::Moments;
+/// let sine = |n| 5.0 + 2.0 * (std::f64::consts::TAU * f64::from(n) / 1000.0).cos();
 /// let mut moments = Moments::default();
-/// for n in 0..1000 {
-///     moments.take(5.0 + 2.0 * (std::f64::consts::TAU * f64::from(n) / 1000.0).cos());
-/// }
+/// moments.take(&(0..700).map(sine).collect::<Vec<_>>());
+/// moments.take(&(700..1000).map(sine).collect::<Vec<_>>());
 /// // a sine: RMS 2/√2, crest factor √2, kurtosis 3/2
 /// assert!((moments.mean() - 5.0).abs() < 1e-12);
 /// assert!((moments.rms() - 2f64.sqrt()).abs() < 1e-12);
@@ -43,46 +45,63 @@ impl Default for Moments {
 }
 
 impl Moments {
-    /// Takes a value.
-    pub fn take(&mut self, value: f64) {
-        let before = self.count;
-        self.count += 1.0;
-        let n = self.count;
-        let delta = value - self.mean;
-        let part = delta / n;
-        let square = part * part;
-        let term = delta * part * before;
-        let [second, third, fourth] = self.powers;
-        self.mean += part;
-        self.powers = [
-            second + term,
-            third + term * part * (n - 2.0) - 3.0 * part * second,
-            fourth + term * square * (n * n - 3.0 * n + 3.0) + 6.0 * square * second
-                - 4.0 * part * third,
-        ];
-        self.lowest = self.lowest.min(value);
-        self.highest = self.highest.max(value);
+    /// Takes a row of values.
+    pub fn take(&mut self, values: &[f64]) {
+        let mean = mean(values);
+        let powers = sums(values, |value| {
+            let distance = value - mean;
+            let square = distance * distance;
+            [square, square * distance, square * square]
+        });
+        self.add(&Self::of(values, mean, powers));
     }
 
-    /// Takes a value without its part in the shape: mean, RMS and extremes are those of [`Moments::take`], bit
-    /// by bit, and the kurtosis means nothing.
-    pub fn take_plainly(&mut self, value: f64) {
-        let before = self.count;
-        self.count += 1.0;
-        let delta = value - self.mean;
-        let part = delta / self.count;
-        self.mean += part;
-        self.powers[0] += delta * part * before;
-        self.lowest = if value < self.lowest {
-            value
-        } else {
-            self.lowest
-        };
-        self.highest = if value > self.highest {
-            value
-        } else {
-            self.highest
-        };
+    /// Takes a row of values without its part in the shape: mean, RMS and extremes are those of
+    /// [`Moments::take`], bit by bit, and the kurtosis means nothing.
+    pub fn take_plainly(&mut self, values: &[f64]) {
+        let mean = mean(values);
+        let [second] = sums(values, |value| [(value - mean) * (value - mean)]);
+        self.add(&Self::of(values, mean, [second, 0.0, 0.0]));
+    }
+
+    fn of(values: &[f64], mean: f64, powers: [f64; 3]) -> Self {
+        let [lowest, highest] = extremes(values);
+        Self {
+            count: values.len() as f64,
+            mean,
+            powers,
+            lowest,
+            highest,
+        }
+    }
+
+    /// Adds the moments of other values.
+    fn add(&mut self, other: &Self) {
+        let (a, b) = (self.count, other.count);
+        let n = a + b;
+        if b == 0.0 {
+            return;
+        }
+        let delta = other.mean - self.mean;
+        let part = delta / n;
+        let square = part * part;
+        let ([second, third, fourth], [own, own_third, own_fourth]) = (other.powers, self.powers);
+        self.powers = [
+            own + second + delta * part * a * b,
+            own_third
+                + third
+                + delta * square * a * b * (a - b)
+                + 3.0 * part * (a * second - b * own),
+            own_fourth
+                + fourth
+                + delta * part * square * a * b * (a * a - a * b + b * b)
+                + 6.0 * square * (a * a * second + b * b * own)
+                + 4.0 * part * (a * third - b * own_third),
+        ];
+        self.count = n;
+        self.mean += part * b;
+        self.lowest = self.lowest.min(other.lowest);
+        self.highest = self.highest.max(other.highest);
     }
 
     /// Mean; zero of no values.
@@ -123,22 +142,112 @@ impl Moments {
     }
 }
 
+/// Mean; zero of no values.
+fn mean(values: &[f64]) -> f64 {
+    let [sum] = sums(values, |value| [value]);
+    sum / values.len().max(1) as f64
+}
+
+/// Sums of what every value gives, a few values side by side.
+#[inline]
+fn sums<const K: usize>(values: &[f64], of: impl Fn(f64) -> [f64; K]) -> [f64; K] {
+    let (rows, rest) = values.as_chunks::<LANES>();
+    let mut sums = [[0.0; LANES]; K];
+    for row in rows {
+        for (lane, value) in row.iter().enumerate() {
+            for (sum, part) in sums.iter_mut().zip(of(*value)) {
+                sum[lane] += part;
+            }
+        }
+    }
+    let mut total = sums.map(|[a, b, c, d]| (a + b) + (c + d));
+    for value in rest {
+        for (total, part) in total.iter_mut().zip(of(*value)) {
+            *total += part;
+        }
+    }
+    total
+}
+
+/// Lowest and highest value, a few values side by side.
+fn extremes(values: &[f64]) -> [f64; 2] {
+    let (rows, rest) = values.as_chunks::<LANES>();
+    let (mut lowest, mut highest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
+    for row in rows {
+        for lane in 0..LANES {
+            let value = row[lane];
+            lowest[lane] = if value < lowest[lane] {
+                value
+            } else {
+                lowest[lane]
+            };
+            highest[lane] = if value > highest[lane] {
+                value
+            } else {
+                highest[lane]
+            };
+        }
+    }
+    let ends = |from: f64, values: &[f64], pick: fn(f64, f64) -> f64| {
+        values.iter().chain(rest).copied().fold(from, pick)
+    };
+    [
+        ends(f64::INFINITY, &lowest, f64::min),
+        ends(f64::NEG_INFINITY, &highest, f64::max),
+    ]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn values() -> Vec<f64> {
+        let value = |n| 1e-3 + (0.37 * f64::from(n)).sin().powi(3);
+        (0..1003).map(value).collect()
+    }
+
     #[test]
     fn values_taken_plainly_have_the_same_mean_spread_and_extremes() {
         let (mut whole, mut plain) = (Moments::default(), Moments::default());
-        for n in 0..1000 {
-            let value = 1e-3 + (0.37 * f64::from(n)).sin().powi(3);
-            whole.take(value);
-            plain.take_plainly(value);
+        for row in values().chunks(64) {
+            whole.take(row);
+            plain.take_plainly(row);
         }
         let of = |moments: &Moments| {
             let extremes = [moments.peak(), moments.peak_to_peak()];
             ([moments.mean(), moments.rms()], extremes)
         };
         assert_eq!(of(&whole), of(&plain));
+    }
+
+    #[test]
+    fn moments_of_rows_are_those_of_all_values_at_once() {
+        let values = values();
+        let count = values.len() as f64;
+        let mean = values.iter().sum::<f64>() / count;
+        let power = |n: i32| {
+            let powers = values.iter().map(|value| (value - mean).powi(n));
+            powers.sum::<f64>() / count
+        };
+        for length in [1, 3, 64, 2000] {
+            let mut moments = Moments::default();
+            for row in values.chunks(length) {
+                moments.take(row);
+            }
+            assert!((moments.mean() - mean).abs() < 1e-15, "{length}");
+            assert!((moments.rms() - power(2).sqrt()).abs() < 1e-14, "{length}");
+            let kurtosis = moments.kurtosis().expect("a vibration");
+            let expected = power(4) / power(2).powi(2);
+            assert!((kurtosis - expected).abs() < 1e-13, "{length}: {kurtosis}");
+            let highest = values.iter().copied().fold(0.0, f64::max);
+            assert_eq!(moments.highest, highest);
+        }
+    }
+
+    #[test]
+    fn a_row_of_nothing_changes_nothing() {
+        let mut moments = Moments::default();
+        moments.take(&[]);
+        assert_eq!(moments, Moments::default());
     }
 }

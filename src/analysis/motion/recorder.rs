@@ -6,6 +6,7 @@ use super::drift::{Drift, DriftRecorder};
 use super::moments::Moments;
 use super::parts::MotionParts;
 use super::period::{Kind, Recognition, Series, recognise};
+use super::row::Row;
 use super::section::{PoincarePoint, Section, SectionKind};
 use super::velocity::{VelocityLevel, velocity_level};
 use crate::analysis::Channel;
@@ -47,12 +48,11 @@ pub struct ChannelStatistics {
 }
 
 impl ChannelStatistics {
-    #[inline]
-    fn take(&mut self, value: f64, kurtosis: bool) {
+    fn take(&mut self, values: &[f64], kurtosis: bool) {
         if kurtosis {
-            self.moments.take(value);
+            self.moments.take(values);
         } else {
-            self.moments.take_plainly(value);
+            self.moments.take_plainly(values);
         }
     }
 }
@@ -94,6 +94,8 @@ pub struct MotionRecorder {
     sections: Vec<Section>,
     orbit: VecDeque<[f64; 2]>,
     times: Option<[f64; 2]>,
+    /// Samples that are still to be taken.
+    row: Row,
 }
 
 impl MotionRecorder {
@@ -129,6 +131,7 @@ impl MotionRecorder {
                 .collect(),
             orbit: VecDeque::new(),
             times: None,
+            row: Row::new(),
             settings,
         }
     }
@@ -138,46 +141,52 @@ impl MotionRecorder {
         if sample.time < self.settings.start {
             return;
         }
-        let first = self.times.map_or(sample.time, |[first, _]| first);
-        self.times = Some([first, sample.time]);
-        let parts = self.settings.parts;
-        let (displacements, forces) = self.statistics.split_at_mut(self.freedoms);
-        for (each, value) in displacements.iter_mut().zip(sample.displacement) {
-            each.take(value, parts.kurtosis);
-        }
-        for (each, value) in forces.iter_mut().zip(sample.force_on_shaft) {
-            each.take(value, parts.kurtosis);
-        }
-        if parts.kind {
-            let rates = &mut self.rates[..self.freedoms];
-            for (rate, velocity) in rates.iter_mut().zip(sample.velocity) {
-                rate.take_plainly(velocity);
-            }
-        }
-        for (kept, velocity) in self.velocity.iter_mut().zip(sample.velocity) {
-            kept.push(velocity);
-        }
-        if let Some(drift) = &mut self.drift {
-            drift.record(sample);
-        }
-        for section in &mut self.sections {
-            section.record(sample);
-        }
-        if parts.orbit {
-            self.record_orbit(sample);
+        self.row.push(sample);
+        if self.row.is_full() {
+            self.take_row();
         }
     }
 
-    fn record_orbit(&mut self, sample: &Sample) {
-        if self.orbit.len() == ORBIT {
-            self.orbit.pop_front();
+    /// Takes the samples of the row that no row before has had.
+    fn take_row(&mut self) {
+        let (row, parts) = (&self.row, self.settings.parts);
+        if let [Some(first), Some(last)] = [row.times().first(), row.times().last()] {
+            let first = self.times.map_or(*first, |[first, _]| first);
+            self.times = Some([first, *last]);
         }
-        let [x, y, ..] = sample.displacement;
-        self.orbit.push_back([x, y]);
+        let (displacements, forces) = self.statistics.split_at_mut(self.freedoms);
+        for (axis, each) in displacements.iter_mut().enumerate() {
+            each.take(row.displacements(axis), parts.kurtosis);
+        }
+        for (axis, each) in forces.iter_mut().enumerate() {
+            each.take(row.forces(axis), parts.kurtosis);
+        }
+        if parts.kind {
+            for (axis, rate) in self.rates[..self.freedoms].iter_mut().enumerate() {
+                rate.take_plainly(row.velocities(axis));
+            }
+        }
+        for (axis, kept) in self.velocity.iter_mut().enumerate() {
+            kept.extend_from_slice(row.velocities(axis));
+        }
+        if let Some(drift) = &mut self.drift {
+            drift.record(row);
+        }
+        for section in &mut self.sections {
+            section.record(row);
+        }
+        if parts.orbit {
+            let places = row.displacements(0).iter().zip(row.displacements(1));
+            self.orbit.extend(places.map(|(x, y)| [*x, *y]));
+            let beyond = self.orbit.len().saturating_sub(ORBIT);
+            self.orbit.drain(..beyond);
+        }
+        self.row.go_on();
     }
 
     /// What the motion is like; none without samples.
-    pub fn finish(self) -> Option<Motion> {
+    pub fn finish(mut self) -> Option<Motion> {
+        self.take_row();
         let [start, end] = self.times?;
         let [place, rate] = self.scales();
         let resting = place <= REST * self.largest_mean();

@@ -1,15 +1,15 @@
 //! Points of a motion at equal phases of what drives it: Poincaré sections.
 
 use std::array;
-use std::collections::VecDeque;
 use std::f64::consts::TAU;
 use std::fmt;
 
-use super::hermite::hermite;
-use crate::rotor::{FREEDOMS, Sample};
+use super::hermite::Hermite;
+use super::row::{OVERLAP, Row};
+use crate::rotor::FREEDOMS;
 
 /// Samples that a point is interpolated between.
-const NODES: usize = 4;
+const NODES: usize = OVERLAP + 1;
 /// Part of a cycle by which a sample may miss a point and still be it.
 const ON_THE_SPOT: f64 = 1e-9;
 
@@ -60,19 +60,25 @@ pub struct Section {
     /// Largest difference of a displacement from that through three samples only, m and rad by freedom:
     /// more than the error of the interpolation.
     pub interpolation: [f64; FREEDOMS],
-    nodes: VecDeque<Node>,
 }
 
 /// What is interpolated between.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 struct Node {
-    /// Cycles since the start.
-    phase: f64,
-    /// Whole ones among them.
-    cycles: f64,
     time: f64,
     displacement: [f64; FREEDOMS],
     velocity: [f64; FREEDOMS],
+}
+
+impl Node {
+    fn of(row: &Row, index: usize) -> Self {
+        let (time, [displacement, velocity]) = row.at(index);
+        Self {
+            time,
+            displacement,
+            velocity,
+        }
+    }
 }
 
 impl Section {
@@ -83,50 +89,40 @@ impl Section {
             order,
             points: Vec::new(),
             interpolation: [0.0; FREEDOMS],
-            nodes: VecDeque::with_capacity(NODES + 1),
         }
     }
 
-    /// Takes one sample.
-    pub fn record(&mut self, sample: &Sample) {
-        let phase = self.order * sample.angle / TAU + ON_THE_SPOT;
-        self.nodes.push_back(Node {
-            phase,
-            cycles: phase.floor(),
-            time: sample.time,
-            displacement: sample.displacement,
-            velocity: sample.velocity,
-        });
-        if self.nodes.len() > NODES {
-            self.nodes.pop_front();
+    /// Takes the samples of a row, and finds the points that at least one of them stands behind.
+    pub(super) fn record(&mut self, row: &Row) {
+        let (angles, order) = (row.angles(), self.order);
+        let phase = |index: usize| order * angles[index] / TAU + ON_THE_SPOT;
+        // the interval before the last sample waits for the next one
+        let first = row.overlap().max(OVERLAP) - 2;
+        let intervals = first..angles.len().saturating_sub(2);
+        if intervals.is_empty() {
+            return;
         }
-        if self.nodes.len() == NODES {
-            self.look();
-        }
-    }
-
-    /// Looks for points after the second and up to the third of four samples.
-    fn look(&mut self) {
-        let [from, to] = [&self.nodes[1], &self.nodes[2]];
-        let [before, after] = [from.phase, to.phase];
-        let (mut number, last) = (from.cycles + 1.0, to.cycles);
-        while number <= last {
-            let part = ((number - before) / (after - before)).min(1.0);
-            let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;
-            self.add(number as u64, if missed { 1.0 } else { part });
-            number += 1.0;
+        let mut number = phase(first).floor() + 1.0;
+        for index in intervals {
+            let [before, after] = [phase(index), phase(index + 1)];
+            while number <= after {
+                let part = ((number - before) / (after - before)).min(1.0);
+                let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;
+                let nodes = array::from_fn(|node| Node::of(row, index - 1 + node));
+                self.add(&nodes, number as u64, if missed { 1.0 } else { part });
+                number += 1.0;
+            }
         }
     }
 
     /// Adds the point at a part of the way from the second to the third sample.
-    fn add(&mut self, number: u64, part: f64) {
-        let [before, after] = [&self.nodes[1], &self.nodes[2]];
+    fn add(&mut self, nodes: &[Node; NODES], number: u64, part: f64) {
+        let [_, before, after, _] = nodes;
         if part == 1.0 {
             let Node {
                 time,
                 displacement,
                 velocity,
-                ..
             } = *after;
             self.points.push(PoincarePoint {
                 number,
@@ -143,21 +139,22 @@ impl Section {
             displacement: [0.0; FREEDOMS],
             velocity: [0.0; FREEDOMS],
         };
+        let place = 1.0 + part;
+        let [at, later, earlier] =
+            [place, place + SLOPE, place - SLOPE].map(|place| Hermite::<NODES>::new(0, place));
+        let fewer = Hermite::<{ NODES - 1 }>::new(1, place);
         for axis in 0..FREEDOMS {
-            let node = |index: usize| &self.nodes[index];
-            let values: [f64; NODES] = array::from_fn(|index| node(index).displacement[axis]);
-            let rates: [f64; NODES] = array::from_fn(|index| node(index).velocity[axis] * interval);
+            let values = nodes.map(|node| node.displacement[axis]);
+            let rates = nodes.map(|node| node.velocity[axis] * interval);
             // a freedom that is held stays where it is
             if values == [0.0; NODES] && rates == values {
                 continue;
             }
-            let place = 1.0 + part;
-            let at = |place: f64| hermite(0, &values, &rates, place);
-            point.displacement[axis] = at(place);
-            point.velocity[axis] =
-                (at(place + SLOPE) - at(place - SLOPE)) / (2.0 * SLOPE * interval);
-            let fewer = hermite(1, &values[1..], &rates[1..], place);
-            let difference = (fewer - point.displacement[axis]).abs();
+            point.displacement[axis] = at.value(values, rates);
+            point.velocity[axis] = (later.value(values, rates) - earlier.value(values, rates))
+                / (2.0 * SLOPE * interval);
+            let ([_, values @ ..], [_, rates @ ..]) = (values, rates);
+            let difference = (fewer.value(values, rates) - point.displacement[axis]).abs();
             self.interpolation[axis] = self.interpolation[axis].max(difference);
         }
         self.points.push(point);
