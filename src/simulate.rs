@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use nalgebra::Const;
 
-pub use analyses::{Analyses, BallParts, Maps, Watched};
+pub use analyses::{Analyses, BallParts, Maps, SpectrumLines, Watched};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
 pub use ensemble::{SIDE_BY_SIDE, may_go_side_by_side, pays_side_by_side, simulate_side_by_side};
@@ -219,7 +219,7 @@ fn answer(
     let mut warnings = warnings::warnings(model, rotor, &outcome, motion.as_ref());
     let speed_changes = rotor.steady_from(model.settle).is_none();
     let whole = spectrum.as_ref();
-    let whole = whole.filter(|_| model.analyses.highest_order.is_none());
+    let whole = whole.filter(|_| model.analyses.lines == SpectrumLines::All);
     warnings.extend(spectra::warnings(whole, &estimated, speed_changes));
     Run {
         equilibrium: StaticState::of(rotor),

@@ -7,6 +7,7 @@ mod estimation;
 mod leakage;
 mod line_kind;
 mod motion;
+mod order_sums;
 mod peaks;
 mod recorder;
 mod run_up;

@@ -1,5 +1,6 @@
 //! Collects the samples of a run and turns them into spectra at its end.
 
+use super::order_sums::OrderSums;
 use super::peaks::peaks;
 use super::side_by_side::{Threads, side_by_side};
 use super::transform::plan;
@@ -111,12 +112,20 @@ impl Recorder {
 
     /// Takes one sample; those before the settle time are dropped.
     pub fn record(&mut self, sample: &Sample) {
-        if sample.time < self.settle {
+        self.record_all(std::slice::from_ref(sample));
+    }
+
+    /// Takes samples that follow each other; those before the settle time are dropped.
+    pub fn record_all(&mut self, samples: &[Sample]) {
+        let settled = samples.partition_point(|sample| sample.time < self.settle);
+        let samples = &samples[settled..];
+        let Some(first) = samples.first() else {
             return;
-        }
-        self.start.get_or_insert(sample.time);
+        };
+        self.start.get_or_insert(first.time);
         for (channel, values) in &mut self.channels {
-            values.extend(channel.of(sample));
+            values.reserve(samples.len());
+            values.extend(samples.iter().filter_map(|sample| channel.of(sample)));
         }
     }
 
@@ -171,6 +180,29 @@ impl Recorder {
                 phase: Vec::new(),
             });
         }
+        Some(spectrum)
+    }
+
+    /// Amplitudes at the first multiples of the shaft's frequency alone: the spectrum of the mean revolution,
+    /// whose bins are the orders of the shaft. On a free grid of time, or under a window that is not
+    /// rectangular, all amplitudes up to there. `None` as by [`Recorder::finish`].
+    pub fn finish_orders(self, window: Window, highest: u32) -> Option<Spectrum> {
+        if self.block == 1 || window != Window::Rectangular {
+            // round-off may put the bin of an order just beyond it
+            return self.finish_lines(window, f64::from(highest) * (1.0 + 1e-9));
+        }
+        let (mut spectrum, skipped) = self.frame(window)?;
+        let sums = OrderSums::new(self.block, highest);
+        spectrum.resolution = spectrum.shaft_frequency;
+        spectrum.channels.extend(
+            self.channels
+                .iter()
+                .map(|(channel, values)| ChannelSpectrum {
+                    channel: *channel,
+                    amplitude: sums.amplitudes(&values[skipped..]),
+                    phase: Vec::new(),
+                }),
+        );
         Some(spectrum)
     }
 

@@ -40,10 +40,23 @@ pub struct Analyses {
     pub maps: bool,
     /// What is looked at of the bearings at every sample.
     pub watched: Watched,
-    /// Of the spectra the amplitudes of the displacements alone, up to this order of the shaft.
-    pub highest_order: Option<f64>,
+    /// Which lines of the spectra are found.
+    pub lines: SpectrumLines,
     /// Threads that the spectra may take.
     pub threads: Threads,
+}
+
+/// Which lines of the spectra of a run are found; by default all of them.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum SpectrumLines {
+    /// All of displacements and forces with their phases, and their peaks.
+    #[default]
+    All,
+    /// Amplitudes of the displacements alone, up to an order of the shaft.
+    UpTo(f64),
+    /// Amplitudes of the displacements at the first so many multiples of the shaft's frequency; on a free grid of
+    /// time, or under a window, all up to there.
+    Orders(u32),
 }
 
 /// What is looked at of the bearings at every sample; what is not is zero in the samples.

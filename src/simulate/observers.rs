@@ -130,12 +130,12 @@ impl<'a> Observers<'a> {
 
     /// Shows the samples found last, with their states, to those who know nothing of the bearings.
     fn record<S: Moving<N>, const N: usize>(&mut self, system: &S, states: &[[f64; N]]) {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.record_all(&self.samples);
+        }
         for (sample, state) in self.samples.iter().zip(states) {
             self.audit.sample(sample);
             self.tables.sample(system.rotor(), sample);
-            if let Some(recorder) = &mut self.recorder {
-                recorder.record(sample);
-            }
             self.recorders.record(sample);
             let recording = self.recording.as_mut();
             if let Some(recording) = recording.filter(|all| all.takes(sample.time)) {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Model, Sampling, SimulateError};
+use super::{Model, Sampling, SimulateError, SpectrumLines};
 use crate::analysis::{
     Analysis, BearingFrequencies, Recorder, Recording, SampleGrid, Sources, causes,
 };
@@ -40,9 +40,9 @@ pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
         None => Recorder::on_time_grid(kept, settle, shaft, rate),
     };
     let recorder = recorder.on_threads(model.analyses.threads);
-    match model.analyses.highest_order {
-        Some(_) => recorder.of_displacements(),
-        None => recorder,
+    match model.analyses.lines {
+        SpectrumLines::All => recorder,
+        SpectrumLines::UpTo(_) | SpectrumLines::Orders(_) => recorder.of_displacements(),
     }
 }
 
@@ -92,7 +92,7 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
 /// Ball-pass frequencies at the operating contact angles of the static equilibrium, at the reported
 /// speed; none without spectra and their peaks.
 pub(super) fn operating_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
-    if model.spectrum.is_none() || model.analyses.highest_order.is_some() {
+    if model.spectrum.is_none() || model.analyses.lines != SpectrumLines::All {
         return Vec::new();
     }
     let speed = reported_speed(model, rotor);
@@ -122,12 +122,13 @@ pub(super) fn analyse(
     recorder: Option<Recorder>,
 ) -> Option<Analysis> {
     let (recorder, window) = recorder.zip(model.spectrum)?;
-    if let Some(order) = model.analyses.highest_order {
-        let spectrum = recorder.finish_lines(window, order)?;
-        let peaks = Vec::new();
-        return Some(Analysis { spectrum, peaks });
-    }
-    recorder.finish(window, &causes(&sources(model, rotor)))
+    let spectrum = match model.analyses.lines {
+        SpectrumLines::All => return recorder.finish(window, &causes(&sources(model, rotor))),
+        SpectrumLines::UpTo(order) => recorder.finish_lines(window, order)?,
+        SpectrumLines::Orders(highest) => recorder.finish_orders(window, highest)?,
+    };
+    let peaks = Vec::new();
+    Some(Analysis { spectrum, peaks })
 }
 
 /// What makes lines: nothing that turns where the speed changes.

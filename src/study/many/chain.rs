@@ -10,7 +10,8 @@ use super::{Keep, Pilots, Schedule, Section, Turn};
 use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum, Threads};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
-    BallParts, Model, Monitor, SimulateError, StaticState, TraceSink, Watched, simulate,
+    BallParts, Model, Monitor, SimulateError, SpectrumLines, StaticState, TraceSink, Watched,
+    simulate,
 };
 use crate::study::plan::Plan;
 
@@ -97,13 +98,10 @@ impl Maker<'_> {
     pub(super) fn reduce(&self, model: &mut Model) {
         let needs = |rests: fn(&NumberColumn) -> bool| self.columns.iter().any(rests);
         model.spectra.clear();
-        let orders = self.columns.iter().filter_map(NumberColumn::order);
-        let orders = orders.map(f64::from).chain(self.keep.highest_order);
-        let highest = orders.reduce(f64::max);
-        model.spectrum = model.spectrum.filter(|_| highest.is_some());
+        let lines = self.lines();
+        model.spectrum = model.spectrum.filter(|_| lines.is_some());
         let analyses = &mut model.analyses;
-        // round-off may put the bin of an order just beyond it
-        analyses.highest_order = highest.map(|order| order * (1.0 + 1e-9));
+        analyses.lines = lines.unwrap_or_default();
         // the other runs have the other processors
         analyses.threads = Threads::ONE;
         analyses.parts = MotionParts {
@@ -117,6 +115,18 @@ impl Maker<'_> {
         };
         analyses.motion = self.keep.section.is_some() || needs(NumberColumn::rests_on_motion);
         analyses.watched = self.watched();
+    }
+
+    /// Lines of the spectra; none where nothing rests on them.
+    fn lines(&self) -> Option<SpectrumLines> {
+        let highest = self.columns.iter().filter_map(NumberColumn::order).max();
+        match (self.keep.highest_order, highest) {
+            // round-off may put the bin of an order just beyond it
+            (Some(kept), highest) => Some(SpectrumLines::UpTo(
+                highest.map_or(kept, |order| kept.max(f64::from(order))) * (1.0 + 1e-9),
+            )),
+            (None, highest) => highest.map(SpectrumLines::Orders),
+        }
     }
 
     /// What is looked at of the bearings.
