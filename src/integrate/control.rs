@@ -42,6 +42,17 @@ impl Control {
         growth.clamp(SHRINK, most)
     }
 
+    /// As [`Control::accepted`], but exactly one for an error from the first of two on up to the second: where
+    /// sizes stay, the next step then need not wait for what this error is.
+    pub fn kept_or_accepted(&mut self, error: f64, [least, most]: [f64; 2], power: i32) -> f64 {
+        if error >= least && error <= most {
+            self.rejected = false;
+            1.0
+        } else {
+            self.accepted(error, power)
+        }
+    }
+
     /// Factor after a bad step, whose error may be no number.
     pub fn rejected(&mut self, error: f64, power: i32) -> f64 {
         self.rejected = true;
@@ -50,6 +61,41 @@ impl Control {
     }
 }
 
+/// The errors that lead to factors between two, the lower one first.
+pub(super) const fn errors([shrink, grow]: [f64; 2], power: i32) -> [f64; 2] {
+    let mut errors = [1.0; 2];
+    let mut step = 0;
+    while step < power {
+        errors = [errors[0] * SAFETY / grow, errors[1] * SAFETY / shrink];
+        step += 1;
+    }
+    errors
+}
+
 fn growth(error: f64, power: i32) -> f64 {
     SAFETY * error.powf(-1.0 / f64::from(power))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_stay_where_their_factors_are_about_one() {
+        let (about, power) = ([0.95, 1.2], 9);
+        let kept = errors(about, power);
+        for step in 1..1000 {
+            let error = 1e-3 * f64::from(step);
+            let factor = Control::NEW.accepted(error, power);
+            let found = Control::NEW.kept_or_accepted(error, kept, power);
+            if (about[0]..=about[1]).contains(&factor) {
+                assert_eq!(found, 1.0, "{error}");
+            } else {
+                assert_eq!(found, factor, "{error}");
+            }
+        }
+        let mut control = Control::after(true);
+        control.kept_or_accepted(0.1, kept, power);
+        assert!(!control.was_rejected());
+    }
 }

@@ -19,6 +19,11 @@ impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
         self.system.derivative(self.start + time, state, rate);
     }
 
+    #[inline]
+    fn push(&self, time: f64, place: &[f64; N], push: &mut [f64; N]) {
+        self.system.push(self.start + time, place, push);
+    }
+
     fn next_break(&self, after: f64) -> f64 {
         self.system.next_break(self.start + after) - self.start
     }

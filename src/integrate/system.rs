@@ -69,6 +69,16 @@ pub trait System<const N: usize> {
         false
     }
 
+    /// Writes the part of q″ that knows only time and place into the first N/2 components of `push`, and
+    /// nothing but zeros behind them. It is asked for of motions with [`System::velocity_slopes`] alone, in
+    /// states (q, 0), in which it is all of q″.
+    fn push(&self, time: f64, place: &[f64; N], push: &mut [f64; N]) {
+        let mut rate = [0.0; N];
+        self.derivative(time, place, &mut rate);
+        push.fill(0.0);
+        push[..N / 2].copy_from_slice(&rate[N / 2..]);
+    }
+
     /// ∂q″/∂q′ of a motion whose forces know the velocity in constant linear terms alone, in the first
     /// N/2 rows and columns: of a state (q, q′), then, q″ is this times q′ and a part that knows only time
     /// and place.

@@ -157,16 +157,16 @@ impl<'a> RotorEnsemble<'a> {
 
     /// Loads, weight and unbalance less the forces on the bearings: the same code for all numbers of states.
     #[inline(never)]
-    fn push(&self, time: f64, place: &[LaneRow; FREEDOMS], push: &mut [LaneRow; FREEDOMS]) {
-        dispatch!(self.level, simd => self.push_by(simd, time, place, push));
+    fn force(&self, time: f64, place: &[LaneRow; FREEDOMS], force: &mut [LaneRow; FREEDOMS]) {
+        dispatch!(self.level, simd => self.force_by(simd, time, place, force));
         if self.varies {
-            self.add_varying_loads(time, push);
+            self.add_varying_loads(time, force);
         }
     }
 
     /// Without loads that vary, for the processor's level `S`.
     #[inline(always)]
-    fn push_by<S: Simd>(
+    fn force_by<S: Simd>(
         &self,
         simd: S,
         time: f64,
@@ -214,30 +214,47 @@ impl<'a> RotorEnsemble<'a> {
 }
 
 impl<const M: usize> System<M> for RotorEnsemble<'_> {
-    /// Inlined, so that what is read as a whole was written as a whole.
-    #[inline(always)]
     fn derivative(&self, time: f64, state: &[f64; M], rate: &mut [f64; M]) {
         let kept = const { M / (2 * LANES) };
-        let (places, velocities) = state.as_chunks::<LANES>().0.split_at(kept);
-        let (rates, accelerations) = rate.as_chunks_mut::<LANES>().0.split_at_mut(kept);
-        let mut displacement = self.held;
-        for (row, place) in displacement.iter_mut().zip(places) {
-            row.0 = *place;
-        }
-        let mut push = [LaneRow::default(); FREEDOMS];
-        self.push(time, &displacement, &mut push);
+        let velocities = &state.as_chunks::<LANES>().0[kept..];
+        let mut accelerations = [0.0; M];
+        self.push(time, state, &mut accelerations);
+        let (rates, rest) = rate.as_chunks_mut::<LANES>().0.split_at_mut(kept);
         rates.copy_from_slice(velocities);
+        rest.copy_from_slice(&accelerations.as_chunks::<LANES>().0[..kept]);
         for axis in 0..kept {
             for lane in 0..LANES {
-                accelerations[axis][lane] = push[axis].0[lane] * self.inverse_mass[axis].0[lane]
-                    + self.slopes[axis].0[lane] * velocities[axis][lane];
+                rest[axis][lane] += self.slopes[axis].0[lane] * velocities[axis][lane];
             }
         }
         if kept == FREEDOMS {
             for lane in 0..LANES {
                 let gyroscopic = self.gyroscopic.0[lane];
-                accelerations[3][lane] += gyroscopic * velocities[4][lane];
-                accelerations[4][lane] -= gyroscopic * velocities[3][lane];
+                rest[3][lane] += gyroscopic * velocities[4][lane];
+                rest[4][lane] -= gyroscopic * velocities[3][lane];
+            }
+        }
+    }
+
+    /// Inlined, so that what is read as a whole was written as a whole.
+    #[inline(always)]
+    fn push(&self, time: f64, place: &[f64; M], push: &mut [f64; M]) {
+        let kept = const { M / (2 * LANES) };
+        let mut displacement = self.held;
+        for (row, place) in displacement
+            .iter_mut()
+            .zip(&place.as_chunks::<LANES>().0[..kept])
+        {
+            row.0 = *place;
+        }
+        let mut force = [LaneRow::default(); FREEDOMS];
+        self.force(time, &displacement, &mut force);
+        for (axis, row) in push.as_chunks_mut::<LANES>().0[..kept]
+            .iter_mut()
+            .enumerate()
+        {
+            for lane in 0..LANES {
+                row[lane] = force[axis].0[lane] * self.inverse_mass[axis].0[lane];
             }
         }
     }

@@ -118,10 +118,31 @@ impl Rotor {
         rotation: &Rotation,
         phases: &Phases,
     ) -> Vector5 {
+        match &self.supports[..] {
+            // by itself, so that no sum has to be kept in memory from bearing to bearing
+            [support] => {
+                let cage = self.cage_angle(support, rotation.angle, phases);
+                support.force_by(simd, displacement, cage, rotation.speed)
+            }
+            _ => in_registers(simd.vectorize(
+                #[inline(always)]
+                || self.force_on_several(simd, in_registers(*displacement), rotation, phases),
+            )),
+        }
+    }
+
+    #[inline(always)]
+    fn force_on_several<S: Simd>(
+        &self,
+        simd: S,
+        displacement: Vector5,
+        rotation: &Rotation,
+        phases: &Phases,
+    ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
         for support in &self.supports {
             let cage = self.cage_angle(support, rotation.angle, phases);
-            let force = support.force_by(simd, displacement, cage, rotation.speed);
+            let force = support.force_by(simd, &displacement, cage, rotation.speed);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
@@ -187,7 +208,7 @@ impl Rotor {
 
     /// Loads, weight and unbalance on the shaft, N and N m.
     #[inline(always)]
-    fn push(&self, time: f64, rotation: &Rotation, phases: &Phases) -> Vector5 {
+    fn outer_force(&self, time: f64, rotation: &Rotation, phases: &Phases) -> Vector5 {
         let [x, y, ..] = self.unbalance(rotation, phases);
         let [f_x, f_y, f_z, m_x, m_y] = self.load;
         let push = [f_x + x, f_y + y, f_z, m_x, m_y];
@@ -260,6 +281,11 @@ impl<const N: usize> System<N> for Rotor {
         dispatch!(self.level, simd => self.derivative_by(simd, time, state, rate));
     }
 
+    #[inline]
+    fn push(&self, time: f64, place: &[f64; N], push: &mut [f64; N]) {
+        dispatch!(self.level, simd => self.push_by(simd, time, place, push));
+    }
+
     fn next_break(&self, after: f64) -> f64 {
         self.next_break_after(after)
     }
@@ -293,6 +319,34 @@ impl<const N: usize> System<N> for Rotor {
 }
 
 impl Rotor {
+    /// The acceleration at rest where no contact is damped, for the processor's level `S`.
+    #[inline(always)]
+    fn push_by<S: Simd, const N: usize>(
+        &self,
+        simd: S,
+        time: f64,
+        place: &[f64; N],
+        push: &mut [f64; N],
+    ) {
+        let kept = N / 2;
+        let rotation = self.speed.at(time);
+        let phases = self.phases(&rotation);
+        let displacement = self.full(&self.equilibrium.displacement, &place[..kept]);
+        let force = self.force_on_bearings(simd, &displacement, &rotation, &phases);
+        let load = self.outer_force(time, &rotation, &phases);
+        let mut acceleration = [0.0; N];
+        // out in whole registers: whoever reads it so does not wait for its parts
+        for axis in 0..kept {
+            acceleration[axis] = (load[axis] - force[axis]) * self.inverse_mass[axis];
+        }
+        let (registers, rest) = acceleration.as_chunks();
+        let (whole, part) = push.as_chunks_mut();
+        for (register, numbers) in whole.iter_mut().zip(registers) {
+            simd.store_array_f64x4(simd.load_array_f64x4(*numbers), register);
+        }
+        part.copy_from_slice(rest);
+    }
+
     /// The derivative, for the processor's level `S`.
     #[inline(always)]
     fn derivative_by<S: Simd, const N: usize>(
@@ -308,7 +362,7 @@ impl Rotor {
         let phases = self.phases(&rotation);
         let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
         let force = self.force_on_bearings(simd, &displacement, &rotation, &phases);
-        let mut push = self.push(time, &rotation, &phases);
+        let mut push = self.outer_force(time, &rotation, &phases);
         if kept == FREEDOMS {
             let gyroscopic = self.inertia_polar * rotation.speed;
             push[3] -= gyroscopic * velocity[4];

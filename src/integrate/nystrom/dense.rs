@@ -1,6 +1,6 @@
 //! States between the ends of a step.
 
-use fearless_simd::Level;
+use fearless_simd::Simd;
 
 use super::entries::Entries;
 use super::factor::Factor;
@@ -30,27 +30,24 @@ impl<const N: usize> Walk<N> {
         course: &Course<'_, S, N>,
         factor: &Factor<E, N>,
     ) -> Dense {
-        if const { E::MOTIONS > 1 } {
-            in_wide_registers!(Level::new(), self.fitted(course, factor))
-        } else {
-            self.fitted(course, factor)
-        }
+        in_wide_registers!(self.level, simd => self.fitted(simd, course, factor))
     }
 
     #[inline(always)]
-    fn fitted<S, E: Entries<N>>(
+    fn fitted<S, E: Entries<N>, V: Simd>(
         &mut self,
+        simd: V,
         course: &Course<'_, S, N>,
         factor: &Factor<E, N>,
     ) -> Dense {
         let part = WITHIN_PART * course.settings.tolerance;
         let scale = &course.scaling.scale;
         let per = std::array::from_fn(|i| 1.0 / (part * (scale[i] + self.from.state[i].abs())));
-        let within = &mut self.within;
-        within.begin(&self.from.end(factor), &self.to.end(factor));
+        let [start, end] = [&self.from, &self.to].map(|stand| stand.end(simd, factor));
+        self.within.begin(&start, &end);
         for stand in &self.past[..self.known] {
-            within.add(&stand.end(factor));
-            if within.is_within(&per) {
+            self.within.add(&stand.end(simd, factor));
+            if self.within.is_within(&per) {
                 return Dense::ByPolynomial;
             }
         }
@@ -58,12 +55,8 @@ impl<const N: usize> Walk<N> {
     }
 
     /// Deviation at a time within the step by its polynomial.
-    pub(super) fn by_polynomial<E: Entries<N>>(&self, time: f64) -> [f64; N] {
-        if const { E::MOTIONS > 1 } {
-            in_wide_registers!(Level::new(), self.within.at(time))
-        } else {
-            self.within.at(time)
-        }
+    pub(super) fn by_polynomial(&self, time: f64) -> [f64; N] {
+        in_wide_registers!(self.level, _simd => self.within.at(time))
     }
 
     /// Deviation at a time within the step by a shorter step from its start.
@@ -75,8 +68,10 @@ impl<const N: usize> Walk<N> {
     ) -> [f64; N] {
         let size = self.size;
         self.size = time - self.from.time;
-        factor.prepare::<P>(self.size);
-        let state = self.moved_by::<P, S, E>(course, factor);
+        let state = in_wide_registers!(self.level, simd => {
+            factor.prepare::<P, _>(simd, self.size);
+            self.moved_by::<P, S, E, _>(simd, course, factor)
+        });
         self.size = size;
         state
     }

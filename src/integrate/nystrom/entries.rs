@@ -1,11 +1,15 @@
 //! Matrices of freedoms that couple no others than the last two, of one motion or of several side by side, and
 //! all others.
 
+use fearless_simd::Simd;
+
+use super::row::Row;
+
 /// A matrix of freedoms; the first N/2 rows and columns are used.
 pub(super) type Matrix<const N: usize> = [[f64; N]; N];
 
 /// What is kept of a matrix.
-pub(super) trait Entries<const N: usize>: Copy + AsRef<[f64]> + AsMut<[f64]> {
+pub(super) trait Entries<const N: usize>: Copy {
     const ZERO: Self;
     /// Motions side by side that the vectors are of: component i belongs to number i modulo their count.
     const MOTIONS: usize = 1;
@@ -16,21 +20,27 @@ pub(super) trait Entries<const N: usize>: Copy + AsRef<[f64]> + AsMut<[f64]> {
     /// What leaves every vector as it is.
     fn identity() -> Self;
 
+    /// All of them, as rows.
+    fn rows(&self) -> &[Row<N>];
+
+    /// The same, to be changed.
+    fn rows_mut(&mut self) -> &mut [Row<N>];
+
     /// Times a vector.
-    fn times(&self, vector: &[f64; N]) -> [f64; N];
+    fn times<V: Simd>(&self, simd: V, vector: &Row<N>) -> Row<N>;
 
     /// Times another matrix.
     fn product(&self, other: &Self) -> Self;
 }
 
-/// The diagonals of `K` motions side by side, and after them, for each, the two entries beside its diagonal
-/// that couple its last two freedoms, as tilts are by gyroscopic moments.
+/// The diagonals of `K` motions side by side, and for each the two entries beside its diagonal that couple its
+/// last two freedoms, as tilts are by gyroscopic moments: each in the row that it stands in.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::integrate) struct Few<const N: usize, const K: usize = 1>([f64; N]);
+pub(in crate::integrate) struct Few<const N: usize, const K: usize = 1>([Row<N>; 2]);
 
 /// All entries.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct All<const N: usize>(Matrix<N>);
+pub(super) struct All<const N: usize>([Row<N>; N]);
 
 impl<const N: usize, const K: usize> Few<N, K> {
     const FREEDOMS: usize = N / 2;
@@ -51,112 +61,112 @@ impl<const N: usize, const K: usize> Few<N, K> {
     }
 }
 
-impl<const N: usize, const K: usize> AsRef<[f64]> for Few<N, K> {
-    fn as_ref(&self) -> &[f64] {
-        &self.0
-    }
-}
-
-impl<const N: usize, const K: usize> AsMut<[f64]> for Few<N, K> {
-    fn as_mut(&mut self) -> &mut [f64] {
-        &mut self.0
-    }
-}
-
-impl<const N: usize> AsRef<[f64]> for All<N> {
-    fn as_ref(&self) -> &[f64] {
-        self.0.as_flattened()
-    }
-}
-
-impl<const N: usize> AsMut<[f64]> for All<N> {
-    fn as_mut(&mut self) -> &mut [f64] {
-        self.0.as_flattened_mut()
-    }
-}
-
 impl<const N: usize, const K: usize> Entries<N> for Few<N, K> {
-    const ZERO: Self = Self([0.0; N]);
+    const ZERO: Self = Self([Row::ZERO; 2]);
     const MOTIONS: usize = K;
 
     fn of(matrix: &Matrix<N>) -> Self {
-        let mut entries = [0.0; N];
+        let [mut own, mut across] = [Row::ZERO; 2];
         for index in 0..Self::FREEDOMS {
-            entries[index] = matrix[index][index];
+            own[index] = matrix[index][index];
         }
         if Self::COUPLES {
             for motion in 0..K {
                 let (before, last) = (Self::BEFORE + motion, Self::LAST + motion);
-                entries[Self::FREEDOMS + motion] = matrix[before][last];
-                entries[Self::FREEDOMS + K + motion] = matrix[last][before];
+                across[before] = matrix[before][last];
+                across[last] = matrix[last][before];
             }
         }
-        Self(entries)
+        Self([own, across])
     }
 
     fn identity() -> Self {
-        let mut entries = [0.0; N];
-        entries[..Self::FREEDOMS].fill(1.0);
-        Self(entries)
+        let mut own = Row::ZERO;
+        own[..Self::FREEDOMS].fill(1.0);
+        Self([own, Row::ZERO])
     }
 
-    /// Every index is known when the code is compiled: the product stays in registers.
+    fn rows(&self) -> &[Row<N>] {
+        &self.0
+    }
+
+    fn rows_mut(&mut self) -> &mut [Row<N>] {
+        &mut self.0
+    }
+
     #[inline(always)]
-    fn times(&self, vector: &[f64; N]) -> [f64; N] {
-        let mut product = [0.0; N];
-        for index in 0..Self::FREEDOMS {
-            product[index] = self.0[index] * vector[index];
-        }
+    fn times<V: Simd>(&self, simd: V, vector: &Row<N>) -> Row<N> {
+        // each of the coupled freedoms where the other one stands
+        let mut other = Row::<N>::ZERO;
         if Self::COUPLES {
             for motion in 0..K {
                 let (before, last) = (Self::BEFORE + motion, Self::LAST + motion);
-                product[before] += self.0[Self::FREEDOMS + motion] * vector[last];
-                product[last] += self.0[Self::FREEDOMS + K + motion] * vector[before];
+                other[before] = vector[last];
+                other[last] = vector[before];
             }
         }
-        product
+        Row::of(|register| {
+            let product = self.0[0].load(simd, register) * vector.load(simd, register);
+            if Self::COUPLES {
+                product + self.0[1].load(simd, register) * other.load(simd, register)
+            } else {
+                product
+            }
+        })
     }
 
     fn product(&self, other: &Self) -> Self {
-        let (mut product, other) = (*self, &other.0);
-        for (entry, other) in product.0.iter_mut().zip(other).take(Self::FREEDOMS) {
-            *entry *= other;
+        let ([a, a_across], [b, b_across]) = (&self.0, &other.0);
+        let [mut own, mut across] = self.0;
+        for index in 0..Self::FREEDOMS {
+            own[index] = a[index] * b[index];
         }
         if Self::COUPLES {
             for motion in 0..K {
                 let (before, last) = (Self::BEFORE + motion, Self::LAST + motion);
-                let (right, left) = (Self::FREEDOMS + motion, Self::FREEDOMS + K + motion);
-                product.0[before] = self.0[before] * other[before] + self.0[right] * other[left];
-                product.0[last] = self.0[left] * other[right] + self.0[last] * other[last];
-                product.0[right] = self.0[before] * other[right] + self.0[right] * other[last];
-                product.0[left] = self.0[left] * other[before] + self.0[last] * other[left];
+                for (row, other) in [(before, last), (last, before)] {
+                    own[row] += a_across[row] * b_across[other];
+                    across[row] = a[row] * b_across[row] + a_across[row] * b[other];
+                }
             }
         }
-        product
+        Self([own, across])
     }
 }
 
 impl<const N: usize> Entries<N> for All<N> {
-    const ZERO: Self = Self([[0.0; N]; N]);
+    const ZERO: Self = Self([Row::ZERO; N]);
 
     fn of(matrix: &Matrix<N>) -> Self {
-        Self(*matrix)
+        let mut entries = Self::ZERO;
+        for (row, given) in entries.0.iter_mut().zip(matrix).take(N / 2) {
+            row[..N / 2].copy_from_slice(&given[..N / 2]);
+        }
+        entries
     }
 
     fn identity() -> Self {
-        let mut matrix = [[0.0; N]; N];
-        for (index, row) in matrix.iter_mut().enumerate() {
-            row[index] = 1.0;
+        let mut entries = Self::ZERO;
+        for index in 0..N / 2 {
+            entries.0[index][index] = 1.0;
         }
-        Self(matrix)
+        entries
+    }
+
+    fn rows(&self) -> &[Row<N>] {
+        &self.0[..N / 2]
+    }
+
+    fn rows_mut(&mut self) -> &mut [Row<N>] {
+        &mut self.0[..N / 2]
     }
 
     #[inline(always)]
-    fn times(&self, vector: &[f64; N]) -> [f64; N] {
-        let mut product = [0.0; N];
-        for (sum, row) in product.iter_mut().zip(&self.0).take(N / 2) {
-            for (entry, component) in row.iter().zip(vector).take(N / 2) {
-                *sum += entry * component;
+    fn times<V: Simd>(&self, _simd: V, vector: &Row<N>) -> Row<N> {
+        let mut product = Row::ZERO;
+        for (index, row) in self.rows().iter().enumerate() {
+            for (entry, component) in row.iter().zip(vector.iter()).take(N / 2) {
+                product[index] += entry * component;
             }
         }
         product
@@ -164,9 +174,9 @@ impl<const N: usize> Entries<N> for All<N> {
 
     fn product(&self, other: &Self) -> Self {
         let mut product = Self::ZERO;
-        for (sums, row) in product.0.iter_mut().zip(&self.0).take(N / 2) {
-            for (entry, other) in row.iter().zip(&other.0).take(N / 2) {
-                for (sum, other) in sums.iter_mut().zip(other).take(N / 2) {
+        for (sums, row) in product.0.iter_mut().zip(self.rows()) {
+            for (entry, other) in row.iter().zip(other.rows()) {
+                for (sum, other) in sums.iter_mut().zip(other.iter()) {
                     *sum += entry * other;
                 }
             }

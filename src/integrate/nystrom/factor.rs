@@ -11,7 +11,10 @@
 //! exponential as well as a number does; as a numerical method J. D. Lawson, *SIAM J. Numer. Anal.* 4
 //! (1967) 372–380.
 
+use fearless_simd::{Simd, SimdBase};
+
 use super::entries::{Entries, Matrix};
+use super::row::{Lanes, Row};
 use super::tableau::{MOST, Pair};
 
 /// Terms of the exponential's series, an even number: enough for round-off up to a norm of one.
@@ -36,8 +39,10 @@ pub(super) struct Factor<E, const N: usize> {
     size: f64,
     /// exp(−B c_i h).
     forth: [E; MOST],
-    /// exp(B c_i h).
+    /// h² exp(B c_i h).
     back: [E; MOST],
+    /// a_i,i−1 h² exp(−B (c_i − c_i−1) h): from a force straight to the place of the stage that follows it.
+    onward: [E; MOST],
 }
 
 impl<E: Entries<N>, const N: usize> Factor<E, N> {
@@ -56,6 +61,7 @@ impl<E: Entries<N>, const N: usize> Factor<E, N> {
             size: f64::NAN,
             forth: [E::ZERO; MOST],
             back: [E::ZERO; MOST],
+            onward: [E::ZERO; MOST],
         }
     }
 
@@ -65,14 +71,30 @@ impl<E: Entries<N>, const N: usize> Factor<E, N> {
     }
 
     /// Prepares the exponentials for steps of a size, s.
-    pub fn prepare<P: Pair>(&mut self, size: f64) {
+    #[inline(always)]
+    pub fn prepare<P: Pair, V: Simd>(&mut self, simd: V, size: f64) {
         if self.size == size {
             return;
         }
         self.size = size;
         let terms = self.terms(size);
-        for node in 1..P::STAGES {
-            self.exponentials(node, P::NODES[node] * size, terms);
+        for (node, part) in const { &P::NODES }
+            .iter()
+            .enumerate()
+            .take(P::STAGES)
+            .skip(1)
+        {
+            self.exponentials(simd, node, part * size, terms);
+        }
+        self.back[0] = scaled(E::identity(), size * size);
+        for (node, arguments) in const { &P::ARGUMENTS }
+            .iter()
+            .enumerate()
+            .take(P::STAGES)
+            .skip(1)
+        {
+            let onward = self.forth[node].product(&self.back[node - 1]);
+            self.onward[node] = scaled(onward, arguments[node - 1]);
         }
     }
 
@@ -88,57 +110,60 @@ impl<E: Entries<N>, const N: usize> Factor<E, N> {
 
     /// Even and odd terms apart: their sum and their difference are the two exponentials.
     #[inline(always)]
-    fn exponentials(&mut self, node: usize, time: f64, terms: usize) {
-        let square = time * time;
-        let (mut even, mut odd) = (E::ZERO, E::ZERO);
-        for [first, second] in self.powers[..terms].as_chunks().0.iter().rev() {
-            for (sum, term) in even.as_mut().iter_mut().zip(first.as_ref()) {
-                *sum = *sum * square + term;
+    fn exponentials<V: Simd>(&mut self, simd: V, node: usize, time: f64, terms: usize) {
+        let (square, per_force) = (time * time, self.size * self.size);
+        let pairs = self.powers[..terms].as_chunks().0;
+        let forth = self.forth[node].rows_mut().iter_mut();
+        let back = self.back[node].rows_mut().iter_mut();
+        for (row, (forth, back)) in forth.zip(back).enumerate() {
+            for register in 0..Row::<N>::REGISTERS {
+                let [mut even, mut odd] = [Lanes::splat(simd, 0.0); 2];
+                for [first, second] in pairs.iter().rev() {
+                    even = even * square + first.rows()[row].load(simd, register);
+                    odd = odd * square + second.rows()[row].load(simd, register);
+                }
+                let odd = odd * time;
+                forth.store(register, even - odd);
+                back.store(register, (even + odd) * per_force);
             }
-            for (sum, term) in odd.as_mut().iter_mut().zip(second.as_ref()) {
-                *sum = *sum * square + term;
-            }
-        }
-        let both = even.as_ref().iter().zip(odd.as_ref());
-        let forth = self.forth[node].as_mut().iter_mut();
-        let back = self.back[node].as_mut().iter_mut();
-        for ((even, odd), (forth, back)) in both.zip(forth.zip(back)) {
-            *forth = even - time * odd;
-            *back = even + time * odd;
         }
     }
 
     /// exp(−B c_i h) times a vector: from u to q.
     #[inline(always)]
-    pub fn forth(&self, node: usize, vector: &[f64; N]) -> [f64; N] {
-        self.forth[node].times(vector)
+    pub fn forth<V: Simd>(&self, simd: V, node: usize, vector: &Row<N>) -> Row<N> {
+        self.forth[node].times(simd, vector)
     }
 
-    /// exp(B c_i h) times a vector.
+    /// h² exp(B c_i h) times a vector.
     #[inline(always)]
-    pub fn back(&self, node: usize, vector: &[f64; N]) -> [f64; N] {
-        self.back[node].times(vector)
+    pub fn back<V: Simd>(&self, simd: V, node: usize, vector: &Row<N>) -> Row<N> {
+        self.back[node].times(simd, vector)
+    }
+
+    /// What the force of the stage before adds to the place of a stage.
+    #[inline(always)]
+    pub fn onward<V: Simd>(&self, simd: V, node: usize, vector: &Row<N>) -> Row<N> {
+        self.onward[node].times(simd, vector)
     }
 
     /// B times a vector.
     #[inline(always)]
-    pub fn half(&self, vector: &[f64; N]) -> [f64; N] {
-        self.half.times(vector)
+    pub fn half<V: Simd>(&self, simd: V, vector: &Row<N>) -> Row<N> {
+        self.half.times(simd, vector)
     }
 
-    /// B² times a vector, added to another.
+    /// A vector and B² times another.
     #[inline(always)]
-    pub fn add_square(&self, vector: &[f64; N], sum: &mut [f64; N]) {
-        let product = self.square.times(vector);
-        for index in 0..N / 2 {
-            sum[index] += product[index];
-        }
+    pub fn add_square<V: Simd>(&self, simd: V, vector: &Row<N>, sum: &Row<N>) -> Row<N> {
+        let product = self.square.times(simd, vector);
+        Row::of(|register| sum.load(simd, register) + product.load(simd, register))
     }
 }
 
 /// All entries times a number.
-fn scaled<E: AsMut<[f64]>>(mut entries: E, factor: f64) -> E {
-    for entry in entries.as_mut() {
+fn scaled<E: Entries<N>, const N: usize>(mut entries: E, factor: f64) -> E {
+    for entry in entries.rows_mut().iter_mut().flat_map(|row| row.iter_mut()) {
         *entry *= factor;
     }
     entries

@@ -11,6 +11,7 @@ mod ensemble;
 mod entries;
 mod factor;
 mod numbers;
+mod row;
 mod stand;
 mod tableau;
 mod trial;

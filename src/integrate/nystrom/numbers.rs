@@ -1,5 +1,6 @@
 //! A walk as plain numbers, and from them.
 
+use super::row::Row;
 use super::stand::Stand;
 use super::walk::{PAST, Walk};
 use crate::integrate::Counters;
@@ -22,7 +23,7 @@ impl<const N: usize> Walk<N> {
         ];
         let stands = || [&self.from, &self.to].into_iter().chain(&self.past);
         let times = stands().map(|stand| stand.time);
-        let vectors = stands().flat_map(|stand| [stand.state, stand.push]);
+        let vectors = stands().flat_map(|stand| [stand.state, *stand.push]);
         single
             .into_iter()
             .chain(times)
@@ -43,7 +44,7 @@ impl<const N: usize> Walk<N> {
         let stand = |index: usize| Stand {
             time: times[index],
             state: vectors[2 * index],
-            push: vectors[2 * index + 1],
+            push: Row::from(vectors[2 * index + 1]),
         };
         Some(Self {
             from: stand(0),

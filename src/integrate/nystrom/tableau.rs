@@ -5,7 +5,9 @@
 //! q₁ = q + h v + h² Σ_i b_i k_i,   v₁ = v + h Σ_i d_i k_i
 //! ```
 
-use std::marker::PhantomData;
+use fearless_simd::{Simd, SimdBase};
+
+use super::row::{Lanes, Row};
 
 /// Most stages of a pair.
 pub(super) const MOST: usize = 17;
@@ -43,66 +45,28 @@ pub(in crate::integrate) trait Pair {
     const COARSE_ERROR: [f64; MOST];
 }
 
-/// Factors of a sum over stages, known when the code is compiled.
-pub(super) trait Factors {
-    const OF: [f64; MOST];
-}
-
-/// The factors a_ij of stage `I`.
-pub(super) struct Arguments<P, const I: usize>(PhantomData<P>);
-/// The factors b_i.
-pub(super) struct Place<P>(PhantomData<P>);
-/// The factors d_i.
-pub(super) struct Velocity<P>(PhantomData<P>);
-/// The differences of b_i.
-pub(super) struct PlaceError<P>(PhantomData<P>);
-/// The differences of d_i.
-pub(super) struct VelocityError<P>(PhantomData<P>);
-
-/// The factors of the coarser estimate.
-pub(super) struct CoarseError<P>(PhantomData<P>);
-
-impl<P: Pair> Factors for CoarseError<P> {
-    const OF: [f64; MOST] = P::COARSE_ERROR;
-}
-
-impl<P: Pair, const I: usize> Factors for Arguments<P, I> {
-    const OF: [f64; MOST] = P::ARGUMENTS[I];
-}
-
-impl<P: Pair> Factors for Place<P> {
-    const OF: [f64; MOST] = P::PLACE;
-}
-
-impl<P: Pair> Factors for Velocity<P> {
-    const OF: [f64; MOST] = P::VELOCITY;
-}
-
-impl<P: Pair> Factors for PlaceError<P> {
-    const OF: [f64; MOST] = P::PLACE_ERROR;
-}
-
-impl<P: Pair> Factors for VelocityError<P> {
-    const OF: [f64; MOST] = P::VELOCITY_ERROR;
-}
-
-/// Σ_j factor_j k_j of the first N/2 components as straight-line code: factors that are zero cost
-/// nothing.
+/// Σ_j factor_j k_j for each of some rows of factors. A loop and no straight-line code: that of all pairs and
+/// systems takes the compiler minutes, and steps no less time.
 #[inline(always)]
-pub(super) fn sum<F: Factors, const N: usize>(stages: &[[f64; N]; MOST]) -> [f64; N] {
-    let mut sum = [0.0; N];
-    macro_rules! add {
-        ($($stage:literal)*) => {$(
-            if const { F::OF[$stage] != 0.0 } {
-                let factor = const { F::OF[$stage] };
-                for component in 0..N / 2 {
-                    sum[component] += factor * stages[$stage][component];
-                }
+pub(super) fn sums<V: Simd, const N: usize, const ROWS: usize>(
+    simd: V,
+    factors: [&[f64]; ROWS],
+    stages: &[Row<N>; MOST],
+) -> [Row<N>; ROWS] {
+    let mut sums = [Row::ZERO; ROWS];
+    for register in 0..Row::<N>::REGISTERS {
+        let mut lanes = [Lanes::splat(simd, 0.0); ROWS];
+        for (index, stage) in stages.iter().enumerate().take(factors[0].len()) {
+            let stage = stage.load(simd, register);
+            for row in 0..ROWS {
+                lanes[row] += stage * factors[row][index];
             }
-        )*};
+        }
+        for row in 0..ROWS {
+            sums[row].store(register, lanes[row]);
+        }
     }
-    add!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
-    sum
+    sums
 }
 
 /// Numbers followed by zeros.

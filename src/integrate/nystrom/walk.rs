@@ -1,18 +1,21 @@
 //! Steps of a Nyström pair, one after the other, and the states between their ends.
 
+use fearless_simd::{Fallback, Level};
+
 use super::any_factor::AnyFactor;
 use super::dense::Dense;
 use super::entries::Entries;
 use super::factor::Factor;
+use super::row::Row;
 use super::stand::Stand;
 use super::tableau::{MOST, Pair};
 use super::within::{ENDS, Within};
-use crate::integrate::control::Control;
+use crate::integrate::control::{Control, errors};
 use crate::integrate::course::{Course, STRETCH};
 use crate::integrate::{Counters, IntegrateError, Scaling, System, VelocityDependence};
 
 /// Factors of the step size between which it stays as it is: the integrating factor is then at hand.
-const KEPT: std::ops::Range<f64> = 0.95..1.2;
+const KEPT: [f64; 2] = [0.95, 1.2];
 /// Part of the factor's largest step from which on it may hold the steps: what it multiplies grows within
 /// them as it does.
 const HELD: f64 = 0.25;
@@ -26,6 +29,8 @@ pub(super) const PAST: usize = ENDS - 2;
 /// of them lose less to round-off.
 #[derive(Debug, Clone)]
 pub(in crate::integrate) struct Walk<const N: usize> {
+    /// What the processor has.
+    pub(super) level: Level,
     pub(super) from: Stand<N>,
     pub(super) to: Stand<N>,
     /// Starts of the steps before, the latest first, back to the latest break, and their number.
@@ -36,7 +41,7 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     pub(super) next_size: f64,
     /// Time that the next step must not reach over, s.
     pub(super) limit: f64,
-    pub(super) stages: [[f64; N]; MOST],
+    pub(super) stages: [Row<N>; MOST],
     pub(super) dense: Dense,
     pub(super) within: Within<N>,
     pub(super) control: Control,
@@ -53,9 +58,10 @@ impl<const N: usize> Walk<N> {
         let stand = Stand {
             time: 0.0,
             state: deviation,
-            push: [0.0; N],
+            push: Row::ZERO,
         };
         Self {
+            level: Level::new(),
             from: stand,
             to: stand,
             past: [stand; PAST],
@@ -63,7 +69,7 @@ impl<const N: usize> Walk<N> {
             size: 0.0,
             next_size: 0.0,
             limit: 0.0,
-            stages: [[0.0; N]; MOST],
+            stages: [Row::ZERO; MOST],
             dense: Dense::Unknown,
             within: Within::NONE,
             control: Control::NEW,
@@ -201,7 +207,7 @@ impl<const N: usize> Walk<N> {
             self.dense = self.polynomial(course, factor);
         }
         if self.dense == Dense::ByPolynomial {
-            return Ok(self.by_polynomial::<E>(time));
+            return Ok(self.by_polynomial(time));
         }
         Ok(self.by_step::<P, S, E>(course, factor, time))
     }
@@ -220,7 +226,6 @@ impl<const N: usize> Walk<N> {
             } else {
                 self.next_size
             };
-            factor.prepare::<P>(self.size);
             let error = self.trial::<P, S, E>(course, factor);
             if error <= 1.0 {
                 self.accept::<P>(error, cut, factor.largest_step());
@@ -248,7 +253,9 @@ impl<const N: usize> Walk<N> {
             self.limit = course.limit_after(self.from.time);
             // the force after a break, or the very first
             let from = self.from;
-            self.from.push = self.push(course, from.time, &from.state);
+            let [origin, place] = [&course.scaling.origin, &from.state].map(Row::place);
+            let places = [&origin, &place];
+            self.from.push = self.push(Fallback::new(), course.system, from.time, places);
             self.known = 0;
         }
         if self.next_size <= 0.0 {
@@ -262,7 +269,7 @@ impl<const N: usize> Walk<N> {
         course: &Course<'_, S, N>,
         factor: &Factor<E, N>,
     ) -> f64 {
-        let end = self.from.end(factor);
+        let end = self.from.end(Fallback::new(), factor);
         let slope = std::array::from_fn(|i| {
             if i < N / 2 {
                 end.velocity[i]
@@ -277,8 +284,8 @@ impl<const N: usize> Walk<N> {
 
     /// Makes the end of a good step known, and the size of the next.
     fn accept<P: Pair>(&mut self, error: f64, cut: bool, largest: f64) {
-        let growth = self.control.accepted(error, P::ERROR_POWER);
-        let growth = if KEPT.contains(&growth) { 1.0 } else { growth };
+        let kept = const { errors(KEPT, P::ERROR_POWER) };
+        let growth = self.control.kept_or_accepted(error, kept, P::ERROR_POWER);
         let proposed = (self.size * growth).min(largest);
         // a step that was cut tells little of how long the next may be
         self.next_size = if cut {
@@ -296,8 +303,9 @@ impl<const N: usize> Walk<N> {
     /// Completes a good step.
     fn finish<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) {
         if const { !P::ENDS_ON_STAGE } {
-            let to = self.to.state;
-            self.to.push = self.push(course, self.stage_time(1.0), &to);
+            let [origin, place] = [&course.scaling.origin, &self.to.state].map(Row::place);
+            let (end, places) = (self.stage_time(1.0), [&origin, &place]);
+            self.to.push = self.push(Fallback::new(), course.system, end, places);
         }
         self.counters.steps += 1;
         self.fault = false;

@@ -59,11 +59,10 @@ fn walked<P: Pair, E: Entries<4>>(pushed: bool, steps: u32, time: f64) -> [f64; 
     let slopes = course.system.velocity_slopes().unwrap();
     let mut factor = Factor::<E, 4>::new(&slopes);
     let size = time / f64::from(steps);
-    factor.prepare::<P>(size);
     for step in 1..=steps {
         walk.begin::<P, _, E>(&course, &factor);
         walk.size = size;
-        walk.trial::<P, _, E>(&course, &factor);
+        walk.trial::<P, _, E>(&course, &mut factor);
         walk.to.time = size * f64::from(step);
         walk.finish::<P, _>(&course);
     }
@@ -171,14 +170,17 @@ fn entries_of_motions_side_by_side_multiply_as_whole_matrices() {
     }
     let [first, second] = matrices;
     assert!(Few::<N, 4>::holds(&first) && !Few::<N>::holds(&first));
-    let vector = std::array::from_fn(|index| (1.3 * index as f64).cos());
+    let mut vector = Row::ZERO;
+    for (index, component) in vector.iter_mut().enumerate().take(N / 2) {
+        *component = (1.3 * index as f64).cos();
+    }
     let few = [first, second].map(|matrix| Few::<N, 4>::of(&matrix));
     let all = [first, second].map(|matrix| All::<N>::of(&matrix));
     let products = [
-        few[0].product(&few[1]).times(&vector),
-        all[0].product(&all[1]).times(&vector),
+        few[0].product(&few[1]).times(Fallback::new(), &vector),
+        all[0].product(&all[1]).times(Fallback::new(), &vector),
     ];
-    for (few, all) in products[0].iter().zip(&products[1]).take(N / 2) {
+    for (few, all) in products[0].iter().zip(products[1].iter()) {
         assert!(
             (few - all).abs() < 1e-14 * all.abs().max(1.0),
             "{few} {all}"

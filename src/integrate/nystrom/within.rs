@@ -1,6 +1,8 @@
 //! Motion within a step from place, velocity and acceleration at its ends and at the ends of the steps
 //! before it: no evaluation is needed.
 
+use super::row::Row;
+
 /// Ends of steps that a polynomial goes through at most.
 pub(super) const ENDS: usize = 6;
 /// Numbers that it goes through, three at an end.
@@ -12,14 +14,13 @@ const PARTS: [f64; 2] = [0.3, 0.7];
 /// Least part of the terms of its last end that the error of a polynomial is taken to be.
 const LEAST_PART: f64 = 0.1;
 
-/// Place, velocity and acceleration of every freedom at the end of a step; the first N/2 components are
-/// used.
+/// Place, velocity and acceleration of every freedom at the end of a step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct End<const N: usize> {
     pub time: f64,
-    pub place: [f64; N],
-    pub velocity: [f64; N],
-    pub acceleration: [f64; N],
+    pub place: Row<N>,
+    pub velocity: Row<N>,
+    pub acceleration: Row<N>,
 }
 
 /// Hermite's polynomial in Newton's form, of degree five through the step's start and end, and of three
@@ -70,7 +71,7 @@ impl<const N: usize> Within<N> {
         for same in 0..3 {
             let term = self.terms;
             self.nodes[term] = node;
-            let mut difference = end.place;
+            let mut difference = *end.place;
             for order in 1..=term {
                 let before = &mut self.latest[order - 1];
                 let inverse = (node - self.nodes[term - order]).recip();

@@ -10,9 +10,9 @@ fn ends(times: &[f64], motion: impl Fn(f64) -> [f64; 3]) -> Vec<End<2>> {
         let [place, velocity, acceleration] = motion(time);
         End {
             time,
-            place: [place, f64::NAN],
-            velocity: [velocity, f64::NAN],
-            acceleration: [acceleration, f64::NAN],
+            place: [place, f64::NAN].into(),
+            velocity: [velocity, f64::NAN].into(),
+            acceleration: [acceleration, f64::NAN].into(),
         }
     };
     times.iter().map(end).collect()
