@@ -86,8 +86,9 @@ mod tests {
         let kept = errors(about, power);
         for step in 1..1000 {
             let error = 1e-3 * f64::from(step);
-            let factor = Control::NEW.accepted(error, power);
-            let found = Control::NEW.kept_or_accepted(error, kept, power);
+            let [mut plain, mut keeping] = [Control::NEW; 2];
+            let factor = plain.accepted(error, power);
+            let found = keeping.kept_or_accepted(error, kept, power);
             if (about[0]..=about[1]).contains(&factor) {
                 assert_eq!(found, 1.0, "{error}");
             } else {
