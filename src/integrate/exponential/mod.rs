@@ -14,13 +14,20 @@
 
 mod columns;
 mod dense;
+mod kept;
+mod linear;
+mod mode_phi;
+mod mode_propagator;
+mod modes;
 mod nodes;
 mod numbers;
+mod operator;
 mod phi;
 mod plan;
 mod propagator;
 mod renewal;
 mod smooth;
+mod spectrum;
 mod sweeps;
 mod walk;
 

@@ -1,5 +1,6 @@
 //! A walk as plain numbers, from which it goes on to the same bytes.
 
+use super::linear::{LinearPart, Place};
 use super::nodes::POINTS;
 use super::plan::Leg;
 use super::renewal::Renewal;
@@ -7,7 +8,7 @@ use super::walk::Walk;
 use crate::integrate::Counters;
 
 /// Single numbers of a walk.
-const SINGLE: usize = 19;
+const SINGLE: usize = 18;
 
 fn flag(set: bool) -> f64 {
     f64::from(u8::from(set))
@@ -28,7 +29,6 @@ impl<const N: usize> Walk<N> {
             self.leg.intervals,
             self.intervals,
             self.slow_size,
-            self.linear.norm,
             self.linear.first as f64,
             flag(self.fresh),
             self.rate,
@@ -38,7 +38,8 @@ impl<const N: usize> Walk<N> {
             self.renewals as f64,
         ];
         let known = self.propagators.numbers();
-        let vectors = [&self.from, &self.to].into_iter();
+        let places = [&self.from, &self.to].into_iter();
+        let vectors = places.flat_map(|place| [&place.coordinates, &place.deviation]);
         let vectors = vectors.chain(&self.slow).chain(&self.linear.jacobian);
         let renewal = self.renewal.numbers();
         let single = single.iter().chain(&renewal).chain(&known);
@@ -51,7 +52,7 @@ impl<const N: usize> Walk<N> {
         let (&renewal, numbers) = numbers.split_first_chunk()?;
         let (known, vectors) = numbers.split_first_chunk()?;
         let vectors: &[[f64; N]] = match vectors.as_chunks() {
-            (vectors, []) if vectors.len() == 2 + POINTS + N => vectors,
+            (vectors, []) if vectors.len() == 4 + POINTS + N => vectors,
             _ => return None,
         };
         let [
@@ -66,7 +67,6 @@ impl<const N: usize> Walk<N> {
             leg_intervals,
             intervals,
             slow_size,
-            norm,
             first,
             fresh,
             rate,
@@ -75,11 +75,19 @@ impl<const N: usize> Walk<N> {
             rejected,
             renewals,
         ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
-        let mut walk = Self::new(vectors[1], interval);
-        walk.from = vectors[0];
-        walk.slow.copy_from_slice(&vectors[2..2 + POINTS]);
-        walk.linear.jacobian.copy_from_slice(&vectors[2 + POINTS..]);
-        (walk.linear.norm, walk.linear.first) = (norm, (first as usize).min(N));
+        let mut walk = Self::new(vectors[3], interval);
+        walk.from = Place {
+            coordinates: vectors[0],
+            deviation: vectors[1],
+        };
+        walk.to = Place {
+            coordinates: vectors[2],
+            deviation: vectors[3],
+        };
+        walk.slow.copy_from_slice(&vectors[4..4 + POINTS]);
+        let mut jacobian = [[0.0; N]; N];
+        jacobian.copy_from_slice(&vectors[4 + POINTS..]);
+        walk.linear = LinearPart::new(jacobian, (first as usize).min(N), walk.linear.level);
         (walk.start, walk.time, walk.size) = (start, time, size);
         (walk.wish, walk.limit, walk.intervals) = (wish, limit, intervals);
         walk.leg = Leg {
