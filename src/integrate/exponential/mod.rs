@@ -16,6 +16,7 @@ mod columns;
 mod dense;
 mod kept;
 mod linear;
+mod mean;
 mod mode_phi;
 mod mode_propagator;
 mod modes;

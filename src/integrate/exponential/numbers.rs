@@ -1,6 +1,7 @@
 //! A walk as plain numbers, from which it goes on to the same bytes.
 
 use super::linear::{LinearPart, Place};
+use super::mean::Mean;
 use super::nodes::POINTS;
 use super::plan::Leg;
 use super::renewal::Renewal;
@@ -8,7 +9,7 @@ use super::walk::Walk;
 use crate::integrate::Counters;
 
 /// Single numbers of a walk.
-const SINGLE: usize = 18;
+const SINGLE: usize = 19;
 
 fn flag(set: bool) -> f64 {
     f64::from(u8::from(set))
@@ -36,11 +37,15 @@ impl<const N: usize> Walk<N> {
             self.rate_size,
             flag(self.rejected),
             self.renewals as f64,
+            self.mean.steps,
         ];
         let known = self.propagators.numbers();
         let places = [&self.from, &self.to].into_iter();
         let vectors = places.flat_map(|place| [&place.coordinates, &place.deviation]);
-        let vectors = vectors.chain(&self.slow).chain(&self.linear.jacobian);
+        let vectors = vectors
+            .chain([&self.mean.deviation])
+            .chain(&self.slow)
+            .chain(&self.linear.jacobian);
         let renewal = self.renewal.numbers();
         let single = single.iter().chain(&renewal).chain(&known);
         single.chain(vectors.flatten()).copied().collect()
@@ -52,7 +57,7 @@ impl<const N: usize> Walk<N> {
         let (&renewal, numbers) = numbers.split_first_chunk()?;
         let (known, vectors) = numbers.split_first_chunk()?;
         let vectors: &[[f64; N]] = match vectors.as_chunks() {
-            (vectors, []) if vectors.len() == 4 + POINTS + N => vectors,
+            (vectors, []) if vectors.len() == 5 + POINTS + N => vectors,
             _ => return None,
         };
         let [
@@ -74,6 +79,7 @@ impl<const N: usize> Walk<N> {
             rate_size,
             rejected,
             renewals,
+            averaged,
         ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
         let mut walk = Self::new(vectors[3], interval);
         walk.from = Place {
@@ -84,9 +90,13 @@ impl<const N: usize> Walk<N> {
             coordinates: vectors[2],
             deviation: vectors[3],
         };
-        walk.slow.copy_from_slice(&vectors[4..4 + POINTS]);
+        walk.mean = Mean {
+            deviation: vectors[4],
+            steps: averaged,
+        };
+        walk.slow.copy_from_slice(&vectors[5..5 + POINTS]);
         let mut jacobian = [[0.0; N]; N];
-        jacobian.copy_from_slice(&vectors[4 + POINTS..]);
+        jacobian.copy_from_slice(&vectors[5 + POINTS..]);
         walk.linear = LinearPart::new(jacobian, (first as usize).min(N), walk.linear.level);
         (walk.start, walk.time, walk.size) = (start, time, size);
         (walk.wish, walk.limit, walk.intervals) = (wish, limit, intervals);

@@ -3,6 +3,7 @@
 use super::dense::Cursor;
 use super::kept::Propagators;
 use super::linear::{LinearPart, Place};
+use super::mean::Mean;
 use super::nodes::{NODES, POINTS, Points, combined, weights};
 use super::plan::Leg;
 use super::renewal::{Renewal, USUAL_SWEEPS};
@@ -44,6 +45,8 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     /// The start and the end of the latest step.
     pub(super) from: Place<N>,
     pub(super) to: Place<N>,
+    /// The mean of the ends of the latest steps.
+    pub(super) mean: Mean<N>,
     /// Coordinates of the slow part at the points of the latest step, and that step's size; with a size of zero only
     /// its value at the end is known.
     pub(super) slow: Points<N>,
@@ -88,6 +91,7 @@ impl<const N: usize> Walk<N> {
             leg: Leg::ENDED,
             from: place,
             to: place,
+            mean: Mean::of(deviation),
             slow: [[0.0; N]; POINTS],
             slow_size: 0.0,
             linear,
@@ -114,6 +118,7 @@ impl<const N: usize> Walk<N> {
         (self.start, self.time, self.limit) = (time, time, time);
         self.to = self.linear.place(deviation);
         self.from = self.to;
+        self.mean = Mean::of(deviation);
         self.leg = Leg::ENDED;
         self.cursor = None;
         (self.fresh, self.rejected, self.fault) = (false, false, false);
@@ -241,6 +246,7 @@ impl<const N: usize> Walk<N> {
         let behind_break = self.time >= self.limit;
         if behind_break {
             self.limit = course.system.next_break(self.time + course.slack);
+            self.mean = Mean::of(self.from.deviation);
         }
         if self.renewal.pays() {
             self.renew(course);
@@ -253,10 +259,10 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    /// Takes the linear part anew.
+    /// Takes the linear part anew, about where the motion was of late.
     fn renew<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
         let origin = &course.scaling.origin;
-        let state = std::array::from_fn(|i| origin[i] + self.from.deviation[i]);
+        let state = std::array::from_fn(|i| origin[i] + self.mean.deviation[i]);
         let (slopes, _) = course.system.linearisation(self.start, &state);
         let first = if course.system.is_second_order() {
             N / 2
@@ -355,6 +361,7 @@ impl<const N: usize> Walk<N> {
         } else {
             proposed
         };
+        self.mean.take_in(&self.to.deviation);
         self.renewal.count_step(self.size, sweeps);
         self.since_rate += 1.0;
         (self.rejected, self.fault, self.fresh) = (false, false, false);
