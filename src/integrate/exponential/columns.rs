@@ -67,16 +67,15 @@ fn scaled<const N: usize>(columns: &Columns<N>, unit: &[f64; N], row: usize, col
     }
 }
 
-/// Largest sum of a column where every component is counted in the unit that makes the matrix smallest.
+/// Largest sum of a column in the units of [`balanced_units`].
 ///
 /// What a component does to others counts for nothing where nothing comes back: a work that is summed
 /// up has no time scale. Powers of the matrix neither grow nor lose digits by such a choice of units.
-pub(super) fn balanced_norm<const N: usize>(columns: &Columns<N>) -> f64 {
-    let unit = balanced_units(columns);
+pub(super) fn norm_in<const N: usize>(unit: &[f64; N], columns: &Columns<N>) -> f64 {
     let sum = |column: usize| {
         let own = columns[column][column].abs();
         let others = (0..N).filter(|&row| row != column);
-        let others = others.map(|row| scaled(columns, &unit, row, column));
+        let others = others.map(|row| scaled(columns, unit, row, column));
         own + others.filter(|entry| entry.is_finite()).sum::<f64>()
     };
     (0..N).map(sum).fold(0.0, f64::max)
@@ -92,7 +91,7 @@ mod tests {
     fn units_and_sums_do_not_count() {
         let (square, power) = (25e6, 1e9);
         let columns = [[0.0, -square, 0.0], [1.0, -100.0, power], [0.0, 0.0, 0.0]];
-        let norm = balanced_norm(&columns);
+        let norm = norm_in(&balanced_units(&columns), &columns);
         assert!((norm - 5100.0).abs() < 1.0, "{norm}");
     }
 }

@@ -28,6 +28,7 @@ pub(super) struct Cursor<const N: usize> {
 
 impl<const N: usize> Cursor<N> {
     /// Stands at the start of a step of so many intervals of samples, s.
+    #[inline(never)]
     pub fn new(
         from: [f64; N],
         slow: &Points<N>,
@@ -55,6 +56,7 @@ impl<const N: usize> Cursor<N> {
     }
 
     /// Goes to a sample that is not behind; its deviation.
+    #[inline(never)]
     pub fn go_to(&mut self, index: f64, phi: &Phi<N>, linear: &LinearPart<N>) -> [f64; N] {
         in_wide_registers!(linear.level, {
             while self.index < index {

@@ -1,8 +1,10 @@
 //! The linear part of a system, and the coordinates in which it is easiest.
+//!
+//! What knows nothing but the number of states stands out of line: it is compiled once for all systems.
 
 use fearless_simd::Level;
 
-use super::columns::{Columns, apply, balanced_norm};
+use super::columns::{Columns, apply, balanced_units, norm_in};
 use super::modes::Modes;
 use crate::integrate::registers::in_wide_registers;
 
@@ -40,10 +42,12 @@ impl<const N: usize> LinearPart<N> {
     }
 
     /// That of a Jacobian, whose slow part begins with a component.
+    #[inline(never)]
     pub fn new(jacobian: Columns<N>, first: usize, level: Level) -> Self {
+        let units = balanced_units(&jacobian);
         Self {
-            norm: balanced_norm(&jacobian),
-            modes: Modes::new(&jacobian),
+            norm: norm_in(&units, &jacobian),
+            modes: Modes::new(&jacobian, units),
             jacobian,
             first,
             level,
@@ -51,6 +55,7 @@ impl<const N: usize> LinearPart<N> {
     }
 
     /// The place of a deviation.
+    #[inline(never)]
     pub fn place(&self, deviation: [f64; N]) -> Place<N> {
         let coordinates = match &self.modes {
             Some(modes) => modes.coordinates(&deviation, self.level),
@@ -63,6 +68,7 @@ impl<const N: usize> LinearPart<N> {
     }
 
     /// The deviation of coordinates.
+    #[inline(never)]
     pub fn deviation(&self, coordinates: &[f64; N]) -> [f64; N] {
         match &self.modes {
             Some(modes) => modes.deviation(coordinates, self.level),
@@ -71,6 +77,7 @@ impl<const N: usize> LinearPart<N> {
     }
 
     /// Coordinates of the slow part g = f − J y where the derivative f is known.
+    #[inline(never)]
     pub fn slow(&self, rate: &[f64; N], place: &Place<N>) -> [f64; N] {
         match &self.modes {
             Some(modes) => modes.slow(rate, &place.coordinates, self.level),

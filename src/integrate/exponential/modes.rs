@@ -11,7 +11,7 @@
 use fearless_simd::Level;
 use nalgebra::{Complex, DMatrix};
 
-use super::columns::{Columns, apply, balanced_units};
+use super::columns::{Columns, apply};
 use super::spectrum::{self, Mode};
 use crate::integrate::registers::in_wide_registers;
 
@@ -39,8 +39,9 @@ pub(super) struct Modes<const N: usize> {
 pub(super) type Diagonal<const N: usize> = [[f64; N]; 2];
 
 impl<const N: usize> Modes<N> {
-    /// Modes of a Jacobian; none where they are no sound basis, as where two of them are nearly the same.
-    pub fn new(jacobian: &Columns<N>) -> Option<Self> {
+    /// Modes of a Jacobian with the units in which it is smallest; none where they are no sound basis, as where
+    /// two of them are nearly the same.
+    pub fn new(jacobian: &Columns<N>, units: [f64; N]) -> Option<Self> {
         if !jacobian
             .as_flattened()
             .iter()
@@ -48,7 +49,7 @@ impl<const N: usize> Modes<N> {
         {
             return None;
         }
-        let acting = Acting::of(jacobian)?;
+        let acting = Acting::of(jacobian, units)?;
         let found = spectrum::modes(acting.matrix(jacobian))?;
         let mut modes = Self {
             eigenvalues: [Complex::ZERO; N],
@@ -59,7 +60,7 @@ impl<const N: usize> Modes<N> {
         let scaled = modes.take(&acting, jacobian, &found)?;
         let inverse = scaled.clone().lu().try_inverse()?;
         let condition = scaled.norm() * inverse.norm() / acting.places.len() as f64;
-        if !(condition <= WORST_CONDITION) {
+        if condition > WORST_CONDITION {
             return None;
         }
         modes.invert(&acting, &inverse);
@@ -128,8 +129,8 @@ impl<const N: usize> Modes<N> {
                 self.parts[place][row] = inverse[(row, column)] / acting.units[place];
             }
         }
-        let mut coordinate = acting.places.len();
-        for hanging in (0..N).filter(|&row| !acting.acts(row)) {
+        let hanging = (0..N).filter(|&row| !acting.acts(row));
+        for (coordinate, hanging) in (acting.places.len()..).zip(hanging) {
             self.shapes[coordinate][hanging] = 1.0;
             for &place in &acting.places {
                 let products = (0..acting.places.len())
@@ -137,7 +138,6 @@ impl<const N: usize> Modes<N> {
                 self.parts[place][coordinate] = -products.sum::<f64>();
             }
             self.parts[hanging][coordinate] = 1.0;
-            coordinate += 1;
         }
     }
 
@@ -207,8 +207,7 @@ struct Acting<const N: usize> {
 
 impl<const N: usize> Acting<N> {
     /// Those of a Jacobian; none where there are none, or where some act on what hangs on them alone.
-    fn of(jacobian: &Columns<N>) -> Option<Self> {
-        let units = balanced_units(jacobian);
+    fn of(jacobian: &Columns<N>, units: [f64; N]) -> Option<Self> {
         let acts = |&place: &usize| jacobian[place].iter().any(|entry| *entry != 0.0);
         let places: Vec<usize> = (0..N).filter(acts).collect();
         let known = places.iter().all(|&place| units[place].is_finite());
@@ -246,7 +245,12 @@ impl<const N: usize> Acting<N> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::columns::balanced_units;
     use super::*;
+
+    fn modes<const N: usize>(jacobian: &Columns<N>) -> Option<Modes<N>> {
+        Modes::new(jacobian, balanced_units(jacobian))
+    }
 
     /// A product of two matrices by columns.
     fn product<const N: usize>(left: &Columns<N>, right: &Columns<N>) -> Columns<N> {
@@ -279,7 +283,7 @@ mod tests {
     #[test]
     fn modes_and_their_eigenvalues_make_the_jacobian() {
         let jacobian = accounted();
-        let modes = Modes::new(&jacobian).expect("a sound basis");
+        let modes = modes(&jacobian).expect("a sound basis");
         let unity = product(&modes.parts, &modes.shapes);
         for (column, entries) in unity.iter().enumerate() {
             for (row, entry) in entries.iter().enumerate() {
@@ -315,11 +319,11 @@ mod tests {
     fn a_basis_that_is_not_sound_is_none() {
         let oscillator = |ratio: f64| [[0.0, -1e8], [1.0, -2e4 * ratio]];
         for ratio in [0.0, 0.02, 0.999, 1.001, 50.0] {
-            assert!(Modes::new(&oscillator(ratio)).is_some(), "{ratio}");
+            assert!(modes(&oscillator(ratio)).is_some(), "{ratio}");
         }
         for ratio in [1.0, 1.0 - 1e-10, 1.0 + 1e-10, f64::NAN, f64::INFINITY] {
-            assert!(Modes::new(&oscillator(ratio)).is_none(), "{ratio}");
+            assert!(modes(&oscillator(ratio)).is_none(), "{ratio}");
         }
-        assert!(Modes::new(&[[0.0; 3]; 3]).is_none());
+        assert!(modes(&[[0.0; 3]; 3]).is_none());
     }
 }

@@ -1,4 +1,6 @@
 //! What carries a state over a step or an interval of samples, in whichever coordinates.
+//!
+//! What knows nothing but the number of states stands out of line: it is compiled once for all systems.
 
 use super::linear::LinearPart;
 use super::mode_propagator::{self, Functions, ModePropagator};
@@ -16,6 +18,7 @@ pub(super) enum Operator<const N: usize> {
 
 impl<const N: usize> Operator<N> {
     /// That of a linear part over a step of a size, s.
+    #[inline(never)]
     pub fn new(part: &LinearPart<N>, size: f64) -> Self {
         match &part.modes {
             Some(modes) => Self::Modes(ModePropagator::new(modes, size, part.level)),
@@ -24,6 +27,7 @@ impl<const N: usize> Operator<N> {
     }
 
     /// Coordinates at a point after the first, from those at the start.
+    #[inline(never)]
     pub fn coordinates(&self, point: usize, from: &[f64; N], slow: &Points<N>) -> [f64; N] {
         match self {
             Self::Modes(over) => over.coordinates(point, from, slow),
@@ -32,6 +36,7 @@ impl<const N: usize> Operator<N> {
     }
 
     /// What a slow part that vanishes at the start does to the coordinates at a point.
+    #[inline(never)]
     pub fn moved(&self, point: usize, slow: &Points<N>) -> [f64; N] {
         match self {
             Self::Modes(over) => over.moved(point, slow),
@@ -40,6 +45,7 @@ impl<const N: usize> Operator<N> {
     }
 
     /// What the slow part at one point alone does to the coordinates at another.
+    #[inline(never)]
     pub fn effect(&self, point: usize, of: usize, slow: &[f64; N]) -> [f64; N] {
         match self {
             Self::Modes(over) => over.effect(point, of, slow),
@@ -57,6 +63,7 @@ pub(super) enum Phi<const N: usize> {
 
 impl<const N: usize> Phi<N> {
     /// Over an interval, s.
+    #[inline(never)]
     pub fn new(part: &LinearPart<N>, interval: f64) -> Self {
         match &part.modes {
             Some(modes) => Self::Modes(mode_propagator::functions(&modes.eigenvalues, interval)),

@@ -7,7 +7,7 @@ use crate::integrate::System;
 use crate::integrate::course::Course;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
-const LOCAL_PART: f64 = 0.05;
+const LOCAL_PART: f64 = 0.03;
 /// The loosest tolerance that is gone by. Beyond it sweeps under strong damping of the contacts meet where
 /// the motion is not, and what follows costs more than it saves.
 const LOOSEST: f64 = 1e-2;

@@ -135,8 +135,8 @@ impl<const N: usize> Walk<N> {
         self.interval
     }
 
-    /// Linear parts taken, and steps of a size whose matrices had to be found.
-    pub fn matrices(&self) -> [u64; 2] {
+    /// Linear parts taken, and step sizes whose operators had to be found.
+    pub fn preparations(&self) -> [u64; 2] {
         [self.renewals, self.propagators.built]
     }
 
@@ -391,3 +391,7 @@ impl<const N: usize> Walk<N> {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "walk_tests.rs"]
+mod tests;
