@@ -47,7 +47,7 @@ impl<const N: usize> LinearPart<N> {
         let units = balanced_units(&jacobian);
         Self {
             norm: norm_in(&units, &jacobian),
-            modes: Modes::new(&jacobian, units),
+            modes: Modes::new(&jacobian, &units),
             jacobian,
             first,
             level,

@@ -15,6 +15,13 @@ pub(super) struct Mode {
     pub shape: Vec<Complex<f64>>,
 }
 
+impl Mode {
+    /// Whether it stands for a conjugate pair.
+    pub fn is_pair(&self) -> bool {
+        self.eigenvalue.im > 0.0
+    }
+}
+
 /// The modes of a matrix; none where the iteration does not come to an end. A matrix without a full set of
 /// eigenvectors has some that are nearly the same.
 pub(super) fn modes(matrix: DMatrix<f64>) -> Option<Vec<Mode>> {
@@ -126,9 +133,7 @@ mod tests {
     /// Largest entry of `A x − λ x` over all modes.
     fn residual(matrix: &DMatrix<f64>) -> f64 {
         let modes = modes(matrix.clone()).expect("modes");
-        let coordinates = modes
-            .iter()
-            .map(|mode| 1 + usize::from(mode.eigenvalue.im > 0.0));
+        let coordinates = modes.iter().map(|mode| 1 + usize::from(mode.is_pair()));
         assert_eq!(coordinates.sum::<usize>(), matrix.nrows());
         let entry = |mode: &Mode, row: usize| {
             let products = mode.shape.iter().enumerate();
