@@ -32,7 +32,7 @@ const EXPLICIT: f64 = 4.5e-9;
 /// What a Nyström pair does more, with the integrating factor.
 const NYSTROM: f64 = 35e-9;
 /// What the exponential method does with an evaluation, and with each entry of a matrix.
-const EXPONENTIAL: [f64; 2] = [42e-9, 0.58e-9];
+const EXPONENTIAL: [f64; 2] = [110e-9, 0.4e-9];
 /// The modes of a linear part, and their functions over a step size, for each state: what is summed up beside a
 /// motion costs little there.
 const MODES: f64 = 6e-6;
