@@ -54,6 +54,12 @@ impl<const N: usize> LinearPart<N> {
         }
     }
 
+    /// The fastest damping that a component has of itself, 1/s.
+    pub fn damping(&self) -> f64 {
+        let columns = self.jacobian.iter().enumerate();
+        columns.fold(0.0, |most: f64, (place, column)| most.max(-column[place]))
+    }
+
     /// The place of a deviation.
     #[inline(never)]
     pub fn place(&self, deviation: [f64; N]) -> Place<N> {

@@ -7,7 +7,11 @@ use crate::integrate::System;
 use crate::integrate::course::Course;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
-const LOCAL_PART: f64 = 0.03;
+const LOCAL_PART: f64 = 0.05;
+/// The same where damping is over long before the step is: what the polynomial misses is then followed at once.
+const STIFF_PART: f64 = 0.03;
+/// Product of a step's size and the fastest damping from which on it is.
+const STIFF: f64 = 10.0;
 /// The loosest tolerance that is gone by. Beyond it sweeps under strong damping of the contacts meet where
 /// the motion is not, and what follows costs more than it saves.
 const LOOSEST: f64 = 1e-2;
@@ -73,7 +77,12 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
             coordinates: end,
             deviation: linear.deviation(&end),
         };
-        let allowed = LOCAL_PART * course.settings.tolerance.min(LOOSEST);
+        let part = if linear.damping() * size > STIFF {
+            STIFF_PART
+        } else {
+            LOCAL_PART
+        };
+        let allowed = part * course.settings.tolerance.min(LOOSEST);
         let scale = &course.scaling.scale;
         Self {
             course,
