@@ -147,6 +147,9 @@ impl AnyRing {
 
     /// The balls about their lift-off.
     pub fn lift_offs(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> LiftOffs {
+        if let Self::Hertz(ring) = self {
+            return ring.series_lift_offs(displacement, cage);
+        }
         with_ring!(self, ring => ring.lift_offs(displacement, cage, speed))
     }
 

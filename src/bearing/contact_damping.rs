@@ -99,6 +99,12 @@ impl DampedRaces {
         [outer, inner].map(|other| other / (inner + outer))
     }
 
+    /// c_i s_i of both races, inner first, s/m: c over the approach of both contacts in series.
+    pub fn losses(&self) -> [f64; 2] {
+        let ([inner, outer], [inner_loss, outer_loss]) = (self.shares(), self.coefficients);
+        [inner_loss * inner, outer_loss * outer]
+    }
+
     /// Axial and radial force on one ball whose inner groove centre moves at a rate in m/s.
     fn push(&self, law: &impl BallLaw, ball: &PlacedBall, speed: f64, rate: [f64; 2]) -> [f64; 2] {
         let slopes = law.load_slopes(ball.axial, ball.radial, speed);

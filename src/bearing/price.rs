@@ -8,8 +8,8 @@ const HERTZ_FILM: f64 = 65e-9;
 const JONES: f64 = 270e-9;
 const JONES_FILM: f64 = 630e-9;
 const TABLE: f64 = 18e-9;
-/// Of the damping of its contacts: two dry Hertz contacts in series, and any others.
-const HERTZ_DAMPED: f64 = 7e-9;
+/// Of the damping of its contacts: two dry Hertz contacts in series, in one pass with their force, and any others.
+const HERTZ_DAMPED: f64 = 2.6e-9;
 const DAMPED: f64 = 60e-9;
 
 impl Support {

@@ -1,7 +1,10 @@
 //! Where the balls of a ring stand about their lift-off.
 
-use super::BallLaw;
+use fearless_simd::{Simd, SimdFloat, dispatch};
+
 use super::ring::{CageAngle, Ring, Vector5};
+use super::ring_lanes::side_by_side;
+use super::{BallLaw, HertzLaw, LANES};
 
 /// Balls that a set of bits has room for.
 const MOST_BALLS: usize = u128::BITS as usize;
@@ -53,5 +56,69 @@ impl<L: BallLaw> Ring<L> {
         placed.map_or(f64::INFINITY, |ball| {
             self.law().past_lift_off(ball.axial, ball.radial, speed)
         })
+    }
+}
+
+impl Ring<HertzLaw> {
+    /// As [`Ring::lift_offs`], balls side by side: to the same bytes.
+    pub(super) fn series_lift_offs(&self, displacement: &Vector5, cage: CageAngle) -> LiftOffs {
+        dispatch!(self.level, simd => self.series_lift_offs_by(simd, displacement, cage))
+    }
+
+    #[inline(always)]
+    fn series_lift_offs_by<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &Vector5,
+        cage: CageAngle,
+    ) -> LiftOffs {
+        let displacement = &side_by_side(simd, displacement);
+        let mut seen = LiftOffs::NONE;
+        let groups = self.lanes.iter().zip(self.azimuths.chunks(LANES));
+        for (group, (azimuths, balls)) in groups.enumerate().take(MOST_BALLS / LANES) {
+            let directions = azimuths.turned(simd, cage);
+            let axial = directions.axial(self.free_axial, displacement, self.arm);
+            let radial = directions.radial(self.free_radial, displacement);
+            let past = (axial * axial + radial * radial).sqrt() - self.law().distance;
+            let mut pressed = 0;
+            for (lane, past) in past.iter().enumerate().take(balls.len()) {
+                pressed |= u8::from(past.is_sign_positive()) << lane;
+                seen.nearest = seen.nearest.min(past.abs());
+            }
+            seen.pressed |= u128::from(pressed) << (LANES * group);
+        }
+        seen
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bearing::{FreePosition, Geometry};
+
+    /// Thirteen balls, of which none, some or all are pressed.
+    #[test]
+    fn balls_side_by_side_stand_where_each_does() {
+        let free = FreePosition::ContactAngle(0.26);
+        let geometry = Geometry::new(13, 7.938e-3, 38.5e-3, free, 0.52, 0.53).expect("a bearing");
+        let law = HertzLaw {
+            load_deflection_constant: 4.4e9,
+            distance: geometry.groove_centre_distance(),
+        };
+        let (ring, cage) = (Ring::new(&geometry, 0.3, law), CageAngle::new(0.7));
+        let mut counts = Vec::new();
+        for place in [
+            [2e-6, -3e-6, 30e-6, 1e-5, 2e-5],
+            [40e-6, 10e-6, 0.0, 0.0, 1e-4],
+            [0.0, 0.0, -30e-6, 0.0, 0.0],
+        ] {
+            let found = ring.series_lift_offs(&place, cage);
+            assert_eq!(found, ring.lift_offs(&place, cage, 0.0));
+            counts.push(found.pressed.count_ones());
+        }
+        assert!(
+            counts[0] == 13 && (1..13).contains(&counts[1]) && counts[2] == 0,
+            "{counts:?}"
+        );
     }
 }

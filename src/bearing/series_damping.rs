@@ -1,11 +1,21 @@
-//! Damping of two Hertz contacts in series: the approach of each is a fixed part of that of both.
+//! Damping of two Hertz contacts in series, by itself and with the elastic force: the approach of each contact is a
+//! fixed part of that of both.
 
 use fearless_simd::{Simd, SimdBase, SimdFloat, dispatch};
 
 use super::contact_damping::DampedRaces;
 use super::hertz_law::SMALLEST_DISTANCE;
-use super::ring_lanes::{LaneSums, side_by_side};
+use super::ring_lanes::{LaneSums, LaneVector, side_by_side};
 use super::{CageAngle, HertzLaw, Lanes, Ring, Vector5};
+
+/// Which forces are summed up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Sum {
+    /// That against the damping alone.
+    Damping,
+    /// That and the elastic one.
+    Whole,
+}
 
 impl Ring<HertzLaw> {
     /// The same force as by [`Ring::damping_force`], balls side by side and without a root of the load:
@@ -20,24 +30,39 @@ impl Ring<HertzLaw> {
         cage: CageAngle,
         races: &DampedRaces,
     ) -> Vector5 {
-        dispatch!(self.level, simd => self.series_damping_by(simd, displacement, rate, cage, races))
+        dispatch!(self.level, simd => {
+            let motion = [displacement, rate].map(|vector| side_by_side(simd, vector));
+            self.series_sum(simd, Sum::Damping, &motion, cage, races)
+        })
+    }
+
+    /// This force and the elastic one of [`Ring::force_by`] in one pass over the balls, for the processor's
+    /// level `S`.
+    #[inline(always)]
+    pub(super) fn damped_force_by<S: Simd>(
+        &self,
+        simd: S,
+        motion: &[LaneVector<S>; 2],
+        cage: CageAngle,
+        races: &DampedRaces,
+    ) -> Vector5 {
+        self.series_sum(simd, Sum::Whole, motion, cage, races)
     }
 
     #[inline(always)]
-    fn series_damping_by<S: Simd>(
+    fn series_sum<S: Simd>(
         &self,
         simd: S,
-        displacement: &Vector5,
-        rate: &Vector5,
+        sum: Sum,
+        [displacement, rate]: &[LaneVector<S>; 2],
         cage: CageAngle,
         races: &DampedRaces,
     ) -> Vector5 {
         let law = self.law();
-        let (none, pull) = (Lanes::splat(simd, 0.0), Lanes::splat(simd, -1.0));
+        let (none, one) = (Lanes::splat(simd, 0.0), Lanes::splat(simd, 1.0));
+        let elastic = if sum == Sum::Whole { one } else { none };
         let [inner, outer] = races.shares();
-        let [inner_loss, outer_loss] = races.coefficients;
-        let displacement = &side_by_side(simd, displacement);
-        let rate = &side_by_side(simd, rate);
+        let [inner_loss, outer_loss] = races.losses();
         let mut sums = LaneSums::new(simd);
         for azimuths in &self.lanes {
             let directions = azimuths.turned(simd, cage);
@@ -49,11 +74,11 @@ impl Ring<HertzLaw> {
             // δ ≤ 0: separated
             let approach = (distance - law.distance).max(none);
             let load = law.load_deflection_constant * approach * approach.sqrt();
-            let distance = distance + SMALLEST_DISTANCE;
-            let approach_rate = (axial * axial_rate + radial * radial_rate) / distance;
-            let damped = inner * (inner_loss * inner * approach_rate).max(pull)
-                + outer * (outer_loss * outer * approach_rate).max(pull);
-            let lateral = load * damped / distance;
+            let per_distance = one / (distance + SMALLEST_DISTANCE);
+            let approach_rate = (axial * axial_rate + radial * radial_rate) * per_distance;
+            let damped = inner * (inner_loss * approach_rate).max(-one)
+                + outer * (outer_loss * approach_rate).max(-one);
+            let lateral = load * (elastic + damped) * per_distance;
             let (push_axial, push_radial) = (lateral * axial, lateral * radial);
             sums.add(&directions, [push_radial, push_axial, push_axial]);
         }
@@ -67,9 +92,17 @@ mod tests {
     use super::super::{FreePosition, Geometry, HertzSpring};
     use super::*;
 
-    /// Balls side by side bear what each bears by itself, whether pressed together, apart or about to part.
-    #[test]
-    fn balls_side_by_side_are_damped_as_one_by_one() {
+    /// Places and rates of balls that are all pressed, and of some that are apart or about to part.
+    const MOTIONS: [[Vector5; 2]; 2] = [
+        [
+            [2e-6, -3e-6, 30e-6, 1e-5, 2e-5],
+            [1e-3, 2e-3, -1e-3, 0.02, -0.01],
+        ],
+        [[40e-6, 10e-6, 0.0, 0.0, 1e-4], [0.2, -0.1, 0.3, 1.0, -2.0]],
+    ];
+
+    /// A ring of unlike races, damped.
+    fn damped() -> (Ring<HertzLaw>, DampedRaces) {
         let geometry = Geometry::new(
             13,
             7.938e-3,
@@ -94,14 +127,36 @@ mod tests {
             outer: 40.0,
         };
         let races = loss.races(springs).unwrap().unwrap();
+        (ring, races)
+    }
+
+    /// What one pass over the balls sums up is what two do, whether balls are pressed together or apart.
+    #[test]
+    fn elastic_force_and_damping_come_in_one_pass() {
+        let (ring, races) = damped();
         let cage = CageAngle::new(0.7);
-        for (place, rate) in [
-            (
-                [2e-6, -3e-6, 30e-6, 1e-5, 2e-5],
-                [1e-3, 2e-3, -1e-3, 0.02, -0.01],
-            ),
-            ([40e-6, 10e-6, 0.0, 0.0, 1e-4], [0.2, -0.1, 0.3, 1.0, -2.0]),
-        ] {
+        for [place, rate] in MOTIONS {
+            let elastic = ring.force(&place, cage, 0.0);
+            let damping = ring.series_damping(&place, &rate, cage, &races);
+            let whole = dispatch!(ring.level, simd => {
+                let motion = [&place, &rate].map(|vector| side_by_side(simd, vector));
+                ring.damped_force_by(simd, &motion, cage, &races)
+            });
+            let size = elastic.iter().chain(&damping);
+            let size = size.fold(0.0, |most: f64, part| most.max(part.abs()));
+            for axis in 0..5 {
+                let apart = whole[axis] - (elastic[axis] + damping[axis]);
+                assert!(apart.abs() < 1e-14 * size, "{axis}: {apart:e} of {size:e}");
+            }
+        }
+    }
+
+    /// Balls side by side bear what each bears by itself, whether pressed together, apart or about to part.
+    #[test]
+    fn balls_side_by_side_are_damped_as_one_by_one() {
+        let (ring, races) = damped();
+        let cage = CageAngle::new(0.7);
+        for [place, rate] in MOTIONS {
             let alone = ring.damping_force(&place, &rate, cage, 0.0, &races);
             let together = ring.series_damping(&place, &rate, cage, &races);
             let size = alone

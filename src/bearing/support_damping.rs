@@ -1,8 +1,12 @@
 //! The damping of a mounted bearing's contacts as a force on the shaft.
 
+use fearless_simd::{Simd, dispatch};
+
 use super::contact_damping::DampedRaces;
 use super::ring::{CageAngle, Matrix5, Vector5, quarter_turn};
+use super::ring_lanes::side_by_side;
 use super::support::Support;
+use super::{HertzLaw, Ring};
 
 /// Rate at which the damping of a linear bearing is looked at, m/s: so slow that no contact parts.
 const SLOW: f64 = 1e-12;
@@ -52,6 +56,56 @@ impl Support {
             }
         };
         self.on_shaft(&force)
+    }
+
+    /// Force as by [`Support::force`] and by [`Support::damping_force`] together: in one pass over the balls
+    /// where their law is the cheap one.
+    pub(crate) fn damped_force(
+        &self,
+        displacement: &Vector5,
+        velocity: &Vector5,
+        cage: CageAngle,
+        speeds: [f64; 2],
+    ) -> Vector5 {
+        match (&self.damped, &self.frozen, self.plain_ring()) {
+            (Some(races), None, Some(ring)) => {
+                let motion = [displacement, velocity];
+                dispatch!(self.level, simd => {
+                    self.damped_ring_force(simd, ring, races, motion, cage, speeds[0])
+                })
+            }
+            _ => {
+                let force = self.force(displacement, cage, speeds[1]);
+                let damping = self.damping_force(displacement, velocity, cage, speeds);
+                std::array::from_fn(|axis| force[axis] + damping[axis])
+            }
+        }
+    }
+
+    /// The same of a ring of plain Hertz contacts with its axial preset.
+    #[inline(always)]
+    fn damped_ring_force<S: Simd>(
+        &self,
+        simd: S,
+        (ring, offset): (&Ring<HertzLaw>, f64),
+        races: &DampedRaces,
+        [displacement, velocity]: [&Vector5; 2],
+        cage: CageAngle,
+        cage_speed: f64,
+    ) -> Vector5 {
+        let [x, y, z, tilt_x, tilt_y] = self.imposed(&side_by_side(simd, displacement));
+        let [x_rate, y_rate, z_rate, tilt_x_rate, tilt_y_rate] =
+            self.imposed(&side_by_side(simd, velocity));
+        // seen by one who turns with the cage
+        let rate = [
+            x_rate + cage_speed * y,
+            y_rate - cage_speed * x,
+            z_rate,
+            tilt_x_rate + cage_speed * tilt_y,
+            tilt_y_rate - cage_speed * tilt_x,
+        ];
+        let motion = [[x, y, z + offset, tilt_x, tilt_y], rate];
+        self.on_shaft(&ring.damped_force_by(simd, &motion, cage, races))
     }
 
     fn local_damping(

@@ -1,9 +1,9 @@
 //! Steps in registers as wide as the processor has them.
 
 /// Evaluates an expression compiled for the wide registers of a level of the processor, or as all code is
-/// where it has none, by a token of its width: twice instead of once a level, for steps are long and there are
-/// many of them. What it calls must be inlined to be compiled for them; no products are fused, so that the
-/// numbers are the same.
+/// where it has none, by a token of its width where one is named: twice instead of once a level, for steps are
+/// long and there are many of them. What it calls must be inlined to be compiled for them; no products are
+/// fused, so that the numbers are the same.
 macro_rules! in_wide_registers {
     ($level:expr, $simd:ident => $value:expr) => {{
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -25,6 +25,9 @@ macro_rules! in_wide_registers {
             fearless_simd::dispatch!($level, $simd => $value)
         }
     }};
+    ($level:expr, $value:expr) => {
+        in_wide_registers!($level, _simd => $value)
+    };
 }
 
 pub(super) use in_wide_registers;

@@ -77,7 +77,7 @@ pub(super) fn method_use_json(used: &MethodUse) -> Value {
     };
     json!({
         "main": used.main().map(|main| name(main.method)),
-        "why": "least expected cost of a simulated second, by evaluations and matrices at fixed prices",
+        "why": "least expected cost of a simulated second, by evaluations, linear parts and step sizes at fixed prices",
         "methods": used.stretches.iter().map(stretch).collect::<Value>(),
         "changes": used
             .changes

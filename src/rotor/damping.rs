@@ -1,6 +1,6 @@
-//! Viscous damping of the kept freedoms.
+//! Viscous damping of the kept freedoms, and that of the contacts.
 
-use super::{Damping, FREEDOMS, Rotor};
+use super::{Damping, FREEDOMS, Rotation, Rotor};
 use crate::bearing::{Matrix5, Vector5, in_registers};
 
 /// Damping matrix C, diagonal wherever the scene allows.
@@ -16,6 +16,24 @@ impl Rotor {
     pub fn damping_matrix(&self) -> [Vector5; FREEDOMS] {
         let row = |row| std::array::from_fn(|column| self.damping.entry(row, column));
         std::array::from_fn(row)
+    }
+
+    /// Force of the shaft against the damping of all contacts, N and N m.
+    pub(super) fn contact_damping(
+        &self,
+        displacement: &Vector5,
+        velocity: &Vector5,
+        rotation: &Rotation,
+    ) -> Vector5 {
+        let mut total = [0.0; FREEDOMS];
+        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
+            let speeds = [self.cage_ratio(support) * rotation.speed, rotation.speed];
+            let force = support.damping_force(displacement, velocity, cage, speeds);
+            for axis in 0..FREEDOMS {
+                total[axis] += force[axis];
+            }
+        });
+        total
     }
 }
 

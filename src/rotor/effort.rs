@@ -9,7 +9,7 @@ const FREEDOM: f64 = 11e-9;
 /// Slopes of a bearing over its force, and of the damping of dry contacts; differences, which others take,
 /// are twice as dear.
 const SLOPES: f64 = 3.0;
-const DAMPING_SLOPES: f64 = 12.0;
+const DAMPING_SLOPES: f64 = 30.0;
 
 impl Rotor {
     /// Prices on one server, by the laws of the bearings.

@@ -150,19 +150,20 @@ impl Rotor {
         total
     }
 
-    /// Force of the shaft against the damping of all contacts, N and N m; apart from the rest, which
+    /// As [`Rotor::force_on_bearings`], and against the damping of the contacts; apart from the rest, which
     /// stays small where no contact is damped.
     #[inline(never)]
-    pub(super) fn contact_damping(
+    fn damped_force_on_bearings(
         &self,
         displacement: &Vector5,
         velocity: &Vector5,
         rotation: &Rotation,
+        phases: &Phases,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
+        self.for_each_support(rotation.angle, phases, |support, cage| {
             let speeds = [self.cage_ratio(support) * rotation.speed, rotation.speed];
-            let force = support.damping_force(displacement, velocity, cage, speeds);
+            let force = support.damped_force(displacement, velocity, cage, speeds);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
@@ -361,7 +362,18 @@ impl Rotor {
         let rotation = self.speed.at(time);
         let phases = self.phases(&rotation);
         let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
-        let force = self.force_on_bearings(simd, &displacement, &rotation, &phases);
+        let force = if self.contacts_damped {
+            let velocity = self.full(&[0.0; FREEDOMS], velocity);
+            let displacement = in_registers(displacement);
+            in_registers(self.damped_force_on_bearings(
+                &displacement,
+                &velocity,
+                &rotation,
+                &phases,
+            ))
+        } else {
+            self.force_on_bearings(simd, &displacement, &rotation, &phases)
+        };
         let mut push = self.outer_force(time, &rotation, &phases);
         if kept == FREEDOMS {
             let gyroscopic = self.inertia_polar * rotation.speed;
@@ -371,14 +383,6 @@ impl Rotor {
         let braking = self.damping.force(velocity);
         for axis in 0..kept {
             push[axis] -= braking[axis];
-        }
-        if self.contacts_damped {
-            let velocity = self.full(&[0.0; FREEDOMS], velocity);
-            let displacement = in_registers(displacement);
-            let damping = in_registers(self.contact_damping(&displacement, &velocity, &rotation));
-            for axis in 0..kept {
-                push[axis] -= damping[axis];
-            }
         }
         for axis in 0..kept {
             rate[axis] = velocity[axis];

@@ -102,7 +102,7 @@ impl<const N: usize> AutoWalk<N> {
 
     /// Cost of all that was done, s.
     fn spent(&self, prices: &Prices) -> f64 {
-        let [linear_parts, sizes] = self.exponential.matrices().map(|count| count as f64);
+        let [linear_parts, sizes] = self.exponential.preparations().map(|count| count as f64);
         let walks = WAYS.map(|way| {
             let (work, number) = (self.work(way), way as usize);
             let samples = self.covered_by(way) / self.exponential.interval();
@@ -110,7 +110,7 @@ impl<const N: usize> AutoWalk<N> {
                 + samples * prices.sample[number]
                 + samples.min(work.steps as f64) * prices.first_sample[number]
         });
-        walks.iter().sum::<f64>() + linear_parts * prices.linear_part + sizes * prices.matrices
+        walks.iter().sum::<f64>() + linear_parts * prices.linear_part + sizes * prices.step_size
     }
 }
 
@@ -143,7 +143,7 @@ fn settled_cost<S: Linearised<N>, const N: usize>(
     let finer = (course.settings.tolerance / AT_TOLERANCE).powf(ROOT);
     let evaluations = EVALUATIONS_PER_RADIAN * finer * course.system.pace(time, course.end);
     let sizes = SIZES_PER_BREAK * breaks_per_time(course, time);
-    evaluations * prices.evaluation[Way::Exponential as usize] + sizes * prices.matrices
+    evaluations * prices.evaluation[Way::Exponential as usize] + sizes * prices.step_size
 }
 
 /// How often the system breaks from a time on, 1/s.

@@ -30,16 +30,18 @@ pub(super) const WAYS: [Way; 4] = [Way::Verner76, Way::Dop853, Way::Dprkn8, Way:
 /// What an explicit pair does with each state of an evaluation.
 const EXPLICIT: f64 = 4.5e-9;
 /// What a Nyström pair does more, with the integrating factor.
-const NYSTROM: f64 = 35e-9;
+const NYSTROM: f64 = 20e-9;
 /// What the exponential method does with an evaluation, and with each entry of a matrix.
-const EXPONENTIAL: [f64; 2] = [105e-9, 1.9e-9];
-/// Matrices of a step size, by the products of two of their rows and columns.
-const MATRICES: f64 = 22e-9;
+const EXPONENTIAL: [f64; 2] = [110e-9, 0.4e-9];
+/// The modes of a linear part, and their functions over a step size, for each state: what is summed up beside a
+/// motion costs little there.
+const MODES: f64 = 6e-6;
+const FUNCTIONS: f64 = 0.65e-6;
 /// Step sizes that are gone through before steps have found theirs.
 const FIRST_SIZES: f64 = 5.0;
 
 /// What the exponential method does with a sample beyond what a pair does, and with each entry of a matrix.
-const EXPONENTIAL_SAMPLE: [f64; 2] = [65e-9, 1.0e-9];
+const EXPONENTIAL_SAMPLE: [f64; 2] = [30e-9, 0.3e-9];
 /// What a step of a Nyström pair that has samples begins with for them, with each state.
 const NYSTROM_SAMPLES: f64 = 100e-9;
 
@@ -52,9 +54,9 @@ pub(super) struct Prices {
     /// explicit pair.
     pub sample: [f64; WAYS.len()],
     pub first_sample: [f64; WAYS.len()],
-    /// Of a linear part, and of the matrices of a step size.
+    /// Of a linear part with its modes, and of their functions over a step size.
     pub linear_part: f64,
-    pub matrices: f64,
+    pub step_size: f64,
 }
 
 impl Prices {
@@ -72,14 +74,14 @@ impl Prices {
                 EXPONENTIAL_SAMPLE[0] + EXPONENTIAL_SAMPLE[1] * n * n,
             ],
             first_sample: [0.0, 0.0, NYSTROM_SAMPLES * n, 0.0],
-            linear_part: effort.linearisation,
-            matrices: MATRICES * n * n * n,
+            linear_part: effort.linearisation + MODES * n,
+            step_size: FUNCTIONS * n,
         }
     }
 
     /// Of what the exponential method begins with.
-    pub fn first_matrices(&self) -> f64 {
-        self.linear_part + FIRST_SIZES * self.matrices
+    pub fn first_steps(&self) -> f64 {
+        self.linear_part + FIRST_SIZES * self.step_size
     }
 }
 

@@ -2,8 +2,8 @@
 //! costs least per simulated time goes on with it.
 //!
 //! Nothing is tried beside the run: a stretch on trial is a stretch of the run, to the same error as any
-//! other. What counts as cost are evaluations and matrices at prices that are part of the code, so that
-//! the same scene takes the same steps on every machine.
+//! other. What counts as cost are evaluations, linear parts and step sizes at prices that are part of the
+//! code, so that the same scene takes the same steps on every machine.
 
 mod choice;
 mod cost;

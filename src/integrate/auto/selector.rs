@@ -249,8 +249,8 @@ impl Selector {
     /// What a method costs before its first step.
     fn beginning(&self, way: Way, outlook: &Outlook) -> f64 {
         match way {
-            Way::Exponential if self.linear_part => outlook.prices.matrices,
-            Way::Exponential => outlook.prices.first_matrices(),
+            Way::Exponential if self.linear_part => outlook.prices.step_size,
+            Way::Exponential => outlook.prices.first_steps(),
             _ => PAIR_EVALUATIONS * outlook.prices.evaluation[way as usize],
         }
     }

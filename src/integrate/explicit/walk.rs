@@ -286,7 +286,7 @@ impl<const N: usize> Walk<N> {
 
     /// Tries a step; its error over what is allowed, or no number.
     fn trial<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) -> f64 {
-        in_wide_registers!(self.level, _simd => self.tried::<P, S>(course))
+        in_wide_registers!(self.level, self.tried::<P, S>(course))
     }
 
     #[inline(always)]

@@ -7,36 +7,47 @@
 //! with p the polynomial of the slow part: exact as the step itself, whatever the linear part does
 //! between two samples. The sum is a polynomial of the sample's number, found once a step.
 
-use fearless_simd::{Level, dispatch};
-
 use super::columns::apply;
+use super::linear::LinearPart;
+use super::mode_propagator::Functions;
+use super::modes::{add, joined};
 use super::nodes::{NODES, POINTS, Points, combined};
+use super::operator::Phi;
 use super::phi::Family;
-use super::propagator::LinearPart;
+use crate::integrate::registers::in_wide_registers;
 
 /// A sample within a step, and how to come to the next.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cursor<const N: usize> {
     /// Samples after the step's start.
     index: f64,
-    state: [f64; N],
+    coordinates: [f64; N],
     /// Coefficients of the powers of the index in the sum.
     push: Points<N>,
 }
 
 impl<const N: usize> Cursor<N> {
     /// Stands at the start of a step of so many intervals of samples, s.
+    #[inline(never)]
     pub fn new(
         from: [f64; N],
         slow: &Points<N>,
         [interval, intervals]: [f64; 2],
-        family: &Family<N>,
+        phi: &Phi<N>,
         linear: &LinearPart<N>,
     ) -> Self {
-        dispatch!(linear.level, _ => {
-            let push = pushes(slow, [interval, intervals], family, linear.first);
-            Self { index: 0.0, state: from, push }
-        })
+        let push = in_wide_registers!(linear.level, {
+            let derivatives = derivatives(slow, intervals);
+            match phi {
+                Phi::Modes(functions) => pushes_of_modes(&derivatives, interval, functions),
+                Phi::Dense(family) => pushes(&derivatives, interval, family, linear.first),
+            }
+        });
+        Self {
+            index: 0.0,
+            coordinates: from,
+            push,
+        }
     }
 
     /// Number of samples after the step's start.
@@ -45,38 +56,41 @@ impl<const N: usize> Cursor<N> {
     }
 
     /// Goes to a sample that is not behind; its deviation.
-    pub fn go_to(&mut self, index: f64, family: &Family<N>, level: Level) -> [f64; N] {
-        dispatch!(level, _ => {
+    #[inline(never)]
+    pub fn go_to(&mut self, index: f64, phi: &Phi<N>, linear: &LinearPart<N>) -> [f64; N] {
+        in_wide_registers!(linear.level, {
             while self.index < index {
-                self.go_on(family);
+                self.go_on(phi);
             }
         });
-        self.state
+        linear.deviation(&self.coordinates)
     }
 
     /// Goes to the next sample.
     #[inline(always)]
-    fn go_on(&mut self, family: &Family<N>) {
+    fn go_on(&mut self, phi: &Phi<N>) {
         let mut next = [0.0; N];
         for push in self.push.iter().rev() {
             for i in 0..N {
                 next[i] = next[i] * self.index + push[i];
             }
         }
-        apply(&family[0], 0, &self.state, &mut next);
-        self.state = next;
+        match phi {
+            Phi::Modes(functions) => {
+                let mut sums = [next, [0.0; N]];
+                add(&functions[0], &self.coordinates, &mut sums);
+                next = joined(&sums);
+            }
+            Phi::Dense(family) => apply(&family[0], 0, &self.coordinates, &mut next),
+        }
+        self.coordinates = next;
         self.index += 1.0;
     }
 }
 
-/// Coefficients of the powers of a sample's number in what the slow part adds up to it.
+/// Derivatives of the slow part at the start by the number of the sample.
 #[inline(always)]
-fn pushes<const N: usize>(
-    slow: &Points<N>,
-    [interval, intervals]: [f64; 2],
-    family: &Family<N>,
-    first: usize,
-) -> Points<N> {
+fn derivatives<const N: usize>(slow: &Points<N>, intervals: f64) -> Points<N> {
     let mut derivatives = [[0.0; N]; POINTS];
     let mut factor = 1.0;
     for (power, derivative) in derivatives.iter_mut().enumerate() {
@@ -87,12 +101,49 @@ fn pushes<const N: usize>(
         *derivative = combined(&weights, slow);
         factor *= (power + 1) as f64 / intervals;
     }
+    derivatives
+}
+
+/// Coefficients of the powers of a sample's number in what the slow part adds up to it.
+#[inline(always)]
+fn pushes<const N: usize>(
+    derivatives: &Points<N>,
+    interval: f64,
+    family: &Family<N>,
+    first: usize,
+) -> Points<N> {
     let mut pushes = [[0.0; N]; POINTS];
-    let mut factor = interval;
     for (power, push) in pushes.iter_mut().enumerate() {
         for (function, derivative) in family[1..].iter().zip(&derivatives[power..]) {
             apply(function, first, derivative, push);
         }
+    }
+    divided(pushes, interval)
+}
+
+/// The same in the coordinates of modes.
+#[inline(always)]
+fn pushes_of_modes<const N: usize>(
+    derivatives: &Points<N>,
+    interval: f64,
+    functions: &Functions<N>,
+) -> Points<N> {
+    let mut pushes = [[0.0; N]; POINTS];
+    for (power, push) in pushes.iter_mut().enumerate() {
+        let mut sums = [[0.0; N]; 2];
+        for (function, derivative) in functions[1..].iter().zip(&derivatives[power..]) {
+            add(function, derivative, &mut sums);
+        }
+        *push = joined(&sums);
+    }
+    divided(pushes, interval)
+}
+
+/// Sums of derivatives over an interval, divided by the factorials of their powers.
+#[inline(always)]
+fn divided<const N: usize>(mut pushes: Points<N>, interval: f64) -> Points<N> {
+    let mut factor = interval;
+    for (power, push) in pushes.iter_mut().enumerate() {
         for entry in push {
             *entry *= factor;
         }

@@ -9,18 +9,30 @@
 //! part; sweeps over the points solve for the y_j. A shaft on preloaded bearings oscillates far faster
 //! than what drives it, and nearly linearly: g is small and follows the drive, and so do the steps.
 //!
+//! All this is done in the coordinates of the modes of J, where its functions are numbers; where its modes are no
+//! sound basis, as at critical damping, by matrices.
+//!
 //! Sources: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2.1
 //! (exponential collocation); Buvoli, *SIAM J. Sci. Comput.* 42 (2020) B1–B27 (its solution by sweeps).
 
+mod basis;
 mod columns;
 mod dense;
+mod kept;
+mod linear;
+mod mean;
+mod mode_phi;
+mod mode_propagator;
+mod modes;
 mod nodes;
 mod numbers;
+mod operator;
 mod phi;
 mod plan;
 mod propagator;
 mod renewal;
 mod smooth;
+mod spectrum;
 mod sweeps;
 mod walk;
 

@@ -1,5 +1,7 @@
 //! A walk as plain numbers, from which it goes on to the same bytes.
 
+use super::linear::{LinearPart, Place};
+use super::mean::Mean;
 use super::nodes::POINTS;
 use super::plan::Leg;
 use super::renewal::Renewal;
@@ -28,7 +30,6 @@ impl<const N: usize> Walk<N> {
             self.leg.intervals,
             self.intervals,
             self.slow_size,
-            self.linear.norm,
             self.linear.first as f64,
             flag(self.fresh),
             self.rate,
@@ -36,10 +37,15 @@ impl<const N: usize> Walk<N> {
             self.rate_size,
             flag(self.rejected),
             self.renewals as f64,
+            self.mean.steps,
         ];
         let known = self.propagators.numbers();
-        let vectors = [&self.from, &self.to].into_iter();
-        let vectors = vectors.chain(&self.slow).chain(&self.linear.jacobian);
+        let places = [&self.from, &self.to].into_iter();
+        let vectors = places.flat_map(|place| [&place.coordinates, &place.deviation]);
+        let vectors = vectors
+            .chain([&self.mean.deviation])
+            .chain(&self.slow)
+            .chain(&self.linear.jacobian);
         let renewal = self.renewal.numbers();
         let single = single.iter().chain(&renewal).chain(&known);
         single.chain(vectors.flatten()).copied().collect()
@@ -51,7 +57,7 @@ impl<const N: usize> Walk<N> {
         let (&renewal, numbers) = numbers.split_first_chunk()?;
         let (known, vectors) = numbers.split_first_chunk()?;
         let vectors: &[[f64; N]] = match vectors.as_chunks() {
-            (vectors, []) if vectors.len() == 2 + POINTS + N => vectors,
+            (vectors, []) if vectors.len() == 5 + POINTS + N => vectors,
             _ => return None,
         };
         let [
@@ -66,7 +72,6 @@ impl<const N: usize> Walk<N> {
             leg_intervals,
             intervals,
             slow_size,
-            norm,
             first,
             fresh,
             rate,
@@ -74,12 +79,25 @@ impl<const N: usize> Walk<N> {
             rate_size,
             rejected,
             renewals,
+            averaged,
         ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
-        let mut walk = Self::new(vectors[1], interval);
-        walk.from = vectors[0];
-        walk.slow.copy_from_slice(&vectors[2..2 + POINTS]);
-        walk.linear.jacobian.copy_from_slice(&vectors[2 + POINTS..]);
-        (walk.linear.norm, walk.linear.first) = (norm, (first as usize).min(N));
+        let mut walk = Self::new(vectors[3], interval);
+        walk.from = Place {
+            coordinates: vectors[0],
+            deviation: vectors[1],
+        };
+        walk.to = Place {
+            coordinates: vectors[2],
+            deviation: vectors[3],
+        };
+        walk.mean = Mean {
+            deviation: vectors[4],
+            steps: averaged,
+        };
+        walk.slow.copy_from_slice(&vectors[5..5 + POINTS]);
+        let mut jacobian = [[0.0; N]; N];
+        jacobian.copy_from_slice(&vectors[5 + POINTS..]);
+        walk.linear = LinearPart::new(jacobian, (first as usize).min(N), walk.linear.level);
         (walk.start, walk.time, walk.size) = (start, time, size);
         (walk.wish, walk.limit, walk.intervals) = (wish, limit, intervals);
         walk.leg = Leg {

@@ -9,6 +9,7 @@
 //! the doubling as in Skaflestad & Wright, *Appl. Numer. Math.* 59 (2009) 783–799.
 
 use super::columns::{Columns, apply};
+use super::linear::LinearPart;
 use super::nodes::POINTS;
 
 /// Highest k.
@@ -22,6 +23,13 @@ const TERMS: usize = 15;
 
 /// φ_0 … φ_HIGHEST.
 pub(super) type Family<const N: usize> = [Columns<N>; HIGHEST + 1];
+
+/// The functions of a linear part over an interval, s.
+#[inline(always)]
+pub(super) fn over<const N: usize>(part: &LinearPart<N>, interval: f64) -> Family<N> {
+    let scaled = times(interval, &part.jacobian);
+    family(&scaled, interval * part.norm, part.first)
+}
 
 /// The functions of a matrix whose size by a sensible norm is known; of φ_1 and those after it only the
 /// columns from `first` on are right.
@@ -109,7 +117,7 @@ fn diagonal<const N: usize>(value: f64) -> Columns<N> {
 
 /// A matrix in another unit.
 #[inline(always)]
-pub(super) fn times<const N: usize>(factor: f64, matrix: &Columns<N>) -> Columns<N> {
+fn times<const N: usize>(factor: f64, matrix: &Columns<N>) -> Columns<N> {
     let mut product = *matrix;
     for entry in product.as_flattened_mut() {
         *entry *= factor;

@@ -20,7 +20,7 @@ impl<S: System<N>, const N: usize> Trial<'_, S, N> {
     pub(super) fn smoothness(&self) -> f64 {
         let [before, middle, highest] = NODES
             .modes
-            .map(|mode| self.norm(&combined(&mode, &self.slow)));
+            .map(|mode| self.norm(&self.linear.deviation(&combined(&mode, &self.slow))));
         let squares = [before, middle, highest].map(|mode| mode * mode);
         let fall = (squares[1] + squares[2]) / (squares[0] + squares[1]);
         let factor = CAUTION * fall.max(highest / before.max(middle));
@@ -34,7 +34,7 @@ impl<S: System<N>, const N: usize> Trial<'_, S, N> {
 
     /// Whether the points of the step do not all lie on the same sides of the surfaces.
     fn crosses(&self) -> bool {
-        let (system, start) = (self.course.system, self.whole(self.from));
+        let (system, start) = (self.course.system, self.whole(&self.from.deviation));
         let around = system.surroundings(self.start, &start);
         if around.nearest == f64::INFINITY {
             return false;
@@ -51,7 +51,7 @@ impl<S: System<N>, const N: usize> Trial<'_, S, N> {
     /// Deviation at a point after the first, as the latest sweep had it.
     fn at(&self, point: usize) -> &[f64; N] {
         if point + 1 == POINTS {
-            &self.to
+            &self.to.deviation
         } else {
             &self.states[point]
         }

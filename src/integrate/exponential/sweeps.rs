@@ -1,12 +1,17 @@
 //! A trial step: sweeps over its points until the slow part there is that of the states there.
 
+use super::linear::{LinearPart, Place};
 use super::nodes::{NODES, POINTS, Points, SPARE, combined};
-use super::propagator::{LinearPart, Propagator};
+use super::operator::Operator;
 use crate::integrate::System;
 use crate::integrate::course::Course;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
 const LOCAL_PART: f64 = 0.05;
+/// The same where damping is over long before the step is: what the polynomial misses is then followed at once.
+const STIFF_PART: f64 = 0.03;
+/// Product of a step's size and the fastest damping from which on it is.
+const STIFF: f64 = 10.0;
 /// The loosest tolerance that is gone by. Beyond it sweeps under strong damping of the contacts meet where
 /// the motion is not, and what follows costs more than it saves.
 const LOOSEST: f64 = 1e-2;
@@ -27,16 +32,16 @@ const CAUTION: f64 = 3.0;
 pub(super) struct Trial<'a, S, const N: usize> {
     pub course: &'a Course<'a, S, N>,
     pub linear: &'a LinearPart<N>,
-    pub propagator: &'a Propagator<N>,
+    pub operator: &'a Operator<N>,
     pub start: f64,
     pub size: f64,
     /// Time that no evaluation reaches, s.
     pub limit: f64,
-    pub from: &'a [f64; N],
-    /// The slow part at the points: known at the first, guessed at the others.
+    pub from: &'a Place<N>,
+    /// Coordinates of the slow part at the points: known at the first, guessed at the others.
     pub slow: Points<N>,
-    pub to: [f64; N],
-    /// States at the points between, as the latest sweep had them.
+    pub to: Place<N>,
+    /// Deviations at the points between, as the latest sweep had them.
     pub states: Points<N>,
     /// Reciprocals of the errors allowed.
     inverse: [f64; N],
@@ -61,19 +66,28 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
     pub fn new(
         course: &'a Course<'a, S, N>,
         linear: &'a LinearPart<N>,
-        propagator: &'a Propagator<N>,
+        operator: &'a Operator<N>,
         [start, size, limit]: [f64; 3],
-        from: &'a [f64; N],
+        from: &'a Place<N>,
         slow: Points<N>,
         rate: f64,
     ) -> Self {
-        let to = propagator.state(POINTS - 1, from, &slow);
-        let allowed = LOCAL_PART * course.settings.tolerance.min(LOOSEST);
+        let end = operator.coordinates(POINTS - 1, &from.coordinates, &slow);
+        let to = Place {
+            coordinates: end,
+            deviation: linear.deviation(&end),
+        };
+        let part = if linear.damping() * size > STIFF {
+            STIFF_PART
+        } else {
+            LOCAL_PART
+        };
+        let allowed = part * course.settings.tolerance.min(LOOSEST);
         let scale = &course.scaling.scale;
         Self {
             course,
             linear,
-            propagator,
+            operator,
             start,
             size,
             limit,
@@ -82,7 +96,8 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
             to,
             states: [[0.0; N]; POINTS],
             inverse: std::array::from_fn(|i| {
-                (allowed * (scale[i] + from[i].abs().max(to[i].abs()))).recip()
+                let most = from.deviation[i].abs().max(to.deviation[i].abs());
+                (allowed * (scale[i] + most)).recip()
             }),
             rate,
             sweeps: 0,
@@ -125,17 +140,25 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
         self.sweeps += 1;
         let mut change = [[0.0; N]; POINTS];
         for (point, change) in change.iter_mut().enumerate().skip(1) {
-            let state = self.propagator.state(point, self.from, &self.slow);
-            let slow = slow_part(self.linear, self.course, self.time_of(point), &state);
-            self.states[point] = state;
+            let coordinates = self
+                .operator
+                .coordinates(point, &self.from.coordinates, &self.slow);
+            let place = Place {
+                coordinates,
+                deviation: self.linear.deviation(&coordinates),
+            };
+            let slow = slow_part(self.linear, self.course, self.time_of(point), &place);
+            self.states[point] = place.deviation;
             *change = std::array::from_fn(|i| slow[i] - self.slow[point][i]);
             self.slow[point] = slow;
         }
-        let moved = self.propagator.moved(POINTS - 1, &change);
-        for (to, moved) in self.to.iter_mut().zip(&moved) {
-            *to += moved;
+        let moved = self.operator.moved(POINTS - 1, &change);
+        let shift = self.linear.deviation(&moved);
+        for i in 0..N {
+            self.to.coordinates[i] += moved[i];
+            self.to.deviation[i] += shift[i];
         }
-        self.norm(&moved)
+        self.norm(&shift)
     }
 
     /// Time of a point, s.
@@ -147,7 +170,8 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
     /// what is allowed, as far as it is not better than that.
     fn error(&self) -> f64 {
         let spare = combined(&NODES.spare, &self.slow);
-        let at = |point| self.norm(&self.propagator.effect(point, SPARE, &spare));
+        let effect = |point| self.operator.effect(point, SPARE, &spare);
+        let at = |point| self.norm(&self.linear.deviation(&effect(point)));
         self.smoothness() * at(POINTS - 1).max(at(SPARE + 1))
     }
 
@@ -170,25 +194,19 @@ fn rest(change: f64, rate: f64) -> f64 {
     }
 }
 
-/// g = f − J y in a deviation from the origin, where it has one: the origin's part of J y is in g.
+/// Coordinates of g = f − J y with y the deviation from the origin, where it has one: the origin's part of J y
+/// is in g.
 pub(super) fn slow_part<S: System<N>, const N: usize>(
     linear: &LinearPart<N>,
     course: &Course<'_, S, N>,
     time: f64,
-    deviation: &[f64; N],
+    place: &Place<N>,
 ) -> [f64; N] {
     let origin = &course.scaling.origin;
-    let state = std::array::from_fn(|i| origin[i] + deviation[i]);
+    let state = std::array::from_fn(|i| origin[i] + place.deviation[i]);
     let mut rate = [0.0; N];
     course.system.derivative(time, &state, &mut rate);
-    let moved = linear.applied(deviation);
-    std::array::from_fn(|i| {
-        if i < linear.first {
-            0.0
-        } else {
-            rate[i] - moved[i]
-        }
-    })
+    linear.slow(&rate, place)
 }
 
 #[cfg(test)]
@@ -197,7 +215,7 @@ mod tests {
 
     use fearless_simd::Level;
 
-    use super::super::propagator::Propagators;
+    use super::super::kept::Propagators;
     use super::*;
     use crate::integrate::{Method, Scaling, Settings};
 
@@ -230,26 +248,21 @@ mod tests {
             slack: 1e-9,
         };
         let square = -1.06 * NATURAL * NATURAL;
-        let linear = LinearPart {
-            jacobian: [[0.0, square], [1.0, 0.0]],
-            norm: 1.1 * NATURAL,
-            first: 1,
-            level: Level::new(),
-        };
-        let (mut propagators, mut from) = (Propagators::new(), [0.98, 0.0]);
+        let linear = LinearPart::new([[0.0, square], [1.0, 0.0]], 1, Level::new());
+        let (mut propagators, mut from) = (Propagators::new(), linear.place([0.98, 0.0]));
         let size = time / f64::from(steps);
-        let propagator = propagators.of(&linear, size);
+        let operator = propagators.of(&linear, size);
         for step in 0..steps {
             let start = f64::from(step) * size;
             let guess = [slow_part(&linear, &course, start, &from); POINTS];
             let span = [start, size, f64::INFINITY];
-            let mut trial = Trial::new(&course, &linear, propagator, span, &from, guess, 1.0);
+            let mut trial = Trial::new(&course, &linear, operator, span, &from, guess, 1.0);
             for _ in 0..40 {
                 trial.sweep();
             }
             from = trial.to;
         }
-        from
+        from.deviation
     }
 
     /// A free oscillation goes on beside the drive, and the cube of both is in the slow part: at 4 and at

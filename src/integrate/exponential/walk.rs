@@ -1,10 +1,11 @@
 //! Steps of the method, one after the other, and the states at samples within them.
 
-use super::columns::balanced_norm;
 use super::dense::Cursor;
+use super::kept::Propagators;
+use super::linear::{LinearPart, Place};
+use super::mean::Mean;
 use super::nodes::{NODES, POINTS, Points, combined, weights};
 use super::plan::Leg;
-use super::propagator::{LinearPart, Propagators};
 use super::renewal::{Renewal, USUAL_SWEEPS};
 use super::sweeps::{self, Ending, Trial, slow_part};
 use crate::integrate::course::Course;
@@ -41,10 +42,12 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     /// Next break, s: no step reaches over it.
     pub(super) limit: f64,
     pub(super) leg: Leg,
-    /// States at the start and at the end of the latest step.
-    pub(super) from: [f64; N],
-    pub(super) to: [f64; N],
-    /// The slow part at the points of the latest step, and that step's size; with a size of zero only
+    /// The start and the end of the latest step.
+    pub(super) from: Place<N>,
+    pub(super) to: Place<N>,
+    /// The mean of the ends of the latest steps.
+    pub(super) mean: Mean<N>,
+    /// Coordinates of the slow part at the points of the latest step, and that step's size; with a size of zero only
     /// its value at the end is known.
     pub(super) slow: Points<N>,
     pub(super) slow_size: f64,
@@ -75,6 +78,8 @@ pub(in crate::integrate) struct Walk<const N: usize> {
 impl<const N: usize> Walk<N> {
     /// Stands at time 0 in a deviation from the origin, on a grid of samples.
     pub fn new(deviation: [f64; N], interval: f64) -> Self {
+        let linear = LinearPart::none();
+        let place = linear.place(deviation);
         Self {
             interval,
             start: 0.0,
@@ -84,11 +89,12 @@ impl<const N: usize> Walk<N> {
             wish: 0.0,
             limit: 0.0,
             leg: Leg::ENDED,
-            from: deviation,
-            to: deviation,
+            from: place,
+            to: place,
+            mean: Mean::of(deviation),
             slow: [[0.0; N]; POINTS],
             slow_size: 0.0,
-            linear: LinearPart::none(),
+            linear,
             fresh: false,
             rate: 1.0,
             since_rate: 0.0,
@@ -110,7 +116,9 @@ impl<const N: usize> Walk<N> {
     /// step has the size of the latest one here.
     pub fn stand_at(&mut self, time: f64, deviation: [f64; N]) {
         (self.start, self.time, self.limit) = (time, time, time);
-        (self.from, self.to) = (deviation, deviation);
+        self.to = self.linear.place(deviation);
+        self.from = self.to;
+        self.mean = Mean::of(deviation);
         self.leg = Leg::ENDED;
         self.cursor = None;
         (self.fresh, self.rejected, self.fault) = (false, false, false);
@@ -119,7 +127,7 @@ impl<const N: usize> Walk<N> {
 
     /// Deviation at the end of the latest step.
     pub fn deviation(&self) -> [f64; N] {
-        self.to
+        self.to.deviation
     }
 
     /// Interval of the samples, s.
@@ -127,8 +135,8 @@ impl<const N: usize> Walk<N> {
         self.interval
     }
 
-    /// Linear parts taken, and steps of a size whose matrices had to be found.
-    pub fn matrices(&self) -> [u64; 2] {
+    /// Linear parts taken, and step sizes whose operators had to be found.
+    pub fn preparations(&self) -> [u64; 2] {
         [self.renewals, self.propagators.built]
     }
 
@@ -144,7 +152,7 @@ impl<const N: usize> Walk<N> {
 
     /// Scaled state at the end of the latest step.
     pub fn scaled(&self, scaling: &Scaling<N>) -> [f64; N] {
-        std::array::from_fn(|i| self.to[i] / scaling.scale[i])
+        std::array::from_fn(|i| self.to.deviation[i] / scaling.scale[i])
     }
 
     /// Work done so far.
@@ -171,7 +179,7 @@ impl<const N: usize> Walk<N> {
     pub fn state_within<S>(&mut self, course: &Course<'_, S, N>, time: f64) -> [f64; N] {
         let origin = &course.scaling.origin;
         let deviation = if time >= self.time {
-            self.to
+            self.to.deviation
         } else {
             self.within(time)
         };
@@ -181,15 +189,16 @@ impl<const N: usize> Walk<N> {
     /// Deviation at a sample within the latest step.
     fn within(&mut self, time: f64) -> [f64; N] {
         let index = ((time - self.start) / self.interval).round();
-        let family = self.propagators.samples(&self.linear, self.interval);
+        let phi = self.propagators.samples(&self.linear, self.interval);
         let mut cursor = match self.cursor {
             Some(cursor) if cursor.index() <= index => cursor,
             _ => {
                 let intervals = [self.interval, self.intervals];
-                Cursor::new(self.from, &self.slow, intervals, family, &self.linear)
+                let start = self.from.coordinates;
+                Cursor::new(start, &self.slow, intervals, phi, &self.linear)
             }
         };
-        let deviation = cursor.go_to(index, family, self.linear.level);
+        let deviation = cursor.go_to(index, phi, &self.linear);
         self.cursor = Some(cursor);
         deviation
     }
@@ -237,6 +246,7 @@ impl<const N: usize> Walk<N> {
         let behind_break = self.time >= self.limit;
         if behind_break {
             self.limit = course.system.next_break(self.time + course.slack);
+            self.mean = Mean::of(self.from.deviation);
         }
         if self.renewal.pays() {
             self.renew(course);
@@ -249,22 +259,18 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    /// Takes the linear part anew.
+    /// Takes the linear part anew, about where the motion was of late.
     fn renew<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
         let origin = &course.scaling.origin;
-        let state = std::array::from_fn(|i| origin[i] + self.from[i]);
+        let state = std::array::from_fn(|i| origin[i] + self.mean.deviation[i]);
         let (slopes, _) = course.system.linearisation(self.start, &state);
-        let jacobian = slopes.data.0;
-        self.linear = LinearPart {
-            jacobian,
-            norm: balanced_norm(&jacobian),
-            level: self.linear.level,
-            first: if course.system.is_second_order() {
-                N / 2
-            } else {
-                0
-            },
+        let first = if course.system.is_second_order() {
+            N / 2
+        } else {
+            0
         };
+        self.linear = LinearPart::new(slopes.data.0, first, self.linear.level);
+        self.from = self.linear.place(self.from.deviation);
         (self.fresh, self.rate) = (true, 1.0);
         self.renewal.renew();
         self.renewals += 1;
@@ -299,9 +305,9 @@ impl<const N: usize> Walk<N> {
         } else {
             1.0
         };
-        let propagator = self.propagators.of(&self.linear, self.size);
+        let operator = self.propagators.of(&self.linear, self.size);
         let from = &self.from;
-        let mut trial = Trial::new(course, &self.linear, propagator, span, from, guess, rate);
+        let mut trial = Trial::new(course, &self.linear, operator, span, from, guess, rate);
         let ending = trial.run();
         let Trial {
             slow,
@@ -355,6 +361,7 @@ impl<const N: usize> Walk<N> {
         } else {
             proposed
         };
+        self.mean.take_in(&self.to.deviation);
         self.renewal.count_step(self.size, sweeps);
         self.since_rate += 1.0;
         (self.rejected, self.fault, self.fresh) = (false, false, false);
@@ -384,3 +391,7 @@ impl<const N: usize> Walk<N> {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "walk_tests.rs"]
+mod tests;

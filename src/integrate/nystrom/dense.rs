@@ -56,7 +56,7 @@ impl<const N: usize> Walk<N> {
 
     /// Deviation at a time within the step by its polynomial.
     pub(super) fn by_polynomial(&self, time: f64) -> [f64; N] {
-        in_wide_registers!(self.level, _simd => self.within.at(time))
+        in_wide_registers!(self.level, self.within.at(time))
     }
 
     /// Deviation at a time within the step by a shorter step from its start.

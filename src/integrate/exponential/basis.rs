@@ -1,0 +1,226 @@
+//! The modes of a linear part as a basis of its states.
+//!
+//! What a state adds up without acting back, such as works, hangs on the modes of the others: its own eigenvalue
+//! is zero, and it follows them as its rate does.
+
+use nalgebra::{Complex, DMatrix};
+
+use super::spectrum::{self, Mode};
+
+/// Product of the norms of the basis and its inverse, over the number of modes, up to which round-off in the
+/// coordinates is no matter: it comes to this many times that of the state.
+const WORST_CONDITION: f64 = 1e4;
+/// Least size of an eigenvalue, over the largest, where anything hangs on the modes: far slower ones pile up
+/// in what they add to.
+const SLOWEST: f64 = 1e-9;
+
+/// A basis V with J V = V Λ.
+pub(super) struct Basis {
+    /// Eigenvalue of each coordinate, 1/s: of a pair both, the one with positive imaginary part first.
+    pub eigenvalues: Vec<Complex<f64>>,
+    /// V and V⁻¹.
+    pub shapes: DMatrix<f64>,
+    pub parts: DMatrix<f64>,
+}
+
+impl Basis {
+    /// That of a Jacobian with the units in which it is smallest; none where it is no sound one, as where two
+    /// modes are nearly the same.
+    pub fn new(jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
+        if !jacobian.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
+        let acting = Acting::of(jacobian, units)?;
+        let modes = spectrum::modes(acting.matrix(jacobian))?;
+        let basis = Self::of_acting(&acting, &modes, jacobian.nrows())?;
+        let basis = basis.with_hanging(&acting, jacobian)?;
+        let mut all = basis.shapes.iter().chain(basis.parts.iter());
+        all.all(|entry| entry.is_finite()).then_some(basis)
+    }
+
+    /// The basis of what acts, in a matrix of so many rows: pairs first.
+    fn of_acting(acting: &Acting<'_>, modes: &[Mode], rows: usize) -> Option<Self> {
+        let count = acting.places.len();
+        let mut eigenvalues = vec![Complex::ZERO; rows];
+        let (mut scaled, mut coordinate) = (DMatrix::zeros(count, count), 0);
+        for paired in [true, false] {
+            let alike = modes.iter().filter(|mode| mode.is_pair() == paired);
+            for mode in alike {
+                eigenvalues[coordinate] = mode.eigenvalue;
+                for (row, value) in mode.shape.iter().enumerate() {
+                    scaled[(row, coordinate)] = value.re;
+                    if paired {
+                        scaled[(row, coordinate + 1)] = value.im;
+                    }
+                }
+                if paired {
+                    eigenvalues[coordinate + 1] = mode.eigenvalue.conj();
+                }
+                coordinate += 1 + usize::from(paired);
+            }
+        }
+        let inverse = scaled.clone().lu().try_inverse()?;
+        let condition = scaled.norm() * inverse.norm() / count as f64;
+        let [mut shapes, mut parts] = [DMatrix::zeros(rows, rows), DMatrix::zeros(rows, rows)];
+        for (row, &place) in acting.places.iter().enumerate() {
+            for coordinate in 0..count {
+                shapes[(place, coordinate)] = scaled[(row, coordinate)] * acting.units[place];
+                parts[(coordinate, place)] = inverse[(coordinate, row)] / acting.units[place];
+            }
+        }
+        (condition <= WORST_CONDITION).then_some(Self {
+            eigenvalues,
+            shapes,
+            parts,
+        })
+    }
+
+    /// The same with what hangs on it, of which a mode has what it adds up, H = R X Λ⁻¹:
+    /// V = (X 0, H 1), V⁻¹ = (X⁻¹ 0, −H X⁻¹ 1).
+    fn with_hanging(mut self, acting: &Acting<'_>, jacobian: &DMatrix<f64>) -> Option<Self> {
+        let count = acting.places.len();
+        let sizes = self.eigenvalues[..count].iter().map(|value| value.norm());
+        let [least, most] = sizes.fold([f64::INFINITY, 0.0], |[least, most], size| {
+            [size.min(least), size.max(most)]
+        });
+        let hanging = (0..jacobian.nrows()).filter(|row| !acting.places.contains(row));
+        for (own, hanging) in (count..).zip(hanging) {
+            if least < SLOWEST * most {
+                return None;
+            }
+            for coordinate in 0..count {
+                self.shapes[(hanging, coordinate)] =
+                    self.added_up(acting, jacobian, hanging, coordinate);
+            }
+            for &place in &acting.places {
+                let products = (0..count).map(|coordinate| {
+                    self.shapes[(hanging, coordinate)] * self.parts[(coordinate, place)]
+                });
+                self.parts[(own, place)] = -products.sum::<f64>();
+            }
+            (self.shapes[(hanging, own)], self.parts[(own, hanging)]) = (1.0, 1.0);
+        }
+        Some(self)
+    }
+
+    /// What a coordinate's mode adds up in a component: of a pair the real or the imaginary part of R x/λ.
+    fn added_up(
+        &self,
+        acting: &Acting<'_>,
+        jacobian: &DMatrix<f64>,
+        hanging: usize,
+        coordinate: usize,
+    ) -> f64 {
+        let rate = |coordinate: usize| -> f64 {
+            let rates = acting
+                .places
+                .iter()
+                .map(|&place| jacobian[(hanging, place)] * self.shapes[(place, coordinate)]);
+            rates.sum()
+        };
+        let eigenvalue = self.eigenvalues[coordinate];
+        if eigenvalue.im > 0.0 {
+            (Complex::new(rate(coordinate), rate(coordinate + 1)) / eigenvalue).re
+        } else if eigenvalue.im < 0.0 {
+            (Complex::new(rate(coordinate - 1), rate(coordinate)) / eigenvalue.conj()).im
+        } else {
+            rate(coordinate) / eigenvalue.re
+        }
+    }
+}
+
+/// The components that act on any, and the units in which their matrix is smallest.
+struct Acting<'a> {
+    places: Vec<usize>,
+    units: &'a [f64],
+}
+
+impl<'a> Acting<'a> {
+    /// Those of a Jacobian; none where there are none, or where some act on what hangs on them alone.
+    fn of(jacobian: &DMatrix<f64>, units: &'a [f64]) -> Option<Self> {
+        let acts = |&place: &usize| jacobian.column(place).iter().any(|entry| *entry != 0.0);
+        let places: Vec<usize> = (0..jacobian.nrows()).filter(acts).collect();
+        let known = places.iter().all(|&place| units[place].is_finite());
+        (known && !places.is_empty()).then_some(Self { places, units })
+    }
+
+    /// Their matrix in these units.
+    fn matrix(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
+        DMatrix::from_fn(self.places.len(), self.places.len(), |row, column| {
+            let (row, column) = (self.places[row], self.places[column]);
+            jacobian[(row, column)] * (self.units[column] / self.units[row])
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::columns::balanced_units;
+    use super::*;
+
+    fn basis<const N: usize>(columns: &[[f64; N]; N]) -> Option<Basis> {
+        let jacobian = DMatrix::from_fn(N, N, |row, column| columns[column][row]);
+        Basis::new(&jacobian, &balanced_units(columns))
+    }
+
+    /// Displacements and velocities under stiff damping that couples them, with two works and a state that
+    /// never changes beside them, in units far apart.
+    fn accounted() -> [[f64; 7]; 7] {
+        let mut jacobian = [[0.0; 7]; 7];
+        (jacobian[2][0], jacobian[3][1]) = (1.0, 1.0);
+        let forces = [[-4e8, 3e8, -1e6, 2e3], [-3e8, -4e8, -3e3, -9e5]];
+        for (row, entries) in forces.iter().enumerate() {
+            for (column, entry) in entries.iter().enumerate() {
+                jacobian[column][2 + row] = *entry;
+            }
+        }
+        for (column, entries) in jacobian.iter_mut().take(4).enumerate() {
+            (entries[4], entries[5]) = (1e3 + column as f64, -2e7);
+        }
+        jacobian
+    }
+
+    /// V⁻¹ V = 1 and J V = V Λ, with the eigenvalues of a pair as they turn its two coordinates.
+    #[test]
+    fn modes_and_their_eigenvalues_make_the_jacobian() {
+        let columns = accounted();
+        let basis = basis(&columns).expect("a sound basis");
+        let unity = &basis.parts * &basis.shapes;
+        assert!((unity - DMatrix::identity(7, 7)).amax() < 1e-11);
+        let jacobian = DMatrix::from_fn(7, 7, |row, column| columns[column][row]);
+        let mut turning = DMatrix::zeros(7, 7);
+        for (coordinate, eigenvalue) in basis.eigenvalues.iter().enumerate() {
+            turning[(coordinate, coordinate)] = eigenvalue.re;
+            if eigenvalue.im != 0.0 {
+                let partner = if eigenvalue.im > 0.0 {
+                    coordinate + 1
+                } else {
+                    coordinate - 1
+                };
+                turning[(coordinate, partner)] = eigenvalue.im;
+            }
+        }
+        assert!(basis.eigenvalues[0].im > 0.0 && basis.eigenvalues[6] == Complex::ZERO);
+        let [left, right] = [jacobian * &basis.shapes, &basis.shapes * turning];
+        for (left, right) in left.row_iter().zip(right.row_iter()) {
+            assert!(
+                (left - right).amax() < 1e-11 * left.amax().max(1e-30),
+                "{left} {right}"
+            );
+        }
+    }
+
+    /// An oscillator at critical damping has one vector only, and one that hardly misses it two that are nearly
+    /// the same. What is not finite, or nothing at all, has none.
+    #[test]
+    fn a_basis_that_is_not_sound_is_none() {
+        let oscillator = |ratio: f64| [[0.0, -1e8], [1.0, -2e4 * ratio]];
+        for ratio in [0.0, 0.02, 0.999, 1.001, 50.0] {
+            assert!(basis(&oscillator(ratio)).is_some(), "{ratio}");
+        }
+        for ratio in [1.0, 1.0 - 1e-10, 1.0 + 1e-10, f64::NAN, f64::INFINITY] {
+            assert!(basis(&oscillator(ratio)).is_none(), "{ratio}");
+        }
+        assert!(basis(&[[0.0; 3]; 3]).is_none());
+    }
+}

@@ -1,0 +1,105 @@
+//! Step sizes that were used of late, with what carries a state over them.
+
+use super::linear::LinearPart;
+use super::operator::{Operator, Phi};
+
+/// Sizes that are kept.
+const KEPT: usize = 12;
+/// Numbers of [`Propagators::numbers`].
+pub(super) const NUMBERS: usize = 2 + 2 * KEPT;
+
+/// A step size with its operator.
+#[derive(Debug, Clone)]
+struct Size<const N: usize> {
+    size: f64,
+    /// When it was asked for last.
+    used: u64,
+    operator: Operator<N>,
+}
+
+/// Operators of one linear part by their sizes, and the functions over a sample interval.
+#[derive(Debug, Clone)]
+pub(super) struct Propagators<const N: usize> {
+    kept: Vec<Size<N>>,
+    clock: u64,
+    /// Number built so far.
+    pub built: u64,
+    samples: Option<Phi<N>>,
+}
+
+impl<const N: usize> Propagators<N> {
+    pub fn new() -> Self {
+        Self {
+            kept: Vec::with_capacity(KEPT),
+            clock: 0,
+            built: 0,
+            samples: None,
+        }
+    }
+
+    /// Forgets all: the linear part is another.
+    pub fn clear(&mut self) {
+        self.kept.clear();
+        self.samples = None;
+    }
+
+    /// The operator over a step.
+    pub fn of(&mut self, part: &LinearPart<N>, size: f64) -> &Operator<N> {
+        self.clock += 1;
+        let index = match self.kept.iter().position(|known| known.size == size) {
+            Some(index) => index,
+            None => self.build(part, size),
+        };
+        let known = &mut self.kept[index];
+        known.used = self.clock;
+        &known.operator
+    }
+
+    /// Builds an operator in place of none or of the one that was not used for longest.
+    fn build(&mut self, part: &LinearPart<N>, size: f64) -> usize {
+        self.built += 1;
+        let built = Size {
+            size,
+            used: self.clock,
+            operator: Operator::new(part, size),
+        };
+        if self.kept.len() < KEPT {
+            self.kept.push(built);
+            return self.kept.len() - 1;
+        }
+        let index = (0..KEPT).min_by_key(|&index| self.kept[index].used);
+        let index = index.unwrap_or(0);
+        self.kept[index] = built;
+        index
+    }
+
+    /// What [`Propagators::restore`] takes: of every place its size and when it was asked for.
+    pub fn numbers(&self) -> [f64; NUMBERS] {
+        let mut numbers = [0.0; NUMBERS];
+        numbers[0] = self.clock as f64;
+        numbers[1] = self.built as f64;
+        let (places, _) = numbers[2..].as_chunks_mut::<2>();
+        for (place, known) in places.iter_mut().zip(&self.kept) {
+            *place = [known.size, known.used as f64];
+        }
+        numbers
+    }
+
+    /// Finds the operators again that were kept: what is built from here on is what would have been.
+    pub fn restore(&mut self, part: &LinearPart<N>, numbers: &[f64; NUMBERS]) {
+        let [clock, built, places @ ..] = numbers;
+        (self.clock, self.built) = (*clock as u64, *built as u64);
+        let (places, _) = places.as_chunks::<2>();
+        let known = places.iter().take_while(|[size, _]| *size > 0.0);
+        self.kept.extend(known.map(|&[size, used]| Size {
+            size,
+            used: used as u64,
+            operator: Operator::new(part, size),
+        }));
+    }
+
+    /// The functions over an interval of samples.
+    pub fn samples(&mut self, part: &LinearPart<N>, interval: f64) -> &Phi<N> {
+        self.samples.get_or_insert_with(|| Phi::new(part, interval))
+    }
+}
