@@ -249,13 +249,10 @@ impl<const M: usize> System<M> for RotorEnsemble<'_> {
         }
         let mut force = [LaneRow::default(); FREEDOMS];
         self.force(time, &displacement, &mut force);
-        for (axis, row) in push.as_chunks_mut::<LANES>().0[..kept]
-            .iter_mut()
-            .enumerate()
-        {
-            for lane in 0..LANES {
-                row[lane] = force[axis].0[lane] * self.inverse_mass[axis].0[lane];
-            }
+        let rows = push.as_chunks_mut::<LANES>().0[..kept].iter_mut();
+        for (axis, row) in rows.enumerate() {
+            let (force, inverse_mass) = (&force[axis].0, &self.inverse_mass[axis].0);
+            *row = std::array::from_fn(|lane| force[lane] * inverse_mass[lane]);
         }
     }
 
