@@ -33,6 +33,7 @@ mod ring;
 mod ring_lanes;
 mod ring_lift_off;
 mod ring_loads;
+mod ring_table;
 mod seat;
 mod series_damping;
 mod state;

@@ -4,7 +4,7 @@ use fearless_simd::{Level, Simd, dispatch};
 use nalgebra::SMatrix;
 
 use super::ring_lanes::{Azimuths, LaneSums, LaneVector, side_by_side};
-use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry, LANES};
+use super::{BallContact, BallForce, BallLaw, BallTangent, Geometry, LANES, LaneForces, Lanes};
 
 /// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
 pub type Vector5 = [f64; 5];
@@ -128,15 +128,22 @@ impl<L: BallLaw> Ring<L> {
             let axial = directions.axial(self.free_axial, displacement, self.arm);
             let radial = directions.radial(self.free_radial, displacement);
             let balls = self.law.forces(axial, radial, speed);
-            // moments by the arm, so that without a couple the arm stays out of the loop
-            let moment = if L::HAS_COUPLE {
-                balls.axial + balls.couple / self.arm
-            } else {
-                balls.axial
-            };
-            sums.add(&directions, [balls.radial, balls.axial, moment]);
+            sums.add(
+                &directions,
+                [balls.radial, balls.axial, self.moment(&balls)],
+            );
         }
         sums.force(self.arm)
+    }
+
+    /// Moments over the arm, so that without a couple the arm stays out of the loop.
+    #[inline(always)]
+    pub(super) fn moment<S: Simd>(&self, balls: &LaneForces<S>) -> Lanes<S> {
+        if L::HAS_COUPLE {
+            balls.axial + balls.couple / self.arm
+        } else {
+            balls.axial
+        }
     }
 
     /// Force as by [`Ring::force`] and its exact derivative K = ∂F/∂q.

@@ -4,7 +4,7 @@ use fearless_simd::{Simd, dispatch};
 
 use super::any_ring::AnyRing;
 use super::ring::{CageAngle, Matrix5, Vector5, in_registers, quarter_turn};
-use super::ring_lanes::side_by_side;
+use super::ring_lanes::{LaneSums, side_by_side};
 use super::seat::Seat;
 use super::support::Support;
 use super::{HertzLaw, Ring};
@@ -31,11 +31,32 @@ impl Support {
                 let place = [x, y, z + offset, tilt_x, tilt_y];
                 ring.force_by(simd, &place, cage, speed)
             }
-            (None, None) => {
-                in_registers(self.settled_force(in_registers(*displacement), cage, speed))
-            }
+            (None, None) => match self.tabulated(simd, displacement, cage, speed) {
+                Some(force) => force,
+                None => in_registers(self.settled_force(in_registers(*displacement), cage, speed)),
+            },
         };
         self.on_shaft(&force)
+    }
+
+    /// The force of the balls in the bearing's own orientation where all of them are inside a table.
+    #[inline(always)]
+    fn tabulated<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+    ) -> Option<Vector5> {
+        let (Some(table), Seat::Fixed { offset }) = (&self.table, &self.seat) else {
+            return None;
+        };
+        let [x, y, z, tilt_x, tilt_y] = self.imposed(&side_by_side(simd, displacement));
+        let place = [x, y, z + *offset, tilt_x, tilt_y];
+        let mut sums = LaneSums::new(simd);
+        table
+            .add_forces(simd, &place, cage, speed, &mut sums)
+            .then(|| sums.force(self.definition.bearing.geometry.inner_groove_radius()))
     }
 
     /// The ring and its axial preset in m, where its balls obey the cheap law and nothing else enters.

@@ -1,6 +1,9 @@
 //! A ring whose ball law was compiled into a table.
 
+use fearless_simd::Simd;
+
 use super::any_ring::AnyRing;
+use super::ring_lanes::{LaneSums, LaneVector};
 use super::ring_lift_off::LiftOffs;
 use super::{
     BallLaw, BallRegion, CageAngle, ContactLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Matrix5,
@@ -63,6 +66,25 @@ impl TableRing {
         }
     }
 
+    /// Adds up the forces of the balls for the processor's level `S`; says whether all were inside the table,
+    /// and leaves `sums` alone otherwise. What goes in and out is read as it was written, in whole
+    /// registers.
+    #[inline(never)]
+    pub fn add_forces<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &LaneVector<S>,
+        cage: CageAngle,
+        speed: f64,
+        sums: &mut LaneSums<S>,
+    ) -> bool {
+        simd.vectorize(
+            #[inline(always)]
+            || with_table!(self, ring => ring.add_by_table(simd, displacement, cage, speed, sums)),
+        )
+    }
+
+    /// The force with a ball or more outside the table.
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         with_table!(self, ring => ring.force(displacement, cage, speed))
     }

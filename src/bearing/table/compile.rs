@@ -1,19 +1,15 @@
 //! From an exact law to its table.
 
-use std::cell::Cell;
-
-use super::chart::Chart;
+use super::counted::Counted;
 use super::law::{AXIAL_TERMS, CoupleCell, ForceCell, ROOT_TERMS, TableLaw};
+use super::limits::Limits;
 use super::polynomial::{lobatto, power_weights, weights_at};
 use super::region::BallRegion;
 use super::strips::{BINS, Strips};
-use crate::bearing::{BallForce, BallLaw};
+use crate::bearing::BallLaw;
 
 /// Load at which a ball counts as lifted off, of the largest one.
 const LIFTED_SHARE: f64 = 1e-14;
-/// How far around the region lift-off is looked for, over the distance of the groove centres; so far
-/// below the region balls carry nothing.
-const LIFTED_REACH: f64 = 0.25;
 /// Share of the tolerance that each step of the interpolation may use.
 const STEP_SHARE: f64 = 0.25;
 /// Numbers of places along |A1| at which the exact law is asked, one attempt after the other.
@@ -28,9 +24,6 @@ const MOST_CELLS: usize = 16_384;
 const STRIP_NODES: usize = 8;
 /// Most strips of a table into which one of those is divided.
 const FINEST: usize = 32;
-/// Slope of u by A2 along the line of lift-off below which the line is no function of |A1|.
-const FLATTEST: f64 = 0.3;
-
 /// What a table is good for, and what it took.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TableReport {
@@ -63,25 +56,6 @@ pub enum TableError {
     },
 }
 
-/// The exact law, its evaluations counted.
-struct Counted<'a, L> {
-    law: &'a L,
-    speed: f64,
-    count: Cell<usize>,
-}
-
-impl<L: BallLaw> Counted<'_, L> {
-    fn force(&self, axial: f64, radial: f64) -> BallForce {
-        self.count.set(self.count.get() + 1);
-        self.law.force(axial, radial, self.speed)
-    }
-
-    fn load(&self, axial: f64, radial: f64) -> f64 {
-        let force = self.force(axial, radial);
-        force.axial.hypot(force.radial)
-    }
-}
-
 /// Forces over the approach past lift-off: F_a/u, F_r/u, couple/u.
 type Reduced = [f64; 3];
 
@@ -99,11 +73,7 @@ impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
         load: f64,
         tolerance: f64,
     ) -> Result<(Self, TableReport), TableError> {
-        let counted = Counted {
-            law: &law,
-            speed,
-            count: Cell::new(0),
-        };
+        let counted = Counted::new(&law, speed);
         let mut failure = TableError::NoRegion;
         for columns in COLUMNS {
             let draft = Draft::new(&counted, region, columns, load, tolerance)?;
@@ -112,7 +82,7 @@ impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
             let cells = table.forces.len();
             let relative_error = error / load;
             if relative_error <= tolerance {
-                let evaluations = counted.count.get();
+                let evaluations = counted.evaluations();
                 let report = TableReport {
                     error,
                     relative_error,
@@ -156,68 +126,6 @@ struct CellColumns {
     nodes: [Vec<f64>; AXIAL_TERMS],
     /// Weights of its errors between the nodes.
     errors: [Vec<f64>; 2],
-}
-
-/// Coordinates and how far they reach.
-struct Limits {
-    chart: Chart,
-    /// √u at both ends.
-    roots: [f64; 2],
-    /// Least A2, m.
-    lowest: f64,
-}
-
-impl Limits {
-    /// Of balls that never lift off.
-    fn loaded(span: [f64; 2], radial: [f64; 2]) -> Self {
-        let (nearest, farthest) = (span[0].hypot(radial[0]), span[1].hypot(radial[1]));
-        // the forces over u are smooth only away from u = 0
-        let pad = 0.5 * (farthest - nearest);
-        Self {
-            chart: Chart::concentric(span, nearest - pad),
-            roots: [pad.sqrt(), (farthest - nearest + pad).sqrt()],
-            lowest: radial[0],
-        }
-    }
-
-    /// Of balls that lift off: all that is below the line of lift-off is in reach, too.
-    fn lifting<L: BallLaw>(
-        law: &Counted<'_, L>,
-        span: [f64; 2],
-        nodes: &[f64],
-        radial: [f64; 2],
-        lifted: f64,
-    ) -> Result<Self, TableError> {
-        let distance = span[1].hypot(radial[1]);
-        let lift_off = nodes
-            .iter()
-            .map(|&axial| lift_off(law, axial, radial, distance, lifted))
-            .collect::<Option<Vec<f64>>>()
-            .ok_or(TableError::LiftOff)?;
-        let chart = Chart::new(span, nodes, &lift_off);
-        let steep = nodes.iter().zip(&lift_off).any(|(&axial, &radial)| {
-            let slopes = chart.slopes(axial, radial);
-            slopes.by_radial.is_nan() || slopes.by_radial < FLATTEST
-        });
-        if steep {
-            return Err(TableError::LiftOff);
-        }
-        let farthest = nodes
-            .iter()
-            .map(|&axial| chart.past_lift(axial, radial[1]))
-            .fold(1e-3 * distance, f64::max);
-        Ok(Self {
-            chart,
-            roots: [0.0, farthest.sqrt()],
-            lowest: radial[0] - LIFTED_REACH * distance,
-        })
-    }
-
-    /// v a part 0 … 1 of the way.
-    fn root(&self, part: f64) -> f64 {
-        let [start, end] = self.roots;
-        start + (end - start) * part
-    }
 }
 
 impl<'a, L: BallLaw + Clone> Draft<'a, L> {
@@ -489,11 +397,12 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
                     })
                 });
                 let terms = powers(&nodes, &by_root, &by_axial);
-                forces.push(terms.map(|row| {
+                forces.push(ForceCell(terms.map(|row| {
                     let pair = |l: usize| [row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]];
                     [pair(0), pair(2)]
-                }));
-                couples.push(terms.map(|row| row.map(|term| term[2] * self.arm)));
+                })));
+                let couple = terms.map(|row| row.map(|term| term[2] * self.arm));
+                couples.push(CoupleCell(couple));
             }
         }
         (forces, couples)
@@ -571,32 +480,4 @@ fn powers(
             weighted(column.into_iter(), &weights)
         })
     })
-}
-
-/// A2 at which a ball lifts off at |A1|: where its load falls below `lifted`. None outside a quarter
-/// of the distance of the groove centres around the region.
-fn lift_off<L: BallLaw>(
-    law: &Counted<'_, L>,
-    axial: f64,
-    [low, high]: [f64; 2],
-    distance: f64,
-    lifted: f64,
-) -> Option<f64> {
-    let reach = LIFTED_REACH * distance;
-    let (mut low, mut high) = (low - reach, high + reach);
-    if !(law.load(axial, low) <= lifted && law.load(axial, high) > lifted) {
-        return None;
-    }
-    while high - low > f64::EPSILON * distance {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            break;
-        }
-        if law.load(axial, middle) > lifted {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    Some(0.5 * (low + high))
 }

@@ -1,98 +1,179 @@
 //! Division of the root of the approach into strips of unequal width, and of strips into cells.
 
-use super::law::{INSIDE, ROUNDING, whole};
+use fearless_simd::{Simd, SimdBase, SimdFloat, mask64x4};
+
+use super::side_by_side::{ROUNDING, transposed, whole};
 use crate::bearing::{LANES, Lanes};
-use fearless_simd::Simd;
+
+/// Keeps the ends of a range from being rounded into the bins or cells beyond them, of which the last digit of the
+/// number of a cell is less.
+const INSIDE: f64 = 1.0 - 1e-11;
 
 /// Bins over the whole range: the narrowest strip is one of them.
-pub(super) const BINS: usize = 8192;
+pub(super) const BINS: usize = 4096;
 
-/// One strip and its cells along |A1|, all of a width.
+/// Middle of the places among the bins.
+const MIDDLE: f64 = 0.5 * (BINS - 1) as f64;
+
+/// Half of the places among the bins that are in the range: the ends of it with what rounding may add.
+const REACH: f64 = 0.5 * BINS as f64 - 1e-8;
+
+/// One strip, as its bins have it, and its cells along |A1|, all of a width.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Strip {
-    /// Scale and shift that map v onto x = −1 … 1: `x = v scale − shift`.
-    map: [f64; 2],
-    /// Scale and shift that map τ onto the cells.
-    scale: f64,
-    shift: f64,
-    first_cell: usize,
+#[repr(align(32))]
+struct Strip {
+    /// Scale and shift that map v onto x = −1 … 1, and τ onto the cells of the whole table:
+    /// `x = v scale + shift`.
+    maps: [f64; 4],
 }
 
-/// Strips over `start` … `end`, each a whole number of bins.
+/// Strips over a range of v, each a whole number of bins.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Strips {
-    middle: f64,
-    inverse_half: f64,
+    /// Scale and shift that map v onto the bins.
+    bin_scale: f64,
+    bin_shift: f64,
     /// Strip of every bin.
-    of_bin: Vec<u16>,
-    strips: Vec<Strip>,
+    of_bin: Box<[Strip; BINS]>,
 }
 
-/// Place of a ball in its cell.
+/// Places of balls in their cells.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct InCell {
-    pub(super) cell: usize,
+pub(super) struct InCells<S: Simd> {
+    pub(super) cells: [usize; LANES],
     /// Along the root of the approach, −1 … 1.
-    pub(super) x: f64,
+    pub(super) x: Lanes<S>,
     /// Along |A1|, −½ … ½.
-    pub(super) t: f64,
+    pub(super) t: Lanes<S>,
 }
 
 impl Strips {
     /// Strips that follow one another, each from its first bin on, with its number of cells.
     pub(super) fn new([start, end]: [f64; 2], first_bins: &[usize], cells: &[usize]) -> Self {
         let width = (end - start) / BINS as f64;
-        let mut of_bin = vec![0; BINS];
-        let (mut strips, mut first_cell) = (Vec::with_capacity(cells.len()), 0);
+        let mut of_bin = Box::new([Strip { maps: [0.0; 4] }; BINS]);
+        let mut first_cell = 0;
         for (strip, (&first, &cells)) in first_bins.iter().zip(cells).enumerate() {
             let next = first_bins.get(strip + 1).copied().unwrap_or(BINS);
-            of_bin[first..next].fill(strip as u16);
             let [low, high] = [first, next].map(|bin| start + bin as f64 * width);
-            strips.push(Strip {
-                map: [2.0 / (high - low), (high + low) / (high - low)],
-                scale: 0.5 * cells as f64 * INSIDE,
-                shift: 0.5 * cells as f64 - 0.5,
-                first_cell,
+            let half = 0.5 * cells as f64;
+            of_bin[first..next].fill(Strip {
+                maps: [
+                    2.0 / (high - low),
+                    -(high + low) / (high - low),
+                    half * INSIDE,
+                    first_cell as f64 + (half - 0.5),
+                ],
             });
             first_cell += cells;
         }
         Self {
-            middle: 0.5 * (start + end),
-            inverse_half: 2.0 / (end - start),
+            bin_scale: INSIDE / width,
+            bin_shift: MIDDLE - 0.5 * (start + end) * (INSIDE / width),
             of_bin,
-            strips,
         }
     }
 
-    /// The range of v as −1 … 1.
+    /// Places of v among the bins; bin 0 is from −½ to ½.
     #[inline(always)]
-    pub(super) fn part<S: Simd>(&self, root: Lanes<S>) -> Lanes<S> {
-        (root - self.middle) * self.inverse_half
+    pub(super) fn among_bins<S: Simd>(&self, root: Lanes<S>) -> Lanes<S> {
+        root * self.bin_scale + self.bin_shift
     }
 
-    /// Bins of parts of the range.
+    /// Whether places among the bins are in the range.
     #[inline(always)]
-    pub(super) fn bins<S: Simd>(part: Lanes<S>) -> [usize; LANES] {
-        let half = 0.5 * BINS as f64;
-        whole(part * (half * INSIDE) + (half - 0.5))
+    pub(super) fn contain<S: Simd>(place: Lanes<S>) -> mask64x4<S> {
+        (place - MIDDLE).abs().simd_le(REACH)
     }
 
-    /// The cell of v and τ in a bin.
+    /// Maps of the strips at places among the bins: those of v in its first columns, those of τ in the others.
     #[inline(always)]
-    pub(super) fn locate(&self, bin: usize, root: f64, along: f64) -> InCell {
-        let strip = &self.strips[usize::from(self.of_bin[bin])];
-        let place = along * strip.scale + strip.shift;
+    fn maps<S: Simd>(&self, place: Lanes<S>) -> [Lanes<S>; 4] {
+        let simd = place.witness();
+        let [a, b, c, d] = whole(place + ROUNDING);
+        let maps = |bin: usize| simd.load_array_ref_f64x4(&self.of_bin[bin % BINS].maps);
+        transposed([maps(a), maps(b), maps(c), maps(d)])
+    }
+
+    /// The cells of v, itself and its place among the bins, and τ.
+    #[inline(always)]
+    pub(super) fn locate<S: Simd>(
+        &self,
+        root: Lanes<S>,
+        among_bins: Lanes<S>,
+        along: Lanes<S>,
+    ) -> InCells<S> {
+        let [root_scale, root_shift, scale, shift] = self.maps(among_bins);
+        let place = along * scale + shift;
         let column = place + ROUNDING;
-        InCell {
-            cell: strip.first_cell + column.to_bits() as u32 as usize,
-            x: root * strip.map[0] - strip.map[1],
+        InCells {
+            cells: whole(column),
+            x: root * root_scale + root_shift,
             t: place - (column - ROUNDING),
         }
     }
 
-    /// dx/dv and dt/dτ in a bin.
-    pub(super) fn rates(&self, bin: usize) -> [f64; 2] {
-        let strip = &self.strips[usize::from(self.of_bin[bin])];
-        [strip.map[0], strip.scale]
+    /// dx/dv and dt/dτ at v.
+    #[inline(always)]
+    pub(super) fn rates<S: Simd>(&self, root: Lanes<S>) -> [Lanes<S>; 2] {
+        let [root_scale, _, scale, _] = self.maps(self.among_bins(root));
+        [root_scale, scale]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use fearless_simd::{Level, SimdMask, dispatch};
+
+    use super::*;
+
+    /// Cell, and x and t, of a single place.
+    fn located(strips: &Strips, root: f64, along: f64) -> (usize, [f64; 2]) {
+        dispatch!(Level::baseline(), simd => {
+            let [root, along] = [root, along].map(|number| Lanes::splat(simd, number));
+            let among_bins = strips.among_bins(root);
+            assert!(Strips::contain(among_bins).all_true());
+            let place = strips.locate(root, among_bins, along);
+            (place.cells[0], [place.x[0], place.t[0]])
+        })
+    }
+
+    #[test]
+    fn both_ends_are_in_the_outermost_cells_of_the_largest_table() {
+        // a root that is rounded falls on either side of an end
+        let range = [3.403_672_515_994_114e-3, 5.895_333_730_027_598e-3];
+        let first_bins: Vec<usize> = (0..BINS).collect();
+        for cells in [1, 4] {
+            let strips = Strips::new(range, &first_bins, &vec![cells; BINS]);
+            let last = cells * BINS - 1;
+            for (root, along, cell) in [
+                (range[0], -1.0 - 1e-13, 0),
+                (range[0], 1.0 + 1e-13, cells - 1),
+                (range[1], -1.0 - 1e-13, last + 1 - cells),
+                (range[1], 1.0 + 1e-13, last),
+            ] {
+                for root in [root.next_down(), root, root.next_up()] {
+                    let (own, [x, t]) = located(&strips, root, along);
+                    assert_eq!(own, cell);
+                    assert!((x.abs() - 1.0).abs() < 1e-6 && t.abs() <= 0.5, "{x}, {t}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn strips_of_unequal_width_have_cells_of_their_own() {
+        let strips = Strips::new([0.0, 1.0], &[0, BINS / 2, 3 * BINS / 4], &[2, 1, 4]);
+        for (root, along, expected, x) in [
+            (0.25, -0.5, 0, 0.0),
+            (0.25, 0.5, 1, 0.0),
+            (0.625, 0.0, 2, 0.0),
+            (0.8125, -0.75, 3, -0.5),
+            (0.9375, 0.75, 6, 0.5),
+        ] {
+            let (cell, [own, t]) = located(&strips, root, along);
+            assert_eq!(cell, expected);
+            assert!((own - x).abs() < 1e-9 && t.abs() < 1e-9, "{own}, {t}");
+        }
     }
 }
