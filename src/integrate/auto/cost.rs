@@ -27,12 +27,11 @@ impl Way {
 /// All of them, in the order of their numbers.
 pub(super) const WAYS: [Way; 4] = [Way::Verner76, Way::Dop853, Way::Dprkn8, Way::Exponential];
 
-/// What an explicit pair does with each state of an evaluation.
+/// What an explicit pair does with each state of an evaluation: one of Nyström's has half of the sums, and its
+/// integrating factor takes as long as the other half.
 const EXPLICIT: f64 = 4.5e-9;
-/// What a Nyström pair does more, with the integrating factor.
-const NYSTROM: f64 = 20e-9;
 /// What the exponential method does with an evaluation, and with each entry of a matrix.
-const EXPONENTIAL: [f64; 2] = [110e-9, 0.4e-9];
+const EXPONENTIAL: [f64; 2] = [115e-9, 1.1e-9];
 /// The modes of a linear part, and their functions over a step size, for each state: what is summed up beside a
 /// motion costs little there.
 const MODES: f64 = 6e-6;
@@ -43,7 +42,7 @@ const FIRST_SIZES: f64 = 5.0;
 /// What the exponential method does with a sample beyond what a pair does, and with each entry of a matrix.
 const EXPONENTIAL_SAMPLE: [f64; 2] = [30e-9, 0.3e-9];
 /// What a step of a Nyström pair that has samples begins with for them, with each state.
-const NYSTROM_SAMPLES: f64 = 100e-9;
+const NYSTROM_SAMPLES: f64 = 40e-9;
 
 /// Prices for a system.
 #[derive(Debug, Clone, Copy)]
@@ -66,7 +65,7 @@ impl Prices {
         let explicit = effort.derivative + EXPLICIT * n;
         let exponential = effort.derivative + EXPONENTIAL[0] + EXPONENTIAL[1] * n * n;
         Self {
-            evaluation: [explicit, explicit, explicit + NYSTROM, exponential],
+            evaluation: [explicit, explicit, explicit, exponential],
             sample: [
                 0.0,
                 0.0,
