@@ -2,12 +2,15 @@
 
 use super::{ContactLaw, Support};
 
-/// Of a ball by each law, s on one core of one server: measured by `benches/right_hand_side`.
-const HERTZ: f64 = 4.2e-9;
-const HERTZ_FILM: f64 = 65e-9;
-const JONES: f64 = 270e-9;
-const JONES_FILM: f64 = 630e-9;
-const TABLE: f64 = 18e-9;
+/// Of a bearing, and of a ball by each law, s on one core of one server: measured by `benches/right_hand_side`.
+const BEARING: f64 = 22e-9;
+const HERTZ: f64 = 1.6e-9;
+const HERTZ_FILM: f64 = 62e-9;
+const JONES: f64 = 230e-9;
+const JONES_FILM: f64 = 560e-9;
+const TABLE: f64 = 7e-9;
+/// Of the slopes of the force of a ball, beyond the force.
+const BALL_SLOPES: f64 = 45e-9;
 /// Of the damping of its contacts: two dry Hertz contacts in series, in one pass with their force, and any others.
 const HERTZ_DAMPED: f64 = 2.6e-9;
 const DAMPED: f64 = 60e-9;
@@ -24,7 +27,15 @@ impl Support {
             (ContactLaw::Jones(_), false) => JONES,
             (ContactLaw::Jones(_), true) => JONES_FILM,
         };
-        ball * definition.bearing.geometry.balls() as f64
+        BEARING + ball * self.balls_priced()
+    }
+
+    /// Price of the slopes of the force, s, beyond that of the force itself.
+    pub(crate) fn slopes_price(&self) -> f64 {
+        match self.definition.law {
+            ContactLaw::Linear => 0.0,
+            ContactLaw::Hertz | ContactLaw::Jones(_) => BALL_SLOPES * self.balls_priced(),
+        }
     }
 
     /// Price of the force against the damping of the contacts, s.
@@ -35,6 +46,10 @@ impl Support {
             (ContactLaw::Linear | ContactLaw::Hertz, false) => HERTZ_DAMPED,
             _ => DAMPED,
         };
-        ball * definition.bearing.geometry.balls() as f64
+        ball * self.balls_priced()
+    }
+
+    fn balls_priced(&self) -> f64 {
+        self.definition.bearing.geometry.balls() as f64
     }
 }

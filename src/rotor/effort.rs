@@ -4,22 +4,22 @@ use super::Rotor;
 use crate::bearing::Support;
 use crate::integrate::Effort;
 
-/// Of a derivative without its bearings by freedom, s.
-const FREEDOM: f64 = 11e-9;
-/// Slopes of a bearing over its force, and of the damping of dry contacts; differences, which others take,
-/// are twice as dear.
-const SLOPES: f64 = 3.0;
+/// Of a derivative without its bearings by freedom, and of a varying load, s.
+const FREEDOM: f64 = 5e-9;
+const LOAD: f64 = 10e-9;
+/// Slopes of the damping of dry contacts over its force; differences, which others take, are twice as dear.
 const DAMPING_SLOPES: f64 = 30.0;
 
 impl Rotor {
     /// Prices on one server, by the laws of the bearings.
     pub(super) fn effort(&self) -> Effort {
         let forces: f64 = self.supports.iter().map(Support::price).sum();
-        let shaft = FREEDOM * self.kept() as f64;
+        let slopes: f64 = self.supports.iter().map(Support::slopes_price).sum();
+        let shaft = FREEDOM * self.kept() as f64 + LOAD * self.loads.len() as f64;
         let damping: f64 = self.supports.iter().map(Support::damping_price).sum();
         Effort {
             derivative: shaft + forces + damping,
-            linearisation: SLOPES * (shaft + forces) + DAMPING_SLOPES * damping,
+            linearisation: shaft + forces + slopes + DAMPING_SLOPES * damping,
         }
     }
 

@@ -29,20 +29,22 @@ pub(super) const WAYS: [Way; 4] = [Way::Verner76, Way::Dop853, Way::Dprkn8, Way:
 
 /// What an explicit pair does with each state of an evaluation: one of Nyström's has half of the sums, and its
 /// integrating factor takes as long as the other half.
-const EXPLICIT: f64 = 4.5e-9;
+const EXPLICIT: f64 = 3.7e-9;
 /// What the exponential method does with an evaluation, and with each entry of a matrix.
-const EXPONENTIAL: [f64; 2] = [115e-9, 1.1e-9];
+const EXPONENTIAL: [f64; 2] = [105e-9, 0.45e-9];
 /// The modes of a linear part, and their functions over a step size, for each state: what is summed up beside a
 /// motion costs little there.
 const MODES: f64 = 6e-6;
 const FUNCTIONS: f64 = 0.65e-6;
 /// Step sizes that are gone through before steps have found theirs.
-const FIRST_SIZES: f64 = 5.0;
+const FIRST_SIZES: f64 = 10.0;
 
 /// What the exponential method does with a sample beyond what a pair does, and with each entry of a matrix.
-const EXPONENTIAL_SAMPLE: [f64; 2] = [30e-9, 0.3e-9];
-/// What a step of a Nyström pair that has samples begins with for them, with each state.
-const NYSTROM_SAMPLES: f64 = 40e-9;
+const EXPONENTIAL_SAMPLE: [f64; 2] = [6e-9, 0.2e-9];
+/// What a step of a Nyström pair that has samples begins with for them, with each state, and what it does with
+/// a sample.
+const NYSTROM_SAMPLES: f64 = 33e-9;
+const NYSTROM_SAMPLE: f64 = 4.5e-9;
 
 /// Prices for a system.
 #[derive(Debug, Clone, Copy)]
@@ -69,7 +71,7 @@ impl Prices {
             sample: [
                 0.0,
                 0.0,
-                0.0,
+                NYSTROM_SAMPLE * n,
                 EXPONENTIAL_SAMPLE[0] + EXPONENTIAL_SAMPLE[1] * n * n,
             ],
             first_sample: [0.0, 0.0, NYSTROM_SAMPLES * n, 0.0],

@@ -5,9 +5,12 @@
 //! other. What counts as cost are evaluations, linear parts and step sizes at prices that are part of the
 //! code, so that the same scene takes the same steps on every machine.
 
+mod beforehand;
 mod choice;
 mod cost;
 mod numbers;
+mod promises;
+mod rest;
 mod selector;
 mod usage;
 mod walk;

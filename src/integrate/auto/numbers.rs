@@ -86,7 +86,7 @@ impl Selector {
         numbers.extend(self.rates);
         numbers.extend(self.failures);
         numbers.extend([flag(self.open), self.next_trial]);
-        numbers.extend([self.linear_part, self.disproved].map(flag));
+        numbers.extend([self.linear_part, self.assumed, self.disproved].map(flag));
     }
 
     fn restored(take: &mut Take<'_>) -> Option<Self> {
@@ -100,6 +100,7 @@ impl Selector {
             open: take.one()? != 0.0,
             next_trial: take.one()?,
             linear_part: take.one()? != 0.0,
+            assumed: take.one()? != 0.0,
             disproved: take.one()? != 0.0,
         })
     }
@@ -157,8 +158,7 @@ impl<const N: usize> AutoWalk<N> {
             contacts_change,
             looked: None,
             changes: changes_of(changes)?,
-            settled_from: [0.0, f64::INFINITY],
-            prices: None,
+            beforehand: None,
         })
     }
 }

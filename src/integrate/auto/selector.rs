@@ -1,9 +1,10 @@
 //! When to try which method, and which to keep: numbers alone.
 
 use super::cost::{Prices, WAYS, Way};
+use super::promises::{NYSTROM_PAIR, PAIR_EVALUATIONS};
 
 /// Steps before a window, while a method finds its step size, and steps of a window at least.
-const FIRST_STEPS: u64 = 5;
+const FIRST_STEPS: u64 = 7;
 const LEAST_STEPS: u64 = 10;
 /// Length of a window as a part of what the whole run is expected to cost, and of the very first one.
 const WINDOW_PART: f64 = 0.01;
@@ -13,22 +14,10 @@ const LATEST: f64 = 0.5;
 /// Part of what is left of the run that a trial may cost, and of what it is expected to save.
 const BLIND: f64 = 0.02;
 const PATIENCE: f64 = 0.06;
-/// Gain that a trial must promise, in what its beginning costs.
-const WORTH: f64 = 1.5;
 /// A trial that failed is paid off by so many times its loss before the next.
 const PAID_OFF: f64 = 20.0;
 /// The same where a method is expected to become cheaper than it was, and its growth with every failure.
 const SOON: f64 = 3.0;
-/// How much cheaper than it was found to be the exponential method may be by now, and how much cheaper one
-/// explicit pair may be than the other, and the Nyström pair than both.
-const HOPE: f64 = 0.6;
-const OTHER_PAIR: f64 = 0.8;
-const NYSTROM_PAIR: f64 = 0.7;
-/// How much cheaper than it was found to be an explicit pair cannot be by now, after the other one and after
-/// the exponential method, which may have had its turn for long; the latter with every failure by half.
-const NO_HOPE: [f64; 2] = [0.1, 0.45];
-/// Evaluations by which a trial of a pair is dearer than one that needs no trial.
-const PAIR_EVALUATIONS: f64 = 100.0;
 
 /// How far a run has come.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,6 +49,8 @@ pub(super) struct Selector {
     pub failures: [f64; 2],
     /// Whether the exponential method has a linear part from an earlier stretch.
     pub linear_part: bool,
+    /// Whether the cost of Verner's pair is what is expected of it, before it was seen.
+    pub assumed: bool,
     /// Whether its cost is that of settled motion, found on a trial that was not won: what was expected of
     /// it is then no longer believed.
     pub disproved: bool,
@@ -77,6 +68,8 @@ pub(super) struct Outlook {
     /// Cost per simulated time that the exponential method is expected to have; no number where nothing
     /// is known.
     pub exponential: f64,
+    /// How often surfaces are crossed at rest, 1/s.
+    pub crossings: f64,
     /// Whether surfaces were crossed of late: not for methods that step over them.
     pub contacts_change: bool,
 }
@@ -99,14 +92,20 @@ impl Selector {
             next_trial: 0.0,
             failures: [0.0; 2],
             linear_part: false,
+            assumed: false,
             disproved: false,
         }
     }
 
     /// Whether a run that has come so far is not to be looked at yet.
     pub fn is_waiting(&self, steps: u64) -> bool {
-        let enough = if self.open { LEAST_STEPS } else { FIRST_STEPS };
-        self.against.is_none() && steps - self.window.steps < enough
+        let since = steps - self.window.steps;
+        let waits = if self.open {
+            !since.is_multiple_of(LEAST_STEPS) || since == 0
+        } else {
+            since < FIRST_STEPS
+        };
+        self.against.is_none() && waits
     }
 
     /// Looks at a run after a step, with some simulated time left, s; the method that is to go on, where it
@@ -139,19 +138,29 @@ impl Selector {
         let window = std::mem::replace(&mut self.window, here);
         let Some(against) = self.against else {
             let known = self.rates[self.way as usize];
-            let weight = if known.is_finite() { LATEST } else { 1.0 };
-            let before = if known.is_finite() { known } else { 0.0 };
-            self.rates[self.way as usize] = before + weight * (rate - before);
+            if known.is_finite() {
+                let rate = known + LATEST * (rate - known);
+                self.carry_along(rate / known);
+                self.rates[self.way as usize] = rate;
+            } else {
+                self.rates[self.way as usize] = rate;
+            }
             let next = self.candidate(here, outlook);
             let left = self.way == Way::Exponential && next.is_some();
             self.disproved |= left && outlook.decayed;
             return next;
         };
         if rate < self.rates[against as usize] {
-            self.rates[self.way as usize] = rate;
             self.against = None;
             self.failures[usize::from(self.way != Way::Exponential)] = 0.0;
-            self.next_trial = here.spent + PAID_OFF * self.loss(here, against).max(0.0);
+            // what was assumed says nothing of what was lost
+            let lost = if self.assumed {
+                0.0
+            } else {
+                self.loss(here, against).max(0.0)
+            };
+            self.next_trial = here.spent + PAID_OFF * lost;
+            self.learn(rate);
             return None;
         }
         if self.falls(against, outlook) && !self.is_dear(here, against, outlook) {
@@ -164,7 +173,7 @@ impl Selector {
     pub fn change(&mut self, here: Mark, way: Way) {
         let known = self.rates[way as usize] < self.rates[self.way as usize];
         self.against = (!known).then_some(self.way);
-        self.linear_part |= way == Way::Exponential;
+        self.linear_part |= self.way == Way::Exponential;
         (self.began, self.window, self.open) = (here, here, false);
         self.way = way;
     }
@@ -177,8 +186,12 @@ impl Selector {
     /// Leaves a method that cannot go over what is ahead; the method to go on with.
     pub fn turn_back(&mut self, here: Mark, outlook: &Outlook) -> Way {
         if let Some(against) = self.against {
-            return self.fail(here, here, against, outlook);
+            let known = self.rates[self.way as usize];
+            let next = self.fail(here, here, against, outlook);
+            self.rates[self.way as usize] = known;
+            return next;
         }
+        self.assume_no_more();
         // as if it had never been: it is no better than the others while this lasts
         self.rates[self.way as usize] = f64::INFINITY;
         let least = PAIR_EVALUATIONS * outlook.prices.evaluation[Way::Verner76 as usize];
@@ -207,7 +220,41 @@ impl Selector {
         let least = PAIR_EVALUATIONS * outlook.prices.evaluation[Way::Verner76 as usize];
         self.next_trial = here.spent + times * self.loss(here, against).max(least);
         self.failures[usize::from(self.way != Way::Exponential)] += 1.0;
+        if against == Way::Verner76 {
+            self.assume_no_more();
+        }
         against
+    }
+
+    /// Forgets what Verner's pair was assumed to cost: it will be seen.
+    fn assume_no_more(&mut self) {
+        if self.assumed {
+            (self.rates[Way::Verner76 as usize], self.assumed) = (f64::INFINITY, false);
+        }
+    }
+
+    /// Takes the costs of the other explicit pairs to have changed as that of the one that walks.
+    fn carry_along(&mut self, factor: f64) {
+        if self.way != Way::Exponential {
+            for way in [Way::Verner76, Way::Dop853, Way::Dprkn8] {
+                let rate = &mut self.rates[way as usize];
+                if *rate < f64::MAX {
+                    *rate *= factor;
+                }
+            }
+        }
+    }
+
+    /// Knows what the method costs that walks.
+    fn learn(&mut self, rate: f64) {
+        self.rates[self.way as usize] = rate;
+        match self.way {
+            Way::Verner76 => self.assumed = false,
+            Way::Dprkn8 if self.assumed => {
+                self.rates[Way::Verner76 as usize] = rate / NYSTROM_PAIR;
+            }
+            _ => {}
+        }
     }
 
     /// What the present stretch has cost beyond what another method takes for it.
@@ -219,17 +266,6 @@ impl Selector {
     /// Whether the method on trial is expected to come to cost less than the other one.
     fn falls(&self, against: Way, outlook: &Outlook) -> bool {
         self.way == Way::Exponential && self.expected(outlook) < self.rates[against as usize]
-    }
-
-    /// Cost per simulated time that the exponential method is expected to have; no number where nothing is
-    /// known.
-    fn expected(&self, outlook: &Outlook) -> f64 {
-        let known = self.rates[Way::Exponential as usize];
-        if self.disproved && known.is_finite() {
-            outlook.exponential.max(self.exponential_hope() * known)
-        } else {
-            outlook.exponential
-        }
     }
 
     /// Whether a trial has cost too much to go on.
@@ -244,89 +280,5 @@ impl Selector {
             + BLIND * other * outlook.left
             + PATIENCE / (1.0 + 2.0 * self.failures[0]) * saved;
         self.loss(here, against) > allowed
-    }
-
-    /// What a method costs before its first step.
-    fn beginning(&self, way: Way, outlook: &Outlook) -> f64 {
-        match way {
-            Way::Exponential if self.linear_part => outlook.prices.step_size,
-            Way::Exponential => outlook.prices.first_steps(),
-            _ => PAIR_EVALUATIONS * outlook.prices.evaluation[way as usize],
-        }
-    }
-
-    /// The method that promises most, where any is worth a trial.
-    fn candidate(&self, here: Mark, outlook: &Outlook) -> Option<Way> {
-        if here.spent < self.next_trial {
-            return None;
-        }
-        let others = WAYS.into_iter().filter(|&way| way != self.way);
-        let promises = others.map(|way| (self.promise(way, outlook), way));
-        let best = promises.max_by(|(a, _), (b, _)| a.total_cmp(b))?;
-        (best.0 > 0.0).then_some(best.1)
-    }
-
-    /// What a method is hoped to save of the rest of the run; nothing where it is not worth a trial.
-    fn promise(&self, way: Way, outlook: &Outlook) -> f64 {
-        let own = self.rates[self.way as usize];
-        let beginning = self.beginning(way, outlook);
-        if way == Way::Dprkn8 && outlook.contacts_change {
-            return 0.0;
-        }
-        let hoped = self.hoped(way, outlook);
-        let expected =
-            way == Way::Exponential && self.expected(outlook).max(hoped.unwrap_or(0.0)) < own;
-        if !expected && beginning >= BLIND * own * outlook.left {
-            return 0.0;
-        }
-        // a motion that has not settled leaves the exponential method little to save
-        let left = if way == Way::Exponential {
-            outlook.settled
-        } else {
-            outlook.left
-        };
-        let saved = (own - hoped.unwrap_or(HOPE * own)) * left;
-        if saved > WORTH * beginning {
-            saved
-        } else {
-            0.0
-        }
-    }
-
-    /// Least cost per simulated time that a method may have by now, where anything is known.
-    fn hoped(&self, way: Way, outlook: &Outlook) -> Option<f64> {
-        let known = self.rates[way as usize];
-        if known == f64::MAX {
-            return Some(known);
-        }
-        let hoped = match way {
-            // both fall as a motion settles
-            Way::Exponential => (self.exponential_hope() * known).min(self.expected(outlook)),
-            _ if known.is_finite() => self.pair_hope() * known,
-            Way::Verner76 => OTHER_PAIR * self.rates[Way::Dop853 as usize],
-            Way::Dop853 => OTHER_PAIR * self.rates[Way::Verner76 as usize],
-            Way::Dprkn8 => NYSTROM_PAIR * self.rates[Way::Verner76 as usize],
-        };
-        hoped.is_finite().then_some(hoped)
-    }
-
-    /// Part of its known cost that the exponential method may have by now: of settled motion it is known ever
-    /// better with every failure.
-    fn exponential_hope(&self) -> f64 {
-        if self.disproved {
-            1.0 - (1.0 - HOPE) * 0.5_f64.powf(self.failures[0])
-        } else {
-            HOPE
-        }
-    }
-
-    /// How much cheaper than it was found to be an explicit pair may be by now.
-    fn pair_hope(&self) -> f64 {
-        let [after_pair, after_exponential] = NO_HOPE;
-        if self.way == Way::Exponential {
-            1.0 - after_exponential * 0.5_f64.powf(self.failures[1])
-        } else {
-            1.0 - after_pair
-        }
     }
 }

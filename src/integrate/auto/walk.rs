@@ -1,6 +1,7 @@
 //! A walk whose method changes.
 
-use super::cost::{Prices, WAYS, Way};
+use super::beforehand::Beforehand;
+use super::cost::{WAYS, Way};
 use super::selector::{Mark, Selector};
 use super::usage::{MethodChange, MethodUse, Stretch};
 use crate::integrate::course::Course;
@@ -47,11 +48,8 @@ pub(in crate::integrate) struct AutoWalk<const N: usize> {
     /// The latest look around of the Nyström pair, which steps over surfaces.
     pub(super) looked: Option<Look<N>>,
     pub(super) changes: Vec<(f64, Way)>,
-    /// When the motion has settled by and large, and when next to nothing is left of its start, s, known with
-    /// the prices.
-    pub(super) settled_from: [f64; 2],
-    /// Prices for the system, once it was asked.
-    pub(super) prices: Option<Prices>,
+    /// What is known beforehand, once it was asked.
+    pub(super) beforehand: Option<Beforehand>,
 }
 
 impl<const N: usize> AutoWalk<N> {
@@ -69,8 +67,7 @@ impl<const N: usize> AutoWalk<N> {
             contacts_change: false,
             looked: None,
             changes: vec![(0.0, first)],
-            settled_from: [0.0, f64::INFINITY],
-            prices: None,
+            beforehand: None,
         }
     }
 
@@ -96,6 +93,12 @@ impl<const N: usize> AutoWalk<N> {
             all.add(&self.work(way));
         }
         all
+    }
+
+    /// Steps so far.
+    pub(super) fn steps(&self) -> u64 {
+        let before = self.done.iter().map(|done| done.steps);
+        before.sum::<u64>() + self.under_way().steps
     }
 
     /// Work of a method so far.
