@@ -15,17 +15,17 @@ use crate::physics::sines_and_cosines;
 #[derive(Debug, Clone)]
 pub(crate) struct SupportObservation {
     level: Level,
-    law: HertzLaw,
+    pub(super) law: HertzLaw,
     /// K_n^(1/3).
     root: f64,
     /// Cosine and sine of the azimuth of every ball, the cage where it starts.
     azimuths: Vec<[f64; 2]>,
-    sign: f64,
-    position: f64,
-    offset: f64,
-    free_axial: f64,
-    free_radial: f64,
-    arm: f64,
+    pub(super) sign: f64,
+    pub(super) position: f64,
+    pub(super) offset: f64,
+    pub(super) free_axial: f64,
+    pub(super) free_radial: f64,
+    pub(super) arm: f64,
     balls: Vec<BallRows>,
     force: [LaneRow; 5],
     summary: Summary,

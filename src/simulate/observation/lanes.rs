@@ -3,7 +3,7 @@
 use std::io;
 
 use super::{BearingObserver, Observation};
-use crate::bearing::SupportObservation;
+use crate::bearing::{SupportObservation, Vector5};
 use crate::rotor::{Rotor, Sample, SampleLanes};
 use crate::simulate::TraceSink;
 
@@ -36,12 +36,12 @@ impl Observation<'_> {
                 self.watch(sample, sink)?;
             }
         }
-        if !self.watching {
+        let Some(last) = samples.last().filter(|_| self.watching) else {
             return Ok(());
-        }
+        };
         for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
             if quiet {
-                bearing.pass(samples, own);
+                bearing.pass(last.time, own, count - 1);
             }
             for (lane, sample) in samples.iter().enumerate() {
                 let settled = sample.time >= self.settle;
@@ -49,6 +49,25 @@ impl Observation<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Whether it is certain that nothing happens to any bearing as long as the shaft is at this displacement.
+    pub fn is_certainly_quiet(&self, seen: &SampleLanes<'_>, displacement: &Vector5) -> bool {
+        let mut bearings = self.bearings.iter().zip(seen.bearings());
+        bearings.all(|(bearing, own)| {
+            let watch = bearing.watch.as_ref();
+            let lost = bearing.band.1.lost;
+            watch.is_none_or(|watch| {
+                watch.is_at_work() && own.is_certainly_in_contact(displacement, lost)
+            })
+        })
+    }
+
+    /// Goes on to a time at which nothing has happened, the first of the instants seen last.
+    pub fn pass(&mut self, time: f64, seen: &SampleLanes<'_>) {
+        for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
+            bearing.pass(time, own, 0);
+        }
     }
 
     /// Whether nothing happens to any bearing in the first so many samples.
@@ -62,10 +81,10 @@ impl Observation<'_> {
 }
 
 impl BearingObserver<'_> {
-    /// Goes on to the last of samples at which nothing happens.
-    fn pass(&mut self, samples: &[Sample], seen: &SupportObservation) {
-        if let (Some(watch), Some(last)) = (&mut self.watch, samples.last()) {
-            watch.pass(last.time, self.band.1, seen, samples.len() - 1);
+    /// Goes on to a time at which nothing has happened, that of one of the instants seen.
+    fn pass(&mut self, time: f64, seen: &SupportObservation, lane: usize) {
+        if let Some(watch) = &mut self.watch {
+            watch.pass(time, self.band.1, seen, lane);
         }
     }
 
