@@ -195,9 +195,9 @@ impl SupportObservation {
         self.balls.iter().map(move |ball| ball.load.0[lane])
     }
 
-    /// Sums over the balls of Q³ and Q^(10/3), as a rating life asks for them.
-    pub fn powers(&self, lane: usize) -> [f64; 2] {
-        self.summary.powers.map(|row| row.0[lane])
+    /// Sums over the balls of Q³ and Q^(10/3) at every instant, as a rating life asks for them.
+    pub fn powers(&self) -> [[f64; LANES]; 2] {
+        self.summary.powers.map(|row| row.0)
     }
 
     /// Leaves the contacts of every ball in `balls`, ball 0 first; without `angles` the contact angles are zero.
@@ -302,9 +302,9 @@ mod tests {
                 let approaches = seen.approaches().map(|approaches| approaches[lane]);
                 let lowest = approaches.fold(f64::INFINITY, f64::min);
                 assert_eq!(seen.lowest_approach()[lane], lowest);
-                for (found, power) in seen.powers(lane).into_iter().zip([3.0, 10.0 / 3.0]) {
+                for (found, power) in seen.powers().into_iter().zip([3.0, 10.0 / 3.0]) {
                     let expected: f64 = loads().map(|load| load.powf(power)).sum();
-                    near(found, expected, expected);
+                    near(found[lane], expected, expected);
                 }
             }
         }

@@ -43,10 +43,7 @@ impl Observation<'_> {
             if quiet {
                 bearing.pass(last.time, own, count - 1);
             }
-            for (lane, sample) in samples.iter().enumerate() {
-                let settled = sample.time >= self.settle;
-                bearing.weigh_lane(sample, own, lane, seen.least_load(lane), settled);
-            }
+            bearing.weigh_side_by_side(samples, seen, own, self.settle);
         }
         Ok(())
     }
@@ -88,25 +85,28 @@ impl BearingObserver<'_> {
         }
     }
 
-    /// As [`BearingObserver::weigh`], of the balls at one of the instants seen.
-    fn weigh_lane(
+    /// As [`BearingObserver::weigh`], of the balls at the instants seen.
+    fn weigh_side_by_side(
         &mut self,
-        sample: &Sample,
+        samples: &[Sample],
+        all: &SampleLanes<'_>,
         seen: &SupportObservation,
-        lane: usize,
-        least: f64,
-        settled: bool,
+        settle: f64,
     ) {
-        if let Some(zone) = self.zone.as_mut().filter(|_| settled) {
-            if seen.load_range(lane)[1] > least {
-                zone.take_full(seen.count());
-            } else {
-                zone.take(seen.loads(lane), least);
+        let early = samples.partition_point(|sample| sample.time < settle);
+        if let Some(zone) = &mut self.zone {
+            for lane in early..samples.len() {
+                let least = all.least_load(lane);
+                if seen.load_range(lane)[1] > least {
+                    zone.take_full(seen.count());
+                } else {
+                    zone.take(seen.loads(lane), least);
+                }
             }
         }
-        let lives = settled || self.parts.early_life;
-        if let Some(life) = self.life.as_mut().filter(|_| lives) {
-            life.take(sample, seen.powers(lane));
+        if let Some(life) = &mut self.life {
+            let unweighed = if self.parts.early_life { 0 } else { early };
+            life.take_side_by_side(samples, unweighed, seen.powers());
         }
     }
 }
