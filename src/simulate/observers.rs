@@ -195,13 +195,17 @@ impl<'a> Observers<'a> {
         if let Some(recorder) = &mut self.recorder {
             recorder.record_all(&self.samples);
         }
-        for (sample, state) in self.samples.iter().zip(states) {
+        self.recorders.record_all(&self.samples);
+        for sample in &self.samples {
             self.audit.sample(sample);
             self.tables.sample(system.rotor(), sample);
-            self.recorders.record(sample);
-            let recording = self.recording.as_mut();
-            if let Some(recording) = recording.filter(|all| all.takes(sample.time)) {
-                let asked = recording.needs_acceleration();
+        }
+        let Some(recording) = &mut self.recording else {
+            return;
+        };
+        let asked = recording.needs_acceleration();
+        for (sample, state) in self.samples.iter().zip(states) {
+            if recording.takes(sample.time) {
                 let acceleration = asked.then(|| system.acceleration(sample.time, state));
                 recording.record(sample, acceleration.as_ref());
             }
