@@ -130,15 +130,9 @@ impl<'a> Observers<'a> {
     /// Where the shaft is in the last of states; none unless it is certain that nothing happens in any of them.
     fn last_certain<const N: usize>(&self, states: &[[f64; N]]) -> Option<Vector5> {
         let lanes = self.lanes.as_ref()?;
-        let mut last = None;
-        for state in states {
-            let place = lanes.displacement(state);
-            if !self.observation.is_certainly_quiet(lanes, &place) {
-                return None;
-            }
-            last = Some(place);
-        }
-        last
+        let places = states.iter().map(|state| lanes.displacement(state));
+        let certain = self.observation.is_certainly_quiet(lanes, places.clone());
+        places.last().filter(|_| certain)
     }
 
     /// Looks at the contacts where they were certain last: what comes next is compared with them.

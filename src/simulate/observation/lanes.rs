@@ -48,15 +48,18 @@ impl Observation<'_> {
         Ok(())
     }
 
-    /// Whether it is certain that nothing happens to any bearing as long as the shaft is at this displacement.
-    pub fn is_certainly_quiet(&self, seen: &SampleLanes<'_>, displacement: &Vector5) -> bool {
+    /// Whether it is certain that nothing happens to any bearing while the shaft is at these displacements.
+    pub fn is_certainly_quiet(
+        &self,
+        seen: &SampleLanes<'_>,
+        displacements: impl Iterator<Item = Vector5> + Clone,
+    ) -> bool {
         let mut bearings = self.bearings.iter().zip(seen.bearings());
         bearings.all(|(bearing, own)| {
-            let watch = bearing.watch.as_ref();
             let lost = bearing.band.1.lost;
-            watch.is_none_or(|watch| {
-                watch.is_at_work() && own.is_certainly_in_contact(displacement, lost)
-            })
+            let in_contact = |place| own.is_certainly_in_contact(&place, lost);
+            let watch = bearing.watch.as_ref();
+            watch.is_none_or(|watch| watch.is_at_work() && displacements.clone().all(in_contact))
         })
     }
 
