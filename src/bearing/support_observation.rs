@@ -1,6 +1,6 @@
 //! What a plain Hertz bearing bears at a few instants side by side.
 
-use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, SimdFrom, dispatch};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdFrom, dispatch};
 
 use super::hertz_law::SMALLEST_DISTANCE;
 use super::support::{imposed, on_shaft};
@@ -112,8 +112,8 @@ impl SupportObservation {
             mut moment_y,
         ] = [none; 5];
         let [mut cubes, mut powers] = [none; 2];
-        let [mut largest, mut smallest, mut lowest] =
-            [0.0, f64::INFINITY, f64::INFINITY].map(|value| Lanes::splat(simd, value));
+        let [mut highest, mut lowest] =
+            [f64::NEG_INFINITY, f64::INFINITY].map(|value| Lanes::splat(simd, value));
         for ([cos, sin], ball) in self.azimuths.iter().zip(&mut self.balls) {
             let [cos, sin] = [
                 *cos * cage_cos - *sin * cage_sin,
@@ -137,9 +137,8 @@ impl SupportObservation {
             let cube = load * load * load;
             cubes += cube;
             powers += cube * root;
-            largest = load.simd_gt(largest).select(load, largest);
-            smallest = load.simd_lt(smallest).select(load, smallest);
-            lowest = reach.simd_lt(lowest).select(reach, lowest);
+            highest = reach.max(highest);
+            lowest = reach.min(lowest);
             *ball = BallRows {
                 approach: LaneRow(*reach),
                 load: LaneRow(*load),
@@ -152,6 +151,11 @@ impl SupportObservation {
         for (row, lanes) in self.force.iter_mut().zip(force) {
             *row = LaneRow(*lanes);
         }
+        // as of the balls themselves: the higher the approach, the larger the load
+        let [largest, smallest] = [highest, lowest].map(|reach| {
+            let approach = reach.max(none);
+            constant * approach * approach.sqrt()
+        });
         self.summary = Summary {
             largest: LaneRow(*largest),
             smallest: LaneRow(*smallest),
