@@ -131,8 +131,9 @@ impl<'a> Observers<'a> {
     fn last_certain<const N: usize>(&self, states: &[[f64; N]]) -> Option<Vector5> {
         let lanes = self.lanes.as_ref()?;
         let places = states.iter().map(|state| lanes.displacement(state));
-        let certain = self.observation.is_certainly_quiet(lanes, places.clone());
-        places.last().filter(|_| certain)
+        let certain = self.observation.is_certainly_quiet(lanes, places);
+        let last = states.last().filter(|_| certain)?;
+        Some(lanes.displacement(last))
     }
 
     /// Looks at the contacts where they were certain last: what comes next is compared with them.

@@ -98,13 +98,15 @@ impl BearingObserver<'_> {
     ) {
         let early = samples.partition_point(|sample| sample.time < settle);
         if let Some(zone) = &mut self.zone {
-            for lane in early..samples.len() {
-                let least = all.least_load(lane);
-                if seen.load_range(lane)[1] > least {
-                    zone.take_full(seen.count());
-                } else {
-                    zone.take(seen.loads(lane), least);
-                }
+            let least = |lane: usize| all.least_load(lane);
+            let lanes = early..samples.len();
+            if lanes
+                .clone()
+                .all(|lane| seen.load_range(lane)[1] > least(lane))
+            {
+                zone.take_full(seen.count(), lanes.len());
+            } else {
+                lanes.for_each(|lane| zone.take(seen.loads(lane), least(lane)));
             }
         }
         if let Some(life) = &mut self.life {
