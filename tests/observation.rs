@@ -13,7 +13,7 @@ use jeffcott::rotor::{
     BallContacts, CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample,
     SpeedPoint,
 };
-use jeffcott::simulate::{BearingHistory, Event, EventKind, Model, TraceSink};
+use jeffcott::simulate::{BallParts, BearingHistory, Event, EventKind, Model, TraceSink, Watched};
 
 use support::{
     assert_near, back_to_back_pair, bearing, literature_bearing, model, mounted, rotor, shaft,
@@ -254,6 +254,54 @@ fn what_is_observed_does_not_rest_on_whether_balls_are_taken() {
         assert_eq!(sink.0.samples, seen.samples);
         assert_eq!(sink.0.events, seen.events);
         assert!(!seen.events.is_empty());
+    }
+}
+
+/// Takes events, and needs no sample for it.
+#[derive(Default)]
+struct EventsAlone {
+    samples: usize,
+    events: Vec<Event>,
+}
+
+impl TraceSink for EventsAlone {
+    fn starts_at(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    fn takes_balls(&self) -> bool {
+        false
+    }
+
+    fn sample(&mut self, _: &Sample) -> io::Result<()> {
+        self.samples += 1;
+        Ok(())
+    }
+
+    fn event(&mut self, event: &Event) -> io::Result<()> {
+        self.events.push(*event);
+        Ok(())
+    }
+}
+
+/// Where every ball is certain to bear, contacts are followed without a look at any.
+#[test]
+fn contacts_part_and_meet_whether_samples_are_looked_at_or_not() {
+    for (mut model, sometimes_certain) in [(chatter(), false), (struck(|bearing| bearing), true)] {
+        model.settle = 0.8 * model.duration;
+        model.spectrum = None;
+        model.analyses.watched = Watched::Balls(BallParts {
+            events: true,
+            ..BallParts::LOADS
+        });
+        let (bearings, seen) = observed(&model);
+        let mut sink = EventsAlone::default();
+        let run = simulate_into(&model, &mut sink).expect("the model runs");
+        assert_eq!(run.bearings, bearings);
+        assert_eq!(sink.events, seen.events);
+        assert!(seen.events.iter().any(|event| event.time < model.settle));
+        let looked_at = sink.samples as f64 / seen.samples.len() as f64;
+        assert!(!sometimes_certain || looked_at < 0.9, "{looked_at}");
     }
 }
 

@@ -88,6 +88,23 @@ impl Channel {
             Self::Force(freedom) => Some(sample.force_on_shaft[freedom]),
         }
     }
+
+    /// Adds what [`Channel::of`] says of every sample to `values`.
+    pub(super) fn append(self, samples: &[Sample], values: &mut Vec<f64>) {
+        let samples = samples.iter();
+        match self {
+            Self::Displacement(freedom) => {
+                values.extend(samples.map(|sample| sample.displacement[freedom]));
+            }
+            Self::Velocity(freedom) => {
+                values.extend(samples.map(|sample| sample.velocity[freedom]));
+            }
+            Self::Acceleration(_) => {}
+            Self::Force(freedom) => {
+                values.extend(samples.map(|sample| sample.force_on_shaft[freedom]));
+            }
+        }
+    }
 }
 
 impl fmt::Display for Channel {

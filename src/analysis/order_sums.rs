@@ -53,10 +53,15 @@ impl OrderSums {
     /// s |Σ_p y_p exp(−2πikp/B)|
     fn line(&self, order: usize, revolution: &[f64]) -> f64 {
         let block = self.places.len();
-        let mut sum = [0.0; 2];
-        for (place, value) in revolution.iter().enumerate() {
-            let [cos, sin] = self.places[order * place % block];
+        let (mut sum, mut place) = ([0.0; 2], 0);
+        for value in revolution {
+            let [cos, sin] = self.places[place];
             sum = [sum[0] + value * cos, sum[1] + value * sin];
+            // no order is beyond half a revolution
+            place += order;
+            if place >= block {
+                place -= block;
+            }
         }
         let sides = if 2 * order < block { 2.0 } else { 1.0 };
         sides * sum[0].hypot(sum[1])

@@ -10,6 +10,9 @@ use crate::rotor::Sample;
 /// Fewer samples than this make no spectrum: the widest window mixes nine bins.
 const FEWEST_SAMPLES: usize = 16;
 
+/// Most samples that room is made for before they come.
+const FORESEEN: usize = 1 << 16;
+
 /// Spectra of a run and their peaks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Analysis {
@@ -110,6 +113,16 @@ impl Recorder {
         Self { threads, ..self }
     }
 
+    /// With room for the samples of a run that ends at a time, s.
+    #[must_use]
+    pub fn until(mut self, end: f64) -> Self {
+        let expected = (end - self.settle) * self.rate + 2.0;
+        for (_, values) in &mut self.channels {
+            values.reserve((expected as usize).min(FORESEEN));
+        }
+        self
+    }
+
     /// Takes one sample; those before the settle time are dropped.
     pub fn record(&mut self, sample: &Sample) {
         self.record_all(std::slice::from_ref(sample));
@@ -124,8 +137,7 @@ impl Recorder {
         };
         self.start.get_or_insert(first.time);
         for (channel, values) in &mut self.channels {
-            values.reserve(samples.len());
-            values.extend(samples.iter().filter_map(|sample| channel.of(sample)));
+            channel.append(samples, values);
         }
     }
 

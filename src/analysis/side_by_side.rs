@@ -1,6 +1,7 @@
 //! Channels worked on side by side.
 
 use std::num::NonZero;
+use std::sync::LazyLock;
 use std::thread;
 
 /// Fewer samples than this, all channels together, are done before a thread has started.
@@ -27,7 +28,10 @@ impl Threads {
 
 impl Default for Threads {
     fn default() -> Self {
-        Self(thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN))
+        // the answer stands in files of the system, which are not to be read for every run
+        static AVAILABLE: LazyLock<NonZero<usize>> =
+            LazyLock::new(|| thread::available_parallelism().unwrap_or(NonZero::<usize>::MIN));
+        Self(*AVAILABLE)
     }
 }
 

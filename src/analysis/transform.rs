@@ -127,6 +127,12 @@ impl Transform {
         sides * self.windowed(k, window).norm()
     }
 
+    /// Half the square of [`Transform::amplitude`]: the mean square of a line.
+    pub(super) fn mean_square(&self, k: usize, window: Window) -> f64 {
+        let half = if self.has_image(k) { 2.0 } else { 0.5 };
+        half * self.windowed(k, window).norm_sqr()
+    }
+
     /// [`Transform::amplitude`] and [`Transform::phase`] of bin `k`.
     pub(super) fn amplitude_and_phase(&self, k: usize, window: Window) -> (f64, f64) {
         let sides = if self.has_image(k) { 2.0 } else { 1.0 };

@@ -1,5 +1,7 @@
 //! Basic reference rating life of ISO/TS 16281.
 
+use std::array;
+
 use super::Geometry;
 
 /// Basic reference rating life L10r of a single-row radial ball bearing with a turning inner ring,
@@ -114,43 +116,75 @@ impl RatingLife {
     /// As [`RatingLife::consumption`], by [`RatingLife::powers`].
     #[inline]
     pub(crate) fn consumption_of(&self, [inner, outer]: [f64; 2]) -> f64 {
-        if inner.max(outer) < LEAST {
-            return 0.0;
-        }
-        let inner = inner / inverse_root::<9>(inner);
-        let damage = self.weights[0] * inner + self.weights[1] * outer;
-        damage * inverse_root::<10>(damage)
+        let [consumption] = self.consumptions_of([[inner], [outer]]);
+        consumption
+    }
+
+    /// As [`RatingLife::consumption_of`], at a few instants side by side: first the powers at the inner race.
+    #[inline]
+    pub(crate) fn consumptions_of<const K: usize>(&self, powers: [[f64; K]; 2]) -> [f64; K] {
+        let [inner, outer] = powers;
+        let roots = inverse_roots::<9, K>(inner);
+        let damage: [f64; K] = array::from_fn(|lane| {
+            self.weights[0] * (inner[lane] / roots[lane]) + self.weights[1] * outer[lane]
+        });
+        let roots = inverse_roots::<10, K>(damage);
+        array::from_fn(|lane| match inner[lane].max(outer[lane]) < LEAST {
+            true => 0.0,
+            false => damage[lane] * roots[lane],
+        })
     }
 }
 
 /// Powers below it are less than the smallest number, or near it.
 const LEAST: f64 = 1e-100;
 
-/// x^(−1/N) of x > 0, to a few units in the last place: no sample waits for a library's power.
+/// x^(−1/N) of numbers x > 0 side by side, to a few units in the last place: no sample waits for a library's
+/// power, nor for that of another.
 ///
 /// ```text
 /// e = 1 − x y^N   y ← y (1 + e/N + (N + 1)/(2N²) e²)
 /// ```
 ///
-/// y is at first off by some thirtieth; e is cubed at every turn. What is no number stays none.
+/// y is at first off by some thirtieth; e is cubed at every turn. Zero is taken for the smallest number, and what
+/// is no number stays none.
 ///
 /// Source: Halley's iteration for a root; a start from the bits after W. Kahan's for the cube root.
 #[inline]
-fn inverse_root<const N: u32>(x: f64) -> f64 {
+fn inverse_roots<const N: u32, const K: usize>(x: [f64; K]) -> [f64; K] {
     // the bits of 1, by 1 + 1/N, less what makes the largest error between powers of two least
     const BIAS: f64 = (1023.0 - 0.043) * (1u64 << 52) as f64;
     let [first, second] = const { [1.0 / N as f64, (N + 1) as f64 / (2 * N * N) as f64] };
     let start = const { (BIAS * (1.0 + 1.0 / N as f64)) as u64 };
-    let mut y = f64::from_bits(start.wrapping_sub(x.to_bits() / u64::from(N)));
-    for _ in 0..3 {
-        let mut product = x;
-        for _ in 0..N {
-            product *= y;
+    let x = x.map(|x| {
+        if x < f64::MIN_POSITIVE {
+            f64::MIN_POSITIVE
+        } else {
+            x
         }
-        let e = 1.0 - product;
-        y += y * e * (first + e * second);
+    });
+    let mut y = x.map(|x| f64::from_bits(start.wrapping_sub(x.to_bits() / u64::from(N))));
+    for _ in 0..3 {
+        for (x, y) in x.iter().zip(&mut y) {
+            let e = 1.0 - x * power::<N>(*y);
+            *y += *y * e * (first + e * second);
+        }
     }
     y
+}
+
+/// y^N by squares.
+#[inline(always)]
+fn power<const N: u32>(y: f64) -> f64 {
+    let (mut power, mut square, mut left) = (1.0, y, N);
+    while left > 0 {
+        if left % 2 == 1 {
+            power *= square;
+        }
+        square *= square;
+        left /= 2;
+    }
+    power
 }
 
 /// x^(10/3) of x ≥ 0: `x³ · x y²` with y = x^(−1/3).
@@ -159,7 +193,7 @@ fn ten_thirds(x: f64) -> f64 {
     if x < LEAST {
         return 0.0;
     }
-    let y = inverse_root::<3>(x);
+    let [y] = inverse_roots::<3, 1>([x]);
     x * x * x * (x * y * y)
 }
 
@@ -198,10 +232,23 @@ mod tests {
             let x = 1e-20 * 1.01f64.powi(step % 6000) * (1.0 + 1e-4 * f64::from(step));
             let expected = x * x * x * x.cbrt();
             assert!((ten_thirds(x) / expected - 1.0).abs() < 2e-15, "{x}");
-            let ninth = inverse_root::<9>(x) * x.powf(1.0 / 9.0);
-            let tenth = inverse_root::<10>(x) * x.powf(0.1);
+            let [ninth, other] = inverse_roots::<9, 2>([x, 3.0 * x]);
+            let [tenth] = inverse_roots::<10, 1>([x]);
+            let [ninth, tenth] = [ninth * x.powf(1.0 / 9.0), tenth * x.powf(0.1)];
             assert!((ninth - 1.0).abs().max((tenth - 1.0).abs()) < 2e-15, "{x}");
+            assert_eq!([other], inverse_roots::<9, 1>([3.0 * x]));
         }
+    }
+
+    #[test]
+    fn nothing_is_consumed_without_load_whatever_stands_beside_it() {
+        let bearing = catalogue::find("6305").expect("an entry").bearing();
+        let rating = RatingLife::new(&bearing.expect("a bearing").geometry, 23_400.0);
+        let loaded = RatingLife::powers([[300.0; 2]; 7].into_iter());
+        let [inner, outer] = loaded.map(|power| [0.0, power, 0.0, f64::NAN]);
+        let found = rating.consumptions_of([inner, outer]);
+        assert_eq!(found[..3], [0.0, rating.consumption_of(loaded), 0.0]);
+        assert!(found[1] > 0.0 && found[3].is_nan());
     }
 
     #[test]

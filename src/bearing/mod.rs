@@ -11,6 +11,7 @@ mod ball_line;
 mod ball_reading;
 mod bearing_friction;
 pub mod catalogue;
+mod certain_contact;
 mod contact_band;
 mod contact_damping;
 mod contact_spring;

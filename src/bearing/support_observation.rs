@@ -1,6 +1,6 @@
 //! What a plain Hertz bearing bears at a few instants side by side.
 
-use fearless_simd::{Level, Select, Simd, SimdBase, SimdFloat, SimdFrom, dispatch};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdFrom, dispatch};
 
 use super::hertz_law::SMALLEST_DISTANCE;
 use super::support::{imposed, on_shaft};
@@ -15,17 +15,17 @@ use crate::physics::sines_and_cosines;
 #[derive(Debug, Clone)]
 pub(crate) struct SupportObservation {
     level: Level,
-    law: HertzLaw,
+    pub(super) law: HertzLaw,
     /// K_n^(1/3).
     root: f64,
     /// Cosine and sine of the azimuth of every ball, the cage where it starts.
     azimuths: Vec<[f64; 2]>,
-    sign: f64,
-    position: f64,
-    offset: f64,
-    free_axial: f64,
-    free_radial: f64,
-    arm: f64,
+    pub(super) sign: f64,
+    pub(super) position: f64,
+    pub(super) offset: f64,
+    pub(super) free_axial: f64,
+    pub(super) free_radial: f64,
+    pub(super) arm: f64,
     balls: Vec<BallRows>,
     force: [LaneRow; 5],
     summary: Summary,
@@ -112,8 +112,8 @@ impl SupportObservation {
             mut moment_y,
         ] = [none; 5];
         let [mut cubes, mut powers] = [none; 2];
-        let [mut largest, mut smallest, mut lowest] =
-            [0.0, f64::INFINITY, f64::INFINITY].map(|value| Lanes::splat(simd, value));
+        let [mut highest, mut lowest] =
+            [f64::NEG_INFINITY, f64::INFINITY].map(|value| Lanes::splat(simd, value));
         for ([cos, sin], ball) in self.azimuths.iter().zip(&mut self.balls) {
             let [cos, sin] = [
                 *cos * cage_cos - *sin * cage_sin,
@@ -137,9 +137,8 @@ impl SupportObservation {
             let cube = load * load * load;
             cubes += cube;
             powers += cube * root;
-            largest = load.simd_gt(largest).select(load, largest);
-            smallest = load.simd_lt(smallest).select(load, smallest);
-            lowest = reach.simd_lt(lowest).select(reach, lowest);
+            highest = reach.max(highest);
+            lowest = reach.min(lowest);
             *ball = BallRows {
                 approach: LaneRow(*reach),
                 load: LaneRow(*load),
@@ -152,6 +151,11 @@ impl SupportObservation {
         for (row, lanes) in self.force.iter_mut().zip(force) {
             *row = LaneRow(*lanes);
         }
+        // as of the balls themselves: the higher the approach, the larger the load
+        let [largest, smallest] = [highest, lowest].map(|reach| {
+            let approach = reach.max(none);
+            constant * approach * approach.sqrt()
+        });
         self.summary = Summary {
             largest: LaneRow(*largest),
             smallest: LaneRow(*smallest),
@@ -195,9 +199,9 @@ impl SupportObservation {
         self.balls.iter().map(move |ball| ball.load.0[lane])
     }
 
-    /// Sums over the balls of Q³ and Q^(10/3), as a rating life asks for them.
-    pub fn powers(&self, lane: usize) -> [f64; 2] {
-        self.summary.powers.map(|row| row.0[lane])
+    /// Sums over the balls of Q³ and Q^(10/3) at every instant, as a rating life asks for them.
+    pub fn powers(&self) -> [[f64; LANES]; 2] {
+        self.summary.powers.map(|row| row.0)
     }
 
     /// Leaves the contacts of every ball in `balls`, ball 0 first; without `angles` the contact angles are zero.
@@ -302,9 +306,9 @@ mod tests {
                 let approaches = seen.approaches().map(|approaches| approaches[lane]);
                 let lowest = approaches.fold(f64::INFINITY, f64::min);
                 assert_eq!(seen.lowest_approach()[lane], lowest);
-                for (found, power) in seen.powers(lane).into_iter().zip([3.0, 10.0 / 3.0]) {
+                for (found, power) in seen.powers().into_iter().zip([3.0, 10.0 / 3.0]) {
                     let expected: f64 = loads().map(|load| load.powf(power)).sum();
-                    near(found, expected, expected);
+                    near(found[lane], expected, expected);
                 }
             }
         }

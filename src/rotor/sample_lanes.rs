@@ -65,6 +65,18 @@ impl<'a> SampleLanes<'a> {
         }
     }
 
+    /// Looks at nothing but the bearings, at one instant: those of [`SampleLanes::bearings`] are all at it.
+    pub fn look_at(&mut self, time: f64, displacement: &Vector5) {
+        let rotation = self.rotor.speed.at(time);
+        self.observe_bearings(&[rotation; LANES], &[*displacement; LANES]);
+    }
+
+    /// Where the shaft is in a state.
+    pub fn displacement<const N: usize>(&self, state: &[f64; N]) -> Vector5 {
+        let held = &self.rotor.equilibrium.displacement;
+        self.rotor.full(held, &state[..N / 2])
+    }
+
     /// The bearings of the samples taken last.
     pub fn bearings(&self) -> &[SupportObservation] {
         &self.bearings

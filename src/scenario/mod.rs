@@ -15,6 +15,7 @@ mod dimension;
 mod error;
 mod issue;
 mod node;
+mod passed;
 mod problems;
 mod quantity;
 mod read_json;

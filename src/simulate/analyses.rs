@@ -138,13 +138,15 @@ impl Recorders {
     }
 
     #[inline]
-    pub fn record(&mut self, sample: &Sample) {
+    pub fn record_all(&mut self, samples: &[Sample]) {
         if let Some(motion) = &mut self.motion {
-            motion.record(sample);
+            motion.record_all(samples);
         }
         if let Some((waterfall, tracks)) = &mut self.maps {
-            waterfall.record(sample);
-            tracks.record(sample);
+            for sample in samples {
+                waterfall.record(sample);
+                tracks.record(sample);
+            }
         }
     }
 

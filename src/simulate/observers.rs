@@ -8,7 +8,7 @@ use super::observation::Observation;
 use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
 use crate::analysis::{Recorder, Recording};
-use crate::bearing::LANES;
+use crate::bearing::{LANES, Vector5};
 use crate::integrate::Grid;
 use crate::rotor::{Moving, Rotor, Sample, SampleLanes};
 
@@ -20,6 +20,10 @@ pub(super) struct Observers<'a> {
     grid: Grid,
     /// Time before which nobody needs a sample, s.
     start: f64,
+    /// Time before which samples tell no more than whether contacts part and meet, s.
+    whole_from: f64,
+    /// Time and displacement of the last instant at which contacts were certain and nobody looked at them.
+    passed: Option<(f64, Vector5)>,
     sink: &'a mut dyn TraceSink,
     /// Sees the samples side by side, where it can.
     lanes: Option<SampleLanes<'a>>,
@@ -46,16 +50,27 @@ impl<'a> Observers<'a> {
             || rotor.is_driven()
             || model.analyses.maps
             || tables.is_due()
-            || observation.is_of_whole_run();
+            || observation.is_of_early_loads();
+        let whole_from = match whole_run {
+            true => 0.0,
+            false => sink.starts_at().min(model.settle),
+        };
+        // with energies the states are those of more than the rotor
+        let lanes = observation.lanes(rotor).filter(|_| !model.energy);
+        let start = match observation.is_of_contacts() {
+            true => 0.0,
+            false => whole_from,
+        };
         Self {
             grid,
-            start: match whole_run {
-                true => 0.0,
-                false => sink.starts_at().min(model.settle),
+            start,
+            whole_from: match lanes {
+                Some(_) => whole_from,
+                None => start,
             },
+            passed: None,
             sink,
-            // with energies the states are those of more than the rotor
-            lanes: observation.lanes(rotor).filter(|_| !model.energy),
+            lanes,
             samples: Vec::with_capacity(ROW),
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
             recorders: Recorders::new(model, rotor, &grid),
@@ -73,18 +88,60 @@ impl<'a> Observers<'a> {
         first: u64,
         states: &[[f64; N]],
     ) -> Result<(), SimulateError> {
-        let times = (first..).map(|number| self.grid.time(number));
-        let early = times
-            .take(states.len())
-            .take_while(|time| *time < self.start);
-        let early = early.count();
-        let mut first = first + early as u64;
-        for states in states[early..].chunks(ROW) {
+        let before = |end: f64| {
+            let times = (first..).map(|number| self.grid.time(number));
+            let times = times.take(states.len());
+            times.take_while(|time| *time < end).count()
+        };
+        let [early, whole] = [self.start, self.whole_from].map(before);
+        self.follow(system, first + early as u64, &states[early..whole])?;
+        let mut first = first + whole as u64;
+        for states in states[whole..].chunks(ROW) {
+            self.catch_up();
             self.look(system, first, states)?;
             self.record(system, states);
             first += states.len() as u64;
         }
         Ok(())
+    }
+
+    /// Follows the contacts through states that tell nothing else, and looks at no ball where they are certain.
+    fn follow<S: Moving<N>, const N: usize>(
+        &mut self,
+        system: &S,
+        first: u64,
+        states: &[[f64; N]],
+    ) -> Result<(), SimulateError> {
+        for (number, states) in (first..).step_by(LANES).zip(states.chunks(LANES)) {
+            match self.last_certain(states) {
+                Some(place) => {
+                    let last = number + (states.len() - 1) as u64;
+                    self.passed = Some((self.grid.time(last), place));
+                }
+                None => {
+                    self.catch_up();
+                    self.look(system, number, states)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Where the shaft is in the last of states; none unless it is certain that nothing happens in any of them.
+    fn last_certain<const N: usize>(&self, states: &[[f64; N]]) -> Option<Vector5> {
+        let lanes = self.lanes.as_ref()?;
+        let places = states.iter().map(|state| lanes.displacement(state));
+        let certain = self.observation.is_certainly_quiet(lanes, places);
+        let last = states.last().filter(|_| certain)?;
+        Some(lanes.displacement(last))
+    }
+
+    /// Looks at the contacts where they were certain last: what comes next is compared with them.
+    fn catch_up(&mut self) {
+        if let (Some((time, place)), Some(lanes)) = (self.passed.take(), &mut self.lanes) {
+            lanes.look_at(time, &place);
+            self.observation.pass(time, lanes);
+        }
     }
 
     /// Finds the samples of states, which the sink and the observation of the bearings take one after the other.
@@ -133,13 +190,17 @@ impl<'a> Observers<'a> {
         if let Some(recorder) = &mut self.recorder {
             recorder.record_all(&self.samples);
         }
-        for (sample, state) in self.samples.iter().zip(states) {
+        self.recorders.record_all(&self.samples);
+        for sample in &self.samples {
             self.audit.sample(sample);
             self.tables.sample(system.rotor(), sample);
-            self.recorders.record(sample);
-            let recording = self.recording.as_mut();
-            if let Some(recording) = recording.filter(|all| all.takes(sample.time)) {
-                let asked = recording.needs_acceleration();
+        }
+        let Some(recording) = &mut self.recording else {
+            return;
+        };
+        let asked = recording.needs_acceleration();
+        for (sample, state) in self.samples.iter().zip(states) {
+            if recording.takes(sample.time) {
                 let acceleration = asked.then(|| system.acceleration(sample.time, state));
                 recording.record(sample, acceleration.as_ref());
             }

@@ -40,10 +40,11 @@ pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
         None => Recorder::on_time_grid(kept, settle, shaft, rate),
     };
     let recorder = recorder.on_threads(model.analyses.threads);
-    match model.analyses.lines {
+    let recorder = match model.analyses.lines {
         SpectrumLines::All => recorder,
         SpectrumLines::UpTo(_) | SpectrumLines::Orders(_) => recorder.of_displacements(),
-    }
+    };
+    recorder.until(model.duration)
 }
 
 /// Takes what the spectra that are asked for need, if there are any.

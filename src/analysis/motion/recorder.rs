@@ -19,6 +19,9 @@ const REST: f64 = 1e-9;
 /// Samples that the orbit keeps: the last ones.
 const ORBIT: usize = 8192;
 
+/// Most samples that room is made for before they come.
+const FORESEEN: usize = 1 << 16;
+
 /// What the recorder must know of the scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionSettings {
@@ -112,6 +115,8 @@ impl MotionRecorder {
         } else {
             0
         };
+        let expected = (settings.end - settings.start) * settings.rate + 2.0;
+        let room = (expected as usize).min(FORESEEN);
         Self {
             freedoms,
             statistics: channels
@@ -121,7 +126,7 @@ impl MotionRecorder {
                 })
                 .collect(),
             rates: [Moments::default(); FREEDOMS],
-            velocity: vec![Vec::new(); lengths],
+            velocity: (0..lengths).map(|_| Vec::with_capacity(room)).collect(),
             drift: parts
                 .drift
                 .then(|| DriftRecorder::new(settings.start, settings.end)),
@@ -138,12 +143,19 @@ impl MotionRecorder {
 
     /// Takes one sample; those before the start are dropped.
     pub fn record(&mut self, sample: &Sample) {
-        if sample.time < self.settings.start {
-            return;
-        }
-        self.row.push(sample);
-        if self.row.is_full() {
-            self.take_row();
+        self.record_all(std::slice::from_ref(sample));
+    }
+
+    /// Takes samples that follow each other; those before the start are dropped.
+    pub fn record_all(&mut self, samples: &[Sample]) {
+        let early = samples.partition_point(|sample| sample.time < self.settings.start);
+        let mut left = &samples[early..];
+        while !left.is_empty() {
+            let taken = self.row.take(left);
+            left = &left[taken..];
+            if self.row.is_full() {
+                self.take_row();
+            }
         }
     }
 

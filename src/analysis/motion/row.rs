@@ -29,17 +29,27 @@ impl Row {
         }
     }
 
-    /// Takes a sample into a row that is not full.
-    pub fn push(&mut self, sample: &Sample) {
-        let (quantities, index) = (&mut *self.quantities, self.length);
-        quantities[0][index] = sample.time;
-        quantities[1][index] = sample.angle;
-        for axis in 0..FREEDOMS {
-            quantities[2 + axis][index] = sample.displacement[axis];
-            quantities[2 + FREEDOMS + axis][index] = sample.velocity[axis];
-            quantities[2 + 2 * FREEDOMS + axis][index] = sample.force_on_shaft[axis];
+    /// Takes samples until it is full; answers how many of them.
+    pub fn take(&mut self, samples: &[Sample]) -> usize {
+        let taken = samples.len().min(MOST - self.length);
+        let (samples, places) = (&samples[..taken], self.length..self.length + taken);
+        let quantities = self
+            .quantities
+            .each_mut()
+            .map(|all| &mut all[places.clone()]);
+        let [times, angles, vectors @ ..] = quantities;
+        write(times, samples, |sample| sample.time);
+        write(angles, samples, |sample| sample.angle);
+        for (index, values) in vectors.into_iter().enumerate() {
+            let axis = index % FREEDOMS;
+            match index / FREEDOMS {
+                0 => write(values, samples, |sample| sample.displacement[axis]),
+                1 => write(values, samples, |sample| sample.velocity[axis]),
+                _ => write(values, samples, |sample| sample.force_on_shaft[axis]),
+            }
         }
-        self.length += 1;
+        self.length += taken;
+        taken
     }
 
     pub fn is_full(&self) -> bool {
@@ -94,6 +104,13 @@ impl Row {
     }
 }
 
+/// One quantity of samples.
+fn write(values: &mut [f64], samples: &[Sample], of: impl Fn(&Sample) -> f64) {
+    for (value, sample) in values.iter_mut().zip(samples) {
+        *value = of(sample);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,14 +135,18 @@ mod tests {
     fn every_sample_is_fresh_once_and_the_last_ones_stay_in_front() {
         let mut row = Row::new();
         let mut seen = Vec::new();
-        for number in 0..200 {
-            row.push(&sample(number));
+        let samples: Vec<Sample> = (0..200).map(sample).collect();
+        let mut number = 0;
+        while number < samples.len() {
+            // now a few of them, now more than there is room for
+            let end = (number + if number < 50 { 7 } else { 90 }).min(samples.len());
+            number += row.take(&samples[number..end]);
             if row.is_full() {
                 seen.extend_from_slice(row.times());
                 row.go_on();
                 assert_eq!(row.overlap(), OVERLAP);
                 let (time, [displacement, velocity]) = row.at(OVERLAP - 1);
-                let last = number as f64;
+                let last = (number - 1) as f64;
                 assert_eq!((time, row.angles()[OVERLAP - 1]), (last, 2.0 * last));
                 assert_eq!((displacement[4], velocity[0]), (3.0 * last, 4.0 * last));
             }
@@ -141,7 +162,7 @@ mod tests {
     #[test]
     fn a_row_of_few_samples_leaves_them_all() {
         let mut row = Row::new();
-        row.push(&sample(7));
+        assert_eq!(row.take(&[sample(7)]), 1);
         row.go_on();
         assert_eq!((row.overlap(), row.times().len()), (1, 0));
         assert_eq!(row.at(0).0, 7.0);

@@ -103,8 +103,9 @@ impl Section {
             return;
         }
         let mut number = phase(first).floor() + 1.0;
+        let mut after = phase(first);
         for index in intervals {
-            let [before, after] = [phase(index), phase(index + 1)];
+            let before = std::mem::replace(&mut after, phase(index + 1));
             while number <= after {
                 let part = ((number - before) / (after - before)).min(1.0);
                 let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;

@@ -42,10 +42,10 @@ pub fn velocity_level(velocity: Vec<f64>, rate: f64) -> Option<VelocityLevel> {
     let transform = Transform::new(velocity);
     let first = ((VELOCITY_BAND[0] / resolution).ceil() as usize).max(1);
     let last = ((VELOCITY_BAND[1] / resolution).floor() as usize).min(transform.bins() - 1);
-    let squares = (first..=last).map(|k| transform.amplitude(k, Window::Hann).powi(2));
+    let squares = (first..=last).map(|k| transform.mean_square(k, Window::Hann));
     let sum: f64 = squares.sum();
     (first <= last).then(|| VelocityLevel {
-        rms: (sum / (2.0 * NOISE_BANDWIDTH)).sqrt(),
+        rms: (sum / NOISE_BANDWIDTH).sqrt(),
         band: [first as f64 * resolution, last as f64 * resolution],
     })
 }

@@ -244,7 +244,7 @@ impl<const N: usize> Walk<N> {
         course: &Course<'_, S, N>,
         factor: &Factor<E, N>,
     ) {
-        self.past.rotate_right(1);
+        self.past.copy_within(..PAST - 1, 1);
         self.past[0] = self.from;
         self.known = (self.known + 1).min(PAST);
         self.from = self.to;

@@ -11,6 +11,7 @@ use self::axes::AxisBuilder;
 use self::spec::{SamplingChoice, SectionChoice, StudyFileSpec, SweepChoice};
 use super::error::ScenarioError;
 use super::issue::Issue;
+use super::passed::Passed;
 use super::problems::Problems;
 use super::schema::schema_of;
 use super::vary::{Key, all_keys, keys, put, questions_of};
@@ -52,6 +53,9 @@ pub struct StudyFile {
     /// The study with its defaults and the scenario that it starts from.
     pub echo: Value,
     base: Value,
+    /// The base as it was checked, and its tables that runs have otherwise.
+    passed: Passed,
+    changed: Vec<String>,
     folder: PathBuf,
     axes: Vec<Key<'static>>,
     cycles: Option<Cycles>,
@@ -125,7 +129,7 @@ fn build(
         return None;
     };
     let columns = columns(spec, model, problems);
-    let base = base_of(spec, scenario, &folder, problems)?;
+    let (base, passed) = base_of(spec, scenario, &folder, problems)?;
     let known = keys(&base, &LEFT_OUT);
     let mut axes = Vec::new();
     let mut found = Vec::new();
@@ -161,6 +165,8 @@ fn build(
         columns,
         echo,
         base,
+        passed,
+        changed: changed(spec),
         folder,
         axes: found,
         cycles: spec.cycles.as_ref().map(|cycles| Cycles {
@@ -177,7 +183,7 @@ fn base_of(
     scenario: &Scenario,
     folder: &Path,
     problems: &mut Problems<'_>,
-) -> Option<Value> {
+) -> Option<(Value, Passed)> {
     let mut base = scenario.echo.clone();
     if let Value::Object(tables) = &mut base {
         tables.retain(|name, _| name != "study");
@@ -189,12 +195,28 @@ fn base_of(
         let given = key.read(format!("{path}.value"), problems)?;
         put(&mut base, &set.key, &given.value);
     }
-    if let Err(issue) = questions_of(&base, folder) {
-        let issue = Issue::new("set", format!("the base with `set`: {}", issue.message));
-        problems.refuse(issue, &[]);
-        return None;
+    match Passed::new(&base, folder) {
+        Ok(passed) => Some((base, passed)),
+        Err(issue) => {
+            let issue = Issue::new("set", format!("the base with `set`: {}", issue.message));
+            problems.refuse(issue, &[]);
+            None
+        }
     }
-    Some(base)
+}
+
+/// The tables of the base in which runs differ from it.
+fn changed(spec: &StudyFileSpec) -> Vec<String> {
+    let axes = spec.axis.iter().map(|axis| axis.key.as_str());
+    let times = TIMES.iter().filter(|_| spec.cycles.is_some());
+    let mut tables: Vec<String> = axes
+        .chain(times.copied())
+        .filter_map(|key| key.split(['.', '[']).next())
+        .map(str::to_owned)
+        .collect();
+    tables.sort_unstable();
+    tables.dedup();
+    tables
 }
 
 /// A key of the base, refused with the nearest one where there is none.
@@ -377,10 +399,14 @@ impl StudyFile {
 
     /// The motion that a scenario asks for.
     fn asked(&self, scenario: &Value) -> Result<Model, RunError> {
-        let questions = questions_of(scenario, &self.folder);
-        let questions = questions.map_err(|issue| RunError {
-            message: issue.message,
-        })?;
+        let known = self.passed.questions(scenario, &self.changed, &self.folder);
+        let questions = match known {
+            Some(questions) => questions,
+            // the whole check finds the words for what is wrong
+            None => questions_of(scenario, &self.folder).map_err(|issue| RunError {
+                message: issue.message,
+            })?,
+        };
         questions.model.ok_or_else(|| RunError {
             message: "the scenario has no `[time]`".to_owned(),
         })

@@ -78,6 +78,14 @@ impl ContactWatch {
             && self.preload.as_ref().is_none_or(held)
     }
 
+    /// Whether every ball is in contact and the preload held, if there is one: as long as every ball is approached
+    /// by [`ContactBand::lost`] and pressed the way the bearing faces, nothing happens.
+    pub fn is_at_work(&self) -> bool {
+        self.before.is_some()
+            && self.balls.iter().all(|ball| ball.in_contact)
+            && self.preload.is_none_or(|preload| preload.held)
+    }
+
     fn balls_stay(&self, band: ContactBand, seen: &SupportObservation) -> bool {
         let lowest = seen.lowest_approach();
         if self.balls.iter().all(|ball| ball.in_contact) {

@@ -3,7 +3,7 @@
 use std::io;
 
 use super::{BearingObserver, Observation};
-use crate::bearing::SupportObservation;
+use crate::bearing::{SupportObservation, Vector5};
 use crate::rotor::{Rotor, Sample, SampleLanes};
 use crate::simulate::TraceSink;
 
@@ -36,19 +36,38 @@ impl Observation<'_> {
                 self.watch(sample, sink)?;
             }
         }
-        if !self.watching {
+        let Some(last) = samples.last().filter(|_| self.watching) else {
             return Ok(());
-        }
+        };
         for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
             if quiet {
-                bearing.pass(samples, own);
+                bearing.pass(last.time, own, count - 1);
             }
-            for (lane, sample) in samples.iter().enumerate() {
-                let settled = sample.time >= self.settle;
-                bearing.weigh_lane(sample, own, lane, seen.least_load(lane), settled);
-            }
+            bearing.weigh_side_by_side(samples, seen, own, self.settle);
         }
         Ok(())
+    }
+
+    /// Whether it is certain that nothing happens to any bearing while the shaft is at these displacements.
+    pub fn is_certainly_quiet(
+        &self,
+        seen: &SampleLanes<'_>,
+        displacements: impl Iterator<Item = Vector5> + Clone,
+    ) -> bool {
+        let mut bearings = self.bearings.iter().zip(seen.bearings());
+        bearings.all(|(bearing, own)| {
+            let lost = bearing.band.1.lost;
+            let in_contact = |place| own.is_certainly_in_contact(&place, lost);
+            let watch = bearing.watch.as_ref();
+            watch.is_none_or(|watch| watch.is_at_work() && displacements.clone().all(in_contact))
+        })
+    }
+
+    /// Goes on to a time at which nothing has happened, the first of the instants seen last.
+    pub fn pass(&mut self, time: f64, seen: &SampleLanes<'_>) {
+        for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
+            bearing.pass(time, own, 0);
+        }
     }
 
     /// Whether nothing happens to any bearing in the first so many samples.
@@ -62,32 +81,37 @@ impl Observation<'_> {
 }
 
 impl BearingObserver<'_> {
-    /// Goes on to the last of samples at which nothing happens.
-    fn pass(&mut self, samples: &[Sample], seen: &SupportObservation) {
-        if let (Some(watch), Some(last)) = (&mut self.watch, samples.last()) {
-            watch.pass(last.time, self.band.1, seen, samples.len() - 1);
+    /// Goes on to a time at which nothing has happened, that of one of the instants seen.
+    fn pass(&mut self, time: f64, seen: &SupportObservation, lane: usize) {
+        if let Some(watch) = &mut self.watch {
+            watch.pass(time, self.band.1, seen, lane);
         }
     }
 
-    /// As [`BearingObserver::weigh`], of the balls at one of the instants seen.
-    fn weigh_lane(
+    /// As [`BearingObserver::weigh`], of the balls at the instants seen.
+    fn weigh_side_by_side(
         &mut self,
-        sample: &Sample,
+        samples: &[Sample],
+        all: &SampleLanes<'_>,
         seen: &SupportObservation,
-        lane: usize,
-        least: f64,
-        settled: bool,
+        settle: f64,
     ) {
-        if let Some(zone) = self.zone.as_mut().filter(|_| settled) {
-            if seen.load_range(lane)[1] > least {
-                zone.take_full(seen.count());
+        let early = samples.partition_point(|sample| sample.time < settle);
+        if let Some(zone) = &mut self.zone {
+            let least = |lane: usize| all.least_load(lane);
+            let lanes = early..samples.len();
+            if lanes
+                .clone()
+                .all(|lane| seen.load_range(lane)[1] > least(lane))
+            {
+                zone.take_full(seen.count(), lanes.len());
             } else {
-                zone.take(seen.loads(lane), least);
+                lanes.for_each(|lane| zone.take(seen.loads(lane), least(lane)));
             }
         }
-        let lives = settled || self.parts.early_life;
-        if let Some(life) = self.life.as_mut().filter(|_| lives) {
-            life.take(sample, seen.powers(lane));
+        if let Some(life) = &mut self.life {
+            let unweighed = if self.parts.early_life { 0 } else { early };
+            life.take_side_by_side(samples, unweighed, seen.powers());
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::bearing::{Geometry, RatingLife};
+use crate::bearing::{Geometry, LANES, RatingLife};
 use crate::rotor::Sample;
 
 /// Seconds of an hour.
@@ -91,17 +91,36 @@ impl LifeSums {
 
     /// Takes a sample with the powers of its ball loads, as by [`RatingLife::powers`].
     pub fn take(&mut self, sample: &Sample, powers: [f64; 2]) {
+        self.go_on(sample, self.rating.consumption_of(powers));
+    }
+
+    /// Takes samples that follow each other, without the first so many, with the powers of the ball loads at each.
+    pub fn take_side_by_side(
+        &mut self,
+        samples: &[Sample],
+        left_out: usize,
+        powers: [[f64; LANES]; 2],
+    ) {
+        let consumptions = self.rating.consumptions_of(powers);
+        for (sample, consumption) in samples.iter().zip(consumptions).skip(left_out) {
+            self.go_on(sample, consumption);
+        }
+    }
+
+    /// Goes on to a sample, at which so much is consumed per 10⁶ revolutions.
+    fn go_on(&mut self, sample: &Sample, consumption: f64) {
         let now = Rate {
             time: sample.time,
             angle: sample.angle,
-            consumption: self.rating.consumption_of(powers),
+            consumption,
         };
         let Some(before) = self.before.replace(now) else {
             return;
         };
-        self.whole_run.add(before, now);
+        let consumed = ConsumedLife::between(before, now);
+        self.whole_run.add(consumed);
         if before.time >= self.settle {
-            self.after_settle.add(before, now);
+            self.after_settle.add(consumed);
         }
     }
 
@@ -115,12 +134,20 @@ impl LifeSums {
 }
 
 impl ConsumedLife {
-    fn add(&mut self, from: Rate, to: Rate) {
+    fn between(from: Rate, to: Rate) -> Self {
         // either sense of rotation consumes
         let revolutions = (to.angle - from.angle).abs() / TAU;
-        self.time += to.time - from.time;
-        self.revolutions += revolutions;
-        self.share += 1e-6 * revolutions * 0.5 * (from.consumption + to.consumption);
+        Self {
+            time: to.time - from.time,
+            revolutions,
+            share: 1e-6 * revolutions * 0.5 * (from.consumption + to.consumption),
+        }
+    }
+
+    fn add(&mut self, other: Self) {
+        self.time += other.time;
+        self.revolutions += other.revolutions;
+        self.share += other.share;
     }
 }
 

@@ -33,14 +33,14 @@ struct SpreadSums {
 }
 
 impl SpreadSums {
-    fn add(&mut self, value: usize, first: bool) {
+    fn add(&mut self, value: usize, times: usize, first: bool) {
         self.smallest = if first {
             value
         } else {
             self.smallest.min(value)
         };
         self.largest = self.largest.max(value);
-        self.sum += value as u64;
+        self.sum += (value * times) as u64;
     }
 
     fn spread(&self, samples: u64, unit: f64) -> Spread {
@@ -67,20 +67,24 @@ impl LoadZoneSums {
         let balls = loads.len();
         let loaded = |load: &f64| *load > least;
         let gap = longest_row(loads.clone().map(|load| !loaded(&load)));
-        self.add(balls, loads.filter(loaded).count(), balls - gap);
-    }
-
-    /// Takes a sample in which so many balls are all loaded.
-    pub fn take_full(&mut self, balls: usize) {
-        self.add(balls, balls, balls);
-    }
-
-    fn add(&mut self, balls: usize, loaded: usize, spanned: usize) {
-        let first = self.samples == 0;
         self.balls = balls;
-        self.samples += 1;
-        self.loaded.add(loaded, first);
-        self.spanned.add(spanned, first);
+        self.add([loads.filter(loaded).count(), balls - gap], 1);
+    }
+
+    /// Takes some samples, or none, in each of which so many balls are all loaded.
+    pub fn take_full(&mut self, balls: usize, samples: usize) {
+        if samples > 0 {
+            self.balls = balls;
+            self.add([balls; 2], samples);
+        }
+    }
+
+    /// Adds samples in which so many balls are loaded, and so many stand in the arc that holds them.
+    fn add(&mut self, [loaded, spanned]: [usize; 2], samples: usize) {
+        let first = self.samples == 0;
+        self.samples += samples as u64;
+        self.loaded.add(loaded, samples, first);
+        self.spanned.add(spanned, samples, first);
     }
 
     pub fn finish(self) -> Option<LoadZone> {

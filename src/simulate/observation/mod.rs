@@ -70,10 +70,15 @@ impl<'a> Observation<'a> {
         }
     }
 
-    /// Whether what is made of the balls rests on samples before the settle time as well.
-    pub fn is_of_whole_run(&self) -> bool {
+    /// Whether contacts are watched, from the first sample on.
+    pub fn is_of_contacts(&self) -> bool {
+        self.watching && self.bearings.iter().any(|bearing| bearing.parts.events)
+    }
+
+    /// Whether what is made of the loads rests on samples before the settle time as well.
+    pub fn is_of_early_loads(&self) -> bool {
         let mut bearings = self.bearings.iter();
-        self.watching && bearings.any(|bearing| bearing.parts.events || bearing.parts.early_life)
+        self.watching && bearings.any(|bearing| bearing.parts.early_life)
     }
 
     /// Where the rotor leaves what it observes of the balls.
