@@ -83,6 +83,7 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         sums: &mut LaneSums<S>,
     ) {
         let balls = self.table.forces_at(place);
+        // over the arm, as the sums take it
         let moment = if COUPLE {
             balls.axial + balls.couple / self.arm
         } else {

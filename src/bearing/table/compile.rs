@@ -27,7 +27,7 @@ const MOST_CELLS: usize = 16_384;
 /// Nodes along the approach of a strip in which the exact law is asked.
 const STRIP_NODES: usize = 8;
 /// Least width of the region over its distance from zero: in a narrower one rounding would count in bins.
-const NARROWEST: f64 = 1e-4;
+const NARROWEST: f64 = 1e-3;
 /// Most strips of a table into which one of those is divided.
 const FINEST: usize = 32;
 
@@ -37,7 +37,7 @@ impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
     /// centres.
     ///
     /// # Errors
-    /// [`TableError`] where the region is none, or the law does not allow for the tolerance.
+    /// [`TableError`] where the region is none or too narrow, or the law does not allow for the tolerance.
     pub fn compile(
         law: L,
         region: BallRegion,

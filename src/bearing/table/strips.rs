@@ -128,7 +128,7 @@ mod tests {
             let [root, along] = [root, along].map(|number| Lanes::splat(simd, number));
             assert!(strips.contain(root).all_true());
             let place = strips.locate(root, along);
-            (place.cells[0], [place.x[0], place.t[0]])
+            (place.cells[0] as usize, [place.x[0], place.t[0]])
         })
     }
 
