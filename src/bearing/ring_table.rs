@@ -124,23 +124,32 @@ mod tests {
     use fearless_simd::{Level, SimdBase, dispatch};
 
     use super::*;
-    use crate::bearing::{BallRegion, FreePosition, Geometry, JonesLaw, Vector5, catalogue};
+    use crate::bearing::{
+        BallRegion, Bearing, FreePosition, Geometry, HertzFilmLaw, JonesLaw, Oil, Vector5,
+        catalogue,
+    };
     use crate::physics::RaceControl;
 
     const SPEED: f64 = 1000.0;
 
-    /// A ring of so many small balls under the table of a 7205C, about an axial displacement and as far
-    /// radially as given in m.
-    fn ring(balls: usize, pressed: f64, far: f64) -> Ring<TableLaw<JonesLaw, false>> {
-        let bearing = catalogue::find("7205C").unwrap().bearing().unwrap();
-        let law = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();
-        let own = &bearing.geometry;
+    fn bearing() -> Bearing {
+        catalogue::find("7205C").unwrap().bearing().unwrap()
+    }
+
+    /// A ring of so many small balls under the table of a law of a 7205C, about an axial displacement and as
+    /// far radially as given in m.
+    fn ring<L: BallLaw + Clone>(
+        law: &L,
+        balls: usize,
+        [pressed, far]: [f64; 2],
+    ) -> Ring<TableLaw<L, false>> {
+        let own = bearing().geometry;
         let around = |middle: f64, half: f64| [middle - half, middle + half];
         let region = BallRegion {
             axial: around(own.free_axial() + pressed, 8e-6),
             radial: around(own.free_radial(), far),
         };
-        let (table, _) = TableLaw::compile(law, region, SPEED, 300.0, 1e-9).unwrap();
+        let (table, _) = TableLaw::compile(law.clone(), region, SPEED, 300.0, 1e-9).unwrap();
         let free = FreePosition::ContactAngle(15f64.to_radians());
         let geometry = Geometry::new(balls, 4e-3, 38.5e-3, free, 0.525, 0.525).unwrap();
         let mut ring = Ring::new(&geometry, 0.1, table);
@@ -148,8 +157,8 @@ mod tests {
         ring
     }
 
-    fn by_table(
-        ring: &Ring<TableLaw<JonesLaw, false>>,
+    fn by_table<L: BallLaw>(
+        ring: &Ring<TableLaw<L, false>>,
         level: Level,
         place: &Vector5,
         cage: CageAngle,
@@ -157,34 +166,48 @@ mod tests {
         dispatch!(level, simd => {
             let mut sums = LaneSums::new(simd);
             let place = place.map(|number| SimdBase::splat(simd, number));
-            ring.tabled().add(simd, &place, cage, SPEED, &mut sums)
+            ring.tabled()
+                .add(simd, &place, cage, SPEED, &mut sums)
                 .then(|| sums.force(ring.arm))
         })
     }
 
-    #[test]
-    fn balls_looked_up_together_bear_what_they_bear_one_by_one() {
+    fn check_together_and_one_by_one<L: BallLaw + Clone>(law: &L, size: [f64; 2], lifts: bool) {
         let cage = CageAngle::new(0.7);
+        let [pressed, far] = size;
         for balls in [3, 12, 21] {
-            // across lift-off, and where no ball lifts off
-            for (pressed, far, lifts) in [(10e-6, 20e-6, true), (60e-6, 12e-6, false)] {
-                let ring = ring(balls, pressed, far);
-                let chart = &ring.law().table().chart;
-                assert_eq!(matches!(chart, Chart::Lifting(_)), lifts);
-                let place = [6e-6, -8e-6, pressed, 8e-5, -1e-4];
-                let expected = ring.force(&place, cage, SPEED);
-                for level in [Level::new(), Level::baseline()] {
-                    assert_eq!(by_table(&ring, level, &place, cage), Some(expected));
-                }
-                for outside in [
-                    [6e-6, -8e-6, pressed + 20e-6, 0.0, 0.0],
-                    [0.8 * far, -0.8 * far, pressed, 0.0, 0.0],
-                    [0.0, 0.0, pressed, 5e-4, 0.0],
-                    [f64::NAN, 0.0, pressed, 0.0, 0.0],
-                ] {
-                    assert_eq!(by_table(&ring, Level::new(), &outside, cage), None);
-                }
+            let ring = ring(law, balls, size);
+            let chart = &ring.law().table().chart;
+            assert_eq!(matches!(chart, Chart::Lifting(_)), lifts);
+            let place = [6e-6, -8e-6, pressed, 8e-5, -1e-4];
+            let expected = ring.force(&place, cage, SPEED);
+            for level in [Level::new(), Level::baseline()] {
+                assert_eq!(by_table(&ring, level, &place, cage), Some(expected));
+            }
+            for outside in [
+                [6e-6, -8e-6, pressed + 20e-6, 0.0, 0.0],
+                [0.8 * far, -0.8 * far, pressed, 0.0, 0.0],
+                [0.0, 0.0, pressed, 5e-4, 0.0],
+                [f64::NAN, 0.0, pressed, 0.0, 0.0],
+            ] {
+                assert_eq!(by_table(&ring, Level::new(), &outside, cage), None);
             }
         }
+    }
+
+    #[test]
+    fn loaded_balls_looked_up_together_bear_what_they_bear_one_by_one() {
+        let law = JonesLaw::new(&bearing(), RaceControl::Outer).unwrap();
+        check_together_and_one_by_one(&law, [30e-6, 12e-6], false);
+    }
+
+    #[test]
+    fn balls_that_lift_off_do_so_too() {
+        let oil = Oil {
+            viscosity: 0.04,
+            pressure_viscosity: 2.2e-8,
+        };
+        let law = HertzFilmLaw::new(&bearing(), oil, SPEED).unwrap();
+        check_together_and_one_by_one(&law, [10e-6, 20e-6], true);
     }
 }
