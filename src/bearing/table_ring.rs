@@ -5,6 +5,7 @@ use fearless_simd::Simd;
 use super::any_ring::AnyRing;
 use super::ring_lanes::{LaneSums, LaneVector};
 use super::ring_lift_off::LiftOffs;
+use super::ring_table::TabledBalls;
 use super::{
     BallLaw, BallRegion, CageAngle, ContactLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Matrix5,
     MountedBearing, Ring, TableError, TableLaw, TableReport, Vector5,
@@ -19,6 +20,12 @@ pub(super) enum TableRing {
     JonesCouple(Ring<TableLaw<JonesLaw, true>>),
     JonesFilm(Ring<TableLaw<JonesFilmLaw, false>>),
     JonesFilmCouple(Ring<TableLaw<JonesFilmLaw, true>>),
+}
+
+/// Balls with a table, with a couple or without: all that the sum of their forces needs to know of the law.
+enum AnyTabled<'a> {
+    Plain(TabledBalls<'a, false>),
+    Couple(TabledBalls<'a, true>),
 }
 
 /// Evaluates an expression for the ring inside, whatever its law.
@@ -66,6 +73,18 @@ impl TableRing {
         }
     }
 
+    /// The balls and their table alone.
+    #[inline(always)]
+    fn tabled(&self) -> AnyTabled<'_> {
+        match self {
+            Self::HertzFilm(ring) => AnyTabled::Plain(ring.tabled()),
+            Self::Jones(ring) => AnyTabled::Plain(ring.tabled()),
+            Self::JonesFilm(ring) => AnyTabled::Plain(ring.tabled()),
+            Self::JonesCouple(ring) => AnyTabled::Couple(ring.tabled()),
+            Self::JonesFilmCouple(ring) => AnyTabled::Couple(ring.tabled()),
+        }
+    }
+
     /// Adds up the forces of the balls for the processor's level `S`; says whether all were inside the table,
     /// and leaves `sums` alone otherwise. What goes in and out is read as it was written, in whole
     /// registers.
@@ -80,7 +99,10 @@ impl TableRing {
     ) -> bool {
         simd.vectorize(
             #[inline(always)]
-            || with_table!(self, ring => ring.add_by_table(simd, displacement, cage, speed, sums)),
+            || match self.tabled() {
+                AnyTabled::Plain(balls) => balls.add(simd, displacement, cage, speed, sums),
+                AnyTabled::Couple(balls) => balls.add(simd, displacement, cage, speed, sums),
+            },
         )
     }
 

@@ -118,6 +118,9 @@ fn a_law_that_is_not_smooth_is_refused() {
     assert!(matches!(table, Err(TableError::Tolerance { .. })));
     let nothing = TableLaw::<_, true>::compile(law, unloading, SPEED, 0.0, TOLERANCE);
     assert!(matches!(nothing, Err(TableError::NoRegion)));
+    let narrow = region(&bearing, [30.0, 30.0 + 1e-5], 8.0);
+    let nothing = TableLaw::<_, true>::compile(law, narrow, SPEED, LOAD, TOLERANCE);
+    assert!(matches!(nothing, Err(TableError::NoRegion)));
 }
 
 #[test]

@@ -1,10 +1,14 @@
 //! From an exact law to its table.
 
+use super::ball_table::BallTable;
+use super::cells::{AXIAL_TERMS, CoupleCell, ForceCell, ROOT_TERMS};
 use super::counted::Counted;
-use super::law::{AXIAL_TERMS, CoupleCell, ForceCell, ROOT_TERMS, TableLaw};
+use super::law::TableLaw;
 use super::limits::Limits;
 use super::polynomial::{lobatto, power_weights, weights_at};
+use super::reduced::{Reduced, between, difference, part_place, powers, weighted};
 use super::region::BallRegion;
+use super::report::{TableError, TableReport};
 use super::strips::{BINS, Strips};
 use crate::bearing::BallLaw;
 
@@ -22,42 +26,10 @@ const PROBES: usize = 1500;
 const MOST_CELLS: usize = 16_384;
 /// Nodes along the approach of a strip in which the exact law is asked.
 const STRIP_NODES: usize = 8;
+/// Least width of the region over its distance from zero: in a narrower one rounding would count in bins.
+const NARROWEST: f64 = 1e-3;
 /// Most strips of a table into which one of those is divided.
 const FINEST: usize = 32;
-/// What a table is good for, and what it took.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TableReport {
-    /// Largest difference from the exact force at offset places of the whole region, N.
-    pub error: f64,
-    /// The same relative to the load that the tolerance refers to.
-    pub relative_error: f64,
-    /// Number of cells.
-    pub cells: usize,
-    /// Evaluations of the exact law, those for the error among them.
-    pub evaluations: usize,
-}
-
-/// Why a law stays without a table.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum TableError {
-    /// No range, or no load to refer to.
-    #[error("the balls move in no region of their own, or carry nothing")]
-    NoRegion,
-    /// The line of lift-off cannot be followed.
-    #[error("the balls lift off outside the reach of a table")]
-    LiftOff,
-    /// The law is not smooth enough.
-    #[error("a table of {cells} cells has a relative error of {relative_error:e}")]
-    Tolerance {
-        /// Measured error relative to the load that the tolerance refers to.
-        relative_error: f64,
-        /// Number of cells.
-        cells: usize,
-    },
-}
-
-/// Forces over the approach past lift-off: F_a/u, F_r/u, couple/u.
-type Reduced = [f64; 3];
 
 impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
     /// Compiles `law` at a shaft speed in rad/s over a region, so that no force differs by more than
@@ -65,7 +37,7 @@ impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
     /// centres.
     ///
     /// # Errors
-    /// [`TableError`] where the region is none, or the law does not allow for the tolerance.
+    /// [`TableError`] where the region is none or too narrow, or the law does not allow for the tolerance.
     pub fn compile(
         law: L,
         region: BallRegion,
@@ -79,7 +51,7 @@ impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
             let draft = Draft::new(&counted, region, columns, load, tolerance)?;
             let table = draft.table::<COUPLE>(&law)?;
             let error = draft.error_of(&table);
-            let cells = table.forces.len();
+            let cells = table.table.forces.len();
             let relative_error = error / load;
             if relative_error <= tolerance {
                 let evaluations = counted.evaluations();
@@ -103,6 +75,8 @@ impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
 /// A table in the making: the coordinates, and how exact it is to be.
 struct Draft<'a, L> {
     law: &'a Counted<'a, L>,
+    /// Where a ring's balls may be looked up.
+    region: BallRegion,
     limits: Limits,
     columns: usize,
     /// Error that each step may make, N.
@@ -116,7 +90,7 @@ struct Division {
     first_bins: Vec<usize>,
     /// v at their nodes; strips side by side share one.
     roots: Vec<f64>,
-    /// Forces over u at the nodes in all columns.
+    /// Forces over f at the nodes in all columns.
     values: Vec<Vec<Reduced>>,
 }
 
@@ -152,8 +126,13 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         } else {
             Limits::lifting(law, span, &nodes, region.radial, lifted)?
         };
+        let [start, end] = limits.roots;
+        if end - start < NARROWEST * end || span[1] - span[0] < NARROWEST * span[1] {
+            return Err(TableError::NoRegion);
+        }
         Ok(Self {
             law,
+            region: region.one_sided(limits.lowest),
             limits,
             columns,
             step: STEP_SHARE * tolerance * load,
@@ -161,17 +140,17 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         })
     }
 
-    /// Forces over u at τ and v.
+    /// Forces over f at τ and v.
     fn reduced(&self, along: f64, root: f64) -> Reduced {
         let chart = &self.limits.chart;
-        let past_lift = root * root;
-        // at lift-off the force fades faster than u
-        if past_lift == 0.0 {
+        let factor = chart.factor(root);
+        // at lift-off the force fades faster than f
+        if factor == 0.0 {
             return [0.0; 3];
         }
         let axial = chart.axial(along);
-        let force = self.law.force(axial, chart.radial(along, past_lift));
-        [force.axial, force.radial, force.couple / self.arm].map(|force| force / past_lift)
+        let force = self.law.force(axial, chart.radial(along, root));
+        [force.axial, force.radial, force.couple / self.arm].map(|force| force / factor)
     }
 
     fn table<const COUPLE: bool>(&self, law: &L) -> Result<TableLaw<L, COUPLE>, TableError> {
@@ -191,14 +170,17 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
             });
         }
         let (forces, couples) = self.cells(&values, &across, &columns);
-        Ok(TableLaw {
-            exact: law.clone(),
+        let table = BallTable {
             speed: self.law.speed,
-            lowest: self.limits.lowest,
+            region: self.region,
             chart: self.limits.chart,
             strips: Strips::new(self.limits.roots, &first_bins, &across),
             forces,
             couples: if COUPLE { couples } else { Vec::new() },
+        };
+        Ok(TableLaw {
+            exact: law.clone(),
+            table,
         })
     }
 
@@ -290,14 +272,13 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         parts
     }
 
-    /// Whether an error of forces over u is within a step's share.
+    /// Whether an error of forces over f is within a step's share.
     fn is_small(&self, error: &Reduced, root: f64) -> bool {
-        error
-            .iter()
-            .all(|error| error.abs() * root * root <= self.step)
+        let factor = self.limits.chart.factor(root);
+        error.iter().all(|error| error.abs() * factor <= self.step)
     }
 
-    /// Forces over u at v in all columns.
+    /// Forces over f at v in all columns.
     fn row(&self, root: f64) -> Vec<Reduced> {
         (0..self.columns)
             .map(|column| self.reduced(lobatto(column, self.columns), root))
@@ -417,7 +398,7 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
             let along = 2.0 * (probe as f64 * 0.618_033_988_749_894_9).fract() - 1.0;
             let (chart, root) = (&self.limits.chart, self.limits.root(part));
             let axial = chart.axial(along);
-            let radial = chart.radial(along, root * root);
+            let radial = chart.radial(along, root);
             let exact = self.law.force(axial, radial);
             let own = table.force(axial, radial, self.law.speed);
             largest = largest
@@ -427,57 +408,4 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
         }
         largest
     }
-}
-
-/// Place in −1 … 1 of x in −1 … 1 of one of equal parts.
-fn part_place(part: usize, parts: usize, x: f64) -> f64 {
-    (2.0 * part as f64 + 1.0 + x) / parts as f64 - 1.0
-}
-
-/// Weights that take a polynomial of high degree, `exact`, from that of low degree through its values
-/// at `nodes`.
-fn difference(own: &[f64], nodes: &[Vec<f64>], exact: &[f64]) -> Vec<f64> {
-    let of_node = |index: usize| {
-        own.iter()
-            .zip(nodes)
-            .map(move |(own, node)| own * node[index])
-    };
-    exact
-        .iter()
-        .enumerate()
-        .map(|(index, exact)| of_node(index).sum::<f64>() - exact)
-        .collect()
-}
-
-/// Rows at x in −1 … 1 of the strip that they span.
-fn between(rows: &[Vec<Reduced>], x: f64) -> Vec<Reduced> {
-    let weights = weights_at(x, rows.len());
-    (0..rows[0].len())
-        .map(|column| weighted(rows.iter().map(|row| row[column]), &weights))
-        .collect()
-}
-
-fn weighted(values: impl Iterator<Item = Reduced>, weights: &[f64]) -> Reduced {
-    let mut sum = [0.0; 3];
-    for (value, weight) in values.zip(weights) {
-        for output in 0..3 {
-            sum[output] += weight * value[output];
-        }
-    }
-    sum
-}
-
-/// Coefficients of x^k t^l from values at the nodes.
-fn powers(
-    nodes: &[[Reduced; AXIAL_TERMS]; ROOT_TERMS],
-    by_root: &[[f64; ROOT_TERMS]; ROOT_TERMS],
-    by_axial: &[[f64; AXIAL_TERMS]; AXIAL_TERMS],
-) -> [[Reduced; AXIAL_TERMS]; ROOT_TERMS] {
-    let rows = nodes.map(|row| by_axial.map(|weights| weighted(row.into_iter(), &weights)));
-    by_root.map(|weights| {
-        std::array::from_fn(|l| {
-            let column: [Reduced; ROOT_TERMS] = std::array::from_fn(|root| rows[root][l]);
-            weighted(column.into_iter(), &weights)
-        })
-    })
 }

@@ -1,8 +1,10 @@
 //! How far a table reaches, and in what coordinates.
 
 use super::chart::Chart;
-use super::compile::TableError;
 use super::counted::Counted;
+use super::lifting_chart::LiftingChart;
+use super::loaded_chart::LoadedChart;
+use super::report::TableError;
 use crate::bearing::BallLaw;
 
 /// How far around the region lift-off is looked for, over the distance of the groove centres; so far
@@ -14,7 +16,7 @@ const FLATTEST: f64 = 0.3;
 /// Coordinates and how far they reach.
 pub(super) struct Limits {
     pub(super) chart: Chart,
-    /// √u at both ends.
+    /// v at both ends.
     pub(super) roots: [f64; 2],
     /// Least A2, m.
     pub(super) lowest: f64,
@@ -24,13 +26,11 @@ impl Limits {
     /// Of balls that never lift off.
     pub(super) fn loaded(span: [f64; 2], radial: [f64; 2]) -> Self {
         let (nearest, farthest) = (span[0].hypot(radial[0]), span[1].hypot(radial[1]));
-        // the forces over u are smooth only away from u = 0
-        let pad = 0.5 * (farthest - nearest);
-        let radius = nearest - pad;
-        let root = |distance: f64| ((distance - radius) * (distance + radius)).sqrt();
+        // nothing of the region is near the circle
+        let circle = nearest - 0.5 * (farthest - nearest);
         Self {
-            chart: Chart::concentric(span, radius),
-            roots: [root(nearest), root(farthest)],
+            chart: Chart::Loaded(LoadedChart::new(span, circle)),
+            roots: [nearest * nearest, farthest * farthest],
             lowest: radial[0],
         }
     }
@@ -49,7 +49,7 @@ impl Limits {
             .map(|&axial| lift_off(law, axial, radial, distance, lifted))
             .collect::<Option<Vec<f64>>>()
             .ok_or(TableError::LiftOff)?;
-        let chart = Chart::new(span, nodes, &lift_off);
+        let chart = LiftingChart::new(span, nodes, &lift_off);
         let steep = nodes.iter().zip(&lift_off).any(|(&axial, &radial)| {
             let steepness = chart.steepness(axial, radial);
             steepness.is_nan() || steepness < FLATTEST
@@ -62,7 +62,7 @@ impl Limits {
             .map(|&axial| chart.past_lift(axial, radial[1]))
             .fold(2e-3 * distance * distance, f64::max);
         Ok(Self {
-            chart,
+            chart: Chart::Lifting(chart),
             roots: [0.0, farthest.sqrt()],
             lowest: radial[0] - LIFTED_REACH * distance,
         })

@@ -20,4 +20,14 @@ impl BallRegion {
             [low.abs().min(high.abs()), far]
         }
     }
+
+    /// The same from another least A2 on, and with both ends of A1 above zero; where it holds A1 = 0, it reaches as
+    /// far to both sides.
+    pub(super) fn one_sided(&self, lowest: f64) -> Self {
+        let [near, far] = self.axial_span();
+        Self {
+            axial: [if near > 0.0 { near } else { -far }, far],
+            radial: [lowest, self.radial[1]],
+        }
+    }
 }

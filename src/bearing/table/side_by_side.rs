@@ -9,8 +9,8 @@ pub(super) const ROUNDING: f64 = 6_755_399_441_055_744.0;
 
 /// The whole numbers to which [`ROUNDING`] was added.
 #[inline(always)]
-pub(super) fn whole<S: Simd>(rounded: Lanes<S>) -> [usize; LANES] {
-    let low = |x: f64| x.to_bits() as u32 as usize;
+pub(super) fn whole<S: Simd>(rounded: Lanes<S>) -> [u32; LANES] {
+    let low = |x: f64| x.to_bits() as u32;
     let [a, b, c, d] = *rounded;
     [low(a), low(b), low(c), low(d)]
 }

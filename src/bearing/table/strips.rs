@@ -40,7 +40,7 @@ pub(super) struct Strips {
 /// Places of balls in their cells.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct InCells<S: Simd> {
-    pub(super) cells: [usize; LANES],
+    pub(super) cells: [u32; LANES],
     /// Along the root of the approach, −1 … 1.
     pub(super) x: Lanes<S>,
     /// Along |A1|, −½ … ½.
@@ -76,14 +76,14 @@ impl Strips {
 
     /// Places of v among the bins; bin 0 is from −½ to ½.
     #[inline(always)]
-    pub(super) fn among_bins<S: Simd>(&self, root: Lanes<S>) -> Lanes<S> {
+    fn among_bins<S: Simd>(&self, root: Lanes<S>) -> Lanes<S> {
         root * self.bin_scale + self.bin_shift
     }
 
-    /// Whether places among the bins are in the range.
+    /// Whether v are in the range.
     #[inline(always)]
-    pub(super) fn contain<S: Simd>(place: Lanes<S>) -> mask64x4<S> {
-        (place - MIDDLE).abs().simd_le(REACH)
+    pub(super) fn contain<S: Simd>(&self, root: Lanes<S>) -> mask64x4<S> {
+        (self.among_bins(root) - MIDDLE).abs().simd_le(REACH)
     }
 
     /// Maps of the strips at places among the bins: those of v in its first columns, those of τ in the others.
@@ -91,19 +91,14 @@ impl Strips {
     fn maps<S: Simd>(&self, place: Lanes<S>) -> [Lanes<S>; 4] {
         let simd = place.witness();
         let [a, b, c, d] = whole(place + ROUNDING);
-        let maps = |bin: usize| simd.load_array_ref_f64x4(&self.of_bin[bin % BINS].maps);
+        let maps = |bin: u32| simd.load_array_ref_f64x4(&self.of_bin[bin as usize % BINS].maps);
         transposed([maps(a), maps(b), maps(c), maps(d)])
     }
 
-    /// The cells of v, itself and its place among the bins, and τ.
+    /// The cells of v and τ, and the places in them.
     #[inline(always)]
-    pub(super) fn locate<S: Simd>(
-        &self,
-        root: Lanes<S>,
-        among_bins: Lanes<S>,
-        along: Lanes<S>,
-    ) -> InCells<S> {
-        let [root_scale, root_shift, scale, shift] = self.maps(among_bins);
+    pub(super) fn locate<S: Simd>(&self, root: Lanes<S>, along: Lanes<S>) -> InCells<S> {
+        let [root_scale, root_shift, scale, shift] = self.maps(self.among_bins(root));
         let place = along * scale + shift;
         let column = place + ROUNDING;
         InCells {
@@ -131,10 +126,9 @@ mod tests {
     fn located(strips: &Strips, root: f64, along: f64) -> (usize, [f64; 2]) {
         dispatch!(Level::baseline(), simd => {
             let [root, along] = [root, along].map(|number| Lanes::splat(simd, number));
-            let among_bins = strips.among_bins(root);
-            assert!(Strips::contain(among_bins).all_true());
-            let place = strips.locate(root, among_bins, along);
-            (place.cells[0], [place.x[0], place.t[0]])
+            assert!(strips.contain(root).all_true());
+            let place = strips.locate(root, along);
+            (place.cells[0] as usize, [place.x[0], place.t[0]])
         })
     }
 

@@ -1,0 +1,33 @@
+//! What comes of compiling a table.
+
+/// What a table is good for, and what it took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TableReport {
+    /// Largest difference from the exact force at offset places of the whole region, N.
+    pub error: f64,
+    /// The same relative to the load that the tolerance refers to.
+    pub relative_error: f64,
+    /// Number of cells.
+    pub cells: usize,
+    /// Evaluations of the exact law, those for the error among them.
+    pub evaluations: usize,
+}
+
+/// Why a law stays without a table.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum TableError {
+    /// No range, or no load to refer to.
+    #[error("the balls move in no region of their own, or carry nothing")]
+    NoRegion,
+    /// The line of lift-off cannot be followed.
+    #[error("the balls lift off outside the reach of a table")]
+    LiftOff,
+    /// The law is not smooth enough.
+    #[error("a table of {cells} cells has a relative error of {relative_error:e}")]
+    Tolerance {
+        /// Measured error relative to the load that the tolerance refers to.
+        relative_error: f64,
+        /// Number of cells.
+        cells: usize,
+    },
+}
