@@ -153,6 +153,14 @@ impl AnyRing {
         with_ring!(self, ring => ring.lift_offs(displacement, cage, speed))
     }
 
+    /// Approach that no ball has less of, wherever the cage stands, m; none where that is not known.
+    pub fn least_approach(&self, place: &Vector5) -> Option<f64> {
+        match self {
+            Self::Hertz(ring) => Some(ring.least_approach(place)),
+            _ => None,
+        }
+    }
+
     /// How far a ball is pressed past its lift-off, m.
     pub fn past_lift_off(
         &self,

@@ -1,11 +1,19 @@
 //! Whether all balls of a plain Hertz bearing bear, told without looking at any of them.
 
 use super::support::imposed;
-use super::{SupportObservation, Vector5};
+use super::{HertzLaw, Ring, SupportObservation, Vector5};
 
-impl SupportObservation {
-    /// Whether it is certain that, with the shaft at a displacement, every ball is approached by at least so many m
-    /// and pressed the way the bearing faces, wherever the cage stands. Where it is not, the balls must be asked.
+/// The circle of the inner groove centres of a bearing, about its outer one.
+struct Circle {
+    free_axial: f64,
+    free_radial: f64,
+    /// Radius R_i, m.
+    arm: f64,
+}
+
+impl Circle {
+    /// Distance, m, that no inner groove centre is nearer than to the outer one with the inner ring at a
+    /// displacement, wherever the cage stands, and whether all are pressed the way the bearing faces.
     ///
     /// A distance is no shorter than its part along any direction, here along that to the mean (a, b) of all
     /// inner groove centres:
@@ -14,14 +22,42 @@ impl SupportObservation {
     /// A1 = a + R_i (θx sin φ − θy cos φ)   A2 = b + x cos φ + y sin φ   c = √(a² + b²)
     /// √(A1² + A2²) ≥ (a A1 + b A2)/c ≥ c − |(b x − a R_i θy, b y + a R_i θx)|/c
     /// ```
-    pub fn is_certainly_in_contact(&self, displacement: &Vector5, approach: f64) -> bool {
-        let [x, y, z, tilt_x, tilt_y] = imposed(displacement, self.sign, self.position);
-        let [axial, radial] = [self.free_axial + (z + self.offset), self.free_radial];
+    #[inline(always)]
+    fn least_distance(&self, [x, y, z, tilt_x, tilt_y]: Vector5) -> (f64, bool) {
+        let [axial, radial] = [self.free_axial + z, self.free_radial];
         let [arm_x, arm_y] = [self.arm * tilt_x, self.arm * tilt_y];
         let square = axial * axial + radial * radial;
         let lean = length(radial * x - axial * arm_y, radial * y + axial * arm_x);
-        let due = self.law.distance + approach;
-        axial > length(arm_x, arm_y) && square - lean >= due * square.sqrt()
+        let least = (square - lean) / square.sqrt();
+        (least, axial > length(arm_x, arm_y))
+    }
+}
+
+impl SupportObservation {
+    /// Whether it is certain that, with the shaft at a displacement, every ball is approached by at least so many m
+    /// and pressed the way the bearing faces, wherever the cage stands. Where it is not, the balls must be asked.
+    pub fn is_certainly_in_contact(&self, displacement: &Vector5, approach: f64) -> bool {
+        let [x, y, z, tilt_x, tilt_y] = imposed(displacement, self.sign, self.position);
+        let circle = Circle {
+            free_axial: self.free_axial,
+            free_radial: self.free_radial,
+            arm: self.arm,
+        };
+        let (least, pressed) = circle.least_distance([x, y, z + self.offset, tilt_x, tilt_y]);
+        pressed && least >= self.law.distance + approach
+    }
+}
+
+impl Ring<HertzLaw> {
+    /// Approach, m, that no ball has less of with the inner ring at a displacement, wherever the cage stands;
+    /// negative where that is not certain.
+    pub(super) fn least_approach(&self, place: &Vector5) -> f64 {
+        let circle = Circle {
+            free_axial: self.free_axial,
+            free_radial: self.free_radial,
+            arm: self.arm,
+        };
+        circle.least_distance(*place).0 - self.law().distance
     }
 }
 
@@ -32,13 +68,11 @@ fn length(x: f64, y: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use crate::bearing::{
-        ContactDamping, ContactLaw, Facing, LANES, MountedBearing, Preload, Support,
+        CageAngle, ContactDamping, ContactLaw, Facing, LANES, MountedBearing, Preload, Support,
         SupportObservation, catalogue,
     };
 
-    /// What is certain is so at every place of the cage, and most of what is so is certain.
-    #[test]
-    fn balls_that_are_certain_to_bear_do() {
+    fn support() -> Support {
         let entry = catalogue::find("7205C").expect("in the catalogue");
         let mounted = MountedBearing {
             bearing: entry.bearing().expect("a bearing"),
@@ -50,19 +84,30 @@ mod tests {
             contact_damping: ContactDamping::default(),
             first_ball: 0.1,
         };
-        let support = Support::new(&mounted, 0.0).expect("a support");
+        Support::new(&mounted, 0.0).expect("a support")
+    }
+
+    /// Places that a shaft takes one after the other.
+    fn place(step: u32) -> [f64; 5] {
+        let part = |rate: f64| (rate * f64::from(step)).sin();
+        [
+            8e-6 * part(0.37),
+            8e-6 * part(0.61),
+            -2e-5 + 2e-5 * part(0.23),
+            2e-4 * part(0.71),
+            2e-4 * part(0.97),
+        ]
+    }
+
+    /// What is certain is so at every place of the cage, and most of what is so is certain.
+    #[test]
+    fn balls_that_are_certain_to_bear_do() {
+        let support = support();
         let mut seen = SupportObservation::new(&support).expect("a plain bearing");
         let (mut certain, mut bearing) = (0, 0);
         for step in 0..2000 {
-            let part = |rate: f64| (rate * f64::from(step)).sin();
-            let place = [
-                8e-6 * part(0.37),
-                8e-6 * part(0.61),
-                -2e-5 + 2e-5 * part(0.23),
-                2e-4 * part(0.71),
-                2e-4 * part(0.97),
-            ];
-            let approach = 2e-6 * part(0.41).abs();
+            let place = place(step);
+            let approach = 2e-6 * (0.41 * f64::from(step)).sin().abs();
             let told = seen.is_certainly_in_contact(&place, approach);
             let mut bears = true;
             for turn in 0..5 {
@@ -79,6 +124,33 @@ mod tests {
         assert!(
             (500..1800).contains(&bearing) && 100 * certain > 95 * bearing,
             "{certain} of {bearing}"
+        );
+    }
+
+    /// Where the shaft moves by less than the balls are from their lift-off, none lifts off, wherever the cage stands.
+    #[test]
+    fn a_shift_that_is_part_of_the_clearance_lifts_no_ball_off() {
+        let support = support();
+        let (mut clear, mut moved) = (0, 0);
+        for step in 0..2000 {
+            let from = place(step);
+            let next = place(step + 1);
+            let to = std::array::from_fn(|axis| from[axis] + 0.2 * (next[axis] - from[axis]));
+            let part = support.part_of_clearance([&from, &to]);
+            moved += u32::from(part > 0.0);
+            if part >= 1.0 {
+                continue;
+            }
+            clear += 1;
+            for turn in 0..20 {
+                let cage = CageAngle::new(0.03 * f64::from(turn));
+                let all = support.lift_offs(&to, cage, 0.0).pressed;
+                assert_eq!(all.count_ones(), 12, "{from:?} to {to:?}");
+            }
+        }
+        assert!(
+            (200..1800).contains(&clear) && moved == 2000,
+            "{clear}, {moved}"
         );
     }
 }

@@ -57,6 +57,34 @@ impl Support {
         LIFT_OFF_SLOPE * length(radial, z.abs() + arm * tilt)
     }
 
+    /// Part of the distance that every ball has from its lift-off, wherever the cage stands, that the shaft moves
+    /// from one displacement to another; infinite where that distance is not known.
+    pub(crate) fn part_of_clearance(&self, ends: [&Vector5; 2]) -> f64 {
+        if self.balls_that_lift_off() == 0 {
+            return 0.0;
+        }
+        let Seat::Fixed { offset } = self.seat else {
+            return f64::INFINITY;
+        };
+        let [from, to] = ends.map(|displacement| self.imposed(displacement));
+        let [x, y, z, tilt_x, tilt_y] = from;
+        let place = [x, y, z + offset, tilt_x, tilt_y];
+        match self.ring.least_approach(&place) {
+            Some(least) if least > 0.0 && self.table.is_none() => {
+                self.shift_of_centres(&from, &to) / least
+            }
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// How far inner groove centres move at most from one place of the ring to another.
+    fn shift_of_centres(&self, from: &Vector5, to: &Vector5) -> f64 {
+        let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
+        let length = |a: f64, b: f64| (a * a + b * b).sqrt();
+        let arm = self.definition.bearing.geometry.inner_groove_radius();
+        length(length(x, y), z.abs() + arm * length(tilt_x, tilt_y))
+    }
+
     /// How far one of them is pressed past its lift-off, m.
     pub(crate) fn past_lift_off(
         &self,

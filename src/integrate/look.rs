@@ -41,6 +41,10 @@ impl<const N: usize> Look<N> {
         if self.nearest == f64::INFINITY {
             return true;
         }
+        // a look that was never taken is near to everything
+        if self.nearest > 0.0 && system.part_of_clearance([&self.state, state]) < SAFE {
+            return true;
+        }
         let walked = system.approach([self.time, time], [&self.state, state]);
         walked < SAFE * self.nearest
     }

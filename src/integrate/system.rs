@@ -57,6 +57,13 @@ pub trait System<const N: usize> {
         f64::INFINITY
     }
 
+    /// Part of the distance that the first of two states has from all surfaces, wherever these are by the time,
+    /// that the second is away; infinite where nothing is known. It is to cost little: what is small spares
+    /// [`System::surroundings`] and [`System::approach`].
+    fn part_of_clearance(&self, _states: [&[f64; N]; 2]) -> f64 {
+        f64::INFINITY
+    }
+
     /// Upper bound of what a surface has added to each component of the derivative at a distance
     /// past it: it grows with a broken power of the distance, like a contact force.
     fn added(&self, _surface: u32, _time: f64, _distance: f64) -> [f64; N] {

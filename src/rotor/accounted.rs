@@ -153,6 +153,11 @@ impl System<ACCOUNTED_STATES> for AccountedRotor<'_> {
             .approach_to_lift_off(rotations.each_ref(), places)
     }
 
+    fn part_of_clearance(&self, states: [&State; 2]) -> f64 {
+        self.rotor
+            .part_of_clearance(states.map(|state| &state[..self.rotor.kept]))
+    }
+
     fn added(&self, surface: u32, time: f64, distance: f64) -> State {
         let kept = self.rotor.kept;
         // the speed that a drive is meant for: a bound does not ask for more

@@ -57,6 +57,17 @@ impl Rotor {
         self.supports.iter().map(approach).fold(0.0, f64::max)
     }
 
+    /// Part of the distance that all balls have from their lift-off, wherever the cages stand, that the shaft moves
+    /// from one place to another; infinite where that distance is not known.
+    pub(super) fn part_of_clearance(&self, places: [&[f64]; 2]) -> f64 {
+        if !self.lifts_off {
+            return 0.0;
+        }
+        let ends = places.map(|place| self.full(&self.equilibrium.displacement, place));
+        let part = |support: &Support| support.part_of_clearance(ends.each_ref());
+        self.supports.iter().map(part).fold(0.0, f64::max)
+    }
+
     /// Accelerations that a ball so far past its lift-off gives the kept freedoms at most, m/s² and
     /// rad/s².
     pub(super) fn added_past_lift_off(&self, ball: u32, speed: f64, distance: f64) -> Vector5 {

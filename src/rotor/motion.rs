@@ -304,6 +304,10 @@ impl<const N: usize> System<N> for Rotor {
         self.approach_to_lift_off(rotations.each_ref(), states.map(|state| &state[..N / 2]))
     }
 
+    fn part_of_clearance(&self, states: [&[f64; N]; 2]) -> f64 {
+        Rotor::part_of_clearance(self, states.map(|state| &state[..N / 2]))
+    }
+
     fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {
         let kept = N / 2;
         let added = self.added_past_lift_off(surface, self.speed.at(time).speed, distance);

@@ -35,6 +35,13 @@ impl<S: System<N>, const N: usize> Trial<'_, S, N> {
     /// Whether the points of the step do not all lie on the same sides of the surfaces.
     fn crosses(&self) -> bool {
         let (system, start) = (self.course.system, self.whole(&self.from.deviation));
+        let is_clear = |point| {
+            let state = self.whole(self.at(point));
+            system.part_of_clearance([&start, &state]) < SAFE
+        };
+        if (1..POINTS).all(is_clear) {
+            return false;
+        }
         let around = system.surroundings(self.start, &start);
         if around.nearest == f64::INFINITY {
             return false;
