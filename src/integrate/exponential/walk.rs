@@ -190,17 +190,15 @@ impl<const N: usize> Walk<N> {
     fn within(&mut self, time: f64) -> [f64; N] {
         let index = ((time - self.start) / self.interval).round();
         let phi = self.propagators.samples(&self.linear, self.interval);
-        let mut cursor = match self.cursor {
+        let cursor = match &mut self.cursor {
             Some(cursor) if cursor.index() <= index => cursor,
-            _ => {
+            before => {
                 let intervals = [self.interval, self.intervals];
                 let start = self.from.coordinates;
-                Cursor::new(start, &self.slow, intervals, phi, &self.linear)
+                before.insert(Cursor::new(start, &self.slow, intervals, phi, &self.linear))
             }
         };
-        let deviation = cursor.go_to(index, phi, &self.linear);
-        self.cursor = Some(cursor);
-        deviation
+        cursor.go_to(index, phi, &self.linear)
     }
 
     /// Takes a step.
