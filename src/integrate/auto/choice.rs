@@ -36,7 +36,6 @@ impl<const N: usize> AutoWalk<N> {
         let tolerance = course.settings.tolerance;
         let way = self.selector.first(known.pair(tolerance), &outlook);
         if way != self.selector.way {
-            self.changes.clear();
             self.explicit_size = known.pair_step(tolerance);
             self.change(here, way);
         }

@@ -31,7 +31,7 @@ pub(super) const WAYS: [Way; 4] = [Way::Verner76, Way::Dop853, Way::Dprkn8, Way:
 /// integrating factor takes as long as the other half.
 const EXPLICIT: f64 = 3.7e-9;
 /// What the exponential method does with an evaluation, and with each entry of a matrix.
-const EXPONENTIAL: [f64; 2] = [105e-9, 0.45e-9];
+const EXPONENTIAL: [f64; 2] = [98e-9, 0.3e-9];
 /// The modes of a linear part, and their functions over a step size, for each state: what is summed up beside a
 /// motion costs little there.
 const MODES: f64 = 6e-6;
@@ -39,8 +39,6 @@ const FUNCTIONS: f64 = 0.65e-6;
 /// Step sizes that are gone through before steps have found theirs.
 const FIRST_SIZES: f64 = 10.0;
 
-/// What the exponential method does with a sample beyond what a pair does, and with each entry of a matrix.
-const EXPONENTIAL_SAMPLE: [f64; 2] = [6e-9, 0.2e-9];
 /// What a step of a Nyström pair that has samples begins with for them, with each state, and what it does with
 /// a sample.
 const NYSTROM_SAMPLES: f64 = 33e-9;
@@ -68,12 +66,7 @@ impl Prices {
         let exponential = effort.derivative + EXPONENTIAL[0] + EXPONENTIAL[1] * n * n;
         Self {
             evaluation: [explicit, explicit, explicit, exponential],
-            sample: [
-                0.0,
-                0.0,
-                NYSTROM_SAMPLE * n,
-                EXPONENTIAL_SAMPLE[0] + EXPONENTIAL_SAMPLE[1] * n * n,
-            ],
+            sample: [0.0, 0.0, NYSTROM_SAMPLE * n, 0.0],
             first_sample: [0.0, 0.0, NYSTROM_SAMPLES * n, 0.0],
             linear_part: effort.linearisation + MODES * n,
             step_size: FUNCTIONS * n,

@@ -1,7 +1,7 @@
 //! What a method promises to one that walks: which to begin with, and which to try.
 
 use super::cost::{WAYS, Way};
-use super::selector::{Mark, Outlook, Selector};
+use super::selector::{EVEN, Mark, Outlook, Selector};
 
 /// Part of what is left of the run that a trial may cost that nothing is expected of, before its first step.
 const BLIND_BEGINNING: f64 = 0.04;
@@ -87,6 +87,9 @@ impl Selector {
         } else if way == Way::Exponential && !outlook.decayed {
             own *= SETTLED_PAIR;
         }
+        if self.way == Way::Exponential {
+            own *= EVEN;
+        }
         let beginning = self.beginning(way, outlook);
         let runs_into_contacts = way == Way::Dprkn8 && outlook.contacts_change;
         // where there is a Nyström pair for what the exponential method does, it is the better one
@@ -135,6 +138,9 @@ impl Selector {
             _ if known.is_finite() => self.pair_hope() * known,
             Way::Verner76 => OTHER_PAIR * self.rates[Way::Dop853 as usize],
             Way::Dop853 => OTHER_PAIR * self.rates[Way::Verner76 as usize],
+            Way::Dprkn8 if self.assumed && self.way == Way::Exponential => {
+                SETTLED_NYSTROM * self.rates[Way::Verner76 as usize]
+            }
             Way::Dprkn8 => {
                 let smooth = NYSTROM_PAIR * self.pair_hope() * self.rates[Way::Verner76 as usize];
                 // it turns back at every crossing

@@ -11,6 +11,9 @@ const WINDOW_PART: f64 = 0.01;
 const FIRST_PART: f64 = 0.001;
 /// Weight of the latest window in the cost of a method that is not on trial.
 const LATEST: f64 = 0.5;
+/// Cost of a pair, in that of the exponential method, that is no less: where the latter is not the cheaper one its error
+/// is far below the tolerance.
+pub(super) const EVEN: f64 = 0.7;
 /// Part of what is left of the run that a trial may cost, and of what it is expected to save.
 const BLIND: f64 = 0.02;
 const PATIENCE: f64 = 0.06;
@@ -150,7 +153,12 @@ impl Selector {
             self.disproved |= left && outlook.decayed;
             return next;
         };
-        if rate < self.rates[against as usize] {
+        let due = if against == Way::Exponential {
+            EVEN
+        } else {
+            1.0
+        };
+        if rate < due * self.rates[against as usize] {
             self.against = None;
             self.failures[usize::from(self.way != Way::Exponential)] = 0.0;
             // what was assumed says nothing of what was lost

@@ -269,7 +269,14 @@ impl<const N: usize> AutoWalk<N> {
             }
         }
         self.selector.change(here, way);
-        self.changes.push((time, way));
+        // a stretch of no length is none
+        let walked = |&(begin, _): &(f64, Way)| begin < time;
+        if !self.changes.last().is_some_and(walked) {
+            self.changes.pop();
+        }
+        if self.changes.last().is_none_or(|&(_, last)| last != way) {
+            self.changes.push((time, way));
+        }
     }
 }
 
