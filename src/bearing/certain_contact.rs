@@ -67,25 +67,8 @@ fn length(x: f64, y: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::bearing::{
-        CageAngle, ContactDamping, ContactLaw, Facing, LANES, MountedBearing, Preload, Support,
-        SupportObservation, catalogue,
-    };
-
-    fn support() -> Support {
-        let entry = catalogue::find("7205C").expect("in the catalogue");
-        let mounted = MountedBearing {
-            bearing: entry.bearing().expect("a bearing"),
-            law: ContactLaw::Hertz,
-            oil: None,
-            position: 0.03,
-            facing: Facing::MinusZ,
-            preload: Preload::AxialOffset(8e-6),
-            contact_damping: ContactDamping::default(),
-            first_ball: 0.1,
-        };
-        Support::new(&mounted, 0.0).expect("a support")
-    }
+    use crate::bearing::support_observation::tests::support;
+    use crate::bearing::{CageAngle, LANES, SupportObservation};
 
     /// Places that a shaft takes one after the other.
     fn place(step: u32) -> [f64; 5] {
@@ -102,7 +85,7 @@ mod tests {
     /// What is certain is so at every place of the cage, and most of what is so is certain.
     #[test]
     fn balls_that_are_certain_to_bear_do() {
-        let support = support();
+        let support = support("7205C");
         let mut seen = SupportObservation::new(&support).expect("a plain bearing");
         let (mut certain, mut bearing) = (0, 0);
         for step in 0..2000 {
@@ -130,7 +113,7 @@ mod tests {
     /// Where the shaft moves by less than the balls are from their lift-off, none lifts off, wherever the cage stands.
     #[test]
     fn a_shift_that_is_part_of_the_clearance_lifts_no_ball_off() {
-        let support = support();
+        let support = support("7205C");
         let (mut clear, mut moved) = (0, 0);
         for step in 0..2000 {
             let from = place(step);

@@ -27,14 +27,14 @@ impl Support {
             (ContactLaw::Jones(_), false) => JONES,
             (ContactLaw::Jones(_), true) => JONES_FILM,
         };
-        BEARING + ball * self.balls_priced()
+        BEARING + ball * self.balls()
     }
 
     /// Price of the slopes of the force, s, beyond that of the force itself.
     pub(crate) fn slopes_price(&self) -> f64 {
         match self.definition.law {
             ContactLaw::Linear => 0.0,
-            ContactLaw::Hertz | ContactLaw::Jones(_) => BALL_SLOPES * self.balls_priced(),
+            ContactLaw::Hertz | ContactLaw::Jones(_) => BALL_SLOPES * self.balls(),
         }
     }
 
@@ -46,10 +46,10 @@ impl Support {
             (ContactLaw::Linear | ContactLaw::Hertz, false) => HERTZ_DAMPED,
             _ => DAMPED,
         };
-        ball * self.balls_priced()
+        ball * self.balls()
     }
 
-    fn balls_priced(&self) -> f64 {
+    fn balls(&self) -> f64 {
         self.definition.bearing.geometry.balls() as f64
     }
 }

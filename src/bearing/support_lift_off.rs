@@ -43,18 +43,7 @@ impl Support {
             return f64::INFINITY;
         }
         let [from, to] = ends.map(|displacement| self.imposed(displacement));
-        let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
-        // plain roots: this is asked for at every step
-        let length = |a: f64, b: f64| (a * a + b * b).sqrt();
-        // the shift of an inner groove centre, and what it turns with the cage
-        let turn = turn.abs();
-        let radial = length(x, y) + turn * length(to[0], to[1]);
-        if [tilt_x, tilt_y, to[3], to[4]] == [0.0; 4] {
-            return LIFT_OFF_SLOPE * length(radial, z);
-        }
-        let arm = self.definition.bearing.geometry.inner_groove_radius();
-        let tilt = length(tilt_x, tilt_y) + turn * length(to[3], to[4]);
-        LIFT_OFF_SLOPE * length(radial, z.abs() + arm * tilt)
+        LIFT_OFF_SLOPE * self.shift_of_centres(&from, &to, turn.abs())
     }
 
     /// Part of the distance that every ball has from its lift-off, wherever the cage stands, that the shaft moves
@@ -71,18 +60,26 @@ impl Support {
         let place = [x, y, z + offset, tilt_x, tilt_y];
         match self.ring.least_approach(&place) {
             Some(least) if least > 0.0 && self.table.is_none() => {
-                self.shift_of_centres(&from, &to) / least
+                self.shift_of_centres(&from, &to, 0.0) / least
             }
             _ => f64::INFINITY,
         }
     }
 
-    /// How far inner groove centres move at most from one place of the ring to another.
-    fn shift_of_centres(&self, from: &Vector5, to: &Vector5) -> f64 {
+    /// How far inner groove centres move at most, m, as the ring goes from one place to another and the cage turns by
+    /// an angle in rad, not negative.
+    fn shift_of_centres(&self, from: &Vector5, to: &Vector5, turn: f64) -> f64 {
         let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
+        // plain roots: this is asked for at every step
         let length = |a: f64, b: f64| (a * a + b * b).sqrt();
+        // the shift of an inner groove centre, and what it turns with the cage
+        let radial = length(x, y) + turn * length(to[0], to[1]);
+        if [tilt_x, tilt_y, to[3], to[4]] == [0.0; 4] {
+            return length(radial, z);
+        }
         let arm = self.definition.bearing.geometry.inner_groove_radius();
-        length(length(x, y), z.abs() + arm * length(tilt_x, tilt_y))
+        let tilt = length(tilt_x, tilt_y) + turn * length(to[3], to[4]);
+        length(radial, z.abs() + arm * tilt)
     }
 
     /// How far one of them is pressed past its lift-off, m.

@@ -226,14 +226,14 @@ impl SupportObservation {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::bearing::{
         CageAngle, ContactDamping, ContactLaw, Facing, MountedBearing, Preload, catalogue,
     };
 
     /// A preset bearing off the centre of mass that faces −z.
-    fn support(name: &str) -> Support {
+    pub(in crate::bearing) fn support(name: &str) -> Support {
         let entry = catalogue::find(name).expect("in the catalogue");
         let mounted = MountedBearing {
             bearing: entry.bearing().expect("a bearing"),

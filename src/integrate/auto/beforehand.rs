@@ -86,7 +86,7 @@ impl Beforehand {
     }
 
     /// Cost per simulated time that the exponential method is expected to have from a time on, s, once the
-    /// motion has settled, without samples; no number where nothing is known.
+    /// motion has settled; no number where nothing is known.
     pub fn exponential<S: Linearised<N>, const N: usize>(
         &self,
         course: &Course<'_, S, N>,

@@ -60,17 +60,16 @@ impl<const N: usize> AutoWalk<N> {
 
     /// What is ahead of the run.
     fn outlook<S: Linearised<N>>(&self, course: &Course<'_, S, N>, known: &Beforehand) -> Outlook {
-        let (time, prices) = (self.time(), known.prices);
-        let samples = prices.sample[Way::Exponential as usize] / self.exponential.interval();
+        let time = self.time();
         Outlook {
-            prices,
+            prices: known.prices,
             left: course.end - time,
             settled: course.end - time.max(known.settled),
             decayed: time > known.decayed,
             exponential: if self.contacts_change {
                 f64::NAN
             } else {
-                known.exponential(course, time) + samples
+                known.exponential(course, time)
             },
             crossings: known.crossings,
             contacts_change: self.contacts_change,
@@ -102,13 +101,14 @@ impl<const N: usize> AutoWalk<N> {
     /// Cost of all that was done, s.
     fn spent(&self, prices: &Prices) -> f64 {
         let [linear_parts, sizes] = self.exponential.preparations().map(|count| count as f64);
-        let walks = WAYS.map(|way| {
-            let (work, number) = (self.work(way), way as usize);
-            let samples = self.covered_by(way) / self.exponential.interval();
-            work.evaluations as f64 * prices.evaluation[number]
-                + samples * prices.sample[number]
-                + samples.min(work.steps as f64) * prices.first_sample[number]
-        });
-        walks.iter().sum::<f64>() + linear_parts * prices.linear_part + sizes * prices.step_size
+        let evaluations =
+            WAYS.map(|way| self.work(way).evaluations as f64 * prices.evaluation[way as usize]);
+        let steps = self.work(Way::Dprkn8).steps as f64;
+        let samples = self.covered_by(Way::Dprkn8) / self.exponential.interval();
+        evaluations.iter().sum::<f64>()
+            + samples * prices.nystrom_sample
+            + samples.min(steps) * prices.nystrom_first_sample
+            + linear_parts * prices.linear_part
+            + sizes * prices.step_size
     }
 }

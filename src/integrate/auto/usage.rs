@@ -11,8 +11,9 @@ pub struct Stretch {
     pub covered: f64,
     /// Its work.
     pub counters: Counters,
-    /// What it cost per simulated second where it was looked at last, s: at prices of one server, so that
-    /// only ratios are of use. None where it was never tried.
+    /// What it cost per simulated second where it was looked at last, or what was expected of it before the
+    /// first step where another method was begun with for that, s: at prices of one server, so that only ratios are
+    /// of use. None where nothing is known.
     pub rate: Option<f64>,
 }
 
