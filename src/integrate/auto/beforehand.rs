@@ -15,6 +15,9 @@ const EXPONENTIAL_TOLERANCE: f64 = 1e-8;
 const PAIR_PER_RADIAN: f64 = 19.0;
 const EXPONENTIAL_PER_CROSSING: f64 = 250.0;
 const PAIR_TOLERANCE: f64 = 1e-6;
+/// Evaluations of Verner's pair in the mean decay time of the modes, to stay stable: the fastest of them decays
+/// twice as fast at least where this counts.
+const PAIR_PER_DECAY: f64 = 4.8;
 /// Root of the tolerance that all of them fall with.
 const ROOT: f64 = -1.0 / 7.0;
 /// Evaluations of a step of Verner's pair.
@@ -41,8 +44,9 @@ pub(super) struct Beforehand {
     pub decayed: f64,
     /// How often surfaces go over a state at rest, 1/s.
     pub crossings: f64,
-    /// Mean frequency of the modes at the origin, rad/s.
+    /// Mean frequency of the modes at the origin, without their damping, rad/s, and mean rate of their decay, 1/s.
     frequency: f64,
+    decay: f64,
     /// How much faster than shaft and loads what drives a state at rest is by the passing of the balls.
     quickening: f64,
 }
@@ -52,9 +56,9 @@ impl Beforehand {
     pub fn of<S: Linearised<N>, const N: usize>(course: &Course<'_, S, N>) -> Self {
         let (slopes, _) = course.system.linearisation(0.0, &course.scaling.origin);
         let decay = -slopes.trace() / N as f64;
-        // Σ λ² = tr J²
+        // Σ λ² = tr J²; of a mode it is 2 (2 d² − ω²)
         let square = -slopes.component_mul(&slopes.transpose()).sum() / N as f64;
-        let frequency = square.max(0.0).sqrt();
+        let frequency = (square + 2.0 * decay * decay).max(0.0).sqrt();
         let [settled, decayed] = if decay > 0.0 {
             [(DECAYS / decay).min(RADIANS / frequency), DECAYED / decay]
         } else {
@@ -68,6 +72,7 @@ impl Beforehand {
             decayed,
             crossings: rest.crossings,
             frequency,
+            decay,
             quickening: (rest.frequency / pace).max(1.0),
         }
     }
@@ -75,8 +80,9 @@ impl Beforehand {
     /// Cost per simulated time that Verner's pair is expected to have while the start dies away.
     pub fn pair(&self, tolerance: f64) -> f64 {
         let finer = (tolerance / PAIR_TOLERANCE).powf(ROOT);
-        let evaluations = PAIR_PER_RADIAN * finer * self.frequency;
-        evaluations * self.prices.evaluation[Way::Verner76 as usize]
+        let accurate = PAIR_PER_RADIAN * finer * self.frequency;
+        let stable = PAIR_PER_DECAY * self.decay;
+        accurate.max(stable) * self.prices.evaluation[Way::Verner76 as usize]
     }
 
     /// Size of its steps there, s.

@@ -134,7 +134,9 @@ impl Selector {
             // it falls as a motion settles
             Way::Exponential if self.expected(outlook).is_finite() => self.expected(outlook),
             Way::Exponential => self.exponential_hope() * known,
-            Way::Verner76 if self.assumed && self.way == Way::Exponential => SETTLED_VERNER * known,
+            Way::Verner76 if self.assumed && self.way == Way::Exponential => {
+                known * if outlook.decayed { SETTLED_VERNER } else { 1.0 }
+            }
             _ if known.is_finite() => self.pair_hope() * known,
             Way::Verner76 => OTHER_PAIR * self.rates[Way::Dop853 as usize],
             Way::Dop853 => OTHER_PAIR * self.rates[Way::Verner76 as usize],

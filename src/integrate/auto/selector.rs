@@ -155,6 +155,8 @@ impl Selector {
         };
         let due = if against == Way::Exponential {
             EVEN
+        } else if self.way == Way::Exponential {
+            1.0 / EVEN
         } else {
             1.0
         };
