@@ -1,8 +1,8 @@
 //! Which method wins where: what each needs to come to an error of 1e-6 of the motion, over the shipped
-//! scenarios and over speed, preload and damping, and how far the choice on the way is off the best.
+//! scenarios, hard cases, and speed, preload and damping, and how far the choice on the way is off the best.
 //!
-//! Evaluations are those of the cheapest tolerance that reaches the error, of half decades. Times are the
-//! shortest of some bare integrations at that tolerance. `VERBOSE=1` prints every method of every scene
+//! Half decades of tolerance are run. Evaluations and times are interpolated between the cheapest of them that
+//! reaches the error and the one before it; times are the shortest of some bare integrations. `VERBOSE=1` prints every method of every scene
 //! of the map, `ONLY=text` measures the scenes alone whose name contains it.
 
 use std::fs;
@@ -27,7 +27,7 @@ const MOST_STEPS: u64 = 1_000_000;
 const SPEEDS: [f64; 6] = [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0];
 const PRELOADS: [f64; 3] = [0.0, 200.0, 2000.0];
 const RATIOS: [f64; 3] = [0.002, 0.02, 0.1];
-/// Shortest time that an integration is repeated over, s.
+/// Time that the integrations of a scene are repeated over, s each.
 const REPEATED: f64 = 0.03;
 
 #[derive(Default)]
@@ -59,14 +59,21 @@ fn trace(model: &Model) -> Option<(Trace, u64)> {
     Some((trace, run.counters.evaluations))
 }
 
-fn time(model: &Model) -> f64 {
-    let bare = BareRun::new(model).expect("a rotor");
+/// Shortest times of bare integrations, s: all in turn, so that what else the machine does hits all alike.
+fn times(models: &[Model]) -> Vec<f64> {
+    let runs: Vec<_> = models
+        .iter()
+        .map(|model| BareRun::new(model).expect("a rotor"))
+        .collect();
     let stop = AtomicBool::new(false);
-    let (mut best, begin) = (f64::INFINITY, Instant::now());
-    while begin.elapsed().as_secs_f64() < REPEATED {
-        let start = Instant::now();
-        bare.integrate(&stop).expect("it ran before");
-        best = best.min(start.elapsed().as_secs_f64());
+    let mut best = vec![f64::INFINITY; runs.len()];
+    let begin = Instant::now();
+    while begin.elapsed().as_secs_f64() < REPEATED * runs.len() as f64 {
+        for (run, best) in runs.iter().zip(&mut best) {
+            let start = Instant::now();
+            run.integrate(&stop).expect("it ran before");
+            *best = best.min(start.elapsed().as_secs_f64());
+        }
     }
     best
 }
@@ -109,32 +116,55 @@ impl Truth {
 struct Cost {
     name: String,
     method: Method,
-    evaluations: u64,
+    evaluations: f64,
     seconds: f64,
 }
 
-/// The cheapest tolerance by which a method reaches the error.
-fn cost(model: &Model, truth: &Truth, name: &str, method: Method) -> Option<Cost> {
-    let mut best: Option<(u64, f64)> = None;
+/// A run at a tolerance.
+#[derive(Clone, Copy)]
+struct Tried {
+    tolerance: f64,
+    error: f64,
+    evaluations: u64,
+}
+
+/// The cheapest tolerance by which a method reaches the error, after the one before it; by itself where there is
+/// none.
+fn cheapest(model: &Model, truth: &Truth, method: Method) -> Option<[Tried; 2]> {
+    let (mut before, mut best) = (None::<Tried>, None::<[Tried; 2]>);
     for exponent in TOLERANCES {
         let tolerance = 10.0_f64.powf(-0.5 * f64::from(exponent));
         let Some((trace, evaluations)) = trace(&with(model, method, tolerance)) else {
             break;
         };
-        if best.is_some_and(|(least, _)| evaluations > 2 * least) {
+        let least = best.map_or(u64::MAX, |[_, best]| best.evaluations);
+        if evaluations / 2 > least {
             break;
         }
-        if truth.error(&trace) <= ERROR && best.is_none_or(|(least, _)| evaluations < least) {
-            best = Some((evaluations, tolerance));
+        let tried = Tried {
+            tolerance,
+            error: truth.error(&trace),
+            evaluations,
+        };
+        if tried.error <= ERROR && evaluations < least {
+            best = Some([before.unwrap_or(tried), tried]);
         }
+        before = Some(tried);
     }
-    let (evaluations, tolerance) = best?;
-    Some(Cost {
-        name: name.to_owned(),
-        method,
-        evaluations,
-        seconds: time(&with(model, method, tolerance)),
-    })
+    best
+}
+
+/// Weight of the tolerance that reaches the error against the one before it, in the logarithm.
+fn weight([before, best]: &[Tried; 2]) -> f64 {
+    if before.error > ERROR {
+        (before.error / ERROR).ln() / (before.error / best.error).ln()
+    } else {
+        1.0
+    }
+}
+
+fn between([from, to]: [f64; 2], weight: f64) -> f64 {
+    from * (to / from).powf(weight)
 }
 
 /// The costs of all methods that reach the error, or why there are none.
@@ -144,8 +174,25 @@ fn costs(model: &Model) -> Result<Vec<Cost>, String> {
         return Err(format!("reference uncertain by {uncertain:.0e}"));
     }
     let methods = scenario::methods().iter();
-    Ok(methods
-        .filter_map(|named| cost(model, &truth, &named.name, named.method))
+    let found: Vec<_> = methods
+        .filter_map(|named| Some((named, cheapest(model, &truth, named.method)?)))
+        .collect();
+    let models = found
+        .iter()
+        .flat_map(|(named, pair)| pair.map(|tried| with(model, named.method, tried.tolerance)));
+    let times = times(&models.collect::<Vec<_>>());
+    let costs = found.iter().zip(times.as_chunks::<2>().0);
+    Ok(costs
+        .map(|((named, pair), times)| {
+            let weight = weight(pair);
+            let evaluations = pair.map(|tried| tried.evaluations as f64);
+            Cost {
+                name: named.name.clone(),
+                method: named.method,
+                evaluations: between(evaluations, weight),
+                seconds: between(*times, weight),
+            }
+        })
         .collect())
 }
 
@@ -153,7 +200,7 @@ fn print(name: &str, costs: &[Cost]) {
     println!("{name}");
     for cost in costs {
         println!(
-            "    {:<20} {:>8} evaluations {:>9.3} ms",
+            "    {:<20} {:>8.0} evaluations {:>9.3} ms",
             cost.name,
             cost.evaluations,
             1e3 * cost.seconds
@@ -168,11 +215,11 @@ fn verdict(costs: &[Cost]) -> Option<String> {
     let auto = costs.iter().find(|cost| cost.method == Method::Auto)?;
     let best = fixed().min_by(|a, b| a.seconds.total_cmp(&b.seconds))?;
     Some(format!(
-        "{}, {} evaluations, {:.3} ms; auto {:.2} of its evaluations, {:.2} of its time",
+        "{}, {:.0} evaluations, {:.3} ms; auto {:.2} of its evaluations, {:.2} of its time",
         best.name,
         best.evaluations,
         1e3 * best.seconds,
-        auto.evaluations as f64 / best.evaluations as f64,
+        auto.evaluations / best.evaluations,
         auto.seconds / best.seconds
     ))
 }
@@ -193,7 +240,8 @@ fn is_wanted(name: &str) -> bool {
 
 fn files() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let folders = [root.join("scenarios"), root.join("benches/scenes")];
+    let folders =
+        ["scenarios", "benches/scenes", "benches/scenes/hard"].map(|name| root.join(name));
     let folders = folders.iter();
     let entries = folders.flat_map(|folder| fs::read_dir(folder).expect("a folder"));
     let mut files: Vec<_> = entries

@@ -1,7 +1,9 @@
 //! `method = "auto"`, the default: the method that costs least, chosen and chosen again during the run.
 
+use std::path::Path;
+
 use jeffcott::integrate::{Method, MethodUse};
-use jeffcott::scenario::methods;
+use jeffcott::scenario::{self, methods};
 use jeffcott::simulate::{Model, Run};
 
 use crate::support::try_run;
@@ -74,6 +76,51 @@ fn stiff_contact_damping_is_not_left_to_an_explicit_method() {
     let changes = [("ratio = 0.02\n", damping), ("0.5 s", "0.05 s")];
     let (_, used) = run(&open("1000 rad/s", &changes));
     assert_eq!(main_method(&used), Method::Exponential);
+}
+
+/// A hard scene of the benches at a tolerance of 1e-6.
+fn hard(name: &str) -> Model {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/scenes/hard");
+    let file = folder.join(name).with_extension("toml");
+    let mut model = scenario::load(&file).unwrap().model.unwrap();
+    (model.verify, model.integrator.tolerance) = (false, 1e-6);
+    model
+}
+
+/// Where modes decay fast an explicit pair pays for them however exact it is, and without damping the start
+/// never dies: both are known before the first step, and no trial of a pair spoils the run.
+#[test]
+fn strong_damping_and_none_are_left_to_the_exponential_method_from_the_first_step_on() {
+    for name in [
+        "overdamped",
+        "stiff-damper",
+        "stiff-contact-damping",
+        "undamped",
+    ] {
+        let model = hard(name);
+        let (run, used) = run(&model);
+        assert_eq!(used.changes.len(), 1, "{name}: {:?}", used.changes);
+        assert_eq!(
+            run.counters.evaluations,
+            evaluations(&model, Method::Exponential),
+            "{name}"
+        );
+    }
+}
+
+/// The first turns of a start are unlike all that follows: a method that is dear there is tried again.
+#[test]
+fn a_start_by_a_motor_ends_with_the_exponential_method() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/drive-start-7205c.toml");
+    let mut model = scenario::load(&file).unwrap().model.unwrap();
+    (model.verify, model.integrator.tolerance) = (false, 1e-6);
+    let (run, used) = run(&model);
+    assert_eq!(used.changes.last().unwrap().method, Method::Exponential);
+    let [all, exponential] = [
+        run.counters.evaluations,
+        evaluations(&model, Method::Exponential),
+    ];
+    assert!(4 * all < 5 * exponential, "{all} against {exponential}");
 }
 
 /// A start through all speeds under a light load.

@@ -217,6 +217,26 @@ mod tests {
     }
 
     #[test]
+    fn an_exponential_method_as_cheap_as_a_pair_is_kept_for_its_smaller_error() {
+        let kept_at = |rate: f64| {
+            let mut selector = Selector::new(Way::Verner76);
+            let outlook = outlook(12e-3);
+            selector.rates[Way::Verner76 as usize] = 10e-3;
+            let mark = |time: f64, steps| Mark {
+                time,
+                spent: rate * time,
+                steps,
+            };
+            selector.change(mark(0.0, 0), Way::Exponential);
+            selector.look(mark(0.1, 7), 0.9, || outlook);
+            let next = selector.look(mark(0.4, 30), 0.6, || outlook);
+            next.is_none() && selector.against.is_none()
+        };
+        assert!(kept_at(8e-3) && kept_at(13e-3));
+        assert!(!kept_at(16e-3));
+    }
+
+    #[test]
     fn what_was_assumed_of_a_pair_is_forgotten_once_it_walks() {
         let mut selector = Selector::new(Way::Verner76);
         let outlook = outlook(2e-3);

@@ -54,8 +54,8 @@ pub(super) struct Selector {
     pub linear_part: bool,
     /// Whether the cost of Verner's pair is what is expected of it, before it was seen.
     pub assumed: bool,
-    /// Whether its cost is that of settled motion, found on a trial that was not won: what was expected of
-    /// it is then no longer believed.
+    /// Whether the cost of the exponential method is that of settled motion, found on a trial that was not won: what
+    /// was expected of it is then no longer believed.
     pub disproved: bool,
 }
 
@@ -153,13 +153,8 @@ impl Selector {
             self.disproved |= left && outlook.decayed;
             return next;
         };
-        let due = if against == Way::Exponential {
-            EVEN
-        } else if self.way == Way::Exponential {
-            1.0 / EVEN
-        } else {
-            1.0
-        };
+        let falls = self.falls(against, outlook);
+        let due = if falls { 1.0 } else { self.due(against) };
         if rate < due * self.rates[against as usize] {
             self.against = None;
             self.failures[usize::from(self.way != Way::Exponential)] = 0.0;
@@ -173,7 +168,7 @@ impl Selector {
             self.learn(rate);
             return None;
         }
-        if self.falls(against, outlook) && !self.is_dear(here, against, outlook) {
+        if falls && !self.is_dear(here, against, outlook) {
             return None;
         }
         Some(self.fail(window, here, against, outlook))
@@ -220,7 +215,9 @@ impl Selector {
         let rate = (here.spent - from.spent) / (here.time - from.time);
         // it comes here where it is dearer, whatever the window says
         self.rates[self.way as usize] = rate.max(self.rates[against as usize]);
-        self.disproved |= self.way == Way::Exponential && outlook.decayed;
+        // against what was only assumed it has not been seen far beyond the first steps, which are like no others
+        let is_settled = outlook.decayed && !self.assumed;
+        self.disproved |= self.way == Way::Exponential && is_settled;
         self.against = None;
         let times = if self.falls(against, outlook) {
             SOON.powf(1.0 + self.failures[0]).min(PAID_OFF)
@@ -269,13 +266,26 @@ impl Selector {
 
     /// What the present stretch has cost beyond what another method takes for it.
     fn loss(&self, here: Mark, against: Way) -> f64 {
-        let rate = self.rates[against as usize];
+        self.spent_beyond(here, self.rates[against as usize])
+    }
+
+    /// The same beyond a cost per simulated time.
+    fn spent_beyond(&self, here: Mark, rate: f64) -> f64 {
         here.spent - self.began.spent - rate * (here.time - self.began.time)
     }
 
     /// Whether the method on trial is expected to come to cost less than the other one.
     fn falls(&self, against: Way, outlook: &Outlook) -> bool {
         self.way == Way::Exponential && self.expected(outlook) < self.rates[against as usize]
+    }
+
+    /// Cost of the method on trial, in that of the other one, below which it is the better one.
+    fn due(&self, against: Way) -> f64 {
+        match (self.way, against) {
+            (_, Way::Exponential) => EVEN,
+            (Way::Exponential, _) => 1.0 / EVEN,
+            _ => 1.0,
+        }
     }
 
     /// Whether a trial has cost too much to go on.
@@ -289,6 +299,7 @@ impl Selector {
         let allowed = self.beginning(self.way, outlook)
             + BLIND * other * outlook.left
             + PATIENCE / (1.0 + 2.0 * self.failures[0]) * saved;
-        self.loss(here, against) > allowed
+        let due = self.due(against).max(1.0) * other;
+        self.spent_beyond(here, due) > allowed
     }
 }
