@@ -1,11 +1,11 @@
 //! What a plain Hertz bearing bears at a few instants side by side.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdFrom, dispatch};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
 
 use super::hertz_law::SMALLEST_DISTANCE;
 use super::support::{imposed, on_shaft};
 use super::support_ensemble::plain;
-use super::{BallContact, HertzLaw, LANES, LaneRow, Lanes, Support, Vector5};
+use super::{BallContact, HertzLaw, LANES, LaneRow, Lanes, RatingLife, Support};
 use crate::physics::sines_and_cosines;
 
 /// A plain Hertz bearing at [`LANES`] instants side by side, an instant a lane: every number is what
@@ -14,7 +14,7 @@ use crate::physics::sines_and_cosines;
 /// Every lane is a motion of its own, so that an instant is the same whatever stands beside it.
 #[derive(Debug, Clone)]
 pub(crate) struct SupportObservation {
-    level: Level,
+    pub(super) level: Level,
     pub(super) law: HertzLaw,
     /// K_n^(1/3).
     root: f64,
@@ -76,9 +76,9 @@ impl SupportObservation {
         })
     }
 
-    /// Looks at the bearing with the shaft at these displacements, its cage at these angles in rad.
-    pub fn observe(&mut self, displacements: &[Vector5; LANES], cages: [f64; LANES]) {
-        dispatch!(self.level, simd => self.observe_by(simd, displacements, cages));
+    /// Looks at the bearing with the shaft at these displacements, axis by axis, its cage at these angles in rad.
+    pub fn observe(&mut self, displacement: [&[f64; LANES]; 5], cages: &[f64; LANES]) {
+        dispatch!(self.level, simd => self.observe_by(simd, displacement, cages));
     }
 
     /// As [`SupportObservation::observe`], for the processor's level `S`.
@@ -86,16 +86,15 @@ impl SupportObservation {
     fn observe_by<S: Simd>(
         &mut self,
         simd: S,
-        displacements: &[Vector5; LANES],
-        cages: [f64; LANES],
+        displacement: [&[f64; LANES]; 5],
+        cages: &[f64; LANES],
     ) {
-        let [a, b, c, d] = displacements;
-        let mut displacement = [Lanes::splat(simd, 0.0); 5];
+        let mut place = [Lanes::splat(simd, 0.0); 5];
         for axis in 0..5 {
-            displacement[axis] = Lanes::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]]);
+            place[axis] = simd.load_array_ref_f64x4(displacement[axis]);
         }
-        let [cage_sin, cage_cos] = sines_and_cosines(Lanes::simd_from(simd, cages));
-        let [x, y, z, tilt_x, tilt_y] = imposed(&displacement, self.sign, self.position);
+        let [cage_sin, cage_cos] = sines_and_cosines(simd.load_array_ref_f64x4(cages));
+        let [x, y, z, tilt_x, tilt_y] = imposed(&place, self.sign, self.position);
         let start = self.free_axial + (z + self.offset);
         let [arm_x, arm_y] = [self.arm * tilt_x, self.arm * tilt_y];
         // in registers from here on: the loop writes to what `self` might hold
@@ -179,9 +178,14 @@ impl SupportObservation {
         self.balls.len()
     }
 
-    /// Largest and smallest load of a ball, N.
-    pub fn load_range(&self, lane: usize) -> [f64; 2] {
-        [self.summary.largest.0[lane], self.summary.smallest.0[lane]]
+    /// Largest load of a ball at each instant, N.
+    pub fn largest_loads(&self) -> &[f64; LANES] {
+        &self.summary.largest.0
+    }
+
+    /// Smallest load of a ball at each instant, N.
+    pub fn smallest_loads(&self) -> &[f64; LANES] {
+        &self.summary.smallest.0
     }
 
     /// Lowest approach of any ball at each instant, m.
@@ -199,9 +203,10 @@ impl SupportObservation {
         self.balls.iter().map(move |ball| ball.load.0[lane])
     }
 
-    /// Sums over the balls of Q³ and Q^(10/3) at every instant, as a rating life asks for them.
-    pub fn powers(&self) -> [[f64; LANES]; 2] {
-        self.summary.powers.map(|row| row.0)
+    /// What [`RatingLife::consumption`] says of the loads at every instant.
+    pub fn consumptions(&self, rating: &RatingLife) -> [f64; LANES] {
+        let powers = &self.summary.powers;
+        dispatch!(self.level, _simd => rating.consumptions_of([&powers[0].0, &powers[1].0]))
     }
 
     /// Leaves the contacts of every ball in `balls`, ball 0 first; without `angles` the contact angles are zero.
@@ -229,7 +234,7 @@ impl SupportObservation {
 pub(super) mod tests {
     use super::*;
     use crate::bearing::{
-        CageAngle, ContactDamping, ContactLaw, Facing, MountedBearing, Preload, catalogue,
+        CageAngle, ContactDamping, ContactLaw, Facing, MountedBearing, Preload, Vector5, catalogue,
     };
 
     /// A preset bearing off the centre of mass that faces −z.
@@ -254,6 +259,13 @@ pub(super) mod tests {
         (std::array::from_fn(place), std::array::from_fn(part))
     }
 
+    /// Axis by axis.
+    fn look(seen: &mut SupportObservation, places: &[Vector5; LANES], cages: [f64; LANES]) {
+        let rows: [[f64; LANES]; 5] =
+            std::array::from_fn(|axis| places.each_ref().map(|place| place[axis]));
+        seen.observe(rows.each_ref(), &cages);
+    }
+
     fn near(found: f64, expected: f64, scale: f64) {
         assert!(
             (found - expected).abs() < 1e-11 * scale,
@@ -270,7 +282,7 @@ pub(super) mod tests {
             let mut beside = alone.clone();
             for step in 0..200 {
                 let (places, cages) = places(step);
-                seen.observe(&places, cages);
+                look(&mut seen, &places, cages);
                 for lane in 0..LANES {
                     let cage = CageAngle::new(cages[lane]);
                     let force = support.force(&places[lane], cage, 0.0);
@@ -295,21 +307,26 @@ pub(super) mod tests {
 
     #[test]
     fn extremes_and_powers_are_those_of_its_balls() {
-        let mut seen = SupportObservation::new(&support("6306")).expect("a plain bearing");
+        let support = support("6306");
+        let mut seen = SupportObservation::new(&support).expect("a plain bearing");
+        let rating = RatingLife::new(&support.definition().bearing.geometry, 23_400.0);
         for step in 0..200 {
             let (places, cages) = places(step);
-            seen.observe(&places, cages);
+            look(&mut seen, &places, cages);
             for lane in 0..LANES {
                 let loads = || seen.loads(lane);
                 let extremes = [loads().fold(0.0, f64::max), loads().fold(1e9, f64::min)];
-                assert_eq!(seen.load_range(lane), extremes);
+                let found = [seen.largest_loads(), seen.smallest_loads()];
+                assert_eq!(found.map(|loads| loads[lane]), extremes);
                 let approaches = seen.approaches().map(|approaches| approaches[lane]);
                 let lowest = approaches.fold(f64::INFINITY, f64::min);
                 assert_eq!(seen.lowest_approach()[lane], lowest);
-                for (found, power) in seen.powers().into_iter().zip([3.0, 10.0 / 3.0]) {
+                for (found, power) in seen.summary.powers.iter().zip([3.0, 10.0 / 3.0]) {
                     let expected: f64 = loads().map(|load| load.powf(power)).sum();
-                    near(found[lane], expected, expected);
+                    near(found.0[lane], expected, expected);
                 }
+                let life = rating.consumption(loads().map(|load| [load; 2]));
+                near(seen.consumptions(&rating)[lane], life, life);
             }
         }
     }
@@ -322,7 +339,7 @@ pub(super) mod tests {
             ..wide.clone()
         };
         let bytes = |mut seen: SupportObservation, places, cages, lane: usize| {
-            seen.observe(&places, cages);
+            look(&mut seen, &places, cages);
             let loads: Vec<u64> = seen.loads(lane).map(f64::to_bits).collect();
             (loads, seen.force().map(|row| row.0[lane].to_bits()))
         };

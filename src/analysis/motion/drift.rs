@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::row::{MOST, Row};
+use crate::bearing::LANES;
 use crate::rotor::FREEDOMS;
 
 /// A motion whose statistics move by less than this part of it has settled.
@@ -57,41 +58,30 @@ impl DriftRecorder {
     }
 
     /// Takes the samples of a row.
+    #[inline(always)]
     pub fn record(&mut self, row: &Row) {
         let times = row.times();
         let [Some(first), Some(last)] = [times.first(), times.last()] else {
             return;
         };
         let origin = std::array::from_fn(|axis| row.displacements(axis)[0]);
-        self.origin.get_or_insert(origin);
+        let origin = self.origin.get_or_insert(origin);
         let (start, third) = (self.start, self.third);
         let place = |time: f64| (time - start) / third;
         let ends = [1.0, 2.0, 3.0].map(|end| times.partition_point(|time| place(*time) < end));
         let step = (place(*last) - place(*first)) / (times.len() - 1).max(1) as f64;
-        let mut weights = [0.0; MOST];
-        for part in 0..2 {
+        let mut weights = [0.0; MOST.next_multiple_of(LANES)];
+        for (part, (sum, freedoms)) in self.sums.iter_mut().enumerate() {
             let inside = ends[part]..ends[part + 1];
             if inside.is_empty() {
                 continue;
             }
-            let weights = &mut weights[..inside.len()];
-            hann(place(times[inside.start]), step, weights);
-            self.add(part, weights, |axis| {
-                &row.displacements(axis)[inside.clone()]
-            });
-        }
-    }
-
-    /// Adds values of all freedoms under their weights.
-    fn add<'a>(&mut self, part: usize, weights: &[f64], of: impl Fn(usize) -> &'a [f64]) {
-        let Some(origin) = self.origin else { return };
-        let (sum, freedoms) = &mut self.sums[part];
-        *sum += weights.iter().sum::<f64>();
-        for (axis, [first, second]) in freedoms.iter_mut().enumerate() {
-            for (weight, value) in weights.iter().zip(of(axis)) {
-                let value = value - origin[axis];
-                *first += weight * value;
-                *second += weight * value * value;
+            hann(place(times[inside.start]), step, &mut weights);
+            let weights = &weights[..inside.len()];
+            *sum += weights.iter().sum::<f64>();
+            for (axis, sums) in freedoms.iter_mut().enumerate() {
+                let values = &row.displacements(axis)[inside.clone()];
+                add(weights, values, origin[axis], sums);
             }
         }
     }
@@ -120,17 +110,58 @@ impl DriftRecorder {
     }
 }
 
-/// A Hann window of whole turns at places so many turns apart: its phase is turned from one to the next.
-fn hann(place: f64, step: f64, weights: &mut [f64]) {
-    let [(mut sin, mut cos), (turn_sin, turn_cos)] =
-        [place, step].map(|turns| (TAU * turns).sin_cos());
-    for weight in weights {
-        *weight = 0.5 - 0.5 * cos;
-        (sin, cos) = (
-            sin * turn_cos + cos * turn_sin,
-            cos * turn_cos - sin * turn_sin,
-        );
+/// Adds Σ w x and Σ w x² of values that count from an origin, a few of them side by side.
+#[inline(always)]
+fn add(weights: &[f64], values: &[f64], origin: f64, sums: &mut [f64; 2]) {
+    let (weights, last_weights) = weights.as_chunks::<LANES>();
+    let (values, last_values) = values.as_chunks::<LANES>();
+    let (mut first, mut second) = ([0.0; LANES], [0.0; LANES]);
+    for (weights, values) in weights.iter().zip(values) {
+        for lane in 0..LANES {
+            let value = values[lane] - origin;
+            let part = weights[lane] * value;
+            first[lane] += part;
+            second[lane] += part * value;
+        }
     }
+    for (lane, (weight, value)) in last_weights.iter().zip(last_values).enumerate() {
+        let value = value - origin;
+        first[lane] += weight * value;
+        second[lane] += weight * value * value;
+    }
+    for (sum, [a, b, c, d]) in sums.iter_mut().zip([first, second]) {
+        *sum += (a + b) + (c + d);
+    }
+}
+
+/// A Hann window of whole turns at places so many turns apart: its phase is turned from a few of them, side by
+/// side, to the next.
+#[inline(always)]
+fn hann(place: f64, step: f64, weights: &mut [f64; MOST.next_multiple_of(LANES)]) {
+    let [start, turn] = [place, step].map(|turns| (TAU * turns).sin_cos());
+    let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
+    let mut phase = start;
+    for lane in 0..LANES {
+        (sin[lane], cos[lane]) = phase;
+        phase = turned(phase, turn);
+    }
+    let twice = turned(turn, turn);
+    let turn = turned(twice, twice);
+    for weights in weights.as_chunks_mut::<LANES>().0 {
+        for lane in 0..LANES {
+            weights[lane] = 0.5 - 0.5 * cos[lane];
+            (sin[lane], cos[lane]) = turned((sin[lane], cos[lane]), turn);
+        }
+    }
+}
+
+/// Sine and cosine of the sum of two angles.
+#[inline(always)]
+fn turned((sin, cos): (f64, f64), (turn_sin, turn_cos): (f64, f64)) -> (f64, f64) {
+    (
+        sin * turn_cos + cos * turn_sin,
+        cos * turn_cos - sin * turn_sin,
+    )
 }
 
 #[cfg(test)]
@@ -139,7 +170,7 @@ mod tests {
 
     #[test]
     fn weights_of_a_row_are_those_of_the_window() {
-        let mut weights = [0.0; MOST];
+        let mut weights = [0.0; MOST.next_multiple_of(LANES)];
         hann(1.37, 7e-3, &mut weights);
         for (index, weight) in weights.iter().enumerate() {
             let expected = (std::f64::consts::PI * (1.37 + 7e-3 * index as f64))

@@ -46,6 +46,7 @@ impl Default for Moments {
 
 impl Moments {
     /// Takes a row of values.
+    #[inline(always)]
     pub fn take(&mut self, values: &[f64]) {
         let mean = mean(values);
         let powers = sums(values, |value| {
@@ -58,12 +59,14 @@ impl Moments {
 
     /// Takes a row of values without its part in the shape: mean, RMS and extremes are those of
     /// [`Moments::take`], bit by bit, and the kurtosis means nothing.
+    #[inline(always)]
     pub fn take_plainly(&mut self, values: &[f64]) {
         let mean = mean(values);
         let [second] = sums(values, |value| [(value - mean) * (value - mean)]);
         self.add(&Self::of(values, mean, [second, 0.0, 0.0]));
     }
 
+    #[inline(always)]
     fn of(values: &[f64], mean: f64, powers: [f64; 3]) -> Self {
         let [lowest, highest] = extremes(values);
         Self {
@@ -143,13 +146,14 @@ impl Moments {
 }
 
 /// Mean; zero of no values.
+#[inline(always)]
 fn mean(values: &[f64]) -> f64 {
     let [sum] = sums(values, |value| [value]);
     sum / values.len().max(1) as f64
 }
 
 /// Sums of what every value gives, a few values side by side.
-#[inline]
+#[inline(always)]
 fn sums<const K: usize>(values: &[f64], of: impl Fn(f64) -> [f64; K]) -> [f64; K] {
     let (rows, rest) = values.as_chunks::<LANES>();
     let mut sums = [[0.0; LANES]; K];
@@ -170,6 +174,7 @@ fn sums<const K: usize>(values: &[f64], of: impl Fn(f64) -> [f64; K]) -> [f64; K
 }
 
 /// Lowest and highest value, a few values side by side.
+#[inline(always)]
 fn extremes(values: &[f64]) -> [f64; 2] {
     let (rows, rest) = values.as_chunks::<LANES>();
     let (mut lowest, mut highest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);

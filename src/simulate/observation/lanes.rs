@@ -3,8 +3,8 @@
 use std::io;
 
 use super::{BearingObserver, Observation};
-use crate::bearing::{SupportObservation, Vector5};
-use crate::rotor::{Rotor, Sample, SampleLanes};
+use crate::bearing::{LANES, SupportObservation};
+use crate::rotor::{Rotor, Sample, SampleLanes, SampleRows};
 use crate::simulate::TraceSink;
 
 impl Observation<'_> {
@@ -13,105 +13,120 @@ impl Observation<'_> {
         SampleLanes::new(rotor, &self.contacts)
     }
 
-    /// Takes samples that follow each other, the first ones of those seen last, and hands samples, balls and
-    /// events on; comes to what [`Observation::take`] comes to.
+    /// Takes the samples of the lanes of a number in `rows`, those seen last, and hands events, and the samples and
+    /// balls that the sink needs, on; comes to what [`Observation::take`] comes to. Where they are
+    /// [quiet](Observation::is_quiet), nothing is made of the contacts: they are still those of the sample before.
     pub fn take_side_by_side(
         &mut self,
-        samples: &[Sample],
+        rows: &SampleRows,
+        number: usize,
+        quiet: bool,
         seen: &SampleLanes<'_>,
         sink: &mut dyn TraceSink,
     ) -> io::Result<()> {
-        let count = samples.len();
-        let quiet = !self.watching || self.is_quiet(seen, count);
-        let shown = sink.takes_balls();
-        for (lane, sample) in samples.iter().enumerate() {
-            sink.sample(sample)?;
-            if shown || !quiet {
-                seen.fill(lane, &mut self.contacts);
-            }
-            if shown {
-                sink.balls(sample, &self.contacts)?;
-            }
-            if !quiet {
-                self.watch(sample, sink)?;
+        let instants = LANES * number..rows.len().min(LANES * (number + 1));
+        let [times, angles] = [rows.times(), rows.angles()].map(|row| &row[instants.clone()]);
+        let needed_from = sink.starts_at();
+        for (lane, time) in times.iter().enumerate() {
+            let needed = *time >= needed_from;
+            if needed || !quiet {
+                let sample = seen.sample(rows, number, lane);
+                self.hand_on(&sample, (seen, lane), [needed, quiet], sink)?;
             }
         }
-        let Some(last) = samples.last().filter(|_| self.watching) else {
-            return Ok(());
-        };
-        for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
-            if quiet {
-                bearing.pass(last.time, own, count - 1);
+        if self.watching {
+            for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
+                bearing.weigh_side_by_side([times, angles], seen.least_loads(), own, self.settle);
             }
-            bearing.weigh_side_by_side(samples, seen, own, self.settle);
         }
         Ok(())
     }
 
-    /// Whether it is certain that nothing happens to any bearing while the shaft is at these displacements.
-    pub fn is_certainly_quiet(
-        &self,
-        seen: &SampleLanes<'_>,
-        displacements: impl Iterator<Item = Vector5> + Clone,
-    ) -> bool {
+    /// Hands on what the sink needs of a sample in a lane, and what has happened up to it.
+    fn hand_on(
+        &mut self,
+        sample: &Sample,
+        (seen, lane): (&SampleLanes<'_>, usize),
+        [needed, quiet]: [bool; 2],
+        sink: &mut dyn TraceSink,
+    ) -> io::Result<()> {
+        let shown = needed && sink.takes_balls();
+        if needed {
+            sink.sample(sample)?;
+        }
+        if shown || !quiet {
+            seen.fill(lane, &mut self.contacts);
+        }
+        if shown {
+            sink.balls(sample, &self.contacts)?;
+        }
+        match quiet {
+            true => Ok(()),
+            false => self.watch(sample, sink),
+        }
+    }
+
+    /// Whether it is certain that nothing happens to any bearing while the shaft is at the displacements in `rows`.
+    pub fn is_certainly_quiet(&self, seen: &SampleLanes<'_>, rows: &SampleRows) -> bool {
         let mut bearings = self.bearings.iter().zip(seen.bearings());
         bearings.all(|(bearing, own)| {
             let lost = bearing.band.1.lost;
-            let in_contact = |place| own.is_certainly_in_contact(&place, lost);
+            let mut numbers = 0..rows.len().div_ceil(LANES);
             let watch = bearing.watch.as_ref();
-            watch.is_none_or(|watch| watch.is_at_work() && displacements.clone().all(in_contact))
+            watch.is_none_or(|watch| {
+                watch.is_at_work()
+                    && numbers.all(|number| {
+                        own.is_certainly_in_contact(rows.displacement_lanes(number), lost)
+                    })
+            })
         })
     }
 
     /// Goes on to a time at which nothing has happened, the first of the instants seen last.
     pub fn pass(&mut self, time: f64, seen: &SampleLanes<'_>) {
         for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
-            bearing.pass(time, own, 0);
+            if let Some(watch) = &mut bearing.watch {
+                watch.pass(time, bearing.band.1, own);
+            }
         }
     }
 
-    /// Whether nothing happens to any bearing in the first so many samples.
-    fn is_quiet(&self, seen: &SampleLanes<'_>, count: usize) -> bool {
+    /// Whether nothing happens to any bearing in the first so many of the samples seen last.
+    pub fn is_quiet(&self, seen: &SampleLanes<'_>, count: usize) -> bool {
         let mut bearings = self.bearings.iter().zip(seen.bearings());
-        bearings.all(|(bearing, own)| {
+        let quiet = |(bearing, own): (&BearingObserver<'_>, _)| {
             let watch = bearing.watch.as_ref();
             watch.is_none_or(|watch| watch.is_quiet(bearing.band.1, own, count))
-        })
+        };
+        !self.watching || bearings.all(quiet)
     }
 }
 
 impl BearingObserver<'_> {
-    /// Goes on to a time at which nothing has happened, that of one of the instants seen.
-    fn pass(&mut self, time: f64, seen: &SupportObservation, lane: usize) {
-        if let Some(watch) = &mut self.watch {
-            watch.pass(time, self.band.1, seen, lane);
-        }
-    }
-
-    /// As [`BearingObserver::weigh`], of the balls at the instants seen.
+    /// As [`BearingObserver::weigh`], of the balls at the instants seen, at times and angles of the shaft; at each a
+    /// ball is loaded by more than so many N.
     fn weigh_side_by_side(
         &mut self,
-        samples: &[Sample],
-        all: &SampleLanes<'_>,
+        [times, angles]: [&[f64]; 2],
+        least: [f64; LANES],
         seen: &SupportObservation,
         settle: f64,
     ) {
-        let early = samples.partition_point(|sample| sample.time < settle);
+        let early = times.partition_point(|time| *time < settle);
         if let Some(zone) = &mut self.zone {
-            let least = |lane: usize| all.least_load(lane);
-            let lanes = early..samples.len();
+            let lanes = early..times.len();
             if lanes
                 .clone()
-                .all(|lane| seen.load_range(lane)[1] > least(lane))
+                .all(|lane| seen.smallest_loads()[lane] > least[lane])
             {
                 zone.take_full(seen.count(), lanes.len());
             } else {
-                lanes.for_each(|lane| zone.take(seen.loads(lane), least(lane)));
+                lanes.for_each(|lane| zone.take(seen.loads(lane), least[lane]));
             }
         }
         if let Some(life) = &mut self.life {
             let unweighed = if self.parts.early_life { 0 } else { early };
-            life.take_side_by_side(samples, unweighed, seen.powers());
+            life.take_side_by_side([times, angles], unweighed, seen);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::bearing::{Geometry, LANES, RatingLife};
+use crate::bearing::{Geometry, RatingLife, SupportObservation};
 use crate::rotor::Sample;
 
 /// Seconds of an hour.
@@ -91,29 +91,34 @@ impl LifeSums {
 
     /// Takes a sample with the powers of its ball loads, as by [`RatingLife::powers`].
     pub fn take(&mut self, sample: &Sample, powers: [f64; 2]) {
-        self.go_on(sample, self.rating.consumption_of(powers));
+        self.go_on(Rate {
+            time: sample.time,
+            angle: sample.angle,
+            consumption: self.rating.consumption_of(powers),
+        });
     }
 
-    /// Takes samples that follow each other, without the first so many, with the powers of the ball loads at each.
+    /// Takes instants that follow each other, the first ones of those seen, at times and angles of the shaft,
+    /// without the first so many.
     pub fn take_side_by_side(
         &mut self,
-        samples: &[Sample],
+        [times, angles]: [&[f64]; 2],
         left_out: usize,
-        powers: [[f64; LANES]; 2],
+        seen: &SupportObservation,
     ) {
-        let consumptions = self.rating.consumptions_of(powers);
-        for (sample, consumption) in samples.iter().zip(consumptions).skip(left_out) {
-            self.go_on(sample, consumption);
+        let consumptions = seen.consumptions(&self.rating);
+        let rates = times.iter().zip(angles).zip(consumptions).skip(left_out);
+        for ((time, angle), consumption) in rates {
+            self.go_on(Rate {
+                time: *time,
+                angle: *angle,
+                consumption,
+            });
         }
     }
 
-    /// Goes on to a sample, at which so much is consumed per 10⁶ revolutions.
-    fn go_on(&mut self, sample: &Sample, consumption: f64) {
-        let now = Rate {
-            time: sample.time,
-            angle: sample.angle,
-            consumption,
-        };
+    /// Goes on to an instant.
+    fn go_on(&mut self, now: Rate) {
         let Some(before) = self.before.replace(now) else {
             return;
         };
