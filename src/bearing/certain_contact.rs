@@ -114,6 +114,7 @@ mod tests {
     fn balls_that_are_certain_to_bear_do() {
         let support = support("7205C");
         let mut seen = SupportObservation::new(&support).expect("a plain bearing");
+        seen.make_room(1);
         let (mut certain, mut bearing) = (0, 0);
         for step in 0..2000 {
             let place = place(step);
@@ -123,10 +124,10 @@ mod tests {
             let mut bears = true;
             for turn in 0..5 {
                 let cages = std::array::from_fn(|lane| 0.03 * (turn * LANES + lane) as f64);
-                seen.observe(places.each_ref(), &cages);
-                let lowest = seen.lowest_approach().into_iter();
+                seen.observe(0, places.each_ref(), &cages, 1.0);
+                let lowest = seen.lowest_approach(0).iter().copied();
                 bears &= lowest.fold(f64::INFINITY, f64::min) >= approach;
-                bears &= (0..LANES).all(|lane| seen.axial_force(lane) > 0.0);
+                bears &= (0..LANES).all(|lane| seen.axial_force(0, lane) > 0.0);
             }
             assert!(bears || !told, "{place:?}");
             certain += u32::from(told);

@@ -4,6 +4,9 @@ use super::sample_rows::SampleRow;
 use super::{BallContacts, FREEDOMS, Rotor, Sample, SampleRows};
 use crate::bearing::{LANES, LOADED_SHARE, LaneRow, SupportObservation, Vector5};
 
+/// Groups of instants in [`SampleRows`]; behind them stands one for an instant that is not among them.
+const GROUPS: usize = SampleRows::MOST / LANES;
+
 /// Samples of a rotor on plain Hertz bearings, [`LANES`] at a time: what [`Rotor::sample`] says of each, but for
 /// round-off, at a fraction of its cost. An instant is the same whatever stands beside it.
 #[derive(Debug)]
@@ -13,8 +16,8 @@ pub(crate) struct SampleLanes<'a> {
     bearings: Vec<SupportObservation>,
     /// Whether the balls are looked at, or the forces alone.
     balls: bool,
-    /// Largest load on a ball of any bearing at the instants seen last, N.
-    largest: LaneRow,
+    /// Largest load on a ball of any bearing, N, by group of instants.
+    largest: [LaneRow; GROUPS],
 }
 
 impl<'a> SampleLanes<'a> {
@@ -29,11 +32,15 @@ impl<'a> SampleLanes<'a> {
             false => &[],
         };
         let bearings = seen.iter().map(SupportObservation::new);
+        let mut bearings: Vec<_> = bearings.collect::<Option<_>>()?;
+        for bearing in &mut bearings {
+            bearing.make_room(GROUPS + 1);
+        }
         Some(Self {
             rotor,
-            bearings: bearings.collect::<Option<_>>()?,
+            bearings,
             balls: !contacts.balls.is_empty(),
-            largest: LaneRow::default(),
+            largest: [LaneRow::default(); GROUPS],
         })
     }
 
@@ -75,56 +82,99 @@ impl<'a> SampleLanes<'a> {
         }
     }
 
-    /// Looks at the bearings at the samples of the lanes of a number, and adds to `rows` what they bear.
+    /// Looks at the bearings at all samples, and at no ball by itself; adds to `rows` what they bear.
+    pub fn look_at_all(&mut self, rows: &mut SampleRows) {
+        let groups = rows.length.div_ceil(LANES);
+        let displacement = rows.displacement.each_ref();
+        let displacement = displacement.map(|row| &row.as_chunks::<LANES>().0[..groups]);
+        let angles = &rows.angle.as_chunks::<LANES>().0[..groups];
+        for (bearing, support) in self.bearings.iter_mut().zip(&self.rotor.supports) {
+            bearing.observe_all(displacement, angles, self.rotor.cage_ratio(support));
+        }
+        (0..groups).for_each(|number| self.sum_up(rows, number));
+    }
+
+    /// Looks at the bearings and all their balls at the samples in the lanes of a number, and adds to `rows` what
+    /// they bear.
     pub fn look(&mut self, rows: &mut SampleRows, number: usize) {
         let angles = &rows.angle.as_chunks::<LANES>().0[number];
-        self.observe_bearings(angles, rows.displacement_lanes(number));
+        self.observe(number, angles, rows.displacement_lanes(number));
+        self.sum_up(rows, number);
+    }
+
+    /// Adds up what the bearings bear in the lanes of a number.
+    fn sum_up(&mut self, rows: &mut SampleRows, number: usize) {
         for (axis, row) in rows.force_on_shaft.iter_mut().enumerate() {
             let mut force = [0.0; LANES];
             for bearing in &self.bearings {
-                for (sum, part) in force.iter_mut().zip(&bearing.force()[axis].0) {
+                for (sum, part) in force.iter_mut().zip(&bearing.force(number)[axis].0) {
                     *sum -= part;
                 }
             }
             row.as_chunks_mut::<LANES>().0[number] = force;
         }
+        let mut largest = [0.0; LANES];
+        for bearing in &self.bearings {
+            for (largest, own) in largest.iter_mut().zip(bearing.largest_loads(number)) {
+                *largest = if own > largest { *own } else { *largest };
+            }
+        }
+        self.largest[number] = LaneRow(largest);
         if self.balls {
-            rows.largest_ball_load.as_chunks_mut::<LANES>().0[number] = self.largest.0;
+            rows.largest_ball_load.as_chunks_mut::<LANES>().0[number] = largest;
         }
     }
 
-    /// The sample of a lane of those looked at last, whose lanes have a number in `rows`.
+    /// The sample in a lane of those whose balls were looked at last, in the lanes of a number.
     pub fn sample(&self, rows: &SampleRows, number: usize, lane: usize) -> Sample {
         Sample {
-            balls_loaded: if self.balls { self.loaded(lane) } else { 0 },
+            balls_loaded: if self.balls {
+                self.loaded(number, lane)
+            } else {
+                0
+            },
             ..rows.sample(LANES * number + lane)
         }
     }
 
-    /// Looks at nothing but the bearings, at one instant: those of [`SampleLanes::bearings`] are all at it.
-    pub fn look_at(&mut self, time: f64, displacement: &Vector5) {
+    /// Looks at the bearings and all their balls at one instant that is not among the samples; answers the number of
+    /// the lanes that all are at it.
+    pub fn look_at(&mut self, time: f64, displacement: &Vector5) -> usize {
         let angle = self.rotor.speed.at(time).angle;
         let displacement = displacement.map(|axis| [axis; LANES]);
-        self.observe_bearings(&[angle; LANES], displacement.each_ref());
+        self.observe(GROUPS, &[angle; LANES], displacement.each_ref());
+        GROUPS
     }
 
-    /// The bearings at the instants seen last.
+    fn observe(
+        &mut self,
+        number: usize,
+        angles: &[f64; LANES],
+        displacement: [&[f64; LANES]; FREEDOMS],
+    ) {
+        for (bearing, support) in self.bearings.iter_mut().zip(&self.rotor.supports) {
+            let ratio = self.rotor.cage_ratio(support);
+            bearing.observe(number, displacement, angles, ratio);
+        }
+    }
+
+    /// The bearings as they were seen last.
     pub fn bearings(&self) -> &[SupportObservation] {
         &self.bearings
     }
 
-    /// Load at the inner race above which a ball counts as loaded at each instant, N, as by
+    /// Load at the inner race above which a ball counts as loaded in the lanes of a number, N, as by
     /// [`BallContacts::least_load`].
-    pub fn least_loads(&self) -> [f64; LANES] {
-        self.largest.0.map(|largest| LOADED_SHARE * largest)
+    pub fn least_loads(&self, number: usize) -> [f64; LANES] {
+        self.largest[number].0.map(|largest| LOADED_SHARE * largest)
     }
 
-    /// Leaves the balls of a sample in `contacts`, as [`Rotor::sample`] does.
-    pub fn fill(&self, lane: usize, contacts: &mut BallContacts) {
+    /// Leaves the balls of such a sample in `contacts`, as [`Rotor::sample`] does.
+    pub fn fill(&self, number: usize, lane: usize, contacts: &mut BallContacts) {
         let angles = contacts.angles;
         let mut balls = contacts.balls.as_mut_slice();
         for (bearing, axial) in self.bearings.iter().zip(&mut contacts.axial_forces) {
-            *axial = bearing.axial_force(lane);
+            *axial = bearing.axial_force(number, lane);
             let (own, others) = balls.split_at_mut(bearing.count().min(balls.len()));
             bearing.fill(lane, angles, own);
             balls = others;
@@ -132,22 +182,11 @@ impl<'a> SampleLanes<'a> {
         contacts.sum_up();
     }
 
-    fn observe_bearings(&mut self, angles: &[f64; LANES], displacement: [&[f64; LANES]; FREEDOMS]) {
-        self.largest = LaneRow::default();
-        for (bearing, support) in self.bearings.iter_mut().zip(&self.rotor.supports) {
-            let ratio = self.rotor.cage_ratio(support);
-            bearing.observe(displacement, &angles.map(|angle| ratio * angle));
-            for (largest, own) in self.largest.0.iter_mut().zip(bearing.largest_loads()) {
-                *largest = if own > largest { *own } else { *largest };
-            }
-        }
-    }
-
-    fn loaded(&self, lane: usize) -> u32 {
-        let least = self.least_loads()[lane];
+    fn loaded(&self, number: usize, lane: usize) -> u32 {
+        let least = self.least_loads(number)[lane];
         let mut count = 0;
         for bearing in &self.bearings {
-            count += match bearing.smallest_loads()[lane] > least {
+            count += match bearing.smallest_loads(number)[lane] > least {
                 true => bearing.count(),
                 false => bearing.loads(lane).filter(|load| *load > least).count(),
             };

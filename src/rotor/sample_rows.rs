@@ -89,8 +89,14 @@ impl SampleRows {
     /// Where the shaft is in the samples of the lanes of a number, axis by axis; lanes that are left over hold the
     /// last sample.
     pub fn displacement_lanes(&self, number: usize) -> [&[f64; LANES]; FREEDOMS] {
-        let rows = self.displacement.each_ref();
-        rows.map(|row| &row.as_chunks::<LANES>().0[number])
+        let [x, y, z, tilt_x, tilt_y] = &self.displacement;
+        [
+            &x.as_chunks().0[number],
+            &y.as_chunks().0[number],
+            &z.as_chunks().0[number],
+            &tilt_x.as_chunks().0[number],
+            &tilt_y.as_chunks().0[number],
+        ]
     }
 
     /// Where the shaft is in one of the samples.

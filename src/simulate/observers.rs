@@ -23,6 +23,8 @@ pub(super) struct Observers<'a> {
     sink: &'a mut dyn TraceSink,
     /// Sees the samples side by side, where it can.
     lanes: Option<SampleLanes<'a>>,
+    /// Whether no ball of the samples found last was to be looked at by itself.
+    plain: bool,
     /// Those found last.
     rows: Box<SampleRows>,
     /// The same one by one, where anybody but the sink takes them whole.
@@ -73,6 +75,7 @@ impl<'a> Observers<'a> {
             passed: None,
             sink,
             lanes,
+            plain: true,
             rows: SampleRows::new(),
             samples: Vec::new(),
             whole: model.energy
@@ -98,9 +101,12 @@ impl<'a> Observers<'a> {
         states: &[[f64; N]],
     ) -> Result<(), SimulateError> {
         let before = |end: f64| {
-            let times = (first..).map(|number| self.grid.time(number));
-            let times = times.take(states.len());
-            times.take_while(|time| *time < end).count()
+            let is_before = |index: &usize| self.grid.time(first + *index as u64) < end;
+            match states.len() {
+                // most blocks are on one side of it
+                all if all > 0 && is_before(&(all - 1)) => all,
+                all => (0..all).take_while(is_before).count(),
+            }
         };
         let [early, whole] = [self.start, self.whole_from].map(before);
         self.follow(system, first + early as u64, &states[early..whole])?;
@@ -161,12 +167,38 @@ impl<'a> Observers<'a> {
         };
         let time = |index: usize| self.grid.time(first + index as u64);
         lanes.place(time, states, &mut self.rows);
-        for (number, states) in states.chunks(LANES).enumerate() {
-            if self.look_side_by_side(number, states.len())? {
-                self.pass_up_to(first, LANES * number + states.len() - 1);
+        let plain = self.look_at_all();
+        if plain {
+            self.pass_up_to(first, states.len() - 1);
+        } else {
+            for (number, states) in states.chunks(LANES).enumerate() {
+                if self.look_side_by_side(number, states.len())? {
+                    self.pass_up_to(first, LANES * number + states.len() - 1);
+                }
             }
         }
+        if let Some(lanes) = &self.lanes {
+            self.plain = plain || self.observation.is_plain(&self.rows, lanes);
+            self.observation.consume(&self.rows, lanes);
+        }
         Ok(())
+    }
+
+    /// Finds all samples in the rows at once; answers whether nobody needs them, or any of their balls, one by one.
+    fn look_at_all(&mut self) -> bool {
+        let (Some(lanes), rows) = (&mut self.lanes, &mut *self.rows) else {
+            return false;
+        };
+        let needed = |time: &f64| *time >= self.sink.starts_at();
+        if self.whole || !self.plain || rows.times().last().is_some_and(needed) {
+            return false;
+        }
+        lanes.look_at_all(rows);
+        let plain = self.observation.is_plain(rows, lanes);
+        if plain {
+            self.observation.take_plain(rows, lanes);
+        }
+        plain
     }
 
     /// Finds so many samples in the lanes of a number in the rows; answers whether nothing has happened to any
@@ -176,11 +208,11 @@ impl<'a> Observers<'a> {
             return Ok(false);
         };
         lanes.look(rows, number);
-        let quiet = self.observation.is_quiet(lanes, count);
+        let quiet = self.observation.is_quiet(lanes, number, count);
         // what is compared with the contacts where nobody looked at them
         if let Some((time, place)) = self.passed.take_if(|_| !quiet) {
-            lanes.look_at(time, &place);
-            self.observation.pass(time, lanes);
+            let instant = lanes.look_at(time, &place);
+            self.observation.pass(time, lanes, instant);
             lanes.look(rows, number);
         }
         let observation = &mut self.observation;

@@ -1,9 +1,12 @@
 //! Whether a motion has settled: how its mean and its spread move from third to third.
 
 use std::f64::consts::TAU;
+use std::ops::{Add, Mul, Sub};
+
+use fearless_simd::{Level, Simd, SimdBase, dispatch};
 
 use super::row::{MOST, Row};
-use crate::bearing::LANES;
+use crate::bearing::{LANES, Lanes};
 use crate::rotor::FREEDOMS;
 
 /// A motion whose statistics move by less than this part of it has settled.
@@ -32,6 +35,11 @@ impl Drift {
     }
 }
 
+/// Weights of the samples of a row, and of one that is not whole with nothing behind them.
+#[derive(Default)]
+#[repr(align(32))]
+struct Weights([[f64; LANES]; MOST / LANES + 1]);
+
 /// Takes samples of the freedoms at equal times over a window of known ends.
 ///
 /// Mean and RMS of each third are weighted by a Hann window over it, so that a vibration of no whole
@@ -57,9 +65,8 @@ impl DriftRecorder {
         }
     }
 
-    /// Takes the samples of a row.
-    #[inline(always)]
-    pub fn record(&mut self, row: &Row) {
+    /// Takes the samples of a row, in registers of a level of the processor.
+    pub fn record(&mut self, level: Level, row: &Row) {
         let times = row.times();
         let [Some(first), Some(last)] = [times.first(), times.last()] else {
             return;
@@ -70,19 +77,17 @@ impl DriftRecorder {
         let place = |time: f64| (time - start) / third;
         let ends = [1.0, 2.0, 3.0].map(|end| times.partition_point(|time| place(*time) < end));
         let step = (place(*last) - place(*first)) / (times.len() - 1).max(1) as f64;
-        let mut weights = [0.0; MOST.next_multiple_of(LANES)];
-        for (part, (sum, freedoms)) in self.sums.iter_mut().enumerate() {
+        for (part, sums) in self.sums.iter_mut().enumerate() {
             let inside = ends[part]..ends[part + 1];
             if inside.is_empty() {
                 continue;
             }
-            hann(place(times[inside.start]), step, &mut weights);
-            let weights = &weights[..inside.len()];
-            *sum += weights.iter().sum::<f64>();
-            for (axis, sums) in freedoms.iter_mut().enumerate() {
-                let values = &row.displacements(axis)[inside.clone()];
-                add(weights, values, origin[axis], sums);
-            }
+            let mut weights = Weights::default();
+            let (from, count) = (place(times[inside.start]), inside.len());
+            dispatch!(level, simd => {
+                hann(simd, from, step, count, &mut weights);
+                add(simd, &weights, |axis| &row.displacements(axis)[inside.clone()], origin, sums)
+            });
         }
     }
 
@@ -110,34 +115,48 @@ impl DriftRecorder {
     }
 }
 
-/// Adds Σ w x and Σ w x² of values that count from an origin, a few of them side by side.
+/// Adds Σ w, and of every freedom Σ w x and Σ w x² of values that count from an origin.
 #[inline(always)]
-fn add(weights: &[f64], values: &[f64], origin: f64, sums: &mut [f64; 2]) {
-    let (weights, last_weights) = weights.as_chunks::<LANES>();
-    let (values, last_values) = values.as_chunks::<LANES>();
-    let (mut first, mut second) = ([0.0; LANES], [0.0; LANES]);
-    for (weights, values) in weights.iter().zip(values) {
-        for lane in 0..LANES {
-            let value = values[lane] - origin;
-            let part = weights[lane] * value;
-            first[lane] += part;
-            second[lane] += part * value;
+fn add<'a, S: Simd>(
+    simd: S,
+    weights: &Weights,
+    values: impl Fn(usize) -> &'a [f64],
+    origin: &[f64; FREEDOMS],
+    (sum, freedoms): &mut (f64, [[f64; 2]; FREEDOMS]),
+) {
+    let mut total = Lanes::splat(simd, 0.0);
+    for weights in &weights.0 {
+        total += simd.load_array_ref_f64x4(weights);
+    }
+    *sum += across(total);
+    for axis in 0..FREEDOMS {
+        let (rows, rest) = values(axis).as_chunks::<LANES>();
+        let mut last = [origin[axis]; LANES];
+        last[..rest.len()].copy_from_slice(rest);
+        let [mut first, mut second] = [Lanes::splat(simd, 0.0); 2];
+        // beyond the last values weights are zero
+        for number in 0..=rows.len() {
+            let row = simd.load_array_ref_f64x4(rows.get(number).unwrap_or(&last));
+            let distance = row - origin[axis];
+            let part = simd.load_array_ref_f64x4(&weights.0[number]) * distance;
+            first += part;
+            second += part * distance;
         }
-    }
-    for (lane, (weight, value)) in last_weights.iter().zip(last_values).enumerate() {
-        let value = value - origin;
-        first[lane] += weight * value;
-        second[lane] += weight * value * value;
-    }
-    for (sum, [a, b, c, d]) in sums.iter_mut().zip([first, second]) {
-        *sum += (a + b) + (c + d);
+        freedoms[axis][0] += across(first);
+        freedoms[axis][1] += across(second);
     }
 }
 
-/// A Hann window of whole turns at places so many turns apart: its phase is turned from a few of them, side by
-/// side, to the next.
 #[inline(always)]
-fn hann(place: f64, step: f64, weights: &mut [f64; MOST.next_multiple_of(LANES)]) {
+fn across<S: Simd>(lanes: Lanes<S>) -> f64 {
+    let [a, b, c, d] = *lanes;
+    (a + b) + (c + d)
+}
+
+/// A Hann window of whole turns at so many places so many turns apart: its phase is turned from a few of them, side
+/// by side, to the next; behind the last place there is nothing.
+#[inline(always)]
+fn hann<S: Simd>(simd: S, place: f64, step: f64, count: usize, weights: &mut Weights) {
     let [start, turn] = [place, step].map(|turns| (TAU * turns).sin_cos());
     let (mut sin, mut cos) = ([0.0; LANES], [0.0; LANES]);
     let mut phase = start;
@@ -147,17 +166,24 @@ fn hann(place: f64, step: f64, weights: &mut [f64; MOST.next_multiple_of(LANES)]
     }
     let twice = turned(turn, turn);
     let turn = turned(twice, twice);
-    for weights in weights.as_chunks_mut::<LANES>().0 {
-        for lane in 0..LANES {
-            weights[lane] = 0.5 - 0.5 * cos[lane];
-            (sin[lane], cos[lane]) = turned((sin[lane], cos[lane]), turn);
-        }
+    let turn = (Lanes::splat(simd, turn.0), Lanes::splat(simd, turn.1));
+    let mut phases = (
+        simd.load_array_ref_f64x4(&sin),
+        simd.load_array_ref_f64x4(&cos),
+    );
+    for number in 0..count.div_ceil(LANES) {
+        weights.0[number] = *(0.5 - 0.5 * phases.1);
+        phases = turned(phases, turn);
     }
+    weights.0.as_flattened_mut()[count..count.next_multiple_of(LANES)].fill(0.0);
 }
 
 /// Sine and cosine of the sum of two angles.
 #[inline(always)]
-fn turned((sin, cos): (f64, f64), (turn_sin, turn_cos): (f64, f64)) -> (f64, f64) {
+fn turned<T>((sin, cos): (T, T), (turn_sin, turn_cos): (T, T)) -> (T, T)
+where
+    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<Output = T>,
+{
     (
         sin * turn_cos + cos * turn_sin,
         cos * turn_cos - sin * turn_sin,
@@ -170,9 +196,11 @@ mod tests {
 
     #[test]
     fn weights_of_a_row_are_those_of_the_window() {
-        let mut weights = [0.0; MOST.next_multiple_of(LANES)];
-        hann(1.37, 7e-3, &mut weights);
-        for (index, weight) in weights.iter().enumerate() {
+        let mut weights = Weights::default();
+        dispatch!(Level::new(), simd => hann(simd, 1.37, 7e-3, 63, &mut weights));
+        let (inside, behind) = weights.0.as_flattened().split_at(63);
+        assert!(behind.iter().all(|weight| *weight == 0.0));
+        for (index, weight) in inside.iter().enumerate() {
             let expected = (std::f64::consts::PI * (1.37 + 7e-3 * index as f64))
                 .sin()
                 .powi(2);

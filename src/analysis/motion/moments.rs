@@ -1,7 +1,8 @@
-//! Mean, spread and shape of a signal, one value at a time.
+//! Mean, spread and shape of a signal, a row of values at a time.
 
-/// Values that are summed side by side.
-const LANES: usize = 4;
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
+
+use crate::bearing::{LANES, Lanes};
 
 /// Moments of the values taken so far.
 ///
@@ -46,33 +47,53 @@ impl Default for Moments {
 
 impl Moments {
     /// Takes a row of values.
-    #[inline(always)]
     pub fn take(&mut self, values: &[f64]) {
-        let mean = mean(values);
-        let powers = sums(values, |value| {
-            let distance = value - mean;
+        self.take_by(Level::new(), values);
+    }
+
+    /// As [`Moments::take`], in registers of a level of the processor.
+    pub(super) fn take_by(&mut self, level: Level, values: &[f64]) {
+        let row = dispatch!(level, simd => Self::of(simd, values));
+        self.add(&row);
+    }
+
+    /// As [`Moments::take_by`] without its part in the shape: mean, RMS and extremes are those of
+    /// [`Moments::take`], bit by bit, and the kurtosis means nothing.
+    pub(super) fn take_plainly(&mut self, level: Level, values: &[f64]) {
+        let row = dispatch!(level, simd => Self::plainly_of(simd, values));
+        self.add(&row);
+    }
+
+    #[inline(always)]
+    fn of<S: Simd>(simd: S, values: &[f64]) -> Self {
+        let (count, mean) = (values.len() as f64, mean(simd, values));
+        let [lowest, highest] = extremes(simd, values);
+        let powers = sums(simd, values, mean, |values| {
+            let distance = values - mean;
             let square = distance * distance;
             [square, square * distance, square * square]
         });
-        self.add(&Self::of(values, mean, powers));
-    }
-
-    /// Takes a row of values without its part in the shape: mean, RMS and extremes are those of
-    /// [`Moments::take`], bit by bit, and the kurtosis means nothing.
-    #[inline(always)]
-    pub fn take_plainly(&mut self, values: &[f64]) {
-        let mean = mean(values);
-        let [second] = sums(values, |value| [(value - mean) * (value - mean)]);
-        self.add(&Self::of(values, mean, [second, 0.0, 0.0]));
-    }
-
-    #[inline(always)]
-    fn of(values: &[f64], mean: f64, powers: [f64; 3]) -> Self {
-        let [lowest, highest] = extremes(values);
         Self {
-            count: values.len() as f64,
+            count,
             mean,
             powers,
+            lowest,
+            highest,
+        }
+    }
+
+    #[inline(always)]
+    fn plainly_of<S: Simd>(simd: S, values: &[f64]) -> Self {
+        let (count, mean) = (values.len() as f64, mean(simd, values));
+        let [lowest, highest] = extremes(simd, values);
+        let [second] = sums(simd, values, mean, |values| {
+            let distance = values - mean;
+            [distance * distance]
+        });
+        Self {
+            count,
+            mean,
+            powers: [second, 0.0, 0.0],
             lowest,
             highest,
         }
@@ -147,59 +168,60 @@ impl Moments {
 
 /// Mean; zero of no values.
 #[inline(always)]
-fn mean(values: &[f64]) -> f64 {
-    let [sum] = sums(values, |value| [value]);
+fn mean<S: Simd>(simd: S, values: &[f64]) -> f64 {
+    let [sum] = sums(simd, values, 0.0, |values| [values]);
     sum / values.len().max(1) as f64
 }
 
-/// Sums of what every value gives, a few values side by side.
+/// Sums of what values give, a few side by side; beside the last ones stands one that gives nothing.
 #[inline(always)]
-fn sums<const K: usize>(values: &[f64], of: impl Fn(f64) -> [f64; K]) -> [f64; K] {
-    let (rows, rest) = values.as_chunks::<LANES>();
-    let mut sums = [[0.0; LANES]; K];
-    for row in rows {
-        for (lane, value) in row.iter().enumerate() {
-            for (sum, part) in sums.iter_mut().zip(of(*value)) {
-                sum[lane] += part;
-            }
+fn sums<S: Simd, const K: usize>(
+    simd: S,
+    values: &[f64],
+    nothing: f64,
+    of: impl Fn(Lanes<S>) -> [Lanes<S>; K],
+) -> [f64; K] {
+    let (rows, last) = side_by_side(values, nothing);
+    let mut sums = [Lanes::splat(simd, 0.0); K];
+    for number in 0..values.len().div_ceil(LANES) {
+        let parts = of(simd.load_array_ref_f64x4(rows.get(number).unwrap_or(&last)));
+        for k in 0..K {
+            sums[k] += parts[k];
         }
     }
-    let mut total = sums.map(|[a, b, c, d]| (a + b) + (c + d));
-    for value in rest {
-        for (total, part) in total.iter_mut().zip(of(*value)) {
-            *total += part;
-        }
+    let mut totals = [0.0; K];
+    for k in 0..K {
+        let [a, b, c, d] = *sums[k];
+        totals[k] = (a + b) + (c + d);
     }
-    total
+    totals
 }
 
 /// Lowest and highest value, a few values side by side.
 #[inline(always)]
-fn extremes(values: &[f64]) -> [f64; 2] {
-    let (rows, rest) = values.as_chunks::<LANES>();
-    let (mut lowest, mut highest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
-    for row in rows {
-        for lane in 0..LANES {
-            let value = row[lane];
-            lowest[lane] = if value < lowest[lane] {
-                value
-            } else {
-                lowest[lane]
-            };
-            highest[lane] = if value > highest[lane] {
-                value
-            } else {
-                highest[lane]
-            };
-        }
+fn extremes<S: Simd>(simd: S, values: &[f64]) -> [f64; 2] {
+    let first = values.first().copied().unwrap_or_default();
+    let (rows, last) = side_by_side(values, first);
+    let mut lowest = Lanes::splat(simd, f64::INFINITY);
+    let mut highest = Lanes::splat(simd, f64::NEG_INFINITY);
+    for number in 0..values.len().div_ceil(LANES) {
+        let row = simd.load_array_ref_f64x4(rows.get(number).unwrap_or(&last));
+        lowest = row.min(lowest);
+        highest = row.max(highest);
     }
-    let ends = |from: f64, values: &[f64], pick: fn(f64, f64) -> f64| {
-        values.iter().chain(rest).copied().fold(from, pick)
-    };
-    [
-        ends(f64::INFINITY, &lowest, f64::min),
-        ends(f64::NEG_INFINITY, &highest, f64::max),
-    ]
+    let [a, b, c, d] = *lowest;
+    let lowest = a.min(b).min(c.min(d));
+    let [a, b, c, d] = *highest;
+    [lowest, a.max(b).max(c.max(d))]
+}
+
+/// Whole rows of values, and the last one filled up where it is not whole.
+#[inline(always)]
+fn side_by_side(values: &[f64], filling: f64) -> (&[[f64; LANES]], [f64; LANES]) {
+    let (rows, rest) = values.as_chunks::<LANES>();
+    let mut last = [filling; LANES];
+    last[..rest.len()].copy_from_slice(rest);
+    (rows, last)
 }
 
 #[cfg(test)]
@@ -216,7 +238,7 @@ mod tests {
         let (mut whole, mut plain) = (Moments::default(), Moments::default());
         for row in values().chunks(64) {
             whole.take(row);
-            plain.take_plainly(row);
+            plain.take_plainly(Level::new(), row);
         }
         let of = |moments: &Moments| {
             let extremes = [moments.peak(), moments.peak_to_peak()];
@@ -247,6 +269,16 @@ mod tests {
             let highest = values.iter().copied().fold(0.0, f64::max);
             assert_eq!(moments.highest, highest);
         }
+    }
+
+    #[test]
+    fn widths_of_registers_change_no_byte() {
+        let [mut wide, mut narrow] = [Moments::default(); 2];
+        for row in values().chunks(65) {
+            wide.take_by(Level::new(), row);
+            narrow.take_by(Level::baseline(), row);
+        }
+        assert_eq!(wide, narrow);
     }
 
     #[test]

@@ -148,11 +148,10 @@ fn distances(points: &[Vec<f64>]) -> Vec<f64> {
 fn scatter(values: &[f64], cycles: usize) -> f64 {
     let (mut sums, mut squares) = ([0.0; LONGEST_PERIOD], [0.0; LONGEST_PERIOD]);
     for row in values.chunks(cycles) {
-        let sums = sums.iter_mut().zip(&mut squares);
-        for ((value, first), (sum, square)) in row.iter().zip(values).zip(sums) {
-            let distance = value - first;
-            *sum += distance;
-            *square += distance * distance;
+        for place in 0..row.len().min(LONGEST_PERIOD) {
+            let distance = row[place] - values[place];
+            sums[place] += distance;
+            squares[place] += distance * distance;
         }
     }
     let places = sums.iter().zip(squares).take(cycles).enumerate();

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use fearless_simd::{Level, dispatch};
+use fearless_simd::Level;
 
 use super::drift::{Drift, DriftRecorder};
 use super::moments::Moments;
@@ -50,17 +50,6 @@ pub struct ChannelStatistics {
     pub channel: Channel,
     /// Its moments.
     pub moments: Moments,
-}
-
-impl ChannelStatistics {
-    #[inline(always)]
-    fn take(&mut self, values: &[f64], kurtosis: bool) {
-        if kurtosis {
-            self.moments.take(values);
-        } else {
-            self.moments.take_plainly(values);
-        }
-    }
 }
 
 /// What a steady motion is like.
@@ -182,18 +171,22 @@ impl MotionRecorder {
                 Channel::Force(axis) => row.forces(axis),
                 _ => continue,
             };
-            dispatch!(self.level, _simd => each.take(values, parts.kurtosis));
+            if parts.kurtosis {
+                each.moments.take_by(self.level, values);
+            } else {
+                each.moments.take_plainly(self.level, values);
+            }
         }
         if parts.kind {
             for (axis, rate) in self.rates[..self.freedoms].iter_mut().enumerate() {
-                dispatch!(self.level, _simd => rate.take_plainly(row.velocities(axis)));
+                rate.take_plainly(self.level, row.velocities(axis));
             }
         }
         for (axis, kept) in self.velocity.iter_mut().enumerate() {
             kept.extend_from_slice(row.velocities(axis));
         }
         if let Some(drift) = &mut self.drift {
-            dispatch!(self.level, _simd => drift.record(row));
+            drift.record(self.level, row);
         }
         for section in &mut self.sections {
             section.record(row);

@@ -68,17 +68,47 @@ impl ContactWatch {
         }
     }
 
-    /// Whether nothing happens in the first so many of samples that follow the last one: every ball stays in
-    /// contact or apart, and the preload held or lost.
-    pub fn is_quiet(&self, band: ContactBand, seen: &SupportObservation, count: usize) -> bool {
-        let held = |preload: &PreloadWatch| {
-            let mut forces = (0..count).map(|lane| seen.axial_force(lane));
+    /// Whether nothing happens in the first so many samples of a group that follows the last one, whose balls were
+    /// looked at: every ball stays in contact or apart, and the preload held or lost.
+    pub fn is_quiet(
+        &self,
+        band: ContactBand,
+        seen: &SupportObservation,
+        number: usize,
+        count: usize,
+    ) -> bool {
+        self.before.is_some()
+            && self.balls_stay(band, seen, number)
+            && self.preload_stays(band, seen, number, count)
+    }
+
+    /// As [`ContactWatch::is_quiet`] of a group no ball of which was looked at by itself; not so unless all balls are
+    /// in contact.
+    pub fn is_plainly_quiet(
+        &self,
+        band: ContactBand,
+        seen: &SupportObservation,
+        number: usize,
+        count: usize,
+    ) -> bool {
+        self.before.is_some()
+            && self.touching == self.balls.len()
+            && self.balls_stay(band, seen, number)
+            && self.preload_stays(band, seen, number, count)
+    }
+
+    fn preload_stays(
+        &self,
+        band: ContactBand,
+        seen: &SupportObservation,
+        number: usize,
+        count: usize,
+    ) -> bool {
+        self.preload.as_ref().is_none_or(|preload| {
+            let mut forces = (0..count).map(|lane| seen.axial_force(number, lane));
             let touching = preload.touching;
             forces.all(|force| preload.is_held_on(touching, force, band.load) == preload.held)
-        };
-        self.before.is_some()
-            && self.balls_stay(band, seen)
-            && self.preload.as_ref().is_none_or(held)
+        })
     }
 
     /// Whether every ball is in contact and the preload held, if there is one: as long as every ball is approached
@@ -89,8 +119,8 @@ impl ContactWatch {
             && self.preload.is_none_or(|preload| preload.held)
     }
 
-    fn balls_stay(&self, band: ContactBand, seen: &SupportObservation) -> bool {
-        let lowest = seen.lowest_approach();
+    fn balls_stay(&self, band: ContactBand, seen: &SupportObservation, number: usize) -> bool {
+        let lowest = seen.lowest_approach(number);
         if self.touching == self.balls.len() {
             return lowest.iter().all(|approach| *approach >= band.lost);
         }
@@ -101,14 +131,14 @@ impl ContactWatch {
         })
     }
 
-    /// Goes on to a sample at which nothing has happened, the first of those seen.
-    pub fn pass(&mut self, time: f64, band: ContactBand, seen: &SupportObservation) {
+    /// Goes on to a sample at which nothing has happened, the first of the group whose balls were looked at last.
+    pub fn pass(&mut self, time: f64, band: ContactBand, seen: &SupportObservation, number: usize) {
         self.before = Some(Instant { time, band });
         for (ball, approaches) in self.balls.iter_mut().zip(seen.approaches()) {
             ball.approach = approaches[0];
         }
         if let Some(preload) = &mut self.preload {
-            preload.axial_force = seen.axial_force(0);
+            preload.axial_force = seen.axial_force(number, 0);
         }
     }
 

@@ -2,9 +2,9 @@
 
 use std::io;
 
-use super::{BearingObserver, Observation};
+use super::{BearingObserver, ContactWatch, Observation};
 use crate::bearing::{LANES, SupportObservation};
-use crate::rotor::{Rotor, Sample, SampleLanes, SampleRows};
+use crate::rotor::{BallContacts, Rotor, Sample, SampleLanes, SampleRows};
 use crate::simulate::TraceSink;
 
 impl Observation<'_> {
@@ -25,28 +25,68 @@ impl Observation<'_> {
         sink: &mut dyn TraceSink,
     ) -> io::Result<()> {
         let instants = LANES * number..rows.len().min(LANES * (number + 1));
-        let [times, angles] = [rows.times(), rows.angles()].map(|row| &row[instants.clone()]);
+        let times = &rows.times()[instants];
         let needed_from = sink.starts_at();
         for (lane, time) in times.iter().enumerate() {
             let needed = *time >= needed_from;
             if needed || !quiet {
                 let sample = seen.sample(rows, number, lane);
-                self.hand_on(&sample, (seen, lane), [needed, quiet], sink)?;
+                let balls = |contacts: &mut BallContacts| seen.fill(number, lane, contacts);
+                self.hand_on(&sample, balls, [needed, quiet], sink)?;
             }
         }
-        if self.watching {
-            for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
-                bearing.weigh_side_by_side([times, angles], seen.least_loads(), own, self.settle);
-            }
+        for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
+            let least = seen.least_loads(number);
+            bearing.count_loaded(times, least, (own, number), self.settle);
         }
         Ok(())
     }
 
-    /// Hands on what the sink needs of a sample in a lane, and what has happened up to it.
+    /// Whether nothing happens to any contact in all samples of `rows`, which were seen at once, while all balls are
+    /// loaded, so that none of them is to be looked at by itself.
+    pub fn is_plain(&self, rows: &SampleRows, seen: &SampleLanes<'_>) -> bool {
+        let mut bearings = self.bearings.iter().zip(seen.bearings());
+        bearings.all(|(bearing, own)| {
+            let mut groups = rows.times().chunks(LANES).enumerate();
+            groups.all(|(number, times)| {
+                let least = seen.least_loads(number);
+                let loads = own.smallest_loads(number).iter().zip(least);
+                let watch = bearing.watch.as_ref();
+                let quiet = |watch: &ContactWatch| {
+                    watch.is_plainly_quiet(bearing.band.1, own, number, times.len())
+                };
+                watch.is_none_or(quiet)
+                    && (bearing.zone.is_none() || { loads }.all(|(load, least)| *load > least))
+            })
+        })
+    }
+
+    /// Takes samples that are [plain](Observation::is_plain).
+    pub fn take_plain(&mut self, rows: &SampleRows, seen: &SampleLanes<'_>) {
+        let settled = rows.times().partition_point(|time| *time < self.settle);
+        for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
+            if let Some(zone) = &mut bearing.zone {
+                zone.take_full(own.count(), rows.len() - settled);
+            }
+        }
+    }
+
+    /// Adds up the life that all samples of `rows` consume, after they were taken.
+    pub fn consume(&mut self, rows: &SampleRows, seen: &SampleLanes<'_>) {
+        let settled = rows.times().partition_point(|time| *time < self.settle);
+        for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
+            if let Some(life) = &mut bearing.life {
+                let left_out = if bearing.parts.early_life { 0 } else { settled };
+                life.take_rows(rows, left_out, own);
+            }
+        }
+    }
+
+    /// Hands on what the sink needs of a sample and the balls that are left by `balls`, and what has happened up to it.
     fn hand_on(
         &mut self,
         sample: &Sample,
-        (seen, lane): (&SampleLanes<'_>, usize),
+        balls: impl Fn(&mut BallContacts),
         [needed, quiet]: [bool; 2],
         sink: &mut dyn TraceSink,
     ) -> io::Result<()> {
@@ -55,7 +95,7 @@ impl Observation<'_> {
             sink.sample(sample)?;
         }
         if shown || !quiet {
-            seen.fill(lane, &mut self.contacts);
+            balls(&mut self.contacts);
         }
         if shown {
             sink.balls(sample, &self.contacts)?;
@@ -83,50 +123,43 @@ impl Observation<'_> {
     }
 
     /// Goes on to a time at which nothing has happened, the first of the instants seen last.
-    pub fn pass(&mut self, time: f64, seen: &SampleLanes<'_>) {
+    pub fn pass(&mut self, time: f64, seen: &SampleLanes<'_>, number: usize) {
         for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
             if let Some(watch) = &mut bearing.watch {
-                watch.pass(time, bearing.band.1, own);
+                watch.pass(time, bearing.band.1, own, number);
             }
         }
     }
 
-    /// Whether nothing happens to any bearing in the first so many of the samples seen last.
-    pub fn is_quiet(&self, seen: &SampleLanes<'_>, count: usize) -> bool {
+    /// Whether nothing happens to any bearing in the first so many samples of the group seen last, that of a number.
+    pub fn is_quiet(&self, seen: &SampleLanes<'_>, number: usize, count: usize) -> bool {
         let mut bearings = self.bearings.iter().zip(seen.bearings());
         let quiet = |(bearing, own): (&BearingObserver<'_>, _)| {
             let watch = bearing.watch.as_ref();
-            watch.is_none_or(|watch| watch.is_quiet(bearing.band.1, own, count))
+            watch.is_none_or(|watch| watch.is_quiet(bearing.band.1, own, number, count))
         };
         !self.watching || bearings.all(quiet)
     }
 }
 
 impl BearingObserver<'_> {
-    /// As [`BearingObserver::weigh`], of the balls at the instants seen, at times and angles of the shaft; at each a
-    /// ball is loaded by more than so many N.
-    fn weigh_side_by_side(
+    /// Counts the balls that are loaded in a group of instants seen, at each by more than so many N.
+    fn count_loaded(
         &mut self,
-        [times, angles]: [&[f64]; 2],
+        times: &[f64],
         least: [f64; LANES],
-        seen: &SupportObservation,
+        (seen, number): (&SupportObservation, usize),
         settle: f64,
     ) {
-        let early = times.partition_point(|time| *time < settle);
-        if let Some(zone) = &mut self.zone {
-            let lanes = early..times.len();
-            if lanes
-                .clone()
-                .all(|lane| seen.smallest_loads()[lane] > least[lane])
-            {
-                zone.take_full(seen.count(), lanes.len());
-            } else {
-                lanes.for_each(|lane| zone.take(seen.loads(lane), least[lane]));
-            }
-        }
-        if let Some(life) = &mut self.life {
-            let unweighed = if self.parts.early_life { 0 } else { early };
-            life.take_side_by_side([times, angles], unweighed, seen);
+        let Some(zone) = &mut self.zone else {
+            return;
+        };
+        let settled = times.partition_point(|time| *time < settle)..times.len();
+        let smallest = seen.smallest_loads(number);
+        if settled.clone().all(|lane| smallest[lane] > least[lane]) {
+            zone.take_full(seen.count(), settled.len());
+        } else {
+            settled.for_each(|lane| zone.take(seen.loads(lane), least[lane]));
         }
     }
 }
