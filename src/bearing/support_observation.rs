@@ -159,8 +159,8 @@ impl SupportObservation {
             mut moment_y,
         ] = [none; 5];
         let [mut cubes, mut powers] = [none; 2];
-        let [mut highest, mut lowest] =
-            [f64::NEG_INFINITY, f64::INFINITY].map(|value| Lanes::splat(simd, value));
+        let mut highest = Lanes::splat(simd, f64::NEG_INFINITY);
+        let mut lowest = Lanes::splat(simd, f64::INFINITY);
         for (ball, [cos, sin]) in self.azimuths.iter().enumerate() {
             let [cos, sin] = [
                 *cos * cage_cos - *sin * cage_sin,
@@ -198,21 +198,21 @@ impl SupportObservation {
         let force = [radial_x, radial_y, thrust, moments[0], moments[1]];
         let force = on_shaft(&force, self.sign, self.position);
         // as of the balls themselves: the higher the approach, the larger the load
-        let [largest, smallest] = [highest, lowest].map(|reach| {
-            let approach = reach.max(none);
-            constant * approach * approach.sqrt()
-        });
-        let mut summary = Summary {
-            largest: LaneRow(*largest),
-            smallest: LaneRow(*smallest),
+        let [most, least] = [highest.max(none), lowest.max(none)];
+        let [largest, smallest] = [constant * most, constant * least];
+        Summary {
+            force: [
+                LaneRow(*force[0]),
+                LaneRow(*force[1]),
+                LaneRow(*force[2]),
+                LaneRow(*force[3]),
+                LaneRow(*force[4]),
+            ],
+            largest: LaneRow(*(largest * most.sqrt())),
+            smallest: LaneRow(*(smallest * least.sqrt())),
             lowest: LaneRow(*lowest),
             powers: [LaneRow(*cubes), LaneRow(*(self.root * powers))],
-            ..Summary::default()
-        };
-        for axis in 0..5 {
-            summary.force[axis] = LaneRow(*force[axis]);
         }
-        summary
     }
 
     /// Force and moment that hold the shaft against the bearing, N and N m, instant by instant of a group.

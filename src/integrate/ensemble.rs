@@ -69,8 +69,7 @@ impl<'a, S: System<N>, const N: usize, const K: usize> EnsembleIntegration<'a, S
         let course = Course::over(&self.grid, self.system, scaling, settings, self.stop);
         let left = self.grid.count - self.next;
         for _ in 0..left.min(points as u64) {
-            let time = self.grid.time(self.next);
-            self.walk.append_states_at(&course, time, states)?;
+            states.push(self.walk.states_at(&course, self.grid.time(self.next))?);
             self.next += 1;
         }
         Ok(())

@@ -204,7 +204,7 @@ fn set<const N: usize>(row: &mut SampleRow, states: &[[f64; N]], component: usiz
 
 /// Lanes that are left over see the last sample once more.
 fn fill_up(row: &mut SampleRow, count: usize) {
-    if count % LANES != 0 {
+    if !count.is_multiple_of(LANES) {
         let last = row[count - 1];
         row[count..count.next_multiple_of(LANES)].fill(last);
     }

@@ -131,20 +131,34 @@ fn add<'a, S: Simd>(
     *sum += across(total);
     for axis in 0..FREEDOMS {
         let (rows, rest) = values(axis).as_chunks::<LANES>();
-        let mut last = [origin[axis]; LANES];
-        last[..rest.len()].copy_from_slice(rest);
-        let [mut first, mut second] = [Lanes::splat(simd, 0.0); 2];
-        // beyond the last values weights are zero
-        for number in 0..=rows.len() {
-            let row = simd.load_array_ref_f64x4(rows.get(number).unwrap_or(&last));
-            let distance = row - origin[axis];
-            let part = simd.load_array_ref_f64x4(&weights.0[number]) * distance;
-            first += part;
-            second += part * distance;
+        let mut own = [Lanes::splat(simd, 0.0); 2];
+        for (row, weights) in rows.iter().zip(&weights.0) {
+            add_weighted(simd, row, weights, origin[axis], &mut own);
         }
-        freedoms[axis][0] += across(first);
-        freedoms[axis][1] += across(second);
+        if !rest.is_empty() {
+            // beyond the last values weights are zero
+            let mut last = [origin[axis]; LANES];
+            last[..rest.len()].copy_from_slice(rest);
+            add_weighted(simd, &last, &weights.0[rows.len()], origin[axis], &mut own);
+        }
+        freedoms[axis][0] += across(own[0]);
+        freedoms[axis][1] += across(own[1]);
     }
+}
+
+/// Adds w x and w x² of values that count from an origin.
+#[inline(always)]
+fn add_weighted<S: Simd>(
+    simd: S,
+    values: &[f64; LANES],
+    weights: &[f64; LANES],
+    origin: f64,
+    sums: &mut [Lanes<S>; 2],
+) {
+    let distance = simd.load_array_ref_f64x4(values) - origin;
+    let part = simd.load_array_ref_f64x4(weights) * distance;
+    sums[0] += part;
+    sums[1] += part * distance;
 }
 
 #[inline(always)]

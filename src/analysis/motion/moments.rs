@@ -53,47 +53,52 @@ impl Moments {
 
     /// As [`Moments::take`], in registers of a level of the processor.
     pub(super) fn take_by(&mut self, level: Level, values: &[f64]) {
-        let row = dispatch!(level, simd => Self::of(simd, values));
+        let row = dispatch!(level, simd => Self::of::<_, true>(simd, values));
         self.add(&row);
     }
 
     /// As [`Moments::take_by`] without its part in the shape: mean, RMS and extremes are those of
     /// [`Moments::take`], bit by bit, and the kurtosis means nothing.
     pub(super) fn take_plainly(&mut self, level: Level, values: &[f64]) {
-        let row = dispatch!(level, simd => Self::plainly_of(simd, values));
+        let row = dispatch!(level, simd => Self::of::<_, false>(simd, values));
         self.add(&row);
     }
 
+    /// Of a row of values, a few side by side; with their part in the shape or without.
     #[inline(always)]
-    fn of<S: Simd>(simd: S, values: &[f64]) -> Self {
-        let (count, mean) = (values.len() as f64, mean(simd, values));
-        let [lowest, highest] = extremes(simd, values);
-        let powers = sums(simd, values, mean, |values| {
-            let distance = values - mean;
-            let square = distance * distance;
-            [square, square * distance, square * square]
-        });
-        Self {
-            count,
-            mean,
-            powers,
-            lowest,
-            highest,
+    fn of<S: Simd, const SHAPE: bool>(simd: S, values: &[f64]) -> Self {
+        let (rows, rest) = values.as_chunks::<LANES>();
+        let mut sum = Lanes::splat(simd, 0.0);
+        let mut lowest = Lanes::splat(simd, f64::INFINITY);
+        let mut highest = Lanes::splat(simd, f64::NEG_INFINITY);
+        for row in rows {
+            let row = simd.load_array_ref_f64x4(row);
+            sum += row;
+            lowest = row.min(lowest);
+            highest = row.max(highest);
         }
-    }
-
-    #[inline(always)]
-    fn plainly_of<S: Simd>(simd: S, values: &[f64]) -> Self {
-        let (count, mean) = (values.len() as f64, mean(simd, values));
-        let [lowest, highest] = extremes(simd, values);
-        let [second] = sums(simd, values, mean, |values| {
-            let distance = values - mean;
-            [distance * distance]
-        });
+        let mut sum = across(sum);
+        let [mut lowest, mut highest] = [lowest_of(lowest), highest_of(highest)];
+        for value in rest {
+            sum += value;
+            lowest = lowest.min(*value);
+            highest = highest.max(*value);
+        }
+        let mean = sum / values.len().max(1) as f64;
+        let mut powers = [Lanes::splat(simd, 0.0); 3];
+        for row in rows {
+            add_powers::<S, SHAPE>(simd, row, mean, &mut powers);
+        }
+        if !rest.is_empty() {
+            // the mean adds nothing
+            let mut last = [mean; LANES];
+            last[..rest.len()].copy_from_slice(rest);
+            add_powers::<S, SHAPE>(simd, &last, mean, &mut powers);
+        }
         Self {
-            count,
+            count: values.len() as f64,
             mean,
-            powers: [second, 0.0, 0.0],
+            powers: [across(powers[0]), across(powers[1]), across(powers[2])],
             lowest,
             highest,
         }
@@ -166,62 +171,39 @@ impl Moments {
     }
 }
 
-/// Mean; zero of no values.
+/// Adds powers of the distances of values from their mean: the second, and for the shape the third and fourth.
 #[inline(always)]
-fn mean<S: Simd>(simd: S, values: &[f64]) -> f64 {
-    let [sum] = sums(simd, values, 0.0, |values| [values]);
-    sum / values.len().max(1) as f64
-}
-
-/// Sums of what values give, a few side by side; beside the last ones stands one that gives nothing.
-#[inline(always)]
-fn sums<S: Simd, const K: usize>(
+fn add_powers<S: Simd, const SHAPE: bool>(
     simd: S,
-    values: &[f64],
-    nothing: f64,
-    of: impl Fn(Lanes<S>) -> [Lanes<S>; K],
-) -> [f64; K] {
-    let (rows, last) = side_by_side(values, nothing);
-    let mut sums = [Lanes::splat(simd, 0.0); K];
-    for number in 0..values.len().div_ceil(LANES) {
-        let parts = of(simd.load_array_ref_f64x4(rows.get(number).unwrap_or(&last)));
-        for k in 0..K {
-            sums[k] += parts[k];
-        }
+    values: &[f64; LANES],
+    mean: f64,
+    powers: &mut [Lanes<S>; 3],
+) {
+    let distance = simd.load_array_ref_f64x4(values) - mean;
+    let square = distance * distance;
+    powers[0] += square;
+    if SHAPE {
+        powers[1] += square * distance;
+        powers[2] += square * square;
     }
-    let mut totals = [0.0; K];
-    for k in 0..K {
-        let [a, b, c, d] = *sums[k];
-        totals[k] = (a + b) + (c + d);
-    }
-    totals
 }
 
-/// Lowest and highest value, a few values side by side.
 #[inline(always)]
-fn extremes<S: Simd>(simd: S, values: &[f64]) -> [f64; 2] {
-    let first = values.first().copied().unwrap_or_default();
-    let (rows, last) = side_by_side(values, first);
-    let mut lowest = Lanes::splat(simd, f64::INFINITY);
-    let mut highest = Lanes::splat(simd, f64::NEG_INFINITY);
-    for number in 0..values.len().div_ceil(LANES) {
-        let row = simd.load_array_ref_f64x4(rows.get(number).unwrap_or(&last));
-        lowest = row.min(lowest);
-        highest = row.max(highest);
-    }
-    let [a, b, c, d] = *lowest;
-    let lowest = a.min(b).min(c.min(d));
-    let [a, b, c, d] = *highest;
-    [lowest, a.max(b).max(c.max(d))]
+fn across<S: Simd>(lanes: Lanes<S>) -> f64 {
+    let [a, b, c, d] = *lanes;
+    (a + b) + (c + d)
 }
 
-/// Whole rows of values, and the last one filled up where it is not whole.
 #[inline(always)]
-fn side_by_side(values: &[f64], filling: f64) -> (&[[f64; LANES]], [f64; LANES]) {
-    let (rows, rest) = values.as_chunks::<LANES>();
-    let mut last = [filling; LANES];
-    last[..rest.len()].copy_from_slice(rest);
-    (rows, last)
+fn lowest_of<S: Simd>(lanes: Lanes<S>) -> f64 {
+    let [a, b, c, d] = *lanes;
+    a.min(b).min(c.min(d))
+}
+
+#[inline(always)]
+fn highest_of<S: Simd>(lanes: Lanes<S>) -> f64 {
+    let [a, b, c, d] = *lanes;
+    a.max(b).max(c.max(d))
 }
 
 #[cfg(test)]

@@ -37,28 +37,19 @@ impl<const N: usize, const K: usize> EnsembleWalk<N, K> {
         self.walk.counters()
     }
 
-    /// Appends the states at a time that is not before the start of the latest step to `states`; walks on as far as
-    /// needed.
+    /// States at a time that is not before the start of the latest step; walks on as far as needed.
     ///
     /// # Errors
     /// Why the walk ends before that time.
-    pub fn append_states_at<S: System<N>>(
+    pub fn states_at<S: System<N>>(
         &mut self,
         course: &Course<'_, S, N>,
         time: f64,
-        states: &mut Vec<[f64; N]>,
-    ) -> Result<(), IntegrateError> {
-        let factor = &mut self.factor;
-        // moved once, and made states where they stand
-        states.push(
-            self.walk
-                .deviation_at::<Dprkn8, S, _>(course, factor, time)?,
-        );
-        if let Some(latest) = states.last_mut() {
-            for (value, origin) in latest.iter_mut().zip(&course.scaling.origin) {
-                *value += origin;
-            }
-        }
-        Ok(())
+    ) -> Result<[f64; N], IntegrateError> {
+        let deviation = self
+            .walk
+            .deviation_at::<Dprkn8, S, _>(course, &mut self.factor, time)?;
+        let origin = &course.scaling.origin;
+        Ok(std::array::from_fn(|i| origin[i] + deviation[i]))
     }
 }

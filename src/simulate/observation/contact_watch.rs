@@ -68,8 +68,8 @@ impl ContactWatch {
         }
     }
 
-    /// Whether nothing happens in the first so many samples of a group that follows the last one, whose balls were
-    /// looked at: every ball stays in contact or apart, and the preload held or lost.
+    /// Whether nothing happens in the first so many samples of the group of a number, which follow the last one and
+    /// whose balls were looked at: every ball stays in contact or apart, and the preload held or lost.
     pub fn is_quiet(
         &self,
         band: ContactBand,
@@ -77,12 +77,17 @@ impl ContactWatch {
         number: usize,
         count: usize,
     ) -> bool {
+        let held = |preload: &PreloadWatch| {
+            let mut forces = (0..count).map(|lane| seen.axial_force(number, lane));
+            let touching = preload.touching;
+            forces.all(|force| preload.is_held_on(touching, force, band.load) == preload.held)
+        };
         self.before.is_some()
             && self.balls_stay(band, seen, number)
-            && self.preload_stays(band, seen, number, count)
+            && self.preload.as_ref().is_none_or(held)
     }
 
-    /// As [`ContactWatch::is_quiet`] of a group no ball of which was looked at by itself; not so unless all balls are
+    /// As [`ContactWatch::is_quiet`], of a group no ball of which was looked at by itself; not so unless all balls are
     /// in contact.
     pub fn is_plainly_quiet(
         &self,
@@ -91,24 +96,7 @@ impl ContactWatch {
         number: usize,
         count: usize,
     ) -> bool {
-        self.before.is_some()
-            && self.touching == self.balls.len()
-            && self.balls_stay(band, seen, number)
-            && self.preload_stays(band, seen, number, count)
-    }
-
-    fn preload_stays(
-        &self,
-        band: ContactBand,
-        seen: &SupportObservation,
-        number: usize,
-        count: usize,
-    ) -> bool {
-        self.preload.as_ref().is_none_or(|preload| {
-            let mut forces = (0..count).map(|lane| seen.axial_force(number, lane));
-            let touching = preload.touching;
-            forces.all(|force| preload.is_held_on(touching, force, band.load) == preload.held)
-        })
+        self.touching == self.balls.len() && self.is_quiet(band, seen, number, count)
     }
 
     /// Whether every ball is in contact and the preload held, if there is one: as long as every ball is approached

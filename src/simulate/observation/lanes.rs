@@ -50,13 +50,7 @@ impl Observation<'_> {
             let mut groups = rows.times().chunks(LANES).enumerate();
             groups.all(|(number, times)| {
                 let least = seen.least_loads(number);
-                let loads = own.smallest_loads(number).iter().zip(least);
-                let watch = bearing.watch.as_ref();
-                let quiet = |watch: &ContactWatch| {
-                    watch.is_plainly_quiet(bearing.band.1, own, number, times.len())
-                };
-                watch.is_none_or(quiet)
-                    && (bearing.zone.is_none() || { loads }.all(|(load, least)| *load > least))
+                bearing.is_plain(times.len(), least, (own, number))
             })
         })
     }
@@ -122,7 +116,7 @@ impl Observation<'_> {
         })
     }
 
-    /// Goes on to a time at which nothing has happened, the first of the instants seen last.
+    /// Goes on to a time at which nothing has happened, the first of the lanes of a number, seen last.
     pub fn pass(&mut self, time: f64, seen: &SampleLanes<'_>, number: usize) {
         for (bearing, own) in self.bearings.iter_mut().zip(seen.bearings()) {
             if let Some(watch) = &mut bearing.watch {
@@ -143,6 +137,23 @@ impl Observation<'_> {
 }
 
 impl BearingObserver<'_> {
+    /// Whether nothing happens in the first so many instants of a group seen, while at each every ball is loaded by
+    /// more than so many N, where that is asked.
+    fn is_plain(
+        &self,
+        count: usize,
+        least: [f64; LANES],
+        (seen, number): (&SupportObservation, usize),
+    ) -> bool {
+        let mut loads = seen.smallest_loads(number).iter().zip(least);
+        let quiet = |watch: &ContactWatch| {
+            let band = self.band.1;
+            watch.is_plainly_quiet(band, seen, number, count)
+        };
+        self.watch.as_ref().is_none_or(quiet)
+            && (self.zone.is_none() || loads.all(|(load, least)| *load > least))
+    }
+
     /// Counts the balls that are loaded in a group of instants seen, at each by more than so many N.
     fn count_loaded(
         &mut self,
