@@ -229,6 +229,7 @@ fn answer(
         method_use: work.method_use,
         samples: work.samples,
         bearings: observers.observation.finish(),
+        largest_ball_load: observers.largest_ball_load,
         tables: observers.tables.finish(),
         warnings,
         measured_error: work.measured_error,

@@ -192,6 +192,7 @@ fn run() -> Run {
         method_use: None,
         samples: 257,
         bearings: vec![history()],
+        largest_ball_load: 310.0,
         tables: Vec::new(),
         measured_error: Some(MeasuredError {
             displacement: 1e-14,

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::rotor::{FREEDOMS, Sample};
+use crate::rotor::{FREEDOMS, Sample, SampleRows};
 
 const DISPLACEMENT_NAMES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
 const VELOCITY_NAMES: [&str; FREEDOMS] = [
@@ -89,20 +89,13 @@ impl Channel {
         }
     }
 
-    /// Adds what [`Channel::of`] says of every sample to `values`.
-    pub(super) fn append(self, samples: &[Sample], values: &mut Vec<f64>) {
-        let samples = samples.iter();
+    /// What [`Channel::of`] says of every sample; nothing of an acceleration.
+    pub(super) fn row(self, rows: &SampleRows) -> &[f64] {
         match self {
-            Self::Displacement(freedom) => {
-                values.extend(samples.map(|sample| sample.displacement[freedom]));
-            }
-            Self::Velocity(freedom) => {
-                values.extend(samples.map(|sample| sample.velocity[freedom]));
-            }
-            Self::Acceleration(_) => {}
-            Self::Force(freedom) => {
-                values.extend(samples.map(|sample| sample.force_on_shaft[freedom]));
-            }
+            Self::Displacement(freedom) => rows.displacements(freedom),
+            Self::Velocity(freedom) => rows.velocities(freedom),
+            Self::Acceleration(_) => &[],
+            Self::Force(freedom) => rows.forces(freedom),
         }
     }
 }

@@ -5,7 +5,7 @@ use super::peaks::peaks;
 use super::side_by_side::{Threads, side_by_side};
 use super::transform::plan;
 use super::{Channel, ChannelSpectrum, Line, Peak, Spectrum, Transform, Window};
-use crate::rotor::Sample;
+use crate::rotor::{Sample, SampleRows};
 
 /// Fewer samples than this make no spectrum: the widest window mixes nine bins.
 const FEWEST_SAMPLES: usize = 16;
@@ -125,19 +125,24 @@ impl Recorder {
 
     /// Takes one sample; those before the settle time are dropped.
     pub fn record(&mut self, sample: &Sample) {
-        self.record_all(std::slice::from_ref(sample));
+        if sample.time < self.settle {
+            return;
+        }
+        self.start.get_or_insert(sample.time);
+        for (channel, values) in &mut self.channels {
+            values.extend(channel.of(sample));
+        }
     }
 
-    /// Takes samples that follow each other; those before the settle time are dropped.
-    pub fn record_all(&mut self, samples: &[Sample]) {
-        let settled = samples.partition_point(|sample| sample.time < self.settle);
-        let samples = &samples[settled..];
-        let Some(first) = samples.first() else {
+    /// As [`Recorder::record`], of samples that follow each other.
+    pub(crate) fn record_rows(&mut self, rows: &SampleRows) {
+        let settled = rows.times().partition_point(|time| *time < self.settle);
+        let Some(first) = rows.times().get(settled) else {
             return;
         };
-        self.start.get_or_insert(first.time);
+        self.start.get_or_insert(*first);
         for (channel, values) in &mut self.channels {
-            channel.append(samples, values);
+            values.extend_from_slice(&channel.row(rows)[settled..]);
         }
     }
 

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use realfft::num_complex::Complex;
@@ -127,10 +128,22 @@ impl Transform {
         sides * self.windowed(k, window).norm()
     }
 
-    /// Half the square of [`Transform::amplitude`]: the mean square of a line.
-    pub(super) fn mean_square(&self, k: usize, window: Window) -> f64 {
-        let half = if self.has_image(k) { 2.0 } else { 0.5 };
-        half * self.windowed(k, window).norm_sqr()
+    /// Sum over bins of half the square of [`Transform::amplitude`] under a Hann window: the mean square of the
+    /// lines there, each as often as its lobe counts it.
+    pub(super) fn mean_square(&self, bins: RangeInclusive<usize>) -> f64 {
+        // bins with an image and with a bin at either side: X_k − (X_{k−1} + X_{k+1})/2
+        let highest = self.bins.len().saturating_sub(1);
+        let inner = bins.start().saturating_sub(1)..(bins.end() + 2).min(highest + 1);
+        let inner = self.bins.get(inner).unwrap_or_default().windows(3);
+        let squares = inner.map(|around| (around[1] - (around[0] + around[2]) * 0.5).norm_sqr());
+        let inner: f64 = squares.sum();
+        let edges = [0, highest].into_iter();
+        let edges = edges.filter(|k| bins.contains(k) && *k < self.bins.len());
+        let edge = |k| {
+            let half = if self.has_image(k) { 2.0 } else { 0.5 };
+            half * self.windowed(k, Window::Hann).norm_sqr()
+        };
+        2.0 * inner + edges.map(edge).sum::<f64>()
     }
 
     /// [`Transform::amplitude`] and [`Transform::phase`] of bin `k`.
@@ -178,6 +191,28 @@ impl Transform {
         match self.bins.get(k) {
             Some(bin) => *bin,
             None => self.bins[self.length - k].conj(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_mean_square_of_bins_is_that_of_their_amplitudes() {
+        for length in [16_u32, 17] {
+            let value = |n| (0.4 + 1.7 * f64::from(n)).sin() + 0.3 * f64::from(n % 5);
+            let transform = Transform::new((0..length).map(value).collect());
+            let last = transform.bins() - 1;
+            for bins in [0..=last, 1..=last, 1..=1, 2..=last - 1, last..=last] {
+                let amplitudes = bins.clone().map(|k| transform.amplitude(k, Window::Hann));
+                let expected: f64 = amplitudes
+                    .map(|amplitude| 0.5 * amplitude * amplitude)
+                    .sum();
+                let found = transform.mean_square(bins.clone());
+                assert!((found / expected - 1.0).abs() < 1e-13, "{length} {bins:?}");
+            }
         }
     }
 }

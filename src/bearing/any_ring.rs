@@ -7,6 +7,7 @@ use super::{
     Around, BallContact, BearingError, CageAngle, ContactLaw, HertzFilmLaw, HertzLaw, HertzSpring,
     JonesFilmLaw, JonesLaw, Matrix5, MountedBearing, Ring, Thrust, Vector5,
 };
+use crate::physics::HertzContact;
 
 /// The law is chosen once a call; the loop over the balls is compiled for each.
 #[derive(Debug, Clone)]
@@ -30,15 +31,19 @@ macro_rules! with_ring {
 }
 
 impl AnyRing {
-    /// The ring of a mounted bearing, fastest at `speed` in rad/s. A linear bearing is a Hertz ring
-    /// until it is frozen.
-    pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
+    /// The ring of a mounted bearing with its [`super::Bearing::contacts`], fastest at `speed` in rad/s. A linear
+    /// bearing is a Hertz ring until it is frozen.
+    pub fn new(
+        definition: &MountedBearing,
+        contacts: &[HertzContact; 2],
+        speed: f64,
+    ) -> Result<Self, BearingError> {
         let (bearing, first) = (&definition.bearing, definition.first_ball);
         let geometry = &bearing.geometry;
         Ok(match (definition.law, definition.oil) {
             (ContactLaw::Linear | ContactLaw::Hertz, None) => {
                 let law = HertzLaw {
-                    load_deflection_constant: bearing.load_deflection_constant()?,
+                    load_deflection_constant: bearing.load_deflection_constant_by(contacts),
                     distance: geometry.groove_centre_distance(),
                 };
                 Self::Hertz(Ring::new(geometry, first, law))
@@ -59,7 +64,11 @@ impl AnyRing {
     }
 
     /// The same ring of plain Hertz contacts: a cheap neighbour of the costly laws.
-    pub fn coarse(&self, definition: &MountedBearing) -> Result<Option<Self>, BearingError> {
+    pub fn coarse(
+        &self,
+        definition: &MountedBearing,
+        contacts: &[HertzContact; 2],
+    ) -> Result<Option<Self>, BearingError> {
         if matches!(self, Self::Hertz(_)) {
             return Ok(None);
         }
@@ -68,7 +77,7 @@ impl AnyRing {
             oil: None,
             ..*definition
         };
-        Self::new(&dry, 0.0).map(Some)
+        Self::new(&dry, contacts, 0.0).map(Some)
     }
 
     /// The ring, where its law is the cheap one.

@@ -144,11 +144,21 @@ impl Bearing {
     pub fn load_deflection_constant(&self) -> Result<f64, BearingError> {
         match self.contact_stiffness {
             Some(given) => Ok(given),
-            None => Ok(series_stiffness(
-                self.inner_contact()?.stiffness(),
-                self.outer_contact()?.stiffness(),
-            )),
+            None => Ok(self.load_deflection_constant_by(&self.contacts()?)),
         }
+    }
+
+    /// As [`Bearing::load_deflection_constant`], by [`Bearing::contacts`], which take long to find.
+    pub(super) fn load_deflection_constant_by(&self, contacts: &[HertzContact; 2]) -> f64 {
+        self.contact_stiffness.unwrap_or_else(|| {
+            let [inner, outer] = contacts;
+            series_stiffness(inner.stiffness(), outer.stiffness())
+        })
+    }
+
+    /// Hertz contacts of ball and races, the inner race first.
+    pub(super) fn contacts(&self) -> Result<[HertzContact; 2], BearingError> {
+        Ok([self.inner_contact()?, self.outer_contact()?])
     }
 
     fn modulus(&self) -> f64 {

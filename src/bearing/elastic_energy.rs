@@ -1,22 +1,17 @@
 //! Energy that the contacts of a bearing store.
 
-use super::{
-    Bearing, BearingError, CageAngle, ContactLaw, FilmThickness, HertzSpring, Support, Vector5,
-};
-use crate::physics::FilmContact;
+use super::{Bearing, CageAngle, ContactLaw, FilmThickness, HertzSpring, Support, Vector5};
+use crate::physics::{FilmContact, HertzContact};
 
 /// Elastic contacts of both races, inner first. Where one stiffness is given for both together each
 /// has half of the approach.
-pub(super) fn race_springs(bearing: &Bearing) -> Result<[HertzSpring; 2], BearingError> {
+pub(super) fn race_springs(bearing: &Bearing, contacts: &[HertzContact; 2]) -> [HertzSpring; 2] {
     let stiffness = match bearing.contact_stiffness {
         // K_n = [2 K^(−2/3)]^(−3/2)
         Some(series) => [series * 2f64.powf(1.5); 2],
-        None => [
-            bearing.inner_contact()?.stiffness(),
-            bearing.outer_contact()?.stiffness(),
-        ],
+        None => contacts.each_ref().map(HertzContact::stiffness),
     };
-    Ok(stiffness.map(|stiffness| HertzSpring { stiffness }))
+    stiffness.map(|stiffness| HertzSpring { stiffness })
 }
 
 /// Energy in J that a contact under a load in N stores behind a film of thickness `film` in m.
@@ -105,7 +100,7 @@ mod tests {
             distance: bearing.geometry.groove_centre_distance(),
         };
         let end = law.distance + 10e-6;
-        let springs = race_springs(&bearing).unwrap();
+        let springs = race_springs(&bearing, &bearing.contacts().unwrap());
         let load = law.contact(0.0, end, 0.0).load_inner;
         let stored: f64 = springs.iter().map(|s| stored_energy(s, load, None)).sum();
         let expected = work(&law, law.distance, end, 0.0);
@@ -126,7 +121,7 @@ mod tests {
         let distance = bearing.geometry.groove_centre_distance();
         // two heights, for the tail of the film reaches to infinity
         let (low, high) = (distance - 1e-6, distance + 10e-6);
-        let springs = race_springs(&bearing).unwrap();
+        let springs = race_springs(&bearing, &bearing.contacts().unwrap());
         let energy = |place: f64| {
             let contact = law.contact(0.0, place, 1000.0);
             let loads = [contact.load_inner, contact.load_outer];

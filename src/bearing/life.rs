@@ -1,7 +1,5 @@
 //! Basic reference rating life of ISO/TS 16281.
 
-use std::array;
-
 use super::Geometry;
 
 /// Basic reference rating life L10r of a single-row radial ball bearing with a turning inner ring,
@@ -116,23 +114,27 @@ impl RatingLife {
     /// As [`RatingLife::consumption`], by [`RatingLife::powers`].
     #[inline]
     pub(crate) fn consumption_of(&self, [inner, outer]: [f64; 2]) -> f64 {
-        let [consumption] = self.consumptions_of([[inner], [outer]]);
+        let [consumption] = self.consumptions_of([&[inner], &[outer]]);
         consumption
     }
 
     /// As [`RatingLife::consumption_of`], at a few instants side by side: first the powers at the inner race.
-    #[inline]
-    pub(crate) fn consumptions_of<const K: usize>(&self, powers: [[f64; K]; 2]) -> [f64; K] {
+    /// Loops: closures that are handed on are not compiled for wide registers.
+    #[inline(always)]
+    pub(crate) fn consumptions_of<const K: usize>(&self, powers: [&[f64; K]; 2]) -> [f64; K] {
         let [inner, outer] = powers;
         let roots = inverse_roots::<9, K>(inner);
-        let damage: [f64; K] = array::from_fn(|lane| {
-            self.weights[0] * (inner[lane] / roots[lane]) + self.weights[1] * outer[lane]
-        });
-        let roots = inverse_roots::<10, K>(damage);
-        array::from_fn(|lane| match inner[lane].max(outer[lane]) < LEAST {
-            true => 0.0,
-            false => damage[lane] * roots[lane],
-        })
+        let mut damage = [0.0; K];
+        for lane in 0..K {
+            damage[lane] =
+                self.weights[0] * (inner[lane] / roots[lane]) + self.weights[1] * outer[lane];
+        }
+        let mut consumptions = inverse_roots::<10, K>(&damage);
+        for lane in 0..K {
+            let unloaded = inner[lane].max(outer[lane]) < LEAST;
+            consumptions[lane] *= if unloaded { 0.0 } else { damage[lane] };
+        }
+        consumptions
     }
 }
 
@@ -150,24 +152,23 @@ const LEAST: f64 = 1e-100;
 /// is no number stays none.
 ///
 /// Source: Halley's iteration for a root; a start from the bits after W. Kahan's for the cube root.
-#[inline]
-fn inverse_roots<const N: u32, const K: usize>(x: [f64; K]) -> [f64; K] {
+#[inline(always)]
+fn inverse_roots<const N: u32, const K: usize>(x: &[f64; K]) -> [f64; K] {
     // the bits of 1, by 1 + 1/N, less what makes the largest error between powers of two least
     const BIAS: f64 = (1023.0 - 0.043) * (1u64 << 52) as f64;
     let [first, second] = const { [1.0 / N as f64, (N + 1) as f64 / (2 * N * N) as f64] };
     let start = const { (BIAS * (1.0 + 1.0 / N as f64)) as u64 };
-    let x = x.map(|x| {
-        if x < f64::MIN_POSITIVE {
-            f64::MIN_POSITIVE
-        } else {
-            x
+    let (mut x, mut y) = (*x, [0.0; K]);
+    for lane in 0..K {
+        if x[lane] < f64::MIN_POSITIVE {
+            x[lane] = f64::MIN_POSITIVE;
         }
-    });
-    let mut y = x.map(|x| f64::from_bits(start.wrapping_sub(x.to_bits() / u64::from(N))));
+        y[lane] = f64::from_bits(start.wrapping_sub(x[lane].to_bits() / u64::from(N)));
+    }
     for _ in 0..3 {
-        for (x, y) in x.iter().zip(&mut y) {
-            let e = 1.0 - x * power::<N>(*y);
-            *y += *y * e * (first + e * second);
+        for lane in 0..K {
+            let e = 1.0 - x[lane] * power::<N>(y[lane]);
+            y[lane] += y[lane] * e * (first + e * second);
         }
     }
     y
@@ -193,7 +194,7 @@ fn ten_thirds(x: f64) -> f64 {
     if x < LEAST {
         return 0.0;
     }
-    let [y] = inverse_roots::<3, 1>([x]);
+    let [y] = inverse_roots::<3, 1>(&[x]);
     x * x * x * (x * y * y)
 }
 
@@ -232,11 +233,11 @@ mod tests {
             let x = 1e-20 * 1.01f64.powi(step % 6000) * (1.0 + 1e-4 * f64::from(step));
             let expected = x * x * x * x.cbrt();
             assert!((ten_thirds(x) / expected - 1.0).abs() < 2e-15, "{x}");
-            let [ninth, other] = inverse_roots::<9, 2>([x, 3.0 * x]);
-            let [tenth] = inverse_roots::<10, 1>([x]);
+            let [ninth, other] = inverse_roots::<9, 2>(&[x, 3.0 * x]);
+            let [tenth] = inverse_roots::<10, 1>(&[x]);
             let [ninth, tenth] = [ninth * x.powf(1.0 / 9.0), tenth * x.powf(0.1)];
             assert!((ninth - 1.0).abs().max((tenth - 1.0).abs()) < 2e-15, "{x}");
-            assert_eq!([other], inverse_roots::<9, 1>([3.0 * x]));
+            assert_eq!([other], inverse_roots::<9, 1>(&[3.0 * x]));
         }
     }
 
@@ -246,7 +247,7 @@ mod tests {
         let rating = RatingLife::new(&bearing.expect("a bearing").geometry, 23_400.0);
         let loaded = RatingLife::powers([[300.0; 2]; 7].into_iter());
         let [inner, outer] = loaded.map(|power| [0.0, power, 0.0, f64::NAN]);
-        let found = rating.consumptions_of([inner, outer]);
+        let found = rating.consumptions_of([&inner, &outer]);
         assert_eq!(found[..3], [0.0, rating.consumption_of(loaded), 0.0]);
         assert!(found[1] > 0.0 && found[3].is_nan());
     }

@@ -61,17 +61,17 @@ impl Support {
     /// # Errors
     /// [`BearingError`] where the contact cannot be formed or the preload cannot be reached.
     pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
-        let ring = AnyRing::new(definition, speed)?;
         let bearing = &definition.bearing;
-        let contacts = [bearing.inner_contact()?, bearing.outer_contact()?];
-        let springs = race_springs(bearing)?;
+        let contacts = bearing.contacts()?;
+        let ring = AnyRing::new(definition, &contacts, speed)?;
+        let springs = race_springs(bearing, &contacts);
         Ok(Self {
             contacts,
             springs,
             damped: definition.contact_damping.races(springs)?,
             friction: BearingFriction::new(definition, &contacts),
             seat: Seat::new(definition, &ring)?,
-            coarse: ring.coarse(definition)?,
+            coarse: ring.coarse(definition, &contacts)?,
             ring,
             level: Level::new(),
             table: None,
@@ -91,6 +91,12 @@ impl Support {
     /// The bearing as it was defined.
     pub fn definition(&self) -> &MountedBearing {
         &self.definition
+    }
+
+    /// Load–deflection constant K_n of a ball between both races, N/m^1.5.
+    pub(crate) fn load_deflection_constant(&self) -> f64 {
+        let bearing = &self.definition.bearing;
+        bearing.load_deflection_constant_by(&self.contacts)
     }
 
     /// Axial preset of the inner ring the way its facing loads it, m.

@@ -1,20 +1,21 @@
 //! What a plain Hertz bearing bears at a few instants side by side.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdFrom, dispatch};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
 
 use super::hertz_law::SMALLEST_DISTANCE;
 use super::support::{imposed, on_shaft};
 use super::support_ensemble::plain;
-use super::{BallContact, HertzLaw, LANES, LaneRow, Lanes, Support, Vector5};
+use super::{BallContact, HertzLaw, LANES, LaneRow, Lanes, RatingLife, Support};
 use crate::physics::sines_and_cosines;
 
-/// A plain Hertz bearing at [`LANES`] instants side by side, an instant a lane: every number is what
-/// [`Support::force`] and [`Support::observe_balls`] say of it, but for round-off.
+/// A plain Hertz bearing at instants side by side, [`LANES`] of them a group and an instant a lane: every number is
+/// what [`Support::force`] and [`Support::observe_balls`] say of it, but for round-off.
 ///
-/// Every lane is a motion of its own, so that an instant is the same whatever stands beside it.
+/// Every lane is a motion of its own, so that an instant is the same whatever stands beside it. What all balls bear
+/// together is kept of all groups, ball by ball what those of one group bear.
 #[derive(Debug, Clone)]
 pub(crate) struct SupportObservation {
-    level: Level,
+    pub(super) level: Level,
     pub(super) law: HertzLaw,
     /// K_n^(1/3).
     root: f64,
@@ -27,11 +28,11 @@ pub(crate) struct SupportObservation {
     pub(super) free_radial: f64,
     pub(super) arm: f64,
     balls: Vec<BallRows>,
-    force: [LaneRow; 5],
-    summary: Summary,
+    /// By group.
+    seen: Vec<Summary>,
 }
 
-/// A ball at every instant.
+/// A ball at every instant of a group.
 #[derive(Debug, Clone, Copy, Default)]
 struct BallRows {
     /// As [`BallContact::approach`], m.
@@ -42,9 +43,10 @@ struct BallRows {
     place: [LaneRow; 2],
 }
 
-/// All balls together at every instant.
+/// All balls together at every instant of a group.
 #[derive(Debug, Clone, Copy, Default)]
 struct Summary {
+    force: [LaneRow; 5],
     largest: LaneRow,
     smallest: LaneRow,
     lowest: LaneRow,
@@ -71,34 +73,79 @@ impl SupportObservation {
             free_radial: ring.free_radial,
             arm: ring.arm,
             balls: vec![BallRows::default(); ring.azimuths.len()],
-            force: [LaneRow::default(); 5],
-            summary: Summary::default(),
+            seen: Vec::new(),
         })
     }
 
-    /// Looks at the bearing with the shaft at these displacements, its cage at these angles in rad.
-    pub fn observe(&mut self, displacements: &[Vector5; LANES], cages: [f64; LANES]) {
-        dispatch!(self.level, simd => self.observe_by(simd, displacements, cages));
+    /// Makes room for so many groups of instants.
+    pub fn make_room(&mut self, groups: usize) {
+        self.seen.resize(groups, Summary::default());
     }
 
-    /// As [`SupportObservation::observe`], for the processor's level `S`.
+    /// Looks at the instants of all groups from the first on that there is a displacement of, axis by axis, and at
+    /// no ball by itself; the cage is at so many times the angles, rad.
+    pub fn observe_all(
+        &mut self,
+        displacement: [&[[f64; LANES]]; 5],
+        angles: &[[f64; LANES]],
+        ratio: f64,
+    ) {
+        dispatch!(self.level, simd => self.observe_all_by(simd, displacement, angles, ratio));
+    }
+
+    /// As [`SupportObservation::observe_all`], for the processor's level `S`.
     #[inline(always)]
-    fn observe_by<S: Simd>(
+    fn observe_all_by<S: Simd>(
         &mut self,
         simd: S,
-        displacements: &[Vector5; LANES],
-        cages: [f64; LANES],
+        displacement: [&[[f64; LANES]]; 5],
+        angles: &[[f64; LANES]],
+        ratio: f64,
     ) {
-        let [a, b, c, d] = displacements;
-        let mut displacement = [Lanes::splat(simd, 0.0); 5];
-        for axis in 0..5 {
-            displacement[axis] = Lanes::simd_from(simd, [a[axis], b[axis], c[axis], d[axis]]);
+        let [x, y, z, tilt_x, tilt_y] = displacement;
+        let groups = x.iter().zip(y).zip(z).zip(tilt_x).zip(tilt_y).zip(angles);
+        for (number, (((((x, y), z), tilt_x), tilt_y), angles)) in groups.enumerate() {
+            let place = [x, y, z, tilt_x, tilt_y];
+            self.seen[number] = self.observe_by(simd, place, angles, ratio, &mut []);
         }
-        let [cage_sin, cage_cos] = sines_and_cosines(Lanes::simd_from(simd, cages));
-        let [x, y, z, tilt_x, tilt_y] = imposed(&displacement, self.sign, self.position);
+    }
+
+    /// Looks at the instants of the group of a number with the shaft at these displacements, axis by axis, and at
+    /// every ball; the cage is at so many times the angles, rad.
+    pub fn observe(
+        &mut self,
+        number: usize,
+        displacement: [&[f64; LANES]; 5],
+        angles: &[f64; LANES],
+        ratio: f64,
+    ) {
+        let mut balls = std::mem::take(&mut self.balls);
+        self.seen[number] = dispatch!(self.level, simd => {
+            self.observe_by(simd, displacement, angles, ratio, &mut balls)
+        });
+        self.balls = balls;
+    }
+
+    /// What all balls bear together in one group, for the processor's level `S`; leaves what each does in `balls`,
+    /// as far as there is room.
+    #[inline(always)]
+    fn observe_by<S: Simd>(
+        &self,
+        simd: S,
+        displacement: [&[f64; LANES]; 5],
+        angles: &[f64; LANES],
+        ratio: f64,
+        balls: &mut [BallRows],
+    ) -> Summary {
+        let mut place = [Lanes::splat(simd, 0.0); 5];
+        for axis in 0..5 {
+            place[axis] = simd.load_array_ref_f64x4(displacement[axis]);
+        }
+        let cage = ratio * simd.load_array_ref_f64x4(angles);
+        let [cage_sin, cage_cos] = sines_and_cosines(cage);
+        let [x, y, z, tilt_x, tilt_y] = imposed(&place, self.sign, self.position);
         let start = self.free_axial + (z + self.offset);
         let [arm_x, arm_y] = [self.arm * tilt_x, self.arm * tilt_y];
-        // in registers from here on: the loop writes to what `self` might hold
         let none = Lanes::splat(simd, 0.0);
         let free_radial = Lanes::splat(simd, self.free_radial);
         let free_distance = Lanes::splat(simd, self.law.distance);
@@ -112,9 +159,9 @@ impl SupportObservation {
             mut moment_y,
         ] = [none; 5];
         let [mut cubes, mut powers] = [none; 2];
-        let [mut highest, mut lowest] =
-            [f64::NEG_INFINITY, f64::INFINITY].map(|value| Lanes::splat(simd, value));
-        for ([cos, sin], ball) in self.azimuths.iter().zip(&mut self.balls) {
+        let mut highest = Lanes::splat(simd, f64::NEG_INFINITY);
+        let mut lowest = Lanes::splat(simd, f64::INFINITY);
+        for (ball, [cos, sin]) in self.azimuths.iter().enumerate() {
             let [cos, sin] = [
                 *cos * cage_cos - *sin * cage_sin,
                 *sin * cage_cos + *cos * cage_sin,
@@ -139,39 +186,43 @@ impl SupportObservation {
             powers += cube * root;
             highest = reach.max(highest);
             lowest = reach.min(lowest);
-            *ball = BallRows {
-                approach: LaneRow(*reach),
-                load: LaneRow(*load),
-                place: [LaneRow(*axial), LaneRow(*radial)],
-            };
+            if let Some(ball) = balls.get_mut(ball) {
+                *ball = BallRows {
+                    approach: LaneRow(*reach),
+                    load: LaneRow(*load),
+                    place: [LaneRow(*axial), LaneRow(*radial)],
+                };
+            }
         }
         let moments = [self.arm * moment_x, -(self.arm * moment_y)];
         let force = [radial_x, radial_y, thrust, moments[0], moments[1]];
         let force = on_shaft(&force, self.sign, self.position);
-        for (row, lanes) in self.force.iter_mut().zip(force) {
-            *row = LaneRow(*lanes);
-        }
         // as of the balls themselves: the higher the approach, the larger the load
-        let [largest, smallest] = [highest, lowest].map(|reach| {
-            let approach = reach.max(none);
-            constant * approach * approach.sqrt()
-        });
-        self.summary = Summary {
-            largest: LaneRow(*largest),
-            smallest: LaneRow(*smallest),
+        let [most, least] = [highest.max(none), lowest.max(none)];
+        let [largest, smallest] = [constant * most, constant * least];
+        Summary {
+            force: [
+                LaneRow(*force[0]),
+                LaneRow(*force[1]),
+                LaneRow(*force[2]),
+                LaneRow(*force[3]),
+                LaneRow(*force[4]),
+            ],
+            largest: LaneRow(*(largest * most.sqrt())),
+            smallest: LaneRow(*(smallest * least.sqrt())),
             lowest: LaneRow(*lowest),
             powers: [LaneRow(*cubes), LaneRow(*(self.root * powers))],
-        };
+        }
     }
 
-    /// Force and moment that hold the shaft against the bearing, N and N m, instant by instant.
-    pub fn force(&self) -> &[LaneRow; 5] {
-        &self.force
+    /// Force and moment that hold the shaft against the bearing, N and N m, instant by instant of a group.
+    pub fn force(&self, number: usize) -> &[LaneRow; 5] {
+        &self.seen[number].force
     }
 
-    /// Axial force in the bearing's own orientation, positive the way its facing loads it, N.
-    pub fn axial_force(&self, lane: usize) -> f64 {
-        self.sign * self.force[2].0[lane]
+    /// Axial force in the bearing's own orientation, positive the way its facing loads it, N, in a lane of a group.
+    pub fn axial_force(&self, number: usize, lane: usize) -> f64 {
+        self.sign * self.seen[number].force[2].0[lane]
     }
 
     /// Number of its balls.
@@ -179,32 +230,46 @@ impl SupportObservation {
         self.balls.len()
     }
 
-    /// Largest and smallest load of a ball, N.
-    pub fn load_range(&self, lane: usize) -> [f64; 2] {
-        [self.summary.largest.0[lane], self.summary.smallest.0[lane]]
+    /// Largest load of a ball at each instant of a group, N.
+    pub fn largest_loads(&self, number: usize) -> &[f64; LANES] {
+        &self.seen[number].largest.0
     }
 
-    /// Lowest approach of any ball at each instant, m.
-    pub fn lowest_approach(&self) -> [f64; LANES] {
-        self.summary.lowest.0
+    /// Smallest load of a ball at each instant of a group, N.
+    pub fn smallest_loads(&self, number: usize) -> &[f64; LANES] {
+        &self.seen[number].smallest.0
     }
 
-    /// Approaches of every ball, instant by instant, m.
+    /// Lowest approach of any ball at each instant of a group, m.
+    pub fn lowest_approach(&self, number: usize) -> &[f64; LANES] {
+        &self.seen[number].lowest.0
+    }
+
+    /// Approaches of every ball, instant by instant of the group whose balls were looked at last, m.
     pub fn approaches(&self) -> impl Iterator<Item = &[f64; LANES]> {
         self.balls.iter().map(|ball| &ball.approach.0)
     }
 
-    /// Load of every ball, N.
+    /// Load of every ball in a lane of that group, N.
     pub fn loads(&self, lane: usize) -> impl ExactSizeIterator<Item = f64> + Clone {
         self.balls.iter().map(move |ball| ball.load.0[lane])
     }
 
-    /// Sums over the balls of Q³ and Q^(10/3) at every instant, as a rating life asks for them.
-    pub fn powers(&self) -> [[f64; LANES]; 2] {
-        self.summary.powers.map(|row| row.0)
+    /// What [`RatingLife::consumption`] says of the loads at the instants of the first groups.
+    pub fn consumptions(&self, rating: &RatingLife, found: &mut [[f64; LANES]]) {
+        dispatch!(self.level, _simd => self.consumptions_by(rating, found));
     }
 
-    /// Leaves the contacts of every ball in `balls`, ball 0 first; without `angles` the contact angles are zero.
+    /// As [`SupportObservation::consumptions`], in registers as wide as what it is inlined into has them.
+    #[inline(always)]
+    fn consumptions_by(&self, rating: &RatingLife, found: &mut [[f64; LANES]]) {
+        for (found, summary) in found.iter_mut().zip(&self.seen) {
+            let [inner, outer] = &summary.powers;
+            *found = rating.consumptions_of([&inner.0, &outer.0]);
+        }
+    }
+
+    /// Leaves the contacts of every ball in a lane of that group in `balls`, ball 0 first; without `angles` the contact angles are zero.
     pub fn fill(&self, lane: usize, angles: bool, balls: &mut [BallContact]) {
         for (ball, rows) in balls.iter_mut().zip(&self.balls) {
             let load = rows.load.0[lane];
@@ -226,112 +291,5 @@ impl SupportObservation {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
-    use super::*;
-    use crate::bearing::{
-        CageAngle, ContactDamping, ContactLaw, Facing, MountedBearing, Preload, catalogue,
-    };
-
-    /// A preset bearing off the centre of mass that faces −z.
-    pub(in crate::bearing) fn support(name: &str) -> Support {
-        let entry = catalogue::find(name).expect("in the catalogue");
-        let mounted = MountedBearing {
-            bearing: entry.bearing().expect("a bearing"),
-            law: ContactLaw::Hertz,
-            oil: None,
-            position: 0.03,
-            facing: Facing::MinusZ,
-            preload: Preload::AxialOffset(8e-6),
-            contact_damping: ContactDamping::default(),
-            first_ball: 0.1,
-        };
-        Support::new(&mounted, 0.0).expect("a support")
-    }
-
-    fn places(step: i32) -> ([Vector5; LANES], [f64; LANES]) {
-        let part = |lane: usize| f64::from(step) * 0.37 + 1.3 * lane as f64;
-        let place = |lane| [3e-5, 2e-5, 4e-5, 1e-3, 2e-3].map(|size| size * part(lane).sin());
-        (std::array::from_fn(place), std::array::from_fn(part))
-    }
-
-    fn near(found: f64, expected: f64, scale: f64) {
-        assert!(
-            (found - expected).abs() < 1e-11 * scale,
-            "{found:e} {expected:e}"
-        );
-    }
-
-    #[test]
-    fn every_instant_is_what_it_is_by_itself() {
-        for name in ["7205C", "6306"] {
-            let support = support(name);
-            let mut seen = SupportObservation::new(&support).expect("a plain bearing");
-            let mut alone = vec![BallContact::default(); support.known_balls()];
-            let mut beside = alone.clone();
-            for step in 0..200 {
-                let (places, cages) = places(step);
-                seen.observe(&places, cages);
-                for lane in 0..LANES {
-                    let cage = CageAngle::new(cages[lane]);
-                    let force = support.force(&places[lane], cage, 0.0);
-                    support.observe_balls(&places[lane], cage, 0.0, true, &mut alone);
-                    seen.fill(lane, true, &mut beside);
-                    let largest = alone.iter().map(|ball| ball.load_inner);
-                    let largest = largest.fold(1.0, f64::max);
-                    for (row, expected) in seen.force().iter().zip(force) {
-                        near(row.0[lane], expected, 10.0 * largest);
-                    }
-                    for (ball, expected) in beside.iter().zip(&alone) {
-                        near(ball.load_inner, expected.load_inner, largest);
-                        near(ball.load_outer, expected.load_outer, largest);
-                        near(ball.angle_outer, expected.angle_outer, 1.0);
-                        near(ball.approach, expected.approach, 1e-4);
-                    }
-                    near(seen.axial_force(lane), -force[2], 10.0 * largest);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn extremes_and_powers_are_those_of_its_balls() {
-        let mut seen = SupportObservation::new(&support("6306")).expect("a plain bearing");
-        for step in 0..200 {
-            let (places, cages) = places(step);
-            seen.observe(&places, cages);
-            for lane in 0..LANES {
-                let loads = || seen.loads(lane);
-                let extremes = [loads().fold(0.0, f64::max), loads().fold(1e9, f64::min)];
-                assert_eq!(seen.load_range(lane), extremes);
-                let approaches = seen.approaches().map(|approaches| approaches[lane]);
-                let lowest = approaches.fold(f64::INFINITY, f64::min);
-                assert_eq!(seen.lowest_approach()[lane], lowest);
-                for (found, power) in seen.powers().into_iter().zip([3.0, 10.0 / 3.0]) {
-                    let expected: f64 = loads().map(|load| load.powf(power)).sum();
-                    near(found[lane], expected, expected);
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn neighbours_and_widths_of_registers_change_no_byte() {
-        let wide = SupportObservation::new(&support("7205C")).expect("a plain bearing");
-        let narrow = SupportObservation {
-            level: Level::baseline(),
-            ..wide.clone()
-        };
-        let bytes = |mut seen: SupportObservation, places, cages, lane: usize| {
-            seen.observe(&places, cages);
-            let loads: Vec<u64> = seen.loads(lane).map(f64::to_bits).collect();
-            (loads, seen.force().map(|row| row.0[lane].to_bits()))
-        };
-        for step in 0..50 {
-            let (places, cages) = places(step);
-            let together = bytes(wide.clone(), places, cages, 2);
-            let copies = bytes(wide.clone(), [places[2]; LANES], [cages[2]; LANES], 0);
-            assert_eq!(together, copies);
-            assert_eq!(together, bytes(narrow.clone(), places, cages, 2));
-        }
-    }
-}
+#[path = "support_observation_tests.rs"]
+pub(super) mod tests;

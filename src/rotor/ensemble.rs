@@ -116,14 +116,20 @@ impl<'a> RotorEnsemble<'a> {
     }
 
     /// The state of one rotor, in seconds.
+    #[inline]
     pub fn state_of<const N: usize, const M: usize>(
         &self,
         lane: usize,
         states: &[f64; M],
     ) -> [f64; N] {
-        std::array::from_fn(|component| {
-            states[component * LANES + lane] / self.unit_of::<N>(component, lane)
-        })
+        let mut own = [0.0; N];
+        for (component, value) in own.iter_mut().enumerate() {
+            *value = states[component * LANES + lane];
+        }
+        for velocity in &mut own[N / 2..] {
+            *velocity /= self.units.0[lane];
+        }
+        own
     }
 
     /// Seconds in which a component of a rotor's state changes by what it changes by in one.

@@ -196,12 +196,11 @@ impl Rotor {
     pub(super) fn contact_stiffness(&self) -> f64 {
         // dQ/dδ = 3/2 K_n √δ
         let of = |support: &Support| {
-            let bearing = &support.definition().bearing;
-            let constant = bearing.load_deflection_constant().ok()?;
-            let approach = 1e-3 * bearing.geometry.groove_centre_distance();
-            Some(1.5 * constant * approach.sqrt())
+            let geometry = &support.definition().bearing.geometry;
+            let approach = 1e-3 * geometry.groove_centre_distance();
+            1.5 * support.load_deflection_constant() * approach.sqrt()
         };
-        self.supports.iter().filter_map(of).fold(0.0, f64::max)
+        self.supports.iter().map(of).fold(0.0, f64::max)
     }
 
     /// Which freedoms unbalance, varying loads and passing balls drive.

@@ -8,7 +8,7 @@ use crate::analysis::{
     Threads, TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
-use crate::rotor::{FREEDOMS, Rotor, Sample};
+use crate::rotor::{FREEDOMS, Rotor, Sample, SampleRows};
 
 /// Number of freedoms that are lengths.
 const LENGTHS: usize = 3;
@@ -137,10 +137,10 @@ impl Recorders {
         }
     }
 
-    #[inline]
-    pub fn record_all(&mut self, samples: &[Sample]) {
+    /// Takes samples quantity by quantity; those for maps one by one as well.
+    pub fn record(&mut self, rows: &SampleRows, samples: &[Sample]) {
         if let Some(motion) = &mut self.motion {
-            motion.record_all(samples);
+            motion.record_rows(rows);
         }
         if let Some((waterfall, tracks)) = &mut self.maps {
             for sample in samples {

@@ -22,9 +22,13 @@ impl<const K: usize> Hermite<K> {
         let at = |index: usize| (first + index) as f64;
         let weights = std::array::from_fn(|i| {
             let (mut lagrange, mut rate) = (1.0, 0.0);
-            for j in (0..K).filter(|j| *j != i) {
-                lagrange *= (place - at(j)) / (at(i) - at(j));
-                rate += 1.0 / (at(i) - at(j));
+            for j in 0..K {
+                // known as this is compiled
+                let apart = i as f64 - j as f64;
+                if j != i {
+                    lagrange *= (place - at(j)) / apart;
+                    rate += 1.0 / apart;
+                }
             }
             let (square, distance) = (lagrange * lagrange, place - at(i));
             [square * (1.0 - 2.0 * rate * distance), square * distance]

@@ -1,7 +1,8 @@
-//! Mean, spread and shape of a signal, one value at a time.
+//! Mean, spread and shape of a signal, a row of values at a time.
 
-/// Values that are summed side by side.
-const LANES: usize = 4;
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
+
+use crate::bearing::{LANES, Lanes};
 
 /// Moments of the values taken so far.
 ///
@@ -47,29 +48,57 @@ impl Default for Moments {
 impl Moments {
     /// Takes a row of values.
     pub fn take(&mut self, values: &[f64]) {
-        let mean = mean(values);
-        let powers = sums(values, |value| {
-            let distance = value - mean;
-            let square = distance * distance;
-            [square, square * distance, square * square]
-        });
-        self.add(&Self::of(values, mean, powers));
+        self.take_by(Level::new(), values);
     }
 
-    /// Takes a row of values without its part in the shape: mean, RMS and extremes are those of
+    /// As [`Moments::take`], in registers of a level of the processor.
+    pub(super) fn take_by(&mut self, level: Level, values: &[f64]) {
+        let row = dispatch!(level, simd => Self::of::<_, true>(simd, values));
+        self.add(&row);
+    }
+
+    /// As [`Moments::take_by`] without its part in the shape: mean, RMS and extremes are those of
     /// [`Moments::take`], bit by bit, and the kurtosis means nothing.
-    pub fn take_plainly(&mut self, values: &[f64]) {
-        let mean = mean(values);
-        let [second] = sums(values, |value| [(value - mean) * (value - mean)]);
-        self.add(&Self::of(values, mean, [second, 0.0, 0.0]));
+    pub(super) fn take_plainly(&mut self, level: Level, values: &[f64]) {
+        let row = dispatch!(level, simd => Self::of::<_, false>(simd, values));
+        self.add(&row);
     }
 
-    fn of(values: &[f64], mean: f64, powers: [f64; 3]) -> Self {
-        let [lowest, highest] = extremes(values);
+    /// Of a row of values, a few side by side; with their part in the shape or without.
+    #[inline(always)]
+    fn of<S: Simd, const SHAPE: bool>(simd: S, values: &[f64]) -> Self {
+        let (rows, rest) = values.as_chunks::<LANES>();
+        let mut sum = Lanes::splat(simd, 0.0);
+        let mut lowest = Lanes::splat(simd, f64::INFINITY);
+        let mut highest = Lanes::splat(simd, f64::NEG_INFINITY);
+        for row in rows {
+            let row = simd.load_array_ref_f64x4(row);
+            sum += row;
+            lowest = row.min(lowest);
+            highest = row.max(highest);
+        }
+        let mut sum = across(sum);
+        let [mut lowest, mut highest] = [lowest_of(lowest), highest_of(highest)];
+        for value in rest {
+            sum += value;
+            lowest = lowest.min(*value);
+            highest = highest.max(*value);
+        }
+        let mean = sum / values.len().max(1) as f64;
+        let mut powers = [Lanes::splat(simd, 0.0); 3];
+        for row in rows {
+            add_powers::<S, SHAPE>(simd, row, mean, &mut powers);
+        }
+        if !rest.is_empty() {
+            // the mean adds nothing
+            let mut last = [mean; LANES];
+            last[..rest.len()].copy_from_slice(rest);
+            add_powers::<S, SHAPE>(simd, &last, mean, &mut powers);
+        }
         Self {
             count: values.len() as f64,
             mean,
-            powers,
+            powers: [across(powers[0]), across(powers[1]), across(powers[2])],
             lowest,
             highest,
         }
@@ -142,59 +171,39 @@ impl Moments {
     }
 }
 
-/// Mean; zero of no values.
-fn mean(values: &[f64]) -> f64 {
-    let [sum] = sums(values, |value| [value]);
-    sum / values.len().max(1) as f64
+/// Adds powers of the distances of values from their mean: the second, and for the shape the third and fourth.
+#[inline(always)]
+fn add_powers<S: Simd, const SHAPE: bool>(
+    simd: S,
+    values: &[f64; LANES],
+    mean: f64,
+    powers: &mut [Lanes<S>; 3],
+) {
+    let distance = simd.load_array_ref_f64x4(values) - mean;
+    let square = distance * distance;
+    powers[0] += square;
+    if SHAPE {
+        powers[1] += square * distance;
+        powers[2] += square * square;
+    }
 }
 
-/// Sums of what every value gives, a few values side by side.
-#[inline]
-fn sums<const K: usize>(values: &[f64], of: impl Fn(f64) -> [f64; K]) -> [f64; K] {
-    let (rows, rest) = values.as_chunks::<LANES>();
-    let mut sums = [[0.0; LANES]; K];
-    for row in rows {
-        for (lane, value) in row.iter().enumerate() {
-            for (sum, part) in sums.iter_mut().zip(of(*value)) {
-                sum[lane] += part;
-            }
-        }
-    }
-    let mut total = sums.map(|[a, b, c, d]| (a + b) + (c + d));
-    for value in rest {
-        for (total, part) in total.iter_mut().zip(of(*value)) {
-            *total += part;
-        }
-    }
-    total
+#[inline(always)]
+fn across<S: Simd>(lanes: Lanes<S>) -> f64 {
+    let [a, b, c, d] = *lanes;
+    (a + b) + (c + d)
 }
 
-/// Lowest and highest value, a few values side by side.
-fn extremes(values: &[f64]) -> [f64; 2] {
-    let (rows, rest) = values.as_chunks::<LANES>();
-    let (mut lowest, mut highest) = ([f64::INFINITY; LANES], [f64::NEG_INFINITY; LANES]);
-    for row in rows {
-        for lane in 0..LANES {
-            let value = row[lane];
-            lowest[lane] = if value < lowest[lane] {
-                value
-            } else {
-                lowest[lane]
-            };
-            highest[lane] = if value > highest[lane] {
-                value
-            } else {
-                highest[lane]
-            };
-        }
-    }
-    let ends = |from: f64, values: &[f64], pick: fn(f64, f64) -> f64| {
-        values.iter().chain(rest).copied().fold(from, pick)
-    };
-    [
-        ends(f64::INFINITY, &lowest, f64::min),
-        ends(f64::NEG_INFINITY, &highest, f64::max),
-    ]
+#[inline(always)]
+fn lowest_of<S: Simd>(lanes: Lanes<S>) -> f64 {
+    let [a, b, c, d] = *lanes;
+    a.min(b).min(c.min(d))
+}
+
+#[inline(always)]
+fn highest_of<S: Simd>(lanes: Lanes<S>) -> f64 {
+    let [a, b, c, d] = *lanes;
+    a.max(b).max(c.max(d))
 }
 
 #[cfg(test)]
@@ -211,7 +220,7 @@ mod tests {
         let (mut whole, mut plain) = (Moments::default(), Moments::default());
         for row in values().chunks(64) {
             whole.take(row);
-            plain.take_plainly(row);
+            plain.take_plainly(Level::new(), row);
         }
         let of = |moments: &Moments| {
             let extremes = [moments.peak(), moments.peak_to_peak()];
@@ -242,6 +251,16 @@ mod tests {
             let highest = values.iter().copied().fold(0.0, f64::max);
             assert_eq!(moments.highest, highest);
         }
+    }
+
+    #[test]
+    fn widths_of_registers_change_no_byte() {
+        let [mut wide, mut narrow] = [Moments::default(); 2];
+        for row in values().chunks(65) {
+            wide.take_by(Level::new(), row);
+            narrow.take_by(Level::baseline(), row);
+        }
+        assert_eq!(wide, narrow);
     }
 
     #[test]

@@ -122,30 +122,43 @@ pub fn recognise(series: &[Series]) -> Recognition {
 /// times their distance from the mean of those that would be one point.
 fn distances(points: &[Vec<f64>]) -> Vec<f64> {
     let most = (points.len() / FEWEST_COMPARED).min(LONGEST_PERIOD);
+    let components = points.first().map_or(0, Vec::len);
+    let columns: Vec<Vec<f64>> = (0..components)
+        .map(|index| points.iter().map(|point| point[index]).collect())
+        .collect();
     let apart = |cycles: usize| {
         let wanted = (points.len() / 2).max(FEWEST_COMPARED * cycles);
-        let last = &points[points.len() - wanted..];
-        let sum: f64 = (0..cycles)
-            .map(|first| scatter(last.iter().skip(first).step_by(cycles)))
+        let columns = columns.iter();
+        let sum: f64 = columns
+            .map(|column| scatter(&column[column.len() - wanted..], cycles))
             .sum();
-        (2.0 * sum / last.len() as f64).sqrt()
+        (2.0 * sum / wanted as f64).sqrt()
     };
     (1..=most).map(apart).collect()
 }
 
-/// Sum of the squared distances of points from their mean.
-fn scatter<'a>(points: impl Iterator<Item = &'a Vec<f64>> + Clone) -> f64 {
-    let count = points.clone().count() as f64;
-    let Some(first) = points.clone().next() else {
-        return 0.0;
-    };
-    let components = 0..first.len();
-    components
-        .map(|index| {
-            // counted from the first point, so that nothing cancels
-            let from = points.clone().map(|point| point[index] - first[index]);
-            let mean = from.clone().sum::<f64>() / count;
-            from.map(|value| (value - mean).powi(2)).sum::<f64>()
+/// Sum of the squared distances of values, at most [`LONGEST_PERIOD`] cycles apart, from the mean of those that
+/// would be one value.
+///
+/// ```text
+/// Σ (x − x̄)² = Σ d² − (Σ d)²/n
+/// ```
+///
+/// with d counted from the first of them, so that no more cancels than their own distances.
+fn scatter(values: &[f64], cycles: usize) -> f64 {
+    let (mut sums, mut squares) = ([0.0; LONGEST_PERIOD], [0.0; LONGEST_PERIOD]);
+    for row in values.chunks(cycles) {
+        for place in 0..row.len().min(LONGEST_PERIOD) {
+            let distance = row[place] - values[place];
+            sums[place] += distance;
+            squares[place] += distance * distance;
+        }
+    }
+    let places = sums.iter().zip(squares).take(cycles).enumerate();
+    places
+        .map(|(place, (sum, square))| {
+            let count = (values.len() - place).div_ceil(cycles) as f64;
+            (square - sum * sum / count).max(0.0)
         })
         .sum()
 }
@@ -215,4 +228,33 @@ fn spread(values: &[f64]) -> f64 {
             [low.min(*value), high.max(*value)]
         });
     ends[1] - ends[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Points that repeat after some cycles but for a little noise, far from zero.
+    #[test]
+    fn the_scatter_is_that_about_the_mean_of_every_place() {
+        let value = |n: usize| {
+            let noise = 1e-6 * (0.7 * n as f64).sin();
+            1e3 + [3.0, -1.0, 2.5, 0.2, 7.0][n % 5] + noise
+        };
+        let values: Vec<f64> = (0..33).map(value).collect();
+        for cycles in 1..=LONGEST_PERIOD {
+            let mut expected = 0.0;
+            for place in 0..cycles {
+                let own: Vec<f64> = values.iter().copied().skip(place).step_by(cycles).collect();
+                let mean = own.iter().map(|value| value - own[0]).sum::<f64>() / own.len() as f64;
+                let distances = own.iter().map(|value| value - own[0] - mean);
+                expected += distances.map(|distance| distance * distance).sum::<f64>();
+            }
+            let found = scatter(&values, cycles);
+            assert!(
+                (found / expected - 1.0).abs() < 1e-9,
+                "{cycles}: {found:e} {expected:e}"
+            );
+        }
+    }
 }

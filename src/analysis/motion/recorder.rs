@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use fearless_simd::Level;
+
 use super::drift::{Drift, DriftRecorder};
 use super::moments::Moments;
 use super::parts::MotionParts;
@@ -10,7 +12,7 @@ use super::row::Row;
 use super::section::{PoincarePoint, Section, SectionKind};
 use super::velocity::{VelocityLevel, velocity_level};
 use crate::analysis::Channel;
-use crate::rotor::{FREEDOMS, Sample};
+use crate::rotor::{FREEDOMS, Sample, SampleRows};
 
 /// Number of freedoms that are lengths.
 const LENGTHS: usize = 3;
@@ -50,16 +52,6 @@ pub struct ChannelStatistics {
     pub moments: Moments,
 }
 
-impl ChannelStatistics {
-    fn take(&mut self, values: &[f64], kurtosis: bool) {
-        if kurtosis {
-            self.moments.take(values);
-        } else {
-            self.moments.take_plainly(values);
-        }
-    }
-}
-
 /// What a steady motion is like.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
@@ -86,7 +78,7 @@ pub struct Motion {
 /// Takes samples at equal times and constant speed.
 ///
 /// Beside three velocities a sample its memory grows with the sections' points only.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct MotionRecorder {
     settings: MotionSettings,
     freedoms: usize,
@@ -99,6 +91,7 @@ pub struct MotionRecorder {
     times: Option<[f64; 2]>,
     /// Samples that are still to be taken.
     row: Row,
+    level: Level,
 }
 
 impl MotionRecorder {
@@ -137,22 +130,28 @@ impl MotionRecorder {
             orbit: VecDeque::new(),
             times: None,
             row: Row::new(),
+            level: Level::new(),
             settings,
         }
     }
 
     /// Takes one sample; those before the start are dropped.
     pub fn record(&mut self, sample: &Sample) {
-        self.record_all(std::slice::from_ref(sample));
+        if sample.time < self.settings.start {
+            return;
+        }
+        self.row.push(sample);
+        if self.row.is_full() {
+            self.take_row();
+        }
     }
 
-    /// Takes samples that follow each other; those before the start are dropped.
-    pub fn record_all(&mut self, samples: &[Sample]) {
-        let early = samples.partition_point(|sample| sample.time < self.settings.start);
-        let mut left = &samples[early..];
-        while !left.is_empty() {
-            let taken = self.row.take(left);
-            left = &left[taken..];
+    /// As [`MotionRecorder::record`], of samples that follow each other.
+    pub(crate) fn record_rows(&mut self, rows: &SampleRows) {
+        let start = self.settings.start;
+        let mut next = rows.times().partition_point(|time| *time < start);
+        while next < rows.len() {
+            next += self.row.take(rows, next);
             if self.row.is_full() {
                 self.take_row();
             }
@@ -166,23 +165,28 @@ impl MotionRecorder {
             let first = self.times.map_or(*first, |[first, _]| first);
             self.times = Some([first, *last]);
         }
-        let (displacements, forces) = self.statistics.split_at_mut(self.freedoms);
-        for (axis, each) in displacements.iter_mut().enumerate() {
-            each.take(row.displacements(axis), parts.kurtosis);
-        }
-        for (axis, each) in forces.iter_mut().enumerate() {
-            each.take(row.forces(axis), parts.kurtosis);
+        for each in &mut self.statistics {
+            let values = match each.channel {
+                Channel::Displacement(axis) => row.displacements(axis),
+                Channel::Force(axis) => row.forces(axis),
+                _ => continue,
+            };
+            if parts.kurtosis {
+                each.moments.take_by(self.level, values);
+            } else {
+                each.moments.take_plainly(self.level, values);
+            }
         }
         if parts.kind {
             for (axis, rate) in self.rates[..self.freedoms].iter_mut().enumerate() {
-                rate.take_plainly(row.velocities(axis));
+                rate.take_plainly(self.level, row.velocities(axis));
             }
         }
         for (axis, kept) in self.velocity.iter_mut().enumerate() {
             kept.extend_from_slice(row.velocities(axis));
         }
         if let Some(drift) = &mut self.drift {
-            drift.record(row);
+            drift.record(self.level, row);
         }
         for section in &mut self.sections {
             section.record(row);

@@ -1,6 +1,6 @@
 //! Samples of a motion, quantity by quantity.
 
-use crate::rotor::{FREEDOMS, Sample};
+use crate::rotor::{FREEDOMS, Sample, SampleRows};
 
 /// Samples of the row before that stand in front of a row.
 pub(super) const OVERLAP: usize = 3;
@@ -29,24 +29,39 @@ impl Row {
         }
     }
 
-    /// Takes samples until it is full; answers how many of them.
-    pub fn take(&mut self, samples: &[Sample]) -> usize {
-        let taken = samples.len().min(MOST - self.length);
-        let (samples, places) = (&samples[..taken], self.length..self.length + taken);
-        let quantities = self
-            .quantities
-            .each_mut()
-            .map(|all| &mut all[places.clone()]);
-        let [times, angles, vectors @ ..] = quantities;
-        write(times, samples, |sample| sample.time);
-        write(angles, samples, |sample| sample.angle);
-        for (index, values) in vectors.into_iter().enumerate() {
-            let axis = index % FREEDOMS;
-            match index / FREEDOMS {
-                0 => write(values, samples, |sample| sample.displacement[axis]),
-                1 => write(values, samples, |sample| sample.velocity[axis]),
-                _ => write(values, samples, |sample| sample.force_on_shaft[axis]),
-            }
+    /// Takes a sample, where it is not full.
+    pub fn push(&mut self, sample: &Sample) {
+        if self.is_full() {
+            return;
+        }
+        let Sample {
+            displacement,
+            velocity,
+            force_on_shaft,
+            ..
+        } = sample;
+        let vectors = displacement.iter().chain(velocity).chain(force_on_shaft);
+        let values = [&sample.time, &sample.angle].into_iter().chain(vectors);
+        for (quantity, value) in self.quantities.iter_mut().zip(values) {
+            quantity[self.length] = *value;
+        }
+        self.length += 1;
+    }
+
+    /// Takes samples from a number on until it is full; answers how many of them.
+    pub fn take(&mut self, rows: &SampleRows, from: usize) -> usize {
+        let taken = (rows.len() - from).min(MOST - self.length);
+        let place = self.length;
+        let mut write = |quantity: usize, values: &[f64]| {
+            self.quantities[quantity][place..place + taken]
+                .copy_from_slice(&values[from..from + taken]);
+        };
+        write(0, rows.times());
+        write(1, rows.angles());
+        for axis in 0..FREEDOMS {
+            write(2 + axis, rows.displacements(axis));
+            write(2 + FREEDOMS + axis, rows.velocities(axis));
+            write(2 + 2 * FREEDOMS + axis, rows.forces(axis));
         }
         self.length += taken;
         taken
@@ -104,13 +119,6 @@ impl Row {
     }
 }
 
-/// One quantity of samples.
-fn write(values: &mut [f64], samples: &[Sample], of: impl Fn(&Sample) -> f64) {
-    for (value, sample) in values.iter_mut().zip(samples) {
-        *value = of(sample);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -135,12 +143,18 @@ mod tests {
     fn every_sample_is_fresh_once_and_the_last_ones_stay_in_front() {
         let mut row = Row::new();
         let mut seen = Vec::new();
-        let samples: Vec<Sample> = (0..200).map(sample).collect();
-        let mut number = 0;
-        while number < samples.len() {
-            // now a few of them, now more than there is room for
-            let end = (number + if number < 50 { 7 } else { 90 }).min(samples.len());
-            number += row.take(&samples[number..end]);
+        let (mut samples, mut number) = (SampleRows::new(), 0);
+        while number < 200 {
+            // now one, now a few of them, now more than there is room for
+            let count = [1, 7, 60][number % 3].min(200 - number);
+            samples.clear();
+            (number..number + count).for_each(|number| samples.push(&sample(number)));
+            if count == 1 {
+                row.push(&sample(number));
+                number += 1;
+            } else {
+                number += row.take(&samples, 0);
+            }
             if row.is_full() {
                 seen.extend_from_slice(row.times());
                 row.go_on();
@@ -162,7 +176,7 @@ mod tests {
     #[test]
     fn a_row_of_few_samples_leaves_them_all() {
         let mut row = Row::new();
-        assert_eq!(row.take(&[sample(7)]), 1);
+        row.push(&sample(7));
         row.go_on();
         assert_eq!((row.overlap(), row.times().len()), (1, 0));
         assert_eq!(row.at(0).0, 7.0);

@@ -95,24 +95,28 @@ impl Section {
     /// Takes the samples of a row, and finds the points that at least one of them stands behind.
     pub(super) fn record(&mut self, row: &Row) {
         let (angles, order) = (row.angles(), self.order);
-        let phase = |index: usize| order * angles[index] / TAU + ON_THE_SPOT;
+        let phase = |angle: f64| order * angle / TAU + ON_THE_SPOT;
         // the interval before the last sample waits for the next one
         let first = row.overlap().max(OVERLAP) - 2;
-        let intervals = first..angles.len().saturating_sub(2);
-        if intervals.is_empty() {
+        let last = angles.len().saturating_sub(2);
+        if first >= last {
             return;
         }
-        let mut number = phase(first).floor() + 1.0;
-        let mut after = phase(first);
-        for index in intervals {
-            let before = std::mem::replace(&mut after, phase(index + 1));
-            while number <= after {
-                let part = ((number - before) / (after - before)).min(1.0);
-                let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;
-                let nodes = array::from_fn(|node| Node::of(row, index - 1 + node));
-                self.add(&nodes, number as u64, if missed { 1.0 } else { part });
-                number += 1.0;
+        let mut number = phase(angles[first]).floor() + 1.0;
+        let mut index = first;
+        loop {
+            // the first interval that does not end before the point
+            let reaches = |angle: f64| phase(angle) >= number;
+            index += angles[index + 1..=last].partition_point(|angle| !reaches(*angle));
+            if index >= last {
+                return;
             }
+            let [before, after] = [angles[index], angles[index + 1]].map(phase);
+            let part = ((number - before) / (after - before)).min(1.0);
+            let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;
+            let nodes = array::from_fn(|node| Node::of(row, index - 1 + node));
+            self.add(&nodes, number as u64, if missed { 1.0 } else { part });
+            number += 1.0;
         }
     }
 

@@ -1,6 +1,6 @@
 //! The level of vibration that machine standards look at: RMS velocity in a band of frequencies.
 
-use crate::analysis::{Transform, Window};
+use crate::analysis::Transform;
 
 /// The band of ISO 20816-1, Hz.
 pub const VELOCITY_BAND: [f64; 2] = [10.0, 1000.0];
@@ -42,10 +42,8 @@ pub fn velocity_level(velocity: Vec<f64>, rate: f64) -> Option<VelocityLevel> {
     let transform = Transform::new(velocity);
     let first = ((VELOCITY_BAND[0] / resolution).ceil() as usize).max(1);
     let last = ((VELOCITY_BAND[1] / resolution).floor() as usize).min(transform.bins() - 1);
-    let squares = (first..=last).map(|k| transform.mean_square(k, Window::Hann));
-    let sum: f64 = squares.sum();
     (first <= last).then(|| VelocityLevel {
-        rms: (sum / NOISE_BANDWIDTH).sqrt(),
+        rms: (transform.mean_square(first..=last) / NOISE_BANDWIDTH).sqrt(),
         band: [first as f64 * resolution, last as f64 * resolution],
     })
 }

@@ -10,6 +10,8 @@ pub(super) struct ContactWatch {
     /// None before the first sample.
     before: Option<Instant>,
     balls: Vec<BallWatch>,
+    /// How many of them are in contact.
+    touching: usize,
     preload: Option<PreloadWatch>,
 }
 
@@ -41,6 +43,7 @@ impl ContactWatch {
             bearing,
             before: None,
             balls: vec![BallWatch::default(); balls],
+            touching: 0,
             preload: preloaded.then(PreloadWatch::default),
         }
     }
@@ -65,30 +68,48 @@ impl ContactWatch {
         }
     }
 
-    /// Whether nothing happens in the first so many of samples that follow the last one: every ball stays in
-    /// contact or apart, and the preload held or lost.
-    pub fn is_quiet(&self, band: ContactBand, seen: &SupportObservation, count: usize) -> bool {
+    /// Whether nothing happens in the first so many samples of the group of a number, which follow the last one and
+    /// whose balls were looked at: every ball stays in contact or apart, and the preload held or lost.
+    pub fn is_quiet(
+        &self,
+        band: ContactBand,
+        seen: &SupportObservation,
+        number: usize,
+        count: usize,
+    ) -> bool {
         let held = |preload: &PreloadWatch| {
-            let mut forces = (0..count).map(|lane| seen.axial_force(lane));
+            let mut forces = (0..count).map(|lane| seen.axial_force(number, lane));
             let touching = preload.touching;
             forces.all(|force| preload.is_held_on(touching, force, band.load) == preload.held)
         };
         self.before.is_some()
-            && self.balls_stay(band, seen)
+            && self.balls_stay(band, seen, number)
             && self.preload.as_ref().is_none_or(held)
+    }
+
+    /// As [`ContactWatch::is_quiet`], of a group no ball of which was looked at by itself; not so unless all balls are
+    /// in contact.
+    pub fn is_plainly_quiet(
+        &self,
+        band: ContactBand,
+        seen: &SupportObservation,
+        number: usize,
+        count: usize,
+    ) -> bool {
+        self.touching == self.balls.len() && self.is_quiet(band, seen, number, count)
     }
 
     /// Whether every ball is in contact and the preload held, if there is one: as long as every ball is approached
     /// by [`ContactBand::lost`] and pressed the way the bearing faces, nothing happens.
     pub fn is_at_work(&self) -> bool {
         self.before.is_some()
-            && self.balls.iter().all(|ball| ball.in_contact)
+            && self.touching == self.balls.len()
             && self.preload.is_none_or(|preload| preload.held)
     }
 
-    fn balls_stay(&self, band: ContactBand, seen: &SupportObservation) -> bool {
-        let lowest = seen.lowest_approach();
-        if self.balls.iter().all(|ball| ball.in_contact) {
+    fn balls_stay(&self, band: ContactBand, seen: &SupportObservation, number: usize) -> bool {
+        let lowest = seen.lowest_approach(number);
+        if self.touching == self.balls.len() {
             return lowest.iter().all(|approach| *approach >= band.lost);
         }
         let mut balls = self.balls.iter().zip(seen.approaches());
@@ -98,14 +119,14 @@ impl ContactWatch {
         })
     }
 
-    /// Goes on to the last of samples at which nothing happens.
-    pub fn pass(&mut self, time: f64, band: ContactBand, seen: &SupportObservation, lane: usize) {
+    /// Goes on to a sample at which nothing has happened, the first of the group whose balls were looked at last.
+    pub fn pass(&mut self, time: f64, band: ContactBand, seen: &SupportObservation, number: usize) {
         self.before = Some(Instant { time, band });
         for (ball, approaches) in self.balls.iter_mut().zip(seen.approaches()) {
-            ball.approach = approaches[lane];
+            ball.approach = approaches[0];
         }
         if let Some(preload) = &mut self.preload {
-            preload.axial_force = seen.axial_force(lane);
+            preload.axial_force = seen.axial_force(number, 0);
         }
     }
 
@@ -114,8 +135,9 @@ impl ContactWatch {
         for (watch, ball) in self.balls.iter_mut().zip(balls) {
             watch.in_contact = ball.approach >= band.lost;
             watch.approach = ball.approach;
+            self.touching += usize::from(watch.in_contact);
         }
-        let touching = self.touching();
+        let touching = self.touching > 0;
         if let Some(preload) = &mut self.preload {
             *preload = PreloadWatch {
                 held: touching && axial_force > 0.0,
@@ -123,11 +145,6 @@ impl ContactWatch {
                 axial_force,
             };
         }
-    }
-
-    /// Whether any ball touches the inner race.
-    fn touching(&self) -> bool {
-        self.balls.iter().any(|ball| ball.in_contact)
     }
 
     fn watch_balls(&mut self, span: [Instant; 2], balls: &[BallContact], found: &mut Vec<Event>) {
@@ -141,6 +158,10 @@ impl ContactWatch {
             watch.approach = ball.approach;
             if (above[1] >= 0.0) != watch.in_contact {
                 watch.in_contact = !watch.in_contact;
+                match watch.in_contact {
+                    true => self.touching += 1,
+                    false => self.touching -= 1,
+                }
                 found.push(Event {
                     time: crossing(span, above),
                     kind,
@@ -159,7 +180,7 @@ impl ContactWatch {
         already: usize,
         found: &mut Vec<Event>,
     ) {
-        let touching = self.touching();
+        let touching = self.touching > 0;
         let Some(preload) = &mut self.preload else {
             return;
         };

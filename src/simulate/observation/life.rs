@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::bearing::{Geometry, LANES, RatingLife};
-use crate::rotor::Sample;
+use crate::bearing::{Geometry, LANES, RatingLife, SupportObservation};
+use crate::rotor::{Sample, SampleRows};
 
 /// Seconds of an hour.
 const HOUR: f64 = 3600.0;
@@ -91,35 +91,55 @@ impl LifeSums {
 
     /// Takes a sample with the powers of its ball loads, as by [`RatingLife::powers`].
     pub fn take(&mut self, sample: &Sample, powers: [f64; 2]) {
-        self.go_on(sample, self.rating.consumption_of(powers));
-    }
-
-    /// Takes samples that follow each other, without the first so many, with the powers of the ball loads at each.
-    pub fn take_side_by_side(
-        &mut self,
-        samples: &[Sample],
-        left_out: usize,
-        powers: [[f64; LANES]; 2],
-    ) {
-        let consumptions = self.rating.consumptions_of(powers);
-        for (sample, consumption) in samples.iter().zip(consumptions).skip(left_out) {
-            self.go_on(sample, consumption);
-        }
-    }
-
-    /// Goes on to a sample, at which so much is consumed per 10⁶ revolutions.
-    fn go_on(&mut self, sample: &Sample, consumption: f64) {
-        let now = Rate {
+        self.go_on(Rate {
             time: sample.time,
             angle: sample.angle,
-            consumption,
+            consumption: self.rating.consumption_of(powers),
+        });
+    }
+
+    /// Takes samples that follow each other, those seen last without the first so many.
+    pub fn take_rows(&mut self, rows: &SampleRows, left_out: usize, seen: &SupportObservation) {
+        let mut consumptions = [[0.0; LANES]; SampleRows::MOST / LANES];
+        let groups = rows.len().div_ceil(LANES);
+        seen.consumptions(&self.rating, &mut consumptions[..groups]);
+        let consumptions = &consumptions.as_flattened()[..rows.len()];
+        let (times, angles) = (rows.times(), rows.angles());
+        let rate = |index: usize| Rate {
+            time: times[index],
+            angle: angles[index],
+            consumption: consumptions[index],
         };
+        let Some(last) = rows.len().checked_sub(1).filter(|last| left_out <= *last) else {
+            return;
+        };
+        self.go_on(rate(left_out));
+        // what begins before the settle time, and what begins after it
+        let settled = times.partition_point(|time| *time < self.settle);
+        let settled = settled.clamp(left_out, last);
+        for (from, to) in [(left_out, settled), (settled, last)] {
+            if from < to {
+                let time = times[to] - times[from];
+                let consumed =
+                    ConsumedLife::along(time, &angles[from..=to], &consumptions[from..=to]);
+                self.add(times[from], consumed);
+            }
+        }
+        self.before = Some(rate(last));
+    }
+
+    /// Goes on to an instant.
+    fn go_on(&mut self, now: Rate) {
         let Some(before) = self.before.replace(now) else {
             return;
         };
-        let consumed = ConsumedLife::between(before, now);
+        self.add(before.time, ConsumedLife::between(before, now));
+    }
+
+    /// Adds what is consumed from a time on.
+    fn add(&mut self, from: f64, consumed: ConsumedLife) {
         self.whole_run.add(consumed);
-        if before.time >= self.settle {
+        if from >= self.settle {
             self.after_settle.add(consumed);
         }
     }
@@ -141,6 +161,24 @@ impl ConsumedLife {
             time: to.time - from.time,
             revolutions,
             share: 1e-6 * revolutions * 0.5 * (from.consumption + to.consumption),
+        }
+    }
+
+    /// In so many seconds along instants that follow each other, by the angle of the shaft and the consumption at
+    /// each; sums run a few instants side by side.
+    fn along(time: f64, angles: &[f64], consumptions: &[f64]) -> Self {
+        let (mut turned, mut weighted) = ([0.0; LANES], [0.0; LANES]);
+        let ends = angles.windows(2).zip(consumptions.windows(2));
+        for (index, (angles, consumptions)) in ends.enumerate() {
+            let angle = (angles[1] - angles[0]).abs();
+            turned[index % LANES] += angle;
+            weighted[index % LANES] += angle * (consumptions[0] + consumptions[1]);
+        }
+        let [turned, weighted] = [turned, weighted].map(|[a, b, c, d]| (a + b) + (c + d));
+        Self {
+            time,
+            revolutions: turned / TAU,
+            share: 1e-6 * 0.5 * (weighted / TAU),
         }
     }
 

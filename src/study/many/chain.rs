@@ -4,13 +4,13 @@ use std::io;
 use std::sync::atomic::AtomicBool;
 
 use super::gathered::{Carried, Gathered};
-use super::numbers::{NumberColumn, Observed};
+use super::numbers::NumberColumn;
 use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 use super::{Keep, Pilots, Schedule, Section, Turn};
 use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum, Threads};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
-    BallParts, Model, Monitor, SimulateError, SpectrumLines, StaticState, TraceSink, Watched,
+    BallParts, Model, Monitor, Run, SimulateError, SpectrumLines, StaticState, TraceSink, Watched,
     simulate,
 };
 use crate::study::plan::Plan;
@@ -194,11 +194,7 @@ impl Maker<'_> {
             Ok(run) => {
                 let trace = sink.trace.take().map(KeptTrace::finish).transpose()?;
                 *carried = sink.carried(&model);
-                let observed = Observed {
-                    run: &run,
-                    largest_ball_load: sink.largest_ball_load(),
-                };
-                let outcome = self.outcome(&observed, model.rotor.speed);
+                let outcome = self.outcome(&run, model.rotor.speed);
                 Ok(Ok(Outcome { trace, ..outcome }))
             }
             Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => {
@@ -209,16 +205,11 @@ impl Maker<'_> {
         }
     }
 
-    pub(super) fn outcome(&self, observed: &Observed<'_>, speed: f64) -> Outcome {
-        let run = observed.run;
+    pub(super) fn outcome(&self, run: &Run, speed: f64) -> Outcome {
         let spectrum = run.spectrum.as_ref().zip(self.keep.highest_order);
         let points = run.motion.as_ref().zip(self.keep.section);
         Outcome {
-            numbers: self
-                .columns
-                .iter()
-                .map(|column| column.of(observed))
-                .collect(),
+            numbers: self.columns.iter().map(|column| column.of(run)).collect(),
             spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
             points: points.map_or_else(Vec::new, |(motion, section)| places(motion, section)),
             stiffness: if self.keep.bearing_stiffness {

@@ -37,7 +37,6 @@ impl Carried {
 
 /// What is looked at while a run goes on.
 pub(super) struct Gathered {
-    largest_ball_load: LargestLoad,
     end: Option<End>,
     pub(super) trace: Option<Box<dyn KeptTrace>>,
 }
@@ -46,15 +45,9 @@ impl Gathered {
     /// Of a run that another one follows, or none.
     pub(super) fn new(model: &Model, followed: bool, trace: Option<Box<dyn KeptTrace>>) -> Self {
         Self {
-            largest_ball_load: LargestLoad::new(model),
             end: followed.then(|| End::new(model)),
             trace,
         }
-    }
-
-    /// After the settle time, N.
-    pub(super) fn largest_ball_load(&self) -> f64 {
-        self.largest_ball_load.found
     }
 
     /// Where the next run of a chain starts.
@@ -66,8 +59,8 @@ impl Gathered {
 impl TraceSink for Gathered {
     fn starts_at(&self) -> f64 {
         match (&self.trace, &self.end) {
-            (None, None) => self.largest_ball_load.settle,
-            (None, Some(end)) => end.start.min(self.largest_ball_load.settle),
+            (None, None) => f64::INFINITY,
+            (None, Some(end)) => end.start,
             (Some(_), _) => 0.0,
         }
     }
@@ -77,34 +70,12 @@ impl TraceSink for Gathered {
     }
 
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.largest_ball_load.take(sample);
         if let Some(end) = &mut self.end {
             end.take(sample);
         }
         match &mut self.trace {
             Some(trace) => trace.sample(sample),
             None => Ok(()),
-        }
-    }
-}
-
-/// The largest ball load after the settle time.
-struct LargestLoad {
-    settle: f64,
-    found: f64,
-}
-
-impl LargestLoad {
-    fn new(model: &Model) -> Self {
-        Self {
-            settle: model.settle,
-            found: 0.0,
-        }
-    }
-
-    fn take(&mut self, sample: &Sample) {
-        if sample.time >= self.settle {
-            self.found = self.found.max(sample.largest_ball_load);
         }
     }
 }

@@ -12,7 +12,7 @@ mod workers;
 
 pub use chain::{KeptTrace, Maker, TraceKeeper, Unmade};
 pub use cycles::{Cycles, CyclesError};
-pub use numbers::{NumberColumn, Numbers, Observed, number_columns};
+pub use numbers::{NumberColumn, Numbers, number_columns};
 pub use pilots::Pilots;
 pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};

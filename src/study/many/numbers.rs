@@ -118,15 +118,6 @@ pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
     columns
 }
 
-/// What the numbers are taken from.
-#[derive(Debug, Clone, Copy)]
-pub struct Observed<'a> {
-    /// The run.
-    pub run: &'a Run,
-    /// Largest ball load after the settle time, N.
-    pub largest_ball_load: f64,
-}
-
 impl NumberColumn {
     /// Order of the shaft whose line it is.
     pub fn order(&self) -> Option<u32> {
@@ -207,12 +198,11 @@ impl NumberColumn {
     }
 
     /// The number of a run; NaN where it has none.
-    pub fn of(&self, observed: &Observed<'_>) -> f64 {
-        self.found(observed).unwrap_or(f64::NAN)
+    pub fn of(&self, run: &Run) -> f64 {
+        self.found(run).unwrap_or(f64::NAN)
     }
 
-    fn found(&self, observed: &Observed<'_>) -> Option<f64> {
-        let run = observed.run;
+    fn found(&self, run: &Run) -> Option<f64> {
         let motion = run.motion.as_ref();
         let moments = |channel: Channel| {
             let statistics = &motion?.statistics;
@@ -244,7 +234,7 @@ impl NumberColumn {
                 .map(|level| level.rms),
             NumberKind::Period => motion.map(period),
             NumberKind::Drift => motion?.drift.map(|drift| drift.largest()),
-            NumberKind::LargestBallLoad => Some(observed.largest_ball_load),
+            NumberKind::LargestBallLoad => Some(run.largest_ball_load),
             NumberKind::FewestLoaded(bearing) => {
                 let zone = run.bearings.get(bearing)?.load_zone?;
                 Some(zone.balls.smallest)

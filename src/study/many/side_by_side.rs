@@ -3,7 +3,6 @@
 use super::Turn;
 use super::chain::Maker;
 use super::gathered::Gathered;
-use super::numbers::Observed;
 use super::record::{Outcome, RunRecord};
 use crate::integrate::Method;
 use crate::rotor::Sample;
@@ -56,14 +55,8 @@ impl Maker<'_> {
             progress: &mut |_| {},
         };
         let runs = simulate_side_by_side(models, sinks, &mut monitor)?;
-        let outcomes = runs.iter().zip(&gathered).zip(models);
-        let outcomes = outcomes.map(|((run, gathered), model)| {
-            let observed = Observed {
-                run,
-                largest_ball_load: gathered.largest_ball_load(),
-            };
-            self.outcome(&observed, model.rotor.speed)
-        });
+        let outcomes = runs.iter().zip(models);
+        let outcomes = outcomes.map(|(run, model)| self.outcome(run, model.rotor.speed));
         Some(outcomes.collect())
     }
 
