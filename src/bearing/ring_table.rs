@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 
 use super::ring_lanes::{Azimuths, Directions, LaneSums, LaneVector};
-use super::table::{BallTable, Chart, Coordinates, Located};
+use super::table::{BallTable, Chart, Coordinates, Division, Located, Search};
 use super::{BallLaw, CageAngle, Ring, TableLaw};
 
 /// The balls of a ring with their table, whatever law it stands for.
@@ -51,10 +51,20 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         if !self.table.holds(axial, radial, speed) {
             return false;
         }
-        match &self.table.chart {
-            Chart::Loaded(chart) => self.add_by(simd, chart, displacement, cage, sums),
-            Chart::Lifting(chart) => self.add_by(simd, chart, displacement, cage, sums),
-        }
+        *sums = match (&self.table.chart, &self.table.division) {
+            (Chart::Loaded(chart), Division::Even(even)) => {
+                self.sums_by(simd, (chart, even), displacement, cage)
+            }
+            (Chart::Loaded(chart), Division::Uneven(strips)) => {
+                self.sums_by(simd, (chart, strips), displacement, cage)
+            }
+            (Chart::Lifting(chart), Division::Even(even)) => {
+                self.sums_by(simd, (chart, even), displacement, cage)
+            }
+            (Chart::Lifting(chart), Division::Uneven(strips)) => {
+                self.sums_by(simd, (chart, strips), displacement, cage)
+            }
+        };
         true
     }
 
@@ -63,7 +73,7 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
     fn located<S: Simd>(
         &self,
         simd: S,
-        chart: &impl Coordinates,
+        (chart, division): (&impl Coordinates, &impl Search),
         displacement: &LaneVector<S>,
         cage: CageAngle,
         azimuths: &Azimuths,
@@ -71,7 +81,10 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         let directions = azimuths.turned(simd, cage);
         let axial = directions.axial(self.free_axial, displacement, self.arm);
         let radial = directions.radial(self.free_radial, displacement);
-        (directions, self.table.locate(chart, axial, radial))
+        (
+            directions,
+            BallTable::<COUPLE>::locate(chart, division, axial, radial),
+        )
     }
 
     /// Adds what balls bear at their places.
@@ -92,30 +105,29 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         sums.add(directions, [balls.radial, balls.axial, moment]);
     }
 
-    /// The sums, with a known chart. Where a ball is in the table takes long to find out, one step waiting for
-    /// the other: some balls are looked up before the forces of those before them are found.
+    /// The sums, with a known chart and division. Where a ball is in the table takes long to find out, one step
+    /// waiting for the other: some balls are looked up before the forces of those before them are found.
     #[inline(always)]
-    fn add_by<S: Simd>(
+    fn sums_by<S: Simd>(
         &self,
         simd: S,
-        chart: &impl Coordinates,
+        places: (&impl Coordinates, &impl Search),
         displacement: &LaneVector<S>,
         cage: CageAngle,
-        sums: &mut LaneSums<S>,
-    ) {
-        let mut all = LaneSums::new(simd);
+    ) -> LaneSums<S> {
+        let mut sums = LaneSums::new(simd);
         let Some((first, others)) = self.lanes.split_first() else {
-            return;
+            return sums;
         };
-        let mut ahead = self.located(simd, chart, displacement, cage, first);
+        let mut ahead = self.located(simd, places, displacement, cage, first);
         for azimuths in others {
             let (directions, place) = ahead;
-            ahead = self.located(simd, chart, displacement, cage, azimuths);
-            self.add_forces(&directions, &place, &mut all);
+            ahead = self.located(simd, places, displacement, cage, azimuths);
+            self.add_forces(&directions, &place, &mut sums);
         }
         let (directions, place) = ahead;
-        self.add_forces(&directions, &place, &mut all);
-        *sums = all;
+        self.add_forces(&directions, &place, &mut sums);
+        sums
     }
 }
 
