@@ -31,8 +31,8 @@ impl<L: BallLaw, const COUPLE: bool> Ring<TableLaw<L, COUPLE>> {
 }
 
 impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
-    /// Leaves the sums over the balls in `sums`, as [`Ring::force`] does; none, and says so, where the ring may
-    /// take a ball out of the table at some angle of the cage.
+    /// Adds up the forces of the balls in `sums`, as [`Ring::force`] does; leaves it alone, and says so, where the
+    /// ring may take a ball out of the table at some angle of the cage.
     #[inline(always)]
     pub fn add<S: Simd>(
         &self,
@@ -51,20 +51,20 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         if !self.table.holds(axial, radial, speed) {
             return false;
         }
-        *sums = match (&self.table.chart, &self.table.division) {
+        match (&self.table.chart, &self.table.division) {
             (Chart::Loaded(chart), Division::Even(even)) => {
-                self.sums_by(simd, (chart, even), displacement, cage)
+                self.add_by(simd, (chart, even), displacement, cage, sums)
             }
             (Chart::Loaded(chart), Division::Uneven(strips)) => {
-                self.sums_by(simd, (chart, strips), displacement, cage)
+                self.add_by(simd, (chart, strips), displacement, cage, sums)
             }
             (Chart::Lifting(chart), Division::Even(even)) => {
-                self.sums_by(simd, (chart, even), displacement, cage)
+                self.add_by(simd, (chart, even), displacement, cage, sums)
             }
             (Chart::Lifting(chart), Division::Uneven(strips)) => {
-                self.sums_by(simd, (chart, strips), displacement, cage)
+                self.add_by(simd, (chart, strips), displacement, cage, sums)
             }
-        };
+        }
         true
     }
 
@@ -105,29 +105,29 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         sums.add(directions, [balls.radial, balls.axial, moment]);
     }
 
-    /// The sums, with a known chart and division. Where a ball is in the table takes long to find out, one step
-    /// waiting for the other: some balls are looked up before the forces of those before them are found.
+    /// The same with a known chart and division. Where a ball is in the table takes long to find out, one step
+    /// waiting for the other: some balls are looked up before the forces of those before them are found. The sums
+    /// stay where they are handed in: the balls leave no registers for them.
     #[inline(always)]
-    fn sums_by<S: Simd>(
+    fn add_by<S: Simd>(
         &self,
         simd: S,
         places: (&impl Coordinates, &impl Search),
         displacement: &LaneVector<S>,
         cage: CageAngle,
-    ) -> LaneSums<S> {
-        let mut sums = LaneSums::new(simd);
+        sums: &mut LaneSums<S>,
+    ) {
         let Some((first, others)) = self.lanes.split_first() else {
-            return sums;
+            return;
         };
         let mut ahead = self.located(simd, places, displacement, cage, first);
         for azimuths in others {
             let (directions, place) = ahead;
             ahead = self.located(simd, places, displacement, cage, azimuths);
-            self.add_forces(&directions, &place, &mut sums);
+            self.add_forces(&directions, &place, sums);
         }
         let (directions, place) = ahead;
-        self.add_forces(&directions, &place, &mut sums);
-        sums
+        self.add_forces(&directions, &place, sums);
     }
 }
 
