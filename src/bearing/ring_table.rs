@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 
 use super::ring_lanes::{Azimuths, Directions, LaneSums, LaneVector};
-use super::table::{BallTable, Chart, Coordinates, Located};
+use super::table::{BallTable, Chart, Coordinates, Division, Located, Search};
 use super::{BallLaw, CageAngle, Ring, TableLaw};
 
 /// The balls of a ring with their table, whatever law it stands for.
@@ -31,8 +31,8 @@ impl<L: BallLaw, const COUPLE: bool> Ring<TableLaw<L, COUPLE>> {
 }
 
 impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
-    /// Leaves the sums over the balls in `sums`, as [`Ring::force`] does; none, and says so, where the ring may
-    /// take a ball out of the table at some angle of the cage.
+    /// Adds up the forces of the balls in `sums`, as [`Ring::force`] does; leaves it alone, and says so, where the
+    /// ring may take a ball out of the table at some angle of the cage.
     #[inline(always)]
     pub fn add<S: Simd>(
         &self,
@@ -51,9 +51,19 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         if !self.table.holds(axial, radial, speed) {
             return false;
         }
-        match &self.table.chart {
-            Chart::Loaded(chart) => self.add_by(simd, chart, displacement, cage, sums),
-            Chart::Lifting(chart) => self.add_by(simd, chart, displacement, cage, sums),
+        match (&self.table.chart, &self.table.division) {
+            (Chart::Loaded(chart), Division::Even(even)) => {
+                self.add_by(simd, (chart, even), displacement, cage, sums)
+            }
+            (Chart::Loaded(chart), Division::Uneven(strips)) => {
+                self.add_by(simd, (chart, strips), displacement, cage, sums)
+            }
+            (Chart::Lifting(chart), Division::Even(even)) => {
+                self.add_by(simd, (chart, even), displacement, cage, sums)
+            }
+            (Chart::Lifting(chart), Division::Uneven(strips)) => {
+                self.add_by(simd, (chart, strips), displacement, cage, sums)
+            }
         }
         true
     }
@@ -63,7 +73,7 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
     fn located<S: Simd>(
         &self,
         simd: S,
-        chart: &impl Coordinates,
+        (chart, division): (&impl Coordinates, &impl Search),
         displacement: &LaneVector<S>,
         cage: CageAngle,
         azimuths: &Azimuths,
@@ -71,7 +81,10 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         let directions = azimuths.turned(simd, cage);
         let axial = directions.axial(self.free_axial, displacement, self.arm);
         let radial = directions.radial(self.free_radial, displacement);
-        (directions, self.table.locate(chart, axial, radial))
+        (
+            directions,
+            BallTable::<COUPLE>::locate(chart, division, axial, radial),
+        )
     }
 
     /// Adds what balls bear at their places.
@@ -92,30 +105,29 @@ impl<const COUPLE: bool> TabledBalls<'_, COUPLE> {
         sums.add(directions, [balls.radial, balls.axial, moment]);
     }
 
-    /// The sums, with a known chart. Where a ball is in the table takes long to find out, one step waiting for
-    /// the other: some balls are looked up before the forces of those before them are found.
+    /// The same with a known chart and division. Where a ball is in the table takes long to find out, one step
+    /// waiting for the other: some balls are looked up before the forces of those before them are found. The sums
+    /// stay where they are handed in: the balls leave no registers for them.
     #[inline(always)]
     fn add_by<S: Simd>(
         &self,
         simd: S,
-        chart: &impl Coordinates,
+        places: (&impl Coordinates, &impl Search),
         displacement: &LaneVector<S>,
         cage: CageAngle,
         sums: &mut LaneSums<S>,
     ) {
-        let mut all = LaneSums::new(simd);
         let Some((first, others)) = self.lanes.split_first() else {
             return;
         };
-        let mut ahead = self.located(simd, chart, displacement, cage, first);
+        let mut ahead = self.located(simd, places, displacement, cage, first);
         for azimuths in others {
             let (directions, place) = ahead;
-            ahead = self.located(simd, chart, displacement, cage, azimuths);
-            self.add_forces(&directions, &place, &mut all);
+            ahead = self.located(simd, places, displacement, cage, azimuths);
+            self.add_forces(&directions, &place, sums);
         }
         let (directions, place) = ahead;
-        self.add_forces(&directions, &place, &mut all);
-        *sums = all;
+        self.add_forces(&directions, &place, sums);
     }
 }
 

@@ -56,7 +56,7 @@ impl Support {
         let mut sums = LaneSums::new(simd);
         table
             .add_forces(simd, &place, cage, speed, &mut sums)
-            .then(|| sums.force(self.definition.bearing.geometry.inner_groove_radius()))
+            .then(|| sums.force(table.arm()))
     }
 
     /// The ring and its axial preset in m, where its balls obey the cheap law and nothing else enters.

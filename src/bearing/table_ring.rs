@@ -106,6 +106,12 @@ impl TableRing {
         )
     }
 
+    /// Radius of the inner groove centres, m: kept by the rings, while a geometry would ask for a cosine.
+    #[inline(always)]
+    pub fn arm(&self) -> f64 {
+        with_table!(self, ring => ring.arm)
+    }
+
     /// The force with a ball or more outside the table.
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         with_table!(self, ring => ring.force(displacement, cage, speed))

@@ -4,8 +4,8 @@ use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdMask, dispatch};
 
 use super::cells::{CoupleCell, ForceCell, cell_couples, cell_forces};
 use super::chart::{Chart, Coordinates, with_chart};
+use super::division::{Division, InCells, Search, with_division};
 use super::region::BallRegion;
-use super::strips::{InCells, Strips};
 use crate::bearing::{LaneForces, Lanes};
 
 /// End of a range, with what rounding may add.
@@ -19,7 +19,7 @@ pub(in crate::bearing) struct BallTable<const COUPLE: bool> {
     /// Where the balls of a ring may be looked up, its A1 as [`BallRegion::one_sided`].
     pub(super) region: BallRegion,
     pub(in crate::bearing) chart: Chart,
-    pub(super) strips: Strips,
+    pub(in crate::bearing) division: Division,
     pub(super) forces: Vec<ForceCell>,
     pub(super) couples: Vec<CoupleCell>,
 }
@@ -27,16 +27,17 @@ pub(in crate::bearing) struct BallTable<const COUPLE: bool> {
 /// Places of balls side by side in the table.
 #[derive(Clone, Copy)]
 pub(in crate::bearing) struct Located<S: Simd> {
-    /// What the polynomials are to be multiplied by.
-    factor: Lanes<S>,
-    /// The same with the sign of A1: what is odd in it.
+    /// What the polynomials of the radial force are to be multiplied by.
+    radial: Lanes<S>,
+    /// What those of the axial force and the couple are, with the sign of A1, in which these are odd.
     odd: Lanes<S>,
     in_cells: InCells<S>,
 }
 
 /// A single place in the coordinates of the table, as [`Located`].
 pub(super) struct Single {
-    pub(super) factor: f64,
+    /// Without the sign, those of axial force and couple, and those of the radial force.
+    pub(super) factors: [f64; 2],
     /// dx/dv and dt/dτ.
     pub(super) rates: [f64; 2],
     pub(super) cell: usize,
@@ -48,10 +49,10 @@ impl<const COUPLE: bool> BallTable<COUPLE> {
     /// Whether a single place at a speed is in the table.
     #[inline(always)]
     fn covers<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>, speed: f64) -> bool {
-        let [along, root, _] =
+        let [along, root, ..] =
             with_chart!(&self.chart, chart => chart.coordinates(axial.abs(), radial));
         let inside = along.abs().simd_le(END)
-            & self.strips.contain(root)
+            & with_division!(&self.division, division => division.contain(root))
             & radial.simd_ge(self.region.radial[0]);
         inside.all_true() && speed == self.speed
     }
@@ -63,11 +64,11 @@ impl<const COUPLE: bool> BallTable<COUPLE> {
             if !self.covers(axial, radial, speed) {
                 return None;
             }
-            let [_, root, _] = with_chart!(&self.chart, chart => chart.coordinates(axial.abs(), radial));
-            let place = with_chart!(&self.chart, chart => self.locate(chart, axial, radial));
-            let [root_rate, along_rate] = self.strips.rates(root);
+            let [_, root, ..] = with_chart!(&self.chart, chart => chart.coordinates(axial.abs(), radial));
+            let place = self.located(axial, radial);
+            let [root_rate, along_rate] = with_division!(&self.division, division => division.rates(root));
             Some(Single {
-                factor: place.factor[0],
+                factors: [place.odd[0].abs(), place.radial[0]],
                 rates: [root_rate[0], along_rate[0]],
                 cell: place.in_cells.cells[0] as usize,
                 x: place.in_cells.x[0],
@@ -81,7 +82,7 @@ impl<const COUPLE: bool> BallTable<COUPLE> {
         dispatch!(Level::baseline(), simd => {
             let [axial, radial] = [axial, radial].map(|number| Lanes::splat(simd, number));
             self.covers(axial, radial, speed).then(|| {
-                let place = with_chart!(&self.chart, chart => self.locate(chart, axial, radial));
+                let place = self.located(axial, radial);
                 let LaneForces { axial, radial, couple } = self.forces_at(&place);
                 [axial[0], radial[0], couple[0]]
             })
@@ -92,27 +93,36 @@ impl<const COUPLE: bool> BallTable<COUPLE> {
     /// middle, at a speed; each is the middle and the square of the swing, in m and m².
     #[inline(always)]
     pub(in crate::bearing) fn holds(&self, axial: [f64; 2], radial: [f64; 2], speed: f64) -> bool {
+        // squares in place of a root, which takes long
         let room = |[middle, square]: [f64; 2], [low, high]: [f64; 2]| {
-            let swing = square.sqrt();
-            (low <= middle - swing) & (middle + swing <= high)
+            let (below, above) = (middle - low, high - middle);
+            (below >= 0.0) & (above >= 0.0) & (below * below >= square) & (above * above >= square)
         };
         let axial = [axial[0].abs(), axial[1]];
         room(radial, self.region.radial) & room(axial, self.region.axial) & (speed == self.speed)
     }
 
-    /// Where places of the table's region are in it; elsewhere a place without meaning.
+    /// As [`BallTable::locate`], by the table's own chart and division.
+    #[inline(always)]
+    fn located<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> Located<S> {
+        with_chart!(&self.chart, chart => {
+            with_division!(&self.division, division => Self::locate(chart, division, axial, radial))
+        })
+    }
+
+    /// Where places of a table's region are in it; elsewhere a place without meaning.
     #[inline(always)]
     pub(in crate::bearing) fn locate<S: Simd>(
-        &self,
         chart: &impl Coordinates,
+        division: &impl Search,
         axial: Lanes<S>,
         radial: Lanes<S>,
     ) -> Located<S> {
-        let [along, root, factor] = chart.coordinates(axial.abs(), radial);
+        let [along, root, odd, factor] = chart.coordinates(axial.abs(), radial);
         Located {
-            factor,
-            odd: factor.copysign(axial),
-            in_cells: self.strips.locate(root, along),
+            radial: factor,
+            odd: odd.copysign(axial),
+            in_cells: division.locate(root, along),
         }
     }
 
@@ -131,7 +141,7 @@ impl<const COUPLE: bool> BallTable<COUPLE> {
         };
         LaneForces {
             axial: place.odd * push_axial,
-            radial: place.factor * push_radial,
+            radial: place.radial * push_radial,
             couple,
         }
     }

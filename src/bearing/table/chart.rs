@@ -17,8 +17,9 @@ pub(in crate::bearing) enum Chart {
 
 /// How balls side by side are found on a chart.
 pub(in crate::bearing) trait Coordinates {
-    /// τ, v, and what the polynomials are to be multiplied by, of places (|A1|, A2).
-    fn coordinates<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> [Lanes<S>; 3];
+    /// τ and v of places (|A1|, A2), and what the polynomials are to be multiplied by: those of the axial force
+    /// and the couple, and those of the radial force.
+    fn coordinates<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> [Lanes<S>; 4];
 }
 
 /// Evaluates an expression for the chart inside.
@@ -54,16 +55,16 @@ impl Chart {
         with_chart!(self, chart => chart.radial(along, root))
     }
 
-    /// What the polynomials are to be multiplied by at v.
-    pub(super) fn factor(&self, root: f64) -> f64 {
+    /// What the polynomials of axial force, radial force and couple are to be multiplied by at τ and v.
+    pub(super) fn factors(&self, along: f64, root: f64) -> [f64; 3] {
         match self {
-            Self::Loaded(_) => 1.0,
-            Self::Lifting(_) => root * root,
+            Self::Loaded(chart) => [1.0, chart.radial(along, root), 1.0],
+            Self::Lifting(_) => [root * root; 3],
         }
     }
 
-    /// Slopes at a place (|A1|, A2).
-    pub(super) fn slopes(&self, axial: f64, radial: f64) -> ChartSlopes {
+    /// Slopes of the axial force and the couple, and of the radial force, at a place (|A1|, A2).
+    pub(super) fn slopes(&self, axial: f64, radial: f64) -> [ChartSlopes; 2] {
         with_chart!(self, chart => chart.slopes(axial, radial))
     }
 

@@ -1,12 +1,14 @@
 //! From an exact law to its table.
 
+use super::across::Evenly;
 use super::ball_table::BallTable;
-use super::cells::{AXIAL_TERMS, CoupleCell, ForceCell, ROOT_TERMS};
 use super::counted::Counted;
+use super::division::Division;
+use super::even_strips::EvenStrips;
 use super::law::TableLaw;
 use super::limits::Limits;
-use super::polynomial::{lobatto, power_weights, weights_at};
-use super::reduced::{Reduced, between, difference, part_place, powers, weighted};
+use super::polynomial::lobatto;
+use super::reduced::Reduced;
 use super::region::BallRegion;
 use super::report::{TableError, TableReport};
 use super::strips::{BINS, Strips};
@@ -18,18 +20,12 @@ const LIFTED_SHARE: f64 = 1e-14;
 const STEP_SHARE: f64 = 0.25;
 /// Numbers of places along |A1| at which the exact law is asked, one attempt after the other.
 const COLUMNS: [usize; 3] = [11, 18, 30];
-/// Most cells along |A1|.
-const MOST_ACROSS: usize = 64;
 /// Offset places at which the error is measured.
 const PROBES: usize = 1500;
 /// Most cells of a table.
 const MOST_CELLS: usize = 16_384;
-/// Nodes along the approach of a strip in which the exact law is asked.
-const STRIP_NODES: usize = 8;
 /// Least width of the region over its distance from zero: in a narrower one rounding would count in bins.
 const NARROWEST: f64 = 1e-3;
-/// Most strips of a table into which one of those is divided.
-const FINEST: usize = 32;
 
 impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
     /// Compiles `law` at a shaft speed in rad/s over a region, so that no force differs by more than
@@ -73,33 +69,17 @@ impl<L: BallLaw + Clone, const COUPLE: bool> TableLaw<L, COUPLE> {
 }
 
 /// A table in the making: the coordinates, and how exact it is to be.
-struct Draft<'a, L> {
+pub(super) struct Draft<'a, L> {
     law: &'a Counted<'a, L>,
     /// Where a ring's balls may be looked up.
     region: BallRegion,
-    limits: Limits,
-    columns: usize,
+    pub(super) limits: Limits,
+    /// Number of places along |A1| at which the exact law is asked.
+    pub(super) columns: usize,
     /// Error that each step may make, N.
     step: f64,
     /// Arm by which a couple counts as a force, m.
-    arm: f64,
-}
-
-/// The strips of a table.
-struct Division {
-    first_bins: Vec<usize>,
-    /// v at their nodes; strips side by side share one.
-    roots: Vec<f64>,
-    /// Forces over f at the nodes in all columns.
-    values: Vec<Vec<Reduced>>,
-}
-
-/// How a cell comes from the columns.
-struct CellColumns {
-    /// Weights of its nodes.
-    nodes: [Vec<f64>; AXIAL_TERMS],
-    /// Weights of its errors between the nodes.
-    errors: [Vec<f64>; 2],
+    pub(super) arm: f64,
 }
 
 impl<'a, L: BallLaw + Clone> Draft<'a, L> {
@@ -121,7 +101,8 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
             .collect();
         let distance = span[1].hypot(high);
         let lifted = LIFTED_SHARE * load;
-        let limits = if nodes.iter().all(|&axial| law.load(axial, low) > lifted) {
+        // a circle about the outer groove centre has no place of its own on either side of A2 = 0
+        let limits = if low > 0.0 && nodes.iter().all(|&axial| law.load(axial, low) > lifted) {
             Limits::loaded(span, region.radial)
         } else {
             Limits::lifting(law, span, &nodes, region.radial, lifted)?
@@ -141,252 +122,71 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
     }
 
     /// Forces over f at τ and v.
-    fn reduced(&self, along: f64, root: f64) -> Reduced {
+    pub(super) fn reduced(&self, along: f64, root: f64) -> Reduced {
         let chart = &self.limits.chart;
-        let factor = chart.factor(root);
+        let [by_axial, by_radial, by_couple] = chart.factors(along, root);
         // at lift-off the force fades faster than f
-        if factor == 0.0 {
+        if by_axial == 0.0 {
             return [0.0; 3];
         }
         let axial = chart.axial(along);
         let force = self.law.force(axial, chart.radial(along, root));
-        [force.axial, force.radial, force.couple / self.arm].map(|force| force / factor)
+        [
+            force.axial / by_axial,
+            force.radial / by_radial,
+            force.couple / self.arm / by_couple,
+        ]
+    }
+
+    /// Whether an error of forces over f is within a step's share.
+    pub(super) fn is_small(&self, error: &Reduced, root: f64) -> bool {
+        // the largest A2 is where |A1| is least
+        let factors = self.limits.chart.factors(-1.0, root);
+        let mut errors = error.iter().zip(factors);
+        errors.all(|(error, factor)| error.abs() * factor <= self.step)
     }
 
     fn table<const COUPLE: bool>(&self, law: &L) -> Result<TableLaw<L, COUPLE>, TableError> {
-        let Division {
-            first_bins,
-            roots,
-            values,
-        } = self.divided();
+        let wide = self.wide_strips();
         let columns = self.columns_of_cells();
-        let across = self.across(&roots, &values, &columns);
-        let cells = across.iter().sum();
-        if cells > MOST_CELLS {
-            let relative_error = f64::INFINITY;
-            return Err(TableError::Tolerance {
-                relative_error,
-                cells,
-            });
-        }
-        let (forces, couples) = self.cells(&values, &across, &columns);
+        let uneven = self.divided(&wide, |strip| strip.parts);
+        let across = self.across(&uneven, &columns);
+        let (division, (forces, couples)) = match Evenly::of(&wide, &across) {
+            Some(Evenly { width, across }) => {
+                let nodes = self.divided(&wide, |strip| strip.bins() / width);
+                let even = EvenStrips::new(self.limits.roots, BINS / width, across);
+                let across = vec![across; BINS / width];
+                (
+                    Division::Even(even),
+                    self.cells::<COUPLE>(&nodes, &across, &columns),
+                )
+            }
+            None => {
+                let cells = across.iter().sum();
+                if cells > MOST_CELLS {
+                    let relative_error = f64::INFINITY;
+                    return Err(TableError::Tolerance {
+                        relative_error,
+                        cells,
+                    });
+                }
+                let strips = Strips::new(self.limits.roots, &uneven.first_bins, &across);
+                let cells = self.cells::<COUPLE>(&uneven, &across, &columns);
+                (Division::Uneven(strips), cells)
+            }
+        };
         let table = BallTable {
             speed: self.law.speed,
             region: self.region,
             chart: self.limits.chart,
-            strips: Strips::new(self.limits.roots, &first_bins, &across),
+            division,
             forces,
-            couples: if COUPLE { couples } else { Vec::new() },
+            couples,
         };
         Ok(TableLaw {
             exact: law.clone(),
             table,
         })
-    }
-
-    /// First bins of wide strips: halves of halves of the range, in each of which one polynomial of
-    /// high degree is exact enough.
-    fn wide_strips(&self) -> Vec<usize> {
-        let mut first_bins = Vec::new();
-        let mut waiting = vec![(0, BINS)];
-        while let Some((first, next)) = waiting.pop() {
-            let [low, high] = [first, next].map(|bin| self.bin_root(bin));
-            if next - first == 1 || self.fits(low, high) {
-                first_bins.push(first);
-            } else {
-                let middle = first.midpoint(next);
-                waiting.push((middle, next));
-                waiting.push((first, middle));
-            }
-        }
-        first_bins
-    }
-
-    /// v at the start of a bin.
-    fn bin_root(&self, bin: usize) -> f64 {
-        let [start, end] = self.limits.roots;
-        start + (end - start) * (bin as f64 / BINS as f64)
-    }
-
-    /// The table's strips, their polynomials of low degree taken from those of wide strips.
-    fn divided(&self) -> Division {
-        let wide = self.wide_strips();
-        let (mut first_bins, mut roots, mut values) = (Vec::new(), Vec::new(), Vec::new());
-        let mut border = self.row(self.bin_root(0));
-        for (strip, &first) in wide.iter().enumerate() {
-            let next = wide.get(strip + 1).copied().unwrap_or(BINS);
-            let [low, high] = [first, next].map(|bin| self.bin_root(bin));
-            let root = |x: f64| 0.5 * (low + high) + 0.5 * (high - low) * x;
-            let mut rows = vec![border];
-            rows.extend((1..STRIP_NODES).map(|node| self.row(root(lobatto(node, STRIP_NODES)))));
-            let parts = self.parts(&rows, [low, high], FINEST.min(next - first));
-            for part in 0..parts {
-                first_bins.push(first + part * (next - first) / parts);
-                for node in 0..ROOT_TERMS - 1 {
-                    let x = part_place(part, parts, lobatto(node, ROOT_TERMS));
-                    roots.push(root(x));
-                    values.push(between(&rows, x));
-                }
-            }
-            border = rows.swap_remove(STRIP_NODES - 1);
-        }
-        roots.push(self.bin_root(BINS));
-        values.push(border);
-        Division {
-            first_bins,
-            roots,
-            values,
-        }
-    }
-
-    /// Fewest equal parts of a wide strip in which polynomials of low degree follow that of high
-    /// degree through `rows`.
-    fn parts(&self, rows: &[Vec<Reduced>], [low, high]: [f64; 2], most: usize) -> usize {
-        let follows = |parts: usize| {
-            (0..parts).all(|part| {
-                let nodes: [Vec<f64>; ROOT_TERMS] = std::array::from_fn(|node| {
-                    weights_at(
-                        part_place(part, parts, lobatto(node, ROOT_TERMS)),
-                        STRIP_NODES,
-                    )
-                });
-                [0.0, 0.8].into_iter().all(|x| {
-                    let place = part_place(part, parts, x);
-                    let difference = difference(
-                        &weights_at(x, ROOT_TERMS),
-                        &nodes,
-                        &weights_at(place, STRIP_NODES),
-                    );
-                    let root = 0.5 * (low + high) + 0.5 * (high - low) * place;
-                    (0..self.columns).all(|column| {
-                        let values = rows.iter().map(|row| row[column]);
-                        self.is_small(&weighted(values, &difference), root)
-                    })
-                })
-            })
-        };
-        let mut parts = 1;
-        while parts < most && !follows(parts) {
-            parts *= 2;
-        }
-        parts
-    }
-
-    /// Whether an error of forces over f is within a step's share.
-    fn is_small(&self, error: &Reduced, root: f64) -> bool {
-        let factor = self.limits.chart.factor(root);
-        error.iter().all(|error| error.abs() * factor <= self.step)
-    }
-
-    /// Forces over f at v in all columns.
-    fn row(&self, root: f64) -> Vec<Reduced> {
-        (0..self.columns)
-            .map(|column| self.reduced(lobatto(column, self.columns), root))
-            .collect()
-    }
-
-    /// Whether one polynomial in v serves from `low` to `high`, seen at both ends of the span and in
-    /// its middle, between the nodes.
-    fn fits(&self, low: f64, high: f64) -> bool {
-        let root = |x: f64| 0.5 * (low + high) + 0.5 * (high - low) * x;
-        [0.0, -1.0, 1.0].into_iter().all(|along| {
-            let nodes: [Reduced; STRIP_NODES] =
-                std::array::from_fn(|index| self.reduced(along, root(lobatto(index, STRIP_NODES))));
-            [0.0, -0.7, 0.7].into_iter().all(|x| {
-                let exact = self.reduced(along, root(x));
-                let own = weighted(nodes.into_iter(), &weights_at(x, STRIP_NODES));
-                let error = std::array::from_fn(|output| own[output] - exact[output]);
-                self.is_small(&error, root(x))
-            })
-        })
-    }
-
-    /// Of each number of cells along |A1| that a strip may have, 1, 2, 4 …, how they come from the
-    /// columns.
-    fn columns_of_cells(&self) -> Vec<Vec<CellColumns>> {
-        let numbers = std::iter::successors(Some(1), |across| Some(2 * across));
-        numbers
-            .take_while(|&across| across <= MOST_ACROSS)
-            .map(|across| {
-                (0..across)
-                    .map(|cell| {
-                        let nodes = self.node_weights(cell, across);
-                        let errors = [0.0, 0.8].map(|x| {
-                            let exact = weights_at(part_place(cell, across, x), self.columns);
-                            difference(&weights_at(x, AXIAL_TERMS), &nodes, &exact)
-                        });
-                        CellColumns { nodes, errors }
-                    })
-                    .collect()
-            })
-            .collect()
-    }
-
-    /// Of every strip the fewest cells along |A1| whose polynomials follow the columns.
-    fn across(
-        &self,
-        roots: &[f64],
-        values: &[Vec<Reduced>],
-        columns: &[Vec<CellColumns>],
-    ) -> Vec<usize> {
-        let follows = |node: usize, cells: &Vec<CellColumns>| {
-            cells.iter().flat_map(|cell| &cell.errors).all(|weights| {
-                let error = weighted(values[node].iter().copied(), weights);
-                self.is_small(&error, roots[node])
-            })
-        };
-        (0..values.len() / (ROOT_TERMS - 1))
-            .map(|strip| {
-                let first = strip * (ROOT_TERMS - 1);
-                let fits = |cells: &&Vec<CellColumns>| {
-                    (first..first + ROOT_TERMS).all(|node| follows(node, cells))
-                };
-                columns.iter().find(fits).map_or(MOST_ACROSS, Vec::len)
-            })
-            .collect()
-    }
-
-    /// Weights of the columns at the nodes of a cell along |A1|.
-    fn node_weights(&self, cell: usize, across: usize) -> [Vec<f64>; AXIAL_TERMS] {
-        std::array::from_fn(|node| {
-            let x = lobatto(node, AXIAL_TERMS);
-            weights_at(part_place(cell, across, x), self.columns)
-        })
-    }
-
-    /// The polynomials of all cells, strip by strip.
-    fn cells(
-        &self,
-        values: &[Vec<Reduced>],
-        across: &[usize],
-        columns: &[Vec<CellColumns>],
-    ) -> (Vec<ForceCell>, Vec<CoupleCell>) {
-        let by_root = power_weights::<ROOT_TERMS>();
-        // t is half of the coordinate from −1 to 1
-        let mut by_axial = power_weights::<AXIAL_TERMS>();
-        for (power, row) in by_axial.iter_mut().enumerate() {
-            row.iter_mut()
-                .for_each(|weight| *weight *= f64::powi(2.0, power as i32));
-        }
-        let (mut forces, mut couples) = (Vec::new(), Vec::new());
-        for (strip, across) in across.iter().enumerate() {
-            for CellColumns { nodes: weights, .. } in &columns[across.ilog2() as usize] {
-                let first = strip * (ROOT_TERMS - 1);
-                let nodes: [[Reduced; AXIAL_TERMS]; ROOT_TERMS] = std::array::from_fn(|root| {
-                    std::array::from_fn(|node| {
-                        weighted(values[first + root].iter().copied(), &weights[node])
-                    })
-                });
-                let terms = powers(&nodes, &by_root, &by_axial);
-                forces.push(ForceCell(terms.map(|row| {
-                    let pair = |l: usize| [row[l][0], row[l][1], row[l + 1][0], row[l + 1][1]];
-                    [pair(0), pair(2)]
-                })));
-                let couple = terms.map(|row| row.map(|term| term[2] * self.arm));
-                couples.push(CoupleCell(couple));
-            }
-        }
-        (forces, couples)
     }
 
     /// Largest difference from the exact law over places that lie evenly and on no node.
@@ -407,5 +207,86 @@ impl<'a, L: BallLaw + Clone> Draft<'a, L> {
                 .max((own.couple - exact.couple).abs() / self.arm);
         }
         largest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bearing::{JonesFilmLaw, JonesLaw, Oil, catalogue};
+    use crate::physics::RaceControl;
+
+    const SPEED: f64 = 1000.0;
+    const LOAD: f64 = 300.0;
+
+    /// Forces of places as far apart as rounding counts, on both sides of borders between cells, less what the slope
+    /// makes of their distance: the largest step, N.
+    fn largest_step<L: BallLaw + Clone>(law: L, pressed: f64) -> f64 {
+        let bearing = catalogue::find("7205C").unwrap().bearing().unwrap();
+        let (axial, radial) = (
+            bearing.geometry.free_axial(),
+            bearing.geometry.free_radial(),
+        );
+        let region = BallRegion {
+            axial: [axial + pressed - 8e-6, axial + pressed + 8e-6],
+            radial: [radial - 12e-6, radial + 12e-6],
+        };
+        let (law, _) = TableLaw::<_, false>::compile(law, region, SPEED, LOAD, 1e-9).unwrap();
+        let Division::Even(_) = law.table.division else {
+            panic!("strips of unequal width");
+        };
+        let cell = |axial, radial| {
+            law.table
+                .locate_single(axial, radial, SPEED)
+                .map(|place| place.cell)
+        };
+        let (mut largest, mut borders) = (0.0_f64, 0);
+        for line in 0..40 {
+            // to both sides of every border on lines across the region
+            let part = (f64::from(line) + 0.5) / 40.0;
+            let axial = region.axial[0] + (region.axial[1] - region.axial[0]) * part;
+            let mut low = region.radial[0];
+            let step = (region.radial[1] - region.radial[0]) / 64.0;
+            while low + step < region.radial[1] {
+                let (mut below, mut above) = (low, low + step);
+                low = above;
+                if cell(axial, below) == cell(axial, above) {
+                    continue;
+                }
+                while above - below > 1e-18 {
+                    let middle = 0.5 * (below + above);
+                    if cell(axial, middle) == cell(axial, below) {
+                        below = middle;
+                    } else {
+                        above = middle;
+                    }
+                }
+                borders += 1;
+                let (here, slope) = law.force_and_tangent(axial, below, SPEED);
+                let there = law.force(axial, above, SPEED);
+                for (step, slope) in [
+                    (there.axial - here.axial, slope[0][1]),
+                    (there.radial - here.radial, slope[1][1]),
+                ] {
+                    largest = largest.max((step - slope * (above - below)).abs());
+                }
+            }
+        }
+        assert!(borders > 200, "{borders}");
+        largest
+    }
+
+    #[test]
+    fn where_strips_are_alike_the_force_is_continuous() {
+        let bearing = catalogue::find("7205C").unwrap().bearing().unwrap();
+        let oil = Oil {
+            viscosity: 0.04,
+            pressure_viscosity: 2.2e-8,
+        };
+        let film = JonesFilmLaw::with_film(&bearing, RaceControl::Outer, oil, SPEED).unwrap();
+        let dry = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();
+        for step in [largest_step(film, 32e-6), largest_step(dry, 32e-6)] {
+            assert!(step < 1e-11 * LOAD, "{step:e}");
+        }
     }
 }

@@ -7,17 +7,19 @@ use crate::bearing::{BallContact, BallForce, BallLaw, BallTangent, LoadSlope};
 /// A ball law as a table of polynomials at one speed, exact elsewhere.
 ///
 /// ```text
-/// p = |A1|   v = A2 − M(p)                       F = Σ c_kl x^k t^l       of balls that never lift off
-///            u = (A2 − c)² − M(p)   v = √u       F = u Σ c_kl x^k t^l     across lift-off
+/// p = |A1|   v = p² + A2²                   F_a = Σ c_kl x^k t^l   of balls that never lift off
+///                                           F_r = A2 Σ d_kl x^k t^l
+///            u = (A2 − c)² − M(p)   v = √u  F = u Σ c_kl x^k t^l    across lift-off
 /// ```
 ///
 /// with x and t the places in the cell of (v, p). `u = 0` is the line of lift-off, beyond which a
 /// ball carries nothing. Places outside the region and other speeds than that of the table go to the
 /// exact law, and so does everything but forces. `COUPLE` says whether the law has a couple.
 ///
-/// The force differs from the exact one by the bound of its [`super::TableReport`]. It is continuous
-/// within a strip of v and between strips of equally many cells; between others it may step by a
-/// quarter of the tolerance.
+/// The force differs from the exact one by the bound of its [`super::TableReport`]. Where one width of
+/// strips of v serves the whole region it is continuous. Elsewhere strips have widths and cells of their
+/// own: it is continuous within a strip and between strips of equally many cells; between others it may
+/// step by a quarter of the tolerance.
 ///
 /// A [`crate::bearing::Support`] looks up and evaluates the balls of a ring side by side; one by one,
 /// as by [`BallLaw::force`], they give the same numbers.
@@ -65,16 +67,17 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
             return self.exact.force_and_tangent(axial, radial, speed);
         };
         let Single {
-            factor,
+            factors,
             rates: [x_rate, t_rate],
             cell,
             x,
             t,
         } = place;
         let slopes = table.chart.slopes(axial.abs(), radial);
-        // F = f(v) H(x, t)
-        let row = |term: &dyn Fn(usize, usize) -> f64| {
+        // F = f H(x, t)
+        let row = |kind: usize, term: &dyn Fn(usize, usize) -> f64| {
             let [value, by_x, by_t] = with_slopes(term, x, t);
+            let (factor, slopes) = (factors[kind], &slopes[kind]);
             let by = |axis: usize| slopes.factor[axis] * value + slopes.root[axis] * x_rate * by_x;
             let along = slopes.along * t_rate * by_t;
             [factor * value, by(0) + along, by(1)]
@@ -85,10 +88,10 @@ impl<L: BallLaw, const COUPLE: bool> BallLaw for TableLaw<L, COUPLE> {
         let even = |[value, by_axial, by_radial]: [f64; 3]| (value, [side * by_axial, by_radial]);
         let odd =
             |[value, by_axial, by_radial]: [f64; 3]| (side * value, [by_axial, side * by_radial]);
-        let (push_axial, axial_row) = odd(row(&pair(0)));
-        let (push_radial, radial_row) = even(row(&pair(1)));
+        let (push_axial, axial_row) = odd(row(0, &pair(0)));
+        let (push_radial, radial_row) = even(row(1, &pair(1)));
         let (couple, couple_row) = if COUPLE {
-            odd(row(&|k, l| table.couples[cell].0[k][l]))
+            odd(row(0, &|k, l| table.couples[cell].0[k][l]))
         } else {
             (0.0, [0.0; 2])
         };

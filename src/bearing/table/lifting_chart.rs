@@ -28,7 +28,7 @@ pub(in crate::bearing) struct LiftingChart {
 
 impl Coordinates for LiftingChart {
     #[inline(always)]
-    fn coordinates<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> [Lanes<S>; 3] {
+    fn coordinates<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> [Lanes<S>; 4] {
         let along = self.span.along(axial);
         let height = radial - self.centre;
         let square = along * along;
@@ -37,7 +37,7 @@ impl Coordinates for LiftingChart {
         let low = (c0 + c1 * along) + square * (c2 + c3 * along);
         let lift = low + square * square * (c4 + c5 * along);
         let past_lift = (height * height - lift).max(Lanes::splat(axial.witness(), 0.0));
-        [along, past_lift.sqrt(), past_lift]
+        [along, past_lift.sqrt(), past_lift, past_lift]
     }
 }
 
@@ -86,7 +86,7 @@ impl LiftingChart {
     }
 
     /// Slopes at a place; none in front of lift-off.
-    pub(super) fn slopes(&self, axial: f64, radial: f64) -> ChartSlopes {
+    pub(super) fn slopes(&self, axial: f64, radial: f64) -> [ChartSlopes; 2] {
         let along = self.span.along_of(axial);
         let mut lift_rate = 0.0;
         for power in (1..LIFT_TERMS).rev() {
@@ -98,12 +98,13 @@ impl LiftingChart {
             -lift_rate * self.span.rate() * side,
             2.0 * (radial - self.centre) * side,
         ];
-        ChartSlopes {
+        let slopes = ChartSlopes {
             factor: rates,
             // f dv = v²/(2 v) du
             root: rates.map(|rate| 0.5 * past_lift.sqrt() * rate),
             along: past_lift * self.span.rate(),
-        }
+        };
+        [slopes; 2]
     }
 
     /// A2 of a place at τ and v; not a number where there is none.

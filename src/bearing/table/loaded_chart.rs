@@ -8,11 +8,12 @@ use crate::bearing::Lanes;
 /// From the place of the inner groove centre to the square of its distance from the outer one.
 ///
 /// ```text
-/// p = |A1|   τ = (p − p_m)/p_h   v = p² + A2²   f = 1
+/// p = |A1|   τ = (p − p_m)/p_h   v = p² + A2²   f_a = 1   f_r = A2
 /// ```
 ///
 /// The load of a ball changes little along circles about the outer groove centre, so that a few cells along
-/// |A1| are enough; and where no ball lifts off it takes no root to make the force smooth.
+/// |A1| are enough: there the axial force is about a multiple of A1, and the radial one of A2, whose bend along
+/// |A1| would take more cells. And where no ball lifts off it takes no root to make the force smooth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::bearing) struct LoadedChart {
     pub(super) span: Span,
@@ -22,12 +23,13 @@ pub(in crate::bearing) struct LoadedChart {
 
 impl Coordinates for LoadedChart {
     #[inline(always)]
-    fn coordinates<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> [Lanes<S>; 3] {
+    fn coordinates<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> [Lanes<S>; 4] {
         let square = axial * axial + radial * radial;
         [
             self.span.along(axial),
             square,
             Lanes::splat(axial.witness(), 1.0),
+            radial,
         ]
     }
 }
@@ -47,12 +49,12 @@ impl LoadedChart {
     }
 
     /// Slopes at a place.
-    pub(super) fn slopes(&self, axial: f64, radial: f64) -> ChartSlopes {
-        ChartSlopes {
-            factor: [0.0; 2],
-            root: [2.0 * axial, 2.0 * radial],
-            along: self.span.rate(),
-        }
+    pub(super) fn slopes(&self, axial: f64, radial: f64) -> [ChartSlopes; 2] {
+        [(1.0, [0.0; 2]), (radial, [0.0, 1.0])].map(|(factor, rates)| ChartSlopes {
+            factor: rates,
+            root: [2.0 * factor * axial, 2.0 * factor * radial],
+            along: factor * self.span.rate(),
+        })
     }
 
     /// A2 of a place at τ and v, m; not a number where there is none.

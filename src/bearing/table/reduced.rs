@@ -44,17 +44,11 @@ pub(super) fn weighted(values: impl Iterator<Item = Reduced>, weights: &[f64]) -
     sum
 }
 
-/// Coefficients of x^k t^l from values at the nodes.
-pub(super) fn powers(
-    nodes: &[[Reduced; AXIAL_TERMS]; ROOT_TERMS],
+/// Coefficients of x^k t^l from those of t^l at the nodes of x.
+pub(super) fn powers_along_root(
+    rows: &[[Reduced; AXIAL_TERMS]; ROOT_TERMS],
     by_root: &[[f64; ROOT_TERMS]; ROOT_TERMS],
-    by_axial: &[[f64; AXIAL_TERMS]; AXIAL_TERMS],
 ) -> [[Reduced; AXIAL_TERMS]; ROOT_TERMS] {
-    let rows = nodes.map(|row| by_axial.map(|weights| weighted(row.into_iter(), &weights)));
-    by_root.map(|weights| {
-        std::array::from_fn(|l| {
-            let column: [Reduced; ROOT_TERMS] = std::array::from_fn(|root| rows[root][l]);
-            weighted(column.into_iter(), &weights)
-        })
-    })
+    by_root
+        .map(|weights| std::array::from_fn(|l| weighted(rows.iter().map(|row| row[l]), &weights)))
 }

@@ -2,12 +2,9 @@
 
 use fearless_simd::{Simd, SimdBase, SimdFloat, mask64x4};
 
+use super::division::{INSIDE, InCells, Search};
 use super::side_by_side::{ROUNDING, transposed, whole};
-use crate::bearing::{LANES, Lanes};
-
-/// Keeps the ends of a range from being rounded into the bins or cells beyond them, of which the last digit of the
-/// number of a cell is less.
-const INSIDE: f64 = 1.0 - 1e-11;
+use crate::bearing::Lanes;
 
 /// Bins over the whole range: the narrowest strip is one of them.
 pub(super) const BINS: usize = 4096;
@@ -22,29 +19,19 @@ const REACH: f64 = 0.5 * BINS as f64 - 1e-8;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
 struct Strip {
-    /// Scale and shift that map v onto x = −1 … 1, and τ onto the cells of the whole table:
+    /// Scale and shift that map v onto x = −½ … ½, and τ onto the cells of the whole table:
     /// `x = v scale + shift`.
     maps: [f64; 4],
 }
 
 /// Strips over a range of v, each a whole number of bins.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Strips {
+pub(in crate::bearing) struct Strips {
     /// Scale and shift that map v onto the bins.
     bin_scale: f64,
     bin_shift: f64,
     /// Strip of every bin.
     of_bin: Box<[Strip; BINS]>,
-}
-
-/// Places of balls in their cells.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct InCells<S: Simd> {
-    pub(super) cells: [u32; LANES],
-    /// Along the root of the approach, −1 … 1.
-    pub(super) x: Lanes<S>,
-    /// Along |A1|, −½ … ½.
-    pub(super) t: Lanes<S>,
 }
 
 impl Strips {
@@ -59,8 +46,8 @@ impl Strips {
             let half = 0.5 * cells as f64;
             of_bin[first..next].fill(Strip {
                 maps: [
-                    2.0 / (high - low),
-                    -(high + low) / (high - low),
+                    1.0 / (high - low),
+                    -0.5 * (high + low) / (high - low),
                     half * INSIDE,
                     first_cell as f64 + (half - 0.5),
                 ],
@@ -80,12 +67,6 @@ impl Strips {
         root * self.bin_scale + self.bin_shift
     }
 
-    /// Whether v are in the range.
-    #[inline(always)]
-    pub(super) fn contain<S: Simd>(&self, root: Lanes<S>) -> mask64x4<S> {
-        (self.among_bins(root) - MIDDLE).abs().simd_le(REACH)
-    }
-
     /// Maps of the strips at places among the bins: those of v in its first columns, those of τ in the others.
     #[inline(always)]
     fn maps<S: Simd>(&self, place: Lanes<S>) -> [Lanes<S>; 4] {
@@ -94,10 +75,16 @@ impl Strips {
         let maps = |bin: u32| simd.load_array_ref_f64x4(&self.of_bin[bin as usize % BINS].maps);
         transposed([maps(a), maps(b), maps(c), maps(d)])
     }
+}
 
-    /// The cells of v and τ, and the places in them.
+impl Search for Strips {
     #[inline(always)]
-    pub(super) fn locate<S: Simd>(&self, root: Lanes<S>, along: Lanes<S>) -> InCells<S> {
+    fn contain<S: Simd>(&self, root: Lanes<S>) -> mask64x4<S> {
+        (self.among_bins(root) - MIDDLE).abs().simd_le(REACH)
+    }
+
+    #[inline(always)]
+    fn locate<S: Simd>(&self, root: Lanes<S>, along: Lanes<S>) -> InCells<S> {
         let [root_scale, root_shift, scale, shift] = self.maps(self.among_bins(root));
         let place = along * scale + shift;
         let column = place + ROUNDING;
@@ -108,9 +95,8 @@ impl Strips {
         }
     }
 
-    /// dx/dv and dt/dτ at v.
     #[inline(always)]
-    pub(super) fn rates<S: Simd>(&self, root: Lanes<S>) -> [Lanes<S>; 2] {
+    fn rates<S: Simd>(&self, root: Lanes<S>) -> [Lanes<S>; 2] {
         let [root_scale, _, scale, _] = self.maps(self.among_bins(root));
         [root_scale, scale]
     }
@@ -149,7 +135,7 @@ mod tests {
                 for root in [root.next_down(), root, root.next_up()] {
                     let (own, [x, t]) = located(&strips, root, along);
                     assert_eq!(own, cell);
-                    assert!((x.abs() - 1.0).abs() < 1e-6 && t.abs() <= 0.5, "{x}, {t}");
+                    assert!((x.abs() - 0.5).abs() < 1e-6 && t.abs() <= 0.5, "{x}, {t}");
                 }
             }
         }
@@ -162,8 +148,8 @@ mod tests {
             (0.25, -0.5, 0, 0.0),
             (0.25, 0.5, 1, 0.0),
             (0.625, 0.0, 2, 0.0),
-            (0.8125, -0.75, 3, -0.5),
-            (0.9375, 0.75, 6, 0.5),
+            (0.8125, -0.75, 3, -0.25),
+            (0.9375, 0.75, 6, 0.25),
         ] {
             let (cell, [own, t]) = located(&strips, root, along);
             assert_eq!(cell, expected);
