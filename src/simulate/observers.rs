@@ -50,11 +50,9 @@ impl<'a> Observers<'a> {
         tables: TableAudit,
     ) -> Self {
         let observation = Observation::new(model, rotor);
-        let whole_run = model.energy
-            || rotor.is_driven()
-            || model.analyses.maps
-            || tables.is_due()
-            || observation.is_of_early_loads();
+        let accounted = model.energy || rotor.is_driven();
+        let takes_whole = accounted || model.analyses.maps || tables.is_due();
+        let whole_run = takes_whole || observation.is_of_early_loads();
         let whole_from = match whole_run {
             true => 0.0,
             false => sink.starts_at().min(model.settle),
@@ -78,10 +76,7 @@ impl<'a> Observers<'a> {
             plain: true,
             rows: SampleRows::new(),
             samples: Vec::new(),
-            whole: model.energy
-                || model.analyses.maps
-                || tables.is_due()
-                || !model.spectra.is_empty(),
+            whole: takes_whole || !model.spectra.is_empty(),
             settle: model.settle,
             largest_ball_load: 0.0,
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
