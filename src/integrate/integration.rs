@@ -200,10 +200,11 @@ where
         for _ in 0..points {
             let time = self.grid.time(self.next);
             let steps_before = self.counters.steps;
+            let is_within = self.walk.time() >= time;
             let result = self.walk.state_at(&course, time);
-            self.counters = self.walk.counters();
-            self.step = self.walk.step_size();
-            self.scaled = self.walk.scaled(&self.scaling);
+            if !is_within || result.is_err() {
+                (self.counters, self.step, self.scaled) = self.walk.stock(scaling);
+            }
             let look = steps_before / part != self.counters.steps / part;
             match result {
                 Ok(state) if look => {
@@ -222,6 +223,8 @@ where
                 Err(error) => return Err(error),
             }
         }
+        // a state within a step may take evaluations, too
+        (self.counters, self.step, self.scaled) = self.walk.stock(scaling);
         Ok(())
     }
 

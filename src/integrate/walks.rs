@@ -109,23 +109,14 @@ impl<const N: usize> Walks<N> {
         any!(self, walk => walk.time())
     }
 
-    /// Size of the latest step or of the one to come, s.
-    pub fn step_size(&self) -> f64 {
-        any!(self, walk => walk.step_size())
-    }
-
-    /// Scaled state at the end of the latest step.
-    pub fn scaled(&self, scaling: &Scaling<N>) -> [f64; N] {
-        any!(self, walk => walk.scaled(scaling))
+    /// Work done so far, the size of the latest step or of the one to come, s, and the scaled state at the end of the
+    /// latest.
+    pub fn stock(&self, scaling: &Scaling<N>) -> (Counters, f64, [f64; N]) {
+        any!(self, walk => (walk.counters(), walk.step_size(), walk.scaled(scaling)))
     }
 
     /// Everything but the counters as numbers.
     pub fn numbers(&self) -> Vec<f64> {
         any!(self, walk => walk.numbers())
-    }
-
-    /// Work done so far.
-    pub fn counters(&self) -> Counters {
-        any!(self, walk => walk.counters())
     }
 }

@@ -47,8 +47,10 @@ pub(super) struct Beforehand {
     /// Mean frequency of the modes at the origin, without their damping, rad/s, and mean rate of their decay, 1/s.
     frequency: f64,
     decay: f64,
-    /// How much faster than shaft and loads what drives a state at rest is by the passing of the balls.
-    quickening: f64,
+    /// Evaluations of the exponential method per radian of shaft and loads, the more where the passing of the balls
+    /// is faster, and per time for the surfaces that are crossed.
+    exponential_per_radian: f64,
+    exponential_for_crossings: f64,
 }
 
 impl Beforehand {
@@ -66,6 +68,7 @@ impl Beforehand {
         };
         let pace = course.system.pace(0.0, course.end);
         let rest = Rest::over((TURNS * TAU / pace).min(course.end), course);
+        let finer = |at: f64| (course.settings.tolerance / at).powf(ROOT);
         Self {
             prices: Prices::new(course.system.effort(), N),
             settled,
@@ -73,7 +76,12 @@ impl Beforehand {
             crossings: rest.crossings,
             frequency,
             decay,
-            quickening: (rest.frequency / pace).max(1.0),
+            exponential_per_radian: EXPONENTIAL_PER_RADIAN
+                * finer(EXPONENTIAL_TOLERANCE)
+                * (rest.frequency / pace).max(1.0),
+            exponential_for_crossings: EXPONENTIAL_PER_CROSSING
+                * finer(PAIR_TOLERANCE)
+                * rest.crossings,
         }
     }
 
@@ -98,13 +106,10 @@ impl Beforehand {
         course: &Course<'_, S, N>,
         time: f64,
     ) -> f64 {
-        let finer = |at: f64| (course.settings.tolerance / at).powf(ROOT);
-        let pace = self.quickening * course.system.pace(time, course.end);
-        let smooth = EXPONENTIAL_PER_RADIAN * finer(EXPONENTIAL_TOLERANCE) * pace;
-        let rough = EXPONENTIAL_PER_CROSSING * finer(PAIR_TOLERANCE) * self.crossings;
+        let smooth = self.exponential_per_radian * course.system.pace(time, course.end);
         let sizes = SIZES_PER_BREAK * breaks_per_time(course, time);
         let evaluation = self.prices.evaluation[Way::Exponential as usize];
-        (smooth + rough) * evaluation + sizes * self.prices.step_size
+        (smooth + self.exponential_for_crossings) * evaluation + sizes * self.prices.step_size
     }
 }
 
