@@ -152,6 +152,7 @@ impl<const N: usize> AutoWalk<N> {
     ///
     /// # Errors
     /// Why the walk ends before that time.
+    #[inline]
     pub fn state_at<S: Linearised<N>>(
         &mut self,
         course: &Course<'_, S, N>,
@@ -160,12 +161,12 @@ impl<const N: usize> AutoWalk<N> {
         while self.time() < time {
             self.step(course)?;
         }
-        Ok(match self.selector.way {
-            Way::Verner76 => self.explicit.state_within::<Verner76, S>(course, time),
-            Way::Dop853 => self.explicit.state_within::<Dop853, S>(course, time),
-            Way::Dprkn8 => self.nystrom.state_at::<Dprkn8, S>(course, time)?,
-            Way::Exponential => self.exponential.state_within(course, time),
-        })
+        match self.selector.way {
+            Way::Exponential => Ok(self.exponential.state_within(course, time)),
+            Way::Verner76 => Ok(self.explicit.state_within::<Verner76, S>(course, time)),
+            Way::Dop853 => Ok(self.explicit.state_within::<Dop853, S>(course, time)),
+            Way::Dprkn8 => self.nystrom.state_at::<Dprkn8, S>(course, time),
+        }
     }
 
     /// Takes a step; where the method cannot, one that always can goes on for it.
