@@ -35,6 +35,7 @@ mod steady;
 mod study;
 mod summary;
 mod table;
+mod table_use;
 mod text;
 mod trace_table;
 mod wrapped;

@@ -9,12 +9,13 @@ use super::motion::motion_json;
 use super::peaks_csv::other_names;
 use super::run_up::maps_json;
 use super::spectra::estimated_json;
+use super::table_use::table_use_json;
 use crate::analysis::{Channel, Peak, Spectrum};
 use crate::bearing::Matrix5;
 use crate::integrate::Counters;
 use crate::rotor::FREEDOMS;
 use crate::rotor::NaturalFrequency;
-use crate::simulate::{EnergyReport, MeasuredError, Model, Run, StaticState, TableUse};
+use crate::simulate::{EnergyReport, MeasuredError, Model, Run, StaticState};
 
 /// Everything that a run answers except trace and spectra, every number with its unit in its name.
 ///
@@ -45,7 +46,7 @@ pub fn summary(title: &str, scenario: &Value, model: &Model, run: &Run) -> Value
             .collect::<Value>(),
         "motion": run.motion.as_ref().map(motion_json),
         "maps": run.maps.as_ref().map(maps_json),
-        "tables": run.tables.iter().map(|table| table.as_ref().map(table_use)).collect::<Value>(),
+        "tables": run.tables.iter().map(|table| table.as_ref().map(table_use_json)).collect::<Value>(),
         "counters": counters(&run.counters),
         "method_use": run.method_use.as_ref().map(method_use_json),
         "measured_error": run
@@ -138,19 +139,6 @@ fn energy(energy: &EnergyReport) -> Value {
         "largest_residual_J": energy.largest_residual,
         "relative_residual": energy.relative_residual,
     })
-}
-
-fn table_use(table: &TableUse) -> Value {
-    match &table.table {
-        Ok(report) => json!({
-            "error_N": report.error,
-            "relative_error": report.relative_error,
-            "cells": report.cells,
-            "evaluations": report.evaluations,
-            "samples_outside": table.samples_outside,
-        }),
-        Err(error) => json!({ "none": error.to_string() }),
-    }
 }
 
 fn counters(counters: &Counters) -> Value {

@@ -8,6 +8,7 @@ use comfy_table::{CellAlignment, Table, presets};
 use super::histories::write_histories;
 use super::method_use::method_use_text;
 use super::motion::write_motion;
+use super::table_use::table_use_text;
 use super::wrapped;
 use crate::analysis::{Peak, Spectrum};
 use crate::rotor::Freedoms;
@@ -53,6 +54,7 @@ fn write_text(
     if let Some(used) = &run.method_use {
         out.push_str(&method_use_text(used));
     }
+    out.push_str(&table_use_text(&run.tables));
     if let Some(error) = &run.measured_error {
         writeln!(
             out,

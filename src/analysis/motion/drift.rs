@@ -5,6 +5,7 @@ use std::ops::{Add, Mul, Sub};
 
 use fearless_simd::{Level, Simd, SimdBase, dispatch};
 
+use super::moments::across;
 use super::row::{MOST, Row};
 use crate::bearing::{LANES, Lanes};
 use crate::rotor::FREEDOMS;
@@ -159,12 +160,6 @@ fn add_weighted<S: Simd>(
     let part = simd.load_array_ref_f64x4(weights) * distance;
     sums[0] += part;
     sums[1] += part * distance;
-}
-
-#[inline(always)]
-fn across<S: Simd>(lanes: Lanes<S>) -> f64 {
-    let [a, b, c, d] = *lanes;
-    (a + b) + (c + d)
 }
 
 /// A Hann window of whole turns at so many places so many turns apart: its phase is turned from a few of them, side

@@ -188,8 +188,9 @@ fn add_powers<S: Simd, const SHAPE: bool>(
     }
 }
 
+/// Sum over the lanes.
 #[inline(always)]
-fn across<S: Simd>(lanes: Lanes<S>) -> f64 {
+pub(super) fn across<S: Simd>(lanes: Lanes<S>) -> f64 {
     let [a, b, c, d] = *lanes;
     (a + b) + (c + d)
 }

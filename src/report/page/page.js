@@ -331,6 +331,9 @@
       ballsOf && ballsOf.outer_Hz > 0 && ["ball pass, outer race", `${number(ballsOf.outer_Hz)} Hz`, `inner race ${number(ballsOf.inner_Hz)} Hz`],
       lives.length > 0 && ["life L10r", `${number(Math.min(...lives), 4)} h`, "of this motion, shortest-lived bearing"],
       ["evaluations", number(summary.counters.evaluations, 9), `${number(summary.counters.steps, 9)} steps, ${summary.counters.rejected} rejected`],
+      ...(summary.tables ?? []).map((table, index) => table && [`table of bearing ${index + 1}`,
+        table.none ? "none" : `${number(table.cells, 9)} cells`,
+        table.none ?? `off by ${number(table.relative_error, 2)} of the largest ball load; ${table.samples_outside} samples outside it`]),
     ]);
   }
 
