@@ -9,7 +9,7 @@
 //!
 //! Source: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2.
 
-use nalgebra::Complex;
+use nalgebra::ComplexField;
 
 use super::phi::HIGHEST;
 
@@ -29,38 +29,40 @@ const INVERSE_FACTORIALS: [f64; HIGHEST + 1] = {
 };
 
 /// φ_0 … φ_HIGHEST of a number.
-pub(super) fn functions(x: Complex<f64>) -> [Complex<f64>; HIGHEST + 1] {
+pub(super) fn functions<T: ComplexField<RealField = f64> + Copy>(x: T) -> [T; HIGHEST + 1] {
     let mut values = [x.exp(); HIGHEST + 1];
-    let size = x.norm();
+    let size = x.modulus();
     let meeting = size.min(HIGHEST as f64) as usize;
-    let inverse = x.inv();
+    let inverse = x.recip();
     for k in 1..=meeting {
-        values[k] = (values[k - 1] - INVERSE_FACTORIALS[k - 1]) * inverse;
+        values[k] = (values[k - 1] - T::from_real(INVERSE_FACTORIALS[k - 1])) * inverse;
     }
     if meeting < HIGHEST {
         values[HIGHEST] = highest(x, size);
         for k in (meeting + 1..HIGHEST).rev() {
-            values[k] = x * values[k + 1] + INVERSE_FACTORIALS[k];
+            values[k] = x * values[k + 1] + T::from_real(INVERSE_FACTORIALS[k]);
         }
     }
     values
 }
 
 /// The highest function by its series.
-fn highest(x: Complex<f64>, size: f64) -> Complex<f64> {
-    let (mut term, mut sum) = (Complex::ONE, Complex::ONE);
+fn highest<T: ComplexField<RealField = f64> + Copy>(x: T, size: f64) -> T {
+    let (mut term, mut sum) = (T::one(), T::one());
     let (mut divisor, mut part) = (HIGHEST as f64, 1.0);
     while part > NOTHING {
         divisor += 1.0;
-        term *= x / divisor;
+        term *= x.unscale(divisor);
         part *= size / divisor;
         sum += term;
     }
-    sum * INVERSE_FACTORIALS[HIGHEST]
+    sum.scale(INVERSE_FACTORIALS[HIGHEST])
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Complex;
+
     use super::*;
     use crate::integrate::exponential::phi;
 

@@ -20,8 +20,13 @@ pub(super) fn functions<const N: usize>(
     let mut functions = [[[0.0; N]; 2]; HIGHEST + 1];
     let mut coordinate = 0;
     while coordinate < N {
-        let values = mode_phi::functions(eigenvalues[coordinate] * interval);
-        let paired = eigenvalues[coordinate].im > 0.0;
+        let exponent = eigenvalues[coordinate] * interval;
+        let paired = exponent.im > 0.0;
+        let values = if paired {
+            mode_phi::functions(exponent)
+        } else {
+            mode_phi::functions(exponent.re).map(Complex::from)
+        };
         for ([own, given], value) in functions.iter_mut().zip(values) {
             own[coordinate] = value.re;
             given[coordinate] = -value.im;

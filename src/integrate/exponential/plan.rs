@@ -5,6 +5,9 @@
 /// Least part of an interval that counts as one, and nearness to a grid time that counts as there.
 const SLACK: f64 = 1e-6;
 
+/// Times that a step might be longer than the rest of a leg allows it to be from which on that rest is divided anew.
+const MUCH: f64 = 4.0;
+
 /// The way to the next time at which a step ends anyhow: a grid time or a break.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Leg {
@@ -82,6 +85,10 @@ impl Leg {
             leg.left *= 0.5;
             leg.size *= 2.0;
         }
+        if MUCH * leg.size <= wish {
+            // steps grow faster than halves of the whole leg allow
+            leg = Self::divided(self.end, self.left * self.size, wish);
+        }
         leg
     }
 }
@@ -96,5 +103,26 @@ fn round_below(number: f64) -> f64 {
         1.5 * power
     } else {
         power
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// From a thousandth of an interval on in steps that may grow eightfold: as many of them as that takes.
+    #[test]
+    fn steps_on_the_way_to_a_sample_grow_as_fast_as_they_may() {
+        let (mut wish, mut time, mut steps) = (1e-3, 0.0, 0);
+        let mut leg = Leg::new(time, wish, 1.0, f64::INFINITY);
+        while leg.left > 0.0 {
+            assert!(leg.size <= wish * (1.0 + SLACK));
+            (time, steps) = (time + leg.size, steps + 1);
+            (leg.left, wish) = (leg.left - 1.0, 8.0 * leg.size);
+            if leg.left > 0.0 {
+                leg = leg.adapted(wish);
+            }
+        }
+        assert!((time - 1.0).abs() < 1e-12 && steps <= 6, "{time}, {steps}");
     }
 }
