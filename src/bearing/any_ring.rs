@@ -162,6 +162,11 @@ impl AnyRing {
         with_ring!(self, ring => ring.lift_offs(displacement, cage, speed))
     }
 
+    /// Radius of the circle of inner groove centres, m.
+    pub fn arm(&self) -> f64 {
+        with_ring!(self, ring => ring.arm)
+    }
+
     /// Approach that no ball has less of, wherever the cage stands, m; none where that is not known.
     pub fn least_approach(&self, place: &Vector5) -> Option<f64> {
         match self {

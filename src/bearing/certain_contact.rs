@@ -141,16 +141,16 @@ mod tests {
 
     /// Where the shaft moves by less than the balls are from their lift-off, none lifts off, wherever the cage stands.
     #[test]
-    fn a_shift_that_is_part_of_the_clearance_lifts_no_ball_off() {
+    fn a_shift_below_the_clearance_lifts_no_ball_off() {
         let support = support("7205C");
         let (mut clear, mut moved) = (0, 0);
         for step in 0..2000 {
             let from = place(step);
             let next = place(step + 1);
             let to = std::array::from_fn(|axis| from[axis] + 0.2 * (next[axis] - from[axis]));
-            let part = support.part_of_clearance([&from, &to]);
-            moved += u32::from(part > 0.0);
-            if part >= 1.0 {
+            let shift = support.approach_to_lift_off([&from, &to], 0.0);
+            moved += u32::from(shift > 0.0);
+            if shift >= support.clearance(&from) {
                 continue;
             }
             clear += 1;

@@ -246,14 +246,23 @@ impl<L: BallLaw> Ring<L> {
         displacement: Vector5,
         cage: CageAngle,
     ) -> impl Iterator<Item = PlacedBall> {
-        (0..self.azimuths.len()).map(move |ball| {
-            let lanes = &self.lanes[ball / LANES];
-            let lane = ball % LANES;
-            let (sin_0, cos_0) = (lanes.sin[lane], lanes.cos[lane]);
-            let cos = cos_0 * cage.cos - sin_0 * cage.sin;
-            let sin = sin_0 * cage.cos + cos_0 * cage.sin;
-            self.place(&displacement, sin, cos)
-        })
+        (0..self.azimuths.len()).map(move |ball| self.placed_ball(ball, &displacement, cage))
+    }
+
+    /// The same of one of the balls.
+    #[inline(always)]
+    pub(super) fn placed_ball(
+        &self,
+        ball: usize,
+        displacement: &Vector5,
+        cage: CageAngle,
+    ) -> PlacedBall {
+        let lanes = &self.lanes[ball / LANES];
+        let lane = ball % LANES;
+        let (sin_0, cos_0) = (lanes.sin[lane], lanes.cos[lane]);
+        let cos = cos_0 * cage.cos - sin_0 * cage.sin;
+        let sin = sin_0 * cage.cos + cos_0 * cage.sin;
+        self.place(displacement, sin, cos)
     }
 
     /// dA1/dq and dA2/dq of a ball.

@@ -52,10 +52,11 @@ impl<L: BallLaw> Ring<L> {
         cage: CageAngle,
         speed: f64,
     ) -> f64 {
-        let placed = self.placed(*displacement, cage).nth(ball);
-        placed.map_or(f64::INFINITY, |ball| {
-            self.law().past_lift_off(ball.axial, ball.radial, speed)
-        })
+        if ball >= self.azimuths.len() {
+            return f64::INFINITY;
+        }
+        let placed = self.placed_ball(ball, displacement, cage);
+        self.law().past_lift_off(placed.axial, placed.radial, speed)
     }
 }
 

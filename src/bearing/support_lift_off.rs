@@ -46,23 +46,20 @@ impl Support {
         LIFT_OFF_SLOPE * self.shift_of_centres(&from, &to, turn.abs())
     }
 
-    /// Part of the distance that every ball has from its lift-off, wherever the cage stands, that the shaft moves
-    /// from one displacement to another; infinite where that distance is not known.
-    pub(crate) fn part_of_clearance(&self, ends: [&Vector5; 2]) -> f64 {
+    /// Distance that every ball has from its lift-off, wherever the cage stands, m; not positive where that is not
+    /// known.
+    pub(crate) fn clearance(&self, displacement: &Vector5) -> f64 {
         if self.balls_that_lift_off() == 0 {
-            return 0.0;
+            return f64::INFINITY;
         }
         let Seat::Fixed { offset } = self.seat else {
-            return f64::INFINITY;
+            return 0.0;
         };
-        let [from, to] = ends.map(|displacement| self.imposed(displacement));
-        let [x, y, z, tilt_x, tilt_y] = from;
+        let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
         let place = [x, y, z + offset, tilt_x, tilt_y];
         match self.ring.least_approach(&place) {
-            Some(least) if least > 0.0 && self.table.is_none() => {
-                self.shift_of_centres(&from, &to, 0.0) / least
-            }
-            _ => f64::INFINITY,
+            Some(least) if self.table.is_none() => least,
+            _ => 0.0,
         }
     }
 
@@ -77,7 +74,7 @@ impl Support {
         if [tilt_x, tilt_y, to[3], to[4]] == [0.0; 4] {
             return length(radial, z);
         }
-        let arm = self.definition.bearing.geometry.inner_groove_radius();
+        let arm = self.ring.arm();
         let tilt = length(tilt_x, tilt_y) + turn * length(to[3], to[4]);
         length(radial, z.abs() + arm * tilt)
     }

@@ -6,6 +6,8 @@ const SAFETY: f64 = 0.8;
 /// Least and largest change of the size from one trial to the next.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 6.0;
+/// Power of the step size that the error over a surface falls with, inverse.
+const CROSSING_POWER: f64 = 0.4;
 /// Least error that counts: growth is limited anyway.
 const LEAST_ERROR: f64 = 1e-12;
 
@@ -51,6 +53,12 @@ impl Control {
         } else {
             self.accepted(error, power)
         }
+    }
+
+    /// Factor after a step whose error for what it goes over is too large.
+    pub fn crossed(&mut self, error: f64) -> f64 {
+        self.rejected = true;
+        error.powf(-CROSSING_POWER).max(SHRINK)
     }
 
     /// Factor after a bad step, whose error may be no number.

@@ -69,6 +69,12 @@ impl<'a, S, const N: usize> Course<'a, S, N> {
         Ok(())
     }
 
+    /// The state at a deviation from the origin.
+    #[inline(always)]
+    pub fn state(&self, deviation: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| self.scaling.origin[i] + deviation[i])
+    }
+
     /// Root mean square over what is allowed at a deviation.
     pub fn norm(&self, deviation: &[f64; N], vector: &[f64; N]) -> f64 {
         let squares = (0..N).map(|i| {

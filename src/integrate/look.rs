@@ -14,6 +14,8 @@ pub(super) struct Look<const N: usize> {
     state: [f64; N],
     /// Distance of the nearest surface.
     pub nearest: f64,
+    /// The same wherever surfaces are by the time, where that is known.
+    clearance: f64,
 }
 
 impl<const N: usize> Look<N> {
@@ -23,6 +25,7 @@ impl<const N: usize> Look<N> {
         time: 0.0,
         state: [0.0; N],
         nearest: 0.0,
+        clearance: 0.0,
     };
 
     /// From a state at a time, s.
@@ -33,6 +36,7 @@ impl<const N: usize> Look<N> {
             time,
             state,
             nearest: seen.nearest,
+            clearance: system.clearance(&state),
         }
     }
 
@@ -42,7 +46,10 @@ impl<const N: usize> Look<N> {
             return true;
         }
         // a look that was never taken is near to everything
-        if self.nearest > 0.0 && system.part_of_clearance([&self.state, state]) < SAFE {
+        if self.nearest <= 0.0 {
+            return false;
+        }
+        if self.clearance > 0.0 && system.shift([&self.state, state]) < SAFE * self.clearance {
             return true;
         }
         let walked = system.approach([self.time, time], [&self.state, state]);

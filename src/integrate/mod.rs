@@ -24,6 +24,7 @@ mod settings;
 mod shifted;
 mod slopes_along;
 mod stiffness;
+mod stride;
 mod system;
 mod variation;
 mod walks;

@@ -3,7 +3,8 @@
 /// Integration method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// The cheapest of Verner 7(6), Dormand–Prince 8(5,3) and exponential collocation, chosen on the way.
+    /// The cheapest of Verner 7(6), Dormand–Prince 8(5,3), the Nyström pair 8(6) and exponential collocation, chosen
+    /// on the way.
     Auto,
     /// Verner 7(6), "most efficient".
     Verner76,

@@ -41,8 +41,12 @@ impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
         self.system.approach(times, states)
     }
 
-    fn part_of_clearance(&self, states: [&[f64; N]; 2]) -> f64 {
-        self.system.part_of_clearance(states)
+    fn clearance(&self, state: &[f64; N]) -> f64 {
+        self.system.clearance(state)
+    }
+
+    fn shift(&self, states: [&[f64; N]; 2]) -> f64 {
+        self.system.shift(states)
     }
 
     fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {

@@ -57,10 +57,15 @@ pub trait System<const N: usize> {
         f64::INFINITY
     }
 
-    /// Part of the distance that the first of two states has from all surfaces, wherever these are by the time,
-    /// that the second is away; infinite where nothing is known. It is to cost little: what is small spares
-    /// [`System::surroundings`] and [`System::approach`].
-    fn part_of_clearance(&self, _states: [&[f64; N]; 2]) -> f64 {
+    /// Distance that a state has from all surfaces, wherever these are by the time; not positive where that is not
+    /// known. A [`System::shift`] below it spares [`System::surroundings`] and [`System::approach`].
+    fn clearance(&self, _state: &[f64; N]) -> f64 {
+        0.0
+    }
+
+    /// No surface comes nearer by more than this from one state to another, where it stays as it is by the time;
+    /// infinite where nothing is known. It is to cost little.
+    fn shift(&self, _states: [&[f64; N]; 2]) -> f64 {
         f64::INFINITY
     }
 

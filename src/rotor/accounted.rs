@@ -153,9 +153,13 @@ impl System<ACCOUNTED_STATES> for AccountedRotor<'_> {
             .approach_to_lift_off(rotations.each_ref(), places)
     }
 
-    fn part_of_clearance(&self, states: [&State; 2]) -> f64 {
+    fn clearance(&self, state: &State) -> f64 {
+        self.rotor.clearance(&state[..self.rotor.kept])
+    }
+
+    fn shift(&self, states: [&State; 2]) -> f64 {
         self.rotor
-            .part_of_clearance(states.map(|state| &state[..self.rotor.kept]))
+            .shift_to_lift_off(states.map(|state| &state[..self.rotor.kept]))
     }
 
     fn added(&self, surface: u32, time: f64, distance: f64) -> State {

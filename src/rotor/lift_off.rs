@@ -57,15 +57,21 @@ impl Rotor {
         self.supports.iter().map(approach).fold(0.0, f64::max)
     }
 
-    /// Part of the distance that all balls have from their lift-off, wherever the cages stand, that the shaft moves
-    /// from one place to another; infinite where that distance is not known.
-    pub(super) fn part_of_clearance(&self, places: [&[f64]; 2]) -> f64 {
-        if !self.lifts_off {
-            return 0.0;
-        }
+    /// Distance that all balls have from their lift-off at a place, wherever the cages stand, m; not positive where
+    /// that is not known.
+    pub(super) fn clearance(&self, place: &[f64]) -> f64 {
+        let displacement = self.full(&self.equilibrium.displacement, place);
+        let clearance = |support: &Support| support.clearance(&displacement);
+        let all = self.supports.iter().map(clearance);
+        all.fold(f64::INFINITY, f64::min)
+    }
+
+    /// No ball comes nearer to its lift-off by more than this as the shaft goes from one place to another while the
+    /// cages stand, m; infinite where a ring floats.
+    pub(super) fn shift_to_lift_off(&self, places: [&[f64]; 2]) -> f64 {
         let ends = places.map(|place| self.full(&self.equilibrium.displacement, place));
-        let part = |support: &Support| support.part_of_clearance(ends.each_ref());
-        self.supports.iter().map(part).fold(0.0, f64::max)
+        let shift = |support: &Support| support.approach_to_lift_off(ends.each_ref(), 0.0);
+        self.supports.iter().map(shift).fold(0.0, f64::max)
     }
 
     /// Accelerations that a ball so far past its lift-off gives the kept freedoms at most, m/s² and

@@ -304,8 +304,12 @@ impl<const N: usize> System<N> for Rotor {
         self.approach_to_lift_off(rotations.each_ref(), states.map(|state| &state[..N / 2]))
     }
 
-    fn part_of_clearance(&self, states: [&[f64; N]; 2]) -> f64 {
-        Rotor::part_of_clearance(self, states.map(|state| &state[..N / 2]))
+    fn clearance(&self, state: &[f64; N]) -> f64 {
+        Rotor::clearance(self, &state[..N / 2])
+    }
+
+    fn shift(&self, states: [&[f64; N]; 2]) -> f64 {
+        self.shift_to_lift_off(states.map(|state| &state[..N / 2]))
     }
 
     fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {

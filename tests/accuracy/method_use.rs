@@ -108,6 +108,20 @@ fn strong_damping_and_none_are_left_to_the_exponential_method_from_the_first_ste
     }
 }
 
+/// What a blow does is known before the first step: the exponential method, cheap before it and after, does not go
+/// through it.
+#[test]
+fn blows_that_lift_balls_off_are_left_to_the_nystrom_pair_from_the_first_step_on() {
+    for name in ["impact-short", "impact-slow"] {
+        let model = hard(name);
+        let (run, used) = run(&model);
+        assert_eq!(used.changes[0].method, Method::Dprkn8, "{name}");
+        let all = run.counters.evaluations;
+        let pair = evaluations(&model, Method::Dprkn8);
+        assert!(20 * all < 21 * pair, "{name}: {all} against {pair}");
+    }
+}
+
 /// The first turns of a start are unlike all that follows: a method that is dear there is tried again.
 #[test]
 fn a_start_by_a_motor_ends_with_the_exponential_method() {

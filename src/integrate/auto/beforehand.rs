@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::blows::Blows;
 use super::cost::{Prices, Way};
 use super::rest::Rest;
 use crate::integrate::Linearised;
@@ -15,6 +16,10 @@ const EXPONENTIAL_TOLERANCE: f64 = 1e-8;
 const PAIR_PER_RADIAN: f64 = 19.0;
 const EXPONENTIAL_PER_CROSSING: f64 = 250.0;
 const PAIR_TOLERANCE: f64 = 1e-6;
+/// Cost of the exponential method while the motion rings with a blow, in that of Verner's pair.
+const EXPONENTIAL_RINGING: f64 = 3.0;
+/// Part of the time that a motion rings with blows from which on this is much.
+const RINGING: f64 = 0.3;
 /// Evaluations of Verner's pair in the mean decay time of the modes, to stay stable: the fastest of them decays
 /// twice as fast at least where this counts.
 const PAIR_PER_DECAY: f64 = 4.8;
@@ -44,6 +49,8 @@ pub(super) struct Beforehand {
     pub decayed: f64,
     /// How often surfaces go over a state at rest, 1/s.
     pub crossings: f64,
+    /// Whether blows come to contacts of which some are open at rest.
+    pub bounces: bool,
     /// Mean frequency of the modes at the origin, without their damping, rad/s, and mean rate of their decay, 1/s.
     frequency: f64,
     decay: f64,
@@ -51,6 +58,7 @@ pub(super) struct Beforehand {
     /// is faster, and per time for the surfaces that are crossed.
     exponential_per_radian: f64,
     exponential_for_crossings: f64,
+    blows: Blows,
 }
 
 impl Beforehand {
@@ -67,6 +75,7 @@ impl Beforehand {
             [0.0, f64::INFINITY]
         };
         let pace = course.system.pace(0.0, course.end);
+        let blows = Blows::ahead(course, frequency, decayed);
         let rest = Rest::over((TURNS * TAU / pace).min(course.end), course);
         let finer = |at: f64| (course.settings.tolerance / at).powf(ROOT);
         Self {
@@ -74,6 +83,7 @@ impl Beforehand {
             settled,
             decayed,
             crossings: rest.crossings,
+            bounces: blows.part > 0.0 && course.system.clearance(&course.scaling.origin) <= 0.0,
             frequency,
             decay,
             exponential_per_radian: EXPONENTIAL_PER_RADIAN
@@ -82,6 +92,7 @@ impl Beforehand {
             exponential_for_crossings: EXPONENTIAL_PER_CROSSING
                 * finer(PAIR_TOLERANCE)
                 * rest.crossings,
+            blows,
         }
     }
 
@@ -99,6 +110,11 @@ impl Beforehand {
         VERNER_EVALUATIONS * price / self.pair(tolerance)
     }
 
+    /// Whether the motion is to ring with blows for much of the time from a time on, s.
+    pub fn rings(&self, time: f64) -> bool {
+        time < self.blows.end && self.blows.part > RINGING
+    }
+
     /// Cost per simulated time that the exponential method is expected to have from a time on, s, once the
     /// motion has settled; no number where nothing is known.
     pub fn exponential<S: Linearised<N>, const N: usize>(
@@ -107,9 +123,16 @@ impl Beforehand {
         time: f64,
     ) -> f64 {
         let smooth = self.exponential_per_radian * course.system.pace(time, course.end);
+        let ringing = if time < self.blows.end {
+            EXPONENTIAL_RINGING * self.blows.part * self.pair(course.settings.tolerance)
+        } else {
+            0.0
+        };
         let sizes = SIZES_PER_BREAK * breaks_per_time(course, time);
         let evaluation = self.prices.evaluation[Way::Exponential as usize];
-        (smooth + self.exponential_for_crossings) * evaluation + sizes * self.prices.step_size
+        (smooth + self.exponential_for_crossings) * evaluation
+            + sizes * self.prices.step_size
+            + ringing
     }
 }
 

@@ -7,6 +7,9 @@ use super::walk::AutoWalk;
 use crate::integrate::Linearised;
 use crate::integrate::course::Course;
 
+/// Tolerance from which on Dormand and Prince's pair takes fewer evaluations than Verner's.
+const FINE: f64 = 1e-10;
+
 impl<const N: usize> AutoWalk<N> {
     /// Goes over to another method where the latest step leads to it.
     pub(super) fn choose<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
@@ -41,15 +44,6 @@ impl<const N: usize> AutoWalk<N> {
         }
     }
 
-    /// Leaves a stretch of the Nyström pair that comes to a surface.
-    pub(super) fn turn_back<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
-        let known = self.beforehand(course);
-        let (here, outlook) = (self.mark(&known.prices), self.outlook(course, &known));
-        let way = self.selector.turn_back(here, &outlook);
-        self.change(here, way);
-        self.contacts_change = true;
-    }
-
     /// Lets the explicit pair go on that always can, and the present method never again.
     pub(super) fn give_up_method<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
         let prices = self.beforehand(course).prices;
@@ -73,16 +67,21 @@ impl<const N: usize> AutoWalk<N> {
             },
             crossings: known.crossings,
             contacts_change: self.contacts_change,
+            rings: known.rings(time),
+            bounces: known.bounces,
         }
     }
 
-    /// What is known beforehand; as it is asked for, also whether a Nyström pair serves the system.
+    /// What is known beforehand; as it is asked for, also which pairs are out of the question.
     fn beforehand<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Beforehand {
         if let Some(known) = self.beforehand {
             return known;
         }
         if course.system.velocity_slopes().is_err() {
             self.selector.rule_out(Way::Dprkn8);
+        }
+        if course.settings.tolerance > FINE {
+            self.selector.rule_out(Way::Dop853);
         }
         let known = Beforehand::of(course);
         self.beforehand = Some(known);

@@ -6,6 +6,7 @@
 //! code, so that the same scene takes the same steps on every machine.
 
 mod beforehand;
+mod blows;
 mod choice;
 mod cost;
 mod numbers;

@@ -156,7 +156,6 @@ impl<const N: usize> AutoWalk<N> {
             covered,
             explicit_size,
             contacts_change,
-            looked: None,
             changes: changes_of(changes)?,
             beforehand: None,
         })

@@ -5,6 +5,8 @@ use super::selector::{EVEN, Mark, Outlook, Selector};
 
 /// Part of what is left of the run that a trial may cost that nothing is expected of, before its first step.
 const BLIND_BEGINNING: f64 = 0.04;
+/// Part of what Verner's pair is expected to cost that the Nyström pair may cost before its first step.
+const SHORT_BEGINNING: f64 = 0.3;
 /// Gain that a trial must promise, in what its beginning costs.
 const WORTH: f64 = 1.5;
 /// How much cheaper than it was found to be the exponential method may be by now, and how much cheaper one
@@ -32,18 +34,22 @@ impl Selector {
     /// The method to begin with, where Verner's pair is expected to cost so much per simulated time while the
     /// start dies away, which is kept where another one is to be better.
     pub(super) fn first(&mut self, pair: f64, outlook: &Outlook) -> Way {
+        let by_pair = pair * outlook.left;
         let beginning = self.beginning(Way::Exponential, outlook);
         let expected = outlook.exponential * outlook.left + beginning;
-        if expected.is_nan() || expected >= pair * outlook.left {
+        let serves_nystrom = self.is_smooth(outlook)
+            && self.beginning(Way::Dprkn8, outlook) < SHORT_BEGINNING * by_pair;
+        let is_best = outlook.exponential <= SETTLED_NYSTROM * pair;
+        let way = if serves_nystrom && !is_best {
+            Way::Dprkn8
+        } else if expected < by_pair {
+            Way::Exponential
+        } else {
             return Way::Verner76;
-        }
+        };
         self.rates[Way::Verner76 as usize] = pair;
         self.assumed = true;
-        if self.is_smooth(outlook) && outlook.exponential > SETTLED_NYSTROM * pair {
-            Way::Dprkn8
-        } else {
-            Way::Exponential
-        }
+        way
     }
 
     /// Cost per simulated time that the exponential method is expected to have; no number where nothing is
@@ -91,11 +97,16 @@ impl Selector {
             own *= EVEN;
         }
         let beginning = self.beginning(way, outlook);
-        let runs_into_contacts = way == Way::Dprkn8 && outlook.contacts_change;
         // where there is a Nyström pair for what the exponential method does, it is the better one
         let is_second =
             self.way == Way::Exponential && way != Way::Dprkn8 && self.is_smooth(outlook);
-        if runs_into_contacts || is_second {
+        // where surfaces are crossed, steps that land on them are the better ones
+        let runs_into_contacts = match way {
+            Way::Exponential => outlook.contacts_change || outlook.rings,
+            Way::Dprkn8 => outlook.goes_over_surfaces(),
+            Way::Verner76 | Way::Dop853 => false,
+        };
+        if is_second || runs_into_contacts {
             return 0.0;
         }
         let hoped = self.hoped(way, outlook);
@@ -121,7 +132,7 @@ impl Selector {
     /// Whether a Nyström pair serves the system, and no surfaces are in its way.
     fn is_smooth(&self, outlook: &Outlook) -> bool {
         let serves = self.rates[Way::Dprkn8 as usize] != f64::MAX;
-        serves && !outlook.contacts_change && outlook.crossings == 0.0
+        serves && !outlook.goes_over_surfaces()
     }
 
     /// Least cost per simulated time that a method may have by now, where anything is known.
@@ -138,16 +149,13 @@ impl Selector {
                 known * if outlook.decayed { SETTLED_VERNER } else { 1.0 }
             }
             _ if known.is_finite() => self.pair_hope() * known,
+            Way::Verner76 if self.rates[Way::Dop853 as usize] == f64::MAX => f64::NAN,
             Way::Verner76 => OTHER_PAIR * self.rates[Way::Dop853 as usize],
             Way::Dop853 => OTHER_PAIR * self.rates[Way::Verner76 as usize],
             Way::Dprkn8 if self.assumed && self.way == Way::Exponential => {
                 SETTLED_NYSTROM * self.rates[Way::Verner76 as usize]
             }
-            Way::Dprkn8 => {
-                let smooth = NYSTROM_PAIR * self.pair_hope() * self.rates[Way::Verner76 as usize];
-                // it turns back at every crossing
-                smooth + outlook.crossings * self.beginning(way, outlook)
-            }
+            Way::Dprkn8 => NYSTROM_PAIR * self.pair_hope() * self.rates[Way::Verner76 as usize],
         };
         hoped.is_finite().then_some(hoped)
     }
@@ -193,6 +201,8 @@ mod tests {
             exponential,
             crossings: 0.0,
             contacts_change: false,
+            rings: false,
+            bounces: false,
         }
     }
 
@@ -206,14 +216,19 @@ mod tests {
     fn a_run_begins_with_what_is_expected_to_cost_least() {
         assert_eq!(first(2e-3, |_| {}), Way::Exponential);
         assert_eq!(first(8e-3, |_| {}), Way::Dprkn8);
-        assert_eq!(first(12e-3, |_| {}), Way::Verner76);
-        assert_eq!(first(f64::NAN, |_| {}), Way::Verner76);
+        assert_eq!(first(12e-3, |_| {}), Way::Dprkn8);
+        assert_eq!(first(f64::NAN, |_| {}), Way::Dprkn8);
         // too short for a linear part
         let short = |outlook: &mut Outlook| outlook.left = 5e-3;
         assert_eq!(first(2e-3, short), Way::Verner76);
         // not over surfaces
         let crossed = |outlook: &mut Outlook| outlook.crossings = 100.0;
         assert_eq!(first(8e-3, crossed), Way::Exponential);
+        assert_eq!(first(12e-3, crossed), Way::Verner76);
+        assert_eq!(
+            first(12e-3, |outlook| outlook.bounces = true),
+            Way::Verner76
+        );
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! What goes on about a state at rest while the shaft turns.
 
 use crate::integrate::course::Course;
+use crate::integrate::look::Look;
 use crate::integrate::{Linearised, System};
 
 /// Looks at it.
-const LOOKS: u32 = 16;
+const LOOKS: usize = 16;
 /// Part of the way to the next look over which it is seen how fast what drives the motion changes.
 const GLANCE: f64 = 1e-3;
 /// Part of the scale of the motion below which what drives it is taken for rounding.
@@ -23,23 +24,36 @@ pub(super) struct Rest {
 impl Rest {
     /// The origin of a course from time 0 on, s.
     pub fn over<S: Linearised<N>, const N: usize>(span: f64, course: &Course<'_, S, N>) -> Self {
-        let interval = span / f64::from(LOOKS);
-        let time = |look: u32| f64::from(look) * interval;
-        let sides = |look| {
-            let seen = course
-                .system
-                .surroundings(time(look), &course.scaling.origin);
-            seen.sides
-        };
-        let changes = (0..LOOKS).map(|look| (sides(look) ^ sides(look + 1)).count_ones());
+        let interval = span / LOOKS as f64;
+        let times = std::array::from_fn::<_, LOOKS, _>(|look| look as f64 * interval);
         let glance = GLANCE * interval;
         let drives = |time| scaled_drive(course, time);
-        let looks = (0..LOOKS).map(|look| [drives(time(look)), drives(time(look) + glance)]);
+        let looks = times.map(|time| [drives(time), drives(time + glance)]);
+        let until_end = times.into_iter().chain([span]);
         Self {
-            crossings: f64::from(changes.sum::<u32>()) / span,
-            frequency: mean_frequency(&looks.collect::<Vec<_>>(), glance, course.scaling.time),
+            crossings: f64::from(crossings(course, until_end)) / span,
+            frequency: mean_frequency(&looks, glance, course.scaling.time),
         }
     }
+}
+
+/// How often surfaces go over the origin from one time to the next, s.
+fn crossings<S: System<N>, const N: usize>(
+    course: &Course<'_, S, N>,
+    times: impl Iterator<Item = f64>,
+) -> u32 {
+    let (system, origin) = (course.system, &course.scaling.origin);
+    let (mut looked, mut count) = (None::<Look<N>>, 0);
+    for time in times {
+        if looked.is_some_and(|looked| looked.is_clear(system, time, origin)) {
+            continue;
+        }
+        let look = Look::around(system, time, *origin);
+        if let Some(before) = looked.replace(look) {
+            count += (before.sides ^ look.sides).count_ones();
+        }
+    }
+    count
 }
 
 /// Rate of the origin, in scales of the motion per second.

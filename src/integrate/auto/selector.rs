@@ -14,6 +14,8 @@ const LATEST: f64 = 0.5;
 /// Cost of a pair, in that of the exponential method, that is no less: where the latter is not the cheaper one its error
 /// is far below the tolerance.
 pub(super) const EVEN: f64 = 0.7;
+/// The same of one pair in that of another.
+const NEARLY: f64 = 0.9;
 /// Part of what is left of the run that a trial may cost, and of what it is expected to save.
 const BLIND: f64 = 0.02;
 const PATIENCE: f64 = 0.06;
@@ -73,8 +75,19 @@ pub(super) struct Outlook {
     pub exponential: f64,
     /// How often surfaces are crossed at rest, 1/s.
     pub crossings: f64,
+    /// Whether the motion is to ring with blows for much of the time to come.
+    pub rings: bool,
+    /// Whether blows come to contacts of which some are open at rest.
+    pub bounces: bool,
     /// Whether surfaces were crossed of late: not for methods that step over them.
     pub contacts_change: bool,
+}
+
+impl Outlook {
+    /// Whether the motion is known to go over surfaces, again and again or of late.
+    pub fn goes_over_surfaces(&self) -> bool {
+        self.contacts_change || self.bounces || self.crossings > 0.0
+    }
 }
 
 impl Selector {
@@ -188,27 +201,6 @@ impl Selector {
         self.rates[way as usize] = f64::MAX;
     }
 
-    /// Leaves a method that cannot go over what is ahead; the method to go on with.
-    pub fn turn_back(&mut self, here: Mark, outlook: &Outlook) -> Way {
-        if let Some(against) = self.against {
-            let known = self.rates[self.way as usize];
-            let next = self.fail(here, here, against, outlook);
-            self.rates[self.way as usize] = known;
-            return next;
-        }
-        self.assume_no_more();
-        // as if it had never been: it is no better than the others while this lasts
-        self.rates[self.way as usize] = f64::INFINITY;
-        let least = PAIR_EVALUATIONS * outlook.prices.evaluation[Way::Verner76 as usize];
-        self.next_trial = here.spent + PAID_OFF * least;
-        let [verner, dop853] = [Way::Verner76, Way::Dop853].map(|way| self.rates[way as usize]);
-        if dop853 < verner {
-            Way::Dop853
-        } else {
-            Way::Verner76
-        }
-    }
-
     /// Ends a trial whose cost is taken from a mark on; the method to go back to.
     fn fail(&mut self, from: Mark, here: Mark, against: Way, outlook: &Outlook) -> Way {
         let from = if from == here { self.began } else { from };
@@ -284,7 +276,8 @@ impl Selector {
         match (self.way, against) {
             (_, Way::Exponential) => EVEN,
             (Way::Exponential, _) => 1.0 / EVEN,
-            _ => 1.0,
+            // what is about as dear is no better, and errors are spoilt by changing to and fro
+            _ => NEARLY,
         }
     }
 

@@ -7,7 +7,6 @@ use super::usage::{MethodChange, MethodUse, Stretch};
 use crate::integrate::course::Course;
 use crate::integrate::explicit::{Dop853, Verner76, Walk};
 use crate::integrate::exponential::ExponentialWalk;
-use crate::integrate::look::Look;
 use crate::integrate::nystrom::{self, Dprkn8};
 use crate::integrate::{Counters, IntegrateError, Linearised, Scaling, Settings};
 
@@ -45,8 +44,6 @@ pub(in crate::integrate) struct AutoWalk<const N: usize> {
     pub(super) explicit_size: f64,
     /// Whether a surface was crossed in the latest window of a pair.
     pub(super) contacts_change: bool,
-    /// The latest look around of the Nyström pair, which steps over surfaces.
-    pub(super) looked: Option<Look<N>>,
     pub(super) changes: Vec<(f64, Way)>,
     /// What is known beforehand, once it was asked.
     pub(super) beforehand: Option<Beforehand>,
@@ -65,7 +62,6 @@ impl<const N: usize> AutoWalk<N> {
             covered: [0.0; WAYS.len()],
             explicit_size: 0.0,
             contacts_change: false,
-            looked: None,
             changes: vec![(0.0, first)],
             beforehand: None,
         }
@@ -179,29 +175,8 @@ impl<const N: usize> AutoWalk<N> {
                 self.give_up_method(course);
                 self.step_by_choice(course)
             }
-            Ok(()) if self.selector.way == Way::Dprkn8 && self.steps_over(course) => {
-                self.nystrom.step_back();
-                self.turn_back(course);
-                self.step(course)
-            }
             result => result,
         }
-    }
-
-    /// Whether the latest step of the Nyström pair went over a surface.
-    fn steps_over<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> bool {
-        let origin = &course.scaling.origin;
-        let (time, deviation) = (self.nystrom.time(), self.nystrom.deviation());
-        let state = std::array::from_fn(|i| origin[i] + deviation[i]);
-        let Some(looked) = &mut self.looked else {
-            return false;
-        };
-        if looked.is_clear(course.system, time, &state) {
-            return false;
-        }
-        let sides = looked.sides;
-        *looked = Look::around(course.system, time, state);
-        looked.sides != sides
     }
 
     fn step_by_choice<S: Linearised<N>>(
@@ -214,30 +189,19 @@ impl<const N: usize> AutoWalk<N> {
             settings: &settings,
             ..*course
         };
-        let sides = self.explicit.sides();
         match self.selector.way {
             Way::Verner76 => self.explicit.step::<Verner76, S>(&course),
             Way::Dop853 => self.explicit.step::<Dop853, S>(&course),
-            Way::Dprkn8 => {
-                self.look_around(&course);
-                self.nystrom.go_on::<Dprkn8, S>(&course)
-            }
+            Way::Dprkn8 => self.nystrom.go_on::<Dprkn8, S>(&course),
             Way::Exponential => self.exponential.step(&course),
         }
         .map_err(|error| with_limit(error, limit))?;
-        // before the first step nothing is known
-        self.contacts_change |= sides.is_some_and(|sides| self.explicit.sides() != Some(sides));
+        self.contacts_change |= match self.selector.way {
+            Way::Verner76 | Way::Dop853 => self.explicit.went_over_surface(),
+            Way::Dprkn8 => self.nystrom.went_over_surface(),
+            Way::Exponential => false,
+        };
         Ok(())
-    }
-
-    /// Looks around for the Nyström pair, where it has not.
-    fn look_around<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
-        if self.selector.way == Way::Dprkn8 && self.looked.is_none() {
-            let origin = &course.scaling.origin;
-            let deviation = self.nystrom.deviation();
-            let state = std::array::from_fn(|i| origin[i] + deviation[i]);
-            self.looked = Some(Look::around(course.system, self.nystrom.time(), state));
-        }
     }
 
     /// The limit on steps less those of earlier stretches.
@@ -262,7 +226,7 @@ impl<const N: usize> AutoWalk<N> {
             Way::Exponential => self.exponential.stand_at(time, deviation),
             Way::Dprkn8 => {
                 self.nystrom.stand_at(time, deviation, self.explicit_size);
-                self.looked = None;
+                self.contacts_change = false;
             }
             Way::Verner76 | Way::Dop853 => {
                 self.explicit = Walk::at(time, deviation, self.explicit_size);

@@ -1,6 +1,15 @@
 //! Where steps are to end on surfaces, and the search for it.
 
-use crate::integrate::Sides;
+use crate::integrate::stride::{Stride, each};
+use crate::integrate::{Sides, System};
+
+/// Error that is let pass, over the tolerance: from here on a landing costs less than the short steps that the same
+/// error takes without it; at loose tolerances from four times as much on, at fine ones from half as much.
+const LET_PASS: f64 = 0.25;
+/// Crossings within this part of a trial are one.
+const TOGETHER: f64 = 1e-3;
+/// Part of a trial within which its ends are as good as a landing.
+pub(super) const AT_END: f64 = 1e-6;
 
 /// Part of the way searched to which a crossing is found.
 const FOUND: f64 = 1e-9;
@@ -25,8 +34,45 @@ impl Landing {
     }
 }
 
+impl<S: System<N>, const N: usize> Stride<'_, '_, S, N> {
+    /// Whether the error of crossing a surface counts, by a method with an error over all surfaces.
+    pub(super) fn spoils(&self, surface: u32, crossed: f64) -> bool {
+        self.error_over(surface, crossed) > LET_PASS
+    }
+
+    /// When a motion crosses surfaces towards `sides`: the first two landings.
+    pub(super) fn landings(
+        &self,
+        surfaces: Sides,
+        sides: Sides,
+        motion: impl Fn(f64) -> [f64; N],
+    ) -> [Option<Landing>; 2] {
+        let mut found = [None; 2];
+        let [start, end] = [self.times[0], self.times[0] + self.size];
+        let margin = AT_END * self.size;
+        for surface in each(surfaces) {
+            let past = |time: f64| {
+                let state = self.course.state(&motion(time));
+                self.course.system.past(surface, time, &state)
+            };
+            let time = crossing_time(past, [start, end], self.ends_past(surface));
+            let inside = |time: &f64| (start + margin..end - margin).contains(time);
+            if let Some(time) = time.filter(inside) {
+                let surfaces = 1 << surface;
+                let landing = Landing {
+                    time,
+                    surfaces,
+                    sides: sides & surfaces,
+                };
+                insert(&mut found, landing, TOGETHER * self.size);
+            }
+        }
+        found
+    }
+}
+
 /// Keeps the two earliest landings; those that are near each other become one.
-pub(super) fn insert(found: &mut [Option<Landing>; 2], new: Landing, near: f64) {
+fn insert(found: &mut [Option<Landing>; 2], new: Landing, near: f64) {
     for slot in 0..2 {
         match &mut found[slot] {
             Some(old) if (old.time - new.time).abs() < near => {
@@ -46,13 +92,13 @@ pub(super) fn insert(found: &mut [Option<Landing>; 2], new: Landing, near: f64) 
     }
 }
 
-/// Root of a continuous function between two times; none where both ends have one sign.
-pub(super) fn crossing_time(
+/// Root of a continuous function between two times, where it has these values; none where both have one sign.
+fn crossing_time(
     past: impl Fn(f64) -> f64,
     [mut low, mut high]: [f64; 2],
+    [mut at_low, mut at_high]: [f64; 2],
 ) -> Option<f64> {
     let near = FOUND * (high - low);
-    let [mut at_low, mut at_high] = [past(low), past(high)];
     if (at_low >= 0.0) == (at_high >= 0.0) {
         return None;
     }
@@ -90,12 +136,13 @@ mod tests {
     #[test]
     fn a_crossing_is_found_to_round_off() {
         let past = |time: f64| (time - 0.3).powi(3) + 0.1 * (time - 0.3);
-        let found = crossing_time(past, [0.0, 1.0]);
+        let found = crossing_time(past, [0.0, 1.0], [0.0, 1.0].map(past));
         assert!(
             found.is_some_and(|time| (time - 0.3).abs() < 1e-9),
             "{found:?}"
         );
-        assert_eq!(crossing_time(|time| time + 1.0, [0.0, 1.0]), None);
+        let apart = crossing_time(|time| time + 1.0, [0.0, 1.0], [1.0, 2.0]);
+        assert_eq!(apart, None);
     }
 
     #[test]

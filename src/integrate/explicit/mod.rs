@@ -7,6 +7,7 @@ mod conditions;
 mod crossing;
 mod dense;
 mod dop853;
+mod foresight;
 mod landing;
 mod numbers;
 mod quintic;

@@ -31,7 +31,13 @@ impl<const N: usize> Walk<N> {
         ];
         let crossing = self.crossing.numbers();
         let single = single.into_iter().chain(crossing);
-        let vectors = [&self.from, &self.to, &self.jerk, &self.end_rate];
+        let vectors = [
+            &self.from,
+            &self.to,
+            &self.jerk,
+            &self.end_rate,
+            &self.rate_before,
+        ];
         let vectors = vectors.into_iter().chain(&self.stages).flatten();
         single.chain(vectors.copied()).collect()
     }
@@ -57,7 +63,7 @@ impl<const N: usize> Walk<N> {
             singular_start,
             singular_end,
         ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
-        let [from, to, jerk, end_rate, stages @ ..] = vectors else {
+        let [from, to, jerk, end_rate, rate_before, stages @ ..] = vectors else {
             return None;
         };
         Some(Self {
@@ -81,6 +87,7 @@ impl<const N: usize> Walk<N> {
             quintic: quintic != 0.0,
             jerk: *jerk,
             size_before,
+            rate_before: *rate_before,
             control: Control::after(rejected != 0.0),
             fault: false,
             counters,

@@ -8,7 +8,7 @@ use super::tableau::{Arguments, CoarseError, Error, Factors, MOST, Pair, Weights
 use crate::integrate::control::Control;
 use crate::integrate::course::Course;
 use crate::integrate::registers::in_wide_registers;
-use crate::integrate::{Counters, IntegrateError, Scaling, Sides, System};
+use crate::integrate::{Counters, IntegrateError, Scaling, System};
 
 /// Times that a step looks for a better place to land on.
 const MOST_SEARCHES: u32 = 5;
@@ -45,6 +45,8 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     /// h³ q‴ at the end of the step before, by its polynomial; infinite where there was none.
     pub(super) jerk: [f64; N],
     pub(super) size_before: f64,
+    /// The derivative at the start of the step before; infinite where there was none.
+    pub(super) rate_before: [f64; N],
     pub(super) control: Control,
     /// Whether a trial since the latest good step was not finite.
     pub(super) fault: bool,
@@ -72,6 +74,7 @@ impl<const N: usize> Walk<N> {
             quintic: false,
             jerk: [f64::INFINITY; N],
             size_before: 0.0,
+            rate_before: [f64::INFINITY; N],
             control: Control::NEW,
             fault: false,
             counters: Counters::default(),
@@ -89,9 +92,9 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    /// Sides of the surfaces on which the latest step ended; none before the first.
-    pub fn sides(&self) -> Option<Sides> {
-        (self.counters.steps > 0).then_some(self.crossing.sides())
+    /// Whether the latest step went over a surface, or to one.
+    pub fn went_over_surface(&self) -> bool {
+        self.crossing.went_over
     }
 
     /// Deviation at the end of the latest step.
@@ -153,7 +156,7 @@ impl<const N: usize> Walk<N> {
             self.extend::<P, S>(course);
             self.by_stages::<P>(time)
         };
-        self.state(course, &deviation)
+        course.state(&deviation)
     }
 
     /// Takes a step.
@@ -166,7 +169,11 @@ impl<const N: usize> Walk<N> {
     ) -> Result<(), IntegrateError> {
         self.begin::<P, S>(course);
         let start_rate = self.stages[0];
-        let (mut next, mut searches) = ([self.crossing.planned, None], 0);
+        let mut next = match self.crossing.planned {
+            None => self.foresee::<P, S>(course),
+            planned => [planned, None],
+        };
+        let mut searches = 0;
         loop {
             let size = self.next_size.min(self.crossing.sizes[0]);
             course.check(self.start, size, &self.counters, self.fault)?;
@@ -183,6 +190,7 @@ impl<const N: usize> Walk<N> {
                 self.accept::<P>(&aim, error);
                 self.finish::<P, S>(course);
                 self.arrive(course, &aim, next);
+                self.rate_before = start_rate;
                 return Ok(());
             } else {
                 self.reject::<P>(error);
@@ -191,7 +199,7 @@ impl<const N: usize> Walk<N> {
     }
 
     /// Makes the end of the latest step the start of the next.
-    fn begin<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) {
+    pub(super) fn begin<P: Pair, S: System<N>>(&mut self, course: &Course<'_, S, N>) {
         self.start = self.time;
         self.size_before = self.size;
         self.from = self.to;
@@ -210,6 +218,7 @@ impl<const N: usize> Walk<N> {
             let from = self.from;
             self.evaluate(course, 0, self.time, &from);
             self.jerk = [f64::INFINITY; N];
+            self.rate_before = [f64::INFINITY; N];
         }
         if self.next_size <= 0.0 {
             self.counters.evaluations += 1;
@@ -227,17 +236,11 @@ impl<const N: usize> Walk<N> {
         time: f64,
         deviation: &[f64; N],
     ) {
-        let state = self.state(course, deviation);
+        let state = course.state(deviation);
         course
             .system
             .derivative(time, &state, &mut self.stages[stage]);
         self.counters.evaluations += 1;
-    }
-
-    #[inline(always)]
-    pub(super) fn state<S>(&self, course: &Course<'_, S, N>, deviation: &[f64; N]) -> [f64; N] {
-        let origin = &course.scaling.origin;
-        std::array::from_fn(|i| origin[i] + deviation[i])
     }
 
     /// Evaluates a stage of a step whose variable is substituted.

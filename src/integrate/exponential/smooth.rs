@@ -34,12 +34,13 @@ impl<S: System<N>, const N: usize> Trial<'_, S, N> {
 
     /// Whether the points of the step do not all lie on the same sides of the surfaces.
     fn crosses(&self) -> bool {
-        let (system, start) = (self.course.system, self.whole(&self.from.deviation));
+        let (system, start) = (self.course.system, self.course.state(&self.from.deviation));
+        let clearance = SAFE * system.clearance(&start);
         let is_clear = |point| {
-            let state = self.whole(self.at(point));
-            system.part_of_clearance([&start, &state]) < SAFE
+            let state = self.course.state(self.at(point));
+            system.shift([&start, &state]) < clearance
         };
-        if (1..POINTS).all(is_clear) {
+        if clearance > 0.0 && (1..POINTS).all(is_clear) {
             return false;
         }
         let around = system.surroundings(self.start, &start);
@@ -48,7 +49,7 @@ impl<S: System<N>, const N: usize> Trial<'_, S, N> {
         }
         (1..POINTS).any(|point| {
             let time = self.time_of(point);
-            let state = self.whole(self.at(point));
+            let state = self.course.state(self.at(point));
             let moved = system.approach([self.start, time], [&start, &state]);
             moved >= SAFE * around.nearest
                 && system.surroundings(time, &state).sides != around.sides
@@ -62,11 +63,5 @@ impl<S: System<N>, const N: usize> Trial<'_, S, N> {
         } else {
             &self.states[point]
         }
-    }
-
-    /// The state of a deviation.
-    fn whole(&self, deviation: &[f64; N]) -> [f64; N] {
-        let origin = &self.course.scaling.origin;
-        std::array::from_fn(|i| origin[i] + deviation[i])
     }
 }

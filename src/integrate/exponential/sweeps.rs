@@ -202,8 +202,7 @@ pub(super) fn slow_part<S: System<N>, const N: usize>(
     time: f64,
     place: &Place<N>,
 ) -> [f64; N] {
-    let origin = &course.scaling.origin;
-    let state = std::array::from_fn(|i| origin[i] + place.deviation[i]);
+    let state = course.state(&place.deviation);
     let mut rate = [0.0; N];
     course.system.derivative(time, &state, &mut rate);
     linear.slow(&rate, place)

@@ -177,13 +177,12 @@ impl<const N: usize> Walk<N> {
 
     /// State at a sample that is neither before the start of the latest step nor after its end.
     pub fn state_within<S>(&mut self, course: &Course<'_, S, N>, time: f64) -> [f64; N] {
-        let origin = &course.scaling.origin;
         let deviation = if time >= self.time {
             self.to.deviation
         } else {
             self.within(time)
         };
-        std::array::from_fn(|i| origin[i] + deviation[i])
+        course.state(&deviation)
     }
 
     /// Deviation at a sample within the latest step.
@@ -259,8 +258,7 @@ impl<const N: usize> Walk<N> {
 
     /// Takes the linear part anew, about where the motion was of late.
     fn renew<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
-        let origin = &course.scaling.origin;
-        let state = std::array::from_fn(|i| origin[i] + self.mean.deviation[i]);
+        let state = course.state(&self.mean.deviation);
         let (slopes, _) = course.system.linearisation(self.start, &state);
         let first = if course.system.is_second_order() {
             N / 2

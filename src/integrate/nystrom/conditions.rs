@@ -7,6 +7,7 @@
 
 use super::tableau::{MOST, Pair};
 use super::{Dprkn8, Dprkn12};
+use crate::integrate::stride::error_over_a_kink;
 
 /// A tree: its power of τ, how many leaves it has at its root that are velocities, and the subtrees there.
 struct Tree {
@@ -197,4 +198,15 @@ fn check_stability<P: Pair>() {
 fn limits_of_stability_are_those_of_the_coefficients() {
     check_stability::<Dprkn8>();
     check_stability::<Dprkn12>();
+}
+
+fn check_error_over_a_kink<P: Pair>() {
+    let found = error_over_a_kink(&P::VELOCITY, &P::NODES);
+    assert!((found / P::CROSSED - 1.0).abs() < 0.02, "{found}");
+}
+
+#[test]
+fn the_error_over_a_kink_is_as_stated() {
+    check_error_over_a_kink::<Dprkn8>();
+    check_error_over_a_kink::<Dprkn12>();
 }

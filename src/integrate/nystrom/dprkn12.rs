@@ -15,6 +15,7 @@ impl Pair for Dprkn12 {
     const ERROR_POWER: i32 = 13;
     const LOCAL_PART: f64 = 0.5;
     const STABILITY: f64 = 8.4219;
+    const CROSSED: f64 = 4.14e-4;
     const NODES: [f64; MOST] = padded([
         0.0,
         0.02,

@@ -15,6 +15,7 @@ impl Pair for Dprkn8 {
     const ERROR_POWER: i32 = 9;
     const LOCAL_PART: f64 = 1.0;
     const STABILITY: f64 = 4.2096;
+    const CROSSED: f64 = 3.56e-4;
     const NODES: [f64; MOST] = padded([
         0.0,
         1.0 / 20.0,

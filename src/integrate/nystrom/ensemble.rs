@@ -49,7 +49,6 @@ impl<const N: usize, const K: usize> EnsembleWalk<N, K> {
         let deviation = self
             .walk
             .deviation_at::<Dprkn8, S, _>(course, &mut self.factor, time)?;
-        let origin = &course.scaling.origin;
-        Ok(std::array::from_fn(|i| origin[i] + deviation[i]))
+        Ok(course.state(&deviation))
     }
 }

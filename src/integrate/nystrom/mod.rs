@@ -4,6 +4,7 @@
 mod any_factor;
 #[cfg(test)]
 mod conditions;
+mod crossing;
 mod dense;
 mod dprkn12;
 mod dprkn8;

@@ -28,6 +28,9 @@ pub(in crate::integrate) trait Pair {
     /// Product of step and circular frequency from which on an undamped oscillation grows by more than a
     /// hundredth a step.
     const STABILITY: f64;
+    /// Error of a step over a surface, over its size and what the surface adds over all of it: root mean square over
+    /// where in the step it is.
+    const CROSSED: f64;
     /// c_i.
     const NODES: [f64; MOST];
     /// a_ij, a row a stage.

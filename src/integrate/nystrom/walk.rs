@@ -3,6 +3,7 @@
 use fearless_simd::{Fallback, Level};
 
 use super::any_factor::AnyFactor;
+use super::crossing::Crossing;
 use super::dense::Dense;
 use super::entries::Entries;
 use super::factor::Factor;
@@ -44,6 +45,7 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     pub(super) stages: [Row<N>; MOST],
     pub(super) dense: Dense,
     pub(super) within: Within<N>,
+    pub(super) crossing: Crossing<N>,
     pub(super) control: Control,
     /// Whether a trial since the latest good step was not finite.
     pub(super) fault: bool,
@@ -72,6 +74,7 @@ impl<const N: usize> Walk<N> {
             stages: [Row::ZERO; MOST],
             dense: Dense::Unknown,
             within: Within::NONE,
+            crossing: Crossing::NEW,
             control: Control::NEW,
             fault: false,
             counters: Counters::default(),
@@ -91,13 +94,6 @@ impl<const N: usize> Walk<N> {
         (new.from.time, new.to.time, new.limit) = (time, time, time);
         (new.next_size, new.factor) = (next_size, self.factor.take());
         *self = new;
-    }
-
-    /// Goes back to the start of the latest step.
-    pub fn step_back(&mut self) {
-        self.to = self.from;
-        self.counters.steps -= 1;
-        self.counters.rejected += 1;
     }
 
     /// Deviation at the end of the latest step.
@@ -157,8 +153,7 @@ impl<const N: usize> Walk<N> {
             AnyFactor::All(factor) => self.deviation_at::<P, S, _>(course, factor, time),
         };
         self.factor = Some(factor);
-        let origin = &course.scaling.origin;
-        deviation.map(|deviation| std::array::from_fn(|i| origin[i] + deviation[i]))
+        deviation.map(|deviation| course.state(&deviation))
     }
 
     /// Takes a step.
@@ -218,6 +213,7 @@ impl<const N: usize> Walk<N> {
         factor: &mut Factor<E, N>,
     ) -> Result<(), IntegrateError> {
         self.begin::<P, S, E>(course, factor);
+        self.look_around(course);
         loop {
             course.check(self.from.time, self.next_size, &self.counters, self.fault)?;
             let cut = self.from.time + STRETCH * self.next_size >= self.limit;
@@ -227,14 +223,21 @@ impl<const N: usize> Walk<N> {
                 self.next_size
             };
             let error = self.trial::<P, S, E>(course, factor);
-            if error <= 1.0 {
-                self.accept::<P>(error, cut, factor.largest_step());
-                self.finish::<P, S>(course);
-                return Ok(());
-            }
+            let factor_of_size = if error <= 1.0 {
+                let crossed = self.crossed::<P, S>(course);
+                if crossed <= 1.0 {
+                    self.arrive();
+                    self.accept::<P>(error, cut, factor.largest_step());
+                    self.finish::<P, S>(course);
+                    return Ok(());
+                }
+                self.control.crossed(crossed)
+            } else {
+                self.fault |= !error.is_finite();
+                self.control.rejected(error, P::ERROR_POWER)
+            };
             self.counters.rejected += 1;
-            self.fault |= !error.is_finite();
-            self.next_size = self.size * self.control.rejected(error, P::ERROR_POWER);
+            self.next_size = self.size * factor_of_size;
         }
     }
 
