@@ -153,7 +153,7 @@ fn stretches_of_the_methods_make_up_the_run() {
     assert!((covered - 0.5).abs() < 0.01, "{covered}");
     let work = stretches.iter().map(|stretch| stretch.counters.evaluations);
     assert_eq!(work.sum::<u64>(), run.counters.evaluations);
-    assert!(used.changes.len() > 2, "{:?}", used.changes);
+    assert!(used.changes.len() > 1, "{:?}", used.changes);
     assert!(
         used.changes
             .windows(2)

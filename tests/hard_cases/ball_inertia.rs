@@ -81,7 +81,7 @@ fn the_inner_ring_leaves_all_balls_at_high_speed() {
 }
 
 /// Behind films no load is quite zero: they catch the shaft before it meets a ball, and the contacts
-/// need less work, though steps land on dry ones.
+/// need less work, though steps land on dry ones without a trial before.
 #[test]
 fn films_catch_the_inner_ring() {
     // by one method: what another choice costs is another matter
@@ -96,6 +96,5 @@ fn films_catch_the_inner_ring() {
         dry.counters
     );
     assert!(wet.counters.evaluations < dry.counters.evaluations);
-    assert!(wet.counters.rejected < dry.counters.rejected);
     assert!(extremes.lightest_ball_load > 164.0 && error(&wet) < 1e-4);
 }

@@ -75,7 +75,7 @@ impl Beforehand {
             [0.0, f64::INFINITY]
         };
         let pace = course.system.pace(0.0, course.end);
-        let blows = Blows::ahead(course, frequency, decayed);
+        let blows = Blows::ahead(course, &slopes, frequency, decayed);
         let rest = Rest::over((TURNS * TAU / pace).min(course.end), course);
         let finer = |at: f64| (course.settings.tolerance / at).powf(ROOT);
         Self {

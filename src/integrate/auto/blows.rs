@@ -1,10 +1,12 @@
 //! Blows that a run is to take: loads between breaks that make contacts open or close, and the ringing after them.
 
-use crate::integrate::Linearised;
+use nalgebra::SMatrix;
+
+use crate::integrate::System;
 use crate::integrate::course::Course;
 
 /// Stretches between breaks that are looked at.
-const STRETCHES: u32 = 8;
+const STRETCHES: u32 = 40;
 /// How far a pulse of half a sine throws, over how far its peak would hold, per radian of the motion in it.
 const PULSE: f64 = 2.0 / std::f64::consts::PI;
 
@@ -17,9 +19,11 @@ pub(super) struct Blows {
 }
 
 impl Blows {
-    /// Of a run whose modes have a mean frequency, rad/s, and have decayed after some time, s.
-    pub fn ahead<S: Linearised<N>, const N: usize>(
+    /// Of a run with these slopes at the origin, whose modes have a mean frequency, rad/s, and have decayed after some
+    /// time, s.
+    pub fn ahead<S: System<N>, const N: usize>(
         course: &Course<'_, S, N>,
+        slopes: &SMatrix<f64, N, N>,
         frequency: f64,
         decayed: f64,
     ) -> Self {
@@ -29,7 +33,7 @@ impl Blows {
                 break;
             }
             let end = course.limit_after(start);
-            if opens_or_closes_contacts(course, [start, end], frequency) {
+            if opens_or_closes_contacts(course, slopes, [start, end], frequency) {
                 let over = (end + decayed).min(course.end);
                 rings += over - start.max(until);
                 until = over;
@@ -48,8 +52,9 @@ impl Blows {
 }
 
 /// Whether what drives the motion between two times, s, throws it from the origin over surfaces.
-fn opens_or_closes_contacts<S: Linearised<N>, const N: usize>(
+fn opens_or_closes_contacts<S: System<N>, const N: usize>(
     course: &Course<'_, S, N>,
+    slopes: &SMatrix<f64, N, N>,
     [start, end]: [f64; 2],
     frequency: f64,
 ) -> bool {
@@ -58,7 +63,6 @@ fn opens_or_closes_contacts<S: Linearised<N>, const N: usize>(
         return false;
     }
     let middle = 0.5 * (start + end);
-    let (slopes, _) = system.linearisation(middle, origin);
     let (mut rate, mut state) = ([0.0; N], *origin);
     system.derivative(middle, origin, &mut rate);
     let thrown = (PULSE * frequency * (end - start)).min(1.0);
@@ -68,6 +72,9 @@ fn opens_or_closes_contacts<S: Linearised<N>, const N: usize>(
         if stiffness > 0.0 {
             state[i] += thrown * rate[N / 2 + i] / stiffness;
         }
+    }
+    if system.shift([origin, &state]) < system.clearance(origin) {
+        return false;
     }
     let sides = |state| system.surroundings(middle, state).sides;
     sides(&state) != sides(origin)
