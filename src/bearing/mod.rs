@@ -28,7 +28,6 @@ mod jones;
 mod life;
 mod linear_force;
 mod oil;
-mod price;
 mod races;
 mod ring;
 mod ring_lanes;

@@ -6,8 +6,6 @@ const SAFETY: f64 = 0.8;
 /// Least and largest change of the size from one trial to the next.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 6.0;
-/// Power of the step size that the error over a surface falls with, inverse.
-const CROSSING_POWER: f64 = 0.4;
 /// Least error that counts: growth is limited anyway.
 const LEAST_ERROR: f64 = 1e-12;
 
@@ -44,23 +42,6 @@ impl Control {
         growth.clamp(SHRINK, most)
     }
 
-    /// As [`Control::accepted`], but exactly one for an error from the first of two on up to the second: where
-    /// sizes stay, the next step then need not wait for what this error is.
-    pub fn kept_or_accepted(&mut self, error: f64, [least, most]: [f64; 2], power: i32) -> f64 {
-        if error >= least && error <= most {
-            self.rejected = false;
-            1.0
-        } else {
-            self.accepted(error, power)
-        }
-    }
-
-    /// Factor after a step whose error for what it goes over is too large.
-    pub fn crossed(&mut self, error: f64) -> f64 {
-        self.rejected = true;
-        error.powf(-CROSSING_POWER).max(SHRINK)
-    }
-
     /// Factor after a bad step, whose error may be no number.
     pub fn rejected(&mut self, error: f64, power: i32) -> f64 {
         self.rejected = true;
@@ -69,42 +50,6 @@ impl Control {
     }
 }
 
-/// The errors that lead to factors between two, the lower one first.
-pub(super) const fn errors([shrink, grow]: [f64; 2], power: i32) -> [f64; 2] {
-    let mut errors = [1.0; 2];
-    let mut step = 0;
-    while step < power {
-        errors = [errors[0] * SAFETY / grow, errors[1] * SAFETY / shrink];
-        step += 1;
-    }
-    errors
-}
-
 fn growth(error: f64, power: i32) -> f64 {
     SAFETY * error.powf(-1.0 / f64::from(power))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn sizes_stay_where_their_factors_are_about_one() {
-        let (about, power) = ([0.95, 1.2], 9);
-        let kept = errors(about, power);
-        for step in 1..1000 {
-            let error = 1e-3 * f64::from(step);
-            let [mut plain, mut keeping] = [Control::NEW; 2];
-            let factor = plain.accepted(error, power);
-            let found = keeping.kept_or_accepted(error, kept, power);
-            if (about[0]..=about[1]).contains(&factor) {
-                assert_eq!(found, 1.0, "{error}");
-            } else {
-                assert_eq!(found, factor, "{error}");
-            }
-        }
-        let mut control = Control::after(true);
-        control.kept_or_accepted(0.1, kept, power);
-        assert!(!control.was_rejected());
-    }
 }

@@ -2,17 +2,6 @@
 
 use super::Stiffness;
 
-/// A system whose velocity enters otherwise than the method can take it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "methods for q\u{2033} + A q\u{2032} = f(t, q) with constant A do not serve here: {because}; set method = \
-     \"verner76\" in [integrator]"
-)]
-pub struct VelocityDependence {
-    /// What depends on the velocity, and how.
-    pub because: &'static str,
-}
-
 /// Why an integration cannot go on; the samples up to `time` have been handed out.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum IntegrateError {
@@ -53,9 +42,6 @@ pub enum IntegrateError {
         /// The limit.
         limit: u64,
     },
-    /// The method does not serve the system.
-    #[error(transparent)]
-    Velocity(#[from] VelocityDependence),
     /// The derivative is not a number.
     #[error(
         "the motion is not finite after t = {time:.6e} s: it grows without bound; check damping, \
@@ -77,7 +63,6 @@ impl IntegrateError {
     /// Where the integration stands, s.
     pub fn time(&self) -> f64 {
         match self {
-            Self::Velocity(_) => 0.0,
             Self::Stiff { stiffness, .. } => stiffness.time,
             Self::StepLimit { time, .. }
             | Self::StepUnderflow { time }

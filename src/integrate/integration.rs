@@ -9,8 +9,8 @@ use super::auto::MethodUse;
 use super::block::Block;
 use super::course::Course;
 use super::rosenbrock;
+use super::stepper::Stepper;
 use super::stiffness::stiffness;
-use super::walks::Walks;
 use super::{
     Checkpoint, CheckpointMismatch, Counters, IntegrateError, Linearised, Method, Scaling,
     Settings, Square, Stiffness,
@@ -59,8 +59,8 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     step: f64,
     counters: Counters,
     stiffness: Option<Stiffness>,
-    /// Where the methods of this crate stand whose steps do not end with a block.
-    walk: Walks<N>,
+    /// Of the methods of this crate whose steps do not end with a block.
+    stepper: Stepper<N>,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -88,7 +88,7 @@ where
             step: 0.0,
             counters: Counters::default(),
             stiffness: None,
-            walk: Walks::new(
+            stepper: Stepper::new(
                 settings.method,
                 std::array::from_fn(|i| state[i] - scaling.origin[i]),
                 grid.interval,
@@ -104,7 +104,7 @@ where
             step: self.step,
             counters: self.counters,
             stiffness: self.stiffness,
-            latest_step: self.walk.numbers(),
+            latest_step: self.stepper.numbers(),
         }
     }
 
@@ -127,7 +127,7 @@ where
         }
         let (method, interval) = (self.settings.method, self.grid.interval);
         let (numbers, counters) = (&checkpoint.latest_step, checkpoint.counters);
-        self.walk = Walks::restored(method, numbers, counters, interval).ok_or(mismatch)?;
+        self.stepper = Stepper::restored(method, numbers, counters, interval).ok_or(mismatch)?;
         self.scaled = scaled;
         self.next = checkpoint.next;
         self.step = checkpoint.step;
@@ -148,9 +148,9 @@ where
         self.stiffness
     }
 
-    /// Which methods walked, where the choice was left open.
+    /// Which method carried the run, where the choice was left open.
     pub fn method_use(&self) -> Option<MethodUse> {
-        self.walk.method_use()
+        self.stepper.method_use()
     }
 
     /// Number of grid times handed out so far.
@@ -173,16 +173,12 @@ where
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
         let looks_before = self.counters.steps / LOOK_EVERY;
         match self.settings.method {
-            Method::Dopri5 | Method::OdeSolversDop853 | Method::Rodas => {
+            Method::Dopri5 | Method::Dop853 | Method::Rodas => {
                 self.by_blocks(points, states)
             }
-            Method::Verner76
-            | Method::Dop853
-            | Method::Tsit5
-            | Method::Dprkn8
-            | Method::Dprkn12
-            | Method::Exponential
-            | Method::Auto => self.walk(points, states),
+            Method::Verner76 | Method::Exponential | Method::Auto => {
+                self.by_steps(points, states)
+            }
         }?;
         let due = self.counters.steps / LOOK_EVERY != looks_before;
         if due && self.stiffness.is_none() && self.step < self.grid.interval {
@@ -192,18 +188,18 @@ where
         Ok(())
     }
 
-    /// Walks with a method of this crate; a block's end is no end of a step.
-    fn walk(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
+    /// Integrates by steps of this crate's own, which a block's end does not cut.
+    fn by_steps(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
         let (scaling, settings) = (&self.scaling, &self.settings);
         let course = Course::over(&self.grid, self.system, scaling, settings, self.stop);
         let part = ((EARLY * self.settings.step_limit as f64) as u64).max(1);
         for _ in 0..points {
             let time = self.grid.time(self.next);
             let steps_before = self.counters.steps;
-            let is_within = self.walk.time() >= time;
-            let result = self.walk.state_at(&course, time);
+            let is_within = self.stepper.time() >= time;
+            let result = self.stepper.state_at(&course, time);
             if !is_within || result.is_err() {
-                (self.counters, self.step, self.scaled) = self.walk.stock(scaling);
+                (self.counters, self.step, self.scaled) = self.stepper.progress(scaling);
             }
             let look = steps_before / part != self.counters.steps / part;
             match result {
@@ -224,13 +220,13 @@ where
             }
         }
         // a state within a step may take evaluations, too
-        (self.counters, self.step, self.scaled) = self.walk.stock(scaling);
+        (self.counters, self.step, self.scaled) = self.stepper.progress(scaling);
         Ok(())
     }
 
     /// Ends a run that stability keeps from its end.
     fn give_up_where_stiff(&self) -> Result<(), IntegrateError> {
-        let time = self.walk.time();
+        let time = self.stepper.time();
         let Some(stiffness) = self.look_for_stiffness(time) else {
             return Ok(());
         };
@@ -261,9 +257,9 @@ where
     fn stability_limit(&self) -> Option<f64> {
         match self.settings.method {
             Method::Dopri5 => Some(ExplicitMethod::Dopri5.stability_limit()),
-            Method::OdeSolversDop853 => Some(ExplicitMethod::Dop853.stability_limit()),
+            Method::Dop853 => Some(ExplicitMethod::Dop853.stability_limit()),
             Method::Rodas => None,
-            method => self.walk.stability_limit(method),
+            _ => self.stepper.stability_limit(),
         }
     }
 
@@ -344,7 +340,7 @@ where
         let explicit = |method| adapter::integrate::<S, N, M>(method, &block, &self.scaled);
         let outcome = match self.settings.method {
             Method::Dopri5 => explicit(ExplicitMethod::Dopri5),
-            Method::OdeSolversDop853 => explicit(ExplicitMethod::Dop853),
+            Method::Dop853 => explicit(ExplicitMethod::Dop853),
             _ => rosenbrock::integrate(&block, &self.scaled),
         };
         states.extend(

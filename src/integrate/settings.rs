@@ -3,41 +3,20 @@
 /// Integration method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// The cheapest of Verner 7(6), Dormand–Prince 8(5,3), the Nyström pair 8(6) and exponential collocation, chosen
-    /// on the way.
+    /// Verner 7(6) where the motion is expected to cross surfaces at which the derivative is not smooth, else
+    /// exponential collocation.
     Auto,
-    /// Verner 7(6), "most efficient".
+    /// Verner 7(6), "most efficient"; its steps end on the surfaces of a [`super::System`] at which the derivative is
+    /// not smooth.
     Verner76,
-    /// Dormand–Prince 8(5,3).
-    Dop853,
-    /// Tsitouras 5(4).
-    Tsit5,
-    /// Dormand–El-Mikkawy–Prince 8(6), a Runge–Kutta–Nyström pair: for forces that know the velocity in
-    /// constant linear terms alone.
-    Dprkn8,
-    /// Dormand–El-Mikkawy–Prince 12(10), as [`Method::Dprkn8`].
-    Dprkn12,
-    /// Dormand–Prince 5(4) of the library `ode_solvers`.
-    Dopri5,
-    /// Dormand–Prince 8(5,3) of the library `ode_solvers`.
-    OdeSolversDop853,
     /// Exponential collocation of order 7: the linear part exactly, for motion that follows a slow drive.
     Exponential,
     /// RODAS 4(3): linearly implicit, for stiff systems.
     Rodas,
-}
-
-impl Method {
-    /// Whether it is a Nyström method, which a [`super::System`] must serve by
-    /// [`super::System::velocity_slopes`].
-    pub fn is_nystrom(self) -> bool {
-        matches!(self, Self::Dprkn8 | Self::Dprkn12)
-    }
-
-    /// Whether its steps end on the surfaces of a [`super::System`] at which the derivative is not smooth.
-    pub fn lands_on_surfaces(self) -> bool {
-        matches!(self, Self::Verner76 | Self::Dop853 | Self::Tsit5)
-    }
+    /// Dormand–Prince 5(4) of the library `ode_solvers`.
+    Dopri5,
+    /// Dormand–Prince 8(5,3) of the library `ode_solvers`.
+    Dop853,
 }
 
 /// Method, tolerance and limits.
@@ -69,5 +48,14 @@ impl Counters {
         self.steps += part.steps;
         self.rejected += part.rejected;
         self.evaluations += part.evaluations;
+    }
+
+    /// What is left without the work of a part.
+    pub(super) fn without(&self, part: &Self) -> Self {
+        Self {
+            steps: self.steps.saturating_sub(part.steps),
+            rejected: self.rejected.saturating_sub(part.rejected),
+            evaluations: self.evaluations.saturating_sub(part.evaluations),
+        }
     }
 }

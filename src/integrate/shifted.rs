@@ -2,7 +2,7 @@
 
 use nalgebra::SMatrix;
 
-use super::{Effort, Linearised, Surroundings, System, VelocityDependence};
+use super::{Linearised, Surroundings, System};
 
 /// The same system with its time counted from `start`, s.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,11 +17,6 @@ impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
     #[inline]
     fn derivative(&self, time: f64, state: &[f64; N], rate: &mut [f64; N]) {
         self.system.derivative(self.start + time, state, rate);
-    }
-
-    #[inline]
-    fn push(&self, time: f64, place: &[f64; N], push: &mut [f64; N]) {
-        self.system.push(self.start + time, place, push);
     }
 
     fn next_break(&self, after: f64) -> f64 {
@@ -57,21 +52,13 @@ impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
         self.system.is_second_order()
     }
 
-    fn velocity_slopes(&self) -> Result<[[f64; N]; N], VelocityDependence> {
-        self.system.velocity_slopes()
+    fn expects_crossings(&self) -> bool {
+        self.system.expects_crossings()
     }
 }
 
 impl<const N: usize, S: Linearised<N>> Linearised<N> for Shifted<'_, S> {
     fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]) {
         self.system.linearisation(self.start + time, state)
-    }
-
-    fn effort(&self) -> Effort {
-        self.system.effort()
-    }
-
-    fn pace(&self, from: f64, to: f64) -> f64 {
-        self.system.pace(self.start + from, self.start + to)
     }
 }

@@ -2,8 +2,6 @@
 
 use nalgebra::{DimMin, SMatrix};
 
-use super::{Effort, VelocityDependence};
-
 /// Sides of surfaces, a bit for each: set past the surface. Those beyond the last bit go unseen.
 pub type Sides = u128;
 
@@ -81,26 +79,10 @@ pub trait System<const N: usize> {
         false
     }
 
-    /// Writes the part of q″ that knows only time and place into the first N/2 components of `push`, and
-    /// nothing but zeros behind them. It is asked for of motions with [`System::velocity_slopes`] alone, in
-    /// states (q, 0), in which it is all of q″.
-    fn push(&self, time: f64, place: &[f64; N], push: &mut [f64; N]) {
-        let mut rate = [0.0; N];
-        self.derivative(time, place, &mut rate);
-        push.fill(0.0);
-        push[..N / 2].copy_from_slice(&rate[N / 2..]);
-    }
-
-    /// ∂q″/∂q′ of a motion whose forces know the velocity in constant linear terms alone, in the first
-    /// N/2 rows and columns: of a state (q, q′), then, q″ is this times q′ and a part that knows only time
-    /// and place.
-    ///
-    /// # Errors
-    /// [`VelocityDependence`] where the velocity enters otherwise.
-    fn velocity_slopes(&self) -> Result<[[f64; N]; N], VelocityDependence> {
-        Err(VelocityDependence {
-            because: "how the forces depend on the velocity is not known",
-        })
+    /// Whether the motion is expected to cross a surface at which the derivative is not smooth: estimated before the
+    /// motion is known.
+    fn expects_crossings(&self) -> bool {
+        true
     }
 }
 
@@ -108,17 +90,6 @@ pub trait System<const N: usize> {
 pub trait Linearised<const N: usize>: System<N> {
     /// `∂f/∂y`, rows by component of f, and `∂f/∂t` at fixed state.
     fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]);
-
-    /// What it costs to ask for the derivative and for its slopes.
-    fn effort(&self) -> Effort {
-        Effort::SMALL
-    }
-
-    /// Mean angular frequency, rad/s, of what drives the motion between two times in s; no number where
-    /// that is not known.
-    fn pace(&self, _from: f64, _to: f64) -> f64 {
-        f64::NAN
-    }
 }
 
 /// A number of states for which square matrices can be factored: every `Const<N>` that is used.

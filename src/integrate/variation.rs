@@ -5,8 +5,8 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::SMatrix;
 
 use super::course::Course;
-use super::explicit::{Dop853, Tsit5, Verner76, Walk};
-use super::{Counters, IntegrateError, Linearised, Method, Scaling, Settings, System};
+use super::explicit::{Verner76, Walk};
+use super::{Counters, IntegrateError, Linearised, Scaling, Settings, System};
 
 /// Distance of a break from either end of the motion, as a part of its duration, below which it counts
 /// as standing there.
@@ -56,8 +56,8 @@ where
 /// ẏ = f(t, y),   Φ̇ = ∂f/∂y(t, y) Φ,   Φ(0) = 1
 /// ```
 ///
-/// Both are kept to the tolerance of `settings`; `A` must be `N + N²`. The pairs of this crate are
-/// walked with; where `settings` ask for another method, it is Verner's 7(6).
+/// Both are kept to the tolerance of `settings` by Verner's pair 7(6), whatever method they name; `A` must be
+/// `N + N²`.
 ///
 /// # Errors
 /// [`IntegrateError`] where the integration cannot go on.
@@ -87,11 +87,7 @@ where
         i if i < N => start[i] - scaling.origin[i],
         i => f64::from(u8::from((i - N).is_multiple_of(N + 1))),
     }));
-    let end = match settings.method {
-        Method::Dop853 => walk.state_at::<Dop853, _>(&course, duration),
-        Method::Tsit5 => walk.state_at::<Tsit5, _>(&course, duration),
-        _ => walk.state_at::<Verner76, _>(&course, duration),
-    }?;
+    let end = walk.state_at::<Verner76, _>(&course, duration)?;
     Ok(Variation {
         end: std::array::from_fn(|i| end[i]),
         slopes: SMatrix::from_column_slice(&end[N..]),

@@ -162,6 +162,10 @@ impl System<ACCOUNTED_STATES> for AccountedRotor<'_> {
             .shift_to_lift_off(states.map(|state| &state[..self.rotor.kept]))
     }
 
+    fn expects_crossings(&self) -> bool {
+        self.rotor.balls_may_part()
+    }
+
     fn added(&self, surface: u32, time: f64, distance: f64) -> State {
         let kept = self.rotor.kept;
         // the speed that a drive is meant for: a bound does not ask for more

@@ -11,7 +11,6 @@ mod ball_contacts;
 mod damping;
 mod definition;
 mod drive;
-mod effort;
 mod energy;
 mod ensemble;
 mod forcing;
@@ -30,7 +29,6 @@ mod sample_lanes;
 mod sample_rows;
 mod speed_profile;
 mod tabulation;
-mod velocity_slopes;
 
 pub use accounted::{ACCOUNTED_STATES, AccountedRotor};
 pub use assembly::RotorError;

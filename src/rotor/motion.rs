@@ -7,7 +7,7 @@ use super::phases::Phases;
 use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{CageAngle, Support, Vector5, in_registers};
-use crate::integrate::{Surroundings, System, VelocityDependence};
+use crate::integrate::{Surroundings, System};
 
 /// A concentrated mass on its bearings, assembled and ready to move.
 ///
@@ -282,11 +282,6 @@ impl<const N: usize> System<N> for Rotor {
         dispatch!(self.level, simd => self.derivative_by(simd, time, state, rate));
     }
 
-    #[inline]
-    fn push(&self, time: f64, place: &[f64; N], push: &mut [f64; N]) {
-        dispatch!(self.level, simd => self.push_by(simd, time, place, push));
-    }
-
     fn next_break(&self, after: f64) -> f64 {
         self.next_break_after(after)
     }
@@ -322,40 +317,12 @@ impl<const N: usize> System<N> for Rotor {
         true
     }
 
-    fn velocity_slopes(&self) -> Result<[[f64; N]; N], VelocityDependence> {
-        self.constant_velocity_slopes()
+    fn expects_crossings(&self) -> bool {
+        self.balls_may_part()
     }
 }
 
 impl Rotor {
-    /// The acceleration at rest where no contact is damped, for the processor's level `S`.
-    #[inline(always)]
-    fn push_by<S: Simd, const N: usize>(
-        &self,
-        simd: S,
-        time: f64,
-        place: &[f64; N],
-        push: &mut [f64; N],
-    ) {
-        let kept = N / 2;
-        let rotation = self.speed.at(time);
-        let phases = self.phases(&rotation);
-        let displacement = self.full(&self.equilibrium.displacement, &place[..kept]);
-        let force = self.force_on_bearings(simd, &displacement, &rotation, &phases);
-        let load = self.outer_force(time, &rotation, &phases);
-        let mut acceleration = [0.0; N];
-        // out in whole registers: whoever reads it so does not wait for its parts
-        for axis in 0..kept {
-            acceleration[axis] = (load[axis] - force[axis]) * self.inverse_mass[axis];
-        }
-        let (registers, rest) = acceleration.as_chunks();
-        let (whole, part) = push.as_chunks_mut();
-        for (register, numbers) in whole.iter_mut().zip(registers) {
-            simd.store_array_f64x4(simd.load_array_f64x4(*numbers), register);
-        }
-        part.copy_from_slice(rest);
-    }
-
     /// The derivative, for the processor's level `S`.
     #[inline(always)]
     fn derivative_by<S: Simd, const N: usize>(

@@ -19,9 +19,9 @@ const BESIDE: f64 = 0.01;
 const WILD: f64 = 1e-2;
 
 /// Numbers that hold a set of surfaces, 32 each.
-const PARTS: usize = 4;
+pub(in crate::integrate) const SET_NUMBERS: usize = 4;
 /// Numbers of [`Crossing::numbers`].
-pub(super) const NUMBERS: usize = 3 * PARTS + 5;
+pub(super) const NUMBERS: usize = 3 * SET_NUMBERS + 5;
 
 /// Where a walk stands between the surfaces.
 #[derive(Debug, Clone, Copy)]
@@ -70,7 +70,7 @@ impl<const N: usize> Crossing<N> {
         };
         let planned = self.planned.unwrap_or(none);
         let [from, to] = self.sizes;
-        let sets = [self.sides, planned.surfaces, planned.sides].map(parts_of);
+        let sets = [self.sides, planned.surfaces, planned.sides].map(numbers_of_set);
         let fresh = f64::from(u8::from(self.fresh));
         [fresh, planned.time, from, to, self.latest]
             .into_iter()
@@ -80,10 +80,10 @@ impl<const N: usize> Crossing<N> {
     /// From numbers as by [`Crossing::numbers`]; none of any others.
     pub fn restored(numbers: &[f64]) -> Option<Self> {
         let ([fresh, time, from, to, latest], sets) = numbers.split_first_chunk()?;
-        let (sets, []) = sets.as_chunks::<PARTS>() else {
+        let (sets, []) = sets.as_chunks::<SET_NUMBERS>() else {
             return None;
         };
-        let [sides, surfaces, planned] = <&[[f64; PARTS]; 3]>::try_from(sets).ok()?.map(set_of);
+        let [sides, surfaces, planned] = <&[[f64; SET_NUMBERS]; 3]>::try_from(sets).ok()?.map(set_of_numbers);
         Some(Self {
             sides,
             latest: *latest,
@@ -269,11 +269,13 @@ fn misses<S: System<N>, const N: usize>(
     stride.error_beside(surface, ends) > BESIDE
 }
 
-fn parts_of(set: Sides) -> [f64; PARTS] {
+/// A set of surfaces as numbers that hold it exactly.
+pub(in crate::integrate) fn numbers_of_set(set: Sides) -> [f64; SET_NUMBERS] {
     std::array::from_fn(|part| f64::from((set >> (32 * part)) as u32))
 }
 
-fn set_of(parts: [f64; PARTS]) -> Sides {
+/// The set of surfaces of such numbers.
+pub(in crate::integrate) fn set_of_numbers(parts: [f64; SET_NUMBERS]) -> Sides {
     let part = |(index, part): (usize, &f64)| Sides::from(*part as u32) << (32 * index);
     parts.iter().enumerate().map(part).sum()
 }

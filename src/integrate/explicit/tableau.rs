@@ -8,9 +8,9 @@
 use std::marker::PhantomData;
 
 /// Most stages of a pair, those of its dense output among them.
-pub(in crate::integrate) const MOST: usize = 16;
+pub(in crate::integrate) const MOST: usize = 13;
 /// Highest degree of a dense output.
-pub(in crate::integrate) const DEGREE: usize = 7;
+pub(in crate::integrate) const DEGREE: usize = 6;
 
 /// A pair of explicit Runge–Kutta methods with dense output.
 ///
@@ -43,8 +43,6 @@ pub(in crate::integrate) trait Pair {
     const ARGUMENTS: [[f64; MOST]; MOST];
     /// e_i.
     const ERROR: [f64; MOST];
-    /// A second, coarser estimate that tempers the first, where the method has one.
-    const COARSE_ERROR: Option<[f64; MOST]> = None;
     /// Coefficients of θ, θ², … in b_i(θ), a row a stage.
     const DENSE: [[f64; DEGREE]; MOST];
 }
@@ -60,8 +58,6 @@ pub(super) struct Arguments<P, const I: usize>(PhantomData<P>);
 pub(super) struct Weights<P>(PhantomData<P>);
 /// The factors e_i.
 pub(super) struct Error<P>(PhantomData<P>);
-/// The factors of the coarser estimate.
-pub(super) struct CoarseError<P>(PhantomData<P>);
 
 impl<P: Pair, const I: usize> Factors for Arguments<P, I> {
     const OF: [f64; MOST] = P::ARGUMENTS[I];
@@ -73,13 +69,6 @@ impl<P: Pair> Factors for Weights<P> {
 
 impl<P: Pair> Factors for Error<P> {
     const OF: [f64; MOST] = P::ERROR;
-}
-
-impl<P: Pair> Factors for CoarseError<P> {
-    const OF: [f64; MOST] = match P::COARSE_ERROR {
-        Some(factors) => factors,
-        None => [0.0; MOST],
-    };
 }
 
 /// Σ_j factor_j k_j as straight-line code: factors that are zero cost nothing.
@@ -96,7 +85,7 @@ pub(super) fn sum<F: Factors, const N: usize>(stages: &[[f64; N]; MOST]) -> [f64
             }
         )*};
     }
-    add!(0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+    add!(0 1 2 3 4 5 6 7 8 9 10 11 12);
     sum
 }
 

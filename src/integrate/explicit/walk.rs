@@ -4,7 +4,7 @@ use fearless_simd::Level;
 
 use super::crossing::Crossing;
 use super::substitution::Substitution;
-use super::tableau::{Arguments, CoarseError, Error, Factors, MOST, Pair, Weights, sum};
+use super::tableau::{Arguments, Error, Factors, MOST, Pair, Weights, sum};
 use crate::integrate::control::Control;
 use crate::integrate::course::Course;
 use crate::integrate::registers::in_wide_registers;
@@ -302,7 +302,7 @@ impl<const N: usize> Walk<N> {
             )*};
         }
         self.ended = false;
-        stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+        stages!(1 2 3 4 5 6 7 8 9 10 11 12);
         self.to = self.moved::<Weights<P>>();
         let error = self.error::<P>(course.scaling) * self.size;
         error * self.doubt() / (P::LOCAL_PART * course.settings.tolerance)
@@ -315,22 +315,12 @@ impl<const N: usize> Walk<N> {
         let inverse: [f64; N] = std::array::from_fn(|i| {
             (scaling.scale[i] + self.from[i].abs().max(self.to[i].abs())).recip()
         });
-        let square = |error: [f64; N]| {
-            let mut squares = 0.0;
-            for i in 0..N {
-                let part = error[i] * inverse[i];
-                squares += part * part;
-            }
-            squares / N as f64
-        };
-        let fine = square(error);
-        if P::COARSE_ERROR.is_none() {
-            return fine.sqrt();
+        let mut squares = 0.0;
+        for i in 0..N {
+            let part = error[i] * inverse[i];
+            squares += part * part;
         }
-        // Hairer, Nørsett & Wanner, eq. (II.10.17)
-        let coarse = square(sum::<CoarseError<P>, N>(&self.stages));
-        let both = fine + 0.01 * coarse;
-        if both == 0.0 { 0.0 } else { fine / both.sqrt() }
+        (squares / N as f64).sqrt()
     }
 
     /// Evaluates the derivative at the end of the step, where the trial did not.
