@@ -3,7 +3,6 @@
 mod analyses;
 mod bare;
 mod energy_audit;
-mod ensemble;
 mod method;
 mod model;
 mod observation;
@@ -24,7 +23,6 @@ use nalgebra::Const;
 pub use analyses::{Analyses, BallParts, Maps, SpectrumLines, Watched};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
-pub use ensemble::{SIDE_BY_SIDE, may_go_side_by_side, pays_side_by_side, simulate_side_by_side};
 pub use method::MethodMismatch;
 pub use model::{Model, Sampling};
 pub use observation::{

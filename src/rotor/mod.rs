@@ -13,7 +13,6 @@ mod definition;
 mod drive;
 mod effort;
 mod energy;
-mod ensemble;
 mod forcing;
 mod lift_off;
 mod linearisation;
@@ -42,7 +41,6 @@ pub use definition::{
 };
 pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
-pub(crate) use ensemble::RotorEnsemble;
 pub use forcing::{Forcing, ForcingCause, Unrepeated};
 pub use load::{Load, LoadKind};
 pub use loose::{LooseError, Looseness, check_loose};

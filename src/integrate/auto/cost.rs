@@ -78,11 +78,3 @@ impl Prices {
         self.linear_part + FIRST_SIZES * self.step_size
     }
 }
-
-/// What an evaluation by a method is taken to cost with all that it takes, s: at prices of one server, so that
-/// only ratios are of use; no number for methods that are not chosen from.
-pub(crate) fn evaluation_price(method: Method, effort: Effort, states: usize) -> f64 {
-    let prices = Prices::new(effort, states).evaluation;
-    let way = WAYS.into_iter().find(|way| way.method() == method);
-    way.map_or(f64::NAN, |way| prices[way as usize])
-}

@@ -16,6 +16,5 @@ mod selector;
 mod usage;
 mod walk;
 
-pub(crate) use cost::evaluation_price;
 pub use usage::{MethodChange, MethodUse, Stretch};
 pub(super) use walk::AutoWalk;

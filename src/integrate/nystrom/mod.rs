@@ -8,7 +8,6 @@ mod crossing;
 mod dense;
 mod dprkn12;
 mod dprkn8;
-mod ensemble;
 mod entries;
 mod factor;
 mod numbers;
@@ -21,5 +20,4 @@ mod within;
 
 pub(super) use dprkn8::Dprkn8;
 pub(super) use dprkn12::Dprkn12;
-pub(super) use ensemble::EnsembleWalk;
 pub(super) use walk::Walk;
