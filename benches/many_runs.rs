@@ -1,5 +1,4 @@
-//! A thousand runs of the steady scene as a study, on one thread and on two, beside their bare integration, and
-//! of four scenes side by side and by themselves.
+//! A thousand runs of the steady scene as a study, on one thread and on two, beside their bare integration.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +10,6 @@ use jeffcott::scenario;
 use jeffcott::simulate::BareRun;
 
 const RUNS: usize = 1000;
-/// The scene of the first half.
 const STEADY: &str = "steady-7205c";
 /// Each time is the shortest of so many.
 const TRIALS: usize = 3;
@@ -29,15 +27,15 @@ fn shortest(mut work: impl FnMut()) -> f64 {
 /// What of the motion is kept.
 const THREE: &str = "keep.numbers = ['x_rms_m', 'y_rms_m', 'x_peak_to_peak_m']";
 
-/// Time of the study of a scene that keeps this, s.
-fn study(scene: &str, keep: &str, threads: &str) -> f64 {
+/// Time of the study that keeps this, s.
+fn study(keep: &str, threads: &str) -> f64 {
     let folder = tempfile::tempdir().expect("a folder");
     let text = format!(
         "base = '{}'\nverify_every = 0\n{keep}\n[[axis]]\nkey = 'speed.constant'\n\
          from = '500 rad/s'\nto = '500.1 rad/s'\ncount = {RUNS}\n\
          [[set]]\nkey = 'time.duration'\nvalue = '0.5 s'\n\
          [[set]]\nkey = 'time.settle'\nvalue = '0.25 s'\n",
-        shipped(scene).display()
+        shipped(STEADY).display()
     );
     let file = folder.path().join("many.toml");
     fs::write(&file, text).expect("a writable folder");
@@ -73,26 +71,12 @@ fn main() {
     let per_run = |seconds: f64| 1e3 * seconds / RUNS as f64;
     println!("bare integration: {:.3} ms a run", per_run(integration));
     for (name, keep) in [("all numbers", ""), ("three numbers", THREE)] {
-        let [one, two] = ["1", "2"].map(|threads| study(STEADY, keep, threads));
+        let [one, two] = ["1", "2"].map(|threads| study(keep, threads));
         let over = 100.0 * (one / integration - 1.0);
         println!(
             "{name}: {:.3} ms a run, {over:.0} % over it; {:.2} times as fast on two threads",
             per_run(one),
             one / two
-        );
-    }
-    for scene in [
-        STEADY,
-        "balanced-7205c",
-        "back-to-back-7205c",
-        "varying-compliance-6306",
-    ] {
-        let [beside, alone] = ["true", "false"]
-            .map(|value| study(scene, &format!("side_by_side = {value}\n{THREE}"), "1"));
-        println!(
-            "{scene}: {:.3} ms a run where runs may go side by side, {:.3} ms by themselves",
-            per_run(beside),
-            per_run(alone)
         );
     }
 }

@@ -3,8 +3,6 @@
 mod analyses;
 mod bare;
 mod energy_audit;
-mod ensemble;
-mod method;
 mod model;
 mod observation;
 mod observers;
@@ -24,8 +22,6 @@ use nalgebra::Const;
 pub use analyses::{Analyses, BallParts, Maps, SpectrumLines, Watched};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
-pub use ensemble::{SIDE_BY_SIDE, may_go_side_by_side, pays_side_by_side, simulate_side_by_side};
-pub use method::MethodMismatch;
 pub use model::{Model, Sampling};
 pub use observation::{
     BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone, Spread,
@@ -70,7 +66,6 @@ pub fn simulate_part(
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
 ) -> Result<Run, SimulateError> {
-    model.check_method()?;
     let mut rotor = Rotor::assemble(&model.rotor)?;
     let tables = TableAudit::new(if model.table {
         rotor.tabulate()
@@ -204,7 +199,9 @@ fn answer(
     observers: Observers<'_>,
     loose: Vec<String>,
 ) -> Run {
+    let named = model.integrator.method;
     let outcome = Outcome {
+        method: work.method_use.map_or(named, |used| used.latest()),
         error: work.measured_error.as_ref(),
         error_unknown: work.error_unknown,
         stiffness: work.stiffness,

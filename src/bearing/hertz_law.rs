@@ -1,7 +1,5 @@
 //! Ball law of two Hertz contacts in series, ball inertia neglected.
 
-use std::ops::{Mul, Sub};
-
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 
 use super::{BallContact, BallForce, BallLaw, BallTangent, LaneForces, Lanes, LoadSlope};
@@ -59,27 +57,6 @@ impl HertzLaw {
     }
 }
 
-/// Q/d of balls side by side, by a load–deflection constant and a distance that are the same in all lanes, or
-/// a number a lane.
-#[inline(always)]
-pub(super) fn lateral<S: Simd, A>(
-    axial: Lanes<S>,
-    radial: Lanes<S>,
-    load_deflection_constant: A,
-    unloaded_distance: A,
-) -> Lanes<S>
-where
-    A: Mul<Lanes<S>, Output = Lanes<S>>,
-    Lanes<S>: Sub<A, Output = Lanes<S>>,
-{
-    let none = Lanes::splat(axial.witness(), 0.0);
-    let distance = (axial * axial + radial * radial).sqrt();
-    // δ ≤ 0: separated
-    let approach = (distance - unloaded_distance).max(none);
-    let load = load_deflection_constant * approach * approach.sqrt();
-    load / (distance + SMALLEST_DISTANCE)
-}
-
 impl BallLaw for HertzLaw {
     #[inline(always)]
     fn force(&self, axial: f64, radial: f64, _speed: f64) -> BallForce {
@@ -94,7 +71,11 @@ impl BallLaw for HertzLaw {
 
     #[inline(always)]
     fn forces<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>, _speed: f64) -> LaneForces<S> {
-        let lateral = lateral(axial, radial, self.load_deflection_constant, self.distance);
+        let distance = (axial * axial + radial * radial).sqrt();
+        // δ ≤ 0: separated
+        let approach = (distance - self.distance).max(Lanes::splat(axial.witness(), 0.0));
+        let load = self.load_deflection_constant * approach * approach.sqrt();
+        let lateral = load / (distance + SMALLEST_DISTANCE);
         LaneForces {
             axial: lateral * axial,
             radial: lateral * radial,

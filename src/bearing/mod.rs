@@ -74,7 +74,7 @@ pub(crate) use ring::{in_registers, quarter_turn};
 pub use state::{BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares};
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub use support::Support;
-pub(crate) use support_ensemble::{LaneRow, SupportEnsemble};
+pub(crate) use support_ensemble::LaneRow;
 pub(crate) use support_observation::SupportObservation;
 pub use table::{BallRegion, TableError, TableLaw, TableReport};
 pub use thrust::Thrust;

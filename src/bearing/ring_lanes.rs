@@ -1,7 +1,5 @@
 //! Where balls side by side stand, and what they bear together.
 
-use std::ops::{Add, Mul};
-
 use fearless_simd::{Simd, SimdBase};
 
 use super::{CageAngle, LANES, Lanes, Vector5};
@@ -16,7 +14,7 @@ pub(super) struct Azimuths {
 }
 
 impl Azimuths {
-    /// Of at most [`LANES`] azimuths in rad, of balls of one ring or of a ball of as many rings.
+    /// Of at most [`LANES`] azimuths in rad.
     pub fn new(azimuths: &[f64]) -> Self {
         let [mut cos, mut sin, mut weight] = [[0.0; LANES]; 3];
         for (lane, azimuth) in azimuths.iter().enumerate() {
@@ -30,24 +28,11 @@ impl Azimuths {
     /// is known.
     #[inline(always)]
     pub fn turned<S: Simd>(&self, simd: S, cage: CageAngle) -> Directions<S> {
-        self.turned_by(simd, [cage.cos, cage.sin])
-    }
-
-    /// As [`Azimuths::turned`] by the cosine and sine of a cage, or of the cage of each lane.
-    #[inline(always)]
-    pub fn turned_by<S: Simd, A: Copy>(
-        &self,
-        simd: S,
-        [cage_cos, cage_sin]: [A; 2],
-    ) -> Directions<S>
-    where
-        Lanes<S>: Mul<A, Output = Lanes<S>>,
-    {
         let cos = simd.load_array_ref_f64x4(&self.cos);
         let sin = simd.load_array_ref_f64x4(&self.sin);
         Directions {
-            cos: cos * cage_cos - sin * cage_sin,
-            sin: sin * cage_cos + cos * cage_sin,
+            cos: cos * cage.cos - sin * cage.sin,
+            sin: sin * cage.cos + cos * cage.sin,
             weight: simd.load_array_ref_f64x4(&self.weight),
         }
     }
@@ -80,21 +65,20 @@ pub(super) struct Directions<S: Simd> {
 
 impl<S: Simd> Directions<S> {
     /// Axial components, where the balls are, of a ring's displacement or velocity, from `start` on; `arm`
-    /// in m is that of the tilt. Both are the same in all lanes, or a number a lane.
+    /// in m is that of the tilt.
     #[inline(always)]
-    pub fn axial<A>(&self, start: A, [_, _, z, tilt_x, tilt_y]: &LaneVector<S>, arm: A) -> Lanes<S>
-    where
-        A: Copy + Add<Lanes<S>, Output = Lanes<S>> + Mul<Lanes<S>, Output = Lanes<S>>,
-    {
+    pub fn axial(
+        &self,
+        start: f64,
+        [_, _, z, tilt_x, tilt_y]: &LaneVector<S>,
+        arm: f64,
+    ) -> Lanes<S> {
         (start + *z) + (arm * *tilt_x * self.sin - arm * *tilt_y * self.cos)
     }
 
     /// Its radial components there.
     #[inline(always)]
-    pub fn radial<A>(&self, start: A, [x, y, ..]: &LaneVector<S>) -> Lanes<S>
-    where
-        A: Add<Lanes<S>, Output = Lanes<S>>,
-    {
+    pub fn radial(&self, start: f64, [x, y, ..]: &LaneVector<S>) -> Lanes<S> {
         start + (*x * self.cos + *y * self.sin)
     }
 }
@@ -131,12 +115,5 @@ impl<S: Simd> LaneSums<S> {
         }
         let [x, y, z, tilt_x, tilt_y] = sums;
         [x, y, z, arm * tilt_x, -arm * tilt_y]
-    }
-
-    /// The same where every lane is a ring of its own.
-    #[inline(always)]
-    pub fn forces(&self, arm: Lanes<S>) -> LaneVector<S> {
-        let [x, y, z, tilt_x, tilt_y] = self.0;
-        [x, y, z, arm * tilt_x, -(arm * tilt_y)]
     }
 }

@@ -1,5 +1,7 @@
 //! Where the balls of a mounted bearing stand about their lift-off.
 
+use std::f64::consts::TAU;
+
 use super::ring::{CageAngle, Vector5};
 use super::ring_lift_off::LiftOffs;
 use super::seat::Seat;
@@ -8,6 +10,8 @@ use super::support::Support;
 /// Slope of the distance to lift-off by the place of the inner groove centre: one, but for what the
 /// inertia of the ball and the table of a law add.
 const LIFT_OFF_SLOPE: f64 = 1.1;
+/// Positions of the cage within one ball spacing at which balls are looked at.
+const CAGE_POSITIONS: u32 = 8;
 
 impl Support {
     /// Number of balls whose force is not smooth where they lift off: none of a linear bearing, and
@@ -34,6 +38,33 @@ impl Support {
             Some(table) => table.lift_offs(&place, cage, speed),
             None => self.ring.lift_offs(&place, cage, speed),
         }
+    }
+
+    /// Whether any ball comes to its lift-off as the shaft swings by the distance of two displacements about the first
+    /// of them, at a speed in rad/s: at the start's position of the cage, or, where the cage turns, at any.
+    ///
+    /// A bound for a bearing that is held; one on a spring is taken to follow the shaft along its axis.
+    pub(crate) fn may_part(
+        &self,
+        [place, reached]: [&Vector5; 2],
+        speed: f64,
+        cage_turns: bool,
+    ) -> bool {
+        if self.balls_that_lift_off() == 0 {
+            return false;
+        }
+        let [mut from, mut to] = [place, reached].map(|displacement| self.imposed(displacement));
+        if matches!(self.seat, Seat::Spring { .. }) {
+            (from[2], to[2]) = (0.0, 0.0);
+        }
+        let swing = LIFT_OFF_SLOPE * self.shift_of_centres(&from, &to, 0.0);
+        let positions = if cage_turns { CAGE_POSITIONS } else { 1 };
+        let spacing = TAU / self.definition.bearing.geometry.balls() as f64;
+        (0..positions).any(|position| {
+            let part = f64::from(position) / f64::from(CAGE_POSITIONS);
+            let seen = self.lift_offs(place, CageAngle::new(part * spacing), speed);
+            seen.nearest <= swing
+        })
     }
 
     /// No ball comes nearer to its lift-off by more than this as the shaft goes from one displacement

@@ -16,8 +16,8 @@ use crate::report::many::{
 };
 use crate::report::{self, Outputs, ReportError, RunReport};
 use crate::scenario::{self, StudyFile};
-use crate::simulate::{Model, Monitor, SIDE_BY_SIDE, SimulateError, may_go_side_by_side, simulate};
-use crate::study::many::{Maker, Pilots, Schedule, Shard, Unmade, work};
+use crate::simulate::{Monitor, SimulateError, simulate};
+use crate::study::many::{Maker, Schedule, Shard, Unmade, work};
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
 #[derive(Debug, clap::Args)]
@@ -95,9 +95,6 @@ fn shard(text: &str) -> Result<Shard, String> {
         None => Err("write part and number of parts, as in 2/8".to_owned()),
     }
 }
-
-/// Runs from which on they go side by side: of fewer, every processor is to have its own.
-const LEAST_SIDE_BY_SIDE: u64 = 64;
 
 /// Set by Ctrl-C and by a request to terminate.
 static STOP: AtomicBool = AtomicBool::new(false);
@@ -179,15 +176,6 @@ impl Failure {
     }
 }
 
-/// Runs side by side, where the study does not say otherwise and its first one may go so.
-fn schedule(study: &StudyFile, first: &Model, alone: Schedule) -> Schedule {
-    let many = alone.runs() >= LEAST_SIDE_BY_SIDE && !study.keep.traces;
-    match study.side_by_side && many && may_go_side_by_side(first) {
-        true => alone.side_by_side(SIDE_BY_SIDE as u64),
-        false => alone,
-    }
-}
-
 /// A checked study and what is asked of it.
 struct Task<'a> {
     study: &'a StudyFile,
@@ -209,16 +197,14 @@ impl<'a> Task<'a> {
             study,
             make,
             folder,
-            schedule: schedule(study, &model, Schedule::new(points, last, study.sweep)),
+            schedule: Schedule::new(points, last, study.sweep),
             freedoms,
         })
     }
 
     fn run(&self) -> Result<Outcome, Failure> {
         let model = |values: &[f64]| self.study.model(values).map_err(|error| error.message);
-        let pilots = Pilots::default();
         let maker = Maker {
-            pilots: &pilots,
             plan: &self.study.plan,
             schedule: self.schedule,
             keep: self.study.keep,

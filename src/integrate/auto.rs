@@ -243,7 +243,8 @@ impl<const N: usize> AutoStepper<N> {
             evaluations,
         } = self.before;
         let work = [steps, rejected, evaluations].map(|count| count as f64);
-        let [crossings, sides] = [Sides::from(self.crossings), self.looked.sides].map(numbers_of_set);
+        let [crossings, sides] =
+            [Sides::from(self.crossings), self.looked.sides].map(numbers_of_set);
         let mut numbers = [&choice[..], &work, &crossings, &sides].concat();
         numbers.extend(present!(self, stepper => stepper.numbers()));
         numbers

@@ -173,12 +173,8 @@ where
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
         let looks_before = self.counters.steps / LOOK_EVERY;
         match self.settings.method {
-            Method::Dopri5 | Method::Dop853 | Method::Rodas => {
-                self.by_blocks(points, states)
-            }
-            Method::Verner76 | Method::Exponential | Method::Auto => {
-                self.by_steps(points, states)
-            }
+            Method::Dopri5 | Method::Dop853 | Method::Rodas => self.by_blocks(points, states),
+            Method::Verner76 | Method::Exponential | Method::Auto => self.by_steps(points, states),
         }?;
         let due = self.counters.steps / LOOK_EVERY != looks_before;
         if due && self.stiffness.is_none() && self.step < self.grid.interval {
@@ -189,7 +185,11 @@ where
     }
 
     /// Integrates by steps of this crate's own, which a block's end does not cut.
-    fn by_steps(&mut self, points: usize, states: &mut Vec<[f64; N]>) -> Result<(), IntegrateError> {
+    fn by_steps(
+        &mut self,
+        points: usize,
+        states: &mut Vec<[f64; N]>,
+    ) -> Result<(), IntegrateError> {
         let (scaling, settings) = (&self.scaling, &self.settings);
         let course = Course::over(&self.grid, self.system, scaling, settings, self.stop);
         let part = ((EARLY * self.settings.step_limit as f64) as u64).max(1);

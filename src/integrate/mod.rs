@@ -20,11 +20,11 @@ mod rosenbrock;
 mod settings;
 mod shifted;
 mod slopes_along;
+mod stepper;
 mod stiffness;
 mod stride;
 mod system;
 mod variation;
-mod stepper;
 
 pub use auto::{ChangeReason, MethodUse};
 pub use checkpoint::{Checkpoint, CheckpointMismatch};

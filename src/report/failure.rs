@@ -57,7 +57,6 @@ fn kind(error: &IntegrateError) -> &'static str {
         IntegrateError::StepLimit { .. } => "step_limit",
         IntegrateError::StepUnderflow { .. } => "step_underflow",
         IntegrateError::Stiff { .. } => "stiff",
-        IntegrateError::Velocity(_) => "velocity",
         IntegrateError::NotFinite { .. } => "not_finite",
         IntegrateError::Interrupted { .. } => "interrupted",
     }

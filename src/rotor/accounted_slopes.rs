@@ -2,17 +2,15 @@
 
 use nalgebra::SMatrix;
 
+use super::FREEDOMS;
 use super::accounted::{ACCOUNTED_STATES, AccountedRotor, State};
-use super::{FREEDOMS, Rotor};
 use crate::bearing::{Geometry, Support};
-use crate::integrate::{Effort, Linearised, System};
+use crate::integrate::{Linearised, System};
 
 /// Relative step of the differences that stand for slopes: the cube root of round-off.
 const STEP: f64 = 6e-6;
 /// Time over which the change of the right-hand side is looked at, s.
 const TIME_STEP: f64 = 1e-8;
-/// What the account adds to the price of the derivative, s.
-const ACCOUNT: f64 = 250e-9;
 
 impl Linearised<ACCOUNTED_STATES> for AccountedRotor<'_> {
     /// By central differences: exact slopes of powers are not worth their code.
@@ -47,19 +45,6 @@ impl Linearised<ACCOUNTED_STATES> for AccountedRotor<'_> {
         let by_time =
             std::array::from_fn(|row| (4.0 * half[row] - 3.0 * now[row] - full[row]) / TIME_STEP);
         (jacobian, by_time)
-    }
-
-    fn effort(&self) -> Effort {
-        let derivative = ACCOUNT + self.rotor.effort().derivative;
-        let columns = 2 * self.rotor.kept + Self::turning(self.rotor);
-        Effort {
-            derivative,
-            linearisation: derivative * (2 * columns + 3) as f64,
-        }
-    }
-
-    fn pace(&self, from: f64, to: f64) -> f64 {
-        Rotor::pace(self.rotor, from, to)
     }
 }
 

@@ -1,10 +1,29 @@
 //! Where balls lift off: the surfaces at which the equations of motion are not smooth.
 
-use super::{FREEDOMS, Rotation, Rotor};
+use super::{CageMotion, FREEDOMS, Rotation, Rotor};
 use crate::bearing::{Support, Vector5};
 use crate::integrate::Surroundings;
 
 impl Rotor {
+    /// Whether a ball may part from a race, or meet it again, on the motion to come: whether its amplitudes about the
+    /// static equilibrium, as they are estimated from unbalance, loads, passing balls and the initial state, reach
+    /// the lift-off of any ball at any position of the cage; at the start's speed, at those of the profile and at the
+    /// highest.
+    pub(super) fn balls_may_part(&self) -> bool {
+        let place = self.equilibrium.displacement;
+        let speeds = self.speed.points().map(|point| point.speed);
+        let mut speeds = speeds.chain([self.highest_speed()]);
+        self.lifts_off
+            && speeds.any(|speed| {
+                let amplitude = self.amplitude_estimate(speed);
+                let reached = std::array::from_fn(|axis| place[axis] + amplitude[axis]);
+                let cage_turns = self.cage == CageMotion::Rolling;
+                let may_part =
+                    |support: &Support| support.may_part([&place, &reached], speed, cage_turns);
+                self.supports.iter().any(may_part)
+            })
+    }
+
     /// The balls about their lift-off, a bit for each that is pressed, bearing by bearing from ball 0 on;
     /// of a bearing whose law is smooth across lift-off none.
     pub(super) fn lift_offs(&self, rotation: &Rotation, place: &[f64]) -> Surroundings {

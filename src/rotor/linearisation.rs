@@ -4,7 +4,7 @@ use nalgebra::{ArrayStorage, SMatrix};
 
 use super::{FREEDOMS, Rotation, Rotor};
 use crate::bearing::{DampingSlopes, Geometry, Matrix5, Support, Vector5};
-use crate::integrate::{Effort, Linearised};
+use crate::integrate::Linearised;
 
 /// Time over which the change of a load is looked at, s.
 const LOAD_RATE_STEP: f64 = 1e-8;
@@ -56,14 +56,6 @@ impl<const N: usize> Linearised<N> for Rotor {
             }
         }
         (jacobian, by_time)
-    }
-
-    fn effort(&self) -> Effort {
-        Rotor::effort(self)
-    }
-
-    fn pace(&self, from: f64, to: f64) -> f64 {
-        Rotor::pace(self, from, to)
     }
 }
 

@@ -12,7 +12,6 @@ mod damping;
 mod definition;
 mod drive;
 mod energy;
-mod ensemble;
 mod forcing;
 mod lift_off;
 mod linearisation;
@@ -40,7 +39,6 @@ pub use definition::{
 };
 pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
-pub(crate) use ensemble::RotorEnsemble;
 pub use forcing::{Forcing, ForcingCause, Unrepeated};
 pub use load::{Load, LoadKind};
 pub use loose::{LooseError, Looseness, check_loose};

@@ -86,10 +86,9 @@ impl Rotor {
         Support::largest(&self.supports, Geometry::groove_centre_distance)
     }
 
-    /// How far each kept freedom is expected to come from the static equilibrium, m and rad: the sum
-    /// of what [`Rotor::motion_scale`] takes the largest of, at the speed of the start.
-    pub(super) fn expected_swing(&self) -> [f64; FREEDOMS] {
-        let speed = self.speed();
+    /// Estimated amplitudes of the kept freedoms about the static equilibrium at a speed of the shaft in rad/s, m and
+    /// rad: the sum of what [`Rotor::motion_scale`] takes the largest of.
+    pub(super) fn amplitude_estimate(&self, speed: f64) -> [f64; FREEDOMS] {
         let mut swing = [0.0; FREEDOMS];
         let mut add = |part: &mut dyn Iterator<Item = f64>| {
             for (swing, part) in swing.iter_mut().zip(part) {
@@ -97,13 +96,13 @@ impl Rotor {
             }
         };
         add(&mut self
-            .amplitudes(&self.unbalance_phasor(speed), speed)
+            .amplitudes(&self.unbalance_phasor(speed), speed, speed)
             .into_iter());
         for load in &self.loads {
             let load = load.swing(self.mass[0]);
             let force = load.amplitude.map(|force| Complex::new(force, 0.0));
             let frequency = load.frequency + load.order * speed;
-            add(&mut self.amplitudes(&force, frequency).into_iter());
+            add(&mut self.amplitudes(&force, frequency, speed).into_iter());
         }
         let mut passing = [0.0_f64; FREEDOMS];
         for shift in self.passing_shifts() {
@@ -129,7 +128,10 @@ impl Rotor {
 
     /// Largest amplitude under the unbalance at the speeds of the profile.
     fn unbalance_response(&self, arm: f64) -> f64 {
-        let response = |speed: f64| self.forced_response(&self.unbalance_phasor(speed), speed, arm);
+        let response = |speed: f64| {
+            let force = self.unbalance_phasor(speed);
+            largest(self.amplitudes(&force, speed, speed).into_iter(), arm)
+        };
         let speeds = self.speed.points().map(|point| point.speed);
         speeds
             .chain([self.highest_speed()])
@@ -142,21 +144,22 @@ impl Rotor {
         let response = |load: &Load| {
             let swing = load.swing(self.mass[0]);
             let force = swing.amplitude.map(|force| Complex::new(force, 0.0));
-            let frequency = swing.frequency + swing.order * self.highest_speed();
-            self.forced_response(&force, frequency, arm)
+            let speed = self.highest_speed();
+            let frequency = swing.frequency + swing.order * speed;
+            largest(self.amplitudes(&force, frequency, speed).into_iter(), arm)
         };
         self.loads.iter().map(response).fold(0.0, f64::max)
     }
 
-    /// Largest amplitude under a force of angular frequency ω.
-    fn forced_response(&self, force: &[Complex<f64>; FREEDOMS], omega: f64, arm: f64) -> f64 {
-        largest(self.amplitudes(force, omega).into_iter(), arm)
-    }
-
-    /// Amplitudes of the kept freedoms under a force of angular frequency ω, `|(K − ω²M + iωC)⁻¹ F|`;
-    /// none at an undamped resonance.
-    fn amplitudes(&self, force: &[Complex<f64>; FREEDOMS], omega: f64) -> Vec<f64> {
+    /// Amplitudes of the kept freedoms under a force of angular frequency ω while the shaft turns at Ω,
+    /// `|(K − ω²M + iω(C + ΩG))⁻¹ F|`; none at an undamped resonance.
+    fn amplitudes(&self, force: &[Complex<f64>; FREEDOMS], omega: f64, speed: f64) -> Vec<f64> {
         let kept = self.kept;
+        let gyroscopic = |row: usize, column: usize| match (row, column) {
+            (3, 4) => self.inertia_polar * speed,
+            (4, 3) => -self.inertia_polar * speed,
+            _ => 0.0,
+        };
         let stiffness = &self.equilibrium.stiffness;
         let dynamic = DMatrix::from_fn(kept, kept, |row, column| {
             let inertia = if row == column {
@@ -164,8 +167,8 @@ impl Rotor {
             } else {
                 0.0
             };
-            let damping = self.damping.entry(row, column);
-            Complex::new(stiffness[(row, column)] - inertia, omega * damping)
+            let resisting = self.damping.entry(row, column) + gyroscopic(row, column);
+            Complex::new(stiffness[(row, column)] - inertia, omega * resisting)
         });
         let force = DVector::from_column_slice(&force[..kept]);
         let response = dynamic.lu().solve(&force);

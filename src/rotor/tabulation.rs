@@ -44,7 +44,7 @@ impl Rotor {
     fn swing(&self) -> [f64; FREEDOMS] {
         let distance = Support::largest(&self.supports, Geometry::groove_centre_distance);
         let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
-        let expected = self.expected_swing();
+        let expected = self.amplitude_estimate(self.speed());
         std::array::from_fn(|axis| {
             let lever = if axis < 3 { 1.0 } else { arm };
             let largest = LARGEST[usize::from(axis >= 2)] * distance / lever;

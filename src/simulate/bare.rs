@@ -20,10 +20,8 @@ impl<'a> BareRun<'a> {
     /// Assembles the rotor of a model.
     ///
     /// # Errors
-    /// [`SimulateError::Rotor`] where it cannot be assembled, [`SimulateError::Method`] where the method
-    /// does not serve it.
+    /// [`SimulateError::Rotor`] where it cannot be assembled.
     pub fn new(model: &'a Model) -> Result<Self, SimulateError> {
-        model.check_method()?;
         let rotor = Rotor::assemble(&model.rotor)?;
         Ok(Self { model, rotor })
     }

@@ -4,7 +4,7 @@ use nalgebra::Const;
 
 use super::{MeasuredError, Model};
 use crate::integrate::{
-    Checkpoint, CheckpointMismatch, IntegrateError, Integration, Method, Settings, Square,
+    Checkpoint, CheckpointMismatch, IntegrateError, Integration, Settings, Square,
 };
 use crate::rotor::{MotionScale, Moving};
 
@@ -13,8 +13,7 @@ const REFERENCE_FACTOR: f64 = 0.1;
 /// Below this tolerance the second pass is the looser one: round-off allows none that is tighter.
 const TIGHTEST_WITH_REFERENCE: f64 = 1e-12;
 
-/// Where balls come and go, all passes of the pair of order twelve step over it in much the same way, whatever
-/// their tolerance: its second pass is by the pair of order eight, whose steps lie elsewhere.
+/// Settings of the second pass: another tolerance.
 pub(super) fn reference_settings(model: &Model) -> Settings {
     let tolerance = model.integrator.tolerance;
     let factor = if tolerance >= TIGHTEST_WITH_REFERENCE {
@@ -23,10 +22,6 @@ pub(super) fn reference_settings(model: &Model) -> Settings {
         1.0 / REFERENCE_FACTOR
     };
     Settings {
-        method: match model.integrator.method {
-            Method::Dprkn12 => Method::Dprkn8,
-            method => method,
-        },
         tolerance: tolerance * factor,
         ..model.integrator
     }

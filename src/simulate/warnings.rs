@@ -3,7 +3,7 @@
 use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Kind, Motion};
 use crate::bearing::Vector5;
-use crate::integrate::Stiffness;
+use crate::integrate::{Method, Stiffness};
 use crate::rotor::Rotor;
 
 /// A measured error above this many tolerances is worth a warning.
@@ -11,6 +11,8 @@ const PROMISE: f64 = 10.0;
 
 /// What came of a run beside its samples.
 pub(super) struct Outcome<'a> {
+    /// The method of the latest step.
+    pub method: Method,
     pub error: Option<&'a MeasuredError>,
     /// Why the error could not be measured.
     pub error_unknown: Option<&'a str>,
@@ -42,7 +44,7 @@ pub(super) fn warnings(
              {tolerance:.0e}: the motion may be irregular or rest on contact changes; trust \
              statistics rather than the single trace{}",
             error.relative,
-            if model.integrator.method.lands_on_surfaces() {
+            if outcome.method == Method::Verner76 {
                 ""
             } else {
                 ", or set method = \"verner76\" in [integrator], whose steps end where balls lift off"

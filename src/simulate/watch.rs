@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::{Event, MethodMismatch};
+use super::Event;
 use crate::integrate::{CheckpointMismatch, IntegrateError};
 use crate::rotor::{BallContacts, LooseError, RotorError, Sample};
 
@@ -58,9 +58,6 @@ pub enum SimulateError {
     /// The rotor cannot be assembled.
     #[error(transparent)]
     Rotor(#[from] RotorError),
-    /// The method of integration does not serve the model.
-    #[error(transparent)]
-    Method(#[from] MethodMismatch),
     /// Nothing holds the shaft in a freedom, and the scene rests on what does.
     #[error(transparent)]
     Loose(#[from] LooseError),

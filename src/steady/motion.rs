@@ -22,7 +22,7 @@ const TIGHTER: f64 = 0.1;
 const TIGHTEST: f64 = 1e-12;
 /// A measured error above this many tolerances is worth a warning.
 const PROMISE: f64 = 10.0;
-/// Lines below this part of the largest, in tolerances, are left out.
+/// Lines below this part of the largest, in tolerances, are left out; so are those below the measured error.
 const NOISE: f64 = 0.1;
 
 /// What to find.
@@ -178,7 +178,8 @@ where
     };
     let trace = trace(&map, &flights, &sampled, question.model);
     let channels = Channel::of_freedoms(map.rotor.kept());
-    let noise = NOISE * way.settings.tolerance;
+    let error = measured.map_or(0.0, |error| error.relative);
+    let noise = error.max(NOISE * way.settings.tolerance);
     let instability = Crossing::cause(&found.multipliers);
     let warnings = warnings(&found, measured.as_ref(), way.settings.tolerance);
     Ok(Steady {

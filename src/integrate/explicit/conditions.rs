@@ -4,8 +4,8 @@
 //! has order p where Σ_i b_i Φ_i(t) = 1/γ(t) for all rooted trees t of order up to p; an interpolant
 //! where Σ_i b_i(θ) Φ_i(t) = θ^r/γ(t) for the trees of order r.
 
+use super::Verner76;
 use super::tableau::{MOST, Pair};
-use super::{Dop853, Tsit5, Verner76};
 use crate::integrate::stride::error_over_a_kink;
 
 /// A rooted tree: the subtrees at its root, as places in the list of all trees.
@@ -166,9 +166,7 @@ fn check_stability<P: Pair>() {
 
 #[test]
 fn limits_of_stability_are_those_of_the_coefficients() {
-    check_stability::<Tsit5>();
     check_stability::<Verner76>();
-    check_stability::<Dop853>();
 }
 
 #[test]
@@ -181,21 +179,8 @@ fn there_are_as_many_trees_as_known() {
 }
 
 #[test]
-fn tsit5_has_orders_five_and_four_and_its_interpolant_four() {
-    check::<Tsit5>(4, 4);
-}
-
-#[test]
 fn verner76_has_orders_seven_and_six_and_its_interpolant_six() {
     check::<Verner76>(6, 6);
-}
-
-#[test]
-fn dop853_has_orders_eight_five_and_three_and_its_interpolant_seven() {
-    check::<Dop853>(5, 7);
-    let coarse = Dop853::COARSE_ERROR.unwrap_or([f64::NAN; MOST]);
-    let third = difference(&Dop853::ARGUMENTS[Dop853::LAST], &coarse);
-    has_order::<Dop853>(&third, 1.0, 3, ROUND_OFF);
 }
 
 fn check_error_over_a_kink<P: Pair>() {
@@ -206,6 +191,4 @@ fn check_error_over_a_kink<P: Pair>() {
 #[test]
 fn the_error_over_a_kink_is_as_stated() {
     check_error_over_a_kink::<Verner76>();
-    check_error_over_a_kink::<Dop853>();
-    check_error_over_a_kink::<Tsit5>();
 }

@@ -28,9 +28,7 @@ pub(super) const NUMBERS: usize = 3 * SET_NUMBERS + 5;
 pub(super) struct Crossing<const N: usize> {
     /// Sides at the end of the latest step.
     pub sides: Sides,
-    /// Whether they are others than at its start.
-    pub went_over: bool,
-    /// Time of the latest step with such a change, s.
+    /// Time of the latest step at whose end they were others than at its start, s.
     pub latest: f64,
     /// Whether it ended on a surface that adds to the derivative from there on.
     pub fresh: bool,
@@ -50,7 +48,6 @@ pub(super) struct Crossing<const N: usize> {
 impl<const N: usize> Crossing<N> {
     pub const NEW: Self = Self {
         sides: 0,
-        went_over: false,
         latest: f64::NEG_INFINITY,
         fresh: false,
         planned: None,
@@ -83,7 +80,9 @@ impl<const N: usize> Crossing<N> {
         let (sets, []) = sets.as_chunks::<SET_NUMBERS>() else {
             return None;
         };
-        let [sides, surfaces, planned] = <&[[f64; SET_NUMBERS]; 3]>::try_from(sets).ok()?.map(set_of_numbers);
+        let [sides, surfaces, planned] = <&[[f64; SET_NUMBERS]; 3]>::try_from(sets)
+            .ok()?
+            .map(set_of_numbers);
         Some(Self {
             sides,
             latest: *latest,
@@ -222,8 +221,7 @@ impl<const N: usize> Walk<N> {
                 self.arrive_at(course, aim, surface, landing.sides & (1 << surface));
             }
         }
-        self.crossing.went_over = self.crossing.sides != before;
-        if self.crossing.went_over {
+        if self.crossing.sides != before {
             self.crossing.latest = self.time;
         }
     }

@@ -23,7 +23,7 @@ impl<const N: usize> Walk<N> {
                 }
             )*};
         }
-        stages!(7 8 9 10 11 12 13 14 15);
+        stages!(7 8 9 10 11 12);
     }
 
     /// Deviation within the step by the pair's own interpolant.

@@ -92,16 +92,6 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    /// Whether the latest step went over a surface, or to one.
-    pub fn went_over_surface(&self) -> bool {
-        self.crossing.went_over
-    }
-
-    /// Deviation at the end of the latest step.
-    pub fn deviation(&self) -> [f64; N] {
-        self.to
-    }
-
     /// End of the latest step, s.
     pub fn time(&self) -> f64 {
         self.time

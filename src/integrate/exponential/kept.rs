@@ -6,7 +6,7 @@ use super::operator::{Operator, Phi};
 /// Sizes that are kept.
 const KEPT: usize = 12;
 /// Numbers of [`Propagators::numbers`].
-pub(super) const NUMBERS: usize = 2 + 2 * KEPT;
+pub(super) const NUMBERS: usize = 1 + 2 * KEPT;
 
 /// A step size with its operator.
 #[derive(Debug, Clone)]
@@ -22,8 +22,6 @@ struct Size<const N: usize> {
 pub(super) struct Propagators<const N: usize> {
     kept: Vec<Size<N>>,
     clock: u64,
-    /// Number built so far.
-    pub built: u64,
     samples: Option<Phi<N>>,
 }
 
@@ -32,7 +30,6 @@ impl<const N: usize> Propagators<N> {
         Self {
             kept: Vec::with_capacity(KEPT),
             clock: 0,
-            built: 0,
             samples: None,
         }
     }
@@ -57,7 +54,6 @@ impl<const N: usize> Propagators<N> {
 
     /// Builds an operator in place of none or of the one that was not used for longest.
     fn build(&mut self, part: &LinearPart<N>, size: f64) -> usize {
-        self.built += 1;
         let built = Size {
             size,
             used: self.clock,
@@ -77,8 +73,7 @@ impl<const N: usize> Propagators<N> {
     pub fn numbers(&self) -> [f64; NUMBERS] {
         let mut numbers = [0.0; NUMBERS];
         numbers[0] = self.clock as f64;
-        numbers[1] = self.built as f64;
-        let (places, _) = numbers[2..].as_chunks_mut::<2>();
+        let (places, _) = numbers[1..].as_chunks_mut::<2>();
         for (place, known) in places.iter_mut().zip(&self.kept) {
             *place = [known.size, known.used as f64];
         }
@@ -87,8 +82,8 @@ impl<const N: usize> Propagators<N> {
 
     /// Finds the operators again that were kept: what is built from here on is what would have been.
     pub fn restore(&mut self, part: &LinearPart<N>, numbers: &[f64; NUMBERS]) {
-        let [clock, built, places @ ..] = numbers;
-        (self.clock, self.built) = (*clock as u64, *built as u64);
+        let [clock, places @ ..] = numbers;
+        self.clock = *clock as u64;
         let (places, _) = places.as_chunks::<2>();
         let known = places.iter().take_while(|[size, _]| *size > 0.0);
         self.kept.extend(known.map(|&[size, used]| Size {

@@ -9,7 +9,7 @@ use super::walk::Walk;
 use crate::integrate::Counters;
 
 /// Single numbers of a walk.
-const SINGLE: usize = 19;
+const SINGLE: usize = 18;
 
 fn flag(set: bool) -> f64 {
     f64::from(u8::from(set))
@@ -36,7 +36,6 @@ impl<const N: usize> Walk<N> {
             self.since_rate,
             self.rate_size,
             flag(self.rejected),
-            self.renewals as f64,
             self.mean.steps,
         ];
         let known = self.propagators.numbers();
@@ -78,7 +77,6 @@ impl<const N: usize> Walk<N> {
             since_rate,
             rate_size,
             rejected,
-            renewals,
             averaged,
         ] = *<&[f64; SINGLE]>::try_from(single).ok()?;
         let mut walk = Self::new(vectors[3], interval);
@@ -110,7 +108,6 @@ impl<const N: usize> Walk<N> {
         (walk.rate, walk.since_rate, walk.rate_size) = (rate, since_rate, rate_size);
         walk.renewal = Renewal::from_numbers(renewal);
         walk.rejected = rejected != 0.0;
-        walk.renewals = renewals as u64;
         walk.propagators.restore(&walk.linear, known);
         walk.counters = counters;
         Some(walk)

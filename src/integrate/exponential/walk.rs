@@ -64,8 +64,6 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     pub(super) rejected: bool,
     /// Whether a trial since the latest good step was not finite.
     fault: bool,
-    /// Linear parts taken.
-    pub(super) renewals: u64,
     pub(super) counters: Counters,
     pub(super) propagators: Propagators<N>,
     /// Weights that carry the polynomial on into a step whose size is in a ratio to the latest one's.
@@ -103,7 +101,6 @@ impl<const N: usize> Walk<N> {
             renewal: Renewal::NONE,
             rejected: false,
             fault: false,
-            renewals: 0,
             counters: Counters::default(),
             propagators: Propagators::new(),
             ahead: [[0.0; POINTS]; POINTS],
@@ -112,32 +109,9 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    /// Stands at a time, s, in a deviation from the origin, with the linear part that there is; the first
-    /// step has the size of the latest one here.
-    pub fn stand_at(&mut self, time: f64, deviation: [f64; N]) {
-        (self.start, self.time, self.limit) = (time, time, time);
-        self.to = self.linear.place(deviation);
-        self.from = self.to;
-        self.mean = Mean::of(deviation);
-        self.leg = Leg::ENDED;
-        self.cursor = None;
-        (self.fresh, self.rejected, self.fault) = (false, false, false);
-        self.counters = Counters::default();
-    }
-
     /// Deviation at the end of the latest step.
     pub fn deviation(&self) -> [f64; N] {
         self.to.deviation
-    }
-
-    /// Interval of the samples, s.
-    pub fn interval(&self) -> f64 {
-        self.interval
-    }
-
-    /// Linear parts taken, and step sizes whose operators had to be found.
-    pub fn preparations(&self) -> [u64; 2] {
-        [self.renewals, self.propagators.built]
     }
 
     /// End of the latest step, s.
@@ -269,7 +243,6 @@ impl<const N: usize> Walk<N> {
         self.from = self.linear.place(self.from.deviation);
         (self.fresh, self.rate) = (true, 1.0);
         self.renewal.renew();
-        self.renewals += 1;
         self.propagators.clear();
         self.forget(course);
     }

@@ -26,30 +26,26 @@ pub struct IntegratorSpec {
 /// Integration method.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[schemars(extend("successors" = {
+    "tsit5": "verner76",
+    "dprkn8": "exponential",
+    "dprkn12": "verner76",
+    "ode_solvers_dop853": "dop853",
+}))]
 pub enum MethodChoice {
-    /// The cheapest of Verner 7(6), Dormand–Prince 8(5,3), the Nyström pair dprkn8 and exponential
-    /// collocation, chosen and chosen again during the run.
+    /// "verner76" where a ball may part from a race on this motion, else "exponential".
     Auto,
-    /// Verner 7(6): for all tolerances.
+    /// Verner 7(6), explicit: its steps end where a ball parts from a race or meets it again.
     Verner76,
-    /// Dormand–Prince 8(5,3): for fine tolerances.
-    Dop853,
-    /// Tsitouras 5(4): for coarse tolerances.
-    Tsit5,
-    /// Dormand–El-Mikkawy–Prince 8(6), a Nyström pair: half the evaluations where all balls stay loaded. Not
-    /// with a drive, `energy` or damping of contacts, nor with gyroscopic moments at a changing speed.
-    Dprkn8,
-    /// Dormand–El-Mikkawy–Prince 12(10), as `dprkn8`: for the finest tolerances and few samples.
-    Dprkn12,
-    /// Exponential collocation: for preloaded bearings whose shaft turns slowly beside its natural
-    /// frequencies.
+    /// Exponential collocation: the linear part of the motion exactly, for balls that stay loaded, and for
+    /// strong damping.
     Exponential,
     /// RODAS 4(3), linearly implicit: for stiff scenes, as with strong damping.
     Rodas,
     /// Dormand–Prince 5(4) of the library `ode_solvers`, to compare with.
     Dopri5,
     /// Dormand–Prince 8(5,3) of the library `ode_solvers`, to compare with.
-    OdeSolversDop853,
+    Dop853,
 }
 
 impl Default for IntegratorSpec {
@@ -80,14 +76,10 @@ impl MethodChoice {
         match self {
             Self::Auto => Method::Auto,
             Self::Verner76 => Method::Verner76,
-            Self::Dop853 => Method::Dop853,
-            Self::Tsit5 => Method::Tsit5,
-            Self::Dprkn8 => Method::Dprkn8,
-            Self::Dprkn12 => Method::Dprkn12,
             Self::Exponential => Method::Exponential,
             Self::Rodas => Method::Rodas,
             Self::Dopri5 => Method::Dopri5,
-            Self::OdeSolversDop853 => Method::OdeSolversDop853,
+            Self::Dop853 => Method::Dop853,
         }
     }
 }

@@ -22,7 +22,7 @@ use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::simulate::{MethodMismatch, Model};
+use crate::simulate::Model;
 use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
 
 /// Largest difference of the law that is chosen, where none is given.
@@ -266,7 +266,7 @@ impl ScenarioSpec {
         let analyses = self
             .output
             .analyses(steady.is_some() && !driven, changes, problems);
-        let model = Model {
+        Some(Model {
             rotor,
             duration: time.duration.si(),
             settle: time.settle.si(),
@@ -278,22 +278,6 @@ impl ScenarioSpec {
             spectrum: self.output.spectrum.then_some(self.output.window.into()),
             analyses,
             spectra,
-        };
-        self.check_method(&model, problems);
-        Some(model)
-    }
-
-    /// Refuses a method of integration that does not serve the model.
-    fn check_method(&self, model: &Model, problems: &mut Problems<'_>) {
-        let Err(mismatch) = model.check_method() else {
-            return;
-        };
-        let against = match mismatch {
-            MethodMismatch::ContactDamping => "damping.contact",
-            MethodMismatch::Energy => "output.energy",
-            MethodMismatch::Gyroscopic | MethodMismatch::Drive => self.speed.path(),
-        };
-        let issue = Issue::new("integrator.method", mismatch.to_string());
-        problems.refuse(issue, &[against.to_owned()]);
+        })
     }
 }

@@ -42,8 +42,6 @@ pub struct StudyFile {
     pub variables: Vec<Variable>,
     /// Order in which each run goes on from its neighbour, where it does.
     pub sweep: Option<Sweep>,
-    /// Whether runs may go side by side.
-    pub side_by_side: bool,
     /// Every so many runs the error is measured; 0 on none.
     pub verify_every: u64,
     /// What is kept of every run beside its numbers.
@@ -159,7 +157,6 @@ fn build(
         plan,
         variables,
         sweep: spec.sweep.map(sweep),
-        side_by_side: spec.side_by_side,
         verify_every: spec.verify_every,
         keep: keep(spec),
         columns,

@@ -29,11 +29,6 @@ pub struct StudyFileSpec {
     /// Default: 10.
     #[serde(default = "every_tenth")]
     pub verify_every: u64,
-    /// Whether runs of plain Hertz bearings at constant speed share the steps of one integration, four by four,
-    /// where that is cheaper: they then agree with those by themselves to the tolerance. From 64 runs on, and
-    /// where no traces are kept. Default: true.
-    #[serde(default = "yes")]
-    pub side_by_side: bool,
     /// Whether each run goes on from where its neighbour along the last axis ended, and in which order.
     /// Default: every run starts by itself.
     pub sweep: Option<SweepChoice>,
@@ -63,10 +58,6 @@ pub struct CyclesSpec {
     /// Cycles after them.
     #[schemars(range(min = 1, max = 1_000_000_000), extend("examples" = [100]))]
     pub kept: u32,
-}
-
-fn yes() -> bool {
-    true
 }
 
 fn every_tenth() -> u64 {

@@ -27,7 +27,7 @@ pub(super) fn value(
     }
     let choices = choices(schema);
     if !choices.is_empty() {
-        return choice(node, &choices, path, problems);
+        return choice(node, &choices, &schema["successors"], path, problems);
     }
     if schema["type"].is_array() {
         return scalar(node, path, problems);
@@ -158,20 +158,32 @@ pub(super) fn choices(schema: &Value) -> Vec<&str> {
         .collect()
 }
 
-fn choice(node: &Node, choices: &[&str], path: &str, problems: &mut Problems<'_>) -> Option<Value> {
+/// One of some words; `successors` has those that took the place of words that are gone.
+fn choice(
+    node: &Node,
+    choices: &[&str],
+    successors: &Value,
+    path: &str,
+    problems: &mut Problems<'_>,
+) -> Option<Value> {
     let quoted: Vec<_> = choices.iter().map(|word| format!("\"{word}\"")).collect();
     let key = last(path);
     let written = match &node.content {
         Content::Text(text) if choices.contains(&text.as_str()) => {
             return Some(Value::String(text.clone()));
         }
-        Content::Text(text) => text,
+        Content::Text(text) => text.as_str(),
         _ => "",
     };
     let message = format!("`{key}` must be one of {}", quoted.join(", "));
     let mut issue = Issue::new(path, message).at(Some(node.span.clone()));
-    issue.help =
-        nearest(written, choices.iter().copied()).map(|word| format!("did you mean \"{word}\"?"));
+    issue.help = successors[written]
+        .as_str()
+        .map(|word| format!("\"{written}\" is no longer there; \"{word}\" takes its place"))
+        .or_else(|| {
+            let near = nearest(written, choices.iter().copied());
+            near.map(|word| format!("did you mean \"{word}\"?"))
+        });
     problems.add(issue);
     None
 }

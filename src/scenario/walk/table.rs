@@ -97,6 +97,12 @@ fn place_of(node: &Node, path: &str) -> Option<std::ops::Range<usize>> {
     (!path.is_empty()).then(|| node.span.clone())
 }
 
+/// Keys that are gone, and what to do about them.
+const GONE: [(&str, &str); 1] = [(
+    "side_by_side",
+    "leave it out: every run is integrated by itself",
+)];
+
 fn unknown_key(
     entry: &Entry,
     given: &HashSet<&str>,
@@ -109,12 +115,14 @@ fn unknown_key(
     let known = properties.keys().map(String::as_str);
     let known: Vec<_> = known.filter(|known| !known.starts_with('$')).collect();
     let free = known.iter().copied().filter(|known| !given.contains(known));
-    let help = match nearest(key, free) {
-        Some(known) => {
+    let gone = GONE.iter().find(|(gone, _)| gone == key);
+    let help = match (gone, nearest(key, free)) {
+        (Some((_, help)), _) => (*help).to_owned(),
+        (None, Some(known)) => {
             problems.distrust(&join(path, known));
             format!("did you mean `{known}`?")
         }
-        None => format!("it knows {}", quoted(&known, ", ")),
+        (None, None) => format!("it knows {}", quoted(&known, ", ")),
     };
     let issue = Issue::new(join(path, key), message).help(help);
     problems.add(issue.at(Some(entry.key_span.clone())));

@@ -10,7 +10,7 @@ use crate::rotor::{MotionScale, Rotor};
 use crate::simulate::Model;
 
 /// Methods that share neither coefficients nor code, those before the others first.
-const METHODS: [Method; 3] = [Method::Verner76, Method::OdeSolversDop853, Method::Rodas];
+const METHODS: [Method; 3] = [Method::Verner76, Method::Dop853, Method::Rodas];
 /// Tolerances that a method is taken through, as far as time allows.
 const TOLERANCES: [f64; 3] = [1e-8, 1e-10, 1e-12];
 /// How much longer the next of these tolerances takes at most: two decades at order 3.5.

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::gathered::{Carried, Gathered};
 use super::numbers::NumberColumn;
 use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
-use super::{Keep, Pilots, Schedule, Section, Turn};
+use super::{Keep, Schedule, Section, Turn};
 use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum, Threads};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
@@ -49,8 +49,6 @@ pub struct Maker<'a> {
     pub keep: Keep,
     /// Every so many runs the error is measured; 0 on none.
     pub verify_every: u64,
-    /// Whether it pays to make runs side by side.
-    pub pilots: &'a Pilots,
     /// What keeps the traces of the runs, where they are kept.
     pub traces: Option<TraceKeeper<'a>>,
     /// Numbers that are kept.
@@ -67,9 +65,6 @@ impl Maker<'_> {
     /// # Errors
     /// [`Unmade`] where it was to stop before the last one was done, or a trace could not be kept.
     pub fn chain(&self, chain: u64) -> Result<Vec<RunRecord>, Unmade> {
-        if let Some(records) = self.side_by_side(chain) {
-            return Ok(records);
-        }
         let mut records = Vec::new();
         let mut carried = None;
         for turn in self.schedule.chain(chain) {

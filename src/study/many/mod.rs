@@ -4,16 +4,13 @@ mod chain;
 mod cycles;
 mod gathered;
 mod numbers;
-mod pilots;
 mod record;
 mod schedule;
-mod side_by_side;
 mod workers;
 
 pub use chain::{KeptTrace, Maker, TraceKeeper, Unmade};
 pub use cycles::{Cycles, CyclesError};
 pub use numbers::{NumberColumn, Numbers, number_columns};
-pub use pilots::Pilots;
 pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
 pub use workers::{LEAD, work};

@@ -46,8 +46,8 @@ pub struct Turn {
     pub direction: Direction,
 }
 
-/// The runs of a study, grouped into chains, which are made as a whole: by a sweep, within which each run goes
-/// on from where the one before ended, or as runs that go side by side; otherwise every chain is one run.
+/// The runs of a study, grouped into chains, which are made as a whole: those of a sweep, within which each run
+/// goes on from where the one before ended; otherwise every chain is one run.
 ///
 /// ```
 /// use jeffcott::study::many::{Schedule, Sweep};
@@ -56,9 +56,9 @@ pub struct Turn {
 /// assert_eq!((schedule.chains(), schedule.runs()), (2, 12));
 /// let points: Vec<u64> = schedule.chain(1).map(|turn| turn.point).collect();
 /// assert_eq!(points, [3, 4, 5, 5, 4, 3]);
-/// // the same grid four by four
-/// let schedule = Schedule::new(6, 3, None).side_by_side(4);
-/// assert_eq!((schedule.chains(), schedule.runs_of(1..2)), (2, 4..6));
+/// // the same grid, every run by itself
+/// let schedule = Schedule::new(6, 3, None);
+/// assert_eq!((schedule.chains(), schedule.runs_of(1..2)), (6, 1..2));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Schedule {
@@ -76,15 +76,6 @@ impl Schedule {
             length,
             sweep,
         }
-    }
-
-    /// So many runs side by side in a chain, fewer in the last one, unless they go on from each other.
-    pub fn side_by_side(self, runs: u64) -> Self {
-        let length = match self.sweep {
-            None => runs.max(1),
-            Some(_) => self.length,
-        };
-        Self { length, ..self }
     }
 
     /// Whether runs go on from where others ended.
