@@ -1,14 +1,13 @@
 //! Kinds of motion: of signals that are one kind, and of scenes that are known.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::TAU;
 
 use jeffcott::analysis::{Kind, SectionKind, Series, closed_curve, recognise};
-use jeffcott::bearing::MountedBearing;
-use jeffcott::rotor::{CageMotion, Damping, Freedoms, RotorDefinition, Shaft};
+use jeffcott::rotor::{CageMotion, Damping, RotorDefinition};
 use jeffcott::simulate::{Analyses, Model, Sampling};
 
 use crate::support::{
-    literature_bearing, model, mounted, rotor, settings, shaft, thrust_rotor, try_run,
+    literature_bearing, model, settings, thrust_rotor, try_run, varying_compliance,
 };
 
 fn series(points: Vec<Vec<f64>>) -> Vec<Series> {
@@ -123,26 +122,8 @@ fn jis_6306(speed: f64) -> RotorDefinition {
 }
 
 fn with_clearance(speed: f64, clearance: f64) -> RotorDefinition {
-    RotorDefinition {
-        speed,
-        damping: Damping::Coefficients([200.0, 200.0, 0.0, 0.0, 0.0]),
-        load: [0.0, -196.0, 0.0, 0.0, 0.0],
-        ..rotor(
-            Shaft {
-                mass: 20.0,
-                ..shaft(Freedoms::Radial)
-            },
-            vec![MountedBearing {
-                first_ball: -FRAC_PI_2,
-                ..mounted(literature_bearing(
-                    8,
-                    [11.9062e-3, 52.0e-3],
-                    clearance,
-                    1.334e10,
-                ))
-            }],
-        )
-    }
+    let bearing = literature_bearing(8, [11.9062e-3, 52.0e-3], clearance, 1.334e10);
+    varying_compliance(speed, 20.0, 196.0, bearing)
 }
 
 fn of_scene(rotor: RotorDefinition, settle: f64, window: f64, tolerance: f64) -> Kind {

@@ -6,13 +6,12 @@
 //! The clearance is the radial one: with 1 µm on the diameter the doubling is gone from this range
 //! of speeds and stands near 18 000 rpm.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{PI, TAU};
 
-use jeffcott::bearing::MountedBearing;
-use jeffcott::rotor::{Damping, Freedoms, RotorDefinition, Shaft};
+use jeffcott::rotor::RotorDefinition;
 
 use crate::support::{
-    literature_bearing, model, mounted, peak_to_peak, rotor, samples, settings, shaft,
+    literature_bearing, model, peak_to_peak, samples, settings, varying_compliance,
 };
 
 /// Ball passes of the shaft at 1 rad/s, in rad.
@@ -27,21 +26,8 @@ fn definition(speed: f64, radial_clearance: f64) -> RotorDefinition {
     // the ratio of ball to pitch diameter that gives the factor: (Z/2)(1 − D/d_m)
     let ratio = 1.0 - 2.0 * BALL_PASS_FACTOR / 8.0;
     let diameters = [7.938e-3, 7.938e-3 / ratio];
-    RotorDefinition {
-        speed,
-        damping: Damping::Coefficients([200.0, 200.0, 0.0, 0.0, 0.0]),
-        load: [0.0, -6.0, 0.0, 0.0, 0.0],
-        ..rotor(
-            Shaft {
-                mass: 0.6,
-                ..shaft(Freedoms::Radial)
-            },
-            vec![MountedBearing {
-                first_ball: -FRAC_PI_2,
-                ..mounted(literature_bearing(8, diameters, radial_clearance, 7.055e9))
-            }],
-        )
-    }
+    let bearing = literature_bearing(8, diameters, radial_clearance, 7.055e9);
+    varying_compliance(speed, 0.6, 6.0, bearing)
 }
 
 /// Ball passes, up to 8, after which x and y return to where they were, seen once a ball pass.

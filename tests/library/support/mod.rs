@@ -1,9 +1,7 @@
 //! What the tests share: builders of models that differ from a plain one in what a test names,
 //! a sink that keeps samples, and comparison with printed numbers.
 
-// every test target takes what it needs
-#![allow(dead_code)]
-
+use std::f64::consts::FRAC_PI_2;
 use std::io;
 use std::sync::atomic::AtomicBool;
 
@@ -76,6 +74,26 @@ pub fn back_to_back_pair() -> Vec<MountedBearing> {
             ..mounted(bearing("7205C"))
         })
         .to_vec()
+}
+
+/// The literature's shaft of varying compliance: x and y free, 200 N s/m of damping, loaded along −y towards
+/// ball 0.
+pub fn varying_compliance(speed: f64, mass: f64, weight: f64, bearing: Bearing) -> RotorDefinition {
+    RotorDefinition {
+        speed,
+        damping: Damping::Coefficients([200.0, 200.0, 0.0, 0.0, 0.0]),
+        load: [0.0, -weight, 0.0, 0.0, 0.0],
+        ..rotor(
+            Shaft {
+                mass,
+                ..shaft(Freedoms::Radial)
+            },
+            vec![MountedBearing {
+                first_ball: -FRAC_PI_2,
+                ..mounted(bearing)
+            }],
+        )
+    }
 }
 
 /// The ring of balls of a bearing, ball 0 on +X.
