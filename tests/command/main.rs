@@ -1,0 +1,21 @@
+//! The command as a user meets it.
+
+// a test that cannot go on, or meets what it must not, says so and fails
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod accuracy;
+mod bad_scenarios;
+mod bearing;
+mod compare;
+mod endings;
+mod help;
+mod lines;
+mod readme;
+mod run;
+mod schema;
+mod seed;
+mod spectra;
+mod steady;
+mod studies;
+mod support;
+mod tables;

@@ -1,0 +1,29 @@
+//! The schema and the catalogue that the command prints.
+
+use jeffcott::bearing::catalogue::CATALOGUE;
+
+use crate::support::{done, jeffcott_in, root, scenarios};
+
+fn printed(arguments: &[&str]) -> Vec<u8> {
+    done(jeffcott_in(root(), arguments)).stdout
+}
+
+#[test]
+fn the_command_prints_the_schema() {
+    let committed = std::fs::read(scenarios().join("scenario.schema.json")).unwrap();
+    assert!(printed(&["schema"]) == committed);
+}
+
+#[test]
+fn the_command_lists_the_catalogue_with_its_sources() {
+    let listed: Vec<serde_json::Value> =
+        serde_json::from_slice(&printed(&["catalogue", "--json"])).unwrap();
+    let table = String::from_utf8(printed(&["catalogue"])).unwrap();
+    // lines are broken where they would be wider than a terminal
+    let table = table.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(listed.len(), CATALOGUE.len());
+    for (record, entry) in listed.iter().zip(CATALOGUE) {
+        assert_eq!(record["designation"], entry.designation);
+        assert!(table.contains(entry.designation) && table.contains(entry.source));
+    }
+}

@@ -1,0 +1,257 @@
+//! The tables of a run in other formats, thinned, and with chosen columns.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use matfile::{MatFile, NumericData};
+use tempfile::TempDir;
+
+use crate::support::{done, jeffcott_in, json, shipped, shipped_text, told};
+
+/// A folder with a short scenario in it: bearings that lose contact.
+fn scene(output: &str) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let text = shipped_text("varying-compliance-6306");
+    let (before, _) = text.split_once("[output]").unwrap_or((&text, ""));
+    fs::write(
+        folder.path().join("scene.toml"),
+        format!("{before}\n[output]\n{output}\n"),
+    )
+    .unwrap();
+    folder
+}
+
+fn jeffcott(folder: &TempDir, arguments: &[&str]) -> Output {
+    jeffcott_in(folder, arguments)
+}
+
+#[track_caller]
+fn run(folder: &TempDir, arguments: &[&str]) {
+    let arguments = [&["run", "scene.toml", "--no-verify"], arguments].concat();
+    done(jeffcott(folder, &arguments));
+}
+
+fn result(folder: &TempDir, name: &str) -> PathBuf {
+    folder.path().join("output/scene").join(name)
+}
+
+/// Rows of a CSV file, cell by cell, the header first.
+fn rows(path: &Path) -> Vec<Vec<String>> {
+    let text = fs::read_to_string(path).unwrap();
+    let row = |line: &str| line.split(',').map(str::to_owned).collect();
+    text.lines().map(row).collect()
+}
+
+/// Numeric variables of a MAT-file by name.
+fn numbers(path: &Path) -> BTreeMap<String, Vec<f64>> {
+    let mat = MatFile::parse(fs::File::open(path).unwrap()).unwrap();
+    let arrays = mat.arrays().iter().filter_map(|array| match array.data() {
+        NumericData::Double { real, .. } => Some((array.name().to_owned(), real.clone())),
+        _ => None,
+    });
+    arrays.collect()
+}
+
+#[test]
+fn mat_files_hold_the_numbers_of_the_csv_bit_by_bit() {
+    let folder = scene(
+        "balls = true\nenergy = true\nformats = [\"csv\", \"mat\"]\n\n\
+         [[spectrum]]\nname = \"density\"\nchannels = [\"acceleration\"]\nscaling = \"density\"",
+    );
+    run(&folder, &[]);
+    for stem in [
+        "trace",
+        "trace_balls",
+        "energy",
+        "events",
+        "spectrum",
+        "spectrum_density",
+        "poincare",
+    ] {
+        assert_same_numbers(&result(&folder, stem));
+    }
+}
+
+#[test]
+fn the_maps_of_a_run_up_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("scene.toml");
+    fs::copy(shipped("run-up-7205c"), scene).unwrap();
+    run(&folder, &["--format", "csv,mat"]);
+    for stem in ["waterfall", "order_tracks"] {
+        assert_same_numbers(&result(&folder, stem));
+    }
+}
+
+/// Asserts that `<stem>.csv` and `<stem>.mat` hold the same numbers; words aside.
+#[track_caller]
+fn assert_same_numbers(stem: &Path) {
+    let csv = rows(&stem.with_extension("csv"));
+    let mat = numbers(&stem.with_extension("mat"));
+    assert!(csv.len() > 1, "{stem:?}");
+    assert_eq!(mat.len(), csv[0].len(), "{stem:?}");
+    let is_word = |name: &str| ["event", "section"].contains(&name);
+    let columns = csv[0].iter().enumerate();
+    for (place, name) in columns.filter(|(_, name)| !is_word(name)) {
+        let cell = |row: &Vec<String>| row[place].parse().unwrap_or(f64::NAN);
+        let written: Vec<u64> = csv[1..].iter().map(cell).map(f64::to_bits).collect();
+        let read: Vec<u64> = mat[name].iter().map(|number| number.to_bits()).collect();
+        assert!(written == read, "{name} of {stem:?}");
+    }
+}
+
+#[test]
+fn one_of_every_so_many_samples_is_the_same_sample() {
+    let folder = scene("balls = true");
+    run(&folder, &[]);
+    let names = ["trace.csv", "trace_balls.csv"];
+    let full = names.map(|name| rows(&result(&folder, name)));
+    let spectrum = fs::read(result(&folder, "spectrum.csv")).unwrap();
+    run(&folder, &["--every", "7"]);
+    for (name, full) in names.iter().zip(full) {
+        let kept: Vec<_> = full[1..].iter().step_by(7).cloned().collect();
+        assert!(rows(&result(&folder, name))[1..] == kept, "{name}");
+    }
+    assert!(fs::read(result(&folder, "spectrum.csv")).unwrap() == spectrum);
+    let summary = json(&result(&folder, "summary.json"));
+    assert_eq!(summary["scenario"]["output"]["every"], 7);
+}
+
+#[test]
+fn chosen_channels_stand_behind_the_time_in_their_order() {
+    let folder = scene("channels = [\"force_y\", \"x\"]");
+    run(&folder, &[]);
+    assert_eq!(
+        rows(&result(&folder, "trace.csv"))[0],
+        ["t_s", "force_y_N", "x_m"]
+    );
+    let by_key = fs::read(result(&folder, "trace.csv")).unwrap();
+    run(&folder, &["--channels", "y,balls_loaded"]);
+    assert_eq!(
+        rows(&result(&folder, "trace.csv"))[0],
+        ["t_s", "y_m", "balls_loaded"]
+    );
+    run(&folder, &["--channels", "force_y,x"]);
+    assert!(fs::read(result(&folder, "trace.csv")).unwrap() == by_key);
+    let output = jeffcott(&folder, &["run", "scene.toml", "--channels", "fx"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(told(&output).contains("force_x"));
+}
+
+#[test]
+fn tables_of_another_format_do_not_outlive_a_run() {
+    let folder = scene("");
+    run(&folder, &["--format", "mat"]);
+    assert!(result(&folder, "trace.mat").exists() && !result(&folder, "trace.csv").exists());
+    let mat = fs::read(result(&folder, "trace.mat")).unwrap();
+    run(&folder, &["--format", "mat"]);
+    assert!(fs::read(result(&folder, "trace.mat")).unwrap() == mat);
+    run(&folder, &[]);
+    assert!(!result(&folder, "trace.mat").exists() && result(&folder, "trace.csv").exists());
+    let hidden = fs::read_dir(result(&folder, "")).unwrap();
+    let hidden = hidden.filter(|entry| {
+        let name = entry.as_ref().unwrap().file_name();
+        name.to_string_lossy().starts_with('.')
+    });
+    assert_eq!(hidden.count(), 0);
+}
+
+#[test]
+fn a_resumed_run_writes_what_is_asked_for_when_it_goes_on() {
+    let folder = scene("");
+    let written = ["--every", "3", "--channels", "x", "--format", "csv,mat"];
+    run(&folder, &written);
+    let names = ["trace.csv", "trace.mat", "spectrum.csv", "summary.json"];
+    let whole = names.map(|name| fs::read(result(&folder, name)).unwrap());
+    run(&folder, &["--stop-at", "0.05 s"]);
+    run(&folder, &[&written[..], &["--resume"]].concat());
+    for (name, whole) in names.iter().zip(whole) {
+        assert!(fs::read(result(&folder, name)).unwrap() == whole, "{name}");
+    }
+}
+
+#[test]
+fn the_command_that_goes_on_repeats_what_is_written() {
+    let folder = scene("");
+    let arguments = [
+        "run",
+        "scene.toml",
+        "--stop-at",
+        "0.05 s",
+        "--every",
+        "3",
+        "--channels",
+        "x",
+    ];
+    let output = jeffcott(&folder, &arguments);
+    let message = told(&output);
+    assert!(
+        message.contains("--every 3 --channels x --resume"),
+        "{message}"
+    );
+}
+
+#[cfg(not(feature = "parquet"))]
+#[test]
+fn a_build_without_parquet_says_so() {
+    let folder = scene("formats = [\"parquet\"]");
+    let output = jeffcott(&folder, &["run", "scene.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = told(&output);
+    assert!(message.contains("built without Parquet"), "{message}");
+    assert!(message.contains("--features parquet"), "{message}");
+}
+
+#[cfg(feature = "parquet")]
+mod parquet_files {
+    use super::*;
+    use parquet::file::reader::{FileReader, SerializedFileReader};
+    use parquet::record::Field;
+
+    #[test]
+    fn they_hold_the_cells_of_the_csv() {
+        let folder = scene("balls = true\nformats = [\"csv\", \"parquet\"]");
+        run(&folder, &[]);
+        for stem in ["trace", "trace_balls", "events", "spectrum"] {
+            let csv = rows(&result(&folder, &format!("{stem}.csv")));
+            let file = fs::File::open(result(&folder, &format!("{stem}.parquet"))).unwrap();
+            let reader = SerializedFileReader::new(file).unwrap();
+            let read = reader.get_row_iter(None).unwrap();
+            let mut count = 0;
+            for (row, written) in read.zip(&csv[1..]) {
+                let cells: Vec<String> = row.unwrap().get_column_iter().map(cell).collect();
+                let same = |(cell, written): (&String, &String)| {
+                    cell == written || cell.parse::<f64>() == written.parse::<f64>()
+                };
+                assert!(
+                    cells.iter().zip(written).all(same),
+                    "{stem}: {cells:?} {written:?}"
+                );
+                count += 1;
+            }
+            assert_eq!(count, csv.len() - 1, "{stem}");
+            let metadata = reader
+                .metadata()
+                .file_metadata()
+                .key_value_metadata()
+                .unwrap();
+            let version = metadata
+                .iter()
+                .find(|entry| entry.key == "jeffcott_version")
+                .unwrap();
+            assert_eq!(version.value.as_deref(), Some(env!("CARGO_PKG_VERSION")));
+        }
+    }
+
+    fn cell((_, field): (&String, &Field)) -> String {
+        match field {
+            Field::Null => String::new(),
+            Field::Str(word) => word.clone(),
+            Field::Int(number) => number.to_string(),
+            Field::Double(number) => format!("{number:e}"),
+            other => panic!("{other:?}"),
+        }
+    }
+}

@@ -1,0 +1,556 @@
+//! The integration methods on problems with known solutions.
+
+use std::sync::atomic::AtomicBool;
+
+use jeffcott::integrate::{
+    Checkpoint, Counters, Grid, IntegrateError, Integration, Linearised, Method, Scaling, Settings,
+    System, VelocityDependence,
+};
+use nalgebra::{SMatrix, matrix};
+
+/// y' = cos(t) y, y(0) = 1: y = exp(sin t). The time enters, so a wrong node shows.
+struct Swelling;
+
+impl System<1> for Swelling {
+    fn derivative(&self, time: f64, state: &[f64; 1], rate: &mut [f64; 1]) {
+        rate[0] = time.cos() * state[0];
+    }
+}
+
+impl Linearised<1> for Swelling {
+    fn linearisation(&self, time: f64, state: &[f64; 1]) -> (SMatrix<f64, 1, 1>, [f64; 1]) {
+        (matrix![time.cos()], [-time.sin() * state[0]])
+    }
+}
+
+fn settings(method: Method, tolerance: f64) -> Settings {
+    Settings {
+        method,
+        tolerance,
+        step_limit: 10_000_000,
+    }
+}
+
+/// Largest error on the grid and number of steps.
+fn error_and_steps(method: Method, tolerance: f64) -> (f64, u64) {
+    let grid = Grid {
+        interval: 0.05,
+        count: 401,
+    };
+    let stop = AtomicBool::new(false);
+    let mut integration = Integration::<_, 1, 2>::new(
+        &Swelling,
+        Scaling::IDENTITY,
+        grid,
+        settings(method, tolerance),
+        &stop,
+        &[1.0],
+    );
+    let mut states = Vec::new();
+    while integration.done() < grid.count {
+        integration
+            .advance(100, &mut states)
+            .expect("a smooth problem");
+    }
+    assert_eq!(states.len(), 401);
+    let error = states
+        .iter()
+        .enumerate()
+        .map(|(k, state)| (state[0] - grid.time(k as u64).sin().exp()).abs())
+        .fold(0.0, f64::max);
+    (error, integration.counters().steps)
+}
+
+/// Slope of log error over log step, from two tolerances.
+fn observed_order(method: Method, loose: f64, tight: f64) -> f64 {
+    let (loose_error, loose_steps) = error_and_steps(method, loose);
+    let (tight_error, tight_steps) = error_and_steps(method, tight);
+    println!("{method:?} {loose_error:e} {loose_steps} {tight_error:e} {tight_steps}");
+    (loose_error / tight_error).ln() / (tight_steps as f64 / loose_steps as f64).ln()
+}
+
+#[test]
+fn dop853_has_order_eight_where_time_enters() {
+    // its interpolant has order seven and stands in the way of more
+    let order = observed_order(Method::Dop853, 1e-4, 1e-12);
+    assert!((7.0..9.5).contains(&order), "observed order {order}");
+}
+
+#[test]
+fn verner76_has_order_seven_where_time_enters() {
+    // its interpolant has order six
+    let order = observed_order(Method::Verner76, 1e-5, 1e-10);
+    assert!((6.0..8.5).contains(&order), "observed order {order}");
+}
+
+#[test]
+fn the_pairs_of_order_five_have_it_where_time_enters() {
+    for method in [Method::Tsit5, Method::Dopri5] {
+        let order = observed_order(method, 1e-5, 1e-10);
+        assert!((4.5..6.0).contains(&order), "observed order {order}");
+    }
+}
+
+#[test]
+fn rodas_has_order_four_where_time_enters() {
+    let order = observed_order(Method::Rodas, 1e-4, 1e-8);
+    assert!((3.6..5.0).contains(&order), "observed order {order}");
+}
+
+#[test]
+fn exponential_collocation_gains_as_a_method_of_order_six_where_time_enters() {
+    // step sizes are rounded down, and the slope of J is no small part of this problem
+    let order = observed_order(Method::Exponential, 1e-5, 1e-10);
+    assert!((5.5..9.0).contains(&order), "observed order {order}");
+}
+
+/// Kaps' problem: a slope of −10⁶ beside a slow one; y = (exp(−2t), exp(−t)) whatever the slope.
+///
+/// Source: P. Kaps (1981), in Hairer & Wanner, *Solving Ordinary Differential Equations II*.
+struct Kaps;
+
+const STEEP: f64 = 1e6;
+
+impl System<2> for Kaps {
+    fn derivative(&self, _time: f64, [y, z]: &[f64; 2], rate: &mut [f64; 2]) {
+        *rate = [-(STEEP + 2.0) * y + STEEP * z * z, y - z - z * z];
+    }
+}
+
+impl Linearised<2> for Kaps {
+    fn linearisation(&self, _time: f64, [_, z]: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+        let by_state = matrix![-(STEEP + 2.0), 2.0 * STEEP * z; 1.0, -1.0 - 2.0 * z];
+        (by_state, [0.0; 2])
+    }
+}
+
+#[test]
+fn rodas_steps_over_a_stiff_slope() {
+    let grid = Grid {
+        interval: 0.01,
+        count: 301,
+    };
+    let (stop, settings) = (AtomicBool::new(false), settings(Method::Rodas, 1e-7));
+    let start = [1.0, 1.0];
+    let mut integration =
+        Integration::<_, 2, 3>::new(&Kaps, Scaling::IDENTITY, grid, settings, &stop, &start);
+    let mut states = Vec::new();
+    while integration.done() < grid.count {
+        integration.advance(301, &mut states).expect("no trouble");
+    }
+    for (index, [y, z]) in states.iter().enumerate() {
+        let time = grid.time(index as u64);
+        let slow = (z - (-time).exp()).abs();
+        assert!(slow < 1e-7, "t = {time}: {slow:e}");
+        // between steps the steep component is interpolated at a lower order: measured 1.7e-6
+        let steep = (y - (-2.0 * time).exp()).abs();
+        assert!(steep < 3e-6, "t = {time}: {steep:e}");
+    }
+    // an explicit method needs some million steps over these three seconds
+    let steps = integration.counters().steps;
+    assert!(steps < 300, "{steps} steps");
+}
+
+/// Three seconds of Kaps' problem by an explicit method: the integration, and how it ended.
+fn kaps(
+    method: Method,
+    step_limit: u64,
+    look: impl FnOnce(&Integration<'_, Kaps, 2, 3>, Result<(), IntegrateError>),
+) {
+    let grid = Grid {
+        interval: 0.01,
+        count: 301,
+    };
+    let (stop, start) = (AtomicBool::new(false), [1.0, 1.0]);
+    let settings = Settings {
+        step_limit,
+        ..settings(method, 1e-7)
+    };
+    let mut integration =
+        Integration::<_, 2, 3>::new(&Kaps, Scaling::IDENTITY, grid, settings, &stop, &start);
+    let mut result = Ok(());
+    while result.is_ok() && integration.done() < grid.count {
+        result = integration.advance(50, &mut Vec::new());
+    }
+    look(&integration, result);
+}
+
+/// Longest step that stability leaves; Dopri5 takes about half of it.
+const STABLE: f64 = 6.5 / STEEP;
+
+#[test]
+fn explicit_methods_cross_a_stiff_slope_and_know_what_held_them() {
+    for method in [Method::Dopri5, Method::Dop853] {
+        kaps(method, 10_000_000, |integration, result| {
+            result.expect("steps enough");
+            let found = integration.stiffness().expect("stiffness");
+            assert!((found.eigenvalue / STEEP - 1.0).abs() < 0.01, "{found:?}");
+            assert!(
+                found.step < STABLE && found.step > 0.2 * STABLE,
+                "{found:?}"
+            );
+            // accuracy asks for some hundred steps in three seconds
+            assert!(found.implicit_step > 1e-3, "{found:?}");
+        });
+    }
+    kaps(Method::Rodas, 10_000_000, |integration, result| {
+        result.expect("steps enough");
+        assert_eq!(integration.stiffness(), None);
+    });
+}
+
+#[test]
+fn a_stiff_slope_that_takes_too_many_steps_ends_the_integration_early() {
+    for method in [Method::Dopri5, Method::Dop853] {
+        kaps(method, 100_000, |integration, result| {
+            let Err(IntegrateError::Stiff {
+                stiffness,
+                needed,
+                limit: 100_000,
+            }) = result
+            else {
+                panic!("{method:?}: {result:?}");
+            };
+            // 3 s in stable steps
+            assert!(
+                (3.0 / STABLE..5.0 * 3.0 / STABLE).contains(&needed),
+                "{needed:e}"
+            );
+            assert!(stiffness.time < 0.02, "{stiffness:?}");
+            assert!(integration.counters().steps <= 2000);
+        });
+    }
+}
+
+/// y'' = −y from (1, 0), with a fault from a time on.
+struct Swing {
+    fault_from: f64,
+}
+
+impl System<2> for Swing {
+    fn derivative(&self, time: f64, state: &[f64; 2], rate: &mut [f64; 2]) {
+        *rate = [state[1], -state[0]];
+        if time >= self.fault_from {
+            rate[1] = f64::NAN;
+        }
+    }
+
+    fn velocity_slopes(&self) -> Result<[[f64; 2]; 2], VelocityDependence> {
+        Ok([[0.0; 2]; 2])
+    }
+}
+
+impl Linearised<2> for Swing {
+    fn linearisation(&self, _time: f64, _state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+        (matrix![0.0, 1.0; -1.0, 0.0], [0.0; 2])
+    }
+}
+
+const SOUND: Swing = Swing {
+    fault_from: f64::INFINITY,
+};
+
+const TWENTY_SECONDS: Grid = Grid {
+    interval: 0.01,
+    count: 2001,
+};
+
+/// States, work and end of an integration in blocks of so many points.
+fn integrate(
+    system: &Swing,
+    settings: Settings,
+    points: usize,
+    stop: &AtomicBool,
+) -> (Vec<[f64; 2]>, Counters, Result<(), IntegrateError>) {
+    let (scaling, start) = (Scaling::IDENTITY, [1.0, 0.0]);
+    let mut integration =
+        Integration::<_, 2, 3>::new(system, scaling, TWENTY_SECONDS, settings, stop, &start);
+    let mut states = Vec::new();
+    let mut result = Ok(());
+    while result.is_ok() && integration.done() < TWENTY_SECONDS.count {
+        result = integration.advance(points, &mut states);
+    }
+    assert_eq!(states.len() as u64, integration.done());
+    (states, integration.counters(), result)
+}
+
+/// Methods whose steps know nothing of blocks.
+const PAIRS: [Method; 6] = [
+    Method::Verner76,
+    Method::Dop853,
+    Method::Tsit5,
+    Method::Dprkn8,
+    Method::Dprkn12,
+    Method::Exponential,
+];
+
+const METHODS: [Method; 9] = [
+    Method::Verner76,
+    Method::Dop853,
+    Method::Tsit5,
+    Method::Dprkn8,
+    Method::Dprkn12,
+    Method::Dopri5,
+    Method::OdeSolversDop853,
+    Method::Rodas,
+    Method::Exponential,
+];
+
+#[test]
+fn a_block_ends_without_a_trace() {
+    let stop = AtomicBool::new(false);
+    for method in PAIRS {
+        let run = |points| integrate(&SOUND, settings(method, 1e-7), points, &stop);
+        let (whole, work, _) = run(5000);
+        for points in [1, 7, 100] {
+            let (cut, same_work, _) = run(points);
+            assert_eq!(whole, cut, "{method:?}, {points} points");
+            assert_eq!(work, same_work, "{method:?}, {points} points");
+        }
+    }
+}
+
+#[test]
+fn blocks_end_where_one_long_block_passes() {
+    let stop = AtomicBool::new(false);
+    for method in METHODS {
+        for points in [1, 7, 100, 5000] {
+            let (states, _, result) = integrate(&SOUND, settings(method, 1e-10), points, &stop);
+            result.expect("a smooth problem");
+            assert_eq!(states.len(), 2001);
+            for (index, [place, speed]) in states.into_iter().enumerate() {
+                let time = TWENTY_SECONDS.time(index as u64);
+                let error = (place - time.cos()).abs().max((speed + time.sin()).abs());
+                // the error aimed at over each of the twenty seconds
+                assert!(
+                    error < 2e-9,
+                    "{method:?}, {points} points, t = {time}: {error:e}"
+                );
+            }
+        }
+    }
+}
+
+/// Of Kaps' problem no Nyström method knows how the velocity enters: it says so before it starts.
+#[test]
+fn a_nystrom_method_refuses_a_system_that_it_does_not_know() {
+    for method in [Method::Dprkn8, Method::Dprkn12] {
+        assert!(method.is_nystrom());
+        let stop = AtomicBool::new(false);
+        let mut integration = Integration::<_, 2, 3>::new(
+            &Kaps,
+            Scaling::IDENTITY,
+            TWENTY_SECONDS,
+            settings(method, 1e-6),
+            &stop,
+            &[1.0, 1.0],
+        );
+        let mut states = Vec::new();
+        let result = integration.advance(100, &mut states);
+        assert!(matches!(result, Err(IntegrateError::Velocity(_))));
+        assert!(states.is_empty() && integration.counters().evaluations == 0);
+    }
+}
+
+#[test]
+fn work_is_counted() {
+    let stop = AtomicBool::new(false);
+    for (method, stages) in [
+        (Method::Verner76, 9),
+        (Method::Dop853, 11),
+        (Method::Tsit5, 6),
+        (Method::Dopri5, 6),
+        (Method::OdeSolversDop853, 11),
+    ] {
+        let (_, work, _) = integrate(&SOUND, settings(method, 1e-8), 5000, &stop);
+        let tried = work.steps + work.rejected;
+        assert!(work.steps > 20 && work.rejected < work.steps, "{work:?}");
+        // at least the stages of every step, at most six more for the step and its dense output
+        assert!(work.evaluations >= stages * tried, "{method:?} {work:?}");
+        assert!(
+            work.evaluations <= (stages + 6) * tried + 2,
+            "{method:?} {work:?}"
+        );
+        let (_, tighter, _) = integrate(&SOUND, settings(method, 1e-11), 5000, &stop);
+        assert!(tighter.steps > work.steps && tighter.evaluations > work.evaluations);
+    }
+}
+
+#[test]
+fn a_derivative_that_is_not_a_number_ends_the_integration_at_its_time() {
+    let (stop, fault) = (AtomicBool::new(false), Swing { fault_from: 12.345 });
+    for method in METHODS {
+        let (states, _, result) = integrate(&fault, settings(method, 1e-8), 100, &stop);
+        let Err(IntegrateError::NotFinite { time }) = result else {
+            panic!("{method:?}: {result:?}");
+        };
+        assert!(
+            time <= 12.345 && time > 11.0,
+            "{method:?}: stopped at {time} s"
+        );
+        let last = TWENTY_SECONDS.time(states.len() as u64 - 1);
+        assert!(
+            last <= time + 1e-12 && time - last < 1.0,
+            "{method:?}: {last} s of {time} s"
+        );
+        assert!(states.iter().flatten().all(|value| value.is_finite()));
+    }
+}
+
+#[test]
+fn the_limit_holds_for_all_blocks_together() {
+    let stop = AtomicBool::new(false);
+    for method in METHODS {
+        // a linear system takes the exponential method three steps in all
+        let most = if method == Method::Exponential { 1 } else { 15 };
+        let limited = Settings {
+            step_limit: most,
+            ..settings(method, 1e-10)
+        };
+        let (states, work, result) = integrate(&SOUND, limited, 100, &stop);
+        let Err(IntegrateError::StepLimit { time, limit }) = result else {
+            panic!("{method:?}: {result:?}");
+        };
+        assert_eq!(limit, most);
+        assert!(time > 0.0 && time < 20.0 && !states.is_empty());
+        assert!(
+            (most - 1..=most + 1).contains(&(work.steps + work.rejected)),
+            "{method:?} {work:?}"
+        );
+    }
+}
+
+#[test]
+fn a_set_flag_interrupts() {
+    for method in METHODS {
+        let stop = AtomicBool::new(true);
+        let (states, _, result) = integrate(&SOUND, settings(method, 1e-8), 100, &stop);
+        assert!(
+            matches!(result, Err(IntegrateError::Interrupted { .. })),
+            "{method:?}: {result:?}"
+        );
+        assert!(states.len() < 100);
+    }
+}
+
+#[test]
+fn an_integration_goes_on_from_a_checkpoint_to_the_same_bits() {
+    let stop = AtomicBool::new(false);
+    for method in METHODS {
+        let settings = settings(method, 1e-9);
+        let new = || {
+            let (scaling, start) = (Scaling::IDENTITY, [1.0, 0.0]);
+            Integration::<_, 2, 3>::new(&SOUND, scaling, TWENTY_SECONDS, settings, &stop, &start)
+        };
+        let (whole, work, _) = integrate(&SOUND, settings, 100, &stop);
+        let (mut first, mut second, mut states) = (new(), new(), Vec::new());
+        for _ in 0..7 {
+            first.advance(100, &mut states).expect("a smooth problem");
+        }
+        second
+            .go_on_from(&first.checkpoint())
+            .expect("the same system");
+        while second.done() < TWENTY_SECONDS.count {
+            second.advance(100, &mut states).expect("a smooth problem");
+        }
+        assert!(states == whole, "{method:?}");
+        assert_eq!(second.counters(), work);
+    }
+}
+
+#[test]
+fn a_checkpoint_of_another_system_or_grid_is_refused() {
+    let stop = AtomicBool::new(false);
+    let (scaling, settings) = (Scaling::IDENTITY, settings(Method::Dop853, 1e-8));
+    let mut integration = Integration::<_, 2, 3>::new(
+        &SOUND,
+        scaling,
+        TWENTY_SECONDS,
+        settings,
+        &stop,
+        &[1.0, 0.0],
+    );
+    let good = integration.checkpoint();
+    let wider = Checkpoint {
+        scaled: vec![0.0; 6],
+        ..good.clone()
+    };
+    let longer = Checkpoint {
+        next: 2002,
+        ..good.clone()
+    };
+    for (checkpoint, states, next) in [(wider, 6, 0), (longer, 2, 2002)] {
+        let mismatch = integration
+            .go_on_from(&checkpoint)
+            .expect_err("another integration");
+        assert_eq!((mismatch.states, mismatch.next), (states, next));
+        assert_eq!((mismatch.expected, mismatch.count), (2, 2001));
+    }
+    assert_eq!(integration.checkpoint(), good);
+}
+
+/// y″ = −y + p(t), p a push that begins at once at t = π/10 and ends at t = 1: known piece by piece.
+struct Pushed;
+
+const PUSH: [f64; 2] = [std::f64::consts::PI / 10.0, 1.0];
+
+impl System<2> for Pushed {
+    fn derivative(&self, time: f64, state: &[f64; 2], rate: &mut [f64; 2]) {
+        let pushed = (PUSH[0]..PUSH[1]).contains(&time);
+        *rate = [state[1], f64::from(u8::from(pushed)) - state[0]];
+    }
+
+    fn next_break(&self, after: f64) -> f64 {
+        let later = PUSH.into_iter().find(|time| *time > after);
+        later.unwrap_or(f64::INFINITY)
+    }
+
+    fn velocity_slopes(&self) -> Result<[[f64; 2]; 2], VelocityDependence> {
+        Ok([[0.0; 2]; 2])
+    }
+}
+
+impl Linearised<2> for Pushed {
+    fn linearisation(&self, _time: f64, _state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+        (matrix![0.0, 1.0; -1.0, 0.0], [0.0; 2])
+    }
+}
+
+/// A step ends at the very moment of a jump and sees nothing of what comes after it.
+#[test]
+fn a_force_that_jumps_at_a_break_costs_no_rejected_step() {
+    let stop = AtomicBool::new(false);
+    let grid = Grid {
+        interval: 0.05,
+        count: 61,
+    };
+    let answer = |time: f64, begin: f64| {
+        if time > begin {
+            1.0 - (time - begin).cos()
+        } else {
+            0.0
+        }
+    };
+    for method in PAIRS {
+        let mut integration = Integration::<_, 2, 3>::new(
+            &Pushed,
+            Scaling::IDENTITY,
+            grid,
+            settings(method, 1e-9),
+            &stop,
+            &[0.0; 2],
+        );
+        let mut states = Vec::new();
+        integration.advance(61, &mut states).expect("no trouble");
+        for (index, [place, _]) in states.iter().enumerate() {
+            let time = grid.time(index as u64);
+            let error = place - answer(time, PUSH[0]) + answer(time, PUSH[1]);
+            assert!(error.abs() < 5e-9, "{method:?}, t = {time}: {error:e}");
+        }
+        let work = integration.counters();
+        assert!(
+            work.rejected <= 4 && work.steps < 400,
+            "{method:?}: {work:?}"
+        );
+    }
+}

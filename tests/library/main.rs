@@ -1,0 +1,27 @@
+//! What a program that uses the library relies on.
+
+// a test that cannot go on, or meets what it must not, says so and fails
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod accuracy;
+mod allocations;
+mod architecture;
+mod bearing_state;
+mod endings;
+mod equilibrium;
+mod hard_cases;
+mod integrate;
+mod laws;
+mod lines;
+mod motion;
+mod observation;
+mod properties;
+mod published;
+mod report;
+mod scenario;
+mod side_by_side;
+mod spectra;
+mod steady;
+mod study_plan;
+mod support;
+mod table_files;

@@ -1,0 +1,9 @@
+//! Published and independently computed numbers, one file per source.
+
+mod harris;
+mod jis_6306_varying_compliance;
+mod jones_7205c;
+mod kinematics;
+mod masta_6305;
+mod quasi_static_7205c;
+mod tiwari_6204;

@@ -1,0 +1,6 @@
+//! Scenarios as they are read: the models they make, the studies they ask for, and any text at all.
+
+mod fuzz;
+mod models;
+mod schema;
+mod study;

@@ -1,0 +1,378 @@
+//! `report.html` as a browser on a desk without network meets it.
+//!
+//! What needs a browser is skipped with a word where no Chromium is installed.
+
+#[path = "../command/support/mod.rs"]
+#[allow(dead_code)] // the tests of the command use the rest
+mod support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+use support::{changed, done, json, shipped, told, verb};
+
+/// Largest size of a page, bytes.
+const LARGEST: u64 = 4_000_000;
+/// Longest time from opening a page until it can be read, ms.
+const LONGEST: f64 = 2000.0;
+
+/// A folder with the page of a scenario that is run for it.
+struct Shown {
+    folder: TempDir,
+    page: PathBuf,
+}
+
+/// The output of a verb for one file, and where its page is to be.
+fn shown(name: &str, file: &Path, more: &[&str]) -> (Output, Shown) {
+    let folder = TempDir::new().expect("a folder");
+    let output = verb(name, &[file], folder.path(), more).output();
+    let stem = file.file_stem().expect("a stem");
+    let page = folder.path().join(stem).join("report.html");
+    (output.expect("the command starts"), Shown { folder, page })
+}
+
+fn run(scenario: &Path) -> Shown {
+    let (output, shown) = shown("run", scenario, &["--no-verify"]);
+    done(output);
+    shown
+}
+
+/// A folder with the page of a study that is made for it.
+fn study(file: &Path) -> Shown {
+    let (output, shown) = shown("study", file, &[]);
+    // a study with failed runs has its page as well
+    assert!(output.status.code() != Some(2), "{}", told(&output));
+    shown
+}
+
+fn shipped_study(name: &str) -> PathBuf {
+    shipped(&format!("studies/{name}"))
+}
+
+impl Shown {
+    fn text(&self) -> String {
+        fs::read_to_string(&self.page).expect("the page")
+    }
+
+    /// The document once its scripts have run, and what the browser said meanwhile; `None` without a
+    /// browser.
+    fn in_browser(&self) -> Option<(String, String)> {
+        let chromium = ["chromium", "chromium-browser", "google-chrome"]
+            .into_iter()
+            .find(|name| Command::new(name).arg("--version").output().is_ok())?;
+        let output = Command::new(chromium)
+            .args([
+                "--headless",
+                "--no-sandbox",
+                "--disable-gpu",
+                "--disable-quic",
+                "--no-first-run",
+                "--disable-background-networking",
+                "--disable-component-update",
+                "--disable-sync",
+                "--enable-logging=stderr",
+                "--virtual-time-budget=10000",
+                "--dump-dom",
+            ])
+            .arg(format!(
+                "--user-data-dir={}",
+                self.folder.path().join("browser").display()
+            ))
+            .arg(format!("file://{}", self.page.display()))
+            .output()
+            .expect("the browser starts");
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        Some((text(&output.stdout), text(&output.stderr)))
+    }
+}
+
+/// The document of a page in a browser that had nothing to complain of.
+fn document(shown: &Shown) -> Option<String> {
+    let Some((document, told)) = shown.in_browser() else {
+        eprintln!("skipped: no Chromium is installed");
+        return None;
+    };
+    let complaints: Vec<_> = told
+        .lines()
+        .filter(|line| line.contains("CONSOLE"))
+        .collect();
+    assert!(complaints.is_empty(), "{complaints:#?}");
+    let ready = document.split_once("data-ready-ms=\"");
+    let ready = ready
+        .and_then(|(_, rest)| rest.split_once('"'))
+        .map(|(ms, _)| ms);
+    let ready: f64 = ready
+        .expect("the script came to its end")
+        .parse()
+        .expect("a time");
+    assert!(ready < LONGEST, "ready after {ready} ms");
+    Some(document)
+}
+
+/// Opened from disk, the page shows the numbers of the summary, every curve and the named lines.
+#[test]
+fn a_browser_draws_every_part_of_the_page() {
+    let shown = run(&shipped("back-to-back-7205c"));
+    let Some(document) = document(&shown) else {
+        return;
+    };
+    for section in [
+        "numbers",
+        "warnings",
+        "equilibrium",
+        "motion",
+        "orbit",
+        "spectra",
+        "bearings",
+        "error",
+        "scenario",
+    ] {
+        assert!(
+            document.contains(&format!("<section id=\"{section}\"")),
+            "{section}"
+        );
+    }
+    // five displacements, five forces, the largest ball load; four spectra
+    let charts = document.matches("class=\"uplot").count();
+    assert!(charts >= 15, "{charts} charts");
+    // two bearings with their balls, and the orbit
+    assert_eq!(document.matches("<svg").count(), 3);
+    let summary = json(&shown.page.with_file_name("summary.json"));
+    let shown_text = document.split("<script").next().expect("a start");
+    for sign in ["undefined", "NaN", "[object"] {
+        assert!(!shown_text.contains(sign), "{sign} is shown");
+    }
+    let frequency = summary["natural_frequencies"][0]["frequency_Hz"]
+        .as_f64()
+        .expect("a number");
+    assert!(
+        document.contains(&format!("{frequency:.2} Hz")),
+        "{frequency}"
+    );
+}
+
+/// The spectra that a scenario asks for besides have charts on the page and a figure each.
+#[test]
+fn further_spectra_are_drawn() {
+    let shown = run(&shipped("coal-impact-7205c"));
+    let figure = shown.page.with_file_name("spectrum_velocity.svg");
+    let figure = fs::read_to_string(figure).expect("a figure");
+    for text in [
+        "density in m²/s²/Hz",
+        "density in rad²/s²/Hz",
+        "tilt_y_velocity",
+    ] {
+        assert!(figure.contains(text), "{text}");
+    }
+    let Some(document) = document(&shown) else {
+        return;
+    };
+    let (_, section) = document
+        .split_once("<section id=\"further-spectra\"")
+        .expect("a section");
+    let (section, _) = section.split_once("</section>").expect("its end");
+    // velocities and rates of tilt
+    assert_eq!(section.matches("class=\"uplot").count(), 2);
+}
+
+/// Every shipped scenario that moves has a page that a browser reads to its end.
+#[test]
+fn every_shipped_scenario_has_a_page_without_complaints() {
+    for name in [
+        "linear-7205c",
+        "run-up-7205c",
+        "coal-impact-7205c",
+        "drive-start-7205c",
+        "varying-compliance-6306",
+        "bearing-7205c",
+    ] {
+        document(&run(&shipped(name)));
+    }
+}
+
+/// The page of a million samples of five freedoms stays small, and is read as soon as any.
+#[test]
+fn a_million_samples_make_a_small_page() {
+    let folder = TempDir::new().expect("a folder");
+    let scenario = changed(
+        folder.path(),
+        "back-to-back-7205c",
+        &[
+            (
+                "[output]",
+                "[output]\nsample_rate = \"2 MHz\"\ntrace = false",
+            ),
+            ("samples_per_revolution", "# "),
+        ],
+    );
+    let shown = run(&scenario);
+    let size = fs::metadata(&shown.page).expect("the page").len();
+    assert!(size < LARGEST, "{size} bytes");
+    document(&shown);
+}
+
+/// A title can neither end the element it stands in nor start another.
+#[test]
+fn a_title_stays_text() {
+    let folder = TempDir::new().expect("a folder");
+    let title = "</script><script>document.title = 'taken'</script> & <b>\\\"";
+    let scenario = changed(
+        folder.path(),
+        "linear-7205c",
+        &[("title = \"", &format!("title = \"{title} "))],
+    );
+    let shown = run(&scenario);
+    let text = shown.text();
+    assert_eq!(
+        text.matches("</script>").count(),
+        2,
+        "the data and the script"
+    );
+    assert!(text.contains("&lt;/script&gt;"));
+    if let Some(document) = document(&shown) {
+        assert!(document.contains("<title>&lt;/script&gt;"));
+    }
+}
+
+/// Without a mouse a reader finds the value of a curve, zooms in and sees all again.
+#[test]
+fn the_keyboard_reads_and_zooms_a_chart() {
+    let shown = run(&shipped("linear-7205c"));
+    let script = r#"<script>
+        const chart = document.querySelector(".chart");
+        const press = (key) => chart.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
+        const told = () => chart.querySelector(".u-legend .u-value").textContent;
+        const first = () => { press("."); return told(); };
+        const pressed = first();
+        for (let k = 0; k < 5; k += 1) press(".");
+        document.documentElement.dataset.keys = JSON.stringify({ pressed, later: told(), tabs: chart.tabIndex });
+    </script>"#;
+    let text = shown.text().replace("</html>", &format!("{script}</html>"));
+    fs::write(&shown.page, text).expect("a writable folder");
+    let Some(document) = document(&shown) else {
+        return;
+    };
+    let keys = document
+        .split_once("data-keys=\"")
+        .expect("the script ran")
+        .1;
+    let keys = keys
+        .split_once('"')
+        .expect("an end")
+        .0
+        .replace("&quot;", "\"");
+    let keys: serde_json::Value = serde_json::from_str(&keys).expect("JSON");
+    let seconds = |name: &str| -> f64 {
+        let told = keys[name].as_str().expect("a text");
+        told.strip_suffix(" s")
+            .expect("seconds")
+            .parse()
+            .expect("a number")
+    };
+    assert_eq!(keys["tabs"], 0, "the chart can be reached");
+    // five samples of 128 a revolution at 500 rad/s further
+    let step = std::f64::consts::TAU / 500.0 / 128.0;
+    let moved = seconds("later") - seconds("pressed");
+    assert!((moved - 5.0 * step).abs() < 0.1 * step, "{keys}");
+}
+
+/// No part of the page is to be fetched, and a browser would refuse to.
+#[test]
+fn the_page_asks_nothing_of_any_network() {
+    let text = run(&shipped("linear-7205c")).text();
+    assert!(text.contains(
+        "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'"
+    ));
+    for sign in [
+        "src=\"",
+        "href=\"http",
+        "url(",
+        "@import",
+        "fetch(",
+        "XMLHttpRequest",
+        "WebSocket",
+    ] {
+        assert!(!text.contains(sign), "{sign}");
+    }
+}
+
+/// A scene that wants no page gets none.
+#[test]
+fn a_page_can_be_left_out() {
+    let folder = TempDir::new().expect("a folder");
+    let scenario = changed(
+        folder.path(),
+        "linear-7205c",
+        &[("[output]", "[output]\nreport = false")],
+    );
+    assert!(!run(&scenario).page.exists());
+}
+
+/// The page of a study shows its plan, what it found, its figures and its first runs.
+#[test]
+fn a_browser_draws_every_part_of_a_studys_page() {
+    for (name, parts, figures) in [
+        ("resonance-7205c", ["resonances", "statistics"], 1),
+        ("tolerances-7205c", ["sensitivities", "statistics"], 1),
+        ("hysteresis-6306", ["figures", "runs"], 2),
+    ] {
+        let shown = study(&shipped_study(name));
+        let text = shown.text();
+        assert!(text.len() < 1_000_000, "{name}: {} bytes", text.len());
+        let Some(document) = document(&shown) else {
+            continue;
+        };
+        let sections = ["numbers", "plan", "figures", "runs", "scenario"];
+        for section in sections.into_iter().chain(parts) {
+            let start = format!("<section id=\"{section}\"");
+            assert!(document.contains(&start), "{name}: {section}");
+        }
+        assert_eq!(document.matches("<svg").count(), figures, "{name}");
+        assert!(!document.contains("id=\"failures\""), "{name}");
+        let shown_text = document.split("<script").next().expect("a start");
+        for sign in ["undefined", "NaN", "[object"] {
+            assert!(!shown_text.contains(sign), "{name}: {sign} is shown");
+        }
+    }
+}
+
+/// Of many runs the first stand in the page, of long lists the first values; failed runs stand with their
+/// values and their errors, and no text of a study gets out of its place.
+#[test]
+fn a_studys_page_stays_small_and_its_texts_stay_texts() {
+    let folder = TempDir::new().expect("a folder");
+    let values: Vec<_> = (0..150).map(|k| format!("'{} rad/s'", 100 + k)).collect();
+    let text = format!(
+        "title = \"</script><script>document.title = 'taken'</script><b>\"\n\
+         base = '{}'\n\
+         [[axis]]\nkey = 'speed.constant'\nvalues = [{}]\n\
+         [[axis]]\nkey = 'time.settle'\nvalues = ['0 s', '0.6 s']\n",
+        shipped("linear-7205c").display(),
+        values.join(", "),
+    );
+    let file = folder.path().join("hostile.toml");
+    fs::write(&file, text).expect("a writable folder");
+    let shown = study(&file);
+    let text = shown.text();
+    assert!(text.len() < 400_000, "{} bytes", text.len());
+    assert_eq!(
+        text.matches("</script>").count(),
+        2,
+        "a title ends a script"
+    );
+    let Some(document) = document(&shown) else {
+        return;
+    };
+    assert!(document.contains("<title>&lt;/script&gt;"));
+    assert!(document.contains("… 150 in all"));
+    assert!(document.contains("The first 100 of 300 runs"));
+    assert!(document.contains("The first 20 of 150;"));
+    let failures = document
+        .split_once("<section id=\"failures\"")
+        .expect("failed runs")
+        .1;
+    assert!(failures.contains("settle time") || failures.contains("settle"));
+}
