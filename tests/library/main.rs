@@ -19,7 +19,6 @@ mod properties;
 mod published;
 mod report;
 mod scenario;
-mod side_by_side;
 mod spectra;
 mod steady;
 mod study_plan;

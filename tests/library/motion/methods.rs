@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use jeffcott::integrate::{Method, System};
-use jeffcott::rotor::{Freedoms, Rotor, Sample};
+use jeffcott::integrate::Method;
+use jeffcott::rotor::Sample;
 use jeffcott::scenario;
 use jeffcott::simulate::{Model, Run};
 
@@ -91,57 +91,4 @@ fn explicit_and_implicit_methods_give_the_same_trace_of_every_scenario() {
         }
     }
     assert!(warned <= 2, "{warned} runs miss ten tolerances");
-}
-
-/// Whether the part of the acceleration that knows no velocity is all of it at rest, and velocities add what
-/// they are said to: of motions that have such a part.
-fn is_apart<const N: usize>(rotor: &Rotor) -> bool {
-    let Ok(slopes) = System::<N>::velocity_slopes(rotor) else {
-        return false;
-    };
-    let equilibrium = rotor.equilibrium().displacement;
-    for step in 0..100 {
-        let part = 0.37 * f64::from(step);
-        let mut state: [f64; N] = std::array::from_fn(|index| {
-            if index < N / 2 {
-                equilibrium[index] + 1e-6 * (part + index as f64).sin()
-            } else {
-                0.0
-            }
-        });
-        let [mut push, mut rate] = [[f64::NAN; N]; 2];
-        rotor.push(1e-3 * part, &state, &mut push);
-        rotor.derivative(1e-3 * part, &state, &mut rate);
-        assert_eq!(push[..N / 2], rate[N / 2..], "at rest, {part}");
-        assert!(push[N / 2..].iter().all(|behind| *behind == 0.0));
-        state[N / 2..].copy_from_slice(&[1e-3, -2e-3, 5e-4, 0.1, -0.3][..N / 2]);
-        rotor.derivative(1e-3 * part, &state, &mut rate);
-        for row in 0..N / 2 {
-            let terms = (0..N / 2).map(|column| slopes[row][column] * state[N / 2 + column]);
-            let added: f64 = terms.sum();
-            let off = rate[N / 2 + row] - push[row] - added;
-            let size = push[row].abs() + added.abs();
-            assert!(
-                off.abs() <= 1e-12 * size,
-                "in motion, {part}: {off} of {size}"
-            );
-        }
-    }
-    true
-}
-
-#[test]
-fn what_pushes_a_motion_and_what_brakes_it_make_its_acceleration() {
-    let mut apart = 0;
-    for file in shipped() {
-        let model = scenario::load(&file).expect("a scenario").model;
-        let definition = model.expect("a motion").rotor;
-        let rotor = Rotor::assemble(&definition).expect("a rotor");
-        apart += u32::from(match definition.shaft.freedoms {
-            Freedoms::Radial => is_apart::<4>(&rotor),
-            Freedoms::Translational => is_apart::<6>(&rotor),
-            Freedoms::All => is_apart::<10>(&rotor),
-        });
-    }
-    assert!(apart >= 8, "{apart}");
 }

@@ -1,9 +1,8 @@
-//! Which method wins where: what each needs to come to an error of 1e-6 of the motion, over the shipped
-//! scenarios, hard cases, and speed, preload and damping, and how far the choice on the way is off the best.
+//! What each method needs to come to an error of 1e-6 of the motion, over the shipped scenarios and hard cases.
 //!
 //! Half decades of tolerance are run. Evaluations and times are interpolated between the cheapest of them that
-//! reaches the error and the one before it; times are the shortest of some bare integrations. `VERBOSE=1` prints every method of every scene
-//! of the map, `ONLY=text` measures the scenes alone whose name contains it.
+//! reaches the error and the one before it; times are the shortest of some bare integrations. `ONLY=text` measures
+//! the scenes alone whose name contains it.
 
 use std::fs;
 use std::io;
@@ -13,7 +12,7 @@ use std::time::Instant;
 
 use jeffcott::integrate::Method;
 use jeffcott::rotor::{MotionScale, Rotor, Sample};
-use jeffcott::scenario::{self, Format};
+use jeffcott::scenario;
 use jeffcott::simulate::{BareRun, Model, Monitor, TraceSink, simulate};
 
 const ERROR: f64 = 1e-6;
@@ -24,9 +23,13 @@ const EXACT: f64 = 1e-12;
 const LONGEST: f64 = 1.0;
 /// Steps after which a method is out of the race.
 const MOST_STEPS: u64 = 1_000_000;
-const SPEEDS: [f64; 6] = [10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0];
-const PRELOADS: [f64; 3] = [0.0, 200.0, 2000.0];
-const RATIOS: [f64; 3] = [0.002, 0.02, 0.1];
+/// Columns of the table.
+const METHODS: [Method; 4] = [
+    Method::Auto,
+    Method::Verner76,
+    Method::Exponential,
+    Method::Dop853,
+];
 /// Time that the integrations of a scene are repeated over, s each.
 const REPEATED: f64 = 0.03;
 
@@ -114,7 +117,6 @@ impl Truth {
 }
 
 struct Cost {
-    name: String,
     method: Method,
     evaluations: f64,
     seconds: f64,
@@ -167,28 +169,27 @@ fn between([from, to]: [f64; 2], weight: f64) -> f64 {
     from * (to / from).powf(weight)
 }
 
-/// The costs of all methods that reach the error, or why there are none.
+/// The costs of the methods that reach the error, or why there are none.
 fn costs(model: &Model) -> Result<Vec<Cost>, String> {
     let (truth, uncertain) = Truth::of(model).ok_or("no reference")?;
     if uncertain > 0.1 * ERROR {
         return Err(format!("reference uncertain by {uncertain:.0e}"));
     }
-    let methods = scenario::methods().iter();
+    let methods = METHODS.into_iter();
     let found: Vec<_> = methods
-        .filter_map(|named| Some((named, cheapest(model, &truth, named.method)?)))
+        .filter_map(|method| Some((method, cheapest(model, &truth, method)?)))
         .collect();
     let models = found
         .iter()
-        .flat_map(|(named, pair)| pair.map(|tried| with(model, named.method, tried.tolerance)));
+        .flat_map(|(method, pair)| pair.map(|tried| with(model, *method, tried.tolerance)));
     let times = times(&models.collect::<Vec<_>>());
     let costs = found.iter().zip(times.as_chunks::<2>().0);
     Ok(costs
-        .map(|((named, pair), times)| {
+        .map(|((method, pair), times)| {
             let weight = weight(pair);
             let evaluations = pair.map(|tried| tried.evaluations as f64);
             Cost {
-                name: named.name.clone(),
-                method: named.method,
+                method: *method,
                 evaluations: between(evaluations, weight),
                 seconds: between(*times, weight),
             }
@@ -196,49 +197,27 @@ fn costs(model: &Model) -> Result<Vec<Cost>, String> {
         .collect())
 }
 
-fn print(name: &str, costs: &[Cost]) {
-    println!("{name}");
-    for cost in costs {
-        println!(
-            "    {:<20} {:>8.0} evaluations {:>9.3} ms",
-            cost.name,
-            cost.evaluations,
-            1e3 * cost.seconds
-        );
-    }
-}
-
-/// The named method of least time, its evaluations, and the ratios of the method left open to it in
-/// evaluations and in time.
-fn verdict(costs: &[Cost]) -> Option<String> {
-    let fixed = || costs.iter().filter(|cost| cost.method != Method::Auto);
-    let auto = costs.iter().find(|cost| cost.method == Method::Auto)?;
-    let best = fixed().min_by(|a, b| a.seconds.total_cmp(&b.seconds))?;
-    Some(format!(
-        "{}, {:.0} evaluations, {:.3} ms; auto {:.2} of its evaluations, {:.2} of its time",
-        best.name,
-        best.evaluations,
-        1e3 * best.seconds,
-        auto.evaluations / best.evaluations,
-        auto.seconds / best.seconds
-    ))
-}
-
-fn tell(name: &str, model: &Model, verbose: bool) {
-    let said = costs(model).map(|costs| {
-        if verbose {
-            print(name, &costs);
-        }
-        verdict(&costs).unwrap_or("none reaches the error".to_owned())
-    });
-    println!("{name}: {}", said.unwrap_or_else(|reason| reason));
+/// A row of the table: evaluations and milliseconds by each method.
+fn row(name: &str, model: &Model) -> String {
+    let costs = match costs(model) {
+        Ok(costs) => costs,
+        Err(reason) => return format!("| `{name}` | {reason} |"),
+    };
+    let cell = |method: Method| {
+        let cost = costs.iter().find(|cost| cost.method == method);
+        cost.map_or("–".to_owned(), |cost| {
+            format!("{:.0}, {:.2}", cost.evaluations, 1e3 * cost.seconds)
+        })
+    };
+    format!("| `{name}` | {} |", METHODS.map(cell).join(" | "))
 }
 
 fn is_wanted(name: &str) -> bool {
     std::env::var("ONLY").map_or(true, |only| name.contains(&only))
 }
 
-fn files() {
+fn main() {
+    println!("| scene | `auto` | `verner76` | `exponential` | `dop853` |\n|---|---|---|---|---|");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folders =
         ["scenarios", "benches/scenes", "benches/scenes/hard"].map(|name| root.join(name));
@@ -256,41 +235,6 @@ fn files() {
             continue;
         };
         model.duration = model.duration.min(LONGEST);
-        tell(&name, &model, true);
+        println!("{}", row(&name, &model));
     }
-}
-
-/// A shaft on a pair of 7205C back to back under its weight.
-fn map_scene(speed: f64, preload: f64, ratio: f64) -> Model {
-    let duration = (20.0 * std::f64::consts::TAU / speed).clamp(0.1, 2.0);
-    let text = format!(
-        "[shaft]\nmass = \"5 kg\"\neccentricity = \"2 um\"\nfreedoms = \"all\"\ngravity = true\n\
-         inertia_transverse = \"0.01 kg m^2\"\ninertia_polar = \"0.004 kg m^2\"\n\
-         [speed]\nconstant = \"{speed} rad/s\"\n[[bearing]]\ncatalogue = \"7205C\"\n\
-         arrangement = \"back-to-back\"\nspacing = \"60 mm\"\npreload = \"{preload} N\"\n\
-         [damping]\nratio = {ratio}\n[time]\nduration = \"{duration} s\"\n\
-         [output]\nspectrum = false\nsamples_per_revolution = 64\n"
-    );
-    let scene = scenario::parse(&text, "map.toml", Format::Toml);
-    let scene = scene.unwrap_or_else(|error| panic!("{}", error.render(false)));
-    scene.model.expect("a motion")
-}
-
-fn map() {
-    let verbose = std::env::var_os("VERBOSE").is_some();
-    for preload in PRELOADS {
-        for ratio in RATIOS {
-            for speed in SPEEDS {
-                let name = format!("{speed} rad/s, {preload} N, ratio {ratio}");
-                if is_wanted(&name) {
-                    tell(&name, &map_scene(speed, preload, ratio), verbose);
-                }
-            }
-        }
-    }
-}
-
-fn main() {
-    files();
-    map();
 }
