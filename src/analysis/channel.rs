@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::rotor::{FREEDOMS, Sample, SampleRows};
+use crate::rotor::{FREEDOMS, Sample};
 
 const DISPLACEMENT_NAMES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
 const VELOCITY_NAMES: [&str; FREEDOMS] = [
@@ -86,16 +86,6 @@ impl Channel {
             Self::Velocity(freedom) => Some(sample.velocity[freedom]),
             Self::Acceleration(_) => None,
             Self::Force(freedom) => Some(sample.force_on_shaft[freedom]),
-        }
-    }
-
-    /// What [`Channel::of`] says of every sample; nothing of an acceleration.
-    pub(super) fn row(self, rows: &SampleRows) -> &[f64] {
-        match self {
-            Self::Displacement(freedom) => rows.displacements(freedom),
-            Self::Velocity(freedom) => rows.velocities(freedom),
-            Self::Acceleration(_) => &[],
-            Self::Force(freedom) => rows.forces(freedom),
         }
     }
 }

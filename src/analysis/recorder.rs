@@ -5,7 +5,7 @@ use super::peaks::peaks;
 use super::side_by_side::{Threads, side_by_side};
 use super::transform::plan;
 use super::{Channel, ChannelSpectrum, Line, Peak, Spectrum, Transform, Window};
-use crate::rotor::{Sample, SampleRows};
+use crate::rotor::Sample;
 
 /// Fewer samples than this make no spectrum: the widest window mixes nine bins.
 const FEWEST_SAMPLES: usize = 16;
@@ -131,18 +131,6 @@ impl Recorder {
         self.start.get_or_insert(sample.time);
         for (channel, values) in &mut self.channels {
             values.extend(channel.of(sample));
-        }
-    }
-
-    /// As [`Recorder::record`], of samples that follow each other.
-    pub(crate) fn record_rows(&mut self, rows: &SampleRows) {
-        let settled = rows.times().partition_point(|time| *time < self.settle);
-        let Some(first) = rows.times().get(settled) else {
-            return;
-        };
-        self.start.get_or_insert(*first);
-        for (channel, values) in &mut self.channels {
-            values.extend_from_slice(&channel.row(rows)[settled..]);
         }
     }
 

@@ -128,27 +128,6 @@ impl AnyRing {
         with_ring!(self, ring => ring.contacts(*displacement, cage, speed).for_each(visit));
     }
 
-    /// Leaves the contacts of every ball in `balls`, ball 0 first; without `angles` the contact angles are
-    /// zero, and loads are found balls side by side where that is cheaper.
-    pub fn observe_balls(
-        &self,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-        angles: bool,
-        balls: &mut [BallContact],
-    ) {
-        if let (Self::Hertz(ring), false) = (self, angles) {
-            return ring.loads(displacement, cage, balls);
-        }
-        let mut places = balls.iter_mut();
-        self.for_each_contact(displacement, cage, speed, &mut |contact| {
-            if let Some(ball) = places.next() {
-                *ball = contact;
-            }
-        });
-    }
-
     /// Whether the force of its balls is not smooth where they lift off.
     pub fn lifts_off(&self) -> bool {
         matches!(self, Self::Hertz(_) | Self::Jones(_))

@@ -90,6 +90,30 @@ impl Ring<HertzLaw> {
         }
         seen
     }
+
+    /// Approach, m, that no ball has less of with the inner ring at a displacement, wherever the cage stands;
+    /// negative where that is not certain.
+    ///
+    /// A distance is no shorter than its part along any direction, here along that to the mean (a, b) of all
+    /// inner groove centres:
+    ///
+    /// ```text
+    /// A1 = a + R_i (θx sin φ − θy cos φ)   A2 = b + x cos φ + y sin φ   c = √(a² + b²)
+    /// √(A1² + A2²) ≥ (a A1 + b A2)/c ≥ c − |(b x − a R_i θy, b y + a R_i θx)|/c
+    /// ```
+    pub(super) fn least_approach(&self, [x, y, z, tilt_x, tilt_y]: &Vector5) -> f64 {
+        let [axial, radial] = [self.free_axial + z, self.free_radial];
+        let [arm_x, arm_y] = [self.arm * tilt_x, self.arm * tilt_y];
+        let square = axial * axial + radial * radial;
+        let [lean_x, lean_y] = [radial * x - axial * arm_y, radial * y + axial * arm_x];
+        let lean = (lean_x * lean_x + lean_y * lean_y).sqrt();
+        (square - lean) / square.sqrt() - self.law().distance
+    }
+
+    /// Axial distance of the groove centres, m, that no ball has less of there.
+    pub(super) fn least_axial(&self, [_, _, z, tilt_x, tilt_y]: &Vector5) -> f64 {
+        self.free_axial + z - self.arm * (tilt_x * tilt_x + tilt_y * tilt_y).sqrt()
+    }
 }
 
 #[cfg(test)]

@@ -170,22 +170,6 @@ impl Support {
         }
     }
 
-    /// Leaves the contacts of every ball in `balls`, ball 0 first, as [`Support::for_each_contact`] visits
-    /// them; without `angles` the contact angles are zero.
-    pub fn observe_balls(
-        &self,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-        angles: bool,
-        balls: &mut [BallContact],
-    ) {
-        if self.frozen.is_none() {
-            let place = self.ring_displacement(displacement, cage, speed);
-            self.ring.observe_balls(&place, cage, speed, angles, balls);
-        }
-    }
-
     /// Number of balls that [`Support::for_each_contact`] visits.
     pub fn known_balls(&self) -> usize {
         match self.frozen {
@@ -246,12 +230,23 @@ impl Support {
     where
         T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>,
     {
-        imposed(displacement, self.sign, self.definition.position)
+        let (s, a) = (self.sign, self.definition.position);
+        let [x, y, z, tilt_x, tilt_y] = *displacement;
+        [
+            x + tilt_y * a,
+            y - tilt_x * a,
+            z * s,
+            tilt_x * s,
+            tilt_y * s,
+        ]
     }
 
+    /// Its force on the inner ring as one on the shaft.
     #[inline(always)]
     pub(super) fn on_shaft(&self, force: &Vector5) -> Vector5 {
-        on_shaft(force, self.sign, self.definition.position)
+        let (s, a) = (self.sign, self.definition.position);
+        let [f_x, f_y, f_z, m_x, m_y] = *force;
+        [f_x, f_y, s * f_z, s * m_x - a * f_y, s * m_y + a * f_x]
     }
 
     /// ∂(local displacement)/∂(shaft displacement).
@@ -262,31 +257,4 @@ impl Support {
         transform[(1, 3)] = -a;
         transform
     }
-}
-
-/// What the shaft's displacement imposes on the inner ring of a bearing of some sign and position.
-#[inline(always)]
-pub(super) fn imposed<T, A: Copy>(displacement: &[T; 5], s: A, a: A) -> [T; 5]
-where
-    T: Copy + Add<Output = T> + Sub<Output = T> + Mul<A, Output = T>,
-{
-    let [x, y, z, tilt_x, tilt_y] = *displacement;
-    [
-        x + tilt_y * a,
-        y - tilt_x * a,
-        z * s,
-        tilt_x * s,
-        tilt_y * s,
-    ]
-}
-
-/// The force on that bearing as one on the shaft.
-#[inline(always)]
-pub(super) fn on_shaft<T, A>(force: &[T; 5], s: A, a: A) -> [T; 5]
-where
-    T: Copy + Add<Output = T> + Sub<Output = T>,
-    A: Copy + Mul<T, Output = T>,
-{
-    let [f_x, f_y, f_z, m_x, m_y] = *force;
-    [f_x, f_y, s * f_z, s * m_x - a * f_y, s * m_y + a * f_x]
 }

@@ -7,12 +7,36 @@ use super::ring::{CageAngle, Matrix5, Vector5, in_registers, quarter_turn};
 use super::ring_lanes::{LaneSums, side_by_side};
 use super::seat::Seat;
 use super::support::Support;
-use super::{HertzLaw, Ring};
+use super::{BallContact, HertzLaw, Ring};
 
 impl Support {
     /// Force and moment that hold the shaft at `displacement` against this bearing.
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         dispatch!(self.level, simd => self.force_by(simd, displacement, cage, speed))
+    }
+
+    /// Force as by [`Support::force`]; leaves the contacts of every ball in `balls`, ball 0 first, as
+    /// [`Support::for_each_contact`] visits them; without `angles` the contact angles may be zero.
+    pub(crate) fn force_and_balls(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        speed: f64,
+        angles: bool,
+        balls: &mut [BallContact],
+    ) -> Vector5 {
+        if let (None, Some((ring, offset)), false) = (&self.frozen, self.plain_ring(), angles) {
+            let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
+            let place = [x, y, z + offset, tilt_x, tilt_y];
+            return self.on_shaft(&ring.force_and_loads(&place, cage, balls));
+        }
+        let mut balls = balls.iter_mut();
+        self.for_each_contact(displacement, cage, speed, &mut |contact| {
+            if let Some(ball) = balls.next() {
+                *ball = contact;
+            }
+        });
+        self.force(displacement, cage, speed)
     }
 
     /// As [`Support::force`], for the processor's level `S`.

@@ -94,6 +94,17 @@ impl Support {
         }
     }
 
+    /// Whether it is certain that every ball is approached by at least so many m and pressed the way the bearing
+    /// faces, wherever the cage stands.
+    pub(crate) fn is_certain_to_bear(&self, displacement: &Vector5, approach: f64) -> bool {
+        let (None, Some((ring, offset))) = (&self.frozen, self.plain_ring()) else {
+            return false;
+        };
+        let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
+        let place = [x, y, z + offset, tilt_x, tilt_y];
+        ring.least_approach(&place) >= approach && ring.least_axial(&place) > 0.0
+    }
+
     /// How far inner groove centres move at most, m, as the ring goes from one place to another and the cage turns by
     /// an angle in rad, not negative.
     fn shift_of_centres(&self, from: &Vector5, to: &Vector5, turn: f64) -> f64 {
@@ -128,5 +139,92 @@ impl Support {
     /// Largest load of a ball so far past its lift-off in m, N.
     pub(crate) fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
         self.ring.load_past_lift_off(distance, speed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bearing::{ContactDamping, ContactLaw, Facing, MountedBearing, Preload, catalogue};
+
+    /// A preset bearing off the centre of mass that faces −z.
+    fn support() -> Support {
+        let entry = catalogue::find("7205C").expect("in the catalogue");
+        let mounted = MountedBearing {
+            bearing: entry.bearing().expect("a bearing"),
+            law: ContactLaw::Hertz,
+            oil: None,
+            position: 0.03,
+            facing: Facing::MinusZ,
+            preload: Preload::AxialOffset(8e-6),
+            contact_damping: ContactDamping::default(),
+            first_ball: 0.1,
+        };
+        Support::new(&mounted, 0.0).expect("a support")
+    }
+
+    /// Displacements that a shaft takes one after the other.
+    fn displacement(step: u32) -> Vector5 {
+        let part = |rate: f64| (rate * f64::from(step)).sin();
+        [
+            8e-6 * part(0.37),
+            8e-6 * part(0.61),
+            -2e-5 + 2e-5 * part(0.23),
+            2e-4 * part(0.71),
+            2e-4 * part(0.97),
+        ]
+    }
+
+    fn turns() -> impl Iterator<Item = CageAngle> {
+        (0..20).map(|turn| CageAngle::new(0.03 * f64::from(turn)))
+    }
+
+    /// No ball is nearer to its lift-off than the clearance says, and it says little less than the nearest ball.
+    #[test]
+    fn no_ball_is_nearer_to_its_lift_off_than_the_clearance() {
+        let support = support();
+        let (mut clear, mut pressed) = (0, 0);
+        for step in 0..2000 {
+            let place = displacement(step);
+            let clearance = support.clearance(&place);
+            let seen = turns().map(|cage| support.lift_offs(&place, cage, 0.0));
+            let nearest = seen.fold(f64::INFINITY, |nearest, seen| match seen.pressed {
+                0xfff => nearest.min(seen.nearest),
+                _ => f64::NEG_INFINITY,
+            });
+            assert!(nearest >= clearance || clearance <= 0.0, "{place:?}");
+            clear += u32::from(clearance > 0.0);
+            pressed += u32::from(nearest > 0.0);
+        }
+        assert!(
+            (500..1800).contains(&pressed) && 100 * clear > 95 * pressed,
+            "{clear} of {pressed}"
+        );
+    }
+
+    /// Where the shaft moves by less than the balls are from their lift-off, none lifts off, wherever the cage stands.
+    #[test]
+    fn a_shift_below_the_clearance_lifts_no_ball_off() {
+        let support = support();
+        let (mut clear, mut moved) = (0, 0);
+        for step in 0..2000 {
+            let from = displacement(step);
+            let next = displacement(step + 1);
+            let to = std::array::from_fn(|axis| from[axis] + 0.2 * (next[axis] - from[axis]));
+            let shift = support.approach_to_lift_off([&from, &to], 0.0);
+            moved += u32::from(shift > 0.0);
+            if shift >= support.clearance(&from) {
+                continue;
+            }
+            clear += 1;
+            for cage in turns() {
+                let all = support.lift_offs(&to, cage, 0.0).pressed;
+                assert_eq!(all.count_ones(), 12, "{from:?} to {to:?}");
+            }
+        }
+        assert!(
+            (200..1800).contains(&clear) && moved == 2000,
+            "{clear}, {moved}"
+        );
     }
 }

@@ -11,7 +11,6 @@ mod hertz;
 mod inertia;
 mod kinematics;
 mod material;
-mod sines;
 
 pub use ball_motion::{BallMotion, Race, RaceControl, controlling_race};
 pub use curvature::{Curvature, inner_race_curvature, outer_race_curvature};
@@ -22,4 +21,3 @@ pub use hertz::{ContactEllipse, HertzContact, HertzError, series_stiffness};
 pub use inertia::{ball_inertia, ball_mass, centrifugal_force, gyroscopic_moment};
 pub use kinematics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
 pub use material::{Material, contact_modulus};
-pub(crate) use sines::sines_and_cosines;

@@ -334,10 +334,6 @@ pub struct KeptFiles {
 }
 
 impl TraceSink for RunReport {
-    fn takes_balls(&self) -> bool {
-        self.outputs.balls
-    }
-
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         self.samples += 1;
         if let Some(figure) = &mut self.figure {

@@ -24,8 +24,6 @@ mod moving;
 mod observation;
 mod phases;
 mod sample;
-mod sample_lanes;
-mod sample_rows;
 mod speed_profile;
 mod tabulation;
 
@@ -47,7 +45,5 @@ pub use motion::Rotor;
 pub use motion_scale::MotionScale;
 pub use moving::Moving;
 pub use sample::Sample;
-pub(crate) use sample_lanes::SampleLanes;
-pub(crate) use sample_rows::SampleRows;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use tabulation::Tabulation;

@@ -38,6 +38,11 @@ impl Rotor {
         )
     }
 
+    /// Displacement of the shaft in a state.
+    pub(crate) fn displacement(&self, state: &[f64]) -> Vector5 {
+        self.full(&self.equilibrium.displacement, &state[..self.kept])
+    }
+
     /// What is observed of a motion, displacement first.
     pub(super) fn observe(
         &self,
@@ -84,18 +89,20 @@ impl Rotor {
         let mut balls = contacts.balls.as_mut_slice();
         let mut axial_forces = contacts.axial_forces.iter_mut();
         self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
-            let force = support.force(displacement, cage, rotation.speed);
+            let own = balls.len().min(support.known_balls());
+            let force = match own {
+                0 => support.force(displacement, cage, rotation.speed),
+                _ => {
+                    let (own, others) = std::mem::take(&mut balls).split_at_mut(own);
+                    balls = others;
+                    support.force_and_balls(displacement, cage, rotation.speed, angles, own)
+                }
+            };
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
             if let Some(axial) = axial_forces.next() {
                 *axial = support.definition().facing.sign() * force[2];
-            }
-            let own = balls.len().min(support.known_balls());
-            if own > 0 {
-                let (own, others) = std::mem::take(&mut balls).split_at_mut(own);
-                support.observe_balls(displacement, cage, rotation.speed, angles, own);
-                balls = others;
             }
         });
         total

@@ -8,7 +8,7 @@ use crate::analysis::{
     Threads, TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
-use crate::rotor::{FREEDOMS, Rotor, Sample, SampleRows};
+use crate::rotor::{FREEDOMS, Rotor, Sample};
 
 /// Number of freedoms that are lengths.
 const LENGTHS: usize = 3;
@@ -137,16 +137,14 @@ impl Recorders {
         }
     }
 
-    /// Takes samples quantity by quantity; those for maps one by one as well.
-    pub fn record(&mut self, rows: &SampleRows, samples: &[Sample]) {
+    /// Takes a sample.
+    pub fn record(&mut self, sample: &Sample) {
         if let Some(motion) = &mut self.motion {
-            motion.record_rows(rows);
+            motion.record(sample);
         }
         if let Some((waterfall, tracks)) = &mut self.maps {
-            for sample in samples {
-                waterfall.record(sample);
-                tracks.record(sample);
-            }
+            waterfall.record(sample);
+            tracks.record(sample);
         }
     }
 

@@ -19,12 +19,6 @@ pub trait TraceSink {
     /// Whatever keeps the sink from taking it; the run ends there.
     fn sample(&mut self, sample: &Sample) -> std::io::Result<()>;
 
-    /// Whether it takes the balls: where it does not, [`TraceSink::balls`] may be left out, and they need not be
-    /// found one by one.
-    fn takes_balls(&self) -> bool {
-        true
-    }
-
     /// Takes the balls of all bearings at the sample that it has just taken; ignores them by
     /// default.
     ///

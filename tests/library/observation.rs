@@ -7,7 +7,7 @@ use jeffcott::bearing::{BallContact, ContactLaw, MountedBearing, Oil, Preload, S
 use jeffcott::physics::RaceControl;
 use jeffcott::rotor::load::{Column, Interpolation, Series, Shock};
 use jeffcott::rotor::{
-    BallContacts, CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample,
+    BallContacts, CageMotion, Damping, Freedoms, Load, LoadKind, RotorDefinition, Sample,
     SpeedPoint,
 };
 use jeffcott::simulate::{BallParts, BearingHistory, Event, EventKind, Model, TraceSink, Watched};
@@ -219,41 +219,6 @@ fn a_settle_time_changes_no_event() {
     assert_ne!(all[0].load_zone, settled[0].load_zone);
 }
 
-/// Keeps the samples and events, and takes no balls.
-#[derive(Default)]
-struct WithoutBalls(Everything);
-
-impl TraceSink for WithoutBalls {
-    fn takes_balls(&self) -> bool {
-        false
-    }
-
-    fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.0.sample(sample)
-    }
-
-    fn balls(&mut self, _: &Sample, _: &BallContacts) -> io::Result<()> {
-        panic!("balls that nobody takes");
-    }
-
-    fn event(&mut self, event: &Event) -> io::Result<()> {
-        self.0.event(event)
-    }
-}
-
-#[test]
-fn what_is_observed_does_not_rest_on_whether_balls_are_taken() {
-    for model in [chatter(), struck(|bearing| bearing)] {
-        let (bearings, seen) = observed(&model);
-        let mut sink = WithoutBalls::default();
-        let run = simulate_into(&model, &mut sink).expect("the model runs");
-        assert_eq!(run.bearings, bearings);
-        assert_eq!(sink.0.samples, seen.samples);
-        assert_eq!(sink.0.events, seen.events);
-        assert!(!seen.events.is_empty());
-    }
-}
-
 /// Takes events, and needs no sample for it.
 #[derive(Default)]
 struct EventsAlone {
@@ -266,10 +231,6 @@ impl TraceSink for EventsAlone {
         f64::INFINITY
     }
 
-    fn takes_balls(&self) -> bool {
-        false
-    }
-
     fn sample(&mut self, _: &Sample) -> io::Result<()> {
         self.samples += 1;
         Ok(())
@@ -278,6 +239,29 @@ impl TraceSink for EventsAlone {
     fn event(&mut self, event: &Event) -> io::Result<()> {
         self.events.push(*event);
         Ok(())
+    }
+}
+
+/// Before the settle time samples are left out where neither the sink nor an event needs them.
+#[test]
+fn samples_that_nobody_needs_are_left_out() {
+    for events in [true, false] {
+        let mut model = chatter();
+        model.settle = 0.8 * model.duration;
+        model.spectrum = None;
+        model.analyses.watched = Watched::Balls(BallParts {
+            events,
+            load_zone: true,
+            ..BallParts::LOADS
+        });
+        let (bearings, seen) = observed(&model);
+        let mut sink = EventsAlone::default();
+        let run = simulate_into(&model, &mut sink).expect("the model runs");
+        assert_eq!(sink.events, seen.events);
+        assert_eq!(run.bearings[0].load_zone, bearings[0].load_zone);
+        let looked_at = sink.samples as f64 / seen.samples.len() as f64;
+        assert!(events || looked_at < 0.21, "{looked_at}");
+        assert_eq!(events, !seen.events.is_empty());
     }
 }
 
@@ -299,66 +283,6 @@ fn contacts_part_and_meet_whether_samples_are_looked_at_or_not() {
         assert!(seen.events.iter().any(|event| event.time < model.settle));
         let looked_at = sink.samples as f64 / seen.samples.len() as f64;
         assert!(!sometimes_certain || looked_at < 0.9, "{looked_at}");
-    }
-}
-
-/// Samples are found a few at a time; each is what the rotor says of it by itself.
-#[test]
-fn samples_found_side_by_side_are_those_of_the_rotor() {
-    for mut model in [chatter(), struck(|bearing| bearing)] {
-        // a number of samples that is no whole number of lanes
-        model.duration = 0.025_05;
-        let (_, seen) = observed(&model);
-        assert_ne!(seen.samples.len() % 4, 0);
-        let rotor = Rotor::assemble(&model.rotor).expect("a rotor");
-        let mut contacts = rotor.ball_contacts();
-        for (sample, balls) in seen.samples.iter().zip(&seen.balls) {
-            let alone = by_itself(&rotor, sample, &mut contacts);
-            let scale = 1.0 + alone.largest_ball_load;
-            for (found, expected) in sample.force_on_shaft.iter().zip(alone.force_on_shaft) {
-                assert_near("force", *found, expected, 1e-10 * scale);
-            }
-            let load = alone.largest_ball_load;
-            assert_near("load", sample.largest_ball_load, load, 1e-10 * scale);
-            assert_eq!(
-                (sample.angle, sample.speed, sample.displacement),
-                (alone.angle, alone.speed, alone.displacement)
-            );
-            for (found, expected) in balls.bearings().zip(contacts.bearings()) {
-                for (ball, expected) in found.iter().zip(expected) {
-                    assert_near("load", ball.load_inner, expected.load_inner, 1e-10 * scale);
-                    assert_near("angle", ball.angle_inner, expected.angle_inner, 1e-10);
-                    assert_near("approach", ball.approach, expected.approach, 1e-15);
-                }
-            }
-            assert_eq!(sample.balls_loaded, balls.loaded());
-        }
-    }
-}
-
-/// A sample found once more from its motion.
-fn by_itself(rotor: &Rotor, sample: &Sample, contacts: &mut BallContacts) -> Sample {
-    let kept = rotor.kept();
-    let motion = |index: usize| match index < kept {
-        true => sample.displacement[index],
-        false => sample.velocity[index - kept],
-    };
-    match kept {
-        2 => rotor.sample(
-            sample.time,
-            &std::array::from_fn::<_, 4, _>(motion),
-            contacts,
-        ),
-        3 => rotor.sample(
-            sample.time,
-            &std::array::from_fn::<_, 6, _>(motion),
-            contacts,
-        ),
-        _ => rotor.sample(
-            sample.time,
-            &std::array::from_fn::<_, 10, _>(motion),
-            contacts,
-        ),
     }
 }
 

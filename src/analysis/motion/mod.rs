@@ -9,7 +9,6 @@ mod moments;
 mod parts;
 mod period;
 mod recorder;
-mod row;
 mod section;
 mod velocity;
 

@@ -1,9 +1,5 @@
 //! Mean, spread and shape of a signal, a row of values at a time.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
-
-use crate::bearing::{LANES, Lanes};
-
 /// Moments of the values taken so far.
 ///
 /// Those of a row are found about its own mean, and added to those of all rows before without cancellation.
@@ -48,60 +44,21 @@ impl Default for Moments {
 impl Moments {
     /// Takes a row of values.
     pub fn take(&mut self, values: &[f64]) {
-        self.take_by(Level::new(), values);
-    }
-
-    /// As [`Moments::take`], in registers of a level of the processor.
-    pub(super) fn take_by(&mut self, level: Level, values: &[f64]) {
-        let row = dispatch!(level, simd => Self::of::<_, true>(simd, values));
-        self.add(&row);
-    }
-
-    /// As [`Moments::take_by`] without its part in the shape: mean, RMS and extremes are those of
-    /// [`Moments::take`], bit by bit, and the kurtosis means nothing.
-    pub(super) fn take_plainly(&mut self, level: Level, values: &[f64]) {
-        let row = dispatch!(level, simd => Self::of::<_, false>(simd, values));
-        self.add(&row);
-    }
-
-    /// Of a row of values, a few side by side; with their part in the shape or without.
-    #[inline(always)]
-    fn of<S: Simd, const SHAPE: bool>(simd: S, values: &[f64]) -> Self {
-        let (rows, rest) = values.as_chunks::<LANES>();
-        let mut sum = Lanes::splat(simd, 0.0);
-        let mut lowest = Lanes::splat(simd, f64::INFINITY);
-        let mut highest = Lanes::splat(simd, f64::NEG_INFINITY);
-        for row in rows {
-            let row = simd.load_array_ref_f64x4(row);
-            sum += row;
-            lowest = row.min(lowest);
-            highest = row.max(highest);
-        }
-        let mut sum = across(sum);
-        let [mut lowest, mut highest] = [lowest_of(lowest), highest_of(highest)];
-        for value in rest {
-            sum += value;
-            lowest = lowest.min(*value);
-            highest = highest.max(*value);
-        }
-        let mean = sum / values.len().max(1) as f64;
-        let mut powers = [Lanes::splat(simd, 0.0); 3];
-        for row in rows {
-            add_powers::<S, SHAPE>(simd, row, mean, &mut powers);
-        }
-        if !rest.is_empty() {
-            // the mean adds nothing
-            let mut last = [mean; LANES];
-            last[..rest.len()].copy_from_slice(rest);
-            add_powers::<S, SHAPE>(simd, &last, mean, &mut powers);
-        }
-        Self {
-            count: values.len() as f64,
+        let count = values.len() as f64;
+        let [sum] = sums(values, |value| [value]);
+        let mean = sum / count.max(1.0);
+        let of_powers = |value: f64| {
+            let distance = value - mean;
+            let square = distance * distance;
+            [square, square * distance, square * square]
+        };
+        self.add(&Self {
+            count,
             mean,
-            powers: [across(powers[0]), across(powers[1]), across(powers[2])],
-            lowest,
-            highest,
-        }
+            powers: sums(values, of_powers),
+            lowest: values.iter().copied().fold(f64::INFINITY, f64::min),
+            highest: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+        });
     }
 
     /// Adds the moments of other values.
@@ -171,40 +128,18 @@ impl Moments {
     }
 }
 
-/// Adds powers of the distances of values from their mean: the second, and for the shape the third and fourth.
-#[inline(always)]
-fn add_powers<S: Simd, const SHAPE: bool>(
-    simd: S,
-    values: &[f64; LANES],
-    mean: f64,
-    powers: &mut [Lanes<S>; 3],
-) {
-    let distance = simd.load_array_ref_f64x4(values) - mean;
-    let square = distance * distance;
-    powers[0] += square;
-    if SHAPE {
-        powers[1] += square * distance;
-        powers[2] += square * square;
+/// Sums over values of some numbers of each; four sums a number, so that none waits for the addition before.
+fn sums<const K: usize>(values: &[f64], of: impl Fn(f64) -> [f64; K]) -> [f64; K] {
+    let mut sums = [[0.0; 4]; K];
+    let (fours, rest) = values.as_chunks::<4>();
+    for four in fours.iter().map(|four| four.as_slice()).chain([rest]) {
+        for (place, value) in four.iter().enumerate() {
+            for (sums, number) in sums.iter_mut().zip(of(*value)) {
+                sums[place] += number;
+            }
+        }
     }
-}
-
-/// Sum over the lanes.
-#[inline(always)]
-pub(super) fn across<S: Simd>(lanes: Lanes<S>) -> f64 {
-    let [a, b, c, d] = *lanes;
-    (a + b) + (c + d)
-}
-
-#[inline(always)]
-fn lowest_of<S: Simd>(lanes: Lanes<S>) -> f64 {
-    let [a, b, c, d] = *lanes;
-    a.min(b).min(c.min(d))
-}
-
-#[inline(always)]
-fn highest_of<S: Simd>(lanes: Lanes<S>) -> f64 {
-    let [a, b, c, d] = *lanes;
-    a.max(b).max(c.max(d))
+    sums.map(|[a, b, c, d]| (a + b) + (c + d))
 }
 
 #[cfg(test)]
@@ -214,20 +149,6 @@ mod tests {
     fn values() -> Vec<f64> {
         let value = |n| 1e-3 + (0.37 * f64::from(n)).sin().powi(3);
         (0..1003).map(value).collect()
-    }
-
-    #[test]
-    fn values_taken_plainly_have_the_same_mean_spread_and_extremes() {
-        let (mut whole, mut plain) = (Moments::default(), Moments::default());
-        for row in values().chunks(64) {
-            whole.take(row);
-            plain.take_plainly(Level::new(), row);
-        }
-        let of = |moments: &Moments| {
-            let extremes = [moments.peak(), moments.peak_to_peak()];
-            ([moments.mean(), moments.rms()], extremes)
-        };
-        assert_eq!(of(&whole), of(&plain));
     }
 
     #[test]
@@ -252,16 +173,6 @@ mod tests {
             let highest = values.iter().copied().fold(0.0, f64::max);
             assert_eq!(moments.highest, highest);
         }
-    }
-
-    #[test]
-    fn widths_of_registers_change_no_byte() {
-        let [mut wide, mut narrow] = [Moments::default(); 2];
-        for row in values().chunks(65) {
-            wide.take_by(Level::new(), row);
-            narrow.take_by(Level::baseline(), row);
-        }
-        assert_eq!(wide, narrow);
     }
 
     #[test]

@@ -7,8 +7,6 @@ use super::section::SectionKind;
 pub struct MotionParts {
     /// Moments of the bearing forces.
     pub forces: bool,
-    /// Of all moments the kurtosis, too.
-    pub kurtosis: bool,
     /// RMS velocities in the band of the standards.
     pub velocity: bool,
     /// How the statistics move.
@@ -25,7 +23,6 @@ impl MotionParts {
     /// Everything.
     pub const ALL: Self = Self {
         forces: true,
-        kurtosis: true,
         velocity: true,
         drift: true,
         kind: true,
@@ -36,7 +33,6 @@ impl MotionParts {
     /// The moments of the displacements alone.
     pub const DISPLACEMENTS: Self = Self {
         forces: false,
-        kurtosis: false,
         velocity: false,
         drift: false,
         kind: false,

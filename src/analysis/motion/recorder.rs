@@ -2,17 +2,14 @@
 
 use std::collections::VecDeque;
 
-use fearless_simd::Level;
-
 use super::drift::{Drift, DriftRecorder};
 use super::moments::Moments;
 use super::parts::MotionParts;
 use super::period::{Kind, Recognition, Series, recognise};
-use super::row::Row;
-use super::section::{PoincarePoint, Section, SectionKind};
+use super::section::{NODES, PoincarePoint, Section, SectionKind};
 use super::velocity::{VelocityLevel, velocity_level};
 use crate::analysis::Channel;
-use crate::rotor::{FREEDOMS, Sample, SampleRows};
+use crate::rotor::{FREEDOMS, Sample};
 
 /// Number of freedoms that are lengths.
 const LENGTHS: usize = 3;
@@ -20,6 +17,9 @@ const LENGTHS: usize = 3;
 const REST: f64 = 1e-9;
 /// Samples that the orbit keeps: the last ones.
 const ORBIT: usize = 8192;
+
+/// Samples that statistics and sections are taken of at a time.
+const BLOCK: usize = 64;
 
 /// Most samples that room is made for before they come.
 const FORESEEN: usize = 1 << 16;
@@ -89,9 +89,12 @@ pub struct MotionRecorder {
     sections: Vec<Section>,
     orbit: VecDeque<[f64; 2]>,
     times: Option<[f64; 2]>,
-    /// Samples that are still to be taken.
-    row: Row,
-    level: Level,
+    /// Samples that are still to be taken, behind the last ones of the block before.
+    block: Vec<Sample>,
+    /// Number of those of the block before.
+    taken: usize,
+    /// One quantity of the samples that are taken.
+    values: Vec<f64>,
 }
 
 impl MotionRecorder {
@@ -129,8 +132,9 @@ impl MotionRecorder {
                 .collect(),
             orbit: VecDeque::new(),
             times: None,
-            row: Row::new(),
-            level: Level::new(),
+            block: Vec::with_capacity(NODES - 1 + BLOCK),
+            taken: 0,
+            values: Vec::with_capacity(NODES - 1 + BLOCK),
             settings,
         }
     }
@@ -140,69 +144,56 @@ impl MotionRecorder {
         if sample.time < self.settings.start {
             return;
         }
-        self.row.push(sample);
-        if self.row.is_full() {
-            self.take_row();
+        self.block.push(*sample);
+        if self.block.len() == NODES - 1 + BLOCK {
+            self.take_block();
         }
     }
 
-    /// As [`MotionRecorder::record`], of samples that follow each other.
-    pub(crate) fn record_rows(&mut self, rows: &SampleRows) {
-        let start = self.settings.start;
-        let mut next = rows.times().partition_point(|time| *time < start);
-        while next < rows.len() {
-            next += self.row.take(rows, next);
-            if self.row.is_full() {
-                self.take_row();
-            }
+    /// Takes the samples that are still to be taken.
+    fn take_block(&mut self) {
+        let parts = self.settings.parts;
+        for section in &mut self.sections {
+            section.record(&self.block, self.taken);
         }
-    }
-
-    /// Takes the samples of the row that no row before has had.
-    fn take_row(&mut self) {
-        let (row, parts) = (&self.row, self.settings.parts);
-        if let [Some(first), Some(last)] = [row.times().first(), row.times().last()] {
-            let first = self.times.map_or(*first, |[first, _]| first);
-            self.times = Some([first, *last]);
+        let fresh = &self.block[self.taken..];
+        if let [Some(first), Some(last)] = [fresh.first(), fresh.last()] {
+            let first = self.times.map_or(first.time, |[first, _]| first);
+            self.times = Some([first, last.time]);
         }
-        for each in &mut self.statistics {
-            let values = match each.channel {
-                Channel::Displacement(axis) => row.displacements(axis),
-                Channel::Force(axis) => row.forces(axis),
-                _ => continue,
-            };
-            if parts.kurtosis {
-                each.moments.take_by(self.level, values);
-            } else {
-                each.moments.take_plainly(self.level, values);
-            }
+        let values = &mut self.values;
+        for ChannelStatistics { channel, moments } in &mut self.statistics {
+            values.clear();
+            values.extend(fresh.iter().filter_map(|sample| channel.of(sample)));
+            moments.take(values);
         }
         if parts.kind {
             for (axis, rate) in self.rates[..self.freedoms].iter_mut().enumerate() {
-                rate.take_plainly(self.level, row.velocities(axis));
+                values.clear();
+                values.extend(fresh.iter().map(|sample| sample.velocity[axis]));
+                rate.take(values);
             }
         }
         for (axis, kept) in self.velocity.iter_mut().enumerate() {
-            kept.extend_from_slice(row.velocities(axis));
+            kept.extend(fresh.iter().map(|sample| sample.velocity[axis]));
         }
         if let Some(drift) = &mut self.drift {
-            drift.record(self.level, row);
-        }
-        for section in &mut self.sections {
-            section.record(row);
+            fresh.iter().for_each(|sample| drift.record(sample));
         }
         if parts.orbit {
-            let places = row.displacements(0).iter().zip(row.displacements(1));
-            self.orbit.extend(places.map(|(x, y)| [*x, *y]));
+            let places = fresh.iter().map(|sample| sample.displacement);
+            self.orbit.extend(places.map(|[x, y, ..]| [x, y]));
             let beyond = self.orbit.len().saturating_sub(ORBIT);
             self.orbit.drain(..beyond);
         }
-        self.row.go_on();
+        let done = self.block.len().saturating_sub(NODES - 1);
+        self.block.drain(..done);
+        self.taken = self.block.len();
     }
 
     /// What the motion is like; none without samples.
     pub fn finish(mut self) -> Option<Motion> {
-        self.take_row();
+        self.take_block();
         let [start, end] = self.times?;
         let [place, rate] = self.scales();
         let resting = place <= REST * self.largest_mean();

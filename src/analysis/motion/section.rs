@@ -5,11 +5,10 @@ use std::f64::consts::TAU;
 use std::fmt;
 
 use super::hermite::Hermite;
-use super::row::{OVERLAP, Row};
-use crate::rotor::FREEDOMS;
+use crate::rotor::{FREEDOMS, Sample};
 
 /// Samples that a point is interpolated between.
-const NODES: usize = OVERLAP + 1;
+pub(super) const NODES: usize = 4;
 /// Part of a cycle by which a sample may miss a point and still be it.
 const ON_THE_SPOT: f64 = 1e-9;
 
@@ -62,25 +61,6 @@ pub struct Section {
     pub interpolation: [f64; FREEDOMS],
 }
 
-/// What is interpolated between.
-#[derive(Debug, Clone, Copy)]
-struct Node {
-    time: f64,
-    displacement: [f64; FREEDOMS],
-    velocity: [f64; FREEDOMS],
-}
-
-impl Node {
-    fn of(row: &Row, index: usize) -> Self {
-        let (time, [displacement, velocity]) = row.at(index);
-        Self {
-            time,
-            displacement,
-            velocity,
-        }
-    }
-}
-
 impl Section {
     /// For `order` cycles a revolution.
     pub fn new(kind: SectionKind, order: f64) -> Self {
@@ -92,48 +72,43 @@ impl Section {
         }
     }
 
-    /// Takes the samples of a row, and finds the points that at least one of them stands behind.
-    pub(super) fn record(&mut self, row: &Row) {
-        let (angles, order) = (row.angles(), self.order);
-        let phase = |angle: f64| order * angle / TAU + ON_THE_SPOT;
+    /// Takes samples, the first so many of them once more, and finds the points that at least one stands behind.
+    pub(super) fn record(&mut self, samples: &[Sample], taken: usize) {
+        let order = self.order;
+        let phase = |sample: &Sample| order * sample.angle / TAU + ON_THE_SPOT;
         // the interval before the last sample waits for the next one
-        let first = row.overlap().max(OVERLAP) - 2;
-        let last = angles.len().saturating_sub(2);
+        let first = taken.max(NODES - 1) - 2;
+        let last = samples.len().saturating_sub(2);
         if first >= last {
             return;
         }
-        let mut number = phase(angles[first]).floor() + 1.0;
+        let mut number = phase(&samples[first]).floor() + 1.0;
         let mut index = first;
         loop {
             // the first interval that does not end before the point
-            let reaches = |angle: f64| phase(angle) >= number;
-            index += angles[index + 1..=last].partition_point(|angle| !reaches(*angle));
+            let reaches = |sample: &Sample| phase(sample) >= number;
+            index += samples[index + 1..=last].partition_point(|sample| !reaches(sample));
             if index >= last {
                 return;
             }
-            let [before, after] = [angles[index], angles[index + 1]].map(phase);
+            let [before, after] = [index, index + 1].map(|index| phase(&samples[index]));
             let part = ((number - before) / (after - before)).min(1.0);
             let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;
-            let nodes = array::from_fn(|node| Node::of(row, index - 1 + node));
+            let nodes = array::from_fn(|node| samples[index - 1 + node]);
             self.add(&nodes, number as u64, if missed { 1.0 } else { part });
             number += 1.0;
         }
     }
 
     /// Adds the point at a part of the way from the second to the third sample.
-    fn add(&mut self, nodes: &[Node; NODES], number: u64, part: f64) {
+    fn add(&mut self, nodes: &[Sample; NODES], number: u64, part: f64) {
         let [_, before, after, _] = nodes;
         if part == 1.0 {
-            let Node {
-                time,
-                displacement,
-                velocity,
-            } = *after;
             self.points.push(PoincarePoint {
                 number,
-                time,
-                displacement,
-                velocity,
+                time: after.time,
+                displacement: after.displacement,
+                velocity: after.velocity,
             });
             return;
         }

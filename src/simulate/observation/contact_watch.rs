@@ -1,7 +1,7 @@
 //! Finds where balls leave and meet the inner race, and where a preload is lost.
 
 use super::{Event, EventKind};
-use crate::bearing::{BallContact, ContactBand, SupportObservation};
+use crate::bearing::{BallContact, ContactBand};
 
 /// Watches the contacts of one bearing from sample to sample.
 #[derive(Debug)]
@@ -68,66 +68,11 @@ impl ContactWatch {
         }
     }
 
-    /// Whether nothing happens in the first so many samples of the group of a number, which follow the last one and
-    /// whose balls were looked at: every ball stays in contact or apart, and the preload held or lost.
-    pub fn is_quiet(
-        &self,
-        band: ContactBand,
-        seen: &SupportObservation,
-        number: usize,
-        count: usize,
-    ) -> bool {
-        let held = |preload: &PreloadWatch| {
-            let mut forces = (0..count).map(|lane| seen.axial_force(number, lane));
-            let touching = preload.touching;
-            forces.all(|force| preload.is_held_on(touching, force, band.load) == preload.held)
-        };
-        self.before.is_some()
-            && self.balls_stay(band, seen, number)
-            && self.preload.as_ref().is_none_or(held)
-    }
-
-    /// As [`ContactWatch::is_quiet`], of a group no ball of which was looked at by itself; not so unless all balls are
-    /// in contact.
-    pub fn is_plainly_quiet(
-        &self,
-        band: ContactBand,
-        seen: &SupportObservation,
-        number: usize,
-        count: usize,
-    ) -> bool {
-        self.touching == self.balls.len() && self.is_quiet(band, seen, number, count)
-    }
-
-    /// Whether every ball is in contact and the preload held, if there is one: as long as every ball is approached
-    /// by [`ContactBand::lost`] and pressed the way the bearing faces, nothing happens.
+    /// Whether every ball is in contact and the preload held, if there is one.
     pub fn is_at_work(&self) -> bool {
         self.before.is_some()
             && self.touching == self.balls.len()
             && self.preload.is_none_or(|preload| preload.held)
-    }
-
-    fn balls_stay(&self, band: ContactBand, seen: &SupportObservation, number: usize) -> bool {
-        let lowest = seen.lowest_approach(number);
-        if self.touching == self.balls.len() {
-            return lowest.iter().all(|approach| *approach >= band.lost);
-        }
-        let mut balls = self.balls.iter().zip(seen.approaches());
-        balls.all(|(ball, approaches)| match ball.in_contact {
-            true => approaches.iter().all(|approach| *approach >= band.lost),
-            false => approaches.iter().all(|approach| *approach < band.regained),
-        })
-    }
-
-    /// Goes on to a sample at which nothing has happened, the first of the group whose balls were looked at last.
-    pub fn pass(&mut self, time: f64, band: ContactBand, seen: &SupportObservation, number: usize) {
-        self.before = Some(Instant { time, band });
-        for (ball, approaches) in self.balls.iter_mut().zip(seen.approaches()) {
-            ball.approach = approaches[0];
-        }
-        if let Some(preload) = &mut self.preload {
-            preload.axial_force = seen.axial_force(number, 0);
-        }
     }
 
     /// At the first sample nothing has happened yet.
@@ -187,7 +132,7 @@ impl ContactWatch {
         let before = std::mem::replace(
             preload,
             PreloadWatch {
-                held: preload.is_held_on(touching, axial_force, span[1].band.load),
+                held: touching && axial_force > preload.limit(span[1].band.load),
                 touching,
                 axial_force,
             },
@@ -217,11 +162,6 @@ impl ContactWatch {
 }
 
 impl PreloadWatch {
-    /// Whether the preload is held at the next sample.
-    fn is_held_on(&self, touching: bool, axial_force: f64, least: f64) -> bool {
-        touching && axial_force > self.limit(least)
-    }
-
     /// Axial force at which a held preload is lost, and a lost one regained, N: as little against it
     /// as a ball in contact bears at `least`, so that round-off about zero makes no events.
     fn limit(&self, least: f64) -> f64 {

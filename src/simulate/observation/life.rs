@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::bearing::{Geometry, LANES, RatingLife, SupportObservation};
-use crate::rotor::{Sample, SampleRows};
+use crate::bearing::{Geometry, RatingLife};
+use crate::rotor::Sample;
 
 /// Seconds of an hour.
 const HOUR: f64 = 3600.0;
@@ -89,57 +89,19 @@ impl LifeSums {
         }
     }
 
-    /// Takes a sample with the powers of its ball loads, as by [`RatingLife::powers`].
-    pub fn take(&mut self, sample: &Sample, powers: [f64; 2]) {
-        self.go_on(Rate {
+    /// Takes a sample and the loads of its balls in N, inner and outer race.
+    pub fn take(&mut self, sample: &Sample, loads: impl Iterator<Item = [f64; 2]>) {
+        let now = Rate {
             time: sample.time,
             angle: sample.angle,
-            consumption: self.rating.consumption_of(powers),
-        });
-    }
-
-    /// Takes samples that follow each other, those seen last without the first so many.
-    pub fn take_rows(&mut self, rows: &SampleRows, left_out: usize, seen: &SupportObservation) {
-        let mut consumptions = [[0.0; LANES]; SampleRows::MOST / LANES];
-        let groups = rows.len().div_ceil(LANES);
-        seen.consumptions(&self.rating, &mut consumptions[..groups]);
-        let consumptions = &consumptions.as_flattened()[..rows.len()];
-        let (times, angles) = (rows.times(), rows.angles());
-        let rate = |index: usize| Rate {
-            time: times[index],
-            angle: angles[index],
-            consumption: consumptions[index],
+            consumption: self.rating.consumption(loads),
         };
-        let Some(last) = rows.len().checked_sub(1).filter(|last| left_out <= *last) else {
-            return;
-        };
-        self.go_on(rate(left_out));
-        // what begins before the settle time, and what begins after it
-        let settled = times.partition_point(|time| *time < self.settle);
-        let settled = settled.clamp(left_out, last);
-        for (from, to) in [(left_out, settled), (settled, last)] {
-            if from < to {
-                let time = times[to] - times[from];
-                let consumed =
-                    ConsumedLife::along(time, &angles[from..=to], &consumptions[from..=to]);
-                self.add(times[from], consumed);
-            }
-        }
-        self.before = Some(rate(last));
-    }
-
-    /// Goes on to an instant.
-    fn go_on(&mut self, now: Rate) {
         let Some(before) = self.before.replace(now) else {
             return;
         };
-        self.add(before.time, ConsumedLife::between(before, now));
-    }
-
-    /// Adds what is consumed from a time on.
-    fn add(&mut self, from: f64, consumed: ConsumedLife) {
+        let consumed = ConsumedLife::between(before, now);
         self.whole_run.add(consumed);
-        if from >= self.settle {
+        if before.time >= self.settle {
             self.after_settle.add(consumed);
         }
     }
@@ -161,24 +123,6 @@ impl ConsumedLife {
             time: to.time - from.time,
             revolutions,
             share: 1e-6 * revolutions * 0.5 * (from.consumption + to.consumption),
-        }
-    }
-
-    /// In so many seconds along instants that follow each other, by the angle of the shaft and the consumption at
-    /// each; sums run a few instants side by side.
-    fn along(time: f64, angles: &[f64], consumptions: &[f64]) -> Self {
-        let (mut turned, mut weighted) = ([0.0; LANES], [0.0; LANES]);
-        let ends = angles.windows(2).zip(consumptions.windows(2));
-        for (index, (angles, consumptions)) in ends.enumerate() {
-            let angle = (angles[1] - angles[0]).abs();
-            turned[index % LANES] += angle;
-            weighted[index % LANES] += angle * (consumptions[0] + consumptions[1]);
-        }
-        let [turned, weighted] = [turned, weighted].map(|[a, b, c, d]| (a + b) + (c + d));
-        Self {
-            time,
-            revolutions: turned / TAU,
-            share: 1e-6 * 0.5 * (weighted / TAU),
         }
     }
 
@@ -215,9 +159,8 @@ mod tests {
         let bearing = catalogue::find("6305").expect("an entry").bearing();
         let bearing = bearing.expect("a bearing");
         let rating = bearing.dynamic_rating.expect("a rating");
-        let powers = |load| RatingLife::powers([[load; 2]; 7].into_iter());
-        let life =
-            |load| reference_rating_life(&bearing.geometry, rating, [[load; 2]; 7].into_iter());
+        let loads = |load| [[load; 2]; 7].into_iter();
+        let life = |load| reference_rating_life(&bearing.geometry, rating, loads(load));
         let mut sums = LifeSums::new(&bearing.geometry, rating, 0.0);
         // 30 revolutions in 3 s, then, after a jump, 10 in 4 s
         for (load, from, to) in [
@@ -226,7 +169,7 @@ mod tests {
         ] {
             for part in [0.0, 0.25, 0.7, 1.0] {
                 let [time, turns] = [0, 1].map(|k| from[k] + part * (to[k] - from[k]));
-                sums.take(&sample(time, TAU * turns), powers(load));
+                sums.take(&sample(time, TAU * turns), loads(load));
             }
         }
         let consumed = sums.finish().expect("a life").whole_run;

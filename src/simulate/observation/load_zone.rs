@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::bearing::BallContact;
+
 /// Smallest, mean and largest value of the samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
@@ -33,14 +35,14 @@ struct SpreadSums {
 }
 
 impl SpreadSums {
-    fn add(&mut self, value: usize, times: usize, first: bool) {
+    fn add(&mut self, value: usize, first: bool) {
         self.smallest = if first {
             value
         } else {
             self.smallest.min(value)
         };
         self.largest = self.largest.max(value);
-        self.sum += (value * times) as u64;
+        self.sum += value as u64;
     }
 
     fn spread(&self, samples: u64, unit: f64) -> Spread {
@@ -63,28 +65,18 @@ pub(super) struct LoadZoneSums {
 
 impl LoadZoneSums {
     /// Takes the loads of all balls at the inner race in a sample; one is loaded by more than `least` in N.
-    pub fn take(&mut self, loads: impl ExactSizeIterator<Item = f64> + Clone, least: f64) {
-        let balls = loads.len();
-        let loaded = |load: &f64| *load > least;
-        let gap = longest_row(loads.clone().map(|load| !loaded(&load)));
-        self.balls = balls;
-        self.add([loads.filter(loaded).count(), balls - gap], 1);
-    }
-
-    /// Takes some samples, or none, in each of which so many balls are all loaded.
-    pub fn take_full(&mut self, balls: usize, samples: usize) {
-        if samples > 0 {
-            self.balls = balls;
-            self.add([balls; 2], samples);
-        }
-    }
-
-    /// Adds samples in which so many balls are loaded, and so many stand in the arc that holds them.
-    fn add(&mut self, [loaded, spanned]: [usize; 2], samples: usize) {
+    pub fn take(&mut self, balls: &[BallContact], least: f64) {
+        let loaded = |ball: &BallContact| ball.load_inner > least;
+        let count = balls.iter().filter(|ball| loaded(ball)).count();
+        let gap = match count == balls.len() {
+            true => 0,
+            false => longest_row(balls.iter().map(|ball| !loaded(ball))),
+        };
         let first = self.samples == 0;
-        self.samples += samples as u64;
-        self.loaded.add(loaded, samples, first);
-        self.spanned.add(spanned, samples, first);
+        self.balls = balls.len();
+        self.samples += 1;
+        self.loaded.add(count, first);
+        self.spanned.add(balls.len() - gap, first);
     }
 
     pub fn finish(self) -> Option<LoadZone> {

@@ -3,7 +3,6 @@
 mod contact_watch;
 mod event;
 mod history;
-mod lanes;
 mod life;
 mod load_zone;
 
@@ -15,7 +14,7 @@ pub use life::{ConsumedLife, LifeHistory};
 pub use load_zone::{LoadZone, Spread};
 
 use super::{BallParts, Model, TraceSink, Watched};
-use crate::bearing::{BallContact, ContactBand, RatingLife, Support};
+use crate::bearing::{BallContact, ContactBand, Support, Vector5};
 use crate::rotor::{BallContacts, Rotor, Sample};
 use contact_watch::ContactWatch;
 use event::EventCounts;
@@ -27,8 +26,6 @@ use load_zone::LoadZoneSums;
 pub(super) struct Observation<'a> {
     contacts: BallContacts,
     bearings: Vec<BearingObserver<'a>>,
-    /// Whether anything is made of the balls.
-    watching: bool,
     /// Events since the sample before, in the order of time.
     found: Vec<Event>,
     settle: f64,
@@ -59,9 +56,7 @@ impl<'a> Observation<'a> {
             let speed = rotor.speed();
             BearingObserver::new(index, support, speed, model.settle, parts)
         };
-        let balls = contacts.bearings().any(|balls| !balls.is_empty());
         Self {
-            watching: balls && parts != BallParts::LOADS,
             // a ball and its bearing can each do one thing between two samples
             found: Vec::with_capacity(contacts.bearings().map(|balls| balls.len() + 1).sum()),
             bearings: rotor.supports().iter().enumerate().map(observer).collect(),
@@ -72,13 +67,23 @@ impl<'a> Observation<'a> {
 
     /// Whether contacts are watched, from the first sample on.
     pub fn is_of_contacts(&self) -> bool {
-        self.watching && self.bearings.iter().any(|bearing| bearing.parts.events)
+        self.bearings.iter().any(|bearing| bearing.watch.is_some())
     }
 
-    /// Whether what is made of the loads rests on samples before the settle time as well.
-    pub fn is_of_early_loads(&self) -> bool {
+    /// Whether life is consumed from the first sample on.
+    pub fn is_of_early_life(&self) -> bool {
         let mut bearings = self.bearings.iter();
-        self.watching && bearings.any(|bearing| bearing.parts.early_life)
+        bearings.any(|bearing| bearing.parts.early_life && bearing.life.is_some())
+    }
+
+    /// Whether all contacts hold, and are certain to hold at a displacement of the shaft.
+    pub fn is_certain_to_hold(&self, displacement: &Vector5) -> bool {
+        self.bearings.iter().all(|bearing| {
+            let least = bearing.band.1.lost;
+            bearing.watch.as_ref().is_none_or(|watch| {
+                watch.is_at_work() && bearing.support.is_certain_to_bear(displacement, least)
+            })
+        })
     }
 
     /// Where the rotor leaves what it observes of the balls.
@@ -89,9 +94,6 @@ impl<'a> Observation<'a> {
     /// Takes the sample whose balls stand in [`Observation::contacts`], and hands balls and events on.
     pub fn take(&mut self, sample: &Sample, sink: &mut dyn TraceSink) -> io::Result<()> {
         sink.balls(sample, &self.contacts)?;
-        if !self.watching {
-            return Ok(());
-        }
         self.watch(sample, sink)?;
         let settled = sample.time >= self.settle;
         let least = self.contacts.least_load();
@@ -132,9 +134,7 @@ impl<'a> BearingObserver<'a> {
             support,
             parts,
             band: (speed, support.contact_band(speed)),
-            watch: parts
-                .events
-                .then(|| ContactWatch::new(index, balls, preloaded)),
+            watch: (balls > 0 && parts.events).then(|| ContactWatch::new(index, balls, preloaded)),
             counts: EventCounts::new(balls > 0, preloaded),
             zone: parts.load_zone.then(LoadZoneSums::default),
             life: rated.map(|rating| LifeSums::new(&bearing.geometry, rating, settle)),
@@ -150,7 +150,7 @@ impl<'a> BearingObserver<'a> {
         found: &mut Vec<Event>,
     ) {
         let balls = contacts.of_bearing(index);
-        let Some(watch) = self.watch.as_mut().filter(|_| !balls.is_empty()) else {
+        let Some(watch) = &mut self.watch else {
             return;
         };
         if self.band.0 != sample.speed {
@@ -170,12 +170,12 @@ impl<'a> BearingObserver<'a> {
             return;
         }
         if let Some(zone) = self.zone.as_mut().filter(|_| settled) {
-            zone.take(balls.iter().map(|ball| ball.load_inner), least);
+            zone.take(balls, least);
         }
         let lives = settled || self.parts.early_life;
         if let Some(life) = self.life.as_mut().filter(|_| lives) {
             let loads = balls.iter().map(|ball| [ball.load_inner, ball.load_outer]);
-            life.take(sample, RatingLife::powers(loads));
+            life.take(sample, loads);
         }
     }
 }

@@ -101,7 +101,6 @@ impl Maker<'_> {
         analyses.threads = Threads::ONE;
         analyses.parts = MotionParts {
             forces: needs(NumberColumn::rests_on_forces),
-            kurtosis: false,
             velocity: needs(NumberColumn::rests_on_velocity),
             drift: needs(NumberColumn::rests_on_drift),
             kind: needs(NumberColumn::rests_on_kind),

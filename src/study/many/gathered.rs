@@ -65,10 +65,6 @@ impl TraceSink for Gathered {
         }
     }
 
-    fn takes_balls(&self) -> bool {
-        false
-    }
-
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         if let Some(end) = &mut self.end {
             end.take(sample);
