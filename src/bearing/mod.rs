@@ -14,7 +14,6 @@ pub mod catalogue;
 mod contact_band;
 mod contact_damping;
 mod contact_spring;
-mod damping_slopes;
 mod definition;
 mod elastic_energy;
 pub mod equilibrium;
@@ -54,7 +53,6 @@ pub use ball_law::{
 pub use contact_band::ContactBand;
 pub use contact_damping::ContactDamping;
 pub use contact_spring::{ContactSpring, HertzSpring};
-pub(crate) use damping_slopes::DampingSlopes;
 pub use definition::{
     Bearing, BearingError, ContactLaw, Facing, LIMITING_SPEED_FACTOR, MountedBearing, Preload,
 };

@@ -142,7 +142,10 @@ where
         // the library does not look for stiffness
         Err(
             IntegrationError::StepSizeUnderflow { .. } | IntegrationError::StiffnessDetected { .. },
-        ) => Some(IntegrateError::StepUnderflow { time: reached }),
+        ) => Some(IntegrateError::StepUnderflow {
+            time: reached,
+            step: recorder.longest_late_step() * block.scaling.time,
+        }),
     };
     let states = dense
         .iter()

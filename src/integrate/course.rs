@@ -59,14 +59,28 @@ impl<'a, S, const N: usize> Course<'a, S, N> {
         if counters.steps + counters.rejected >= limit {
             return Err(IntegrateError::StepLimit { time, limit });
         }
-        if time + 0.1 * size <= time {
-            return Err(if fault {
-                IntegrateError::NotFinite { time }
-            } else {
-                IntegrateError::StepUnderflow { time }
-            });
+        self.check_progress([time, time + 0.1 * size], size, fault)
+    }
+
+    /// Whether a step of a size between two times moves time at all; `fault` where a trial from the first was not
+    /// finite.
+    ///
+    /// # Errors
+    /// Why it does not.
+    pub fn check_progress(
+        &self,
+        [time, end]: [f64; 2],
+        size: f64,
+        fault: bool,
+    ) -> Result<(), IntegrateError> {
+        if end > time {
+            return Ok(());
         }
-        Ok(())
+        Err(if fault {
+            IntegrateError::NotFinite { time }
+        } else {
+            IntegrateError::StepUnderflow { time, step: size }
+        })
     }
 
     /// The state at a deviation from the origin.

@@ -16,14 +16,17 @@ pub enum IntegrateError {
         /// The limit.
         limit: u64,
     },
-    /// The step became smaller than the resolution of time.
+    /// The step became too small to move time.
     #[error(
-        "the step size fell below round-off at t = {time:.6e} s; loosen the tolerance, or look for \
-         a jump in the forces there"
+        "a step of {step:.1e} s is too small to move time at t = {time:.6e} s, and its error is still \
+         above the tolerance: a force jumps there, or grows without bound; look at loads, clearances \
+         and damping at that time, loosen the tolerance, or set another method in [integrator]"
     )]
     StepUnderflow {
         /// Where the integration stands, s.
         time: f64,
+        /// Size of the step, s.
+        step: f64,
     },
     /// Stability holds the steps of an explicit method so short that the run would not end within
     /// its limit on steps.
@@ -65,7 +68,7 @@ impl IntegrateError {
         match self {
             Self::Stiff { stiffness, .. } => stiffness.time,
             Self::StepLimit { time, .. }
-            | Self::StepUnderflow { time }
+            | Self::StepUnderflow { time, .. }
             | Self::NotFinite { time }
             | Self::Interrupted { time } => *time,
         }

@@ -201,7 +201,8 @@ where
             return Err(if self.fault {
                 IntegrateError::NotFinite { time }
             } else {
-                IntegrateError::StepUnderflow { time }
+                let step = self.step * self.block.scaling.time;
+                IntegrateError::StepUnderflow { time, step }
             });
         }
         Ok(())

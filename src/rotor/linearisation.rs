@@ -3,7 +3,7 @@
 use nalgebra::{ArrayStorage, SMatrix};
 
 use super::{FREEDOMS, Rotation, Rotor};
-use crate::bearing::{DampingSlopes, Geometry, Matrix5, Support, Vector5};
+use crate::bearing::{Geometry, Matrix5, Support, Vector5};
 use crate::integrate::Linearised;
 
 /// Time over which the change of a load is looked at, s.
@@ -12,6 +12,16 @@ const LOAD_RATE_STEP: f64 = 1e-8;
 /// of a contact and its rate, long against round-off.
 const PLACE_STEP: f64 = 1e-10;
 const RATE_STEP: f64 = 1e-7;
+
+/// Slopes of the force against the damping of the contacts.
+struct DampingSlopes {
+    /// ∂F/∂q at a fixed velocity.
+    by_place: Matrix5,
+    /// ∂F/∂q̇.
+    by_rate: Matrix5,
+    /// ∂F/∂t at a fixed place and velocity: the cage turns.
+    by_time: Vector5,
+}
 
 impl<const N: usize> Linearised<N> for Rotor {
     fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]) {
@@ -42,9 +52,7 @@ impl<const N: usize> Linearised<N> for Rotor {
         }
         if self.contacts_damped {
             let velocity = self.full(&[0.0; FREEDOMS], &state[kept..]);
-            let slopes = self
-                .exact_damping_slopes(&rotation, &displacement, &velocity)
-                .unwrap_or_else(|| self.contact_damping_slopes(time, &displacement, &velocity));
+            let slopes = self.contact_damping_slopes(time, &displacement, &velocity);
             for row in 0..kept {
                 let inverse_mass = self.inverse_mass[row];
                 for column in 0..kept {
@@ -75,24 +83,8 @@ impl Rotor {
         (stiffness, rate)
     }
 
-    /// Slopes of the force against the damping of all contacts; none where only differences find them.
-    fn exact_damping_slopes(
-        &self,
-        rotation: &Rotation,
-        displacement: &Vector5,
-        velocity: &Vector5,
-    ) -> Option<DampingSlopes> {
-        let mut sum = Some(DampingSlopes::NONE);
-        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
-            let ratio = self.cage_ratio(support);
-            let cage_motion = [rotation.speed, rotation.acceleration].map(|rate| ratio * rate);
-            let slopes = support.damping_slopes(displacement, velocity, cage, cage_motion);
-            sum = sum.zip(slopes).map(|(sum, slopes)| sum.plus(&slopes));
-        });
-        sum
-    }
-
-    /// By central differences: the force is smooth and, until a contact parts, linear in the rate.
+    /// Slopes of the force against the damping of all contacts, by central differences: the force is smooth and, until
+    /// a contact parts, linear in the rate.
     fn contact_damping_slopes(
         &self,
         time: f64,

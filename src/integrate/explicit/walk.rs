@@ -168,6 +168,7 @@ impl<const N: usize> Walk<N> {
             let size = self.next_size.min(self.crossing.sizes[0]);
             course.check(self.start, size, &self.counters, self.fault)?;
             let aim = self.aim(next[0]);
+            course.check_progress([self.start, aim.end], aim.size, self.fault)?;
             self.size = aim.size;
             self.substitute(&aim, &start_rate);
             let error = self.trial::<P, S>(course);

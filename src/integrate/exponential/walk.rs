@@ -186,6 +186,8 @@ impl<const N: usize> Walk<N> {
         loop {
             course.check(self.start, self.wish, &self.counters, self.fault)?;
             self.plan();
+            let ends = [self.start, self.start + self.size];
+            course.check_progress(ends, self.size, self.fault)?;
             let (ending, sweeps) = self.trial(course);
             match ending {
                 Ending::Met(error) if error <= 1.0 => {

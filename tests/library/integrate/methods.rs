@@ -358,6 +358,52 @@ fn a_derivative_that_is_not_a_number_ends_the_integration_at_its_time() {
     }
 }
 
+/// y′ = y² from 1, which grows beyond all bounds as t comes to 1.
+struct Exploding;
+
+impl System<1> for Exploding {
+    fn derivative(&self, _time: f64, state: &[f64; 1], rate: &mut [f64; 1]) {
+        rate[0] = state[0] * state[0];
+    }
+}
+
+impl Linearised<1> for Exploding {
+    fn linearisation(&self, _time: f64, state: &[f64; 1]) -> (SMatrix<f64, 1, 1>, [f64; 1]) {
+        (matrix![2.0 * state[0]], [0.0])
+    }
+}
+
+/// Steps fall without end as the pole comes near: none is too small to move time for more than a moment.
+#[test]
+fn a_step_too_small_to_move_time_is_an_error_at_once() {
+    let stop = AtomicBool::new(false);
+    for method in METHODS {
+        let mut integration = Integration::<_, 1, 2>::new(
+            &Exploding,
+            Scaling::IDENTITY,
+            TWENTY_SECONDS,
+            settings(method, 1e-8),
+            &stop,
+            &[1.0],
+        );
+        let mut states = Vec::new();
+        let error = integration.advance(2001, &mut states).unwrap_err();
+        println!("{method:?}: {error}, {:?}", integration.counters());
+        assert!((error.time() - 1.0).abs() < 1e-6, "{method:?}: {error}");
+        let work = integration.counters();
+        assert!(work.steps + work.rejected < 5000, "{method:?}: {work:?}");
+        assert_eq!(states.len(), 100, "{method:?}");
+        if let IntegrateError::StepUnderflow { step, .. } = error {
+            assert!((0.0..1e-9).contains(&step), "{method:?}: {step}");
+            let text = error.to_string();
+            assert!(
+                text.contains("too small to move time at t = 1.0000"),
+                "{text}"
+            );
+        }
+    }
+}
+
 #[test]
 fn the_limit_holds_for_all_blocks_together() {
     let stop = AtomicBool::new(false);
