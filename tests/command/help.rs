@@ -6,7 +6,9 @@ use std::process::Output;
 
 use tempfile::TempDir;
 
-use crate::support::{jeffcott_in, names, scenarios, text, toml_files};
+use crate::support::{
+    SHORT_VARYING_COMPLIANCE, changed, jeffcott_in, names, scenarios, text, toml_files,
+};
 
 /// Most characters of a line.
 const WIDTH: usize = 100;
@@ -118,6 +120,8 @@ fn what_is_no_terminal_gets_no_colour() {
 #[test]
 fn no_line_of_a_result_is_wider_than_a_terminal() {
     let folder = shipped();
+    let name = "varying-compliance-6306";
+    changed(folder.path(), name, &SHORT_VARYING_COMPLIANCE);
     let lines = [
         "catalogue",
         "check steady-7205c.toml drive-start-7205c.toml",

@@ -8,18 +8,17 @@ use std::process::Output;
 use matfile::{MatFile, NumericData};
 use tempfile::TempDir;
 
-use crate::support::{done, jeffcott_in, json, shipped, shipped_text, told};
+use crate::support::{SHORT_VARYING_COMPLIANCE, changed, done, jeffcott_in, json, shipped, told};
 
 /// A folder with a short scenario in it: bearings that lose contact.
 fn scene(output: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let text = shipped_text("varying-compliance-6306");
+    let name = "varying-compliance-6306";
+    let file = changed(folder.path(), name, &SHORT_VARYING_COMPLIANCE);
+    let text = fs::read_to_string(&file).unwrap();
     let (before, _) = text.split_once("[output]").unwrap_or((&text, ""));
-    fs::write(
-        folder.path().join("scene.toml"),
-        format!("{before}\n[output]\n{output}\n"),
-    )
-    .unwrap();
+    let scene = folder.path().join("scene.toml");
+    fs::write(scene, format!("{before}\n[output]\n{output}\n")).unwrap();
     folder
 }
 

@@ -130,7 +130,7 @@ fn a_stop_after_the_end_is_no_stop() {
 
 /// Long enough to be interrupted.
 fn long() -> String {
-    shipped("steady-7205c").replace("\"0.5 s\"", "\"15 s\"")
+    shipped("steady-7205c").replace("\"0.5 s\"", "\"6 s\"")
 }
 
 #[cfg(unix)]
@@ -156,7 +156,7 @@ fn an_interrupted_run_goes_on() {
 #[test]
 fn an_interrupt_while_the_states_are_read_back_loses_nothing() {
     let parts = Scene::new(&long());
-    parts.run(&["--stop-at", "14 s"]).done();
+    parts.run(&["--stop-at", "5 s"]).done();
     let before = parts.results();
     // the trace of what was stored is on its way
     let said = parts.interrupt(&["--resume"], ".trace.csv.partial", 1);

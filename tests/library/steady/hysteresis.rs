@@ -1,6 +1,7 @@
 //! A preloaded Hertz contact under a vibrating load: its resonance leans to lower speeds, and between two
 //! turning points there are two stable motions and one that is not.
 
+use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
 
 use jeffcott::bearing::MountedBearing;
@@ -67,6 +68,12 @@ fn followed(from: f64, to: f64) -> Response {
     branches.swap_remove(0)
 }
 
+/// From above the resonance down through it, which two tests look at.
+static DOWN: LazyLock<Response> = LazyLock::new(|| {
+    let natural = natural();
+    followed(1.15 * natural, 0.6 * natural)
+});
+
 fn axial(point: &ResponsePoint) -> f64 {
     point.swings[2].peak_to_peak
 }
@@ -82,8 +89,8 @@ fn folds(branch: &Response) -> Vec<f64> {
 #[test]
 fn the_resonance_of_a_preloaded_contact_folds_and_both_its_branches_are_those_of_long_runs() {
     let natural = natural();
-    let branch = followed(1.15 * natural, 0.6 * natural);
-    let folds = folds(&branch);
+    let branch = &*DOWN;
+    let folds = folds(branch);
     println!(
         "natural {natural}, folds {folds:?}, {} points, {}",
         branch.points.len(),
@@ -167,7 +174,7 @@ fn the_resonance_of_a_preloaded_contact_folds_and_both_its_branches_are_those_of
 #[test]
 fn turning_points_are_the_same_from_either_end() {
     let natural = natural();
-    let mut down = folds(&followed(1.15 * natural, 0.6 * natural));
+    let mut down = folds(&DOWN);
     let mut up = folds(&followed(0.6 * natural, 1.15 * natural));
     down.sort_by(f64::total_cmp);
     up.sort_by(f64::total_cmp);
