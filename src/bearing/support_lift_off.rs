@@ -192,7 +192,7 @@ mod tests {
                 0xfff => nearest.min(seen.nearest),
                 _ => f64::NEG_INFINITY,
             });
-            assert!(nearest >= clearance || clearance <= 0.0, "{place:?}");
+            assert!(nearest > clearance - 1e-15 || clearance <= 0.0, "{place:?}");
             clear += u32::from(clearance > 0.0);
             pressed += u32::from(nearest > 0.0);
         }
