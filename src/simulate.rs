@@ -32,7 +32,9 @@ pub use run::{MeasuredError, Run, StaticState};
 pub use tables::TableUse;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
-use crate::integrate::{Counters, Grid, IntegrateError, Integration, MethodUse, Square, Stiffness};
+use crate::integrate::{
+    Counters, Grid, IntegrateError, Integration, MethodUse, SEGMENT, Square, Stiffness,
+};
 use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, MotionScale, Moving, Rotor, check_loose};
 use observers::Observers;
 use reference::{Reference, reference_settings};
@@ -40,7 +42,7 @@ use tables::TableAudit;
 use warnings::Outcome;
 
 /// Samples that are integrated, checked and written at a time.
-const BLOCK: usize = 1024;
+const BLOCK: usize = SEGMENT as usize;
 
 /// Runs a model: every sample goes to `sink`, everything else is returned.
 ///

@@ -132,6 +132,7 @@ const LEAST: f64 = 1e-100;
 /// y is at first off by some thirtieth; every turn takes e to its fourth power. What is no number stays none.
 ///
 /// Source: Householder's iteration for a root; a start from the bits after W. Kahan's for the cube root.
+#[inline(always)]
 fn ten_thirds(x: [f64; 4]) -> [f64; 4] {
     // the upper bits of 1, by 1 + 1/3, less what makes the largest error between powers of two least
     const START: u32 = ((1023.0 - 0.043) * (1u32 << 20) as f64 * (1.0 + 1.0 / 3.0)) as u32;

@@ -10,7 +10,7 @@ use crate::simulate::Model;
 /// Where a run begins and stops.
 #[derive(Debug, clap::Args)]
 pub struct Parts {
-    /// Stop at the first whole block of samples (1024) at or after this time, as in "0.25 s", and
+    /// Stop at the first whole block of samples (4096) at or after this time, as in "0.25 s", and
     /// leave restart.bin in the run folder
     #[arg(long, value_name = "TIME", value_parser = scenario::time, allow_hyphen_values = true)]
     stop_at: Option<f64>,

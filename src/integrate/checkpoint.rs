@@ -1,24 +1,29 @@
 //! What an integration needs to go on another time.
 
-use super::{Counters, Stiffness};
+use serde::{Deserialize, Serialize};
 
-/// Where an integration stands between two blocks of its grid: plain numbers, from which another
-/// integration of the same system, scaling, grid and settings goes on to the very same states.
-#[derive(Debug, Clone, PartialEq)]
+use super::{Counters, MethodUse, Stiffness};
+
+/// Samples of a segment: at the end of each the method begins afresh, so that one that goes on from there is the same
+/// by construction.
+pub const SEGMENT: u64 = 4096;
+
+/// Where an integration stands at the end of a segment of its grid: another integration of the same system, scaling,
+/// grid and settings goes on from it to the very same states.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
-    /// Scaled state at the next grid time.
-    pub scaled: Vec<f64>,
-    /// Number of grid times handed out.
+    /// Number of the grid time.
     pub next: u64,
-    /// Step size to go on with, s.
+    /// Scaled state there.
+    pub scaled: Vec<f64>,
+    /// Size of the step to go on with, s.
     pub step: f64,
-    /// The latest step of an explicit pair of this crate or of the exponential method, number by number:
-    /// it may reach beyond the grid time. Zeros with every other method.
-    pub latest_step: Vec<f64>,
     /// Work done so far.
     pub counters: Counters,
     /// Stiffness, where it was seen.
     pub stiffness: Option<Stiffness>,
+    /// Which method carried the run, where the choice is left open.
+    pub method_use: Option<MethodUse>,
 }
 
 /// A checkpoint of another integration.
@@ -30,7 +35,7 @@ pub struct Checkpoint {
 pub struct CheckpointMismatch {
     /// States of the checkpoint.
     pub states: usize,
-    /// Grid times that were handed out before it.
+    /// Number of its grid time.
     pub next: u64,
     /// States of the integration.
     pub expected: usize,

@@ -24,16 +24,6 @@ pub(super) struct Control {
 impl Control {
     pub const NEW: Self = Self { rejected: false };
 
-    /// As it is after a trial that was rejected or not.
-    pub fn after(rejected: bool) -> Self {
-        Self { rejected }
-    }
-
-    /// Whether the latest trial was rejected.
-    pub fn was_rejected(&self) -> bool {
-        self.rejected
-    }
-
     /// Factor after a good step; none above one directly after a bad one.
     pub fn accepted(&mut self, error: f64, power: i32) -> f64 {
         let growth = growth(error.max(LEAST_ERROR), power);

@@ -5,15 +5,14 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::Const;
 
 use super::adapter::{self, ExplicitMethod};
-use super::auto::MethodUse;
 use super::block::Block;
 use super::course::Course;
 use super::rosenbrock;
-use super::stepper::Stepper;
+use super::stepper::{Start, Stepper};
 use super::stiffness::stiffness;
 use super::{
-    Checkpoint, CheckpointMismatch, Counters, IntegrateError, Linearised, Method, Scaling,
-    Settings, Square, Stiffness,
+    Checkpoint, CheckpointMismatch, Counters, IntegrateError, Linearised, Method, MethodUse,
+    SEGMENT, Scaling, Settings, Square, Stiffness,
 };
 
 /// Uniform grid of times: `t_k = k · interval`, k = 0 … count − 1.
@@ -61,6 +60,8 @@ pub struct Integration<'a, S, const N: usize, const M: usize> {
     stiffness: Option<Stiffness>,
     /// Of the methods of this crate whose steps do not end with a block.
     stepper: Stepper<N>,
+    /// The latest end of a segment.
+    checkpoint: Checkpoint,
 }
 
 impl<'a, S, const N: usize, const M: usize> Integration<'a, S, N, M>
@@ -77,40 +78,45 @@ where
         stop: &'a AtomicBool,
         state: &[f64; N],
     ) -> Self {
+        let open = settings.method == Method::Auto;
+        let start = Start {
+            time: 0.0,
+            deviation: std::array::from_fn(|i| state[i] - scaling.origin[i]),
+            step: 0.0,
+            counters: Counters::default(),
+            method_use: open.then(|| MethodUse::of(system)),
+        };
+        let scaled = scaling.scaled(state);
         Self {
             system,
             scaling,
             grid,
             settings,
             stop,
-            scaled: scaling.scaled(state),
+            scaled,
             next: 0,
             step: 0.0,
             counters: Counters::default(),
             stiffness: None,
-            stepper: Stepper::new(
-                settings.method,
-                std::array::from_fn(|i| state[i] - scaling.origin[i]),
-                grid.interval,
-            ),
+            stepper: Stepper::new(settings.method, &start, grid.interval),
+            checkpoint: Checkpoint {
+                next: 0,
+                scaled: scaled.to_vec(),
+                step: 0.0,
+                counters: Counters::default(),
+                stiffness: None,
+                method_use: start.method_use,
+            },
         }
     }
 
-    /// What it takes to go on from here another time.
-    pub fn checkpoint(&self) -> Checkpoint {
-        Checkpoint {
-            scaled: self.scaled.to_vec(),
-            next: self.next,
-            step: self.step,
-            counters: self.counters,
-            stiffness: self.stiffness,
-            latest_step: self.stepper.numbers(),
-        }
+    /// What it takes to go on another time from the latest end of a segment.
+    pub fn checkpoint(&self) -> &Checkpoint {
+        &self.checkpoint
     }
 
-    /// Goes on from where another integration of the same system, scaling, grid and settings stood
-    /// between two calls of [`Integration::advance`]; the states that follow are the same, bit by
-    /// bit, where the calls are.
+    /// Goes on from where another integration of the same system, scaling, grid and settings stood; the states that
+    /// follow are the same, bit by bit.
     ///
     /// # Errors
     /// [`CheckpointMismatch`] where it cannot be one of the same system and grid.
@@ -125,15 +131,41 @@ where
         if checkpoint.next > self.grid.count {
             return Err(mismatch);
         }
-        let (method, interval) = (self.settings.method, self.grid.interval);
-        let (numbers, counters) = (&checkpoint.latest_step, checkpoint.counters);
-        self.stepper = Stepper::restored(method, numbers, counters, interval).ok_or(mismatch)?;
-        self.scaled = scaled;
+        self.checkpoint = checkpoint.clone();
         self.next = checkpoint.next;
-        self.step = checkpoint.step;
         self.counters = checkpoint.counters;
         self.stiffness = checkpoint.stiffness;
+        self.begin_afresh(scaled);
         Ok(())
+    }
+
+    /// Lets the method begin afresh at the latest end of a segment.
+    fn begin_afresh(&mut self, scaled: [f64; N]) {
+        self.scaled = scaled;
+        self.step = self.checkpoint.step;
+        if self.next > 0 {
+            let start = Start {
+                time: self.grid.time(self.next),
+                deviation: std::array::from_fn(|i| self.scaling.scale[i] * scaled[i]),
+                step: self.step,
+                counters: self.counters,
+                method_use: self.checkpoint.method_use,
+            };
+            self.stepper = Stepper::new(self.settings.method, &start, self.grid.interval);
+        }
+    }
+
+    /// Takes note of the end of a segment in a scaled state.
+    fn end_segment(&mut self, scaled: [f64; N]) {
+        self.checkpoint = Checkpoint {
+            next: self.next,
+            scaled: scaled.to_vec(),
+            step: self.step,
+            counters: self.counters,
+            stiffness: self.stiffness,
+            method_use: self.method_use(),
+        };
+        self.begin_afresh(scaled);
     }
 
     /// Work done so far.
@@ -190,38 +222,50 @@ where
         points: usize,
         states: &mut Vec<[f64; N]>,
     ) -> Result<(), IntegrateError> {
-        let (scaling, settings) = (&self.scaling, &self.settings);
-        let course = Course::over(&self.grid, self.system, scaling, settings, self.stop);
         let part = ((EARLY * self.settings.step_limit as f64) as u64).max(1);
         for _ in 0..points {
-            let time = self.grid.time(self.next);
             let steps_before = self.counters.steps;
-            let is_within = self.stepper.time() >= time;
-            let result = self.stepper.state_at(&course, time);
-            if !is_within || result.is_err() {
-                (self.counters, self.step, self.scaled) = self.stepper.progress(scaling);
-            }
-            let look = steps_before / part != self.counters.steps / part;
-            match result {
-                Ok(state) if look => {
-                    states.push(state);
-                    self.next += 1;
-                    self.give_up_where_stiff()?;
-                }
+            match self.next_state() {
                 Ok(state) => {
                     states.push(state);
                     self.next += 1;
+                    if steps_before / part != self.counters.steps / part {
+                        self.give_up_where_stiff()?;
+                    }
                 }
-                Err(IntegrateError::StepLimit { .. }) => {
+                Err(IntegrateError::StepLimit { time, limit }) => {
                     self.give_up_where_stiff()?;
-                    return result.map(|_| ());
+                    return Err(IntegrateError::StepLimit { time, limit });
                 }
                 Err(error) => return Err(error),
             }
+            if self.next.is_multiple_of(SEGMENT) && self.next < self.grid.count {
+                let state = self.next_state()?;
+                self.take_stock();
+                self.end_segment(self.scaling.scaled(&state));
+            }
         }
         // a state within a step may take evaluations, too
-        (self.counters, self.step, self.scaled) = self.stepper.progress(scaling);
+        self.take_stock();
         Ok(())
+    }
+
+    /// The state at the next grid time.
+    fn next_state(&mut self) -> Result<[f64; N], IntegrateError> {
+        let time = self.grid.time(self.next);
+        let is_within = self.stepper.time() >= time;
+        let (scaling, settings) = (&self.scaling, &self.settings);
+        let course = Course::over(&self.grid, self.system, scaling, settings, self.stop);
+        let result = self.stepper.state_at(&course, time);
+        if !is_within || result.is_err() {
+            self.take_stock();
+        }
+        result
+    }
+
+    /// Work, step and state that the stepper has come to.
+    fn take_stock(&mut self) {
+        (self.counters, self.step, self.scaled) = self.stepper.progress(&self.scaling);
     }
 
     /// Ends a run that stability keeps from its end.
@@ -270,7 +314,9 @@ where
         states: &mut Vec<[f64; N]>,
     ) -> Result<(), IntegrateError> {
         while points > 0 {
-            let whole = self.intervals_before_break(points);
+            let left = SEGMENT - self.next % SEGMENT;
+            let left = usize::try_from(left).unwrap_or(usize::MAX);
+            let whole = self.intervals_before_break(points.min(left));
             let before = states.len();
             let result = match whole {
                 0 => self.cut_interval(states),
@@ -279,6 +325,9 @@ where
             self.next += (states.len() - before) as u64;
             result?;
             points -= whole.max(1);
+            if self.next.is_multiple_of(SEGMENT) {
+                self.end_segment(self.scaled);
+            }
         }
         Ok(())
     }

@@ -27,7 +27,7 @@ mod system;
 mod variation;
 
 pub use auto::{ChangeReason, MethodUse};
-pub use checkpoint::{Checkpoint, CheckpointMismatch};
+pub use checkpoint::{Checkpoint, CheckpointMismatch, SEGMENT};
 pub use error::IntegrateError;
 pub use integration::{Grid, Integration};
 pub use settings::{Counters, Method, Settings};

@@ -1,7 +1,9 @@
 //! What the user chooses about the integration, and what it costs.
 
+use serde::{Deserialize, Serialize};
+
 /// Integration method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Method {
     /// Verner 7(6) where the motion is expected to cross surfaces at which the derivative is not smooth, else
     /// exponential collocation.
@@ -32,7 +34,7 @@ pub struct Settings {
 }
 
 /// Work done by an integration.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct Counters {
     /// Accepted steps.
     pub steps: u64,
@@ -48,14 +50,5 @@ impl Counters {
         self.steps += part.steps;
         self.rejected += part.rejected;
         self.evaluations += part.evaluations;
-    }
-
-    /// What is left without the work of a part.
-    pub(super) fn without(&self, part: &Self) -> Self {
-        Self {
-            steps: self.steps.saturating_sub(part.steps),
-            rejected: self.rejected.saturating_sub(part.rejected),
-            evaluations: self.evaluations.saturating_sub(part.evaluations),
-        }
     }
 }

@@ -1,109 +1,150 @@
 //! The stepper of the method in use.
 
-use super::auto::{AutoStepper, MethodUse};
+use super::auto::{Choice, MethodUse};
 use super::course::Course;
 use super::explicit::{self, Pair, Verner76};
 use super::exponential::ExponentialWalk;
 use super::{Counters, IntegrateError, Linearised, Method, Scaling};
 
-/// The stepper of a method of this crate whose steps do not end with a block; of others, one at the start.
+/// The stepper of a method of this crate, whose steps do not end with a block of samples.
 #[derive(Debug, Clone)]
-pub(super) enum Stepper<const N: usize> {
-    Explicit(Box<explicit::Walk<N>>),
-    Exponential(Box<ExponentialWalk<N>>),
-    Auto(Box<AutoStepper<N>>),
+pub(super) struct Stepper<const N: usize> {
+    of: Of<N>,
+    /// Where the choice of the method is left open.
+    choice: Option<Choice<N>>,
+    /// Interval of the samples, s.
+    interval: f64,
 }
 
-/// The same of any stepper.
-macro_rules! any {
-    ($steppers:expr, $stepper:ident => $of:expr) => {
-        match $steppers {
-            Self::Explicit($stepper) => $of,
-            Self::Exponential($stepper) => $of,
-            Self::Auto($stepper) => $of,
+#[derive(Debug, Clone)]
+enum Of<const N: usize> {
+    Explicit(Box<explicit::Walk<N>>),
+    Exponential(Box<ExponentialWalk<N>>),
+}
+
+/// The same of either.
+macro_rules! either {
+    ($of:expr, $stepper:ident => $value:expr) => {
+        match $of {
+            Of::Explicit($stepper) => $value,
+            Of::Exponential($stepper) => $value,
         }
     };
 }
 
-impl<const N: usize> Stepper<N> {
-    /// At time 0 in a deviation from the origin, before samples at an interval, s.
-    pub fn new(method: Method, deviation: [f64; N], interval: f64) -> Self {
+/// Where a stepper begins.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Start<const N: usize> {
+    /// s.
+    pub time: f64,
+    /// From the scaling's origin.
+    pub deviation: [f64; N],
+    /// Size of the first step, s; zero where it is to find its own.
+    pub step: f64,
+    /// Work done before.
+    pub counters: Counters,
+    /// Which method has carried the run, where the choice is left open and it is under way.
+    pub method_use: Option<MethodUse>,
+}
+
+impl<const N: usize> Of<N> {
+    fn new(method: Method, start: &Start<N>, interval: f64) -> Self {
+        let Start {
+            time,
+            deviation,
+            step,
+            counters,
+            ..
+        } = *start;
         match method {
             Method::Exponential => {
-                Self::Exponential(Box::new(ExponentialWalk::new(deviation, interval)))
-            }
-            Method::Auto => Self::Auto(Box::new(AutoStepper::new(deviation, interval))),
-            _ => Self::Explicit(Box::new(explicit::Walk::new(deviation))),
-        }
-    }
-
-    /// The stepper of numbers as by [`Stepper::numbers`], with its counters; none of any others.
-    pub fn restored(
-        method: Method,
-        numbers: &[f64],
-        counters: Counters,
-        interval: f64,
-    ) -> Option<Self> {
-        Some(match method {
-            Method::Exponential => {
-                let stepper = ExponentialWalk::restored(numbers, counters, interval)?;
+                let times = [time, interval];
+                let stepper = ExponentialWalk::new(times, deviation, step, counters);
                 Self::Exponential(Box::new(stepper))
             }
-            Method::Auto => {
-                let stepper = AutoStepper::restored(numbers, counters, interval)?;
-                Self::Auto(Box::new(stepper))
-            }
-            _ => Self::Explicit(Box::new(explicit::Walk::restored(numbers, counters)?)),
-        })
+            _ => Self::Explicit(Box::new(explicit::Walk::new(
+                time, deviation, step, counters,
+            ))),
+        }
+    }
+}
+
+impl<const N: usize> Stepper<N> {
+    /// By a method, before samples at an interval, s.
+    pub fn new(method: Method, start: &Start<N>, interval: f64) -> Self {
+        let method = start.method_use.map_or(method, |used| used.latest());
+        Self {
+            of: Of::new(method, start, interval),
+            choice: start.method_use.map(Choice::new),
+            interval,
+        }
     }
 
     /// State at a time that is not before the start of the latest step; steps on as far as needed.
     ///
     /// # Errors
     /// Why the run ends before that time.
+    #[inline]
     pub fn state_at<S: Linearised<N>>(
         &mut self,
         course: &Course<'_, S, N>,
         time: f64,
     ) -> Result<[f64; N], IntegrateError> {
-        match self {
-            Self::Exponential(stepper) => stepper.state_at(course, time),
-            Self::Auto(stepper) => stepper.state_at(course, time),
-            Self::Explicit(stepper) => stepper.state_at::<Verner76, S>(course, time),
+        while self.time() < time {
+            self.step(course)?;
         }
+        Ok(match &mut self.of {
+            Of::Explicit(stepper) => stepper.state_within::<Verner76, S>(course, time),
+            Of::Exponential(stepper) => stepper.state_within(course, time),
+        })
+    }
+
+    fn step<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
+        let stepper = match &mut self.of {
+            Of::Explicit(stepper) => return stepper.step::<Verner76, S>(course),
+            Of::Exponential(stepper) => stepper,
+        };
+        let (start, from) = (stepper.time(), stepper.deviation());
+        let ending = stepper.step(course);
+        let Some(choice) = &mut self.choice else {
+            return ending;
+        };
+        let (time, deviation) = (stepper.time(), stepper.deviation());
+        if choice.is_over(course, [start, time], [&from, &deviation], ending)? {
+            let start = Start {
+                time,
+                deviation,
+                // the pair finds its own first step
+                step: 0.0,
+                counters: stepper.counters(),
+                method_use: None,
+            };
+            self.of = Of::new(Method::Verner76, &start, self.interval);
+        }
+        Ok(())
     }
 
     /// Product of step and largest eigenvalue at which the method ceases to be stable; none where nothing holds it.
     pub fn stability_limit(&self) -> Option<f64> {
-        let by_verner = match self {
-            Self::Explicit(_) => true,
-            Self::Exponential(_) => false,
-            Self::Auto(stepper) => stepper.is_explicit(),
-        };
-        by_verner.then_some(Verner76::STABILITY)
+        match self.of {
+            Of::Explicit(_) => Some(Verner76::STABILITY),
+            Of::Exponential(_) => None,
+        }
     }
 
-    /// Which method carried the run, where the choice was left open.
+    /// Which method carried the run, where the choice is left open.
     pub fn method_use(&self) -> Option<MethodUse> {
-        match self {
-            Self::Auto(stepper) => stepper.method_use(),
-            _ => None,
-        }
+        self.choice.as_ref().map(|choice| choice.method_use)
     }
 
     /// End of the latest step, s.
     pub fn time(&self) -> f64 {
-        any!(self, stepper => stepper.time())
+        either!(&self.of, stepper => stepper.time())
     }
 
     /// Work done so far, the size of the latest step or of the one to come, s, and the scaled state at the end of the
     /// latest.
     pub fn progress(&self, scaling: &Scaling<N>) -> (Counters, f64, [f64; N]) {
-        any!(self, stepper => (stepper.counters(), stepper.step_size(), stepper.scaled(scaling)))
-    }
-
-    /// Everything but the counters as numbers.
-    pub fn numbers(&self) -> Vec<f64> {
-        any!(self, stepper => stepper.numbers())
+        either!(&self.of, stepper => (stepper.counters(), stepper.step_size(), stepper.scaled(scaling)))
     }
 }

@@ -1,5 +1,7 @@
 //! Whether stability, rather than accuracy, holds the steps of an explicit method.
 
+use serde::{Deserialize, Serialize};
+
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::linalg::Schur;
@@ -24,7 +26,7 @@ const SWEEPS: usize = 1000;
 static GOES_ON: AtomicBool = AtomicBool::new(false);
 
 /// An explicit method whose steps stability holds far below what accuracy asks for.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Stiffness {
     /// Where this was seen, s.
     pub time: f64,

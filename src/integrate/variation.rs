@@ -83,10 +83,11 @@ where
         end: duration,
         slack: BREAK_SLACK * duration,
     };
-    let mut walk = Walk::new(std::array::from_fn(|i| match i {
+    let deviation = std::array::from_fn(|i| match i {
         i if i < N => start[i] - scaling.origin[i],
         i => f64::from(u8::from((i - N).is_multiple_of(N + 1))),
-    }));
+    });
+    let mut walk = Walk::new(0.0, deviation, 0.0, Counters::default());
     let end = walk.state_at::<Verner76, _>(&course, duration)?;
     Ok(Variation {
         end: std::array::from_fn(|i| end[i]),

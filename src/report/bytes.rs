@@ -5,8 +5,6 @@ pub(super) trait Put {
     fn put_u64(&mut self, value: u64);
     fn put_f64(&mut self, value: f64);
     fn put_text(&mut self, text: &str);
-    /// A flag, and the value where it is set.
-    fn put_option<T>(&mut self, value: Option<&T>, put: impl FnOnce(&mut Self, &T));
 }
 
 impl Put for Vec<u8> {
@@ -21,13 +19,6 @@ impl Put for Vec<u8> {
     fn put_text(&mut self, text: &str) {
         self.put_u64(text.len() as u64);
         self.extend(text.as_bytes());
-    }
-
-    fn put_option<T>(&mut self, value: Option<&T>, put: impl FnOnce(&mut Self, &T)) {
-        self.push(u8::from(value.is_some()));
-        if let Some(value) = value {
-            put(self, value);
-        }
     }
 }
 
@@ -51,19 +42,6 @@ impl<'a> Take<'a> {
 
     pub fn f64(&mut self) -> Option<f64> {
         self.array().map(f64::from_le_bytes)
-    }
-
-    pub fn text(&mut self) -> Option<String> {
-        let length = self.u64()?;
-        String::from_utf8(self.bytes(length)?.to_vec()).ok()
-    }
-
-    pub fn option<T>(&mut self, take: impl FnOnce(&mut Self) -> Option<T>) -> Option<Option<T>> {
-        match self.array()? {
-            [0] => Some(None),
-            [1] => take(self).map(Some),
-            _ => None,
-        }
     }
 }
 

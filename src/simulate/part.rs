@@ -1,5 +1,7 @@
 //! A run in parts: where it stopped, what was kept, and how it goes on.
 
+use serde::{Deserialize, Serialize};
+
 use std::io;
 
 use nalgebra::Const;
@@ -28,7 +30,7 @@ pub trait StateSource {
 }
 
 /// Where a run stands after whole blocks of samples: what it takes to go on.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Standing {
     /// Time of the next sample, s.
     pub time: f64,
@@ -147,7 +149,7 @@ impl Part<'_> {
     {
         self.standing = Some(Standing {
             time,
-            main: main.checkpoint(),
+            main: main.checkpoint().clone(),
             reference: reference.map(Reference::standing),
         });
         if time >= self.stop_at {

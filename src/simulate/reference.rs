@@ -1,5 +1,7 @@
 //! The second pass, which measures the error of the first.
 
+use serde::{Deserialize, Serialize};
+
 use nalgebra::Const;
 
 use super::{MeasuredError, Model};
@@ -28,7 +30,7 @@ pub(super) fn reference_settings(model: &Model) -> Settings {
 }
 
 /// Where the second pass stands, and how far the first has been from it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ReferenceStanding {
     /// The integration.
     pub pass: Checkpoint,
@@ -67,7 +69,7 @@ where
     /// What it takes to go on from here another time.
     pub fn standing(&self) -> ReferenceStanding {
         ReferenceStanding {
-            pass: self.integration.checkpoint(),
+            pass: self.integration.checkpoint().clone(),
             difference: self.difference,
             excursion: self.excursion,
             failure: self.failure.clone(),

@@ -18,11 +18,6 @@ const BESIDE: f64 = 0.01;
 /// Error of a trial, in units of the state, from which on it says nothing of surfaces.
 const WILD: f64 = 1e-2;
 
-/// Numbers that hold a set of surfaces, 32 each.
-pub(in crate::integrate) const SET_NUMBERS: usize = 4;
-/// Numbers of [`Crossing::numbers`].
-pub(super) const NUMBERS: usize = 3 * SET_NUMBERS + 5;
-
 /// Where a walk stands between the surfaces.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Crossing<const N: usize> {
@@ -57,45 +52,6 @@ impl<const N: usize> Crossing<N> {
         seen: false,
         foreseen: None,
     };
-
-    /// What the steps to come depend on, as numbers; another look finds the rest.
-    pub fn numbers(&self) -> impl Iterator<Item = f64> + use<N> {
-        let none = Landing {
-            time: f64::INFINITY,
-            surfaces: 0,
-            sides: 0,
-        };
-        let planned = self.planned.unwrap_or(none);
-        let [from, to] = self.sizes;
-        let sets = [self.sides, planned.surfaces, planned.sides].map(numbers_of_set);
-        let fresh = f64::from(u8::from(self.fresh));
-        [fresh, planned.time, from, to, self.latest]
-            .into_iter()
-            .chain(sets.into_iter().flatten())
-    }
-
-    /// From numbers as by [`Crossing::numbers`]; none of any others.
-    pub fn restored(numbers: &[f64]) -> Option<Self> {
-        let ([fresh, time, from, to, latest], sets) = numbers.split_first_chunk()?;
-        let (sets, []) = sets.as_chunks::<SET_NUMBERS>() else {
-            return None;
-        };
-        let [sides, surfaces, planned] = <&[[f64; SET_NUMBERS]; 3]>::try_from(sets)
-            .ok()?
-            .map(set_of_numbers);
-        Some(Self {
-            sides,
-            latest: *latest,
-            fresh: *fresh != 0.0,
-            planned: time.is_finite().then_some(Landing {
-                time: *time,
-                surfaces,
-                sides: planned,
-            }),
-            sizes: [*from, *to],
-            ..Self::NEW
-        })
-    }
 }
 
 impl<const N: usize> Walk<N> {
@@ -265,15 +221,4 @@ fn misses<S: System<N>, const N: usize>(
     ends: [f64; 2],
 ) -> bool {
     stride.error_beside(surface, ends) > BESIDE
-}
-
-/// A set of surfaces as numbers that hold it exactly.
-pub(in crate::integrate) fn numbers_of_set(set: Sides) -> [f64; SET_NUMBERS] {
-    std::array::from_fn(|part| f64::from((set >> (32 * part)) as u32))
-}
-
-/// The set of surfaces of such numbers.
-pub(in crate::integrate) fn set_of_numbers(parts: [f64; SET_NUMBERS]) -> Sides {
-    let part = |(index, part): (usize, &f64)| Sides::from(*part as u32) << (32 * index);
-    parts.iter().enumerate().map(part).sum()
 }

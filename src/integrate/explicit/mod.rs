@@ -8,14 +8,12 @@ mod crossing;
 mod dense;
 mod foresight;
 mod landing;
-mod numbers;
 mod quintic;
 mod substitution;
 mod tableau;
 mod verner76;
 mod walk;
 
-pub(super) use crossing::{SET_NUMBERS, numbers_of_set, set_of_numbers};
 pub(super) use tableau::Pair;
 pub(super) use verner76::Verner76;
 pub(super) use walk::Walk;

@@ -50,19 +50,22 @@ pub(in crate::integrate) struct Walk<const N: usize> {
     pub(super) control: Control,
     /// Whether a trial since the latest good step was not finite.
     pub(super) fault: bool,
+    /// Whether the surfaces about the start are known.
+    looked_around: bool,
     pub(super) counters: Counters,
 }
 
 impl<const N: usize> Walk<N> {
-    /// Stands at time 0 in a deviation from the origin.
-    pub fn new(deviation: [f64; N]) -> Self {
+    /// At a time, s, in a deviation from the origin, after so much work; a size of zero lets the first step find its
+    /// own.
+    pub fn new(time: f64, deviation: [f64; N], size: f64, counters: Counters) -> Self {
         Self {
             level: Level::new(),
-            start: 0.0,
-            time: 0.0,
+            start: time,
+            time,
             size: 0.0,
-            next_size: 0.0,
-            limit: 0.0,
+            next_size: size,
+            limit: time,
             from: deviation,
             to: deviation,
             stages: [[0.0; N]; MOST],
@@ -77,18 +80,8 @@ impl<const N: usize> Walk<N> {
             rate_before: [f64::INFINITY; N],
             control: Control::NEW,
             fault: false,
-            counters: Counters::default(),
-        }
-    }
-
-    /// Stands at a time, s, in a deviation from the origin; a size of zero lets the first step find its own.
-    pub fn at(time: f64, deviation: [f64; N], size: f64) -> Self {
-        Self {
-            start: time,
-            time,
-            limit: time,
-            next_size: size,
-            ..Self::new(deviation)
+            looked_around: false,
+            counters,
         }
     }
 
@@ -201,8 +194,9 @@ impl<const N: usize> Walk<N> {
         };
         if self.time >= self.limit {
             self.crossing.planned = None;
-            if self.counters.steps == 0 {
+            if !self.looked_around {
                 self.look_around(course);
+                self.looked_around = true;
             }
             self.limit = course.limit_after(self.time);
             // the derivative after a break, or the very first

@@ -5,8 +5,6 @@ use super::operator::{Operator, Phi};
 
 /// Sizes that are kept.
 const KEPT: usize = 12;
-/// Numbers of [`Propagators::numbers`].
-pub(super) const NUMBERS: usize = 1 + 2 * KEPT;
 
 /// A step size with its operator.
 #[derive(Debug, Clone)]
@@ -67,30 +65,6 @@ impl<const N: usize> Propagators<N> {
         let index = index.unwrap_or(0);
         self.kept[index] = built;
         index
-    }
-
-    /// What [`Propagators::restore`] takes: of every place its size and when it was asked for.
-    pub fn numbers(&self) -> [f64; NUMBERS] {
-        let mut numbers = [0.0; NUMBERS];
-        numbers[0] = self.clock as f64;
-        let (places, _) = numbers[1..].as_chunks_mut::<2>();
-        for (place, known) in places.iter_mut().zip(&self.kept) {
-            *place = [known.size, known.used as f64];
-        }
-        numbers
-    }
-
-    /// Finds the operators again that were kept: what is built from here on is what would have been.
-    pub fn restore(&mut self, part: &LinearPart<N>, numbers: &[f64; NUMBERS]) {
-        let [clock, places @ ..] = numbers;
-        self.clock = *clock as u64;
-        let (places, _) = places.as_chunks::<2>();
-        let known = places.iter().take_while(|[size, _]| *size > 0.0);
-        self.kept.extend(known.map(|&[size, used]| Size {
-            size,
-            used: used as u64,
-            operator: Operator::new(part, size),
-        }));
     }
 
     /// The functions over an interval of samples.

@@ -25,7 +25,6 @@ mod mode_phi;
 mod mode_propagator;
 mod modes;
 mod nodes;
-mod numbers;
 mod operator;
 mod phi;
 mod plan;

@@ -33,9 +33,6 @@ pub(super) struct Renewal {
 }
 
 impl Renewal {
-    /// Numbers of [`Renewal::numbers`].
-    pub const NUMBERS: usize = 6;
-
     /// Without a linear part: it is to be taken.
     pub const NONE: Self = Self {
         waste: f64::INFINITY,
@@ -81,31 +78,6 @@ impl Renewal {
             } else {
                 (2.0 * self.patience).min(MOST_PATIENCE)
             };
-        }
-    }
-
-    /// All that it knows.
-    pub fn numbers(&self) -> [f64; Self::NUMBERS] {
-        [
-            self.waste,
-            self.patience,
-            self.work,
-            self.time,
-            self.steps,
-            self.before,
-        ]
-    }
-
-    /// From [`Renewal::numbers`].
-    pub fn from_numbers(numbers: [f64; Self::NUMBERS]) -> Self {
-        let [waste, patience, work, time, steps, before] = numbers;
-        Self {
-            waste,
-            patience,
-            work,
-            time,
-            steps,
-            before,
         }
     }
 }

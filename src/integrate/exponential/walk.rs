@@ -74,18 +74,24 @@ pub(in crate::integrate) struct Walk<const N: usize> {
 }
 
 impl<const N: usize> Walk<N> {
-    /// Stands at time 0 in a deviation from the origin, on a grid of samples.
-    pub fn new(deviation: [f64; N], interval: f64) -> Self {
+    /// At a time, s, in a deviation from the origin, on a grid of samples, after so much work; a size of zero lets the
+    /// first step find its own.
+    pub fn new(
+        [time, interval]: [f64; 2],
+        deviation: [f64; N],
+        size: f64,
+        counters: Counters,
+    ) -> Self {
         let linear = LinearPart::none();
         let place = linear.place(deviation);
         Self {
             interval,
-            start: 0.0,
-            time: 0.0,
+            start: time,
+            time,
             size: 0.0,
             intervals: 0.0,
-            wish: 0.0,
-            limit: 0.0,
+            wish: size,
+            limit: time,
             leg: Leg::ENDED,
             from: place,
             to: place,
@@ -101,7 +107,7 @@ impl<const N: usize> Walk<N> {
             renewal: Renewal::NONE,
             rejected: false,
             fault: false,
-            counters: Counters::default(),
+            counters,
             propagators: Propagators::new(),
             ahead: [[0.0; POINTS]; POINTS],
             ahead_ratio: 0.0,
@@ -119,9 +125,9 @@ impl<const N: usize> Walk<N> {
         self.time
     }
 
-    /// Size of the latest step, s; zero before the first.
+    /// Size that the error would allow the next step, s; zero before the first.
     pub fn step_size(&self) -> f64 {
-        self.size
+        self.wish
     }
 
     /// Scaled state at the end of the latest step.
@@ -132,21 +138,6 @@ impl<const N: usize> Walk<N> {
     /// Work done so far.
     pub fn counters(&self) -> Counters {
         self.counters
-    }
-
-    /// State at a sample that is not before the start of the latest step; walks on as far as needed.
-    ///
-    /// # Errors
-    /// Why the walk ends before that time.
-    pub fn state_at<S: Linearised<N>>(
-        &mut self,
-        course: &Course<'_, S, N>,
-        time: f64,
-    ) -> Result<[f64; N], IntegrateError> {
-        while self.time() < time {
-            self.step(course)?;
-        }
-        Ok(self.state_within(course, time))
     }
 
     /// State at a sample that is neither before the start of the latest step nor after its end.

@@ -5,7 +5,7 @@
 //! version, scenario      texts: u64 length and UTF-8
 //! fingerprint            u64, of the model
 //! states                 f64 of every sample so far
-//! standing               both passes
+//! standing               both passes, JSON
 //! length of the standing u64
 //! checksum               u64, of everything before
 //! end                    8 bytes
@@ -17,7 +17,6 @@
 mod error;
 mod identity;
 mod reader;
-mod standing;
 mod writer;
 
 use std::path::{Path, PathBuf};
@@ -33,7 +32,7 @@ pub(super) const RESTART: &str = "restart.bin";
 
 const MAGIC: [u8; 8] = *b"jeffcott";
 const END: [u8; 8] = *b"tticffej";
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 /// Bytes of length, checksum and end.
 const TAIL: u64 = 24;
 

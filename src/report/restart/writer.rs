@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use super::{END, FORMAT, MAGIC, RESTART, RunIdentity, standing};
+use super::{END, FORMAT, MAGIC, RESTART, RunIdentity};
 use crate::report::bytes::{Checksum, Put};
 use crate::report::{FileAction, PartialFile, ReportError, RunFolder};
 use crate::simulate::{Standing, StateKeeper};
@@ -51,7 +51,7 @@ impl RestartWriter {
     }
 
     fn write_standing(&mut self, standing: &Standing) -> io::Result<()> {
-        let encoded = standing::encode(standing);
+        let encoded = serde_json::to_vec(standing)?;
         self.bytes.extend(&encoded);
         self.bytes.put_u64(encoded.len() as u64);
         self.write()?;
