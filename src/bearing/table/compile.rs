@@ -94,7 +94,7 @@ mod tests {
         let around = |middle: f64, half: f64| [middle - half, middle + half];
         BallRegion {
             axial: around(geometry.free_axial() + 10e-6, 5e-6),
-            radial: around(geometry.free_radial(), 12e-6),
+            radial: around(geometry.free_radial(), 20e-6),
         }
     }
 
@@ -180,10 +180,15 @@ mod tests {
     #[test]
     fn lifted_balls_bear_nothing_on_both_sides_of_the_line() {
         let law = JonesLaw::new(&bearing(), RaceControl::Outer).unwrap();
-        let (table, _) = BallTable::compile(&law, region(), SPEED, LOAD, 1e-9).unwrap();
-        let (axial, mut lifted) = (region().axial[0], 0);
+        let radial = region().radial;
+        let wide = BallRegion {
+            radial: [radial[0] - 20e-6, radial[1]],
+            ..region()
+        };
+        let (table, _) = BallTable::compile(&law, wide, SPEED, LOAD, 1e-6).unwrap();
+        let (axial, mut lifted) = (wide.axial[0], 0);
         for part in 0..200 {
-            let [low, high] = region().radial;
+            let [low, high] = wide.radial;
             let radial = low + (high - low) * f64::from(part) / 199.0;
             let past = law.past_lift_off(axial, radial, SPEED);
             assert!(
