@@ -34,8 +34,8 @@ impl Support {
             return LiftOffs::NONE;
         }
         let place = self.ring_displacement(displacement, cage, speed);
-        match &self.table {
-            Some(table) => table.lift_offs(&place, cage, speed),
+        match self.table_at(&place, speed) {
+            Some(table) => table.table_lift_offs(&place, cage),
             None => self.ring.lift_offs(&place, cage, speed),
         }
     }
@@ -130,8 +130,8 @@ impl Support {
         speed: f64,
     ) -> f64 {
         let place = self.ring_displacement(displacement, cage, speed);
-        match &self.table {
-            Some(table) => table.past_lift_off(ball, &place, cage, speed),
+        match self.table_at(&place, speed) {
+            Some(table) => table.table_past_lift_off(ball, &place, cage),
             None => self.ring.past_lift_off(ball, &place, cage, speed),
         }
     }
