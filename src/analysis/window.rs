@@ -3,6 +3,9 @@
 use std::f64::consts::TAU;
 use std::fmt;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 /// Window of a spectrum, periodic over the samples (DFT-even).
 ///
 /// ```text
@@ -12,15 +15,16 @@ use std::fmt;
 /// Source: F. J. Harris, Proc. IEEE 66 (1978) 51–83 for Hann, Hamming and the four-term
 /// Blackman–Harris; G. D'Antona & A. Ferrero, *Digital
 /// Signal Processing for Measurement Systems* (2006), p. 72, for the five-term flat top.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Window {
     /// No weighting: exact for lines on a bin, as on whole revolutions at constant speed.
     Rectangular,
-    /// Hann: narrow lines, 15 % amplitude error at the worst place between bins.
+    /// Hann: narrow lines, amplitudes up to 15 % low between bins.
     Hann,
-    /// Hamming: as Hann, its nearest side lobes lower (−43 dB), its far ones higher.
+    /// Hamming: as Hann, its nearest side lobes lower and its far ones higher.
     Hamming,
-    /// Four-term Blackman–Harris: no side lobe above −92 dB, lines eight bins wide.
+    /// Four-term Blackman-Harris: no side lobe above -92 dB, lines eight bins wide.
     BlackmanHarris,
     /// Flat top: amplitudes within 1 % anywhere between bins.
     FlatTop,

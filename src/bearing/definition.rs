@@ -1,5 +1,8 @@
 //! What a bearing is made of and how it sits on the shaft: plain data, before any computation.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::{ContactDamping, Geometry, GeometryError, Oil};
 use crate::physics::{
     HertzContact, HertzError, Material, RaceControl, contact_modulus, inner_race_curvature,
@@ -178,11 +181,14 @@ pub enum ContactLaw {
 }
 
 /// Which way along Z the inner ring must move to load the bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub enum Facing {
     /// Moving the shaft along +Z loads the bearing.
+    #[default]
+    #[serde(rename = "+z")]
     PlusZ,
-    /// Moving the shaft along −Z loads the bearing: the mirror image.
+    /// Moving the shaft along −Z loads the bearing.
+    #[serde(rename = "-z")]
     MinusZ,
 }
 

@@ -1,12 +1,10 @@
 //! `jeffcott accuracy`.
 
 use std::io;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::jobs::{Job, Shown, jobs, show, with_files};
+use super::jobs::{Answer, Failure, Files, Job};
 use super::progress::Progress;
-use super::{Outcome, stream};
+use super::{Outcome, stop};
 use crate::report;
 use crate::scenario;
 use crate::simulate::Model;
@@ -28,15 +26,8 @@ use crate::study::accuracy::{Accuracy, AccuracyError, NamedMethod, Question, Wat
                   interrupted, or a file cannot be written, 2 a file or the command line is wrong."
 )]
 pub struct Arguments {
-    /// Scenario files, .toml or .json
-    #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
-    /// Folder that the folders of the answers are written to
-    #[arg(long, value_name = "DIR", default_value = "output")]
-    out: PathBuf,
-    /// Print the answers as JSON: an object, or an array for several files
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    files: Files,
     /// Methods to measure, as in [integrator]. Default: all
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = scenario::method)]
     methods: Vec<NamedMethod>,
@@ -51,59 +42,24 @@ pub struct Arguments {
 /// Tolerances where none are given.
 const TOLERANCES: [f64; 8] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10];
 
-/// Set by Ctrl-C and by a request to terminate.
-static STOP: AtomicBool = AtomicBool::new(false);
-
 /// Checks all files, then measures them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let jobs = jobs(&arguments.files, &arguments.out);
-    let Some(moving) = jobs.as_deref().and_then(moving) else {
-        return Ok(Outcome::WrongInput);
-    };
-    // Without a handler an interrupt ends the process at once.
-    let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
-    let answers = moving
-        .into_iter()
-        .map(|(job, model)| (job.name.as_str(), answer(job, model, arguments)));
-    show(arguments.json, answers)
+    arguments.files.answer(
+        |job| job.motion(false, "`accuracy` needs a table `[time]`"),
+        |job, model| answer(job, &model, arguments),
+    )
 }
 
-/// The jobs with their motions; `None` where one has none, after telling of all that have none.
-fn moving(jobs: &[Job]) -> Option<Vec<(&Job, &Model)>> {
-    for job in jobs.iter().filter(|job| job.scenario.model.is_none()) {
-        let name = &job.name;
-        stream::tell(&format!(
-            "error: {name}: `accuracy` needs a table `[time]`\n"
-        ));
-    }
-    let motions = jobs
-        .iter()
-        .map(|job| Some((job, job.scenario.model.as_ref()?)));
-    motions.collect()
-}
-
-/// Why a job failed, in words.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error(transparent)]
-    Accuracy(#[from] AccuracyError),
-    #[error(transparent)]
-    Report(#[from] report::ReportError),
-}
-
-fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Shown, Failure> {
+fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
     let scenario = &job.scenario;
     let accuracy = measure(job, model, arguments)?;
     let (title, echo) = (&scenario.title, &scenario.echo);
     let files = report::write_accuracy(&job.folder, title, echo, &accuracy)?;
-    if !arguments.json {
-        let choice = scenario.contact_choice.as_ref();
-        let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
-        let text = report::accuracy_text(title, &accuracy, &files);
-        return Ok(Shown::Text(text + &chosen));
-    }
-    let answer = report::accuracy_json(title, echo, &accuracy);
-    Ok(Shown::Json(with_files(answer, &files)))
+    let choice = scenario.contact_choice.as_ref();
+    let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
+    let text = report::accuracy_text(title, &accuracy, &files) + &chosen;
+    let json = report::accuracy_json(title, echo, &accuracy);
+    Ok(Answer::new(text, json, &files))
 }
 
 fn measure(job: &Job, model: &Model, arguments: &Arguments) -> Result<Accuracy, AccuracyError> {
@@ -128,7 +84,7 @@ fn measure(job: &Job, model: &Model, arguments: &Arguments) -> Result<Accuracy, 
         longest: arguments.longest,
     };
     question.measure(&mut Watch {
-        stop: &STOP,
+        stop: stop::flag(),
         progress: &mut |part| progress.show(part),
     })
 }

@@ -1,14 +1,12 @@
 //! `jeffcott bearing`.
 
 use std::io;
-use std::path::PathBuf;
 
-use super::jobs::{Job, Shown, jobs, show, with_files};
-use super::{Outcome, stream};
-use crate::quasi_static::{QuasiStatic, quasi_static};
+use super::Outcome;
+use super::jobs::{Answer, Failure, Files, Job};
+use crate::quasi_static::quasi_static;
 use crate::report;
-use crate::rotor::RotorError;
-use crate::study::{Study, StudyError};
+use crate::study::Study;
 
 /// Finds where the shaft stands, without motion: equilibrium, stiffness and every ball.
 #[derive(Debug, clap::Args)]
@@ -21,85 +19,46 @@ use crate::study::{Study, StudyError};
                   be\nwritten, 2 a file is wrong."
 )]
 pub struct Arguments {
-    /// Scenario files, .toml or .json
-    #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
-    /// Folder that the folders of the answers are written to
-    #[arg(long, value_name = "DIR", default_value = "output")]
-    out: PathBuf,
-    /// Print the answers as JSON: an object, or an array for several files
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    files: Files,
 }
 
 /// Checks all files, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let Some(jobs) = jobs(&arguments.files, &arguments.out) else {
-        return Ok(Outcome::WrongInput);
+    let answer = |job: &Job, ()| match &job.scenario.study {
+        Some(study) => answer_study(job, study),
+        None => answer(job),
     };
-    let answers = jobs.iter().map(|job| {
-        let answer = match &job.scenario.study {
-            Some(study) => job.study(study, arguments.json),
-            None => job.answer(arguments.json),
-        };
-        (job.name.as_str(), answer)
-    });
-    show(arguments.json, answers)
+    arguments.files.answer(|_| Ok(()), answer)
 }
 
-/// Why a job failed, in words.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error(transparent)]
-    Report(#[from] report::ReportError),
-    #[error(transparent)]
-    Rotor(#[from] RotorError),
-    #[error(transparent)]
-    Study(#[from] StudyError),
+fn answer(job: &Job) -> Result<Answer, Failure> {
+    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
+    let answer = quasi_static(&job.scenario.question)?;
+    job.warn(&answer.warnings);
+    let files = report::write_answer(&job.folder, title, echo, &answer)?;
+    let text = report::answer_text(title, &answer, &files);
+    let json = report::answer_json(title, echo, &answer);
+    let mut shown = Answer::new(text, json, &files);
+    if let Some(choice) = &job.scenario.contact_choice {
+        shown.text += &report::contact_choice_text(choice);
+        shown.json["contact_choice"] = report::contact_choice_json(choice);
+    }
+    Ok(shown)
 }
 
-impl Job {
-    fn answer(&self, as_json: bool) -> Result<Shown, Failure> {
-        let (title, echo) = (&self.scenario.title, &self.scenario.echo);
-        let answer = quasi_static(&self.scenario.question)?;
-        self.warn("", &answer);
-        let files = report::write_answer(&self.folder, title, echo, &answer)?;
-        let choice = self.scenario.contact_choice.as_ref();
-        Ok(if as_json {
-            let mut json = with_files(report::answer_json(title, echo, &answer), &files);
-            if let Some(choice) = choice {
-                json["contact_choice"] = report::contact_choice_json(choice);
-            }
-            Shown::Json(json)
-        } else {
-            let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
-            Shown::Text(report::answer_text(title, &answer, &files) + &chosen)
-        })
+fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {
+    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
+    let rows = study.run()?;
+    for row in &rows {
+        let variable = &study.variable;
+        let shown = variable.shown(row.value);
+        let place = format!("{} = {shown} {}", variable.key, variable.shown_unit);
+        let warnings = row.answer.warnings.iter();
+        job.warn(warnings.map(|warning| format!("{place}: {warning}")));
     }
-
-    fn study(&self, study: &Study, as_json: bool) -> Result<Shown, Failure> {
-        let (title, echo) = (&self.scenario.title, &self.scenario.echo);
-        let rows = study.run()?;
-        for row in &rows {
-            let variable = &study.variable;
-            let shown = variable.shown(row.value);
-            let place = format!("{} = {shown} {}: ", variable.key, variable.shown_unit);
-            self.warn(&place, &row.answer);
-        }
-        let files = report::write_study(&self.folder, title, echo, study, &rows)?;
-        Ok(if as_json {
-            Shown::Json(with_files(
-                report::study_json(title, echo, study, &rows),
-                &files,
-            ))
-        } else {
-            Shown::Text(report::study_text(title, study, &rows, &files))
-        })
-    }
-
-    fn warn(&self, place: &str, answer: &QuasiStatic) {
-        for warning in &answer.warnings {
-            stream::tell(&format!("warning: {}: {place}{warning}\n", self.name));
-        }
-    }
+    let files = report::write_study(&job.folder, title, echo, study, &rows)?;
+    let text = report::study_text(title, study, &rows, &files);
+    let json = report::study_json(title, echo, study, &rows);
+    Ok(Answer::new(text, json, &files))
 }

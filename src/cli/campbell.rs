@@ -1,18 +1,17 @@
 //! `jeffcott campbell`.
 
 use std::io;
-use std::path::PathBuf;
 
-use super::jobs::{Job, Shown, jobs, show, with_files};
+use super::jobs::{Answer, Failure, Files, Job};
 use super::{Outcome, stream};
 use crate::report;
 use crate::scenario;
-use crate::study::campbell::{self, CampbellError, CampbellQuestion};
+use crate::study::campbell::{self, CampbellQuestion};
 
 /// Follows natural frequencies over the speed, and finds the critical speeds.
 ///
 /// The shaft is linearised about its static equilibrium at every speed, with gyroscopic moments; modes
-/// are followed by their shapes. No motion is computed.
+/// are followed by their shapes. No motion is computed, and of the speeds of the scenarios nothing is used.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  jeffcott campbell scenarios/back-to-back-7205c.toml --to \"60000 rpm\"\n  \
@@ -23,15 +22,8 @@ use crate::study::campbell::{self, CampbellError, CampbellQuestion};
                   cannot be written, 2 a file or the command line is wrong."
 )]
 pub struct Arguments {
-    /// Scenario files, .toml or .json; of their speed nothing is used
-    #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
-    /// Folder that the folders of the answers are written to
-    #[arg(long, value_name = "DIR", default_value = "output")]
-    out: PathBuf,
-    /// Print the answers as JSON: an object, or an array for several files
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    files: Files,
     /// Lowest speed
     #[arg(long, value_name = "SPEED", default_value = "0 rpm", value_parser = scenario::speed)]
     from: f64,
@@ -46,15 +38,6 @@ pub struct Arguments {
     orders: Vec<f64>,
 }
 
-/// Why a job failed, in words.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error(transparent)]
-    Report(#[from] report::ReportError),
-    #[error(transparent)]
-    Campbell(#[from] CampbellError),
-}
-
 /// Checks the range and all files, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     if let Err(error) = campbell::check_range(
@@ -65,16 +48,12 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         stream::tell(&format!("error: {error}\n"));
         return Ok(Outcome::WrongInput);
     }
-    let Some(jobs) = jobs(&arguments.files, &arguments.out) else {
-        return Ok(Outcome::WrongInput);
-    };
-    let answers = jobs
-        .iter()
-        .map(|job| (job.name.as_str(), answer(job, arguments)));
-    show(arguments.json, answers)
+    arguments
+        .files
+        .answer(|_| Ok(()), |job, ()| answer(job, arguments))
 }
 
-fn answer(job: &Job, arguments: &Arguments) -> Result<Shown, Failure> {
+fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
     let (title, echo) = (&job.scenario.title, &job.scenario.echo);
     let question = CampbellQuestion {
         rotor: job.scenario.question.rotor.clone(),
@@ -85,10 +64,7 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Shown, Failure> {
     };
     let campbell = question.solve()?;
     let files = report::write_campbell(&job.folder, title, echo, &campbell)?;
-    Ok(if arguments.json {
-        let json = report::campbell_json(title, echo, &campbell);
-        Shown::Json(with_files(json, &files))
-    } else {
-        Shown::Text(report::campbell_text(title, &campbell, &files))
-    })
+    let text = report::campbell_text(title, &campbell, &files);
+    let json = report::campbell_json(title, echo, &campbell);
+    Ok(Answer::new(text, json, &files))
 }

@@ -8,7 +8,7 @@ use super::{Outcome, stream};
 use crate::report::compare::{
     CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison_figure,
 };
-use crate::scenario::{ScenarioError, ToleranceFile};
+use crate::scenario::ToleranceFile;
 
 /// Relative tolerance where none is given.
 const RELATIVE: f64 = 1e-6;
@@ -88,21 +88,11 @@ fn number(text: &str) -> Result<f64, String> {
         .map_err(|_| format!("{text:?} is not a number"))
 }
 
-/// Why nothing is compared.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    /// The file of tolerances is wrong.
-    #[error("{}", .0.render(stream::color()))]
-    File(#[from] Box<ScenarioError>),
-    #[error("{}", message(.0))]
-    Compare(#[from] CompareError),
-}
-
 /// Compares and prints the worst places of every column.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     match comparison(arguments) {
-        Err(failure) => {
-            stream::tell(&failure.to_string());
+        Err(message) => {
+            stream::tell(&message);
             Ok(Outcome::WrongInput)
         }
         Ok(comparison) => {
@@ -116,20 +106,23 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     }
 }
 
-fn comparison(arguments: &Arguments) -> Result<Comparison, Failure> {
+/// The comparison, or why nothing is compared.
+fn comparison(arguments: &Arguments) -> Result<Comparison, String> {
     let file = arguments.tolerances.as_deref().map(ToleranceFile::load);
-    let file = file.transpose().map_err(Box::new)?;
+    let file = file.transpose();
+    let file = file.map_err(|error| error.render(stream::color()))?;
     let rules = Rules {
-        tolerances: tolerances(arguments, file.as_ref())?,
+        tolerances: tolerances(arguments, file.as_ref()).map_err(|error| message(&error))?,
         worst: arguments.worst.into(),
         common: arguments.common,
         lines: arguments.lines.map(usize::from),
     };
     let (first, second) = (&arguments.first, &arguments.second);
     let comparison =
-        compare(first, second, &rules).map_err(|error| placed(error, file.as_ref()))?;
+        compare(first, second, &rules).map_err(|error| placed(&error, file.as_ref()))?;
     if let Some(figure) = &arguments.figure {
-        write_comparison_figure(&comparison, first, second, figure)?;
+        let drawn = write_comparison_figure(&comparison, first, second, figure);
+        drawn.map_err(|error| message(&error))?;
     }
     Ok(comparison)
 }
@@ -154,13 +147,13 @@ fn tolerances(
 }
 
 /// A column that no table has is shown where the file names it.
-fn placed(error: CompareError, file: Option<&ToleranceFile>) -> Failure {
-    if let (CompareError::UnknownColumn { name, known }, Some(file)) = (&error, file)
+fn placed(error: &CompareError, file: Option<&ToleranceFile>) -> String {
+    if let (CompareError::UnknownColumn { name, known }, Some(file)) = (error, file)
         && let Some(placed) = file.unused(name, known)
     {
-        return Box::new(placed).into();
+        return placed.render(stream::color());
     }
-    error.into()
+    message(error)
 }
 
 /// Prints the result; a reader that goes away early does not change the verdict.

@@ -18,6 +18,7 @@ mod progress;
 mod run;
 mod schema;
 mod steady;
+mod stop;
 mod stream;
 mod study;
 mod written;

@@ -1,19 +1,16 @@
 //! `jeffcott run`.
 
 use std::io;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Instant;
 
-use serde_json::Value;
-
-use super::ending::{Failed, Interrupted, Kept, Stopped};
-use super::jobs::{Job, document, jobs};
+use super::ending::{self, Kept};
+use super::jobs::{Answer, Failure, Files, Job};
 use super::parts::Parts;
 use super::progress::Progress;
 use super::written::Written;
-use super::{Outcome, stream};
-use crate::integrate::{Counters, IntegrateError};
+use super::{Outcome, stop};
+use crate::integrate::IntegrateError;
 use crate::report::{self, Failure as Cause, Outputs, RestartReader, RestartWriter, RunReport};
 use crate::scenario::Scenario;
 use crate::simulate::{
@@ -39,15 +36,8 @@ use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
                   interrupted, 2 a file is wrong."
 )]
 pub struct Arguments {
-    /// Scenario files, .toml or .json
-    #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
-    /// Folder that the run folders are written to
-    #[arg(long, value_name = "DIR", default_value = "output")]
-    out: PathBuf,
-    /// Print the summary as JSON, with the wall time: an object, or an array for several files
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    files: Files,
     /// Leave out the second pass, which measures the error, whatever `[integrator] verify` says
     #[arg(long)]
     no_verify: bool,
@@ -60,9 +50,9 @@ pub struct Arguments {
 impl Arguments {
     /// What goes on with a stopped run.
     fn resume_command(&self, job: &Job) -> String {
-        let out = match self.out.to_str() {
+        let out = match self.files.out.to_str() {
             Some("output") => String::new(),
-            _ => format!(" --out {}", self.out.display()),
+            _ => format!(" --out {}", self.files.out.display()),
         };
         let verify = if self.no_verify { " --no-verify" } else { "" };
         let written = &self.written;
@@ -73,114 +63,42 @@ impl Arguments {
 /// Speeds of the diagram of a run-up.
 const CAMPBELL_SPEEDS: usize = 61;
 
-/// Set by Ctrl-C and by a request to terminate.
-static STOP: AtomicBool = AtomicBool::new(false);
-
 /// Checks all files, then runs them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let jobs = jobs(&arguments.files, &arguments.out);
-    let Some(mut motions) = jobs.and_then(|jobs| motions(jobs, arguments)) else {
-        return Ok(Outcome::WrongInput);
-    };
-    // Without a handler an interrupt ends the process at once; the run folder stays safe as well.
-    let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
-    let mut outcome = Outcome::Done;
-    let mut summaries = Vec::new();
-    for motion in &mut motions {
-        if STOP.load(Ordering::Relaxed) {
-            stream::tell(&format!(
-                "error: {}: interrupted before it began\n",
-                motion.job.name
-            ));
-            outcome = Outcome::Failed;
-            continue;
-        }
-        match motion.run(arguments) {
-            Ok(Ending::Done(done)) if arguments.json => summaries.push(done.json(motion)),
-            Ok(Ending::Done(done)) => done.print(motion)?,
-            Ok(Ending::Stopped(stopped)) if arguments.json => {
-                summaries.push(stopped.json(&motion.job));
-            }
-            Ok(Ending::Stopped(stopped)) => stopped.print(&motion.job)?,
-            Err(failure) => {
-                stream::tell(&format!("error: {}: {failure}\n", motion.job.name));
-                outcome = Outcome::Failed;
-            }
-        }
-    }
-    if arguments.json {
-        stream::print(&document(motions.len(), summaries))?;
-    }
-    Ok(outcome)
-}
-
-/// A checked scenario, its motion, where its results go, and where it goes on from.
-struct Motion {
-    job: Job,
-    model: Model,
-    restart: Option<RestartReader>,
-}
-
-/// The motions of all jobs; `None` where a scenario has none, or no restart file where one is to be,
-/// after telling of all of them.
-fn motions(jobs: Vec<Job>, arguments: &Arguments) -> Option<Vec<Motion>> {
-    let motion = |mut job: Job| {
-        let Some(mut model) = job.scenario.model.take() else {
-            stream::tell(&format!(
-                "error: {}: `run` needs a table `[time]`; `jeffcott bearing` does without\n",
-                job.name
-            ));
-            return None;
-        };
-        if arguments.no_verify {
-            model.verify = false;
-            // the summary tells what was run
-            job.scenario.echo["integrator"]["verify"] = false.into();
-        }
+    let prepare = |job: &mut Job| {
+        let missing = "`run` needs a table `[time]`; `jeffcott bearing` does without";
+        let model = job.motion(arguments.no_verify, missing)?;
         arguments.written.apply(&mut job.scenario);
-        match arguments.parts.restart(&job, &model) {
-            Ok(restart) => Some(Motion {
-                job,
-                model,
-                restart,
-            }),
-            Err(error) => {
-                stream::tell(&format!("error: {}: {error}\n", job.name));
-                None
-            }
-        }
+        let restart = arguments.parts.restart(job, &model)?;
+        Ok((model, restart))
     };
-    let motions: Vec<_> = jobs.into_iter().map(motion).collect();
-    motions.into_iter().collect()
+    arguments.files.answer(prepare, |job, (model, restart)| {
+        if stop::flag().load(Ordering::Relaxed) {
+            return Err("interrupted before it began".into());
+        }
+        Motion { job, model }.run(restart, arguments)
+    })
 }
 
-/// Why a job failed, in words.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error(transparent)]
-    Report(#[from] report::ReportError),
-    #[error(transparent)]
-    Simulate(#[from] SimulateError),
-    #[error(transparent)]
-    Failed(#[from] Failed),
-    #[error(transparent)]
-    Interrupted(#[from] Box<Interrupted>),
+/// A checked scenario and its motion.
+struct Motion<'a> {
+    job: &'a Job,
+    model: Model,
 }
 
-/// How a job ended that did not fail.
-enum Ending {
-    Done(Box<Done>),
-    Stopped(Stopped),
-}
-
-impl Motion {
-    fn run(&mut self, arguments: &Arguments) -> Result<Ending, Failure> {
+impl Motion<'_> {
+    /// Runs it, from where an earlier part ended if there is one.
+    fn run(
+        &self,
+        mut restart: Option<RestartReader>,
+        arguments: &Arguments,
+    ) -> Result<Answer, Failure> {
         let started = Instant::now();
         let mut report = self.open_report()?;
-        let (parts, resumed) = (&arguments.parts, self.restart.is_some());
-        let mut keeper = parts.keeper(&report, &self.job, &self.model)?;
+        let (parts, resumed) = (&arguments.parts, restart.is_some());
+        let mut keeper = parts.keeper(&report, self.job, &self.model)?;
         let mut part = Part {
-            earlier: self.restart.as_mut().map(|restart| Earlier {
+            earlier: restart.as_mut().map(|restart| Earlier {
                 standing: restart.standing().clone(),
                 states: restart,
             }),
@@ -188,27 +106,33 @@ impl Motion {
             keeper: keeper.as_mut().map(|keeper| keeper as &mut dyn StateKeeper),
             ..Part::default()
         };
-        let mut progress = Progress::new(&self.job.scenario.title);
+        let title = &self.job.scenario.title;
+        let mut progress = Progress::new(title);
         let mut monitor = Monitor {
-            stop: &STOP,
+            stop: stop::flag(),
             progress: &mut |part| progress.show(part),
         };
         let result = simulate_part(&self.model, &mut report, &mut monitor, &mut part);
         drop(progress);
         let (standing, counters) = (part.standing, part.counters);
-        let resume = || arguments.resume_command(&self.job);
+        let resume = arguments.resume_command(self.job);
         match result {
-            Ok(run) => Ok(Ending::Done(Box::new(self.finish(report, run, started)?))),
-            Err(SimulateError::Stopped { time }) => Ok(Ending::Stopped(Stopped {
-                time,
-                restart: kept(keeper, standing)?,
-                resume: resume(),
-            })),
-            Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
-                let restart = kept(keeper, standing)?;
-                Err(Box::new(Interrupted::new(error, restart, resumed, resume())).into())
+            Ok(run) => self.finish(report, run, started),
+            Err(SimulateError::Stopped { time }) => {
+                let kept = kept(keeper, standing)?;
+                Ok(ending::stopped(title, time, kept.as_ref(), &resume))
             }
-            Err(SimulateError::Integrate(error)) => Err(failed(report, error, counters)?.into()),
+            Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
+                let kept = kept(keeper, standing)?;
+                Err(ending::interrupted(&error, kept.as_ref(), resumed, &resume).into())
+            }
+            Err(SimulateError::Integrate(error)) => {
+                let kept = report.fail(&Cause {
+                    error: &error,
+                    counters,
+                })?;
+                Err(ending::failed(&error, &kept).into())
+            }
             Err(other) => Err(other.into()),
         }
     }
@@ -266,35 +190,34 @@ impl Motion {
         })
     }
 
-    fn finish(&self, report: RunReport, mut run: Run, started: Instant) -> Result<Done, Failure> {
+    fn finish(&self, report: RunReport, mut run: Run, started: Instant) -> Result<Answer, Failure> {
+        let Scenario {
+            title,
+            echo,
+            contact_choice,
+            ..
+        } = &self.job.scenario;
         let campbell = self.campbell_or_warning(&mut run);
-        for warning in &run.warnings {
-            stream::tell(&format!("warning: {}: {warning}\n", self.job.name));
-        }
+        self.job.warn(&run.warnings);
         let files = report
             .with_campbell(campbell.clone())
             .finish(&self.model, &run)?;
-        Ok(Done {
-            run,
-            campbell,
-            files,
-            seconds: started.elapsed().as_secs_f64(),
+        let seconds = started.elapsed().as_secs_f64();
+        let mut text = report::text(title, &self.model, &run, &files);
+        let mut json = report::summary(title, echo, &self.model, &run);
+        if let Some(choice) = contact_choice {
+            text += &report::contact_choice_text(choice);
+            json["contact_choice"] = report::contact_choice_json(choice);
+        }
+        if let Some(campbell) = &campbell {
+            json["critical_speeds"] = report::critical_speeds(campbell);
+        }
+        json["wall_time_s"] = seconds.into();
+        Ok(Answer {
+            told: format!("done in {seconds:.3} s\n"),
+            ..Answer::new(text, json, &files)
         })
     }
-}
-
-/// Keeps what there is of a run that cannot go on.
-fn failed(
-    report: RunReport,
-    error: IntegrateError,
-    counters: Counters,
-) -> Result<Failed, report::ReportError> {
-    let cause = Cause {
-        error: &error,
-        counters,
-    };
-    let kept = report.fail(&cause)?;
-    Ok(Failed { error, kept })
 }
 
 /// The restart file of a run that was stopped, and its samples; none where no states were kept.
@@ -310,42 +233,4 @@ fn kept(
         time: standing.time,
         path: keeper.finish(&standing)?,
     }))
-}
-
-/// A run whose files are written.
-struct Done {
-    run: Run,
-    campbell: Option<Campbell>,
-    files: Vec<PathBuf>,
-    seconds: f64,
-}
-
-impl Done {
-    fn print(&self, motion: &Motion) -> io::Result<()> {
-        let title = &motion.job.scenario.title;
-        let text = report::text(title, &motion.model, &self.run, &self.files);
-        stream::print(&text)?;
-        if let Some(choice) = &motion.job.scenario.contact_choice {
-            stream::print(&report::contact_choice_text(choice))?;
-        }
-        stream::tell(&format!("done in {:.3} s\n", self.seconds));
-        Ok(())
-    }
-
-    fn json(&self, motion: &Motion) -> Value {
-        let Scenario { title, echo, .. } = &motion.job.scenario;
-        let mut summary = report::summary(title, echo, &motion.model, &self.run);
-        let files = self.files.iter().map(|file| file.display().to_string());
-        if let Some(choice) = &motion.job.scenario.contact_choice {
-            summary["contact_choice"] = report::contact_choice_json(choice);
-        }
-        if let Some(campbell) = &self.campbell {
-            summary["critical_speeds"] = report::critical_speeds(campbell);
-        }
-        if let Value::Object(entries) = &mut summary {
-            entries.insert("wall_time_s".to_owned(), self.seconds.into());
-            entries.insert("files".to_owned(), files.collect());
-        }
-        summary
-    }
 }

@@ -2,18 +2,17 @@
 
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use serde_json::Value;
 
-use super::jobs::{Job, Shown, jobs, show, with_files};
+use super::jobs::{Answer, Failure, Files, Job};
 use super::progress::Progress;
-use super::{Outcome, stream};
+use super::{Outcome, stop};
 use crate::report;
-use crate::scenario::{Varied, VariedError};
+use crate::scenario::Varied;
 use crate::simulate::Model;
-use crate::steady::{ResponseQuestion, SteadyError, SteadyQuestion, response, steady};
+use crate::steady::{ResponseQuestion, SteadyQuestion, response, steady};
 use crate::study::Variable;
 
 /// Finds the motion that the shaft settles to, without waiting for it, and whether it is stable.
@@ -34,15 +33,8 @@ use crate::study::Variable;
                   was interrupted, 2 a file or the command line is wrong."
 )]
 pub struct Arguments {
-    /// Scenario files, .toml or .json
-    #[arg(required = true, value_name = "FILE")]
-    files: Vec<PathBuf>,
-    /// Folder that the folders of the answers are written to
-    #[arg(long, value_name = "DIR", default_value = "output")]
-    out: PathBuf,
-    /// Print the answers as JSON: an object, or an array for several files
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    files: Files,
     /// Leave out the second search, which measures the error, whatever `[integrator] verify` says
     #[arg(long)]
     no_verify: bool,
@@ -77,28 +69,26 @@ pub struct Arguments {
     no_doubled: bool,
 }
 
-/// Set by Ctrl-C and by a request to terminate.
-static STOP: AtomicBool = AtomicBool::new(false);
-
 /// Checks all files, then finds their motions in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let jobs = jobs(&arguments.files, &arguments.out);
-    let Some(tasks) = jobs.and_then(|jobs| tasks(jobs, arguments)) else {
-        return Ok(Outcome::WrongInput);
+    let prepare = |job: &mut Job| {
+        let missing = "`steady` needs a table `[time]`, as `run` does";
+        let model = job.motion(arguments.no_verify, missing)?;
+        Ok((model, stretch(job, arguments)?))
     };
-    // Without a handler an interrupt ends the process at once; the run folder stays safe as well.
-    let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
-    let answers = tasks
-        .iter()
-        .map(|task| (task.job.name.as_str(), task.answer(arguments)));
-    show(arguments.json, answers)
-}
-
-/// A checked scenario, its motion, and what to follow it along.
-struct Task {
-    job: Job,
-    model: Model,
-    stretch: Option<Stretch>,
+    arguments.files.answer(prepare, |job, (model, stretch)| {
+        let started = Instant::now();
+        let (text, mut json, files) = match &stretch {
+            Some(stretch) => along(job, &model, stretch, arguments)?,
+            None => alone(job, &model, arguments)?,
+        };
+        let seconds = started.elapsed().as_secs_f64();
+        json["wall_time_s"] = seconds.into();
+        Ok(Answer {
+            told: format!("done in {seconds:.3} s\n"),
+            ..Answer::new(text, json, &files)
+        })
+    })
 }
 
 /// A number of the scenario and its first and last value.
@@ -108,136 +98,68 @@ struct Stretch {
     ends: [f64; 2],
 }
 
-/// The tasks of all jobs; `None` where one is wrong, after telling of all of them.
-fn tasks(jobs: Vec<Job>, arguments: &Arguments) -> Option<Vec<Task>> {
-    let task = |mut job: Job| {
-        let found = take_model(&mut job, arguments).and_then(|model| {
-            let stretch = stretch(&job, arguments).transpose();
-            Ok((model, stretch?))
-        });
-        match found {
-            Ok((model, stretch)) => Some(Task {
-                job,
-                model,
-                stretch,
-            }),
-            Err(message) => {
-                stream::tell(&format!("error: {}: {message}\n", job.name));
-                None
-            }
-        }
-    };
-    let tasks: Vec<_> = jobs.into_iter().map(task).collect();
-    tasks.into_iter().collect()
-}
-
-fn take_model(job: &mut Job, arguments: &Arguments) -> Result<Model, String> {
-    let model = job.scenario.model.clone();
-    let mut model = model.ok_or("`steady` needs a table `[time]`, as `run` does")?;
-    if arguments.no_verify {
-        model.verify = false;
-        // the summary tells what was asked
-        job.scenario.echo["integrator"]["verify"] = false.into();
-    }
-    Ok(model)
-}
-
-fn stretch(job: &Job, arguments: &Arguments) -> Option<Result<Stretch, String>> {
+fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure> {
     let Arguments { over, from, to, .. } = arguments;
-    let ((over, from), to) = over.as_ref().zip(from.as_ref()).zip(to.as_ref())?;
-    let folder = Path::new(&job.name).parent().unwrap_or(Path::new(""));
-    let read = || -> Result<Stretch, VariedError> {
-        let varied = Varied::new(&job.scenario, over, folder)?;
-        let ((first, variable), (last, _)) = (varied.value(from)?, varied.value(to)?);
-        Ok(Stretch {
-            varied,
-            variable,
-            ends: [first, last],
-        })
+    let Some(((over, from), to)) = over.as_ref().zip(from.as_ref()).zip(to.as_ref()) else {
+        return Ok(None);
     };
-    let checked = read().map_err(|error| error.to_string());
-    Some(checked.and_then(|stretch| stretch.checked()))
+    let folder = Path::new(&job.name).parent().unwrap_or(Path::new(""));
+    let varied = Varied::new(&job.scenario, over, folder)?;
+    let ((first, variable), (last, _)) = (varied.value(from)?, varied.value(to)?);
+    if first == last {
+        return Err("--from and --to are the same value".into());
+    }
+    // the scenario exists at both ends
+    varied.rotor(first)?;
+    varied.rotor(last)?;
+    Ok(Some(Stretch {
+        varied,
+        variable,
+        ends: [first, last],
+    }))
 }
 
-impl Stretch {
-    /// The same, where the scenario exists at both ends and they differ.
-    fn checked(self) -> Result<Self, String> {
-        let [first, last] = self.ends;
-        if first == last {
-            return Err("--from and --to are the same value".to_owned());
-        }
-        self.varied.rotor(first)?;
-        self.varied.rotor(last)?;
-        Ok(self)
-    }
+/// Text, JSON and files of an answer.
+type Found = (String, Value, Vec<PathBuf>);
+
+fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Found, Failure> {
+    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
+    let found = steady(&SteadyQuestion {
+        model,
+        multiple: arguments.period,
+        stop: stop::flag(),
+    })?;
+    job.warn(&found.warnings);
+    let files = report::write_steady(&job.folder, title, echo, model, &found)?;
+    let text = report::steady_text(title, model, &found, &files);
+    let json = report::steady_json(title, echo, model, &found);
+    Ok((text, json, files))
 }
 
-/// Why a task failed, in words.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error(transparent)]
-    Steady(#[from] SteadyError),
-    #[error(transparent)]
-    Report(#[from] report::ReportError),
-}
-
-impl Task {
-    fn answer(&self, arguments: &Arguments) -> Result<Shown, Failure> {
-        let started = Instant::now();
-        let (mut json, text, files) = match &self.stretch {
-            Some(stretch) => self.response(stretch, arguments)?,
-            None => self.steady(arguments)?,
-        };
-        if !arguments.json {
-            let seconds = started.elapsed().as_secs_f64();
-            stream::tell(&format!("done in {seconds:.3} s\n"));
-            return Ok(Shown::Text(text));
-        }
-        json["wall_time_s"] = started.elapsed().as_secs_f64().into();
-        Ok(Shown::Json(with_files(json, &files)))
-    }
-
-    fn steady(&self, arguments: &Arguments) -> Result<(Value, String, Vec<PathBuf>), Failure> {
-        let (title, echo) = (&self.job.scenario.title, &self.job.scenario.echo);
-        let found = steady(&SteadyQuestion {
-            model: &self.model,
-            multiple: arguments.period,
-            stop: &STOP,
-        })?;
-        for warning in &found.warnings {
-            stream::tell(&format!("warning: {}: {warning}\n", self.job.name));
-        }
-        let files = report::write_steady(&self.job.folder, title, echo, &self.model, &found)?;
-        let json = report::steady_json(title, echo, &self.model, &found);
-        let text = report::steady_text(title, &self.model, &found, &files);
-        Ok((json, text, files))
-    }
-
-    fn response(
-        &self,
-        stretch: &Stretch,
-        arguments: &Arguments,
-    ) -> Result<(Value, String, Vec<PathBuf>), Failure> {
-        let (title, echo) = (&self.job.scenario.title, &self.job.scenario.echo);
-        let mut progress = Progress::new(title);
-        let question = ResponseQuestion {
-            model: &self.model,
-            family: &|value| stretch.varied.rotor(value),
-            stretch: stretch.ends,
-            multiple: arguments.period.unwrap_or(1),
-            points: arguments.points,
-            doubled: !arguments.no_doubled,
-            stop: &STOP,
-        };
-        let branches = response(&question, &mut |part| progress.show(part))?;
-        drop(progress);
-        for branch in branches.iter().filter(|branch| branch.lost) {
-            stream::tell(&format!("warning: {}: {}\n", self.job.name, branch.end));
-        }
-        let variable = &stretch.variable;
-        let files = report::write_response(&self.job.folder, title, echo, variable, &branches)?;
-        let json = report::response_json(title, echo, variable, &branches);
-        let text = report::response_text(title, variable, &branches, &files);
-        Ok((json, text, files))
-    }
+fn along(
+    job: &Job,
+    model: &Model,
+    stretch: &Stretch,
+    arguments: &Arguments,
+) -> Result<Found, Failure> {
+    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
+    let mut progress = Progress::new(title);
+    let question = ResponseQuestion {
+        model,
+        family: &|value| stretch.varied.rotor(value),
+        stretch: stretch.ends,
+        multiple: arguments.period.unwrap_or(1),
+        points: arguments.points,
+        doubled: !arguments.no_doubled,
+        stop: stop::flag(),
+    };
+    let branches = response(&question, &mut |part| progress.show(part))?;
+    drop(progress);
+    let lost = branches.iter().filter(|branch| branch.lost);
+    job.warn(lost.map(|branch| &branch.end));
+    let variable = &stretch.variable;
+    let files = report::write_response(&job.folder, title, echo, variable, &branches)?;
+    let text = report::response_text(title, variable, &branches, &files);
+    let json = report::response_json(title, echo, variable, &branches);
+    Ok((text, json, files))
 }

@@ -3,13 +3,12 @@
 use std::io;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use serde_json::{Value, json};
 
 use super::progress::Progress;
-use super::{Outcome, stream};
+use super::{Outcome, stop, stream};
 use crate::analysis::Threads;
 use crate::report::many::{
     Digest, JournalError, Layout, MergeError, StudyReport, merge as merge_parts,
@@ -96,9 +95,6 @@ fn shard(text: &str) -> Result<Shard, String> {
     }
 }
 
-/// Set by Ctrl-C and by a request to terminate.
-static STOP: AtomicBool = AtomicBool::new(false);
-
 /// Makes the runs of a study, or puts its parts together.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     if let Some(Then::Merge(merge)) = &arguments.then {
@@ -113,8 +109,6 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             return Ok(Outcome::WrongInput);
         }
     };
-    // Without a handler an interrupt ends the process at once; the journal stays safe as well.
-    let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
     let name = file.display().to_string();
     let folder = make.out.join(file.file_stem().unwrap_or_default());
     let told = match Task::new(&study, make, folder) {
@@ -212,7 +206,7 @@ impl<'a> Task<'a> {
             traces: None,
             columns: &self.study.columns,
             model: &model,
-            stop: &STOP,
+            stop: stop::flag(),
         };
         match self.make.only {
             Some(number) => self.only(number, &maker),
@@ -257,7 +251,7 @@ impl<'a> Task<'a> {
         work(
             left,
             self.threads().count(),
-            &STOP,
+            stop::flag(),
             |chain| maker.chain(chain),
             |chain, records| -> Result<(), Failure> {
                 let records = match records {
@@ -326,7 +320,7 @@ impl<'a> Task<'a> {
         let mut report = RunReport::open(&folder, outputs, &title, scenario, self.freedoms)?;
         let mut progress = Progress::new(&title);
         let mut monitor = Monitor {
-            stop: &STOP,
+            stop: stop::flag(),
             progress: &mut |part| progress.show(part),
         };
         let run = simulate(&model, &mut report, &mut monitor)?;

@@ -1,23 +1,30 @@
 //! What the user chooses about the integration, and what it costs.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Integration method.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(extend("successors" = {
+    "tsit5": "verner76",
+    "dprkn8": "exponential",
+    "dprkn12": "verner76",
+    "ode_solvers_dop853": "dop853",
+}))]
 pub enum Method {
-    /// Verner 7(6) where the motion is expected to cross surfaces at which the derivative is not smooth, else
-    /// exponential collocation.
+    /// "verner76" where a ball may part from a race on this motion, else "exponential".
     Auto,
-    /// Verner 7(6), "most efficient"; its steps end on the surfaces of a [`super::System`] at which the derivative is
-    /// not smooth.
+    /// Verner 7(6), explicit: its steps end where a ball parts from a race or meets it again.
     Verner76,
-    /// Exponential collocation of order 7: the linear part exactly, for motion that follows a slow drive.
+    /// Exponential collocation: the linear part of the motion exactly, for balls that stay loaded, and for
+    /// strong damping.
     Exponential,
-    /// RODAS 4(3): linearly implicit, for stiff systems.
+    /// RODAS 4(3), linearly implicit: for stiff scenes, as with strong damping.
     Rodas,
-    /// Dormand–Prince 5(4) of the library `ode_solvers`.
+    /// Dormand–Prince 5(4) of the library `ode_solvers`, to compare with.
     Dopri5,
-    /// Dormand–Prince 8(5,3) of the library `ode_solvers`.
+    /// Dormand–Prince 8(5,3) of the library `ode_solvers`, to compare with.
     Dop853,
 }
 

@@ -1,19 +1,23 @@
 //! Motion of a ball between two races: Jones's kinematics under race control.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 /// Which race the ball rolls on without spinning, and which race supplies the friction that holds
 /// the gyroscopic moment.
 ///
-/// The friction force at a race is `T = λ M_g/D` with λ_i + λ_o = 2.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// The friction force at a race is `T = λ M_g/D` with λ_i + λ_o = 2: λ_o = 2 under outer control, λ_i = 2
+/// under inner control. Even control, λ_i = λ_o = 1, by itself says nothing about the pitch angle: the ball
+/// moves as under outer control.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum RaceControl {
-    /// No spin at the outer race, which carries all friction: λ_i = 0, λ_o = 2. What holds at
-    /// speed, and the default.
+    /// The outer race, which then holds the gyroscopic moment alone: what holds at speed.
     #[default]
     Outer,
-    /// No spin at the inner race, which carries all friction: λ_i = 2, λ_o = 0.
+    /// The inner race, which then holds the gyroscopic moment alone.
     Inner,
-    /// The races share the friction evenly, λ_i = λ_o = 1. The split by itself says nothing about
-    /// the pitch angle: the ball moves as under outer control.
+    /// Rolling as under outer control, both races holding the gyroscopic moment evenly.
     Even,
 }
 

@@ -1,5 +1,8 @@
 //! What a shaft is and what acts on it: plain data, before any computation.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::{Drive, Load, SpeedPoint};
 use crate::bearing::Support;
 
@@ -10,7 +13,8 @@ pub const STANDARD_GRAVITY: f64 = 9.806_65;
 pub const FREEDOMS: usize = 5;
 
 /// Which freedoms of the shaft move; the rest is held.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Freedoms {
     /// x and y.
     Radial,
@@ -65,11 +69,13 @@ pub enum Damping {
 }
 
 /// How the balls go round.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum CageMotion {
-    /// The cage rolls at its nominal speed: the compliance varies with the ball pass.
+    /// The cage rolls at its nominal speed: the stiffness varies with the ball pass.
+    #[default]
     Rolling,
-    /// The cage stands: no variable compliance.
+    /// The cage stands: no ball-pass lines.
     Frozen,
 }
 
@@ -96,11 +102,14 @@ pub struct InitialState {
 }
 
 /// Position at the start.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum InitialPosition {
-    /// Static equilibrium under the loads at t = 0, without unbalance.
+    /// The static equilibrium under the loads, without unbalance.
+    #[default]
     Equilibrium,
-    /// q = 0.
+    /// No displacement at all.
+    #[serde(rename = "zero")]
     Origin,
 }
 

@@ -1,11 +1,16 @@
 //! What is taken out of a segment before it is weighted.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 /// Trend that is taken out of every segment before its window.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Detrend {
     /// Nothing.
     None,
     /// The mean.
+    #[default]
     Constant,
     /// The straight line of least squares.
     Linear,

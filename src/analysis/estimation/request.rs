@@ -1,5 +1,8 @@
 //! What a spectrum is asked to show.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::{Detrend, Scaling};
 use crate::analysis::{Channel, Window};
 
@@ -33,11 +36,13 @@ pub enum Segment {
 }
 
 /// What a spectrum stands over.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Axis {
-    /// Frequency, of samples at equal times.
+    /// Frequency in Hz.
+    #[default]
     Frequency,
-    /// Multiples of the shaft's speed, of samples at equal shaft angles.
+    /// Shaft orders; at a changing speed of samples at equal shaft angles.
     Order,
 }
 

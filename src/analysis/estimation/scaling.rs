@@ -1,5 +1,8 @@
 //! How the height of a line or of a noise floor is told.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 /// Scaling of a spectrum.
 ///
 /// With P the power of a bin, the mean over the segments of `|Σ w x exp(−2πikn/N)|²/(Σ w)²`, and
@@ -12,17 +15,18 @@
 ///
 /// `scipy.signal.welch` calls power `scaling="spectrum"` and density `scaling="density"`; Matlab's
 /// `pwelch` calls them "power" and "psd".
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Scaling {
-    /// Amplitude of the cosine; of a whirl the radius of the circle.
+    /// Amplitude.
     Peak,
-    /// Root mean square of the cosine.
+    /// Root mean square.
     Rms,
-    /// Twice the amplitude; of a whirl the diameter of the circle.
+    /// Twice the amplitude.
     PeakToPeak,
-    /// Mean square, the unit squared: right for lines.
+    /// Mean square: "spectrum" of SciPy, "power" of Matlab.
     Power,
-    /// Mean square over the width of the axis, the unit squared per Hz or per order: right for noise.
+    /// Mean square per Hz or per order: "density" of SciPy, "psd" of Matlab.
     Density,
 }
 

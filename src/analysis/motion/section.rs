@@ -4,6 +4,9 @@ use std::array;
 use std::f64::consts::TAU;
 use std::fmt;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::hermite::Hermite;
 use crate::rotor::{FREEDOMS, Sample};
 
@@ -12,12 +15,13 @@ pub(super) const NODES: usize = 4;
 /// Part of a cycle by which a sample may miss a point and still be it.
 const ON_THE_SPOT: f64 = 1e-9;
 
-/// What a point is taken once of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// When a point is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum SectionKind {
-    /// A revolution of the shaft.
+    /// Once a revolution of the shaft.
     Revolution,
-    /// A pass of the balls of the first bearing.
+    /// Every time a ball of the first bearing passes where ball 0 began.
     BallPass,
 }
 

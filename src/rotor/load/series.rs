@@ -1,14 +1,19 @@
 //! A load given as a series of values.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 use super::{Swing, earliest};
 use crate::bearing::Vector5;
 
 /// How a series is read between its rows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Interpolation {
     /// Straight lines.
+    #[default]
     Linear,
-    /// Cubic pieces of continuous slope that do not overshoot.
+    /// Cubic pieces of continuous slope that do not overshoot (Fritsch and Butland).
     MonotoneCubic,
 }
 

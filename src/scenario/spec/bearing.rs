@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::geometry::{GeometrySpec, Sources};
 use super::material::{self, MaterialSpec};
-use super::model::{ContactChoice, ModelSpec, RaceControlChoice};
+use super::model::{ContactChoice, ModelSpec};
 use super::oil::OilSpec;
-use super::set::ArrangementChoice;
+use super::set::Arrangement;
 use crate::bearing::catalogue::{self, CATALOGUE, CatalogueEntry};
 use crate::bearing::{Bearing, BearingError, ContactDamping, Facing, MountedBearing, Oil, Preload};
-use crate::physics::Material;
+use crate::physics::{Material, RaceControl};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
@@ -34,13 +34,13 @@ pub struct BearingSpec {
     pub position: Quantity<Length>,
     /// Makes a set of two bearings of this one, symmetric about the position and `spacing` apart:
     /// "back-to-back", "face-to-face" or "tandem".
-    pub arrangement: Option<ArrangementChoice>,
+    pub arrangement: Option<Arrangement>,
     /// Distance of the two bearings of a set, for instance "15 mm".
     #[schemars(extend("examples" = ["15 mm"], "x-above" = 0.0))]
     pub spacing: Option<Quantity<Length>>,
     /// Which way along Z the shaft must move to load the bearing, or both bearings of a tandem
     /// set. Default: "+z".
-    pub facing: Option<FacingChoice>,
+    pub facing: Option<Facing>,
     /// Azimuth of one ball at the start, from +X towards +Y. Default: "0 rad".
     #[serde(default)]
     #[schemars(extend("examples" = ["-90 deg"]))]
@@ -62,7 +62,7 @@ pub struct BearingSpec {
     /// Whether oil films part the surfaces of this bearing. Default: that of `[model]`.
     pub film: Option<bool>,
     /// Race control of this bearing. Default: that of `[model]`.
-    pub race_control: Option<RaceControlChoice>,
+    pub race_control: Option<RaceControl>,
     /// Change of the diametral clearance by fits and temperature, for instance "-5 um": negative
     /// tightens and makes the contact angle smaller. Default: "0 m".
     #[serde(default)]
@@ -92,27 +92,6 @@ pub struct BearingSpec {
     pub material: Option<MaterialSpec>,
     /// Material of the balls where it differs from that of the rings.
     pub ball_material: Option<MaterialSpec>,
-}
-
-/// Orientation of a bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-pub enum FacingChoice {
-    /// Moving the shaft along +Z loads the bearing.
-    #[default]
-    #[serde(rename = "+z")]
-    PlusZ,
-    /// Moving the shaft along −Z loads the bearing.
-    #[serde(rename = "-z")]
-    MinusZ,
-}
-
-impl From<FacingChoice> for Facing {
-    fn from(choice: FacingChoice) -> Self {
-        match choice {
-            FacingChoice::PlusZ => Self::PlusZ,
-            FacingChoice::MinusZ => Self::MinusZ,
-        }
-    }
 }
 
 fn designations() -> Vec<&'static str> {
@@ -258,7 +237,7 @@ impl BearingSpec {
     fn places(&self, path: &str, problems: &mut Problems<'_>) -> Option<Vec<(f64, Facing)>> {
         let key = |key: &str| format!("{path}.{key}");
         let centre = self.position.si();
-        let facing = self.facing.unwrap_or_default().into();
+        let facing = self.facing.unwrap_or_default();
         match (self.arrangement, &self.spacing) {
             (None, None) => Some(vec![(centre, facing)]),
             (None, Some(_)) => {
@@ -276,7 +255,7 @@ impl BearingSpec {
                 None
             }
             (Some(arrangement), Some(spacing)) => {
-                if self.facing.is_some() && arrangement != ArrangementChoice::Tandem {
+                if self.facing.is_some() && arrangement != Arrangement::Tandem {
                     let message = "`facing` is for \"tandem\": the two bearings of this set face \
                                    each other or away";
                     let issue = Issue::new(key("facing"), message).help("remove it");

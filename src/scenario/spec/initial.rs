@@ -13,22 +13,11 @@ use crate::scenario::quantity::{Angle, AngularSpeed, Length, Velocity};
 #[serde(deny_unknown_fields, default)]
 pub struct InitialSpec {
     /// Position at the start. Default: "equilibrium".
-    pub from: StartChoice,
+    pub from: InitialPosition,
     /// Displacements that replace those of `from`, for instance { x = "1 um" }.
     pub displacement: Option<Components<Length, Angle>>,
     /// Velocities that replace rest, for instance { x = "1 mm/s" }.
     pub velocity: Option<Components<Velocity, AngularSpeed>>,
-}
-
-/// Position at the start.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum StartChoice {
-    /// The static equilibrium under the loads, without unbalance.
-    #[default]
-    Equilibrium,
-    /// No displacement at all.
-    Zero,
 }
 
 impl InitialSpec {
@@ -36,10 +25,7 @@ impl InitialSpec {
     pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> InitialState {
         let held = freedoms.count();
         let mut state = InitialState {
-            from: match self.from {
-                StartChoice::Equilibrium => InitialPosition::Equilibrium,
-                StartChoice::Zero => InitialPosition::Origin,
-            },
+            from: self.from,
             displacement: [None; FREEDOMS],
             velocity: [None; FREEDOMS],
         };

@@ -5,7 +5,6 @@ use std::sync::LazyLock;
 
 use serde_json::Value;
 
-use super::integrator::MethodChoice;
 use crate::scenario::schema;
 use crate::scenario::walk::{choices, nearest};
 use crate::study::accuracy::NamedMethod;
@@ -49,10 +48,9 @@ pub fn methods() -> &'static [NamedMethod] {
     static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
         let words = choices(&integrator()["method"]).into_iter();
         let named = words.filter_map(|word| {
-            let choice: MethodChoice = serde_json::from_value(word.into()).ok()?;
             Some(NamedMethod {
                 name: word.to_owned(),
-                method: choice.method(),
+                method: serde_json::from_value(word.into()).ok()?,
             })
         });
         named.collect()

@@ -21,14 +21,14 @@ pub struct ModelSpec {
     /// Default: false.
     pub film: bool,
     /// Which race the balls roll on without spinning, with contact = "jones". Default: "outer".
-    pub race_control: Option<RaceControlChoice>,
+    pub race_control: Option<RaceControl>,
     /// Whether costly ball laws (all but "hertz" without film) are compiled into tables before the
     /// motion starts: many times as fast at constant speed, with an error below 1e-9 of the largest
     /// static ball load, which the summary states. Where a ball leaves the table, and where the speed
     /// varies, the law itself is used. Default: false.
     pub table: bool,
     /// How the balls go round. Default: "rolling".
-    pub cage: CageChoice,
+    pub cage: CageMotion,
 }
 
 /// Force law of a bearing.
@@ -48,58 +48,14 @@ pub enum ContactChoice {
     Auto,
 }
 
-/// Race on which the balls roll without spinning.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum RaceControlChoice {
-    /// The outer race, which then holds the gyroscopic moment alone: what holds at speed.
-    Outer,
-    /// The inner race, which then holds the gyroscopic moment alone.
-    Inner,
-    /// Rolling as under outer control, both races holding the gyroscopic moment evenly.
-    Even,
-}
-
-/// Motion of the balls around the bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum CageChoice {
-    /// The cage rolls at its nominal speed: the stiffness varies with the ball pass.
-    #[default]
-    Rolling,
-    /// The cage stands: no ball-pass lines.
-    Frozen,
-}
-
 impl ContactChoice {
     /// The force law; the race control plays a part in Jones's only.
-    pub fn law(self, control: Option<RaceControlChoice>) -> ContactLaw {
+    pub fn law(self, control: Option<RaceControl>) -> ContactLaw {
         match self {
             Self::Linear => ContactLaw::Linear,
             Self::Hertz => ContactLaw::Hertz,
             // what is to be chosen starts at the top
-            Self::Jones | Self::Auto => {
-                ContactLaw::Jones(control.map(Into::into).unwrap_or_default())
-            }
-        }
-    }
-}
-
-impl From<RaceControlChoice> for RaceControl {
-    fn from(choice: RaceControlChoice) -> Self {
-        match choice {
-            RaceControlChoice::Outer => Self::Outer,
-            RaceControlChoice::Inner => Self::Inner,
-            RaceControlChoice::Even => Self::Even,
-        }
-    }
-}
-
-impl From<CageChoice> for CageMotion {
-    fn from(choice: CageChoice) -> Self {
-        match choice {
-            CageChoice::Rolling => Self::Rolling,
-            CageChoice::Frozen => Self::Frozen,
+            Self::Jones | Self::Auto => ContactLaw::Jones(control.unwrap_or_default()),
         }
     }
 }

@@ -38,7 +38,7 @@ pub struct OutputSpec {
     #[schemars(extend("x-minimum" = 1e-3))]
     pub sample_rate: Option<Quantity<Frequency>>,
     /// Window of the spectra. Default: "rectangular", exact on whole revolutions.
-    pub window: WindowChoice,
+    pub window: Window,
     /// Whether the trace is written. Default: true.
     pub trace: bool,
     /// Whether energy is accounted for, in `energy.csv` and the summary; that of a driven shaft
@@ -88,40 +88,12 @@ pub struct Turning<'a> {
     pub steady: f64,
 }
 
-/// Window of the spectra.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum WindowChoice {
-    /// No weighting: exact for lines on a bin, as on whole revolutions at constant speed.
-    Rectangular,
-    /// Hann: narrow lines, amplitudes up to 15 % low between bins.
-    Hann,
-    /// Hamming: as Hann, its nearest side lobes lower and its far ones higher.
-    Hamming,
-    /// Four-term Blackman-Harris: no side lobe above -92 dB, lines eight bins wide.
-    BlackmanHarris,
-    /// Flat top: amplitudes within 1 % anywhere between bins.
-    FlatTop,
-}
-
-impl From<WindowChoice> for Window {
-    fn from(choice: WindowChoice) -> Self {
-        match choice {
-            WindowChoice::Rectangular => Self::Rectangular,
-            WindowChoice::Hann => Self::Hann,
-            WindowChoice::Hamming => Self::Hamming,
-            WindowChoice::BlackmanHarris => Self::BlackmanHarris,
-            WindowChoice::FlatTop => Self::FlatTop,
-        }
-    }
-}
-
 impl Default for OutputSpec {
     fn default() -> Self {
         Self {
             samples_per_revolution: None,
             sample_rate: None,
-            window: WindowChoice::Rectangular,
+            window: Window::Rectangular,
             trace: true,
             energy: false,
             balls: false,

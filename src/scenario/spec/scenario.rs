@@ -185,7 +185,7 @@ impl ScenarioSpec {
             speed: points.next()?.speed,
             speed_points: points.collect(),
             drive: self.drive(),
-            cage: self.model.cage.into(),
+            cage: self.model.cage,
             damping,
             load,
             loads,
@@ -275,7 +275,7 @@ impl ScenarioSpec {
             verify: self.integrator.verify,
             energy: self.output.energy,
             table: self.model.table,
-            spectrum: self.output.spectrum.then_some(self.output.window.into()),
+            spectrum: self.output.spectrum.then_some(self.output.window),
             analyses,
             spectra,
         })

@@ -8,7 +8,7 @@ use crate::bearing::Facing;
 /// How the two bearings of a set stand to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum ArrangementChoice {
+pub enum Arrangement {
     /// O arrangement: the contact lines diverge towards the shaft axis, stiff against tilting.
     BackToBack,
     /// X arrangement: the contact lines converge towards the shaft axis, yielding to tilting.
@@ -17,7 +17,7 @@ pub enum ArrangementChoice {
     Tandem,
 }
 
-impl ArrangementChoice {
+impl Arrangement {
     /// Position in m and orientation of both bearings, `spacing` in m apart about `centre`;
     /// `facing` is that of a tandem set.
     ///

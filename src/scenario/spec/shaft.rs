@@ -23,7 +23,7 @@ pub struct ShaftSpec {
     pub eccentricity: Quantity<Length>,
     /// Which freedoms move: "radial" (x, y), "translational" (x, y, z) or "all" (x, y, z and
     /// both tilts). The rest is held.
-    pub freedoms: FreedomsChoice,
+    pub freedoms: Freedoms,
     /// Whether the weight acts, along −Y. Default: false.
     #[serde(default)]
     pub gravity: bool,
@@ -46,28 +46,6 @@ pub struct ShaftSpec {
     pub tilt_y: Option<Quantity<Angle>>,
 }
 
-/// Freedoms that move.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum FreedomsChoice {
-    /// x and y.
-    Radial,
-    /// x, y and z.
-    Translational,
-    /// x, y, z and both tilts.
-    All,
-}
-
-impl From<FreedomsChoice> for Freedoms {
-    fn from(choice: FreedomsChoice) -> Self {
-        match choice {
-            FreedomsChoice::Radial => Self::Radial,
-            FreedomsChoice::Translational => Self::Translational,
-            FreedomsChoice::All => Self::All,
-        }
-    }
-}
-
 impl ShaftSpec {
     /// The shaft; its inertia is zero where no tilt moves and no drive `turns` it, and where nothing
     /// `moves` it may be.
@@ -81,7 +59,7 @@ impl ShaftSpec {
             inertia_transverse: si(&self.inertia_transverse),
             inertia_polar: si(&self.inertia_polar),
             eccentricity: self.eccentricity.si(),
-            freedoms: self.freedoms.into(),
+            freedoms: self.freedoms,
             gravity: self.gravity,
             held_tilt: [tilt(&self.tilt_x), tilt(&self.tilt_y)],
         }
@@ -90,7 +68,7 @@ impl ShaftSpec {
     /// Refuses a held tilt where the tilts move.
     fn check_tilt(&self, problems: &mut Problems<'_>) {
         for (key, tilt) in [("tilt_x", &self.tilt_x), ("tilt_y", &self.tilt_y)] {
-            if tilt.is_some() && self.freedoms == FreedomsChoice::All {
+            if tilt.is_some() && self.freedoms == Freedoms::All {
                 let message = format!("`{key}` holds a tilt that freedoms = \"all\" lets move");
                 let issue = Issue::new(format!("shaft.{key}"), message).help(format!(
                     "to start there: [initial] displacement = {{ {key} = … }}"
@@ -115,10 +93,10 @@ impl ShaftSpec {
                 problems.refuse(issue, &["speed.drive".to_owned()]);
                 continue;
             }
-            if self.freedoms != FreedomsChoice::All && inertia.is_some() && !turned {
+            if self.freedoms != Freedoms::All && inertia.is_some() && !turned {
                 problems.warn(format!("`{path}` has no effect: the tilts are held"));
             }
-            if moves && self.freedoms == FreedomsChoice::All && inertia.is_none() {
+            if moves && self.freedoms == Freedoms::All && inertia.is_none() {
                 let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
                 let issue = Issue::new(path, message)
                     .help(format!("for instance: {key} = \"0.01 kg m^2\""));

@@ -6,11 +6,10 @@ mod checks;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::output::WindowChoice;
-use crate::analysis::{Axis, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest};
+use crate::analysis::{Axis, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window};
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, Time};
-use channels::ChannelChoice;
+use channels::ChannelName;
 pub use checks::Recorded;
 
 /// Share of a segment that the next one holds, where none is given: as in SciPy and Matlab.
@@ -30,15 +29,15 @@ pub struct SpectrumSpec {
     /// all freedoms that move. A whirl takes pairs of x and y; a cross spectrum takes the first
     /// channel as reference of each of the others.
     #[schemars(extend("minItems" = 1, "examples" = [["displacement"]]))]
-    pub channels: Vec<ChannelChoice>,
+    pub channels: Vec<ChannelName>,
     /// What is made of the channels. Default: "plain".
     #[serde(default)]
     pub kind: KindChoice,
     /// What the values are. Default: "peak"; of a cross spectrum "density".
-    pub scaling: Option<ScalingChoice>,
+    pub scaling: Option<Scaling>,
     /// Window of every segment, periodic. Default: "hann".
     #[serde(default = "hann")]
-    pub window: WindowChoice,
+    pub window: Window,
     /// Length of the segments whose powers are averaged (Welch). Default: one segment, all there is;
     /// with samples per revolution the last whole revolutions.
     #[schemars(extend("examples" = ["0.1 s"], "x-above" = 0.0))]
@@ -55,10 +54,10 @@ pub struct SpectrumSpec {
     pub overlap: f64,
     /// What is taken out of every segment before its window. Default: "constant".
     #[serde(default)]
-    pub detrend: DetrendChoice,
+    pub detrend: Detrend,
     /// What the spectrum stands over. Default: "frequency".
     #[serde(default)]
-    pub over: AxisChoice,
+    pub over: Axis,
     /// Lowest and highest frequency of what the envelope is taken of, for instance
     /// ["1 kHz", "5 kHz"].
     #[schemars(extend("maxItems" = 2, "examples" = [["1 kHz", "5 kHz"]]))]
@@ -81,83 +80,12 @@ pub enum KindChoice {
     Cross,
 }
 
-/// What the values of a spectrum are.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum ScalingChoice {
-    /// Amplitude.
-    Peak,
-    /// Root mean square.
-    Rms,
-    /// Twice the amplitude.
-    PeakToPeak,
-    /// Mean square: "spectrum" of SciPy, "power" of Matlab.
-    Power,
-    /// Mean square per Hz or per order: "density" of SciPy, "psd" of Matlab.
-    Density,
-}
-
-/// What is taken out of every segment.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum DetrendChoice {
-    /// Nothing.
-    None,
-    /// The mean.
-    #[default]
-    Constant,
-    /// The straight line of least squares.
-    Linear,
-}
-
-/// What a spectrum stands over.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum AxisChoice {
-    /// Frequency in Hz.
-    #[default]
-    Frequency,
-    /// Shaft orders; at a changing speed of samples at equal shaft angles.
-    Order,
-}
-
-fn hann() -> WindowChoice {
-    WindowChoice::Hann
+fn hann() -> Window {
+    Window::Hann
 }
 
 fn overlap() -> f64 {
     OVERLAP
-}
-
-impl From<ScalingChoice> for Scaling {
-    fn from(choice: ScalingChoice) -> Self {
-        match choice {
-            ScalingChoice::Peak => Self::Peak,
-            ScalingChoice::Rms => Self::Rms,
-            ScalingChoice::PeakToPeak => Self::PeakToPeak,
-            ScalingChoice::Power => Self::Power,
-            ScalingChoice::Density => Self::Density,
-        }
-    }
-}
-
-impl From<DetrendChoice> for Detrend {
-    fn from(choice: DetrendChoice) -> Self {
-        match choice {
-            DetrendChoice::None => Self::None,
-            DetrendChoice::Constant => Self::Constant,
-            DetrendChoice::Linear => Self::Linear,
-        }
-    }
-}
-
-impl From<AxisChoice> for Axis {
-    fn from(choice: AxisChoice) -> Self {
-        match choice {
-            AxisChoice::Frequency => Self::Frequency,
-            AxisChoice::Order => Self::Order,
-        }
-    }
 }
 
 /// The spectra that are asked for, as far as nothing contradicts them.
@@ -197,19 +125,19 @@ impl SpectrumSpec {
                 KindChoice::Cross => SpectrumKind::Cross,
             },
             channels,
-            scaling: self.scaling().into(),
-            window: self.window.into(),
+            scaling: self.scaling(),
+            window: self.window,
             segment: self.segment(),
             overlap: self.overlap,
-            detrend: self.detrend.into(),
-            axis: self.over.into(),
+            detrend: self.detrend,
+            axis: self.over,
         })
     }
 
-    fn scaling(&self) -> ScalingChoice {
+    fn scaling(&self) -> Scaling {
         self.scaling.unwrap_or(match self.kind {
-            KindChoice::Cross => ScalingChoice::Density,
-            _ => ScalingChoice::Peak,
+            KindChoice::Cross => Scaling::Density,
+            _ => Scaling::Peak,
         })
     }
 
@@ -237,9 +165,9 @@ impl SpectrumSpec {
             KindChoice::Cross => "cross_",
         };
         let over = match self.over {
-            AxisChoice::Frequency => "",
-            AxisChoice::Order => "_order",
+            Axis::Frequency => "",
+            Axis::Order => "_order",
         };
-        format!("{kind}{}{over}", Scaling::from(self.scaling()).name())
+        format!("{kind}{}{over}", self.scaling().name())
     }
 }

@@ -1,6 +1,6 @@
 //! From `[[axis]]` to the values of a plan.
 
-use super::spec::{AxisSpec, DistributionChoice, SpacingChoice};
+use super::spec::{AxisSpec, DistributionKind, Spacing};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::scalar::Scalar;
@@ -61,14 +61,14 @@ impl AxisBuilder<'_, '_> {
         let (way, own): (&str, &[&str]) = match (&self.spec.values, self.spec.distribution) {
             (Some(_), _) => ("`values`", &[]),
             (None, None) => ("`count`", &["from", "to"]),
-            (None, Some(DistributionChoice::Uniform)) => {
+            (None, Some(DistributionKind::Uniform)) => {
                 ("distribution = \"uniform\"", &["from", "to"])
             }
-            (None, Some(DistributionChoice::Normal)) => (
+            (None, Some(DistributionKind::Normal)) => (
                 "distribution = \"normal\"",
                 &["mean", "deviation", "lowest", "highest"],
             ),
-            (None, Some(DistributionChoice::Triangular)) => (
+            (None, Some(DistributionKind::Triangular)) => (
                 "distribution = \"triangular\"",
                 &["lowest", "mode", "highest"],
             ),
@@ -130,7 +130,7 @@ impl AxisBuilder<'_, '_> {
         let [Some(from), Some(to)] = ends else {
             return None;
         };
-        let logarithmic = self.spec.spacing == Some(SpacingChoice::Logarithmic);
+        let logarithmic = self.spec.spacing == Some(Spacing::Logarithmic);
         if logarithmic && !(from > 0.0 && to > 0.0) {
             let message = "values of equal ratios cannot come from zero or below".to_owned();
             self.refuse("spacing", message, "let both ends be above zero");
@@ -144,7 +144,7 @@ impl AxisBuilder<'_, '_> {
         })
     }
 
-    fn drawn(&mut self, choice: DistributionChoice) -> Option<Distribution> {
+    fn drawn(&mut self, choice: DistributionKind) -> Option<Distribution> {
         if self.key.is_whole() {
             let message = format!("`{}` is a whole number", self.spec.key);
             self.refuse(
@@ -155,15 +155,15 @@ impl AxisBuilder<'_, '_> {
             return None;
         }
         let distribution = match choice {
-            DistributionChoice::Uniform => {
+            DistributionKind::Uniform => {
                 let ends = ["from", "to"].map(|name| self.needed(name, "a uniform distribution"));
                 let [Some(lowest), Some(highest)] = ends else {
                     return None;
                 };
                 Distribution::Uniform { lowest, highest }
             }
-            DistributionChoice::Normal => self.normal()?,
-            DistributionChoice::Triangular => {
+            DistributionKind::Normal => self.normal()?,
+            DistributionKind::Triangular => {
                 let corners = ["lowest", "mode", "highest"]
                     .map(|name| self.needed(name, "a triangular distribution"));
                 let [Some(lowest), Some(mode), Some(highest)] = corners else {

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use self::axes::AxisBuilder;
-use self::spec::{SamplingChoice, SectionChoice, StudyFileSpec, SweepChoice};
+use self::spec::{SamplingKind, StudyFileSpec};
 use super::error::ScenarioError;
 use super::issue::Issue;
 use super::passed::Passed;
@@ -19,7 +19,7 @@ use super::walk::{self, nearest};
 use super::{Scenario, echo, read_tree, stem};
 use crate::simulate::Model;
 use crate::study::Variable;
-use crate::study::many::{Cycles, Keep, NumberColumn, Section, Sweep, number_columns};
+use crate::study::many::{Cycles, Keep, NumberColumn, Sweep, number_columns};
 use crate::study::plan::{Axis, AxisValues, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
 
 /// Tables of a scenario that say nothing of its motion.
@@ -156,7 +156,7 @@ fn build(
         title,
         plan,
         variables,
-        sweep: spec.sweep.map(sweep),
+        sweep: spec.sweep,
         verify_every: spec.verify_every,
         keep: keep(spec),
         columns,
@@ -167,7 +167,7 @@ fn build(
         folder,
         axes: found,
         cycles: spec.cycles.as_ref().map(|cycles| Cycles {
-            of: section(cycles.of),
+            of: cycles.of,
             settle: cycles.settle,
             kept: cycles.kept,
         }),
@@ -261,12 +261,12 @@ fn columns(spec: &StudyFileSpec, model: &Model, problems: &mut Problems<'_>) -> 
 
 fn sampling(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
     let drawn: fn(u64) -> Sampling = match spec.sampling {
-        SamplingChoice::Grid => return grid(spec, axes, problems),
-        SamplingChoice::LatinHypercube => Sampling::LatinHypercube,
-        SamplingChoice::Sobol => Sampling::Sobol,
-        SamplingChoice::MonteCarlo => Sampling::MonteCarlo,
+        SamplingKind::Grid => return grid(spec, axes, problems),
+        SamplingKind::LatinHypercube => Sampling::LatinHypercube,
+        SamplingKind::Sobol => Sampling::Sobol,
+        SamplingKind::MonteCarlo => Sampling::MonteCarlo,
     };
-    if spec.sampling == SamplingChoice::Sobol && axes.len() > MOST_SOBOL_AXES {
+    if spec.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
         let message = format!("Sobol's sequence has at most {MOST_SOBOL_AXES} axes");
         let issue = Issue::new("sampling", message).help("take \"latin_hypercube\"");
         problems.refuse(issue, &[]);
@@ -311,7 +311,7 @@ fn check_count(plan: &Plan, spec: &StudyFileSpec, problems: &mut Problems<'_>) {
 }
 
 fn check_sweep(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
-    if spec.sweep.is_some() && spec.sampling != SamplingChoice::Grid {
+    if spec.sweep.is_some() && spec.sampling != SamplingKind::Grid {
         let issue = Issue::new(
             "sweep",
             "runs that are drawn have no neighbours to go on from",
@@ -337,21 +337,6 @@ fn check_cycles(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
     }
 }
 
-fn section(choice: SectionChoice) -> Section {
-    match choice {
-        SectionChoice::Revolution => Section::Revolution,
-        SectionChoice::BallPass => Section::BallPass,
-    }
-}
-
-fn sweep(choice: SweepChoice) -> Sweep {
-    match choice {
-        SweepChoice::Up => Sweep::Up,
-        SweepChoice::Down => Sweep::Down,
-        SweepChoice::Both => Sweep::Both,
-    }
-}
-
 fn keep(spec: &StudyFileSpec) -> Keep {
     let keep = &spec.keep;
     Keep {
@@ -360,7 +345,7 @@ fn keep(spec: &StudyFileSpec) -> Keep {
             .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
         bearing_stiffness: keep.bearing_stiffness,
         traces: keep.traces,
-        section: keep.poincare.map(section),
+        section: keep.poincare,
     }
 }
 

@@ -3,7 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::analysis::SectionKind;
 use crate::scenario::scalar::Scalar;
+use crate::study::many::Sweep;
 use crate::study::plan::MOST_RUNS;
 
 /// Many runs of one scenario.
@@ -18,7 +20,7 @@ pub struct StudyFileSpec {
     pub base: String,
     /// How the values of the axes are combined. Default: "grid".
     #[serde(default)]
-    pub sampling: SamplingChoice,
+    pub sampling: SamplingKind,
     /// How many runs are drawn; only where they are drawn.
     #[schemars(range(min = 1, max = MOST_RUNS))]
     pub runs: Option<u64>,
@@ -31,7 +33,7 @@ pub struct StudyFileSpec {
     pub verify_every: u64,
     /// Whether each run goes on from where its neighbour along the last axis ended, and in which order.
     /// Default: every run starts by itself.
-    pub sweep: Option<SweepChoice>,
+    pub sweep: Option<Sweep>,
     /// The numbers that vary, on a grid the last one fastest.
     #[schemars(extend("minItems" = 1, "maxItems" = 16))]
     pub axis: Vec<AxisSpec>,
@@ -50,7 +52,7 @@ pub struct StudyFileSpec {
 #[serde(deny_unknown_fields)]
 pub struct CyclesSpec {
     /// What counts as a cycle.
-    pub of: SectionChoice,
+    pub of: SectionKind,
     /// Cycles that settle. Default: 0.
     #[serde(default)]
     #[schemars(range(min = 0, max = 1_000_000_000))]
@@ -67,7 +69,7 @@ fn every_tenth() -> u64 {
 /// How the values of the axes are combined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum SamplingChoice {
+pub enum SamplingKind {
     /// Every value with every other.
     #[default]
     Grid,
@@ -77,18 +79,6 @@ pub enum SamplingChoice {
     Sobol,
     /// Drawn independently.
     MonteCarlo,
-}
-
-/// Order of the runs along the last axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum SweepChoice {
-    /// From its first value to its last.
-    Up,
-    /// From its last value to its first.
-    Down,
-    /// Up, and from there down again.
-    Both,
 }
 
 /// One number of the base that takes many values: by a list, evenly spaced or drawn.
@@ -110,9 +100,9 @@ pub struct AxisSpec {
     #[schemars(range(min = 2, max = MOST_RUNS))]
     pub count: Option<u64>,
     /// Whether `count` values have equal differences or equal ratios. Default: "linear".
-    pub spacing: Option<SpacingChoice>,
+    pub spacing: Option<Spacing>,
     /// How values are drawn.
-    pub distribution: Option<DistributionChoice>,
+    pub distribution: Option<DistributionKind>,
     /// Mean of a normal distribution.
     pub mean: Option<Scalar>,
     /// Standard deviation of a normal distribution.
@@ -128,7 +118,7 @@ pub struct AxisSpec {
 /// Spacing of values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum SpacingChoice {
+pub enum Spacing {
     /// Equal differences.
     Linear,
     /// Equal ratios.
@@ -138,7 +128,7 @@ pub enum SpacingChoice {
 /// How values are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum DistributionChoice {
+pub enum DistributionKind {
     /// Evenly between `from` and `to`.
     Uniform,
     /// By `mean` and `deviation`, cut off at `lowest` and `highest`.
@@ -181,15 +171,5 @@ pub struct KeepSpec {
     pub bearing_stiffness: bool,
     /// Whether the place of the shaft is kept once a revolution or once a ball pass after the settle
     /// time, in `poincare.csv`. Default: not.
-    pub poincare: Option<SectionChoice>,
-}
-
-/// When the shaft is looked at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum SectionChoice {
-    /// Once a revolution of the shaft.
-    Revolution,
-    /// Every time a ball of the first bearing passes where ball 0 began.
-    BallPass,
+    pub poincare: Option<SectionKind>,
 }

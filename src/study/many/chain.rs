@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::gathered::{Carried, Gathered};
 use super::numbers::NumberColumn;
 use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
-use super::{Keep, Schedule, Section, Turn};
+use super::{Keep, Schedule, Turn};
 use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum, Threads};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
@@ -104,7 +104,7 @@ impl Maker<'_> {
             velocity: needs(NumberColumn::rests_on_velocity),
             drift: needs(NumberColumn::rests_on_drift),
             kind: needs(NumberColumn::rests_on_kind),
-            section: self.keep.section.map(kind),
+            section: self.keep.section,
             orbit: false,
         };
         analyses.motion = self.keep.section.is_some() || needs(NumberColumn::rests_on_motion);
@@ -261,15 +261,7 @@ fn bearing_stiffness(equilibrium: &StaticState, speed: f64) -> Vec<BearingStiffn
         .collect()
 }
 
-fn kind(section: Section) -> SectionKind {
-    match section {
-        Section::Revolution => SectionKind::Revolution,
-        Section::BallPass => SectionKind::BallPass,
-    }
-}
-
-fn places(motion: &Motion, section: Section) -> Vec<Point> {
-    let kind = kind(section);
+fn places(motion: &Motion, kind: SectionKind) -> Vec<Point> {
     let moving = motion
         .statistics
         .iter()

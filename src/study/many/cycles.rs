@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::Section;
+use crate::analysis::SectionKind;
 use crate::bearing::ContactLaw;
 use crate::rotor::{CageMotion, RotorDefinition};
 
@@ -10,7 +10,7 @@ use crate::rotor::{CageMotion, RotorDefinition};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycles {
     /// What counts as a cycle.
-    pub of: Section,
+    pub of: SectionKind,
     /// Cycles that settle.
     pub settle: u32,
     /// Cycles after them.
@@ -44,9 +44,10 @@ impl Cycles {
     /// [`CyclesError`] where it has no such cycles.
     ///
     /// ```
-    /// use jeffcott::study::many::{Cycles, Section};
+    /// use jeffcott::analysis::SectionKind;
+    /// use jeffcott::study::many::Cycles;
     /// let scene = jeffcott::scenario::load("scenarios/varying-compliance-6306.toml".as_ref()).unwrap();
-    /// let cycles = Cycles { of: Section::BallPass, settle: 200, kept: 100 };
+    /// let cycles = Cycles { of: SectionKind::BallPass, settle: 200, kept: 100 };
     /// let [settle, duration] = cycles.times(&scene.model.unwrap().rotor).unwrap();
     /// // at 150 rad/s 8 balls pass 8 (1 − 11.9062/52)/2 = 3.0841 times a revolution of 41.888 ms
     /// assert!((settle - 200.0 * 0.0418879 / 3.084138).abs() < 1e-6);
@@ -64,7 +65,7 @@ impl Cycles {
 
     /// Cycles a revolution.
     fn order(&self, rotor: &RotorDefinition) -> Result<f64, CyclesError> {
-        if self.of == Section::Revolution {
+        if self.of == SectionKind::Revolution {
             return Ok(1.0);
         }
         let passing = rotor

@@ -15,6 +15,8 @@ pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
 pub use workers::{LEAD, work};
 
+use crate::analysis::SectionKind;
+
 /// What is kept of every run, beside its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Keep {
@@ -25,14 +27,5 @@ pub struct Keep {
     /// Whether the trace of every run is kept.
     pub traces: bool,
     /// When the shaft is looked at, where its places are kept.
-    pub section: Option<Section>,
-}
-
-/// When the shaft is looked at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Section {
-    /// Once a revolution.
-    Revolution,
-    /// Every time a ball of the first bearing passes where ball 0 began.
-    BallPass,
+    pub section: Option<SectionKind>,
 }

@@ -2,12 +2,16 @@
 
 use std::ops::Range;
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
 /// Order of runs that each go on from where their neighbour along the last axis ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
 pub enum Sweep {
-    /// From the axis's first value to its last.
+    /// From its first value to its last.
     Up,
-    /// From its last to its first.
+    /// From its last value to its first.
     Down,
     /// Up, and from there down again.
     Both,

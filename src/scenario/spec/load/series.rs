@@ -22,27 +22,7 @@ pub struct SeriesSpec {
     pub file: String,
     /// How the series is read between its rows. Default: "linear".
     #[serde(default)]
-    pub interpolation: InterpolationChoice,
-}
-
-/// Curve between the rows.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum InterpolationChoice {
-    /// Straight lines.
-    #[default]
-    Linear,
-    /// Cubic pieces of continuous slope that do not overshoot (Fritsch and Butland).
-    MonotoneCubic,
-}
-
-impl From<InterpolationChoice> for Interpolation {
-    fn from(choice: InterpolationChoice) -> Self {
-        match choice {
-            InterpolationChoice::Linear => Self::Linear,
-            InterpolationChoice::MonotoneCubic => Self::MonotoneCubic,
-        }
-    }
+    pub interpolation: Interpolation,
 }
 
 impl SeriesSpec {
@@ -87,7 +67,7 @@ impl SeriesSpec {
     fn read(&self, folder: &Path) -> Result<(Series, Vec<usize>), SeriesFileError> {
         let (times, columns) = series_file::read(&folder.join(&self.file))?;
         let axes = columns.iter().map(|column| column.axis).collect();
-        let series = Series::new(times, columns, self.interpolation.into())?;
+        let series = Series::new(times, columns, self.interpolation)?;
         Ok((series, axes))
     }
 }

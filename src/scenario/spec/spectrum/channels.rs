@@ -1,82 +1,56 @@
 //! The channels of a `[[spectrum]]`.
 
-use schemars::JsonSchema;
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
 use super::{KindChoice, SpectrumSpec};
 use crate::analysis::Channel;
-use crate::rotor::Freedoms;
+use crate::rotor::{FREEDOMS, Freedoms};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 
-/// A channel, named as in the columns of the trace, or a group of channels.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-#[allow(missing_docs)] // each is the channel of its name
-pub enum ChannelChoice {
-    Displacement,
-    Velocity,
-    Acceleration,
-    Force,
-    X,
-    Y,
-    Z,
-    TiltX,
-    TiltY,
-    XVelocity,
-    YVelocity,
-    ZVelocity,
-    TiltXVelocity,
-    TiltYVelocity,
-    XAcceleration,
-    YAcceleration,
-    ZAcceleration,
-    TiltXAcceleration,
-    TiltYAcceleration,
-    ForceX,
-    ForceY,
-    ForceZ,
-    MomentX,
-    MomentY,
-}
+/// A channel of one freedom.
+type OfFreedom = fn(usize) -> Channel;
 
-/// What a word stands for.
-enum Meaning {
-    One(Channel),
-    /// The same quantity of every freedom that moves.
-    Group(fn(usize) -> Channel),
-}
+/// Words for the same quantity of every freedom that moves.
+const GROUPS: [(&str, OfFreedom); 4] = [
+    ("displacement", Channel::Displacement),
+    ("velocity", Channel::Velocity),
+    ("acceleration", Channel::Acceleration),
+    ("force", Channel::Force),
+];
 
-impl ChannelChoice {
-    fn meaning(self) -> Meaning {
-        use Meaning::{Group, One};
-        match self {
-            Self::Displacement => Group(Channel::Displacement),
-            Self::Velocity => Group(Channel::Velocity),
-            Self::Acceleration => Group(Channel::Acceleration),
-            Self::Force => Group(Channel::Force),
-            Self::X => One(Channel::Displacement(0)),
-            Self::Y => One(Channel::Displacement(1)),
-            Self::Z => One(Channel::Displacement(2)),
-            Self::TiltX => One(Channel::Displacement(3)),
-            Self::TiltY => One(Channel::Displacement(4)),
-            Self::XVelocity => One(Channel::Velocity(0)),
-            Self::YVelocity => One(Channel::Velocity(1)),
-            Self::ZVelocity => One(Channel::Velocity(2)),
-            Self::TiltXVelocity => One(Channel::Velocity(3)),
-            Self::TiltYVelocity => One(Channel::Velocity(4)),
-            Self::XAcceleration => One(Channel::Acceleration(0)),
-            Self::YAcceleration => One(Channel::Acceleration(1)),
-            Self::ZAcceleration => One(Channel::Acceleration(2)),
-            Self::TiltXAcceleration => One(Channel::Acceleration(3)),
-            Self::TiltYAcceleration => One(Channel::Acceleration(4)),
-            Self::ForceX => One(Channel::Force(0)),
-            Self::ForceY => One(Channel::Force(1)),
-            Self::ForceZ => One(Channel::Force(2)),
-            Self::MomentX => One(Channel::Force(3)),
-            Self::MomentY => One(Channel::Force(4)),
-        }
+/// The name of a channel or of a group of channels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct ChannelName(String);
+
+impl JsonSchema for ChannelName {
+    fn inline_schema() -> bool {
+        true
     }
+
+    fn schema_name() -> Cow<'static, str> {
+        "channel".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let groups = GROUPS.iter().map(|(name, _)| *name);
+        let names: Vec<_> = groups.chain(every_channel().map(Channel::name)).collect();
+        json_schema!({
+            "description":
+                "A channel, named as in the columns of the trace, or a group of channels.",
+            "type": "string",
+            "enum": names,
+        })
+    }
+}
+
+/// The channels of all freedoms, each kind together.
+fn every_channel() -> impl Iterator<Item = Channel> {
+    GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of))
 }
 
 /// Freedoms of a whirl: what turns with the shaft runs from the first to the second.
@@ -91,13 +65,16 @@ impl SpectrumSpec {
         problems: &mut Problems<'_>,
     ) -> Vec<Channel> {
         let mut channels = Vec::new();
-        for (index, choice) in self.channels.iter().enumerate() {
-            let found = match choice.meaning() {
-                Meaning::Group(of) => self.group(freedoms).into_iter().map(of).collect(),
-                Meaning::One(channel) => {
+        for (index, ChannelName(word)) in self.channels.iter().enumerate() {
+            let found = match GROUPS.iter().find(|(name, _)| name == word) {
+                Some((_, of)) => self.group(freedoms).into_iter().map(of).collect(),
+                None => {
+                    let named: Vec<_> = every_channel().filter(|c| c.name() == word).collect();
                     let path = format!("{path}.channels[{index}]");
-                    refuse_held(&path, channel, freedoms, problems);
-                    vec![channel]
+                    for channel in &named {
+                        refuse_held(&path, *channel, freedoms, problems);
+                    }
+                    named
                 }
             };
             for channel in found {

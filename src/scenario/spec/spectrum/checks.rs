@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::{AxisChoice, KindChoice, ScalingChoice, SpectrumSpec};
-use crate::analysis::{Segment, SpectrumRequest};
+use super::{KindChoice, SpectrumSpec};
+use crate::analysis::{Axis, Segment, SpectrumRequest};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::dimension::significant;
@@ -61,11 +61,7 @@ impl SpectrumSpec {
     }
 
     pub(super) fn check_scaling(&self, path: &str, problems: &mut Problems<'_>) {
-        let is_square = matches!(
-            self.scaling(),
-            ScalingChoice::Power | ScalingChoice::Density
-        );
-        if self.kind == KindChoice::Cross && !is_square {
+        if self.kind == KindChoice::Cross && !self.scaling().is_square() {
             let message = "a cross spectrum is the product of two channels and has no amplitude";
             let issue = Issue::new(format!("{path}.scaling"), message)
                 .help("set scaling = \"density\" or \"power\"");
@@ -113,16 +109,16 @@ impl SpectrumSpec {
     ) {
         let over = format!("{path}.over");
         let speed = recorded.speed.to_owned();
-        if self.over == AxisChoice::Order && recorded.highest == 0.0 {
+        if self.over == Axis::Order && recorded.highest == 0.0 {
             let issue = Issue::new(over, "a shaft that stands has no orders")
                 .help("set over = \"frequency\"");
             problems.refuse(issue, &[speed]);
-        } else if self.over == AxisChoice::Order && self.segment.is_some() {
+        } else if self.over == Axis::Order && self.segment.is_some() {
             let message = "a spectrum over orders has segments in revolutions, not in seconds";
             let issue = Issue::new(format!("{path}.segment"), message)
                 .help("for instance: segment_revolutions = 16");
             problems.refuse(issue, &[over]);
-        } else if self.over == AxisChoice::Frequency
+        } else if self.over == Axis::Frequency
             && self.segment_revolutions.is_some()
             && recorded.steady == 0.0
         {
@@ -140,7 +136,7 @@ impl SpectrumSpec {
     fn check_length(&self, path: &str, recorded: &Recorded<'_>, problems: &mut Problems<'_>) {
         let (key, samples) = match self.segment() {
             Segment::Seconds(seconds) => ("segment", seconds * recorded.rate),
-            Segment::Samples(count) if self.over == AxisChoice::Frequency => {
+            Segment::Samples(count) if self.over == Axis::Frequency => {
                 ("segment_samples", count as f64)
             }
             Segment::Revolutions(turns) if recorded.steady > 0.0 => {
