@@ -42,7 +42,6 @@ mod support_force;
 mod support_lift_off;
 mod support_table;
 mod table;
-mod table_ring;
 mod thrust;
 mod warnings;
 
@@ -69,5 +68,5 @@ pub(crate) use ring::{in_registers, quarter_turn};
 pub use state::{BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares};
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub use support::Support;
-pub use table::{BallRegion, TableError, TableLaw, TableReport};
+pub use table::{BallRegion, BallTable, TableError, TableReport};
 pub use thrust::Thrust;

@@ -99,11 +99,6 @@ impl<L: BallLaw> Ring<L> {
         }
     }
 
-    /// Law of its balls.
-    pub fn law(&self) -> &L {
-        &self.law
-    }
-
     /// Force and moment that hold the inner ring at `displacement`, in N and N m.
     #[inline]
     pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
@@ -158,39 +153,6 @@ impl<L: BallLaw> Ring<L> {
         })
     }
 
-    /// Sum over the balls of what `ball` gives for the place (A1, A2) of its inner groove centre.
-    #[inline]
-    pub(super) fn assemble(
-        &self,
-        displacement: &Vector5,
-        cage: CageAngle,
-        mut ball: impl FnMut(f64, f64) -> (BallForce, BallTangent),
-    ) -> (Vector5, Matrix5) {
-        let (mut force, mut stiffness) = ([0.0; 5], Matrix5::zeros());
-        for place in self.placed(*displacement, cage) {
-            let (push, tangent) = ball(place.axial, place.radial);
-            let (sin, cos) = (place.sin, place.cos);
-            let moment = self.arm * push.axial + push.couple;
-            let moment_rate = [0, 1].map(|j| self.arm * tangent[0][j] + tangent[2][j]);
-            let (axial_rate, radial_rate) = self.place_slopes(&place);
-            let rows = [
-                (cos, push.radial, tangent[1]),
-                (sin, push.radial, tangent[1]),
-                (1.0, push.axial, tangent[0]),
-                (sin, moment, moment_rate),
-                (-cos, moment, moment_rate),
-            ];
-            for (row, (factor, value, rate)) in rows.into_iter().enumerate() {
-                force[row] += factor * value;
-                for column in 0..5 {
-                    stiffness[(row, column)] +=
-                        factor * (rate[0] * axial_rate[column] + rate[1] * radial_rate[column]);
-                }
-            }
-        }
-        (force, stiffness)
-    }
-
     /// Loads and contact angles of every ball, ball 0 first.
     pub fn contacts(
         &self,
@@ -228,6 +190,46 @@ impl<L: BallLaw> Ring<L> {
             deformation: distance - self.free_axial.hypot(self.free_radial),
             contact: self.law.contact(ball.axial, ball.radial, speed),
         }
+    }
+}
+
+impl<L> Ring<L> {
+    /// Law of its balls.
+    pub fn law(&self) -> &L {
+        &self.law
+    }
+
+    /// Sum over the balls of what `ball` gives for the place (A1, A2) of its inner groove centre.
+    #[inline]
+    pub(super) fn assemble(
+        &self,
+        displacement: &Vector5,
+        cage: CageAngle,
+        mut ball: impl FnMut(f64, f64) -> (BallForce, BallTangent),
+    ) -> (Vector5, Matrix5) {
+        let (mut force, mut stiffness) = ([0.0; 5], Matrix5::zeros());
+        for place in self.placed(*displacement, cage) {
+            let (push, tangent) = ball(place.axial, place.radial);
+            let (sin, cos) = (place.sin, place.cos);
+            let moment = self.arm * push.axial + push.couple;
+            let moment_rate = [0, 1].map(|j| self.arm * tangent[0][j] + tangent[2][j]);
+            let (axial_rate, radial_rate) = self.place_slopes(&place);
+            let rows = [
+                (cos, push.radial, tangent[1]),
+                (sin, push.radial, tangent[1]),
+                (1.0, push.axial, tangent[0]),
+                (sin, moment, moment_rate),
+                (-cos, moment, moment_rate),
+            ];
+            for (row, (factor, value, rate)) in rows.into_iter().enumerate() {
+                force[row] += factor * value;
+                for column in 0..5 {
+                    stiffness[(row, column)] +=
+                        factor * (rate[0] * axial_rate[column] + rate[1] * radial_rate[column]);
+                }
+            }
+        }
+        (force, stiffness)
     }
 
     /// Azimuths of the balls, their cage where it starts, with the place (A1, A2) of their inner

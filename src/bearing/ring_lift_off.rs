@@ -24,6 +24,16 @@ impl LiftOffs {
         pressed: 0,
         nearest: f64::INFINITY,
     };
+
+    /// Of balls so far past their lift-off in m, ball 0 first.
+    pub(super) fn of(past_lift_off: impl Iterator<Item = f64>) -> Self {
+        let mut seen = Self::NONE;
+        for (ball, past) in past_lift_off.take(MOST_BALLS).enumerate() {
+            seen.pressed |= u128::from(past.is_sign_positive()) << ball;
+            seen.nearest = seen.nearest.min(past.abs());
+        }
+        seen
+    }
 }
 
 impl<L: BallLaw> Ring<L> {
@@ -34,14 +44,8 @@ impl<L: BallLaw> Ring<L> {
         cage: CageAngle,
         speed: f64,
     ) -> LiftOffs {
-        let mut seen = LiftOffs::NONE;
-        let balls = self.placed(*displacement, cage).take(MOST_BALLS);
-        for (index, ball) in balls.enumerate() {
-            let past = self.law().past_lift_off(ball.axial, ball.radial, speed);
-            seen.pressed |= u128::from(past.is_sign_positive()) << index;
-            seen.nearest = seen.nearest.min(past.abs());
-        }
-        seen
+        let balls = self.placed(*displacement, cage);
+        LiftOffs::of(balls.map(|ball| self.law().past_lift_off(ball.axial, ball.radial, speed)))
     }
 
     /// How far a ball is pressed past its lift-off, m; infinite for one that the ring does not have.

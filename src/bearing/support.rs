@@ -12,10 +12,9 @@ use super::elastic_energy::race_springs;
 use super::linear_force::LinearForce;
 use super::ring::{CageAngle, Matrix5, Vector5};
 use super::seat::Seat;
-use super::table_ring::TableRing;
 use super::{
-    Around, BallContact, BearingError, BearingState, ContactBand, ContactLaw, FrictionMoment,
-    Geometry, HertzSpring, MountedBearing, Preload,
+    Around, BallContact, BallTable, BearingError, BearingState, ContactBand, ContactLaw,
+    FrictionMoment, Geometry, HertzSpring, MountedBearing, Preload, Ring,
 };
 use crate::physics::{BallPass, HertzContact, nominal_cage_speed};
 
@@ -34,7 +33,7 @@ pub struct Support {
     /// What the processor has.
     pub(super) level: Level,
     /// Stands for the ring where a motion asks for forces, once compiled.
-    pub(super) table: Option<Box<TableRing>>,
+    pub(super) table: Option<Box<Ring<BallTable>>>,
     /// A cheap neighbour of the ring, where there is one.
     pub(super) coarse: Option<AnyRing>,
     pub(super) seat: Seat,

@@ -4,7 +4,7 @@ use fearless_simd::{Simd, dispatch};
 
 use super::any_ring::AnyRing;
 use super::ring::{CageAngle, Matrix5, Vector5, in_registers, quarter_turn};
-use super::ring_lanes::{LaneSums, side_by_side};
+use super::ring_lanes::side_by_side;
 use super::seat::Seat;
 use super::support::Support;
 use super::{BallContact, HertzLaw, Ring};
@@ -55,7 +55,7 @@ impl Support {
                 let place = [x, y, z + offset, tilt_x, tilt_y];
                 ring.force_by(simd, &place, cage, speed)
             }
-            (None, None) => match self.tabulated(simd, displacement, cage, speed) {
+            (None, None) => match self.table_force(simd, displacement, cage, speed) {
                 Some(force) => force,
                 None => in_registers(self.settled_force(in_registers(*displacement), cage, speed)),
             },
@@ -65,22 +65,20 @@ impl Support {
 
     /// The force of the balls in the bearing's own orientation where all of them are inside a table.
     #[inline(always)]
-    fn tabulated<S: Simd>(
+    fn table_force<S: Simd>(
         &self,
         simd: S,
         displacement: &Vector5,
         cage: CageAngle,
         speed: f64,
     ) -> Option<Vector5> {
-        let (Some(table), Seat::Fixed { offset }) = (&self.table, &self.seat) else {
+        let Seat::Fixed { offset } = self.seat else {
             return None;
         };
+        let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
+        let table = self.table_at(&[x, y, z + offset, tilt_x, tilt_y], speed)?;
         let [x, y, z, tilt_x, tilt_y] = self.imposed(&side_by_side(simd, displacement));
-        let place = [x, y, z + *offset, tilt_x, tilt_y];
-        let mut sums = LaneSums::new(simd);
-        table
-            .add_forces(simd, &place, cage, speed, &mut sums)
-            .then(|| sums.force(table.arm()))
+        Some(table.table_force(simd, &[x, y, z + offset, tilt_x, tilt_y], cage))
     }
 
     /// The ring and its axial preset in m, where its balls obey the cheap law and nothing else enters.
@@ -98,10 +96,7 @@ impl Support {
     fn settled_force(&self, displacement: Vector5, cage: CageAngle, speed: f64) -> Vector5 {
         let imposed = self.imposed(&displacement);
         let place = self.seat.settle(&self.ring, &imposed, cage, speed);
-        match &self.table {
-            Some(table) => table.force(&place, cage, speed),
-            None => self.ring.force(&place, cage, speed),
-        }
+        self.ring.force(&place, cage, speed)
     }
 
     /// Force as by [`Support::force`] and its derivative by the shaft's displacement.
@@ -129,12 +124,14 @@ impl Support {
         let (stiffness, by_cage_angle) = match &self.frozen {
             Some(linear) => (linear.stiffness, [0.0; 5]),
             None => {
-                let (force, stiffness) = match &self.table {
-                    // tables have no floating ring to settle
-                    Some(table) => {
-                        let place = self.seat.settle(&self.ring, &imposed, cage, speed);
-                        table.force_and_stiffness(&place, cage, speed)
-                    }
+                // tables have no floating ring to settle
+                let place = self
+                    .table
+                    .is_some()
+                    .then(|| self.seat.settle(&self.ring, &imposed, cage, speed));
+                let table = place.and_then(|place| Some((self.table_at(&place, speed)?, place)));
+                let (force, stiffness) = match table {
+                    Some((table, place)) => table.table_stiffness(&place, cage),
                     None => self.local_tangent(&self.ring, &imposed, cage, speed),
                 };
                 let turned = stiffness * nalgebra::SVector::from(quarter_turn(&imposed));

@@ -1,10 +1,10 @@
 //! The force of a mounted bearing from a table.
 
+use super::any_ring::AnyRing;
 use super::ring::{CageAngle, Vector5};
 use super::seat::Seat;
 use super::support::Support;
-use super::table_ring::{TableRing, TableWish};
-use super::{BallRegion, TableError, TableReport};
+use super::{BallLaw, BallRegion, BallTable, Ring, TableError, TableReport};
 
 /// Least swing that a table allows for, over the distance of the groove centres.
 const LEAST_SWING: f64 = 1e-3;
@@ -33,30 +33,36 @@ impl Support {
             return None;
         }
         let place = self.ring_displacement(displacement, CageAngle::START, speed);
-        let wish = TableWish {
-            region: self.ball_region(&place, swing),
+        let request = (
+            self.ball_region(&place, swing),
             speed,
-            load: self.largest_load_around(&place, speed),
+            self.largest_load_around(&place, speed),
             tolerance,
+        );
+        let compiled = match &self.ring {
+            AnyRing::Hertz(_) => return None,
+            AnyRing::HertzFilm(ring) => under_table(ring, request),
+            AnyRing::Jones(ring) => under_table(ring, request),
+            AnyRing::JonesFilm(ring) => under_table(ring, request),
         };
-        let compiled = TableRing::compile(&self.ring, &self.definition, &wish)?;
         Some(compiled.map(|(table, report)| {
             self.table = Some(Box::new(table));
             report
         }))
     }
 
-    /// Whether the forces with the shaft at `displacement` come from a table alone; so they do where
+    /// The table where it covers every ball of the ring at `place`, wherever the cage stands.
+    #[inline(always)]
+    pub(super) fn table_at(&self, place: &Vector5, speed: f64) -> Option<&Ring<BallTable>> {
+        let table = self.table.as_deref()?;
+        table.is_covered(place, speed).then_some(table)
+    }
+
+    /// Whether the forces with the shaft at `displacement` come from a table; so they do where
     /// there is none.
     pub fn is_inside_table(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> bool {
-        let Some(table) = &self.table else {
-            return true;
-        };
-        table.covers(
-            &self.ring_displacement(displacement, cage, speed),
-            cage,
-            speed,
-        )
+        let place = || self.ring_displacement(displacement, cage, speed);
+        self.table.is_none() || self.table_at(&place(), speed).is_some()
     }
 
     /// Where balls come, whatever their azimuth, with the shaft within `swing` of the ring's `place`.
@@ -84,4 +90,13 @@ impl Support {
             .map(|around| around.contact.load_inner)
             .fold(0.0, f64::max)
     }
+}
+
+/// The same balls under a table over a region, at a speed, within a tolerance of a load.
+fn under_table<L: BallLaw>(
+    ring: &Ring<L>,
+    (region, speed, load, tolerance): (BallRegion, f64, f64, f64),
+) -> Result<(Ring<BallTable>, TableReport), TableError> {
+    let (table, report) = BallTable::compile(ring.law(), region, speed, load, tolerance)?;
+    Ok((ring.under(table), report))
 }

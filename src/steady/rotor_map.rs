@@ -7,8 +7,8 @@ use nalgebra::{Const, DMatrix, DVector, SMatrix};
 use super::SteadyError;
 use super::places::Places;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Method, SHORTEST, Scaling, Settings, Shifted,
-    Square, slopes_along, variation,
+    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, Square,
+    variation,
 };
 use crate::rotor::{MotionScale, Moving, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
@@ -19,16 +19,6 @@ const STATE_STEP: f64 = 1e-3;
 /// Slopes need be no more exact than this: they guide the search and tell multipliers to six digits,
 /// while what returns is judged by the motion itself.
 const SLOPE_TOLERANCE: f64 = 1e-6;
-
-/// The error of slopes along known states is below what it is taken for by this factor and more.
-const ALONG: f64 = 4.0;
-
-/// Shortest steps along a motion of known states: these are so many in a period of the forcing at least, and
-/// the fastest natural vibration turns by so much in one of them, rad.
-const LEAST_STEPS: usize = 32;
-const SHORTEST_TURN: f64 = 1.5;
-/// Most states of a period.
-const MOST_LOOKS: usize = 1 << 16;
 
 /// Makes the rotor of a value of the parameter; what is wrong with it in words.
 pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
@@ -138,56 +128,17 @@ where
         if self.way.settings.method == Method::Rodas {
             return self.slopes_by_difference(start, state);
         }
-        let (states, interval) = self.looks(start, state)?;
-        let slopes = match self.slopes_along(start, interval, &states) {
-            Some(slopes) => slopes,
-            None => self.slopes_beside(start, state)?,
-        };
+        let end = self.end(start, state)?;
+        let slopes = self.slopes(start, state)?;
         let scale = &self.unit.scale;
         let slopes = DMatrix::from_fn(N, N, |row, column| {
             slopes[(row, column)] * scale[column] / scale[row]
         });
-        let end = states.last().copied().unwrap_or([f64::NAN; N]);
         Ok((end, slopes))
     }
 
-    /// States over a period close enough to each other for slopes along them, and their distance, s.
-    fn looks(
-        &mut self,
-        start: f64,
-        state: &[f64; N],
-    ) -> Result<(Vec<[f64; N]>, f64), IntegrateError> {
-        let period = self.places.circle.period();
-        let shortest = SHORTEST_TURN / self.scale.frequency;
-        let least = SHORTEST * LEAST_STEPS * self.places.multiple as usize;
-        let intervals = ((SHORTEST as f64 * period / shortest) as usize).max(least);
-        let intervals = intervals.next_power_of_two().min(MOST_LOOKS);
-        let grid = Grid {
-            interval: period / intervals as f64,
-            count: intervals as u64 + 1,
-        };
-        Ok((self.flight(start, state, grid)?, grid.interval))
-    }
-
-    /// Slopes along known states; none where they are not smooth enough.
-    fn slopes_along(
-        &mut self,
-        start: f64,
-        interval: f64,
-        states: &[[f64; N]],
-    ) -> Option<SMatrix<f64, N, N>> {
-        let system = Shifted {
-            system: &self.rotor,
-            start,
-        };
-        let (scaling, tolerance) = (self.scaling(), ALONG * self.slope_tolerance());
-        let found = slopes_along(&system, &scaling, tolerance, interval, states)?;
-        self.counters.evaluations += found.linearisations;
-        Some(found.slopes)
-    }
-
     /// Slopes integrated beside the motion.
-    fn slopes_beside(
+    fn slopes(
         &mut self,
         start: f64,
         state: &[f64; N],
@@ -198,17 +149,13 @@ where
         };
         let (way, period) = (&self.way, self.places.circle.period());
         let settings = Settings {
-            tolerance: self.slope_tolerance(),
+            tolerance: way.settings.tolerance.max(SLOPE_TOLERANCE),
             ..way.settings
         };
         let scaling = self.scaling();
         let found = variation::<_, N, A>(&system, &scaling, &settings, way.stop, period, state)?;
         self.counters.add(&found.counters);
         Ok(found.slopes)
-    }
-
-    fn slope_tolerance(&self) -> f64 {
-        self.way.settings.tolerance.max(SLOPE_TOLERANCE)
     }
 
     fn slopes_by_difference(

@@ -201,7 +201,7 @@ fn numbers_do_not_depend_on_which_others_are_kept() {
 #[test]
 fn a_killed_study_goes_on_and_loses_nothing() {
     let folder = TempDir::new().expect("a folder");
-    let long = SPEEDS.replace("count = 40", "count = 150");
+    let long = SPEEDS.replace("count = 40", "count = 400");
     let file = written(folder.path(), &long);
     let whole = folder.path().join("whole");
     assert!(study(&file, &whole, &[]).status.success());

@@ -1,147 +1,156 @@
-//! A table of polynomials, and how balls are looked up in it.
+//! A table of polynomials that stands for a ball law.
 
-use fearless_simd::{Level, Simd, SimdBase, SimdFloat, SimdMask, dispatch};
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
 
-use super::cells::{CoupleCell, ForceCell, cell_couples, cell_forces};
-use super::chart::{Chart, Coordinates, with_chart};
-use super::division::{Division, InCells, Search, with_division};
+use super::cells::{Cell, values};
+use super::chart::Chart;
+use super::grid::{Grid, InCells};
 use super::region::BallRegion;
-use crate::bearing::{LaneForces, Lanes};
+use crate::bearing::{BallForce, BallTangent, LaneForces, Lanes};
 
-/// End of a range, with what rounding may add.
-const END: f64 = 1.0 + 1e-13;
-
-/// The forces of a ball law at one speed over a region, whatever law it is.
+/// The forces of a ball law at one speed over a region, as polynomials.
+///
+/// ```text
+/// u = (A2 − c)² − M(|A1|)   v = √u   F = u Σ c_kl x^k t^l
+/// ```
+///
+/// with x and t the places in a cell of (v, |A1|). `u = 0` is the line of lift-off, beyond which a
+/// ball carries nothing. It is for the caller to ask the law itself where [`BallTable::covers`] says no.
+///
+/// The force differs from the exact one by the bound of its [`super::TableReport`]; from cell to cell it steps by no more.
 #[derive(Debug, Clone)]
-pub(in crate::bearing) struct BallTable<const COUPLE: bool> {
+pub struct BallTable {
     /// Shaft speed, rad/s.
     pub(super) speed: f64,
-    /// Where the balls of a ring may be looked up, its A1 as [`BallRegion::one_sided`].
+    /// Where balls are looked up, folded.
     pub(super) region: BallRegion,
-    pub(in crate::bearing) chart: Chart,
-    pub(in crate::bearing) division: Division,
-    pub(super) forces: Vec<ForceCell>,
-    pub(super) couples: Vec<CoupleCell>,
+    pub(super) chart: Chart,
+    pub(super) grid: Grid,
+    /// Of axial and radial force over u.
+    pub(super) forces: Vec<Cell>,
+    /// Of the couple over u, the second polynomials zero; empty for a law without couple.
+    pub(super) couples: Vec<Cell>,
 }
 
-/// Places of balls side by side in the table.
+/// Places of balls side by side in a table.
 #[derive(Clone, Copy)]
 pub(in crate::bearing) struct Located<S: Simd> {
-    /// What the polynomials of the radial force are to be multiplied by.
-    radial: Lanes<S>,
-    /// What those of the axial force and the couple are, with the sign of A1, in which these are odd.
-    odd: Lanes<S>,
     in_cells: InCells<S>,
+    past_lift: Lanes<S>,
+    /// u with the sign of A1, in which axial force and couple are odd.
+    odd: Lanes<S>,
 }
 
-/// A single place in the coordinates of the table, as [`Located`].
-pub(super) struct Single {
-    /// Without the sign, those of axial force and couple, and those of the radial force.
-    pub(super) factors: [f64; 2],
-    /// dx/dv and dt/dτ.
-    pub(super) rates: [f64; 2],
-    pub(super) cell: usize,
-    pub(super) x: f64,
-    pub(super) t: f64,
-}
-
-impl<const COUPLE: bool> BallTable<COUPLE> {
-    /// Whether a single place at a speed is in the table.
-    #[inline(always)]
-    fn covers<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>, speed: f64) -> bool {
-        let [along, root, ..] =
-            with_chart!(&self.chart, chart => chart.coordinates(axial.abs(), radial));
-        let inside = along.abs().simd_le(END)
-            & with_division!(&self.division, division => division.contain(root))
-            & radial.simd_ge(self.region.radial[0]);
-        inside.all_true() && speed == self.speed
+impl BallTable {
+    /// Whether the table stands for the law at a place and speed.
+    pub fn covers(&self, axial: f64, radial: f64, speed: f64) -> bool {
+        speed == self.speed && self.region.contains(axial, radial)
     }
 
-    /// Where a single place is in the table.
-    pub(super) fn locate_single(&self, axial: f64, radial: f64, speed: f64) -> Option<Single> {
+    /// Whether it does at all places whose A1 and A2 are within their swings of the middle; each is the middle and the
+    /// square of the swing, in m and m².
+    #[inline(always)]
+    pub(in crate::bearing) fn covers_around(
+        &self,
+        axial: [f64; 2],
+        radial: [f64; 2],
+        speed: f64,
+    ) -> bool {
+        speed == self.speed && self.region.contains_around(axial, radial)
+    }
+
+    /// Whether balls bear a couple.
+    #[inline(always)]
+    pub(in crate::bearing) fn has_couple(&self) -> bool {
+        !self.couples.is_empty()
+    }
+
+    /// Force on a ball at a place that the table covers.
+    pub fn force(&self, axial: f64, radial: f64) -> BallForce {
         dispatch!(Level::baseline(), simd => {
             let [axial, radial] = [axial, radial].map(|number| Lanes::splat(simd, number));
-            if !self.covers(axial, radial, speed) {
-                return None;
+            let ball = self.forces(&self.locate(axial, radial));
+            BallForce {
+                axial: ball.axial[0],
+                radial: ball.radial[0],
+                couple: ball.couple[0],
             }
-            let [_, root, ..] = with_chart!(&self.chart, chart => chart.coordinates(axial.abs(), radial));
-            let place = self.located(axial, radial);
-            let [root_rate, along_rate] = with_division!(&self.division, division => division.rates(root));
-            Some(Single {
-                factors: [place.odd[0].abs(), place.radial[0]],
-                rates: [root_rate[0], along_rate[0]],
-                cell: place.in_cells.cells[0] as usize,
-                x: place.in_cells.x[0],
-                t: place.in_cells.t[0],
-            })
         })
     }
 
-    /// Force of a single ball: the axial and the radial one and the couple, by the table.
-    pub(super) fn single_force(&self, axial: f64, radial: f64, speed: f64) -> Option<[f64; 3]> {
-        dispatch!(Level::baseline(), simd => {
+    /// The same and its exact derivative.
+    pub fn force_and_tangent(&self, axial: f64, radial: f64) -> (BallForce, BallTangent) {
+        let (past_lift, cell, x, t) = dispatch!(Level::baseline(), simd => {
             let [axial, radial] = [axial, radial].map(|number| Lanes::splat(simd, number));
-            self.covers(axial, radial, speed).then(|| {
-                let place = self.located(axial, radial);
-                let LaneForces { axial, radial, couple } = self.forces_at(&place);
-                [axial[0], radial[0], couple[0]]
-            })
-        })
-    }
-
-    /// Whether all places are in the region of the table whose A1 and A2 are within their swings of the
-    /// middle, at a speed; each is the middle and the square of the swing, in m and m².
-    #[inline(always)]
-    pub(in crate::bearing) fn holds(&self, axial: [f64; 2], radial: [f64; 2], speed: f64) -> bool {
-        // squares in place of a root, which takes long
-        let room = |[middle, square]: [f64; 2], [low, high]: [f64; 2]| {
-            let (below, above) = (middle - low, high - middle);
-            (below >= 0.0) & (above >= 0.0) & (below * below >= square) & (above * above >= square)
+            let Located { in_cells, past_lift, .. } = self.locate(axial, radial);
+            (past_lift[0], in_cells.cells[0], in_cells.x[0], in_cells.t[0])
+        });
+        let (along_rate, past_lift_rates) = self.chart.slopes(axial.abs(), radial);
+        // dx/dv and dt/d|A1|
+        let (x_rate, t_rate) = (self.grid.root.scale, self.grid.along.scale * along_rate);
+        // F = u H(x, t), u dv/du = v/2
+        let row = |cell: &Cell, which: usize| {
+            let [value, by_x, by_t] = cell.with_slopes(which, x, t);
+            let by_past_lift = value + 0.5 * past_lift.sqrt() * x_rate * by_x;
+            let [axial, radial] = past_lift_rates.map(|rate| by_past_lift * rate);
+            (
+                past_lift * value,
+                [axial + past_lift * t_rate * by_t, radial],
+            )
         };
-        let axial = [axial[0].abs(), axial[1]];
-        room(radial, self.region.radial) & room(axial, self.region.axial) & (speed == self.speed)
+        let side = 1.0_f64.copysign(axial);
+        let odd = |(value, [by_axial, by_radial]): (f64, [f64; 2])| {
+            (side * value, [by_axial, side * by_radial])
+        };
+        let (push_axial, axial_row) = odd(row(&self.forces[cell], 0));
+        let (push_radial, [by_axial, by_radial]) = row(&self.forces[cell], 1);
+        let couple = self.couples.get(cell);
+        let (couple, couple_row) = couple.map_or((0.0, [0.0; 2]), |cell| odd(row(cell, 0)));
+        let force = BallForce {
+            axial: push_axial,
+            radial: push_radial,
+            couple,
+        };
+        (force, [axial_row, [side * by_axial, by_radial], couple_row])
     }
 
-    /// As [`BallTable::locate`], by the table's own chart and division.
-    #[inline(always)]
-    fn located<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> Located<S> {
-        with_chart!(&self.chart, chart => {
-            with_division!(&self.division, division => Self::locate(chart, division, axial, radial))
-        })
+    /// How far a place is past the table's own line of lift-off, m.
+    pub fn past_lift_off(&self, axial: f64, radial: f64) -> f64 {
+        self.chart.distance_past_lift(axial.abs(), radial)
     }
 
-    /// Where places of a table's region are in it; elsewhere a place without meaning.
+    /// Where places that the table covers are in it.
     #[inline(always)]
     pub(in crate::bearing) fn locate<S: Simd>(
-        chart: &impl Coordinates,
-        division: &impl Search,
+        &self,
         axial: Lanes<S>,
         radial: Lanes<S>,
     ) -> Located<S> {
-        let [along, root, odd, factor] = chart.coordinates(axial.abs(), radial);
+        let [along, root, past_lift] = self.chart.coordinates(axial.abs(), radial);
         Located {
-            radial: factor,
-            odd: odd.copysign(axial),
-            in_cells: division.locate(root, along),
+            in_cells: self.grid.locate(root, along),
+            past_lift,
+            odd: past_lift.copysign(axial),
         }
     }
 
-    /// Forces at places in the table: polynomials in their cells.
+    /// Forces there: polynomials in the cells.
     #[inline(always)]
-    pub(in crate::bearing) fn forces_at<S: Simd>(&self, place: &Located<S>) -> LaneForces<S> {
-        let InCells { cells, x, t } = place.in_cells;
-        let [a, b, c, d] = cells;
-        let of = |cell: u32| &self.forces[cell as usize];
-        let [push_axial, push_radial] = cell_forces([of(a), of(b), of(c), of(d)], x, t);
-        let couple = if COUPLE {
-            let of = |cell: u32| &self.couples[cell as usize];
-            place.odd * cell_couples([of(a), of(b), of(c), of(d)], x, t)
+    pub(in crate::bearing) fn forces<S: Simd>(&self, place: &Located<S>) -> LaneForces<S> {
+        let Located {
+            in_cells,
+            past_lift,
+            odd,
+        } = *place;
+        let [push_axial, push_radial] = values(&self.forces, &in_cells);
+        let couple = if self.has_couple() {
+            odd * values(&self.couples, &in_cells)[0]
         } else {
-            Lanes::splat(x.witness(), 0.0)
+            Lanes::splat(past_lift.witness(), 0.0)
         };
         LaneForces {
-            axial: place.odd * push_axial,
-            radial: place.radial * push_radial,
+            axial: odd * push_axial,
+            radial: past_lift * push_radial,
             couple,
         }
     }

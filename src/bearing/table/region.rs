@@ -10,24 +10,39 @@ pub struct BallRegion {
 }
 
 impl BallRegion {
-    /// Least and greatest |A1|: every law is the same on both sides of A1 = 0.
-    pub(super) fn axial_span(&self) -> [f64; 2] {
+    /// The same with |A1| in place of A1: every law is the same on both sides of A1 = 0.
+    pub(super) fn folded(&self) -> Self {
         let [low, high] = self.axial;
         let far = low.abs().max(high.abs());
-        if low <= 0.0 && high >= 0.0 {
-            [0.0, far]
+        let near = if low <= 0.0 && high >= 0.0 {
+            0.0
         } else {
-            [low.abs().min(high.abs()), far]
+            low.abs().min(high.abs())
+        };
+        Self {
+            axial: [near, far],
+            radial: self.radial,
         }
     }
 
-    /// The same from another least A2 on, and with both ends of A1 above zero; where it holds A1 = 0, it reaches as
-    /// far to both sides.
-    pub(super) fn one_sided(&self, lowest: f64) -> Self {
-        let [near, far] = self.axial_span();
-        Self {
-            axial: [if near > 0.0 { near } else { -far }, far],
-            radial: [lowest, self.radial[1]],
-        }
+    /// Whether a place is inside a folded region; one that is no number is not.
+    pub(super) fn contains(&self, axial: f64, radial: f64) -> bool {
+        let within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
+        within(axial.abs(), self.axial) && within(radial, self.radial)
+    }
+
+    /// Whether all places are inside a folded region whose A1 and A2 are within their swings of the middle; each is the
+    /// middle and the square of the swing, in m and m².
+    #[inline(always)]
+    pub(super) fn contains_around(&self, axial: [f64; 2], radial: [f64; 2]) -> bool {
+        // squares in place of a root, which takes long
+        let room = |[middle, square]: [f64; 2], [low, high]: [f64; 2]| {
+            let (below, above) = (middle - low, high - middle);
+            (below >= 0.0) & (above >= 0.0) & (below * below >= square) & (above * above >= square)
+        };
+        let [near, far] = self.axial;
+        // both sides of A1 = 0
+        let near = if near > 0.0 { near } else { -far };
+        room(radial, self.radial) & room([axial[0].abs(), axial[1]], [near, far])
     }
 }

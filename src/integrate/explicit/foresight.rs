@@ -73,7 +73,7 @@ mod tests {
 
     use super::*;
     use crate::integrate::explicit::Verner76;
-    use crate::integrate::{Method, Scaling, Settings, Surroundings};
+    use crate::integrate::{Counters, Method, Scaling, Settings, Surroundings};
 
     /// A ball that falls on elastic ground.
     struct Falling;
@@ -119,7 +119,7 @@ mod tests {
             end: 100.0,
             slack: 1e-9,
         };
-        let mut walk = Walk::at(0.0, [1.0, 0.0], size);
+        let mut walk = Walk::new(0.0, [1.0, 0.0], size, Counters::default());
         walk.begin::<Verner76, _>(&course);
         walk.crossing.latest = latest_crossing;
         walk.foresee::<Verner76, _>(&course)[0]

@@ -46,7 +46,7 @@ fn walked_by<P: Pair>(level: Level, steps: u32, time: f64) -> Walk<2> {
     };
     let mut walk = Walk {
         level,
-        ..Walk::new(START)
+        ..Walk::new(0.0, START, 0.0, Counters::default())
     };
     for step in 1..=steps {
         walk.begin::<P, _>(&course);

@@ -22,16 +22,6 @@ pub(super) fn apply<const N: usize>(
     }
 }
 
-/// The product of two matrices.
-#[inline(always)]
-pub(super) fn product<const N: usize>(left: &Columns<N>, right: &Columns<N>) -> Columns<N> {
-    let mut product = [[0.0; N]; N];
-    for (column, sum) in right.iter().zip(&mut product) {
-        apply(left, 0, column, sum);
-    }
-    product
-}
-
 /// Sweeps of [`balanced_units`]: each brings rows and columns nearer to each other.
 const BALANCING: usize = 8;
 

@@ -7,13 +7,10 @@
 //! with p the polynomial of the slow part: exact as the step itself, whatever the linear part does
 //! between two samples. The sum is a polynomial of the sample's number, found once a step.
 
-use super::columns::apply;
 use super::linear::LinearPart;
-use super::mode_propagator::Functions;
 use super::modes::{add, joined};
 use super::nodes::{NODES, POINTS, Points, combined};
-use super::operator::Phi;
-use super::phi::Family;
+use super::propagator::Functions;
 use crate::integrate::registers::in_wide_registers;
 
 /// A sample within a step, and how to come to the next.
@@ -33,15 +30,12 @@ impl<const N: usize> Cursor<N> {
         from: [f64; N],
         slow: &Points<N>,
         [interval, intervals]: [f64; 2],
-        phi: &Phi<N>,
+        phi: &Functions<N>,
         linear: &LinearPart<N>,
     ) -> Self {
         let push = in_wide_registers!(linear.level, {
             let derivatives = derivatives(slow, intervals);
-            match phi {
-                Phi::Modes(functions) => pushes_of_modes(&derivatives, interval, functions),
-                Phi::Dense(family) => pushes(&derivatives, interval, family, linear.first),
-            }
+            pushes(&derivatives, interval, phi)
         });
         Self {
             index: 0.0,
@@ -57,7 +51,7 @@ impl<const N: usize> Cursor<N> {
 
     /// Goes to a sample that is not behind; its deviation.
     #[inline(never)]
-    pub fn go_to(&mut self, index: f64, phi: &Phi<N>, linear: &LinearPart<N>) -> [f64; N] {
+    pub fn go_to(&mut self, index: f64, phi: &Functions<N>, linear: &LinearPart<N>) -> [f64; N] {
         in_wide_registers!(linear.level, {
             while self.index < index {
                 self.go_on(phi);
@@ -68,22 +62,16 @@ impl<const N: usize> Cursor<N> {
 
     /// Goes to the next sample.
     #[inline(always)]
-    fn go_on(&mut self, phi: &Phi<N>) {
+    fn go_on(&mut self, phi: &Functions<N>) {
         let mut next = [0.0; N];
         for push in self.push.iter().rev() {
             for i in 0..N {
                 next[i] = next[i] * self.index + push[i];
             }
         }
-        match phi {
-            Phi::Modes(functions) => {
-                let mut sums = [next, [0.0; N]];
-                add(&functions[0], &self.coordinates, &mut sums);
-                next = joined(&sums);
-            }
-            Phi::Dense(family) => apply(&family[0], 0, &self.coordinates, &mut next),
-        }
-        self.coordinates = next;
+        let mut sums = [next, [0.0; N]];
+        add(&phi[0], &self.coordinates, &mut sums);
+        self.coordinates = joined(&sums);
         self.index += 1.0;
     }
 }
@@ -107,23 +95,6 @@ fn derivatives<const N: usize>(slow: &Points<N>, intervals: f64) -> Points<N> {
 /// Coefficients of the powers of a sample's number in what the slow part adds up to it.
 #[inline(always)]
 fn pushes<const N: usize>(
-    derivatives: &Points<N>,
-    interval: f64,
-    family: &Family<N>,
-    first: usize,
-) -> Points<N> {
-    let mut pushes = [[0.0; N]; POINTS];
-    for (power, push) in pushes.iter_mut().enumerate() {
-        for (function, derivative) in family[1..].iter().zip(&derivatives[power..]) {
-            apply(function, first, derivative, push);
-        }
-    }
-    divided(pushes, interval)
-}
-
-/// The same in the coordinates of modes.
-#[inline(always)]
-fn pushes_of_modes<const N: usize>(
     derivatives: &Points<N>,
     interval: f64,
     functions: &Functions<N>,

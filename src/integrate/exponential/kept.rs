@@ -1,7 +1,7 @@
 //! Step sizes that were used of late, with what carries a state over them.
 
 use super::linear::LinearPart;
-use super::operator::{Operator, Phi};
+use super::propagator::{Functions, Propagator, functions};
 
 /// Sizes that are kept.
 const KEPT: usize = 12;
@@ -12,7 +12,7 @@ struct Size<const N: usize> {
     size: f64,
     /// When it was asked for last.
     used: u64,
-    operator: Operator<N>,
+    propagator: Propagator<N>,
 }
 
 /// Operators of one linear part by their sizes, and the functions over a sample interval.
@@ -20,7 +20,7 @@ struct Size<const N: usize> {
 pub(super) struct Propagators<const N: usize> {
     kept: Vec<Size<N>>,
     clock: u64,
-    samples: Option<Phi<N>>,
+    samples: Option<Functions<N>>,
 }
 
 impl<const N: usize> Propagators<N> {
@@ -39,7 +39,7 @@ impl<const N: usize> Propagators<N> {
     }
 
     /// The operator over a step.
-    pub fn of(&mut self, part: &LinearPart<N>, size: f64) -> &Operator<N> {
+    pub fn of(&mut self, part: &LinearPart<N>, size: f64) -> &Propagator<N> {
         self.clock += 1;
         let index = match self.kept.iter().position(|known| known.size == size) {
             Some(index) => index,
@@ -47,7 +47,7 @@ impl<const N: usize> Propagators<N> {
         };
         let known = &mut self.kept[index];
         known.used = self.clock;
-        &known.operator
+        &known.propagator
     }
 
     /// Builds an operator in place of none or of the one that was not used for longest.
@@ -55,7 +55,7 @@ impl<const N: usize> Propagators<N> {
         let built = Size {
             size,
             used: self.clock,
-            operator: Operator::new(part, size),
+            propagator: Propagator::new(&part.modes, size, part.level),
         };
         if self.kept.len() < KEPT {
             self.kept.push(built);
@@ -68,7 +68,8 @@ impl<const N: usize> Propagators<N> {
     }
 
     /// The functions over an interval of samples.
-    pub fn samples(&mut self, part: &LinearPart<N>, interval: f64) -> &Phi<N> {
-        self.samples.get_or_insert_with(|| Phi::new(part, interval))
+    pub fn samples(&mut self, part: &LinearPart<N>, interval: f64) -> &Functions<N> {
+        self.samples
+            .get_or_insert_with(|| functions(&part.modes.eigenvalues, interval))
     }
 }

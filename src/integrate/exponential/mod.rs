@@ -9,8 +9,9 @@
 //! part; sweeps over the points solve for the y_j. A shaft on preloaded bearings oscillates far faster
 //! than what drives it, and nearly linearly: g is small and follows the drive, and so do the steps.
 //!
-//! All this is done in the coordinates of the modes of J, where its functions are numbers; where its modes are no
-//! sound basis, as at critical damping, by matrices.
+//! All this is done in the coordinates of the modes of J, where its functions are numbers. Any J will do, the remainder
+//! takes what it lacks: where the modes are no sound basis, as at critical damping, J is a matrix next to the slopes whose
+//! modes are.
 //!
 //! Sources: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2.1
 //! (exponential collocation); Buvoli, *SIAM J. Sci. Comput.* 42 (2020) B1–B27 (its solution by sweeps).
@@ -21,11 +22,8 @@ mod dense;
 mod kept;
 mod linear;
 mod mean;
-mod mode_phi;
-mod mode_propagator;
 mod modes;
 mod nodes;
-mod operator;
 mod phi;
 mod plan;
 mod propagator;

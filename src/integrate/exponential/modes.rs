@@ -26,13 +26,50 @@ pub(super) struct Modes<const N: usize> {
     parts: Columns<N>,
 }
 
+/// Damping that parts modes that are nearly the same, over the norm of the Jacobian: the root of it is how far
+/// apart they then are.
+const PARTING: f64 = 1e-3;
+
 /// A function of a linear part in the coordinates of its modes: a factor for each coordinate, and one for what
 /// it adds to its partner.
 pub(super) type Diagonal<const N: usize> = [[f64; N]; 2];
 
 impl<const N: usize> Modes<N> {
+    /// Of no linear part: every component by itself.
+    pub fn none() -> Self {
+        let mut unity = [[0.0; N]; N];
+        for (place, column) in unity.iter_mut().enumerate() {
+            column[place] = 1.0;
+        }
+        Self {
+            eigenvalues: [Complex::ZERO; N],
+            against: [[0.0; N]; 2],
+            shapes: unity,
+            parts: unity,
+        }
+    }
+
+    /// Modes of a Jacobian, with the units in which it is smallest and its norm in them, or of a matrix next to it:
+    /// the frozen linear part of the method may be any, and what it lacks is in the remainder. Where the modes are
+    /// no sound basis, as at critical damping, every component gets a little damping of its own, which parts them;
+    /// where that does not help either, there is no linear part.
+    pub fn near(jacobian: &Columns<N>, units: &[f64; N], norm: f64) -> Self {
+        let apart = || {
+            let mut jacobian = *jacobian;
+            for (place, column) in jacobian.iter_mut().enumerate() {
+                // what acts on nothing stays as it is
+                if units[place].is_finite() {
+                    column[place] -= PARTING * norm * (1.0 + place as f64 / N as f64);
+                }
+            }
+            Self::new(&jacobian, units)
+        };
+        let own = Self::new(jacobian, units);
+        own.or_else(apart).unwrap_or_else(Self::none)
+    }
+
     /// Modes of a Jacobian with the units in which it is smallest; none where they are no sound basis.
-    pub fn new(jacobian: &Columns<N>, units: &[f64; N]) -> Option<Self> {
+    fn new(jacobian: &Columns<N>, units: &[f64; N]) -> Option<Self> {
         let matrix = DMatrix::from_column_slice(N, N, jacobian.as_flattened());
         let basis = Basis::new(&matrix, units)?;
         let mut modes = Self {
@@ -110,7 +147,7 @@ pub(super) fn joined<const N: usize>([own, given]: &Diagonal<N>) -> [f64; N] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::columns::balanced_units;
+    use super::super::columns::{balanced_units, norm_in};
     use super::*;
 
     /// V⁻¹ f − Λ z is what f − J y is, with an oscillation among decays: J by columns, the velocities last.
@@ -137,5 +174,40 @@ mod tests {
                 "{row}: {error:e}"
             );
         }
+    }
+
+    /// V Λ V⁻¹ is next to J: at critical damping, of a body that nothing holds, and of what hangs on it.
+    #[test]
+    fn where_modes_are_no_basis_those_of_a_matrix_next_to_it_are() {
+        let held = [[0.0, -1e8, 0.0], [1.0, -2e4, 3e3], [0.0; 3]];
+        let free = [[0.0, 0.0, 5.0], [1.0, -10.0, 3e3], [0.0; 3]];
+        for jacobian in [held, free] {
+            let units = balanced_units(&jacobian);
+            assert!(Modes::new(&jacobian, &units).is_none());
+            let norm = norm_in(&units, &jacobian);
+            let modes = Modes::near(&jacobian, &units, norm);
+            assert!(modes.eigenvalues.iter().any(|value| value.norm() > 0.0));
+            let level = Level::new();
+            for place in 0..3 {
+                let mut deviation = [0.0; 3];
+                deviation[place] = 1.0;
+                let z = modes.coordinates(&deviation, level);
+                let back = modes.deviation(&z, level);
+                // −Λ z is the remainder at no rate
+                let rate = modes.deviation(&modes.slow(&[0.0; 3], &z, level), level);
+                for row in 0..3 {
+                    let whole = f64::from(u8::from(row == place));
+                    assert!((back[row] - whole).abs() < 1e-9, "{place}, {row}: {back:?}");
+                    if units[row].is_finite() && units[place].is_finite() {
+                        let off = (rate[row] + jacobian[place][row]) * units[place] / units[row];
+                        assert!(off.abs() < 3.0 * PARTING * norm, "{place}, {row}: {off:e}");
+                    }
+                }
+            }
+        }
+        let nothing = [[0.0; 2]; 2];
+        let modes = Modes::near(&nothing, &balanced_units(&nothing), 0.0);
+        assert_eq!(modes.eigenvalues, [Complex::ZERO; 2]);
+        assert_eq!(modes.coordinates(&[3.0, -4.0], Level::new()), [3.0, -4.0]);
     }
 }

@@ -1,173 +1,151 @@
-//! Functions φ_k of a matrix, which integrate polynomials exactly beside a linear system.
+//! Functions φ_k of a number, real or complex, as accurate where it is small as where it is large.
 //!
 //! ```text
-//! φ_0(X) = exp X,   φ_k(X) = ∫₀¹ exp((1−σ)X) σ^(k−1)/(k−1)! dσ,   φ_k = X φ_{k+1} + 1/k!
-//! φ_k(2X) = 2^−k [φ_0(X) φ_k(X) + Σ_{j=1}^{k} φ_j(X)/(k−j)!]
+//! φ_0(x) = exp x,   φ_k = (φ_{k−1} − 1/(k−1)!)/x,   φ_k(x) = Σ_n x^n/(n+k)!
 //! ```
 //!
-//! Source: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2;
-//! the doubling as in Skaflestad & Wright, *Appl. Numer. Math.* 59 (2009) 783–799.
+//! The recursion loses digits upwards where k is above |x|, and downwards where it is below: it goes up from
+//! the exponential and down from the series of the highest function, and both meet at |x|.
+//!
+//! Source: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2.
 
-use super::columns::{Columns, apply};
-use super::linear::LinearPart;
+use nalgebra::ComplexField;
+
 use super::nodes::POINTS;
 
 /// Highest k.
 pub(super) const HIGHEST: usize = POINTS;
-/// Norm up to which the series is summed without halving.
-const SMALL: f64 = 1.0;
-/// Halvings after which the matrix is out of all reason.
-const MOST_HALVINGS: u32 = 60;
-/// Terms of the series of the highest function: the next is below round-off at the norm above.
-const TERMS: usize = 15;
 
-/// φ_0 … φ_HIGHEST.
-pub(super) type Family<const N: usize> = [Columns<N>; HIGHEST + 1];
+/// Part of the series that is nothing.
+const NOTHING: f64 = 1e-18;
 
-/// The functions of a linear part over an interval, s.
-#[inline(always)]
-pub(super) fn over<const N: usize>(part: &LinearPart<N>, interval: f64) -> Family<N> {
-    let scaled = times(interval, &part.jacobian);
-    family(&scaled, interval * part.norm, part.first)
-}
-
-/// The functions of a matrix whose size by a sensible norm is known; of φ_1 and those after it only the
-/// columns from `first` on are right.
-#[inline(always)]
-pub(super) fn family<const N: usize>(matrix: &Columns<N>, norm: f64, first: usize) -> Family<N> {
-    let halvings = if norm > SMALL {
-        ((norm / SMALL).log2().ceil() as u32).min(MOST_HALVINGS)
-    } else {
-        0
-    };
-    let mut family = small(&times(0.5_f64.powi(halvings as i32), matrix));
-    for _ in 0..halvings {
-        double(&mut family, first);
+/// 1/k!.
+const INVERSE_FACTORIALS: [f64; HIGHEST + 1] = {
+    let mut inverse = [1.0; HIGHEST + 1];
+    let (mut k, mut factorial) = (1, 1.0);
+    while k <= HIGHEST {
+        factorial *= k as f64;
+        inverse[k] = 1.0 / factorial;
+        k += 1;
     }
-    family
-}
+    inverse
+};
 
-/// The functions of a matrix of small norm.
-#[inline(always)]
-fn small<const N: usize>(matrix: &Columns<N>) -> Family<N> {
-    let mut family = [[[0.0; N]; N]; HIGHEST + 1];
-    // n!/(n+k)! by Horner's rule, then the factor 1/n!
-    let mut sum = diagonal(1.0);
-    for term in (1..=TERMS).rev() {
-        let scaled = times(1.0 / (HIGHEST + term) as f64, &sum);
-        sum = diagonal(1.0);
-        add_product(matrix, &scaled, &mut sum);
+/// φ_0 … φ_HIGHEST of a number.
+pub(super) fn functions<T: ComplexField<RealField = f64> + Copy>(x: T) -> [T; HIGHEST + 1] {
+    let mut values = [x.exp(); HIGHEST + 1];
+    let size = x.modulus();
+    let meeting = size.min(HIGHEST as f64) as usize;
+    let inverse = x.recip();
+    for k in 1..=meeting {
+        values[k] = (values[k - 1] - T::from_real(INVERSE_FACTORIALS[k - 1])) * inverse;
     }
-    let mut inverse = (1..=HIGHEST).map(|k| 1.0 / k as f64).product::<f64>();
-    family[HIGHEST] = times(inverse, &sum);
-    for k in (0..HIGHEST).rev() {
-        inverse *= (k + 1) as f64;
-        let mut sum = diagonal(inverse);
-        add_product(matrix, &family[k + 1], &mut sum);
-        family[k] = sum;
-    }
-    family
-}
-
-/// From the functions of X to those of 2X.
-#[inline(always)]
-fn double<const N: usize>(family: &mut Family<N>, first: usize) {
-    let exponential = family[0];
-    for k in (0..=HIGHEST).rev() {
-        let part = 0.5_f64.powi(k as i32);
-        let first = if k == 0 { 0 } else { first };
-        let (upto, _) = family.split_at_mut(k + 1);
-        let Some((doubled, lower)) = upto.split_last_mut() else {
-            continue;
-        };
-        for (column, doubled) in doubled.iter_mut().enumerate().skip(first) {
-            let own = *doubled;
-            let mut sum = [0.0; N];
-            apply(&exponential, 0, &own, &mut sum);
-            let mut inverse = 1.0;
-            for j in (1..=k).rev() {
-                let addend = if j == k { &own } else { &lower[j][column] };
-                for row in 0..N {
-                    sum[row] += inverse * addend[row];
-                }
-                inverse /= (k - j + 1) as f64;
-            }
-            for row in 0..N {
-                doubled[row] = part * sum[row];
-            }
+    if meeting < HIGHEST {
+        values[HIGHEST] = highest(x, size);
+        for k in (meeting + 1..HIGHEST).rev() {
+            values[k] = x * values[k + 1] + T::from_real(INVERSE_FACTORIALS[k]);
         }
     }
+    values
 }
 
-#[inline(always)]
-fn add_product<const N: usize>(left: &Columns<N>, right: &Columns<N>, sum: &mut Columns<N>) {
-    for (column, sum) in right.iter().zip(sum) {
-        apply(left, 0, column, sum);
+/// The highest function by its series.
+fn highest<T: ComplexField<RealField = f64> + Copy>(x: T, size: f64) -> T {
+    let (mut term, mut sum) = (T::one(), T::one());
+    let (mut divisor, mut part) = (HIGHEST as f64, 1.0);
+    while part > NOTHING {
+        divisor += 1.0;
+        term *= x.unscale(divisor);
+        part *= size / divisor;
+        sum += term;
     }
-}
-
-#[inline(always)]
-fn diagonal<const N: usize>(value: f64) -> Columns<N> {
-    let mut matrix = [[0.0; N]; N];
-    for (place, column) in matrix.iter_mut().enumerate() {
-        column[place] = value;
-    }
-    matrix
-}
-
-/// A matrix in another unit.
-#[inline(always)]
-fn times<const N: usize>(factor: f64, matrix: &Columns<N>) -> Columns<N> {
-    let mut product = *matrix;
-    for entry in product.as_flattened_mut() {
-        *entry *= factor;
-    }
-    product
+    sum.scale(INVERSE_FACTORIALS[HIGHEST])
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::Complex;
+
     use super::*;
 
-    /// φ_1 … of a number: (φ_{k−1} − 1/(k−1)!)/x loses nothing where x is large.
-    fn of_number(x: f64) -> [f64; HIGHEST + 1] {
-        let mut values = [x.exp(); HIGHEST + 1];
-        let mut factorial = 1.0;
-        for k in 1..=HIGHEST {
-            values[k] = (values[k - 1] - 1.0 / factorial) / x;
-            factorial *= k as f64;
-        }
-        values
-    }
-
+    /// φ_1 … of decays: (φ_{k−1} − 1/(k−1)!)/x loses nothing where x is large.
     #[test]
-    fn functions_of_a_number_are_known() {
-        for x in [-1e5, -300.0, -40.0, -8.0] {
-            let found = family(&[[x]], x.abs(), 0);
-            for (k, expected) in of_number(x).into_iter().enumerate().skip(1) {
-                let error = (found[k][0][0] - expected).abs() / expected.abs();
+    fn functions_of_fast_decays_are_known() {
+        for x in [-1e5, -300.0, -40.0, -8.0_f64] {
+            let (mut expected, mut factorial) = (x.exp(), 1.0);
+            for (k, found) in functions(x).into_iter().enumerate().skip(1) {
+                expected = (expected - 1.0 / factorial) / x;
+                factorial *= k as f64;
+                let error = (found - expected).abs() / expected.abs();
                 assert!(error < 1e-11, "phi_{k}({x}): {error:e}");
             }
         }
     }
 
-    /// φ_0 is a rotation, and φ_1 = (φ_0 − 1)/X keeps its chord.
+    /// φ_0 of a turn is a rotation, and φ_1 = (φ_0 − 1)/x its chord.
     #[test]
-    fn functions_of_a_rotation_are_sines_and_cosines() {
-        for angle in [1e-3, 0.7, 3.0, 50.0] {
-            let found = family(&[[0.0, -angle], [angle, 0.0]], angle, 0);
+    fn functions_of_a_turn_are_sines_and_cosines() {
+        for angle in [1e-6, 1e-3, 0.7, 3.0, 50.0_f64] {
+            let found = functions(Complex::new(0.0, angle));
             let (sin, cos) = angle.sin_cos();
-            let rotation = [[cos, -sin], [sin, cos]];
-            let chord = [[sin, cos - 1.0], [1.0 - cos, sin]];
-            for column in 0..2 {
-                for row in 0..2 {
-                    let turn = found[0][column][row] - rotation[column][row];
-                    let mean = found[1][column][row] - chord[column][row] / angle;
-                    assert!(
-                        turn.abs() < 1e-13 && mean.abs() < 1e-13,
-                        "{angle}: {turn:e} {mean:e}"
-                    );
+            let half = (0.5 * angle).sin();
+            let chord = Complex::new(sin, 2.0 * half * half) / angle;
+            assert!(
+                (found[0] - Complex::new(cos, sin)).norm() < 1e-14,
+                "{angle}"
+            );
+            assert!((found[1] - chord).norm() < 1e-14, "{angle}");
+        }
+    }
+
+    /// φ_k = x φ_{k+1} + 1/k!, also where the way up from the exponential meets that down from the series.
+    #[test]
+    fn functions_follow_from_each_other() {
+        for size in [0.0, 1e-6, 0.3, 0.99, 1.01, 2.5, 4.99, 5.01, 6.9, 7.1, 30.0] {
+            for angle in [0.0_f64, 0.4, 0.8, 1.2, std::f64::consts::FRAC_PI_2] {
+                let x = Complex::new(-size * angle.cos(), size * angle.sin());
+                let found = functions(x);
+                for k in 0..HIGHEST {
+                    let off = found[k] - (x * found[k + 1] + INVERSE_FACTORIALS[k]);
+                    let error = off.norm() / INVERSE_FACTORIALS[k];
+                    assert!(error < 1e-14 * size.max(10.0), "phi_{k}({x}): {error:e}");
                 }
+            }
+        }
+    }
+
+    /// φ_1 … φ_7 by sums of exact fractions.
+    #[test]
+    fn functions_of_some_numbers_are_those_of_exact_sums() {
+        let decay = [
+            0.198_652_410_600_182_9,
+            0.160_269_517_879_963_4,
+            0.067_946_096_424_007_31,
+            0.019_744_114_048_531_87,
+            0.004_384_510_523_626_959,
+            0.000_789_764_561_941_274_9,
+            0.000_119_824_865_389_522_81,
+        ];
+        let turn = [
+            [0.117_876_523_544_840_03, 0.169_728_357_251_408_67],
+            [0.133_011_354_334_844_6, 0.120_772_353_362_656_56],
+            [0.063_362_214_017_843_7, 0.044_225_500_902_906_08],
+            [0.019_472_614_462_323_73, 0.011_221_652_315_462_946],
+            [0.004_458_750_634_995_224, 0.002_204_450_074_839_316_8],
+            [0.000_817_661_935_774_863_8, 0.000_355_399_222_753_379_55],
+            [0.000_125_411_110_014_223_75, 4.874_840_576_783_846_6e-5],
+        ];
+        let of = [
+            (Complex::from(-5.0), decay.map(Complex::from)),
+            (
+                Complex::new(-3.0, 4.0),
+                turn.map(|[re, im]| Complex::new(re, im)),
+            ),
+        ];
+        for (x, expected) in of {
+            for (found, expected) in functions(x)[1..].iter().zip(expected) {
+                let error = (found - expected).norm() / expected.norm();
+                assert!(error < 4.0 * f64::EPSILON, "{x}: {found} {error:e}");
             }
         }
     }

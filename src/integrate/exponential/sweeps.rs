@@ -2,7 +2,7 @@
 
 use super::linear::{LinearPart, Place};
 use super::nodes::{NODES, POINTS, Points, SPARE, combined};
-use super::operator::Operator;
+use super::propagator::Propagator;
 use crate::integrate::System;
 use crate::integrate::course::Course;
 
@@ -32,7 +32,7 @@ const CAUTION: f64 = 3.0;
 pub(super) struct Trial<'a, S, const N: usize> {
     pub course: &'a Course<'a, S, N>,
     pub linear: &'a LinearPart<N>,
-    pub operator: &'a Operator<N>,
+    pub operator: &'a Propagator<N>,
     pub start: f64,
     pub size: f64,
     /// Time that no evaluation reaches, s.
@@ -66,7 +66,7 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
     pub fn new(
         course: &'a Course<'a, S, N>,
         linear: &'a LinearPart<N>,
-        operator: &'a Operator<N>,
+        operator: &'a Propagator<N>,
         [start, size, limit]: [f64; 3],
         from: &'a Place<N>,
         slow: Points<N>,
@@ -77,7 +77,7 @@ impl<'a, S: System<N>, const N: usize> Trial<'a, S, N> {
             coordinates: end,
             deviation: linear.deviation(&end),
         };
-        let part = if linear.damping() * size > STIFF {
+        let part = if linear.damping * size > STIFF {
             STIFF_PART
         } else {
             LOCAL_PART
@@ -247,7 +247,7 @@ mod tests {
             slack: 1e-9,
         };
         let square = -1.06 * NATURAL * NATURAL;
-        let linear = LinearPart::new([[0.0, square], [1.0, 0.0]], 1, Level::new());
+        let linear = LinearPart::new([[0.0, square], [1.0, 0.0]], Level::new());
         let (mut propagators, mut from) = (Propagators::new(), linear.place([0.98, 0.0]));
         let size = time / f64::from(steps);
         let operator = propagators.of(&linear, size);

@@ -227,12 +227,7 @@ impl<const N: usize> Walk<N> {
     fn renew<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) {
         let state = course.state(&self.mean.deviation);
         let (slopes, _) = course.system.linearisation(self.start, &state);
-        let first = if course.system.is_second_order() {
-            N / 2
-        } else {
-            0
-        };
-        self.linear = LinearPart::new(slopes.data.0, first, self.linear.level);
+        self.linear = LinearPart::new(slopes.data.0, self.linear.level);
         self.from = self.linear.place(self.from.deviation);
         (self.fresh, self.rate) = (true, 1.0);
         self.renewal.renew();

@@ -4,7 +4,7 @@ use super::*;
 
 /// A walk whose latest step, of one second, saw a slow part that grows by one a second from 1/3 on.
 fn after_a_step() -> Walk<1> {
-    let mut walk = Walk::new([0.0], 1.0);
+    let mut walk = Walk::new([0.0, 1.0], [0.0], 0.0, Counters::default());
     walk.slow_size = 1.0;
     walk.slow = NODES.part.map(|part| [1.0 / 3.0 + part]);
     walk

@@ -3,8 +3,8 @@
 use std::sync::atomic::AtomicBool;
 
 use jeffcott::integrate::{
-    Checkpoint, Counters, Grid, IntegrateError, Integration, Linearised, Method, Scaling, Settings,
-    System,
+    Checkpoint, Counters, Grid, IntegrateError, Integration, Linearised, Method, SEGMENT, Scaling,
+    Settings, System,
 };
 use nalgebra::{SMatrix, matrix};
 
@@ -440,28 +440,50 @@ fn a_set_flag_interrupts() {
     }
 }
 
+/// Over two segments and a part of a third.
+const SEGMENTS: Grid = Grid {
+    interval: 0.002,
+    count: 10_001,
+};
+
 #[test]
-fn an_integration_goes_on_from_a_checkpoint_to_the_same_bits() {
+fn an_integration_goes_on_from_the_end_of_a_segment_to_the_same_bits() {
     let stop = AtomicBool::new(false);
+    let segment = usize::try_from(SEGMENT).unwrap();
     for method in METHODS {
-        let settings = settings(method, 1e-9);
         let new = || {
-            let (scaling, start) = (Scaling::IDENTITY, [1.0, 0.0]);
-            Integration::<_, 2, 3>::new(&SOUND, scaling, TWENTY_SECONDS, settings, &stop, &start)
+            let (scaling, settings) = (Scaling::IDENTITY, settings(method, 1e-9));
+            Integration::<_, 2, 3>::new(&SOUND, scaling, SEGMENTS, settings, &stop, &[1.0, 0.0])
         };
-        let (whole, work, _) = integrate(&SOUND, settings, 100, &stop);
-        let (mut first, mut second, mut states) = (new(), new(), Vec::new());
-        for _ in 0..7 {
-            first.advance(100, &mut states).expect("a smooth problem");
+        let (mut whole, mut states) = (new(), Vec::new());
+        let mut checkpoints = Vec::new();
+        while whole.done() < SEGMENTS.count {
+            checkpoints.push(whole.checkpoint().clone());
+            whole
+                .advance(segment, &mut states)
+                .expect("a smooth problem");
         }
-        second
-            .go_on_from(&first.checkpoint())
-            .expect("the same system");
-        while second.done() < TWENTY_SECONDS.count {
-            second.advance(100, &mut states).expect("a smooth problem");
+        let ends: Vec<u64> = checkpoints
+            .iter()
+            .map(|checkpoint| checkpoint.next)
+            .collect();
+        assert_eq!(ends, [0, SEGMENT, 2 * SEGMENT], "{method:?}");
+        for checkpoint in &checkpoints[1..] {
+            let (mut later, mut others) = (new(), Vec::new());
+            later.go_on_from(checkpoint).expect("the same system");
+            while later.done() < SEGMENTS.count {
+                later
+                    .advance(segment, &mut others)
+                    .expect("a smooth problem");
+            }
+            assert!(others == states[checkpoint.next as usize..], "{method:?}");
+            assert_eq!(later.counters(), whole.counters(), "{method:?}");
+            assert_eq!(later.method_use(), whole.method_use(), "{method:?}");
         }
-        assert!(states == whole, "{method:?}");
-        assert_eq!(second.counters(), work);
+        for (index, [place, _]) in states.into_iter().enumerate() {
+            let error = (place - SEGMENTS.time(index as u64).cos()).abs();
+            assert!(error < 2e-8, "{method:?}, {index}: {error:e}");
+        }
     }
 }
 
@@ -477,7 +499,7 @@ fn a_checkpoint_of_another_system_or_grid_is_refused() {
         &stop,
         &[1.0, 0.0],
     );
-    let good = integration.checkpoint();
+    let good = integration.checkpoint().clone();
     let wider = Checkpoint {
         scaled: vec![0.0; 6],
         ..good.clone()
@@ -493,7 +515,7 @@ fn a_checkpoint_of_another_system_or_grid_is_refused() {
         assert_eq!((mismatch.states, mismatch.next), (states, next));
         assert_eq!((mismatch.expected, mismatch.count), (2, 2001));
     }
-    assert_eq!(integration.checkpoint(), good);
+    assert_eq!(*integration.checkpoint(), good);
 }
 
 /// y″ = −y + p(t), p a push that begins at once at t = π/10 and ends at t = 1: known piece by piece.

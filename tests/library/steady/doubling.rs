@@ -1,18 +1,17 @@
 //! Period doubling by passing balls, where the literature has it.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use std::sync::atomic::AtomicBool;
 
 use jeffcott::analysis::Channel;
-use jeffcott::bearing::MountedBearing;
-use jeffcott::rotor::{Damping, Freedoms, RotorDefinition, Shaft};
+use jeffcott::rotor::RotorDefinition;
 use jeffcott::shooting::SpecialKind;
 use jeffcott::simulate::Model;
 use jeffcott::steady::{Response, ResponseQuestion, Steady, response};
 
 use super::{found, search};
 use crate::support::{
-    MICROMETRE, assert_near, literature_bearing, model, mounted, rotor, settings, shaft,
+    MICROMETRE, assert_near, literature_bearing, model, settings, varying_compliance,
 };
 
 /// A vertical load on a ball bearing of eight balls, damped by 200 N s/m.
@@ -24,21 +23,8 @@ fn scene(
     clearance: f64,
     stiffness: f64,
 ) -> RotorDefinition {
-    RotorDefinition {
-        speed,
-        damping: Damping::Coefficients([200.0, 200.0, 0.0, 0.0, 0.0]),
-        load: [0.0, -load, 0.0, 0.0, 0.0],
-        ..rotor(
-            Shaft {
-                mass,
-                ..shaft(Freedoms::Radial)
-            },
-            vec![MountedBearing {
-                first_ball: -FRAC_PI_2,
-                ..mounted(literature_bearing(8, diameters, clearance, stiffness))
-            }],
-        )
-    }
+    let bearing = literature_bearing(8, diameters, clearance, stiffness);
+    varying_compliance(speed, mass, load, bearing)
 }
 
 /// JIS 6306 of Fukata et al. (1985) and Mevel & Guyader (1993).
