@@ -76,56 +76,40 @@ const fn per(symbol: &'static str, divisor: f64) -> Unit {
 }
 
 impl Dimension {
-    /// Every dimension.
-    pub const ALL: [Self; 21] = [
-        Self::Mass,
-        Self::Length,
-        Self::Angle,
-        Self::Time,
-        Self::Force,
-        Self::Moment,
-        Self::Inertia,
-        Self::AngularSpeed,
-        Self::Velocity,
-        Self::Acceleration,
-        Self::Frequency,
-        Self::Pressure,
-        Self::Density,
-        Self::Damping,
-        Self::TiltDamping,
-        Self::ContactLoss,
-        Self::ContactStiffness,
-        Self::Stiffness,
-        Self::Viscosity,
-        Self::PressureViscosity,
-        Self::SecondMoment,
+    /// Every dimension with its name in messages and in the schema, and its units, the SI unit first.
+    #[rustfmt::skip]
+    pub const ALL: [(Self, &'static str, &'static [Unit]); 21] = [
+        (Self::Mass, "mass", &[times("kg", 1.0), per("g", 1e3), per("mg", 1e6), times("t", 1e3), times("lb", 0.453_592_37)]),
+        (Self::Length, "length", &[times("m", 1.0), per("mm", 1e3), per("um", 1e6), per("nm", 1e9), per("cm", 1e2), times("in", 0.0254)]),
+        (Self::Angle, "angle", &[times("rad", 1.0), times("deg", PI / 180.0), per("mrad", 1e3), per("urad", 1e6)]),
+        (Self::Time, "time", &[times("s", 1.0), per("ms", 1e3), per("us", 1e6), times("min", 60.0)]),
+        (Self::Force, "force", &[times("N", 1.0), times("kN", 1e3), times("MN", 1e6), per("mN", 1e3), times("lbf", 4.448_221_615_260_5)]),
+        (Self::Moment, "moment of force", &[times("N m", 1.0), per("N mm", 1e3), times("kN m", 1e3)]),
+        (Self::Inertia, "moment of inertia", &[times("kg m^2", 1.0), per("kg mm^2", 1e6), per("kg cm^2", 1e4), per("g m^2", 1e3), per("g cm^2", 1e7), per("g mm^2", 1e9)]),
+        (Self::AngularSpeed, "angular speed", &[times("rad/s", 1.0), times("rpm", PI / 30.0), times("1/min", PI / 30.0), times("rev/s", 2.0 * PI), times("deg/s", PI / 180.0), per("mrad/s", 1e3)]),
+        (Self::Velocity, "velocity", &[times("m/s", 1.0), per("mm/s", 1e3), per("um/s", 1e6)]),
+        (Self::Acceleration, "acceleration", &[times("m/s^2", 1.0), per("mm/s^2", 1e3), times("gn", 9.806_65)]),
+        (Self::Frequency, "frequency", &[times("Hz", 1.0), times("kHz", 1e3), times("MHz", 1e6)]),
+        (Self::Pressure, "pressure", &[times("Pa", 1.0), times("kPa", 1e3), times("MPa", 1e6), times("GPa", 1e9), times("N/mm^2", 1e6), times("psi", 6_894.757_293_168_361)]),
+        (Self::Density, "density", &[times("kg/m^3", 1.0), times("g/cm^3", 1e3)]),
+        (Self::Damping, "damping coefficient", &[times("N s/m", 1.0), times("N s/mm", 1e3), times("kN s/m", 1e3)]),
+        (Self::TiltDamping, "tilt damping coefficient", &[times("N m s/rad", 1.0), times("N m s", 1.0), per("N mm s/rad", 1e3)]),
+        (Self::ContactLoss, "contact damping coefficient", &[times("s/m", 1.0), times("s/mm", 1e3)]),
+        (Self::ContactStiffness, "contact stiffness", &[times("N/m^1.5", 1.0), times("N/mm^1.5", 31_622.776_601_683_792)]),
+        (Self::Stiffness, "stiffness", &[times("N/m", 1.0), times("N/mm", 1e3), times("N/um", 1e6), times("kN/mm", 1e6)]),
+        (Self::Viscosity, "viscosity", &[times("Pa s", 1.0), per("mPa s", 1e3), per("cP", 1e3)]),
+        (Self::PressureViscosity, "pressure-viscosity coefficient", &[times("1/Pa", 1.0), per("1/MPa", 1e6), per("1/GPa", 1e9), per("mm^2/N", 1e6)]),
+        (Self::SecondMoment, "second moment of area", &[times("m^4", 1.0), per("mm^4", 1e12), per("cm^4", 1e8)]),
     ];
 
     /// Name in messages and in the schema.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Mass => "mass",
-            Self::Length => "length",
-            Self::Angle => "angle",
-            Self::Time => "time",
-            Self::Force => "force",
-            Self::Moment => "moment of force",
-            Self::Inertia => "moment of inertia",
-            Self::AngularSpeed => "angular speed",
-            Self::Velocity => "velocity",
-            Self::Acceleration => "acceleration",
-            Self::Frequency => "frequency",
-            Self::Pressure => "pressure",
-            Self::Density => "density",
-            Self::Damping => "damping coefficient",
-            Self::TiltDamping => "tilt damping coefficient",
-            Self::ContactLoss => "contact damping coefficient",
-            Self::ContactStiffness => "contact stiffness",
-            Self::Stiffness => "stiffness",
-            Self::Viscosity => "viscosity",
-            Self::PressureViscosity => "pressure-viscosity coefficient",
-            Self::SecondMoment => "second moment of area",
-        }
+        Self::ALL[self as usize].1
+    }
+
+    /// Units, the SI unit first.
+    pub fn units(self) -> &'static [Unit] {
+        Self::ALL[self as usize].2
     }
 
     /// The name with its article.
@@ -137,35 +121,9 @@ impl Dimension {
 
     /// The dimension of a name.
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|each| each.name() == name)
-    }
-
-    /// Units, the SI unit first.
-    #[rustfmt::skip]
-    pub const fn units(self) -> &'static [Unit] {
-        match self {
-            Self::Mass => const { &[times("kg", 1.0), per("g", 1e3), per("mg", 1e6), times("t", 1e3), times("lb", 0.453_592_37)] },
-            Self::Length => const { &[times("m", 1.0), per("mm", 1e3), per("um", 1e6), per("nm", 1e9), per("cm", 1e2), times("in", 0.0254)] },
-            Self::Angle => const { &[times("rad", 1.0), times("deg", PI / 180.0), per("mrad", 1e3), per("urad", 1e6)] },
-            Self::Time => const { &[times("s", 1.0), per("ms", 1e3), per("us", 1e6), times("min", 60.0)] },
-            Self::Force => const { &[times("N", 1.0), times("kN", 1e3), times("MN", 1e6), per("mN", 1e3), times("lbf", 4.448_221_615_260_5)] },
-            Self::Moment => const { &[times("N m", 1.0), per("N mm", 1e3), times("kN m", 1e3)] },
-            Self::Inertia => const { &[times("kg m^2", 1.0), per("kg mm^2", 1e6), per("kg cm^2", 1e4), per("g m^2", 1e3), per("g cm^2", 1e7), per("g mm^2", 1e9)] },
-            Self::AngularSpeed => const { &[times("rad/s", 1.0), times("rpm", PI / 30.0), times("1/min", PI / 30.0), times("rev/s", 2.0 * PI), times("deg/s", PI / 180.0), per("mrad/s", 1e3)] },
-            Self::Velocity => const { &[times("m/s", 1.0), per("mm/s", 1e3), per("um/s", 1e6)] },
-            Self::Acceleration => const { &[times("m/s^2", 1.0), per("mm/s^2", 1e3), times("gn", 9.806_65)] },
-            Self::Frequency => const { &[times("Hz", 1.0), times("kHz", 1e3), times("MHz", 1e6)] },
-            Self::Pressure => const { &[times("Pa", 1.0), times("kPa", 1e3), times("MPa", 1e6), times("GPa", 1e9), times("N/mm^2", 1e6), times("psi", 6_894.757_293_168_361)] },
-            Self::Density => const { &[times("kg/m^3", 1.0), times("g/cm^3", 1e3)] },
-            Self::Damping => const { &[times("N s/m", 1.0), times("N s/mm", 1e3), times("kN s/m", 1e3)] },
-            Self::TiltDamping => const { &[times("N m s/rad", 1.0), times("N m s", 1.0), per("N mm s/rad", 1e3)] },
-            Self::ContactLoss => const { &[times("s/m", 1.0), times("s/mm", 1e3)] },
-            Self::ContactStiffness => const { &[times("N/m^1.5", 1.0), times("N/mm^1.5", 31_622.776_601_683_792)] },
-            Self::Stiffness => const { &[times("N/m", 1.0), times("N/mm", 1e3), times("N/um", 1e6), times("kN/mm", 1e6)] },
-            Self::Viscosity => const { &[times("Pa s", 1.0), per("mPa s", 1e3), per("cP", 1e3)] },
-            Self::PressureViscosity => const { &[times("1/Pa", 1.0), per("1/MPa", 1e6), per("1/GPa", 1e9), per("mm^2/N", 1e6)] },
-            Self::SecondMoment => const { &[times("m^4", 1.0), per("mm^4", 1e12), per("cm^4", 1e8)] },
-        }
+        let mut all = Self::ALL.into_iter();
+        all.find(|(_, known, _)| *known == name)
+            .map(|(dimension, ..)| dimension)
     }
 
     /// The unit of a spelling, in this dimension.
@@ -191,9 +149,12 @@ mod tests {
 
     #[test]
     fn no_unit_belongs_to_two_dimensions() {
+        for (place, (dimension, ..)) in Dimension::ALL.into_iter().enumerate() {
+            assert_eq!(dimension as usize, place);
+        }
         let mut symbols: Vec<_> = Dimension::ALL
             .iter()
-            .flat_map(|dimension| dimension.units())
+            .flat_map(|(_, _, units)| *units)
             .map(|unit| unit.symbol)
             .collect();
         let count = symbols.len();

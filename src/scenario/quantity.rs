@@ -55,9 +55,10 @@ pub(super) fn parse(text: &str, dimension: Dimension) -> Result<Parsed, Quantity
     }
     let spelling = normalise(rest);
     let Some(unit) = dimension.unit(&spelling) else {
-        let owner = |each: &Dimension| each.unit(&spelling).is_some();
-        return Err(match Dimension::ALL.into_iter().find(owner) {
-            Some(found) => QuantityError::WrongDimension {
+        let mut all = Dimension::ALL.into_iter();
+        let owner = all.find(|(each, ..)| each.unit(&spelling).is_some());
+        return Err(match owner {
+            Some((found, ..)) => QuantityError::WrongDimension {
                 text: owned(),
                 found,
             },
