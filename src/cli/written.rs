@@ -33,8 +33,9 @@ fn format_parser() -> impl TypedValueParser<Value = TableFormat> {
 }
 
 fn channel_parser() -> impl TypedValueParser<Value = TraceChannel> {
-    let names = PossibleValuesParser::new(TraceChannel::ALL.map(TraceChannel::name));
-    named(names, TraceChannel::ALL.to_vec(), TraceChannel::name)
+    let names = PossibleValuesParser::new(TraceChannel::ALL.map(|(_, name)| name));
+    let all = TraceChannel::ALL.map(|(channel, _)| channel);
+    named(names, all.to_vec(), TraceChannel::name)
 }
 
 /// Parses the name of one of `all`.

@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn every_channel_shows_its_own_column() {
-        for channel in TraceChannel::ALL {
+        for (channel, _) in TraceChannel::ALL {
             let table = TraceTable::new(Some(&[channel]));
             let column = &table.columns()[1].name;
             let unit = column.strip_prefix(channel.name()).expect("its name first");

@@ -11,6 +11,7 @@
 //! assert!(error.render(false).contains("`mass` needs a unit, as in \"5 kg\""));
 //! ```
 
+mod argument;
 mod dimension;
 mod error;
 mod issue;
@@ -24,27 +25,23 @@ mod scalar;
 mod schema;
 mod series_file;
 mod spec;
-mod speed;
 mod study_file;
-mod time;
 mod tolerance_file;
 mod varied;
 mod vary;
 mod walk;
 
-use std::num::NonZeroU64;
 use std::path::Path;
 
 use serde::Serialize;
 use serde_json::Value;
 
+pub use argument::{ArgumentError, method, methods, speed, time, tolerance};
 pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
-pub use spec::{MethodError, TableFormat, TraceChannel, method, methods, tolerance};
-pub use speed::{SpeedError, speed};
+pub use spec::{OutputSpec, TableFormat, TraceChannel};
 pub use study_file::{RunError, StudyFile, load_study, study_schema};
-pub use time::{TimeError, time};
 pub use tolerance_file::ToleranceFile;
 pub use varied::{Varied, VariedError};
 
@@ -65,29 +62,6 @@ pub enum Format {
     Json,
 }
 
-/// What a run writes.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct OutputChoice {
-    /// Whether the trace is written.
-    pub trace: bool,
-    /// Whether loads and contact angles of every ball are written.
-    pub balls: bool,
-    /// Whether events are written.
-    pub events: bool,
-    /// Whether spectra are taken and written.
-    pub spectrum: bool,
-    /// Whether figures are drawn.
-    pub figures: bool,
-    /// Whether the page for a browser is written.
-    pub report: bool,
-    /// Formats of the tables.
-    pub formats: Vec<TableFormat>,
-    /// Of how many samples one is written.
-    pub every: NonZeroU64,
-    /// Columns of the trace beside the time; none: all.
-    pub channels: Option<Vec<TraceChannel>>,
-}
-
 /// A checked scenario.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scenario {
@@ -103,8 +77,8 @@ pub struct Scenario {
     pub oils: Vec<Option<Oil>>,
     /// The static question at many values of one number.
     pub study: Option<Study>,
-    /// What to write.
-    pub output: OutputChoice,
+    /// What to keep of the run.
+    pub output: OutputSpec,
     /// The scenario with its defaults written out; itself a valid scenario in JSON.
     pub echo: Value,
     /// What the user should know although the scenario can be run.
@@ -188,7 +162,7 @@ fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
             contact_choice: questions.contact_choice,
             oils: questions.oils,
             study,
-            output: spec.output.choice(),
+            output: spec.output,
             echo,
             warnings,
         }),

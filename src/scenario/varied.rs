@@ -5,10 +5,8 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::Scenario;
-use super::dimension::Dimension;
-use super::quantity::{QuantityError, parse};
-use super::vary::{keys, questions};
-use super::walk::nearest;
+use super::quantity::parse;
+use super::vary::{Key, find, keys, questions, without};
 use crate::rotor::RotorDefinition;
 use crate::study::Variable;
 
@@ -68,9 +66,7 @@ fn hint(nearest: &Option<String>) -> String {
 pub struct Varied {
     base: Value,
     folder: PathBuf,
-    key: String,
-    dimension: Option<Dimension>,
-    unit: &'static str,
+    key: Key<'static>,
 }
 
 impl Varied {
@@ -81,32 +77,21 @@ impl Varied {
     /// [`VariedError`] where there is no such number.
     pub fn new(scenario: &Scenario, key: &str, folder: &Path) -> Result<Self, VariedError> {
         let own = || key.to_owned();
-        let all = keys(&scenario.echo, &LEFT_OUT);
-        let Some(found) = all.iter().find(|known| known.path == key) else {
-            let nearest = nearest(key, all.iter().map(|known| known.path.as_str()));
-            let nearest = nearest.map(str::to_owned);
-            return Err(VariedError::NoKey {
-                key: own(),
-                nearest,
-            });
-        };
+        let found = find(keys(&scenario.echo, &LEFT_OUT), key);
+        let found = found.map_err(|nearest| VariedError::NoKey {
+            key: own(),
+            nearest,
+        })?;
         if found.is_whole() {
             return Err(VariedError::Whole { key: own() });
         }
         if scenario.contact_choice.is_some() {
             return Err(VariedError::Auto { key: own() });
         }
-        let mut base = scenario.echo.clone();
-        if let Value::Object(tables) = &mut base {
-            tables.retain(|name, _| name != "study" && name != "output");
-        }
-        let dimension = found.dimension();
         Ok(Self {
-            base,
+            base: without(&scenario.echo, &["study", "output"]),
             folder: folder.to_owned(),
-            key: own(),
-            unit: dimension.map_or("", |dimension| dimension.units()[0].symbol),
-            dimension,
+            key: found,
         })
     }
 
@@ -117,27 +102,20 @@ impl Varied {
     /// [`VariedError::Value`] where the text is none.
     pub fn value(&self, text: &str) -> Result<(f64, Variable), VariedError> {
         let wrong = |reason: String| VariedError::Value {
-            key: self.key.clone(),
+            key: self.key.path.clone(),
             text: text.to_owned(),
             reason,
         };
-        let variable = |shown_unit, shown_size| Variable {
-            key: self.key.clone(),
-            unit: self.unit,
-            shown_unit,
-            shown_size,
-        };
-        let Some(dimension) = self.dimension else {
-            let number: f64 = text
+        let si = match self.key.dimension() {
+            Some(dimension) => parse(text, dimension)
+                .map(|parsed| parsed.si)
+                .map_err(|error| wrong(error.to_string()))?,
+            None => text
                 .trim()
                 .parse()
-                .map_err(|_| wrong("write a number".to_owned()))?;
-            return Ok((number, variable("", 1.0)));
+                .map_err(|_| wrong("write a number".to_owned()))?,
         };
-        let parsed =
-            parse(text, dimension).map_err(|error: QuantityError| wrong(error.to_string()))?;
-        let shown = variable(parsed.unit.symbol, parsed.unit.si(1.0));
-        Ok((parsed.si, shown))
+        Ok((si, self.key.variable(&text.into())))
     }
 
     /// The rotor at a value in SI units.
@@ -145,12 +123,9 @@ impl Varied {
     /// # Errors
     /// What is wrong with it there, in words.
     pub fn rotor(&self, si: f64) -> Result<RotorDefinition, String> {
-        let value = match self.dimension {
-            Some(_) => Value::from(format!("{si} {}", self.unit)),
-            None => Value::from(si),
-        };
-        let wrong = |message| format!("with {} = {value}: {message}", self.key);
-        let questions = questions(&self.base, &self.key, &value, &self.folder)
+        let (key, value) = (&self.key.path, self.key.written(si));
+        let wrong = |message| format!("with {key} = {value}: {message}");
+        let questions = questions(&self.base, key, &value, &self.folder)
             .map_err(|issue| wrong(issue.message))?;
         let model = questions
             .model

@@ -13,14 +13,13 @@ use super::schema::schema;
 use super::spec::{Questions, StudySpec};
 use super::walk::{self, Range, nearest};
 use super::{build as build_scenario, quantity};
-use crate::quasi_static::StaticQuestion;
 use crate::study::{Study, StudyPoint, Variable};
 
 /// Tables that play no part in a static question.
 const MOTION: [&str; 5] = ["damping", "initial", "time", "integrator", "output"];
 
 /// A key that can vary.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Key<'a> {
     pub path: String,
     schema: &'a Value,
@@ -34,15 +33,16 @@ pub(super) struct Given {
 
 /// The study, as far as nothing contradicts it; `echo` is the scenario with its defaults.
 pub(super) fn build(spec: &StudySpec, echo: &Value, problems: &mut Problems<'_>) -> Option<Study> {
-    let base = without_motion(echo);
-    let key = find(&spec.vary, &base, problems)?;
+    let base = without(echo, &[&MOTION[..], &["study"]].concat());
+    let key = varied(&spec.vary, &base, problems)?;
     let given = match &spec.values {
         Some(values) => listed(values.len(), spec, &key, problems)?,
         None => spaced(spec, &key, problems)?,
     };
     let mut points = Vec::with_capacity(given.len());
     for Given { value, path } in &given {
-        let question = question(&base, &key.path, value, problems.folder())
+        let question = questions(&base, &key.path, value, problems.folder())
+            .map(|questions| questions.question)
             .map_err(|issue| problems.refuse(at_value(issue, &key.path, value, path), &[]))
             .ok()?;
         let value = key.si(value);
@@ -55,33 +55,42 @@ pub(super) fn build(spec: &StudySpec, echo: &Value, problems: &mut Problems<'_>)
     })
 }
 
-/// The scenario as far as a static question goes.
-fn without_motion(echo: &Value) -> Value {
+/// A scenario without some of its tables.
+pub(super) fn without(echo: &Value, left_out: &[&str]) -> Value {
     let mut base = echo.clone();
     if let Value::Object(tables) = &mut base {
-        tables.retain(|name, _| name != "study" && !MOTION.contains(&name.as_str()));
+        tables.retain(|name, _| !left_out.contains(&name.as_str()));
     }
     base
 }
 
-/// The key of a path, refused with the nearest one where there is none.
-fn find(path: &str, base: &Value, problems: &mut Problems<'_>) -> Option<Key<'static>> {
-    let mut keys = keys(base, &[&MOTION[..], &["study"]].concat());
-    if let Some(place) = keys.iter().position(|key| key.path == path) {
-        return Some(keys.swap_remove(place));
-    }
-    let root = path.split(['.', '[']).next().unwrap_or_default();
-    let message = if MOTION.contains(&root) {
-        format!("`{path}` plays no part in a static question")
-    } else {
-        format!("the scenario has no number `{path}`")
+/// The key of a path among those known.
+///
+/// # Errors
+/// The path that is nearest, if any is near.
+pub(super) fn find(known: Vec<Key<'static>>, path: &str) -> Result<Key<'static>, Option<String>> {
+    let near = nearest(path, known.iter().map(|key| key.path.as_str())).map(str::to_owned);
+    known.into_iter().find(|key| key.path == path).ok_or(near)
+}
+
+/// The key that a static question varies.
+fn varied(path: &str, base: &Value, problems: &mut Problems<'_>) -> Option<Key<'static>> {
+    let refuse = |near: Option<String>| {
+        let root = path.split(['.', '[']).next().unwrap_or_default();
+        let message = if MOTION.contains(&root) {
+            format!("`{path}` plays no part in a static question")
+        } else {
+            format!("the scenario has no number `{path}`")
+        };
+        let help = match near {
+            Some(known) => format!("did you mean `{known}`?"),
+            None => "for instance: vary = \"speed.constant\"".to_owned(),
+        };
+        problems.refuse(Issue::new("study.vary", message).help(help), &[]);
     };
-    let help = match nearest(path, keys.iter().map(|key| key.path.as_str())) {
-        Some(known) => format!("did you mean `{known}`?"),
-        None => "for instance: vary = \"speed.constant\"".to_owned(),
-    };
-    problems.refuse(Issue::new("study.vary", message).help(help), &[]);
-    None
+    find(keys(base, &[&MOTION[..], &["study"]].concat()), path)
+        .map_err(refuse)
+        .ok()
 }
 
 /// Every key of a number outside some tables; lists have as many entries as `given` has.
@@ -249,16 +258,6 @@ impl Key<'_> {
             shown_size: shown.map_or(1.0, |unit| unit.si(1.0)),
         }
     }
-}
-
-/// The static question of the scenario with one value put in.
-fn question(
-    base: &Value,
-    path: &str,
-    value: &Value,
-    folder: &Path,
-) -> Result<StaticQuestion, Issue> {
-    questions(base, path, value, folder).map(|questions| questions.question)
 }
 
 /// What the scenario asks with one value put in.

@@ -10,7 +10,6 @@ mod initial;
 mod integrator;
 mod load;
 mod material;
-mod method;
 mod model;
 mod oil;
 mod output;
@@ -25,7 +24,7 @@ mod time;
 mod torsion;
 mod written;
 
-pub use method::{MethodError, method, methods, tolerance};
+pub use output::OutputSpec;
 pub use scenario::{Questions, ScenarioSpec};
 pub use study::StudySpec;
 pub use written::{TableFormat, TraceChannel};

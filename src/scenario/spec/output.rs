@@ -9,10 +9,11 @@ use serde::{Deserialize, Serialize};
 use super::time::TimeSpec;
 use super::written::{TableFormat, TraceChannel};
 use crate::analysis::Window;
+use crate::scenario::Issue;
 use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity};
-use crate::scenario::{Issue, OutputChoice};
+
 use crate::simulate::{Analyses, Sampling};
 
 /// Samples per revolution where neither key is given.
@@ -36,7 +37,7 @@ pub struct OutputSpec {
     /// Samples per second, for instance "20 kHz", instead of samples per revolution; needed
     /// where the shaft stands.
     #[schemars(extend("x-minimum" = 1e-3))]
-    pub sample_rate: Option<Quantity<Frequency>>,
+    pub(super) sample_rate: Option<Quantity<Frequency>>,
     /// Window of the spectra. Default: "rectangular", exact on whole revolutions.
     pub window: Window,
     /// Whether the trace is written. Default: true.
@@ -111,23 +112,8 @@ impl Default for OutputSpec {
 }
 
 impl OutputSpec {
-    /// What to write.
-    pub fn choice(&self) -> OutputChoice {
-        OutputChoice {
-            trace: self.trace,
-            balls: self.balls,
-            events: self.events,
-            spectrum: self.spectrum,
-            figures: self.figures,
-            report: self.report,
-            formats: self.formats.clone(),
-            every: self.every,
-            channels: self.channels.clone(),
-        }
-    }
-
     /// Refuses formats that this build cannot write, and what is asked for twice.
-    pub fn check_written(&self, problems: &mut Problems<'_>) {
+    pub(super) fn check_written(&self, problems: &mut Problems<'_>) {
         for (index, format) in self.formats.iter().enumerate() {
             let path = format!("output.formats[{index}]");
             if !format.is_built() {
@@ -148,7 +134,7 @@ impl OutputSpec {
     }
 
     /// Sampling of the run, where it suits time and speed.
-    pub fn sampling(
+    pub(super) fn sampling(
         &self,
         turning: Turning<'_>,
         time: &TimeSpec,
@@ -177,7 +163,12 @@ impl OutputSpec {
 
     /// What is made of the samples beside the spectra: `steady` tells whether the speed is constant after
     /// the settle time, `changes` whether it changes at all.
-    pub fn analyses(&self, steady: bool, changes: bool, problems: &mut Problems<'_>) -> Analyses {
+    pub(super) fn analyses(
+        &self,
+        steady: bool,
+        changes: bool,
+        problems: &mut Problems<'_>,
+    ) -> Analyses {
         if self.motion == Some(true) && !steady {
             let message =
                 "the speed changes after `settle`: only a motion at constant speed has a period";
@@ -201,7 +192,7 @@ impl OutputSpec {
     }
 
     /// Refuses a trace of balls where no bearing knows any.
-    pub fn check_balls(&self, known: bool, problems: &mut Problems<'_>) {
+    pub(super) fn check_balls(&self, known: bool, problems: &mut Problems<'_>) {
         if self.balls && !known {
             let issue = Issue::new(
                 "output.balls",

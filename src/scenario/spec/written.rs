@@ -79,52 +79,33 @@ pub enum TraceChannel {
 }
 
 impl TraceChannel {
-    /// All quantities, in the order of the trace's columns.
-    pub const ALL: [Self; 19] = [
-        Self::Angle,
-        Self::Speed,
-        Self::X,
-        Self::Y,
-        Self::Z,
-        Self::TiltX,
-        Self::TiltY,
-        Self::XVelocity,
-        Self::YVelocity,
-        Self::ZVelocity,
-        Self::TiltXVelocity,
-        Self::TiltYVelocity,
-        Self::ForceX,
-        Self::ForceY,
-        Self::ForceZ,
-        Self::MomentX,
-        Self::MomentY,
-        Self::LargestBallLoad,
-        Self::BallsLoaded,
+    /// All quantities with their names in a scenario, in the order of the trace's columns; the name of a column
+    /// is followed by the unit.
+    pub const ALL: [(Self, &'static str); 19] = [
+        (Self::Angle, "angle"),
+        (Self::Speed, "speed"),
+        (Self::X, "x"),
+        (Self::Y, "y"),
+        (Self::Z, "z"),
+        (Self::TiltX, "tilt_x"),
+        (Self::TiltY, "tilt_y"),
+        (Self::XVelocity, "x_velocity"),
+        (Self::YVelocity, "y_velocity"),
+        (Self::ZVelocity, "z_velocity"),
+        (Self::TiltXVelocity, "tilt_x_velocity"),
+        (Self::TiltYVelocity, "tilt_y_velocity"),
+        (Self::ForceX, "force_x"),
+        (Self::ForceY, "force_y"),
+        (Self::ForceZ, "force_z"),
+        (Self::MomentX, "moment_x"),
+        (Self::MomentY, "moment_y"),
+        (Self::LargestBallLoad, "largest_ball_load"),
+        (Self::BallsLoaded, "balls_loaded"),
     ];
 
-    /// Name in a scenario; that of the column is followed by the unit.
+    /// Name in a scenario.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Angle => "angle",
-            Self::Speed => "speed",
-            Self::X => "x",
-            Self::Y => "y",
-            Self::Z => "z",
-            Self::TiltX => "tilt_x",
-            Self::TiltY => "tilt_y",
-            Self::XVelocity => "x_velocity",
-            Self::YVelocity => "y_velocity",
-            Self::ZVelocity => "z_velocity",
-            Self::TiltXVelocity => "tilt_x_velocity",
-            Self::TiltYVelocity => "tilt_y_velocity",
-            Self::ForceX => "force_x",
-            Self::ForceY => "force_y",
-            Self::ForceZ => "force_z",
-            Self::MomentX => "moment_x",
-            Self::MomentY => "moment_y",
-            Self::LargestBallLoad => "largest_ball_load",
-            Self::BallsLoaded => "balls_loaded",
-        }
+        Self::ALL[self as usize].1
     }
 }
 
@@ -137,8 +118,8 @@ mod tests {
         for format in TableFormat::ALL {
             assert_eq!(serde_json::json!(format), format.extension());
         }
-        for (place, channel) in TraceChannel::ALL.into_iter().enumerate() {
-            assert_eq!(serde_json::json!(channel), channel.name());
+        for (place, (channel, name)) in TraceChannel::ALL.into_iter().enumerate() {
+            assert_eq!(serde_json::json!(channel), name);
             assert_eq!(channel as usize, place);
         }
     }

@@ -97,19 +97,31 @@ impl AxisBuilder<'_, '_> {
         Some(self.key.si(&value.value))
     }
 
-    /// A value that must be given.
-    fn needed(&mut self, name: &'static str, by: &str) -> Option<f64> {
-        let missing = self
-            .given()
-            .iter()
-            .any(|(key, value)| *key == name && value.is_none());
-        if missing {
-            let message = format!("{by} needs `{name}`");
-            let issue = Issue::new(self.path.clone(), message);
-            self.problems.refuse(issue, &[]);
-            return None;
+    /// Values that must be given.
+    fn needed<const N: usize>(&mut self, names: [&str; N], by: &str) -> Option<[f64; N]> {
+        let mut values = [None; N];
+        for (value, name) in values.iter_mut().zip(names) {
+            if self.given().contains(&(name, &None)) {
+                let issue = Issue::new(self.path.clone(), format!("{by} needs `{name}`"));
+                self.problems.refuse(issue, &[]);
+            } else {
+                *value = self.number(name);
+            }
         }
-        self.number(name)
+        values
+            .iter()
+            .all(Option::is_some)
+            .then(|| values.map(Option::unwrap_or_default))
+    }
+
+    /// Refuses a whole number, which has no values between two.
+    fn refuse_whole(&mut self, name: &str, help: &str) -> Option<()> {
+        if !self.key.is_whole() {
+            return Some(());
+        }
+        let message = format!("`{}` is a whole number", self.spec.key);
+        self.refuse(name, message, help);
+        None
     }
 
     fn listed(&mut self, count: usize) -> Option<AxisValues> {
@@ -121,15 +133,8 @@ impl AxisBuilder<'_, '_> {
     }
 
     fn spaced(&mut self) -> Option<AxisValues> {
-        if self.key.is_whole() {
-            let message = format!("`{}` is a whole number", self.spec.key);
-            self.refuse("count", message, "list its `values`");
-            return None;
-        }
-        let ends = ["from", "to"].map(|name| self.needed(name, "`count`"));
-        let [Some(from), Some(to)] = ends else {
-            return None;
-        };
+        self.refuse_whole("count", "list its `values`")?;
+        let [from, to] = self.needed(["from", "to"], "`count`")?;
         let logarithmic = self.spec.spacing == Some(Spacing::Logarithmic);
         if logarithmic && !(from > 0.0 && to > 0.0) {
             let message = "values of equal ratios cannot come from zero or below".to_owned();
@@ -145,30 +150,17 @@ impl AxisBuilder<'_, '_> {
     }
 
     fn drawn(&mut self, choice: DistributionKind) -> Option<Distribution> {
-        if self.key.is_whole() {
-            let message = format!("`{}` is a whole number", self.spec.key);
-            self.refuse(
-                "distribution",
-                message,
-                "list its `values`: they are drawn evenly",
-            );
-            return None;
-        }
+        let help = "list its `values`: they are drawn evenly";
+        self.refuse_whole("distribution", help)?;
         let distribution = match choice {
             DistributionKind::Uniform => {
-                let ends = ["from", "to"].map(|name| self.needed(name, "a uniform distribution"));
-                let [Some(lowest), Some(highest)] = ends else {
-                    return None;
-                };
+                let [lowest, highest] = self.needed(["from", "to"], "a uniform distribution")?;
                 Distribution::Uniform { lowest, highest }
             }
             DistributionKind::Normal => self.normal()?,
             DistributionKind::Triangular => {
-                let corners = ["lowest", "mode", "highest"]
-                    .map(|name| self.needed(name, "a triangular distribution"));
-                let [Some(lowest), Some(mode), Some(highest)] = corners else {
-                    return None;
-                };
+                let names = ["lowest", "mode", "highest"];
+                let [lowest, mode, highest] = self.needed(names, "a triangular distribution")?;
                 Distribution::Triangular {
                     lowest,
                     mode,
@@ -187,11 +179,7 @@ impl AxisBuilder<'_, '_> {
     }
 
     fn normal(&mut self) -> Option<Distribution> {
-        let parameters =
-            ["mean", "deviation"].map(|name| self.needed(name, "a normal distribution"));
-        let [Some(mean), Some(deviation)] = parameters else {
-            return None;
-        };
+        let [mean, deviation] = self.needed(["mean", "deviation"], "a normal distribution")?;
         let spec = self.spec;
         let lowest = self.bound("lowest", &spec.lowest, mean - REACH * deviation)?;
         let highest = self.bound("highest", &spec.highest, mean + REACH * deviation)?;

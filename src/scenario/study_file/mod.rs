@@ -14,7 +14,7 @@ use super::issue::Issue;
 use super::passed::Passed;
 use super::problems::Problems;
 use super::schema::schema_of;
-use super::vary::{Key, all_keys, keys, put, questions_of};
+use super::vary::{Key, all_keys, keys, put, questions_of, without};
 use super::walk::{self, nearest};
 use super::{Scenario, echo, read_tree, stem};
 use crate::simulate::Model;
@@ -181,10 +181,7 @@ fn base_of(
     folder: &Path,
     problems: &mut Problems<'_>,
 ) -> Option<(Value, Passed)> {
-    let mut base = scenario.echo.clone();
-    if let Value::Object(tables) = &mut base {
-        tables.retain(|name, _| name != "study");
-    }
+    let mut base = without(&scenario.echo, &["study"]);
     let known = all_keys(&base, &LEFT_OUT);
     for (index, set) in spec.set.iter().enumerate() {
         let path = format!("set[{index}]");
