@@ -11,7 +11,6 @@ mod order_sums;
 mod peaks;
 mod recorder;
 mod run_up;
-mod side_by_side;
 mod spectrum;
 mod transform;
 mod window;
@@ -39,7 +38,6 @@ pub use run_up::{
     OrderTracks, Slice, Track, TrackPoint, TrackRecorder, TrackedOrder, Waterfall,
     WaterfallRecorder,
 };
-pub use side_by_side::Threads;
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub use transform::{Transform, fourier_coefficients};
 pub use window::Window;

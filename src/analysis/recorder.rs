@@ -2,7 +2,6 @@
 
 use super::order_sums::OrderSums;
 use super::peaks::peaks;
-use super::side_by_side::{Threads, side_by_side};
 use super::transform::plan;
 use super::{Channel, ChannelSpectrum, Line, Peak, Spectrum, Transform, Window};
 use crate::rotor::Sample;
@@ -64,7 +63,6 @@ pub struct Recorder {
     block: usize,
     /// Time of the first recorded sample, s.
     start: Option<f64>,
-    threads: Threads,
 }
 
 impl Recorder {
@@ -95,7 +93,6 @@ impl Recorder {
             rate,
             block,
             start: None,
-            threads: Threads::default(),
         }
     }
 
@@ -105,12 +102,6 @@ impl Recorder {
         let moves = |channel: &Channel| matches!(channel, Channel::Displacement(_));
         self.channels.retain(|(channel, _)| moves(channel));
         self
-    }
-
-    /// Spectra on up to so many threads; by default on all of the machine.
-    #[must_use]
-    pub fn on_threads(self, threads: Threads) -> Self {
-        Self { threads, ..self }
     }
 
     /// With room for the samples of a run that ends at a time, s.
@@ -140,22 +131,13 @@ impl Recorder {
     pub fn finish(self, window: Window, causes: &[Line]) -> Option<Analysis> {
         let (mut spectrum, skipped) = self.frame(window)?;
         let plan = plan(spectrum.length);
-        let samples = (skipped + spectrum.length) * self.channels.len();
-        let analysed = side_by_side(
-            self.channels,
-            samples,
-            self.threads,
-            |(channel, mut values)| {
-                values.drain(..skipped);
-                let transform = Transform::by_plan(values, plan.as_ref());
-                let found = peaks(channel, &transform, spectrum.resolution, causes);
-                (ChannelSpectrum::new(channel, &transform, window), found)
-            },
-        );
         let mut found = Vec::new();
-        for (entry, peaks) in analysed {
+        for (channel, mut values) in self.channels {
+            values.drain(..skipped);
+            let transform = Transform::by_plan(values, plan.as_ref());
+            found.extend(peaks(channel, &transform, spectrum.resolution, causes));
+            let entry = ChannelSpectrum::new(channel, &transform, window);
             spectrum.channels.push(entry);
-            found.extend(peaks);
         }
         Some(Analysis {
             spectrum,

@@ -3,13 +3,13 @@
 use std::io;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
+use std::thread;
 use std::time::Instant;
 
 use serde_json::{Value, json};
 
 use super::progress::Progress;
 use super::{Outcome, stop, stream};
-use crate::analysis::Threads;
 use crate::report::many::{
     Digest, JournalError, Layout, MergeError, StudyReport, merge as merge_parts,
 };
@@ -250,7 +250,7 @@ impl<'a> Task<'a> {
         let left = chains.filter(|chain| !kept.holds(*chain));
         work(
             left,
-            self.threads().count(),
+            self.threads(),
             stop::flag(),
             |chain| maker.chain(chain),
             |chain, records| -> Result<(), Failure> {
@@ -282,10 +282,10 @@ impl<'a> Task<'a> {
         Ok(outcome(digest.as_ref()))
     }
 
-    fn threads(&self) -> Threads {
-        self.make
-            .threads
-            .map_or_else(Threads::default, Threads::new)
+    /// Threads that make runs: as many as asked for, or as the machine has.
+    fn threads(&self) -> usize {
+        let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        self.make.threads.unwrap_or_else(available).get()
     }
 
     /// Makes one run with all its files.
@@ -295,8 +295,7 @@ impl<'a> Task<'a> {
             return Err(Failure::NoRun { number, last });
         }
         let failed = |message| Failure::Run { number, message };
-        let mut model = maker.alone(number)?.map_err(failed)?;
-        model.analyses.threads = self.threads();
+        let model = maker.alone(number)?.map_err(failed)?;
         let title = format!("{}, run {number}", self.study.title);
         let turn = self.schedule.chain(self.schedule.chain_of(number));
         let point = turn

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use super::Model;
 use crate::analysis::{
     Channel, Motion, MotionParts, MotionRecorder, MotionSettings, OrderTracks, SectionKind,
-    Threads, TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
+    TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
 use crate::rotor::{FREEDOMS, Rotor, Sample};
@@ -42,8 +42,6 @@ pub struct Analyses {
     pub watched: Watched,
     /// Which lines of the spectra are found.
     pub lines: SpectrumLines,
-    /// Threads that the spectra may take.
-    pub threads: Threads,
 }
 
 /// Which lines of the spectra of a run are found; by default all of them.

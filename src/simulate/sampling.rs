@@ -39,7 +39,6 @@ pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
         Some(samples) => Recorder::on_angle_grid(kept, settle, shaft, samples),
         None => Recorder::on_time_grid(kept, settle, shaft, rate),
     };
-    let recorder = recorder.on_threads(model.analyses.threads);
     let recorder = match model.analyses.lines {
         SpectrumLines::All => recorder,
         SpectrumLines::UpTo(_) | SpectrumLines::Orders(_) => recorder.of_displacements(),
@@ -51,8 +50,7 @@ pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
 pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
     let asked = !model.spectra.is_empty();
     let grid = || sample_grid(model, rotor);
-    let recording = asked.then(|| Recording::new(grid(), model.settle, &model.spectra));
-    recording.map(|recording| recording.on_threads(model.analyses.threads))
+    asked.then(|| Recording::new(grid(), model.settle, &model.spectra))
 }
 
 /// On a grid of shaft angle where the speed is steady after the settle time at its highest, and so

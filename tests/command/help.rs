@@ -130,7 +130,7 @@ fn no_line_of_a_result_is_wider_than_a_terminal() {
         "bearing steady-7205c.toml bearing-7205c.toml arrangement-7205c.toml",
         "bearing back-to-back-7205c.toml varying-compliance-6306.toml linear-7205c.toml",
         "steady steady-7205c.toml",
-        "accuracy steady-7205c.toml --methods dop853,tsit5 --tolerances 1e-4,1e-6",
+        "accuracy steady-7205c.toml --methods dop853,dopri5 --tolerances 1e-4,1e-6",
         "compare output/steady-7205c output/back-to-back-7205c --worst 3 --common",
         "compare output/steady-7205c output/linear-7205c --lines --worst 3",
         "compare output/varying-compliance-6306 output/steady-7205c",

@@ -9,7 +9,6 @@ use super::{
     SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch, envelope,
 };
 
-use crate::analysis::side_by_side::{Threads, side_by_side};
 use crate::analysis::{Channel, Leak, TopPower, Window, leak, rest_amplitude};
 
 /// A segment of fewer samples makes no spectrum: the widest window mixes nine bins.
@@ -42,7 +41,6 @@ pub fn estimate(
         welch: &welch,
         bandwidth: request.window.equivalent_noise_bandwidth() * resolution,
         bins: record.bins(segment),
-        threads: recording.threads,
     };
     let first = match request.kind {
         SpectrumKind::Whirl => -(columns.below() as isize),
@@ -229,7 +227,6 @@ struct Columns<'a> {
     bandwidth: f64,
     /// Bins of a one-sided spectrum.
     bins: usize,
-    threads: Threads,
 }
 
 impl Columns<'_> {
@@ -238,10 +235,8 @@ impl Columns<'_> {
         let signals: Vec<_> = channels.zip(&self.record.signals).collect();
         match self.request.kind {
             SpectrumKind::Plain | SpectrumKind::Envelope { .. } => {
-                let samples = signals.len() * self.record.length();
-                let columns =
-                    side_by_side(signals, samples, self.threads, |signal| self.plain(signal));
-                columns.into_iter().flatten().collect()
+                let columns = signals.into_iter().map(|signal| self.plain(signal));
+                columns.flatten().collect()
             }
             SpectrumKind::Whirl => {
                 let pairs = signals.chunks_exact(2);

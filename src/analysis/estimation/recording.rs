@@ -2,7 +2,7 @@
 
 use super::angle_grid::Turning;
 use super::{Axis, SpectrumRequest};
-use crate::analysis::{Channel, Threads};
+use crate::analysis::Channel;
 use crate::rotor::{FREEDOMS, Sample};
 
 /// How the samples of a run follow each other.
@@ -26,7 +26,6 @@ pub struct Recording {
     pub(super) turning: Option<Turning>,
     /// Time of the first recorded sample, s.
     start: Option<f64>,
-    pub(super) threads: Threads,
 }
 
 impl Recording {
@@ -51,14 +50,7 @@ impl Recording {
             channels,
             turning: requests.iter().any(resampled).then(Turning::default),
             start: None,
-            threads: Threads::default(),
         }
-    }
-
-    /// Spectra on up to so many threads; by default on all of the machine.
-    #[must_use]
-    pub fn on_threads(self, threads: Threads) -> Self {
-        Self { threads, ..self }
     }
 
     /// Whether samples must come with their accelerations.

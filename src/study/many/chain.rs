@@ -7,7 +7,7 @@ use super::gathered::{Carried, Gathered};
 use super::numbers::NumberColumn;
 use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
 use super::{Keep, Schedule, Turn};
-use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum, Threads};
+use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
     BallParts, Model, Monitor, Run, SimulateError, SpectrumLines, StaticState, TraceSink, Watched,
@@ -98,7 +98,6 @@ impl Maker<'_> {
         let analyses = &mut model.analyses;
         analyses.lines = lines.unwrap_or_default();
         // the other runs have the other processors
-        analyses.threads = Threads::ONE;
         analyses.parts = MotionParts {
             forces: needs(NumberColumn::rests_on_forces),
             velocity: needs(NumberColumn::rests_on_velocity),

@@ -392,7 +392,8 @@ fn a_step_too_small_to_move_time_is_an_error_at_once() {
         assert!((error.time() - 1.0).abs() < 1e-6, "{method:?}: {error}");
         let work = integration.counters();
         assert!(work.steps + work.rejected < 5000, "{method:?}: {work:?}");
-        assert_eq!(states.len(), 100, "{method:?}");
+        // the sample at the pole itself may still be found
+        assert!((100..=101).contains(&states.len()), "{method:?}");
         if let IntegrateError::StepUnderflow { step, .. } = error {
             assert!((0.0..1e-9).contains(&step), "{method:?}: {step}");
             let text = error.to_string();
