@@ -4,7 +4,8 @@ use std::fmt;
 use std::num::NonZeroU64;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use serde_json::{Value, json};
+use serde::de::DeserializeOwned;
+use serde_json::json;
 
 use crate::scenario::{Scenario, TableFormat, TraceChannel};
 
@@ -23,32 +24,19 @@ pub struct Written {
 }
 
 fn format_parser() -> impl TypedValueParser<Value = TableFormat> {
-    let built = || {
-        TableFormat::ALL
-            .into_iter()
-            .filter(|format| format.is_built())
-    };
-    let names = PossibleValuesParser::new(built().map(TableFormat::extension));
-    named(names, built().collect(), TableFormat::extension)
+    let built = TableFormat::ALL.into_iter().filter(|one| one.is_built());
+    named(built.map(TableFormat::extension).collect())
 }
 
 fn channel_parser() -> impl TypedValueParser<Value = TraceChannel> {
-    let names = PossibleValuesParser::new(TraceChannel::ALL.map(|(_, name)| name));
-    let all = TraceChannel::ALL.map(|(channel, _)| channel);
-    named(names, all.to_vec(), TraceChannel::name)
+    named(TraceChannel::ALL.map(|(_, name)| name).to_vec())
 }
 
-/// Parses the name of one of `all`.
-fn named<T: Copy + Send + Sync + 'static>(
-    names: PossibleValuesParser,
-    all: Vec<T>,
-    name: fn(T) -> &'static str,
+/// Parses one of some names, as a scenario has them.
+fn named<T: DeserializeOwned + Clone + Send + Sync + 'static>(
+    names: Vec<&'static str>,
 ) -> impl TypedValueParser<Value = T> {
-    names.try_map(move |word| {
-        let mut all = all.iter().copied();
-        all.find(|one| name(*one) == word)
-            .ok_or_else(|| format!("{word:?} is not known"))
-    })
+    PossibleValuesParser::new(names).try_map(|word| serde_json::from_value(word.into()))
 }
 
 impl Written {
@@ -57,7 +45,7 @@ impl Written {
         let (output, echo) = (&mut scenario.output, &mut scenario.echo["output"]);
         if !self.formats.is_empty() {
             output.formats = without_repeats(&self.formats);
-            echo["formats"] = names(&output.formats, TableFormat::extension);
+            echo["formats"] = json!(output.formats);
         }
         if let Some(every) = self.every {
             output.every = every;
@@ -65,14 +53,10 @@ impl Written {
         }
         if !self.channels.is_empty() {
             let channels = without_repeats(&self.channels);
-            echo["channels"] = names(&channels, TraceChannel::name);
+            echo["channels"] = json!(channels);
             output.channels = Some(channels);
         }
     }
-}
-
-fn names<T: Copy>(all: &[T], name: fn(T) -> &'static str) -> Value {
-    all.iter().map(|one| name(*one)).collect()
 }
 
 fn without_repeats<T: Copy + PartialEq>(all: &[T]) -> Vec<T> {

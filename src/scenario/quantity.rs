@@ -191,6 +191,11 @@ impl<D> Quantity<D> {
     }
 }
 
+/// Value in SI units of a quantity that may be given.
+pub(super) fn si<D>(quantity: &Option<Quantity<D>>) -> Option<f64> {
+    quantity.as_ref().map(Quantity::si)
+}
+
 /// Zero, in the SI unit.
 impl<D: Measure> Default for Quantity<D> {
     fn default() -> Self {

@@ -16,7 +16,7 @@ use crate::physics::{Material, RaceControl};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, AngularSpeed, Force, Length, Quantity};
+use crate::scenario::quantity::{Angle, AngularSpeed, Force, Length, Quantity, si};
 use crate::scenario::walk::nearest;
 
 /// A ball bearing and its place on the shaft.
@@ -151,18 +151,17 @@ impl BearingSpec {
             clearance_change: self.clearance_change.si(),
             path: path.to_owned(),
         };
-        let si = |length: &Option<Quantity<Length>>| length.as_ref().map(Quantity::si);
-        let rating = self.dynamic_rating.as_ref().map(Quantity::si);
+        let rating = si(&self.dynamic_rating);
         let ring_material = material::build(self.material.as_ref(), Material::BEARING_STEEL);
         let bearing = Bearing {
             geometry: sources.build(freedoms, problems)?,
             ring_material,
             ball_material: material::build(self.ball_material.as_ref(), ring_material),
-            contact_stiffness: spec.contact_stiffness.as_ref().map(Quantity::si),
+            contact_stiffness: si(&spec.contact_stiffness),
             dynamic_rating: rating.or(entry.map(|entry| entry.dynamic_rating)),
             roughness: si(&self.roughness),
-            limiting_speed: self.limiting_speed.as_ref().map(Quantity::si),
-            shoulder_angle: self.shoulder_angle.as_ref().map(Quantity::si),
+            limiting_speed: si(&self.limiting_speed),
+            shoulder_angle: si(&self.shoulder_angle),
         };
         check_contact(&bearing, &sources, problems);
         self.check_law(path, model, problems);
@@ -225,11 +224,10 @@ impl BearingSpec {
     }
 
     fn preload(&self) -> Preload {
-        let force = |force: &Option<Quantity<Force>>| force.as_ref().map(Quantity::si);
-        let offset = self.axial_offset.as_ref().map_or(0.0, Quantity::si);
-        force(&self.spring_preload)
+        let offset = si(&self.axial_offset).unwrap_or(0.0);
+        si(&self.spring_preload)
             .map(Preload::Spring)
-            .or_else(|| force(&self.preload).map(Preload::Force))
+            .or_else(|| si(&self.preload).map(Preload::Force))
             .unwrap_or(Preload::AxialOffset(offset))
     }
 

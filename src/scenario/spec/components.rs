@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::rotor::{FREEDOMS, Freedoms};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Measure, Quantity};
+use crate::scenario::quantity::{Measure, Quantity, si};
 
 /// Keys of the freedoms, in their order.
 pub const KEYS: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
@@ -37,14 +37,12 @@ pub struct Components<T, R> {
 impl<T, R> Components<T, R> {
     /// The given values in SI units.
     pub fn values(&self) -> [Option<f64>; FREEDOMS] {
-        let along = |value: &Option<Quantity<T>>| value.as_ref().map(Quantity::si);
-        let about = |value: &Option<Quantity<R>>| value.as_ref().map(Quantity::si);
         [
-            along(&self.x),
-            along(&self.y),
-            along(&self.z),
-            about(&self.tilt_x),
-            about(&self.tilt_y),
+            si(&self.x),
+            si(&self.y),
+            si(&self.z),
+            si(&self.tilt_x),
+            si(&self.tilt_y),
         ]
     }
 

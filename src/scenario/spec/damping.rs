@@ -7,7 +7,7 @@ use super::components::refuse_held_key;
 use crate::bearing::ContactDamping;
 use crate::rotor::{Damping as Model, Freedoms};
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{ContactLoss, Damping, Quantity, TiltDamping, Time};
+use crate::scenario::quantity::{ContactLoss, Damping, Quantity, TiltDamping, Time, si};
 
 /// Viscous damping, given in at most one of three ways, and damping of the contacts; at least one
 /// of them all.
@@ -50,10 +50,9 @@ pub struct ContactSpec {
 
 impl ContactSpec {
     fn build(&self) -> ContactDamping {
-        let si = |loss: &Option<Quantity<ContactLoss>>| loss.as_ref().map_or(0.0, Quantity::si);
         ContactDamping {
-            inner: si(&self.inner),
-            outer: si(&self.outer),
+            inner: si(&self.inner).unwrap_or(0.0),
+            outer: si(&self.outer).unwrap_or(0.0),
         }
     }
 }
@@ -106,12 +105,11 @@ pub fn build(spec: Option<&DampingSpec>, freedoms: Freedoms, problems: &mut Prob
 
 impl Coefficients {
     fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Model {
-        let along = |value: &Option<Quantity<Damping>>| value.as_ref().map(Quantity::si);
-        let tilt = self.tilt.as_ref().map(Quantity::si);
+        let tilt = si(&self.tilt);
         let given = [
-            ("x", 1, along(&self.x)),
-            ("y", 2, along(&self.y)),
-            ("z", 3, along(&self.z)),
+            ("x", 1, si(&self.x)),
+            ("y", 2, si(&self.y)),
+            ("z", 3, si(&self.z)),
             ("tilt", 5, tilt),
         ];
         for (key, needed, value) in given {

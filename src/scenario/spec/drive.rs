@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::rotor::Drive;
-use crate::scenario::quantity::{AngularSpeed, Moment, Quantity};
+use crate::scenario::quantity::{AngularSpeed, Moment, Quantity, si};
 
 /// A motor that turns the shaft against a load and the friction of the bearings. `shaft.inertia_polar`
 /// is that of everything that turns; `[shaft.torsion]` adds the twist under the friction moment.
@@ -40,7 +40,7 @@ impl DriveSpec {
     pub fn build(&self, compliance: f64) -> Drive {
         Drive {
             torque: self.torque.si(),
-            no_load_speed: self.no_load_speed.as_ref().map(Quantity::si),
+            no_load_speed: si(&self.no_load_speed),
             load_torque: self.load_torque.si(),
             friction: self.friction,
             compliance,

@@ -9,7 +9,7 @@ use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, ContactStiffness, Length, Quantity};
+use crate::scenario::quantity::{Angle, ContactStiffness, Length, Quantity, si};
 
 /// Groove factor of a model in which the contact angle, and with it the groove, plays no part.
 const ANY_GROOVE_FACTOR: f64 = 0.52;
@@ -214,8 +214,4 @@ fn millimetres(length: f64) -> String {
 /// A length in µm with four significant digits.
 fn micrometres(length: f64) -> String {
     format!("{} um", significant(length * 1e6))
-}
-
-fn si<D>(quantity: &Option<Quantity<D>>) -> Option<f64> {
-    quantity.as_ref().map(Quantity::si)
 }

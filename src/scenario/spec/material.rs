@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::physics::Material;
-use crate::scenario::quantity::{Density, Pressure, Quantity};
+use crate::scenario::quantity::{Density, Pressure, Quantity, si};
 
 /// Elastic constants and density.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -26,11 +26,8 @@ pub struct MaterialSpec {
 pub fn build(spec: Option<&MaterialSpec>, base: Material) -> Material {
     let Some(spec) = spec else { return base };
     Material {
-        youngs_modulus: spec
-            .youngs_modulus
-            .as_ref()
-            .map_or(base.youngs_modulus, Quantity::si),
+        youngs_modulus: si(&spec.youngs_modulus).unwrap_or(base.youngs_modulus),
         poisson_ratio: spec.poisson_ratio.unwrap_or(base.poisson_ratio),
-        density: spec.density.as_ref().map_or(base.density, Quantity::si),
+        density: si(&spec.density).unwrap_or(base.density),
     }
 }

@@ -7,7 +7,7 @@ use super::torsion::TorsionSpec;
 use crate::rotor::{Freedoms, Shaft};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, Inertia, Length, Mass, Quantity};
+use crate::scenario::quantity::{Angle, Inertia, Length, Mass, Quantity, si};
 
 /// The shaft: a rigid, concentrated mass.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -52,16 +52,17 @@ impl ShaftSpec {
     pub fn build(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) -> Shaft {
         self.check_inertia(moves, turns, problems);
         self.check_tilt(problems);
-        let tilt = |tilt: &Option<Quantity<Angle>>| tilt.as_ref().map_or(0.0, Quantity::si);
-        let si = |inertia: &Option<Quantity<Inertia>>| inertia.as_ref().map_or(0.0, Quantity::si);
         Shaft {
             mass: self.mass.si(),
-            inertia_transverse: si(&self.inertia_transverse),
-            inertia_polar: si(&self.inertia_polar),
+            inertia_transverse: si(&self.inertia_transverse).unwrap_or(0.0),
+            inertia_polar: si(&self.inertia_polar).unwrap_or(0.0),
             eccentricity: self.eccentricity.si(),
             freedoms: self.freedoms,
             gravity: self.gravity,
-            held_tilt: [tilt(&self.tilt_x), tilt(&self.tilt_y)],
+            held_tilt: [
+                si(&self.tilt_x).unwrap_or(0.0),
+                si(&self.tilt_y).unwrap_or(0.0),
+            ],
         }
     }
 

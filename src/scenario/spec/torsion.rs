@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::quasi_static::{Torsion, TorsionCause};
-use crate::scenario::quantity::{Angle, Length, Moment, Pressure, Quantity, SecondMoment};
+use crate::scenario::quantity::{Angle, Length, Moment, Pressure, Quantity, SecondMoment, si};
 
 /// Shear modulus of steel, Pa.
 const STEEL: f64 = 79.4e9;
@@ -45,7 +45,7 @@ impl TorsionSpec {
     pub fn build(&self) -> Torsion {
         Torsion {
             length: self.length.si(),
-            shear_modulus: self.shear_modulus.as_ref().map_or(STEEL, Quantity::si),
+            shear_modulus: si(&self.shear_modulus).unwrap_or(STEEL),
             polar_second_moment: self.polar_second_moment(),
             cause: match (&self.moment, &self.angle) {
                 (Some(moment), _) => TorsionCause::Moment(moment.si()),
@@ -58,7 +58,7 @@ impl TorsionSpec {
     /// `I_p = π d⁴/32` of a solid round segment.
     fn polar_second_moment(&self) -> f64 {
         let round = |diameter: &Quantity<Length>| PI * diameter.si().powi(4) / 32.0;
-        let given = self.polar_second_moment.as_ref().map(Quantity::si);
+        let given = si(&self.polar_second_moment);
         given
             .or_else(|| self.diameter.as_ref().map(round))
             .unwrap_or(f64::INFINITY)

@@ -9,7 +9,7 @@ use super::shock::ShockSpec;
 use crate::rotor::load::BaseAcceleration;
 use crate::rotor::{FREEDOMS, Freedoms};
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Acceleration, Quantity};
+use crate::scenario::quantity::{Acceleration, Quantity, si};
 
 /// Acceleration of the housing, of one of two kinds.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -37,7 +37,6 @@ pub struct Accelerations {
 
 impl PerFreedom for Accelerations {
     fn given(&self) -> [Option<f64>; FREEDOMS] {
-        let si = |value: &Option<Quantity<Acceleration>>| value.as_ref().map(Quantity::si);
         [si(&self.x), si(&self.y), si(&self.z), None, None]
     }
 }

@@ -7,7 +7,7 @@ use super::{PerFreedom, moving};
 use crate::rotor::Freedoms;
 use crate::rotor::load::{Harmonic, Pace};
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, Frequency, Quantity};
+use crate::scenario::quantity::{Angle, Frequency, Quantity, si};
 
 /// A cosine, either of time or of the shaft's angle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -30,7 +30,7 @@ pub struct HarmonicSpec<A> {
 impl<A: PerFreedom> HarmonicSpec<A> {
     /// The harmonic load.
     pub fn build(&self, path: &str, freedoms: Freedoms, problems: &mut Problems<'_>) -> Harmonic {
-        let frequency = self.frequency.as_ref().map_or(0.0, Quantity::si);
+        let frequency = si(&self.frequency).unwrap_or(0.0);
         Harmonic {
             amplitude: moving(
                 &self.amplitude,

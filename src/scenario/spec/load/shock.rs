@@ -8,7 +8,7 @@ use crate::rotor::Freedoms;
 use crate::rotor::load::Shock;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Quantity, Time};
+use crate::scenario::quantity::{Quantity, Time, si};
 
 /// Half-sine shocks.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -32,7 +32,7 @@ pub struct ShockSpec<A> {
 impl<A: PerFreedom> ShockSpec<A> {
     /// The shock or shocks.
     pub fn build(&self, path: &str, freedoms: Freedoms, problems: &mut Problems<'_>) -> Shock {
-        let (duration, every) = (self.duration.si(), self.every.as_ref().map(Quantity::si));
+        let (duration, every) = (self.duration.si(), si(&self.every));
         if every.is_some_and(|every| every < duration) {
             let message = format!(
                 "`every` must be at least the `duration` of {duration} s: shocks do not overlap"
