@@ -16,9 +16,9 @@ use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
 /// Step of a state, in sizes of the motion, over which slopes are looked at where the method gives none.
 const STATE_STEP: f64 = 1e-3;
 
-/// Slopes need be no more exact than this: they guide the search and tell multipliers to six digits,
+/// Slopes need be integrated no more exactly than this: they guide the search and tell multipliers to six digits,
 /// while what returns is judged by the motion itself.
-const SLOPE_TOLERANCE: f64 = 1e-6;
+const SLOPE_TOLERANCE: f64 = 1e-7;
 
 /// Makes the rotor of a value of the parameter; what is wrong with it in words.
 pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;

@@ -269,7 +269,7 @@ fn memory_is_flat_in_the_number_of_events() {
         });
         (lost, peak)
     };
-    let ((few, short), (many, long)) = (measure(2048), measure(20_480));
+    let ((few, short), (many, long)) = (measure(8192), measure(81_920));
     println!("{few} and {many} losses of contact, peak {short} and {long} bytes");
     assert!(many > 1000 && many > 5 * few);
     assert!(long as f64 <= 1.2 * short as f64);
@@ -318,7 +318,7 @@ fn memory_is_flat_in_the_duration_when_the_states_are_kept() {
         });
         peak
     };
-    let (short, long) = (peak(4096), peak(40_960));
+    let (short, long) = (peak(8192), peak(81_920));
     println!("peak {short} and {long} bytes");
     assert!(
         long as f64 <= 1.2 * short as f64,

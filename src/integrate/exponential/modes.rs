@@ -51,15 +51,17 @@ impl<const N: usize> Modes<N> {
 
     /// Modes of a Jacobian, with the units in which it is smallest and its norm in them, or of a matrix next to it:
     /// the frozen linear part of the method may be any, and what it lacks is in the remainder. Where the modes are
-    /// no sound basis, as at critical damping, every component gets a little damping of its own, which parts them;
-    /// where that does not help either, there is no linear part.
+    /// no sound basis, as at critical damping, every component gets a little damping of its own, which parts them, and
+    /// what acts on nothing that acts back does not act; where that does not help either, there is no linear part.
     pub fn near(jacobian: &Columns<N>, units: &[f64; N], norm: f64) -> Self {
         let apart = || {
             let mut jacobian = *jacobian;
             for (place, column) in jacobian.iter_mut().enumerate() {
-                // what acts on nothing stays as it is
                 if units[place].is_finite() {
                     column[place] -= PARTING * norm * (1.0 + place as f64 / N as f64);
+                } else {
+                    // nothing comes back of what it acts on
+                    *column = [0.0; N];
                 }
             }
             Self::new(&jacobian, units)

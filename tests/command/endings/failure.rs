@@ -1,12 +1,11 @@
 //! A run that cannot go on keeps its trace up to there, and nothing that looks whole.
 
-use super::scene::Scene;
-use crate::support::shipped_text as shipped;
+use super::scene::{Scene, finely_sampled};
 
 /// A steady run that may take so many steps, by one method throughout: some 5000 to its end.
 fn limited(steps: u32) -> String {
     let limit = format!("method = \"verner76\"\ntolerance = 1e-8\nstep_limit = {steps}");
-    shipped("steady-7205c").replace("tolerance = 1e-8", &limit)
+    finely_sampled("steady-7205c").replace("tolerance = 1e-8", &limit)
 }
 
 #[test]

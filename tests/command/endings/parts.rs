@@ -1,7 +1,6 @@
 //! A run in parts is the run in one go, byte by byte.
 
-use super::scene::Scene;
-use crate::support::shipped_text as shipped;
+use super::scene::{Scene, finely_sampled};
 
 /// Names of the files that differ, with which of the two has them.
 #[track_caller]
@@ -35,7 +34,7 @@ fn check(name: &str, scenario: &str, stops: &[&str]) {
 
 #[test]
 fn a_steady_run_with_ball_passes() {
-    let text = shipped("steady-7205c");
+    let text = finely_sampled("steady-7205c");
     // before the first sample, in the first block, twice at one place, near the end
     let stops = ["0 s", "1 us", "50 ms", "0.25 s", "402 ms"];
     check("steady", &text, &stops);
@@ -43,16 +42,16 @@ fn a_steady_run_with_ball_passes() {
 
 #[test]
 fn shocks_within_the_blocks() {
-    let text = shipped("coal-impact-7205c").replace(
-        "samples_per_revolution = 512",
-        "samples_per_revolution = 4096",
+    let text = finely_sampled("coal-impact-7205c").replace(
+        "samples_per_revolution = 2048",
+        "samples_per_revolution = 16384",
     );
     check("coal impact", &text, &["90 ms", "0.102 s", "0.35 s"]);
 }
 
 #[test]
 fn every_other_family_of_methods() {
-    let text = shipped("steady-7205c");
+    let text = finely_sampled("steady-7205c");
     for method in ["verner76", "dop853", "rodas", "exponential"] {
         let other = text.replace(
             "[integrator]\n",
@@ -65,17 +64,17 @@ fn every_other_family_of_methods() {
 
 #[test]
 fn a_method_that_the_rule_chooses() {
-    let text = shipped("run-up-7205c");
+    let text = finely_sampled("run-up-7205c");
     assert!(!text.contains("method"));
     check("run-up", &text, &["100 us", "20 ms", "0.2 s", "0.27 s"]);
-    let text = shipped("steady-7205c");
+    let text = finely_sampled("steady-7205c");
     assert!(!text.contains("method"));
     check("steady", &text, &["1 ms", "0.2 s"]);
 }
 
 #[test]
 fn a_stiff_run_whose_warning_was_earned_in_the_first_part() {
-    let text = shipped("steady-7205c").replace(
+    let text = finely_sampled("steady-7205c").replace(
         "ratio = 0.02 ",
         "coefficients = { x = \"5e6 N s/m\", y = \"5e3 N s/m\", z = \"5e3 N s/m\" } ",
     );
@@ -84,7 +83,7 @@ fn a_stiff_run_whose_warning_was_earned_in_the_first_part() {
 
 #[test]
 fn balls_that_lose_contact_at_every_passage() {
-    let text = shipped("varying-compliance-6306")
+    let text = finely_sampled("varying-compliance-6306")
         .replace("14.126 s", "2.0 s")
         .replace("13.582 s", "1.0 s");
     check("varying compliance", &text, &["0.3 s", "1.7 s"]);
@@ -93,7 +92,7 @@ fn balls_that_lose_contact_at_every_passage() {
 #[test]
 fn a_second_pass_that_failed_stays_failed() {
     // the second pass takes half again as many steps
-    let text = shipped("steady-7205c").replace(
+    let text = finely_sampled("steady-7205c").replace(
         "tolerance = 1e-8",
         "method = \"verner76\"\ntolerance = 1e-8\nstep_limit = 5500",
     );
@@ -109,7 +108,7 @@ fn a_second_pass_that_failed_stays_failed() {
 
 #[test]
 fn a_stop_after_the_end_is_no_stop() {
-    let text = shipped("steady-7205c");
+    let text = finely_sampled("steady-7205c");
     let (whole, parts) = (Scene::new(&text), Scene::new(&text));
     whole.run(&[]).done();
     parts.run(&["--stop-at", "9 s"]).done();
@@ -121,7 +120,7 @@ fn a_stop_after_the_end_is_no_stop() {
 
 /// Long enough to be interrupted.
 fn long() -> String {
-    shipped("steady-7205c").replace("\"0.5 s\"", "\"6 s\"")
+    finely_sampled("steady-7205c").replace("\"0.5 s\"", "\"6 s\"")
 }
 
 #[cfg(unix)]
@@ -170,10 +169,10 @@ fn an_interrupt_without_a_wish_to_go_on_says_that_nothing_was_written() {
 
 #[test]
 fn a_stop_is_told_to_programs() {
-    let scene = Scene::new(&shipped("steady-7205c"));
+    let scene = Scene::new(&finely_sampled("steady-7205c"));
     let said = scene.run(&["--stop-at", "0.2 s", "--json"]).done();
     let told: serde_json::Value = serde_json::from_str(&said.stdout).expect("JSON");
-    assert_eq!(told["samples"], 2048);
+    assert_eq!(told["samples"], 8192);
     assert_eq!(told["files"][0], "output/scene/restart.bin");
     let time = told["stopped_at_s"].as_f64().expect("a number");
     assert!((0.2..0.21).contains(&time), "{time}");

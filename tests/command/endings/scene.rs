@@ -7,7 +7,18 @@ use std::process::{Command, Output, Stdio};
 
 use tempfile::TempDir;
 
-use crate::support::{self, files, interrupt, jeffcott, wait_for};
+use crate::support::{self, files, interrupt, jeffcott, shipped_text, wait_for};
+
+/// A shipped scenario with four times the samples, so that it has a few segments between which it can stop.
+pub fn finely_sampled(name: &str) -> String {
+    let text = shipped_text(name);
+    let key = "samples_per_revolution = ";
+    let (before, after) = text.split_once(key).expect("samples per revolution");
+    let digits = after.find(|c: char| !c.is_ascii_digit());
+    let (number, rest) = after.split_at(digits.unwrap_or(after.len()));
+    let samples: u32 = number.parse().expect("a whole number");
+    format!("{before}{key}{}{rest}", 4 * samples)
+}
 
 /// A scene in a folder: its scenario, and its results under `output/scene`.
 pub struct Scene {
