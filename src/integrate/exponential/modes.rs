@@ -52,19 +52,23 @@ impl<const N: usize> Modes<N> {
     /// Modes of a Jacobian, with the units in which it is smallest and its norm in them, or of a matrix next to it:
     /// the frozen linear part of the method may be any, and what it lacks is in the remainder. Where the modes are
     /// no sound basis, as at critical damping, every component gets a little damping of its own, which parts them, and
-    /// what acts on nothing that acts back does not act; where that does not help either, there is no linear part.
+    /// what acts on nothing that acts back only decays; where that does not help either, there is no linear part.
     pub fn near(jacobian: &Columns<N>, units: &[f64; N], norm: f64) -> Self {
         let apart = || {
-            let mut jacobian = *jacobian;
-            for (place, column) in jacobian.iter_mut().enumerate() {
+            let (mut jacobian, mut units) = (*jacobian, *units);
+            for place in 0..N {
+                let column = &mut jacobian[place];
                 if units[place].is_finite() {
                     column[place] -= PARTING * norm * (1.0 + place as f64 / N as f64);
                 } else {
-                    // nothing comes back of what it acts on
-                    *column = [0.0; N];
+                    units[place] = 1.0;
+                    // nothing comes back of what it acts on, and it has no time scale of its own
+                    if column[place] == 0.0 {
+                        *column = [0.0; N];
+                    }
                 }
             }
-            Self::new(&jacobian, units)
+            Self::new(&jacobian, &units)
         };
         let own = Self::new(jacobian, units);
         own.or_else(apart).unwrap_or_else(Self::none)
@@ -200,8 +204,14 @@ mod tests {
                 for row in 0..3 {
                     let whole = f64::from(u8::from(row == place));
                     assert!((back[row] - whole).abs() < 1e-9, "{place}, {row}: {back:?}");
-                    if units[row].is_finite() && units[place].is_finite() {
-                        let off = (rate[row] + jacobian[place][row]) * units[place] / units[row];
+                    let acting = units[row].is_finite() && units[place].is_finite();
+                    if row == place || acting {
+                        let unit = if acting {
+                            units[place] / units[row]
+                        } else {
+                            1.0
+                        };
+                        let off = (rate[row] + jacobian[place][row]) * unit;
                         assert!(off.abs() < 3.0 * PARTING * norm, "{place}, {row}: {off:e}");
                     }
                 }
