@@ -90,8 +90,12 @@ pub fn method(name: &str) -> Result<NamedMethod, ArgumentError> {
     let found = methods().iter().find(|named| named.name == name);
     found.cloned().ok_or_else(|| {
         let names: Vec<&str> = methods().iter().map(|named| named.name.as_str()).collect();
-        let near = nearest(name, names.iter().copied());
-        let hint = near.map_or_else(String::new, |near| format!(" (did you mean \"{near}\"?)"));
+        let successor = integrator()["method"]["successors"][name].as_str();
+        let hint = match (successor, nearest(name, names.iter().copied())) {
+            (Some(successor), _) => format!(" any longer (\"{successor}\" takes its place)"),
+            (None, Some(near)) => format!(" (did you mean \"{near}\"?)"),
+            (None, None) => String::new(),
+        };
         let known = names.join(", ");
         ArgumentError(format!(
             "there is no method \"{name}\"{hint}; there are {known}"

@@ -22,7 +22,7 @@ const FLOORS: [&str; 13] = [
 ];
 
 /// Libraries and the only floors that may name them.
-const LIBRARIES: [(&str, &[&str]); 18] = [
+const LIBRARIES: [(&str, &[&str]); 17] = [
     ("ode_solvers", &["integrate"]),
     ("rustfft", &["analysis"]),
     ("realfft", &["analysis"]),
@@ -30,7 +30,6 @@ const LIBRARIES: [(&str, &[&str]); 18] = [
     ("csv", &["report", "scenario"]),
     ("parquet", &["report"]),
     ("ryu", &["report"]),
-    ("itoa", &["report"]),
     ("plotters", &["report"]),
     ("comfy_table", &["report", "cli"]),
     ("clap", &["cli"]),

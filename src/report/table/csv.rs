@@ -71,8 +71,8 @@ fn cell(value: f64, kind: ColumnKind, line: &mut Vec<u8>) {
         }
         ColumnKind::OptionalCount if value.is_nan() => {}
         ColumnKind::Count | ColumnKind::OptionalCount => {
-            let mut digits = itoa::Buffer::new();
-            line.extend_from_slice(digits.format(value as i64).as_bytes());
+            // writing to a vector cannot fail
+            let _ = write!(line, "{}", value as i64);
         }
         ColumnKind::Word(words) => {
             let word = words.get(value as usize).copied().unwrap_or_default();
