@@ -212,6 +212,9 @@ where
         if due && self.stiffness.is_none() && self.step < self.grid.interval {
             // steps that are longer than the distance of the samples are no burden
             self.stiffness = self.look_for_stiffness(self.grid.time(self.next));
+            if self.checkpoint.next == self.next {
+                self.checkpoint.stiffness = self.stiffness;
+            }
         }
         Ok(())
     }

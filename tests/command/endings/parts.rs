@@ -78,6 +78,8 @@ fn a_stiff_run_whose_warning_was_earned_in_the_first_part() {
         "ratio = 0.02 ",
         "coefficients = { x = \"5e6 N s/m\", y = \"5e3 N s/m\", z = \"5e3 N s/m\" } ",
     );
+    let text = text.replace("[integrator]\n", "[integrator]\nmethod = \"verner76\"\n");
+    assert!(text.contains("verner76"));
     check("stiff", &text, &["0.2 s"]);
 }
 

@@ -1,5 +1,6 @@
 //! Sentences of physics, one test each: of a ball, of a bearing, and of the shaft in motion.
 
+mod accuracy;
 mod ball_law;
 mod contact_damping;
 mod drive;
