@@ -3,7 +3,9 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use jeffcott::bearing::{BallLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Oil, catalogue};
+use jeffcott::bearing::{
+    Ball, BallLaw, ForceLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Oil, catalogue,
+};
 use jeffcott::physics::RaceControl;
 
 const SPEED: f64 = 1000.0;
@@ -39,7 +41,7 @@ fn bench(criterion: &mut Criterion, name: &str, law: &impl BallLaw, positions: &
     group.bench_function("force", |bencher| {
         bencher.iter(|| {
             for &(axial, radial) in positions {
-                black_box(law.force(black_box(axial), radial, SPEED));
+                black_box(law.force(&Ball::at(black_box(axial), radial), SPEED));
             }
         });
     });

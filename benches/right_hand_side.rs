@@ -8,7 +8,8 @@ use std::path::Path;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use jeffcott::bearing::{
-    BallLaw, CageAngle, ContactLaw, Facing, HertzLaw, MountedBearing, Oil, Preload, Ring, catalogue,
+    Ball, BearingRotation, ContactLaw, Facing, ForceLaw, HertzLaw, MountedBearing, Oil, Preload,
+    Ring, catalogue,
 };
 use jeffcott::integrate::System;
 use jeffcott::physics::RaceControl;
@@ -33,24 +34,25 @@ fn ball_and_ring(criterion: &mut Criterion) {
         .expect("in the catalogue")
         .bearing()
         .expect("a bearing");
-    let law = HertzLaw {
-        load_deflection_constant: bearing.load_deflection_constant().expect("a Hertz contact"),
-        distance: bearing.geometry.groove_centre_distance(),
-    };
+    let law = HertzLaw::new(
+        bearing.load_deflection_constant().expect("a Hertz contact"),
+        bearing.geometry.groove_centre_distance(),
+    );
     let (axial, radial) = (1.35e-4, 3.83e-4);
     criterion.bench_function("ball, hertz: force", |bencher| {
-        bencher.iter(|| law.force(black_box(axial), black_box(radial), 0.0));
+        bencher.iter(|| law.force(&Ball::at(black_box(axial), black_box(radial)), 0.0));
     });
     criterion.bench_function("ball, hertz: force and tangent", |bencher| {
         bencher.iter(|| law.force_and_tangent(black_box(axial), black_box(radial), 0.0));
     });
-    let ring = Ring::new(&bearing.geometry, 0.0, law);
-    let (place, cage) = ([1e-7, -2e-7, 32e-6, 1e-6, 2e-6], CageAngle::new(0.3));
+    let ring = Ring::new(&bearing.geometry, 0.0);
+    let place = [1e-7, -2e-7, 32e-6, 1e-6, 2e-6];
+    let rotation = BearingRotation::at_start(0.0).with_cage_at(0.3);
     criterion.bench_function("ring of 12, hertz: force", |bencher| {
-        bencher.iter(|| ring.force(black_box(&place), black_box(cage), 0.0));
+        bencher.iter(|| ring.force(&law, black_box(&place), black_box(&rotation)));
     });
     criterion.bench_function("ring of 12, hertz: force and stiffness", |bencher| {
-        bencher.iter(|| ring.force_and_stiffness(black_box(&place), black_box(cage), 0.0));
+        bencher.iter(|| ring.force_and_stiffness(&law, black_box(&place), black_box(&rotation)));
     });
 }
 

@@ -53,7 +53,7 @@
 //! | A1, A2 | place of the inner groove centre from the outer one | `axial`, `radial` |
 //! | Q, δ, K_n | ball load, approach, load–deflection constant: Q = K_n δ^1.5 | `load`, `approach`, `load_deflection_constant` |
 //! | e, ω, ψ | mass eccentricity, angular speed and angle of the shaft | `eccentricity`, `speed`, `angle` |
-//! | ω_c, ψ_c | speed and angle of the cage | `cage_speed`, `CageAngle` |
+//! | ω_c, ψ_c | speed and angle of the cage | `cage_speed`, `BearingRotation` |
 //! | ζ, τ | damping ratio, stiffness time c = τK | `Damping` |
 //!
 //! # A run from Rust
@@ -108,6 +108,7 @@ pub mod cli;
 pub mod integrate;
 pub mod physics;
 pub mod quasi_static;
+mod registers;
 pub mod report;
 pub mod rotor;
 pub mod scenario;

@@ -1,14 +1,14 @@
 //! From the place of the inner ring to everything that is known of a loaded bearing.
 
-use super::any_ring::AnyRing;
-use super::ball_line::BallLines;
-use super::bearing_friction::BearingFriction;
+use super::ball_line::{BallLines, BallReading};
+use super::law::{BallLaw, Share, with_law};
 use super::life::reference_rating_life;
-use super::ring::{CageAngle, Vector5};
-use super::seat::Seat;
 use super::static_safety::static_safety;
-use super::{BallLine, Bearing, BearingState, MountedBearing, StiffnessShares, warnings};
-use crate::physics::{BallPass, HertzContact, ball_pass_frequencies};
+use super::support::Support;
+use super::{
+    BallLine, Bearing, BearingRotation, BearingState, Matrix5, StiffnessShares, Vector5, warnings,
+};
+use crate::physics::{BallPass, ball_pass_frequencies};
 
 /// Share of the largest load at the inner race below which a ball counts as unloaded: behind an oil
 /// film the load of a ball never quite vanishes.
@@ -16,41 +16,44 @@ pub(crate) const LOADED_SHARE: f64 = 1e-6;
 
 /// A bearing to be assessed at one place and speed.
 pub(super) struct Assessment<'a> {
-    pub definition: &'a MountedBearing,
-    pub ring: &'a AnyRing,
-    pub seat: &'a Seat,
-    /// Hertz contacts of the geometry, inner race first.
-    pub contacts: &'a [HertzContact; 2],
+    support: &'a Support,
     /// Displacement of the inner ring.
-    pub place: Vector5,
-    /// Shaft speed, rad/s.
-    pub speed: f64,
+    place: Vector5,
+    rotation: BearingRotation,
 }
 
-impl Assessment<'_> {
+impl<'a> Assessment<'a> {
+    pub fn new(support: &'a Support, place: Vector5, speed: f64) -> Self {
+        Self {
+            support,
+            place,
+            rotation: BearingRotation::at_start(speed),
+        }
+    }
+
     pub fn state(&self) -> BearingState {
-        let (force, stiffness) =
-            self.ring
-                .force_and_stiffness(&self.place, CageAngle::START, self.speed);
+        let support = self.support;
+        let (force, stiffness) = with_law!(&support.law, law => {
+            support.ring.force_and_stiffness(law, &self.place, &self.rotation)
+        });
         let balls = self.balls();
         let loads = || balls.iter().map(|ball| [ball.inner.load, ball.outer.load]);
         let bearing = self.bearing();
         BearingState {
             displacement: self.place,
             force,
-            stiffness: self.seat.condense(stiffness),
+            stiffness: support.seat.condense(stiffness),
             shares: self.shares(),
             balls_loaded: loaded(&balls).count(),
             life: bearing
                 .dynamic_rating
                 .and_then(|rating| reference_rating_life(&bearing.geometry, rating, loads())),
-            static_safety: static_safety(self.contacts, loads()),
-            friction_moment: BearingFriction::new(self.definition, self.contacts)
-                .moment(&force, self.speed),
+            static_safety: static_safety(&support.contacts, loads()),
+            friction_moment: support.friction_moment(&force, self.rotation.speed),
             ball_pass: self.ball_pass(&balls),
             warnings: warnings::of(
                 bearing,
-                self.speed,
+                self.rotation.speed,
                 &balls,
                 &loaded(&balls).collect::<Vec<_>>(),
             ),
@@ -59,30 +62,45 @@ impl Assessment<'_> {
     }
 
     fn bearing(&self) -> &Bearing {
-        &self.definition.bearing
+        &self.support.definition().bearing
     }
 
     fn balls(&self) -> Vec<BallLine> {
+        let Support { ring, law, .. } = self.support;
+        let speed = self.rotation.speed;
         let lines = BallLines {
             bearing: self.bearing(),
-            contacts: self.contacts,
-            films: self.ring.films(),
-            speed: self.speed,
+            contacts: &self.support.contacts,
+            films: with_law!(law, law => law.films()),
+            speed,
         };
-        self.ring
-            .readings(&self.place, self.speed)
-            .iter()
-            .map(|reading| lines.line(reading))
-            .collect()
+        let line = |&azimuth: &f64| {
+            let ball = ring.ball_at(&self.place, azimuth);
+            let inertia = with_law!(law, law => law.state(&ball, speed));
+            let contact = || with_law!(law, law => law.contact(&ball, speed));
+            lines.line(&BallReading {
+                azimuth,
+                distance: ball.axial.hypot(ball.radial),
+                contact: inertia.map_or_else(contact, |state| state.contact),
+                inertia,
+            })
+        };
+        ring.azimuths().iter().map(line).collect()
     }
 
     fn shares(&self) -> Option<StiffnessShares> {
-        self.ring
-            .shares(&self.place, self.speed)
-            .map(|shares| StiffnessShares {
-                contacts: self.seat.condense(shares.contacts),
-                films: self.seat.condense(shares.films),
+        let Support {
+            ring, law, seat, ..
+        } = self.support;
+        let shares: Option<[Matrix5; 2]> = with_law!(law, law => {
+            Share::of(law, self.rotation.speed).map(|shares| {
+                shares.map(|share| ring.force_and_stiffness(&share, &self.place, &self.rotation).1)
             })
+        });
+        shares.map(|[contacts, films]| StiffnessShares {
+            contacts: seat.condense(contacts),
+            films: seat.condense(films),
+        })
     }
 
     /// Frequencies at the mean contact angle of the loaded balls.
@@ -94,7 +112,7 @@ impl Assessment<'_> {
             None => geometry.gamma(),
         };
         ball_pass_frequencies(
-            self.speed,
+            self.rotation.speed,
             geometry.balls(),
             geometry.ball_diameter(),
             geometry.pitch_diameter(),

@@ -1,9 +1,21 @@
 //! One ball in its place, for people to read: what follows from loads and angles.
 
-use super::ball_reading::BallReading;
-use super::races::RaceFilms;
-use super::{BallLine, Bearing, FilmState, HertzSpring, RaceContact};
+use super::{
+    BallContact, BallLine, BallState, Bearing, FilmState, HertzSpring, RaceContact, RaceFilms,
+};
 use crate::physics::{BallMotion, HertzContact, RaceControl};
+
+/// What its law says of one ball, the cage where it starts.
+pub(super) struct BallReading {
+    /// Azimuth, rad.
+    pub azimuth: f64,
+    /// Distance of the groove centres, m.
+    pub distance: f64,
+    /// Loads and angles.
+    pub contact: BallContact,
+    /// Inertia and motion; none where the law neglects inertia.
+    pub inertia: Option<BallState>,
+}
 
 /// What turns the readings of one bearing into lines.
 pub(super) struct BallLines<'a> {

@@ -1,7 +1,5 @@
 //! When a ball counts as in contact with the inner race.
 
-use super::any_ring::AnyRing;
-use super::contact_spring::{ContactSpring, HertzSpring};
 use super::permissible_static_load;
 use crate::physics::HertzContact;
 
@@ -41,26 +39,11 @@ impl ContactBand {
     }
 }
 
-impl AnyRing {
-    /// Approach as in [`super::BallContact::approach`], m, under a load in N at the inner race.
-    pub fn approach_under(&self, load: f64, speed: f64) -> f64 {
-        match self {
-            Self::Hertz(ring) => HertzSpring {
-                stiffness: ring.law().load_deflection_constant,
-            }
-            .approach(load),
-            Self::HertzFilm(ring) => ring.law().spring(speed).approach(load),
-            Self::Jones(ring) => ring.law().inner_spring(speed).approach(load),
-            Self::JonesFilm(ring) => ring.law().inner_spring(speed).approach(load),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use crate::bearing::{
-        BallLaw, ContactDamping, ContactLaw, Facing, HertzFilmLaw, MountedBearing, Oil, Preload,
-        Support, catalogue,
+        Ball, BallLaw, ContactDamping, ContactLaw, Facing, HertzFilmLaw, MountedBearing, Oil,
+        Preload, Support, catalogue,
     };
 
     /// The approach of the band is that at which the law itself bears the load of the band.
@@ -86,7 +69,7 @@ mod tests {
         let band = support.contact_band(700.0);
         let law = HertzFilmLaw::new(&bearing, oil, 0.0).expect("a law");
         let distance = bearing.geometry.groove_centre_distance() + band.regained;
-        let contact = law.contact(0.0, distance, 700.0);
+        let contact = law.contact(&Ball::at(0.0, distance), 700.0);
         assert!((contact.load_inner / band.load - 1.0).abs() < 1e-9);
         assert!((contact.approach - band.regained).abs() < 1e-18);
         // micrometres apart, and wider than round-off by far

@@ -2,8 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::ring::{CageAngle, Matrix5, Vector5};
-use super::{Geometry, Support};
+use super::{BearingRotation, Geometry, Matrix5, Support, Vector5};
 
 /// Names of the five freedoms, as they appear in messages and column headers.
 pub const FREEDOM_NAMES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
@@ -102,7 +101,7 @@ impl StaticProblem<'_> {
     /// [`EquilibriumError`] names the freedom that nothing carries.
     pub fn solve(&self) -> Result<Equilibrium, EquilibriumError> {
         self.check_finite()?;
-        let start = if self.supports.iter().any(Support::has_coarse_ring) {
+        let start = if self.supports.iter().any(Support::has_coarse_law) {
             self.newton(self.start, Fidelity::Coarse, GOOD_START)
                 .map_or(self.start, |(state, _)| state.displacement)
         } else {
@@ -184,14 +183,11 @@ impl StaticProblem<'_> {
         let lengths = lengths(self.arm());
         let (mut force, mut stiffness) = ([0.0; 5], Matrix5::zeros());
         let mut scale: f64 = 0.0;
+        let rotation = BearingRotation::at_start(self.speed);
         for support in self.supports {
             let (share, tangent) = match fidelity {
-                Fidelity::Full => {
-                    support.force_and_stiffness(&displacement, CageAngle::START, self.speed)
-                }
-                Fidelity::Coarse => {
-                    support.coarse_force_and_stiffness(&displacement, CageAngle::START, self.speed)
-                }
+                Fidelity::Full => support.force_and_stiffness(&displacement, &rotation),
+                Fidelity::Coarse => support.coarse_force_and_stiffness(&displacement, &rotation),
             };
             stiffness += tangent;
             for axis in 0..5 {

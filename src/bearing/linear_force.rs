@@ -1,6 +1,6 @@
 //! The force of a bearing frozen at a place.
 
-use super::ring::{Matrix5, Vector5};
+use super::{Matrix5, Vector5};
 
 /// F = F0 + K (q − q0).
 #[derive(Debug, Clone)]

@@ -1,7 +1,7 @@
 //! How the outer ring of a mounted bearing is held axially.
 
-use super::any_ring::AnyRing;
-use super::{BearingError, CageAngle, Matrix5, MountedBearing, Preload, Vector5};
+use super::law::Law;
+use super::{BearingError, Matrix5, MountedBearing, Preload, Vector5};
 
 /// Component z.
 const AXIAL: usize = 2;
@@ -17,15 +17,15 @@ pub(super) enum Seat {
 
 impl Seat {
     /// The seat that gives the preload of a bearing, at standstill.
-    pub fn new(definition: &MountedBearing, ring: &AnyRing) -> Result<Self, BearingError> {
+    pub fn new(definition: &MountedBearing, law: &Law) -> Result<Self, BearingError> {
         Ok(match definition.preload {
             Preload::AxialOffset(offset) => Self::Fixed { offset },
             Preload::Force(force) => Self::Fixed {
-                offset: ring.thrust_displacement(definition, force, 0.0)?,
+                offset: law.thrust_displacement(definition, force, 0.0)?,
             },
             Preload::Spring(force) => Self::Spring {
                 force,
-                start: ring.thrust_displacement(definition, force, 0.0)?,
+                start: law.thrust_displacement(definition, force, 0.0)?,
                 reach: 0.25 * definition.bearing.geometry.groove_centre_distance(),
             },
         })
@@ -39,8 +39,13 @@ impl Seat {
         }
     }
 
-    /// Displacement of the inner ring from the outer one; `shaft` is what the shaft imposes.
-    pub fn settle(&self, ring: &AnyRing, shaft: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
+    /// Displacement of the inner ring from the outer one; `shaft` is what the shaft imposes, `tangent` the force of
+    /// the ring and its stiffness at a displacement.
+    pub fn settle(
+        &self,
+        shaft: &Vector5,
+        tangent: impl Fn(&Vector5) -> (Vector5, Matrix5),
+    ) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = *shaft;
         match *self {
             Self::Fixed { offset } => [x, y, z + offset, tilt_x, tilt_y],
@@ -50,7 +55,7 @@ impl Seat {
                 reach,
             } => {
                 let place = [x, y, start, tilt_x, tilt_y];
-                let axial = pressed(ring, place, cage, speed, force, reach);
+                let axial = pressed(tangent, place, force, reach);
                 [x, y, axial, tilt_x, tilt_y]
             }
         }
@@ -104,15 +109,13 @@ const STEP_LIMIT: usize = 60;
 /// Axial place at which the ring carries `force`, all else as in `place`: Newton, its step at most
 /// `reach`.
 fn pressed(
-    ring: &AnyRing,
+    tangent: impl Fn(&Vector5) -> (Vector5, Matrix5),
     mut place: Vector5,
-    cage: CageAngle,
-    speed: f64,
     force: f64,
     reach: f64,
 ) -> f64 {
     for _ in 0..STEP_LIMIT {
-        let (carried, stiffness) = ring.force_and_stiffness(&place, cage, speed);
+        let (carried, stiffness) = tangent(&place);
         let step = ((force - carried[AXIAL]) / stiffness[(AXIAL, AXIAL)]).clamp(-reach, reach);
         let next = place[AXIAL] + if step.is_nan() { reach } else { step };
         if (next - place[AXIAL]).abs() <= f64::EPSILON * reach {

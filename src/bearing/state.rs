@@ -1,6 +1,6 @@
 //! What is known of a loaded bearing: plain data, ball by ball and as a whole.
 
-use super::ring::{Matrix5, Vector5};
+use super::{BallContact, Matrix5, Vector5};
 use crate::physics::{BallPass, Race};
 
 /// One contact of one ball.
@@ -46,6 +46,17 @@ pub struct FilmState {
     pub stiffness: f64,
     /// h_min over the roughness of the surfaces, where that is given.
     pub lambda: Option<f64>,
+}
+
+/// What a ball at some azimuth bears.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Around {
+    /// Azimuth φ, rad, from +X towards +Y.
+    pub azimuth: f64,
+    /// Change of the distance of the groove centres from the unloaded one, m.
+    pub deformation: f64,
+    /// Loads and contact angles.
+    pub contact: BallContact,
 }
 
 /// One ball in its place.

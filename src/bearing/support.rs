@@ -1,20 +1,16 @@
 //! A mounted bearing as a restoring force on the shaft.
 
+use std::f64::consts::TAU;
 use std::ops::{Add, Mul, Sub};
 
-use fearless_simd::Level;
-
-use super::any_ring::AnyRing;
 use super::assessment::Assessment;
 use super::bearing_friction::BearingFriction;
-use super::contact_damping::DampedRaces;
-use super::elastic_energy::race_springs;
+use super::law::{BallLaw, BallTable, Law, with_law};
 use super::linear_force::LinearForce;
-use super::ring::{CageAngle, Matrix5, Vector5};
 use super::seat::Seat;
 use super::{
-    Around, BallContact, BallTable, BearingError, BearingState, ContactBand, ContactLaw,
-    FrictionMoment, Geometry, HertzSpring, MountedBearing, Preload, Ring,
+    Around, BallLoads, BearingError, BearingRotation, BearingState, ContactBand, ContactLaw,
+    FrictionMoment, Geometry, Matrix5, MountedBearing, Preload, Ring, Vector5,
 };
 use crate::physics::{BallPass, HertzContact, nominal_cage_speed};
 
@@ -29,20 +25,17 @@ use crate::physics::{BallPass, HertzContact, nominal_cage_speed};
 /// and the force back by virtual work.
 #[derive(Debug, Clone)]
 pub struct Support {
-    pub(super) ring: AnyRing,
-    /// What the processor has.
-    pub(super) level: Level,
-    /// Stands for the ring where a motion asks for forces, once compiled.
-    pub(super) table: Option<Box<Ring<BallTable>>>,
-    /// A cheap neighbour of the ring, where there is one.
-    pub(super) coarse: Option<AnyRing>,
+    pub(super) ring: Ring,
+    pub(super) law: Law,
+    /// Stands for the law where a motion asks for forces, once compiled.
+    pub(super) table: Option<Box<BallTable>>,
+    /// A cheap neighbour of the law, where there is one.
+    pub(super) coarse: Option<Law>,
     pub(super) seat: Seat,
     /// Hertz contacts of the geometry, inner race first.
-    contacts: [HertzContact; 2],
-    /// Elastic contacts of the law, inner race first.
-    pub(super) springs: [HertzSpring; 2],
-    /// The damped contacts, where there is damping.
-    pub(super) damped: Option<DampedRaces>,
+    pub(super) contacts: [HertzContact; 2],
+    /// Coefficients of the damping of the contacts, inner race first, s/m, where there is damping.
+    pub(super) damped: Option<[f64; 2]>,
     friction: BearingFriction,
     /// Speed of the cage over that of the shaft.
     cage_ratio: f64,
@@ -62,17 +55,15 @@ impl Support {
     pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
         let bearing = &definition.bearing;
         let contacts = bearing.contacts()?;
-        let ring = AnyRing::new(definition, &contacts, speed)?;
-        let springs = race_springs(bearing, &contacts);
+        let law = Law::new(definition, &contacts, speed)?;
         Ok(Self {
+            ring: Ring::new(&bearing.geometry, definition.first_ball),
             contacts,
-            springs,
-            damped: definition.contact_damping.races(springs)?,
+            damped: definition.contact_damping.coefficients()?,
             friction: BearingFriction::new(definition, &contacts),
-            seat: Seat::new(definition, &ring)?,
-            coarse: ring.coarse(definition, &contacts)?,
-            ring,
-            level: Level::new(),
+            seat: Seat::new(definition, &law)?,
+            coarse: law.coarse(definition, &contacts),
+            law,
             table: None,
             cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma()),
             frozen: None,
@@ -120,15 +111,13 @@ impl Support {
     /// Replaces the force by its tangent at `displacement` of the shaft where the law is linear.
     pub fn freeze(&mut self, displacement: &Vector5, speed: f64) {
         if self.definition.law == ContactLaw::Linear {
-            let origin = self.imposed(displacement);
-            let (force, stiffness) =
-                self.local_tangent(&self.ring, &origin, CageAngle::START, speed);
-            let damping = self.damping_at(&origin, speed);
+            let (origin, rotation) = (self.imposed(displacement), BearingRotation::at_start(speed));
+            let (force, stiffness) = self.local_tangent(&self.law, &origin, &rotation);
             self.frozen = Some(LinearForce {
                 origin,
                 force,
                 stiffness,
-                damping,
+                damping: self.damping_at(&origin, &rotation),
             });
         }
     }
@@ -144,44 +133,52 @@ impl Support {
     }
 
     /// Displacement of the inner ring from the outer one, in the bearing's own orientation.
-    pub fn ring_displacement(
+    pub fn ring_displacement(&self, displacement: &Vector5, rotation: &BearingRotation) -> Vector5 {
+        self.settled(&self.law, &self.imposed(displacement), rotation)
+    }
+
+    /// The same of what the shaft imposes, under a law.
+    pub(super) fn settled(
         &self,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
+        law: &Law,
+        imposed: &Vector5,
+        rotation: &BearingRotation,
     ) -> Vector5 {
-        let imposed = self.imposed(displacement);
-        self.seat.settle(&self.ring, &imposed, cage, speed)
+        let tangent = |place: &Vector5| with_law!(law, law => self.ring.force_and_stiffness(law, place, rotation));
+        self.seat.settle(imposed, tangent)
     }
 
-    /// Hands the loads and contact angles of every ball to `visit`, ball 0 first; none where the
-    /// bearing is frozen: a linear law knows no balls.
-    pub fn for_each_contact(
+    /// Force as by [`Support::force`]; leaves the loads of every ball in `loads`, which must have room for
+    /// [`Support::known_balls`]. The exact law answers, whether there is a table of it or not.
+    pub fn force_and_loads(
         &self,
         displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-        visit: &mut dyn FnMut(BallContact),
-    ) {
-        if self.frozen.is_none() {
-            let place = self.ring_displacement(displacement, cage, speed);
-            self.ring.for_each_contact(&place, cage, speed, visit);
+        rotation: &BearingRotation,
+        loads: &mut BallLoads,
+    ) -> Vector5 {
+        if self.frozen.is_some() {
+            return self.force(displacement, rotation);
         }
+        let place = self.ring_displacement(displacement, rotation);
+        let force = with_law!(&self.law, law => self.ring.loads(law, &place, rotation, loads));
+        self.on_shaft(&force)
     }
 
-    /// Number of balls that [`Support::for_each_contact`] visits.
+    /// Number of balls that [`Support::force_and_loads`] tells of; none where the bearing is frozen: a linear law
+    /// knows no balls.
     pub fn known_balls(&self) -> usize {
         match self.frozen {
             Some(_) => 0,
-            None => self.definition.bearing.geometry.balls(),
+            None => self.ring.balls(),
         }
     }
 
     /// Where a ball leaves and meets the inner race at a shaft speed in rad/s.
     pub fn contact_band(&self, speed: f64) -> ContactBand {
-        ContactBand::new(&self.contacts[0], |load| {
-            self.ring.approach_under(load, speed)
-        })
+        ContactBand::new(
+            &self.contacts[0],
+            |load| with_law!(&self.law, law => law.approach_under(load, speed)),
+        )
     }
 
     /// What a ball at each of `positions` azimuths from +X on would bear with the shaft at
@@ -192,8 +189,32 @@ impl Support {
         speed: f64,
         positions: Option<usize>,
     ) -> Vec<Around> {
-        let place = self.ring_displacement(displacement, CageAngle::START, speed);
-        self.ring.around(&place, speed, positions)
+        let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
+        self.around_ring(&place, speed, positions)
+    }
+
+    /// The same with the inner ring at a displacement from the outer one.
+    pub(super) fn around_ring(
+        &self,
+        place: &Vector5,
+        speed: f64,
+        positions: Option<usize>,
+    ) -> Vec<Around> {
+        let free = self.definition.bearing.geometry.groove_centre_distance();
+        let at = |azimuth| {
+            let ball = self.ring.ball_at(place, azimuth);
+            Around {
+                azimuth,
+                deformation: ball.axial.hypot(ball.radial) - free,
+                contact: with_law!(&self.law, law => law.contact(&ball, speed)),
+            }
+        };
+        match positions {
+            None => self.ring.azimuths().iter().copied().map(at).collect(),
+            Some(count) => (0..count)
+                .map(|index| at(TAU * index as f64 / count as f64))
+                .collect(),
+        }
     }
 
     /// What is known of the bearing with the shaft at `displacement`, its cage where it starts.
@@ -201,15 +222,33 @@ impl Support {
     /// A linear bearing knows no balls: its state is that of the Hertz law at this displacement,
     /// force and stiffness, too.
     pub fn state(&self, displacement: &Vector5, speed: f64) -> BearingState {
-        Assessment {
-            definition: &self.definition,
-            ring: &self.ring,
-            seat: &self.seat,
-            contacts: &self.contacts,
-            place: self.ring_displacement(displacement, CageAngle::START, speed),
-            speed,
+        let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
+        Assessment::new(self, place, speed).state()
+    }
+
+    /// Energy in J that the contacts store with the shaft at `displacement`: of a linear bearing that
+    /// of its frozen force, zero where it was frozen; of a floating ring less the work of its spring.
+    ///
+    /// Its derivative by the displacement is [`Support::force`] where the law has a potential: under
+    /// every law without ball inertia.
+    pub fn stored_energy(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
+        let imposed = self.imposed(displacement);
+        if let Some(linear) = &self.frozen {
+            return linear.energy(&imposed);
         }
-        .state()
+        let place = self.settled(&self.law, &imposed, rotation);
+        let contacts = with_law!(&self.law, law => self.ring.stored_energy(law, &place, rotation));
+        contacts + self.seat.stored_energy(&imposed, &place)
+    }
+
+    /// Whether the force is the derivative of [`Support::stored_energy`], the speed being steady or
+    /// not.
+    pub fn has_potential(&self, steady: bool) -> bool {
+        match self.definition().law {
+            ContactLaw::Linear => true,
+            ContactLaw::Hertz => steady || self.definition().oil.is_none(),
+            ContactLaw::Jones(_) => false,
+        }
     }
 
     /// Nominal speed of the cage over that of the shaft.

@@ -1,42 +1,18 @@
 //! The force of a mounted bearing and its slopes.
 
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::Simd;
 
-use super::any_ring::AnyRing;
-use super::ring::{CageAngle, Matrix5, Vector5, in_registers, quarter_turn};
-use super::ring_lanes::side_by_side;
+use super::law::{Law, with_law};
+use super::ring::{in_registers, quarter_turn, side_by_side};
 use super::seat::Seat;
 use super::support::Support;
-use super::{BallContact, HertzLaw, Ring};
+use super::{BearingRotation, Matrix5, Vector5};
+use crate::registers::in_wide_registers;
 
 impl Support {
     /// Force and moment that hold the shaft at `displacement` against this bearing.
-    pub fn force(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        dispatch!(self.level, simd => self.force_by(simd, displacement, cage, speed))
-    }
-
-    /// Force as by [`Support::force`]; leaves the contacts of every ball in `balls`, ball 0 first, as
-    /// [`Support::for_each_contact`] visits them; without `angles` the contact angles may be zero.
-    pub(crate) fn force_and_balls(
-        &self,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-        angles: bool,
-        balls: &mut [BallContact],
-    ) -> Vector5 {
-        if let (None, Some((ring, offset)), false) = (&self.frozen, self.plain_ring(), angles) {
-            let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
-            let place = [x, y, z + offset, tilt_x, tilt_y];
-            return self.on_shaft(&ring.force_and_loads(&place, cage, balls));
-        }
-        let mut balls = balls.iter_mut();
-        self.for_each_contact(displacement, cage, speed, &mut |contact| {
-            if let Some(ball) = balls.next() {
-                *ball = contact;
-            }
-        });
-        self.force(displacement, cage, speed)
+    pub fn force(&self, displacement: &Vector5, rotation: &BearingRotation) -> Vector5 {
+        in_wide_registers!(self.ring.level, simd => self.force_by(simd, displacement, rotation))
     }
 
     /// As [`Support::force`], for the processor's level `S`.
@@ -45,95 +21,54 @@ impl Support {
         &self,
         simd: S,
         displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
+        rotation: &BearingRotation,
     ) -> Vector5 {
-        let force = match (&self.frozen, self.plain_ring()) {
-            (Some(linear), _) => in_registers(linear.force(self.imposed(displacement))),
-            (None, Some((ring, offset))) => {
+        let force = match (&self.frozen, self.seat) {
+            (None, Seat::Fixed { offset }) => {
                 let [x, y, z, tilt_x, tilt_y] = self.imposed(&side_by_side(simd, displacement));
                 let place = [x, y, z + offset, tilt_x, tilt_y];
-                ring.force_by(simd, &place, cage, speed)
+                match (&self.law, self.table_over(displacement, offset, rotation)) {
+                    (_, Some(table)) => self.ring.force_by(simd, table, &place, rotation),
+                    (Law::Hertz(law), None) => self.ring.force_by(simd, law, &place, rotation),
+                    _ => in_registers(self.settled_force(in_registers(*displacement), rotation)),
+                }
             }
-            (None, None) => match self.table_force(simd, displacement, cage, speed) {
-                Some(force) => force,
-                None => in_registers(self.settled_force(in_registers(*displacement), cage, speed)),
-            },
+            (Some(linear), _) => in_registers(linear.force(self.imposed(displacement))),
+            _ => in_registers(self.settled_force(in_registers(*displacement), rotation)),
         };
         self.on_shaft(&force)
     }
 
-    /// The force of the balls in the bearing's own orientation where all of them are inside a table.
-    #[inline(always)]
-    fn table_force<S: Simd>(
-        &self,
-        simd: S,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-    ) -> Option<Vector5> {
-        let Seat::Fixed { offset } = self.seat else {
-            return None;
-        };
-        let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
-        let table = self.table_at(&[x, y, z + offset, tilt_x, tilt_y], speed)?;
-        let [x, y, z, tilt_x, tilt_y] = self.imposed(&side_by_side(simd, displacement));
-        Some(table.table_force(simd, &[x, y, z + offset, tilt_x, tilt_y], cage))
-    }
-
-    /// The ring and its axial preset in m, where its balls obey the cheap law and nothing else enters.
-    #[inline(always)]
-    pub(super) fn plain_ring(&self) -> Option<(&Ring<HertzLaw>, f64)> {
-        match (&self.table, &self.seat) {
-            (None, Seat::Fixed { offset }) => Some((self.ring.hertz()?, *offset)),
-            _ => None,
-        }
-    }
-
     /// The force of the balls in the bearing's own orientation, whatever their law and seat. Out of line, so
-    /// that the plain ring stays small.
+    /// that cheap laws stay in registers.
     #[inline(never)]
-    fn settled_force(&self, displacement: Vector5, cage: CageAngle, speed: f64) -> Vector5 {
-        let imposed = self.imposed(&displacement);
-        let place = self.seat.settle(&self.ring, &imposed, cage, speed);
-        self.ring.force(&place, cage, speed)
+    fn settled_force(&self, displacement: Vector5, rotation: &BearingRotation) -> Vector5 {
+        let place = self.ring_displacement(&displacement, rotation);
+        with_law!(&self.law, law => self.ring.force(law, &place, rotation))
     }
 
     /// Force as by [`Support::force`] and its derivative by the shaft's displacement.
     pub fn force_and_stiffness(
         &self,
         displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
+        rotation: &BearingRotation,
     ) -> (Vector5, Matrix5) {
-        self.tangent_on_shaft(&self.ring, displacement, cage, speed)
+        self.tangent_on_shaft(&self.law, displacement, rotation)
     }
 
     /// K, and the derivative of the force by the angle of the cage.
     ///
-    /// Turning the cage is turning the displacement back and the force forth:
+    /// On perfect races turning the cage is turning the displacement back and the force forth:
     /// `∂F/∂ψ_c = S F − K S q` with S the generator of rotations about Z.
-    pub fn slopes(
-        &self,
-        displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
-    ) -> (Matrix5, Vector5) {
+    pub fn slopes(&self, displacement: &Vector5, rotation: &BearingRotation) -> (Matrix5, Vector5) {
         let imposed = self.imposed(displacement);
         let transform = self.transform();
         let (stiffness, by_cage_angle) = match &self.frozen {
             Some(linear) => (linear.stiffness, [0.0; 5]),
             None => {
-                // tables have no floating ring to settle
-                let place = self
-                    .table
-                    .is_some()
-                    .then(|| self.seat.settle(&self.ring, &imposed, cage, speed));
-                let table = place.and_then(|place| Some((self.table_at(&place, speed)?, place)));
-                let (force, stiffness) = match table {
-                    Some((table, place)) => table.table_stiffness(&place, cage),
-                    None => self.local_tangent(&self.ring, &imposed, cage, speed),
-                };
+                let (force, stiffness) = self
+                    .table_tangent(displacement, rotation)
+                    .unwrap_or_else(|| self.local_tangent(&self.law, &imposed, rotation));
                 let turned = stiffness * nalgebra::SVector::from(quarter_turn(&imposed));
                 let force = quarter_turn(&force);
                 (
@@ -146,8 +81,21 @@ impl Support {
         (stiffness, self.on_shaft(&by_cage_angle))
     }
 
+    /// Force and stiffness by the table, in the bearing's own orientation, where it covers the displacement.
+    fn table_tangent(
+        &self,
+        displacement: &Vector5,
+        rotation: &BearingRotation,
+    ) -> Option<(Vector5, Matrix5)> {
+        let offset = self.seat.offset();
+        let table = self.table_over(displacement, offset, rotation)?;
+        let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
+        let place = [x, y, z + offset, tilt_x, tilt_y];
+        Some(self.ring.force_and_stiffness(table, &place, rotation))
+    }
+
     /// Whether [`Support::coarse_force_and_stiffness`] is cheaper than the exact one.
-    pub(super) fn has_coarse_ring(&self) -> bool {
+    pub(super) fn has_coarse_law(&self) -> bool {
         self.coarse.is_some()
     }
 
@@ -155,24 +103,22 @@ impl Support {
     pub(super) fn coarse_force_and_stiffness(
         &self,
         displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
+        rotation: &BearingRotation,
     ) -> (Vector5, Matrix5) {
-        let ring = self.coarse.as_ref().unwrap_or(&self.ring);
-        self.tangent_on_shaft(ring, displacement, cage, speed)
+        let law = self.coarse.as_ref().unwrap_or(&self.law);
+        self.tangent_on_shaft(law, displacement, rotation)
     }
 
     fn tangent_on_shaft(
         &self,
-        ring: &AnyRing,
+        law: &Law,
         displacement: &Vector5,
-        cage: CageAngle,
-        speed: f64,
+        rotation: &BearingRotation,
     ) -> (Vector5, Matrix5) {
         let imposed = self.imposed(displacement);
         let (force, stiffness) = match &self.frozen {
             Some(linear) => (linear.force(imposed), linear.stiffness),
-            None => self.local_tangent(ring, &imposed, cage, speed),
+            None => self.local_tangent(law, &imposed, rotation),
         };
         let transform = self.transform();
         (
@@ -183,13 +129,13 @@ impl Support {
 
     pub(super) fn local_tangent(
         &self,
-        ring: &AnyRing,
+        law: &Law,
         imposed: &Vector5,
-        cage: CageAngle,
-        speed: f64,
+        rotation: &BearingRotation,
     ) -> (Vector5, Matrix5) {
-        let place = self.seat.settle(ring, imposed, cage, speed);
-        let (force, stiffness) = ring.force_and_stiffness(&place, cage, speed);
+        let place = self.settled(law, imposed, rotation);
+        let (force, stiffness) =
+            with_law!(law, law => self.ring.force_and_stiffness(law, &place, rotation));
         (force, self.seat.condense(stiffness))
     }
 }

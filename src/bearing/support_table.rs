@@ -1,10 +1,9 @@
 //! The force of a mounted bearing from a table.
 
-use super::any_ring::AnyRing;
-use super::ring::{CageAngle, Vector5};
+use super::law::{BallRegion, BallTable, TableError, TableReport, with_law};
 use super::seat::Seat;
 use super::support::Support;
-use super::{BallLaw, BallRegion, BallTable, Ring, TableError, TableReport};
+use super::{BearingRotation, Vector5};
 
 /// Least swing that a table allows for, over the distance of the groove centres.
 const LEAST_SWING: f64 = 1e-3;
@@ -29,40 +28,54 @@ impl Support {
         speed: f64,
         tolerance: f64,
     ) -> Option<Result<TableReport, TableError>> {
-        if self.frozen.is_some() || matches!(self.seat, Seat::Spring { .. }) {
+        let floats = matches!(self.seat, Seat::Spring { .. });
+        if self.frozen.is_some() || floats || self.law.is_cheap() {
             return None;
         }
-        let place = self.ring_displacement(displacement, CageAngle::START, speed);
-        let request = (
-            self.ball_region(&place, swing),
-            speed,
-            self.largest_load_around(&place, speed),
-            tolerance,
-        );
-        let compiled = match &self.ring {
-            AnyRing::Hertz(_) => return None,
-            AnyRing::HertzFilm(ring) => under_table(ring, request),
-            AnyRing::Jones(ring) => under_table(ring, request),
-            AnyRing::JonesFilm(ring) => under_table(ring, request),
-        };
+        let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
+        let region = self.ball_region(&place, swing);
+        let load = self.largest_load_around(&place, speed);
+        let compiled = with_law!(&self.law, law => {
+            BallTable::compile(law, region, speed, load, tolerance)
+        });
         Some(compiled.map(|(table, report)| {
             self.table = Some(Box::new(table));
             report
         }))
     }
 
-    /// The table where it covers every ball of the ring at `place`, wherever the cage stands.
+    /// The table where it covers every ball with the shaft at `displacement` and the inner ring preset axially by an
+    /// offset in m, wherever the cage stands.
     #[inline(always)]
-    pub(super) fn table_at(&self, place: &Vector5, speed: f64) -> Option<&Ring<BallTable>> {
+    pub(super) fn table_over(
+        &self,
+        displacement: &Vector5,
+        offset: f64,
+        rotation: &BearingRotation,
+    ) -> Option<&BallTable> {
         let table = self.table.as_deref()?;
-        table.is_covered(place, speed).then_some(table)
+        let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
+        let place = [x, y, z + offset, tilt_x, tilt_y];
+        self.covers(table, &place, rotation.speed).then_some(table)
+    }
+
+    /// The same with the inner ring at `place`.
+    pub(super) fn table_at(&self, place: &Vector5, speed: f64) -> Option<&BallTable> {
+        let table = self.table.as_deref()?;
+        self.covers(table, place, speed).then_some(table)
+    }
+
+    #[inline(always)]
+    fn covers(&self, table: &BallTable, place: &Vector5, speed: f64) -> bool {
+        let [axial, radial] = self.ring.swings(place);
+        table.covers_around(axial, radial, speed)
     }
 
     /// Whether the forces with the shaft at `displacement` come from a table; so they do where
     /// there is none.
-    pub fn is_inside_table(&self, displacement: &Vector5, cage: CageAngle, speed: f64) -> bool {
-        let place = || self.ring_displacement(displacement, cage, speed);
-        self.table.is_none() || self.table_at(&place(), speed).is_some()
+    pub fn is_inside_table(&self, displacement: &Vector5, rotation: &BearingRotation) -> bool {
+        let offset = self.seat.offset();
+        self.table.is_none() || self.table_over(displacement, offset, rotation).is_some()
     }
 
     /// Where balls come, whatever their azimuth, with the shaft within `swing` of the ring's `place`.
@@ -84,19 +97,9 @@ impl Support {
 
     /// Largest load that a ball at any azimuth bears with the ring at `place`, N.
     fn largest_load_around(&self, place: &Vector5, speed: f64) -> f64 {
-        self.ring
-            .around(place, speed, Some(AZIMUTHS))
+        self.around_ring(place, speed, Some(AZIMUTHS))
             .iter()
             .map(|around| around.contact.load_inner)
             .fold(0.0, f64::max)
     }
-}
-
-/// The same balls under a table over a region, at a speed, within a tolerance of a load.
-fn under_table<L: BallLaw>(
-    ring: &Ring<L>,
-    (region, speed, load, tolerance): (BallRegion, f64, f64, f64),
-) -> Result<(Ring<BallTable>, TableReport), TableError> {
-    let (table, report) = BallTable::compile(ring.law(), region, speed, load, tolerance)?;
-    Ok((ring.under(table), report))
 }

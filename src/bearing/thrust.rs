@@ -1,6 +1,6 @@
 //! Pure thrust on one bearing: the axial displacement that gives a preload.
 
-use super::{BallLaw, BearingError, Geometry};
+use super::{BearingError, ForceLaw, Geometry};
 
 /// A bearing under a centred axial force: all balls alike.
 ///
@@ -16,7 +16,7 @@ pub struct Thrust<'a, L> {
     distance: f64,
 }
 
-impl<'a, L: BallLaw> Thrust<'a, L> {
+impl<'a, L: ForceLaw> Thrust<'a, L> {
     /// Takes the dimensions of a bearing and the law of its balls.
     pub fn new(geometry: &Geometry, law: &'a L) -> Self {
         Self {

@@ -15,7 +15,7 @@ mod explicit;
 mod exponential;
 mod integration;
 mod look;
-mod registers;
+
 mod rosenbrock;
 mod settings;
 mod shifted;
@@ -29,6 +29,7 @@ pub use auto::{ChangeReason, MethodUse};
 pub use checkpoint::{Checkpoint, CheckpointMismatch, SEGMENT};
 pub use error::IntegrateError;
 pub use integration::{Grid, Integration};
+
 pub use settings::{Counters, Method, Settings};
 pub use shifted::Shifted;
 pub use stiffness::Stiffness;

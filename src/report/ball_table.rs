@@ -19,8 +19,8 @@ const BALL: [BallColumn; 4] = [
 /// bearings and balls counted from 1.
 pub fn ball_columns(contacts: &BallContacts) -> Vec<Column> {
     let mut columns = vec![Column::number("t_s"), Column::number("angle_rad")];
-    for (bearing, balls) in contacts.bearings().enumerate() {
-        for ball in 0..balls.len() {
+    for (bearing, balls) in contacts.bearings().iter().enumerate() {
+        for ball in 0..balls.balls() {
             let name = |(end, _)| format!("bearing{}_ball{}_{end}", bearing + 1, ball + 1);
             columns.extend(BALL.map(name).map(Column::number));
         }
@@ -32,7 +32,9 @@ pub fn ball_columns(contacts: &BallContacts) -> Vec<Column> {
 pub fn ball_row(sample: &Sample, contacts: &BallContacts, row: &mut Vec<f64>) {
     row.clear();
     row.extend([sample.time, sample.angle]);
-    for ball in contacts.bearings().flatten() {
-        row.extend(BALL.map(|(_, value)| value(ball)));
+    for balls in contacts.bearings() {
+        for contact in balls.contacts() {
+            row.extend(BALL.map(|(_, value)| value(&contact)));
+        }
     }
 }

@@ -82,8 +82,8 @@ impl<'a> AccountedRotor<'a> {
         let mut stored = 0.0;
         let phases = self.rotor.phases(rotation);
         self.rotor
-            .for_each_support(rotation.angle, &phases, |support, cage| {
-                stored += support.stored_energy(place, cage, rotation.speed);
+            .for_each_support(rotation, &phases, |support, rotation| {
+                stored += support.stored_energy(place, rotation);
             });
         stored
     }
@@ -151,15 +151,6 @@ impl System<ACCOUNTED_STATES> for AccountedRotor<'_> {
         let places = states.map(|state| &state[..self.rotor.kept]);
         self.rotor
             .approach_to_lift_off(rotations.each_ref(), places)
-    }
-
-    fn clearance(&self, state: &State) -> f64 {
-        self.rotor.clearance(&state[..self.rotor.kept])
-    }
-
-    fn shift(&self, states: [&State; 2]) -> f64 {
-        self.rotor
-            .shift_to_lift_off(states.map(|state| &state[..self.rotor.kept]))
     }
 
     fn expects_crossings(&self) -> bool {

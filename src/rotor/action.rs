@@ -76,16 +76,14 @@ impl AccountedRotor<'_> {
         let friction = rotor.drive.is_some_and(|drive| drive.friction);
         let turn = quarter_turn(place);
         let mut sum = Bearings::default();
-        rotor.for_each_support(rotation.angle, &rotor.phases(rotation), |support, cage| {
+        rotor.for_each_support(rotation, &rotor.phases(rotation), |support, rotation| {
             let ratio = if support.follows_cage() {
                 rotor.cage_ratio(support)
             } else {
                 0.0
             };
             let cage_speed = ratio * rotation.speed;
-            let force = support.force(place, cage, rotation.speed);
-            let speeds = [cage_speed, rotation.speed];
-            let damping = support.damping_force(place, velocity, cage, speeds);
+            let [force, damping] = support.damped_force(place, velocity, rotation);
             // seen by one who turns with the cage
             let rate: Vector5 =
                 std::array::from_fn(|axis| velocity[axis] - cage_speed * turn[axis]);

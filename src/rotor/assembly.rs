@@ -89,9 +89,7 @@ impl Rotor {
             loads: definition.loads.clone(),
             damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             contacts_damped: supports.iter().any(Support::is_damped),
-            lifts_off: supports
-                .iter()
-                .any(|support| support.balls_that_lift_off() > 0),
+            balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
             leading_ratio: definition.cage.ratio(&supports[0]),
             supports,
             initial: initial_state(definition, &equilibrium),

@@ -26,9 +26,8 @@ impl Rotor {
         rotation: &Rotation,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
-            let speeds = [self.cage_ratio(support) * rotation.speed, rotation.speed];
-            let force = support.damping_force(displacement, velocity, cage, speeds);
+        self.for_each_support(rotation, &self.phases(rotation), |support, rotation| {
+            let [_, force] = support.damped_force(displacement, velocity, rotation);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }

@@ -2,7 +2,7 @@
 
 use super::{CageMotion, FREEDOMS, Rotation, Rotor};
 use crate::bearing::{Support, Vector5};
-use crate::integrate::Surroundings;
+use crate::integrate::{Sides, Surroundings};
 
 impl Rotor {
     /// Whether a ball may part from a race, or meet it again, on the motion to come: whether its amplitudes about the
@@ -13,7 +13,7 @@ impl Rotor {
         let place = self.equilibrium.displacement;
         let speeds = self.speed.points().map(|point| point.speed);
         let mut speeds = speeds.chain([self.highest_speed()]);
-        self.lifts_off
+        self.balls_that_lift_off > 0
             && speeds.any(|speed| {
                 let amplitude = self.amplitude_estimate(speed);
                 let reached = std::array::from_fn(|axis| place[axis] + amplitude[axis]);
@@ -24,73 +24,67 @@ impl Rotor {
             })
     }
 
-    /// The balls about their lift-off, a bit for each that is pressed, bearing by bearing from ball 0 on;
-    /// of a bearing whose law is smooth across lift-off none.
-    pub(super) fn lift_offs(&self, rotation: &Rotation, place: &[f64]) -> Surroundings {
-        let mut seen = Surroundings::SMOOTH;
-        if !self.lifts_off {
-            return seen;
-        }
+    /// Leaves how far each ball is pressed past its lift-off, m, in `past`: bearing by bearing from ball 0 on, none of a
+    /// bearing whose law is smooth across lift-off.
+    fn past_lift_offs(&self, rotation: &Rotation, place: &[f64], past: &mut [f64]) {
         let displacement = self.full(&self.equilibrium.displacement, place);
         let mut first = 0;
-        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
-            let balls = support.lift_offs(&displacement, cage, rotation.speed);
-            seen.sides |= balls.pressed.checked_shl(first).unwrap_or(0);
-            seen.nearest = seen.nearest.min(balls.nearest);
-            first += support.balls_that_lift_off();
+        self.for_each_support(rotation, &self.phases(rotation), |support, rotation| {
+            let last = (first + support.balls_that_lift_off()).min(past.len());
+            if first < last {
+                support.past_lift_offs(&displacement, rotation, &mut past[first..last]);
+            }
+            first = last;
         });
+    }
+
+    /// The balls about their lift-off, a bit for each that is pressed, counted as in [`Rotor::past_lift_offs`].
+    pub(super) fn lift_offs(&self, rotation: &Rotation, place: &[f64]) -> Surroundings {
+        let mut seen = Surroundings::SMOOTH;
+        if self.balls_that_lift_off == 0 {
+            return seen;
+        }
+        let mut past = [0.0; Sides::BITS as usize];
+        let count = self.balls_that_lift_off.min(past.len());
+        self.past_lift_offs(rotation, place, &mut past[..count]);
+        for (group, past) in past[..count].chunks(u32::BITS as usize).enumerate() {
+            let mut sides = 0;
+            for (ball, past) in past.iter().enumerate() {
+                sides |= u32::from(past.is_sign_positive()) << ball;
+                seen.nearest = seen.nearest.min(past.abs());
+            }
+            seen.sides |= Sides::from(sides) << (u32::BITS * group as u32);
+        }
         seen
     }
 
-    /// How far a ball, counted as in [`Rotor::lift_offs`], is pressed past its lift-off, m.
+    /// How far a ball, counted as there, is pressed past its lift-off, m.
     pub(super) fn past_lift_off(&self, ball: u32, rotation: &Rotation, place: &[f64]) -> f64 {
         let displacement = self.full(&self.equilibrium.displacement, place);
         let (mut past, mut first) = (f64::INFINITY, 0);
-        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
-            let count = support.balls_that_lift_off();
-            if (first..first + count).contains(&ball) {
-                let ball = (ball - first) as usize;
-                past = support.past_lift_off(ball, &displacement, cage, rotation.speed);
+        self.for_each_support(rotation, &self.phases(rotation), |support, rotation| {
+            let next = first + support.balls_that_lift_off();
+            if (first..next).contains(&(ball as usize)) {
+                past = support.past_lift_off(ball as usize - first, &displacement, rotation);
             }
-            first += count;
+            first = next;
         });
         past
     }
 
-    /// No ball comes nearer to its lift-off by more than this from one place of the shaft to another;
-    /// infinite where the speed is not the same, for it has a part in where a ball lifts off.
+    /// No ball comes nearer to its lift-off by more than this from one place of the shaft to another.
     pub(super) fn approach_to_lift_off(
         &self,
-        rotations: [&Rotation; 2],
+        [from, to]: [&Rotation; 2],
         places: [&[f64]; 2],
     ) -> f64 {
-        let [from, to] = rotations;
-        if from.speed != to.speed {
-            return f64::INFINITY;
-        }
         let ends = places.map(|place| self.full(&self.equilibrium.displacement, place));
-        let turn = to.angle - from.angle;
+        let (speeds, turn) = ([from.speed, to.speed], to.angle - from.angle);
         let approach = |support: &Support| {
-            support.approach_to_lift_off(ends.each_ref(), self.cage_ratio(support) * turn)
+            let turn = self.cage_ratio(support) * turn;
+            support.approach_to_lift_off(ends.each_ref(), speeds, turn)
         };
         self.supports.iter().map(approach).fold(0.0, f64::max)
-    }
-
-    /// Distance that all balls have from their lift-off at a place, wherever the cages stand, m; not positive where
-    /// that is not known.
-    pub(super) fn clearance(&self, place: &[f64]) -> f64 {
-        let displacement = self.full(&self.equilibrium.displacement, place);
-        let clearance = |support: &Support| support.clearance(&displacement);
-        let all = self.supports.iter().map(clearance);
-        all.fold(f64::INFINITY, f64::min)
-    }
-
-    /// No ball comes nearer to its lift-off by more than this as the shaft goes from one place to another while the
-    /// cages stand, m; infinite where a ring floats.
-    pub(super) fn shift_to_lift_off(&self, places: [&[f64]; 2]) -> f64 {
-        let ends = places.map(|place| self.full(&self.equilibrium.displacement, place));
-        let shift = |support: &Support| support.approach_to_lift_off(ends.each_ref(), 0.0);
-        self.supports.iter().map(shift).fold(0.0, f64::max)
     }
 
     /// Accelerations that a ball so far past its lift-off gives the kept freedoms at most, m/s² and
@@ -99,7 +93,7 @@ impl Rotor {
         let mut first = 0;
         for support in &self.supports {
             let count = support.balls_that_lift_off();
-            if (first..first + count).contains(&ball) {
+            if (first..first + count).contains(&(ball as usize)) {
                 let load = support.load_past_lift_off(distance, speed);
                 let arm = tilting_arm(support);
                 return std::array::from_fn(|axis| {

@@ -72,12 +72,11 @@ impl Rotor {
     /// of speed does to the inertia of the balls is left out: it is slow beside the passing of a ball.
     fn bearing_slopes(&self, displacement: &Vector5, rotation: &Rotation) -> (Matrix5, Vector5) {
         let (mut stiffness, mut rate) = (Matrix5::zeros(), [0.0; FREEDOMS]);
-        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
-            let (tangent, by_cage_angle) = support.slopes(displacement, cage, rotation.speed);
-            let cage_speed = self.cage_ratio(support) * rotation.speed;
+        self.for_each_support(rotation, &self.phases(rotation), |support, rotation| {
+            let (tangent, by_cage_angle) = support.slopes(displacement, rotation);
             stiffness += tangent;
             for axis in 0..FREEDOMS {
-                rate[axis] += by_cage_angle[axis] * cage_speed;
+                rate[axis] += by_cage_angle[axis] * rotation.cage_speed;
             }
         });
         (stiffness, rate)

@@ -19,7 +19,7 @@ use crate::bearing::{ContactLaw, Geometry, Support};
 
 /// Stiffness, as a part of that of a loaded contact, below which nothing holds the shaft: the force
 /// of an oil film across an open gap, and round-off, are less.
-const NOTHING: f64 = 1e-9;
+pub(super) const NOTHING: f64 = 1e-9;
 /// A displacement that is small in a bearing, m: a force that `NOTHING` would answer it with is none.
 const SMALL_DISPLACEMENT: f64 = 1e-6;
 /// Part of a freedom's direction that must be loose to call the freedom by itself loose.

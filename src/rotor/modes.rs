@@ -220,18 +220,29 @@ impl Rotor {
         }
     }
 
-    /// Matrix A of `d/dt (q, q̇) = A (q, q̇)`.
+    /// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = M^½ q: in these units, ω₀ the highest frequency of a freedom
+    /// by itself, its entries are of one size, and its eigenvalues lose no digits.
     fn state_matrix(&self) -> DMatrix<f64> {
         let kept = self.kept;
-        let stiffness = &self.equilibrium.stiffness;
+        let entry = |row: usize, column: usize| {
+            let weight = (self.inverse_mass[row] * self.inverse_mass[column]).sqrt();
+            [
+                self.equilibrium.stiffness[(row, column)] * weight,
+                (self.damping.entry(row, column) + self.gyroscopic_entry(row, column)) * weight,
+            ]
+        };
+        let largest = (0..kept).map(|axis| entry(axis, axis)[0].abs());
+        let unit = match largest.fold(0.0, f64::max).sqrt() {
+            0.0 => 1.0,
+            highest => highest,
+        };
         let mut matrix = DMatrix::zeros(2 * kept, 2 * kept);
         for row in 0..kept {
-            matrix[(row, kept + row)] = 1.0;
+            matrix[(row, kept + row)] = unit;
             for column in 0..kept {
-                let inverse_mass = self.inverse_mass[row];
-                let rate = self.damping.entry(row, column) + self.gyroscopic_entry(row, column);
-                matrix[(kept + row, column)] = -stiffness[(row, column)] * inverse_mass;
-                matrix[(kept + row, kept + column)] = -rate * inverse_mass;
+                let [stiffness, rate] = entry(row, column);
+                matrix[(kept + row, column)] = -stiffness / unit;
+                matrix[(kept + row, kept + column)] = -rate;
             }
         }
         matrix

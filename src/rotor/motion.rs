@@ -6,7 +6,7 @@ use super::damping::DampingMatrix;
 use super::phases::Phases;
 use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
-use crate::bearing::{CageAngle, Support, Vector5, in_registers};
+use crate::bearing::{Angle, BearingRotation, Support, Vector5, in_registers};
 use crate::integrate::{Surroundings, System};
 
 /// A concentrated mass on its bearings, assembled and ready to move.
@@ -50,8 +50,8 @@ pub struct Rotor {
     /// Whether the contacts of any bearing are damped.
     pub(super) contacts_damped: bool,
     pub(super) supports: Vec<Support>,
-    /// Whether the force of any ball is not smooth where it lifts off.
-    pub(super) lifts_off: bool,
+    /// Number of balls whose force is not smooth where they lift off.
+    pub(super) balls_that_lift_off: usize,
     /// Speed of the first bearing's cage over that of the shaft.
     pub(super) leading_ratio: f64,
     pub(super) equilibrium: Equilibrium,
@@ -121,8 +121,7 @@ impl Rotor {
         match &self.supports[..] {
             // by itself, so that no sum has to be kept in memory from bearing to bearing
             [support] => {
-                let cage = self.cage_angle(support, rotation.angle, phases);
-                support.force_by(simd, displacement, cage, rotation.speed)
+                support.force_by(simd, displacement, &self.seen_by(support, rotation, phases))
             }
             _ => in_registers(simd.vectorize(
                 #[inline(always)]
@@ -141,8 +140,8 @@ impl Rotor {
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
         for support in &self.supports {
-            let cage = self.cage_angle(support, rotation.angle, phases);
-            let force = support.force_by(simd, &displacement, cage, rotation.speed);
+            let rotation = self.seen_by(support, rotation, phases);
+            let force = support.force_by(simd, &displacement, &rotation);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
@@ -161,11 +160,10 @@ impl Rotor {
         phases: &Phases,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        self.for_each_support(rotation.angle, phases, |support, cage| {
-            let speeds = [self.cage_ratio(support) * rotation.speed, rotation.speed];
-            let force = support.damped_force(displacement, velocity, cage, speeds);
+        self.for_each_support(rotation, phases, |support, rotation| {
+            let [elastic, damping] = support.damped_force(displacement, velocity, rotation);
             for axis in 0..FREEDOMS {
-                total[axis] += force[axis];
+                total[axis] += elastic[axis] + damping[axis];
             }
         });
         total
@@ -183,27 +181,37 @@ impl Rotor {
         Phases::new(rotation, self.leading_ratio)
     }
 
-    /// Visits every bearing with the angle of its cage.
+    /// Visits every bearing with the rotation that it sees.
     #[inline]
     pub(super) fn for_each_support(
         &self,
-        angle: f64,
+        rotation: &Rotation,
         phases: &Phases,
-        mut visit: impl FnMut(&Support, CageAngle),
+        mut visit: impl FnMut(&Support, &BearingRotation),
     ) {
         for support in &self.supports {
-            visit(support, self.cage_angle(support, angle, phases));
+            visit(support, &self.seen_by(support, rotation, phases));
         }
     }
 
-    /// The angle of a bearing's cage; those that roll as the first one share its sine.
+    /// The rotation that a bearing sees; cages that roll as the first one share its sine.
     #[inline(always)]
-    fn cage_angle(&self, support: &Support, angle: f64, phases: &Phases) -> CageAngle {
+    pub(super) fn seen_by(
+        &self,
+        support: &Support,
+        rotation: &Rotation,
+        phases: &Phases,
+    ) -> BearingRotation {
         let ratio = self.cage_ratio(support);
-        if ratio == phases.ratio {
-            phases.cage
-        } else {
-            CageAngle::new(ratio * angle)
+        BearingRotation {
+            cage: if ratio == phases.ratio {
+                phases.cage
+            } else {
+                Angle::new(ratio * rotation.angle)
+            },
+            shaft: phases.shaft,
+            cage_speed: ratio * rotation.speed,
+            speed: rotation.speed,
         }
     }
 
@@ -223,7 +231,7 @@ impl Rotor {
     /// Force of the unbalance, N.
     #[inline(always)]
     pub(super) fn unbalance(&self, rotation: &Rotation, phases: &Phases) -> Vector5 {
-        let CageAngle { cos, sin } = phases.shaft;
+        let Angle { cos, sin } = phases.shaft;
         // m e (ω² cos ψ + ω̇ sin ψ), m e (ω² sin ψ − ω̇ cos ψ)
         let inward = self.imbalance * rotation.speed * rotation.speed;
         let along = self.imbalance * rotation.acceleration;
@@ -297,14 +305,6 @@ impl<const N: usize> System<N> for Rotor {
     fn approach(&self, times: [f64; 2], states: [&[f64; N]; 2]) -> f64 {
         let rotations = times.map(|time| self.speed.at(time));
         self.approach_to_lift_off(rotations.each_ref(), states.map(|state| &state[..N / 2]))
-    }
-
-    fn clearance(&self, state: &[f64; N]) -> f64 {
-        Rotor::clearance(self, &state[..N / 2])
-    }
-
-    fn shift(&self, states: [&[f64; N]; 2]) -> f64 {
-        self.shift_to_lift_off(states.map(|state| &state[..N / 2]))
     }
 
     fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {

@@ -2,8 +2,9 @@
 
 use nalgebra::{Complex, DMatrix, DVector};
 
+use super::loose::NOTHING;
 use super::{CageMotion, FREEDOMS, Load, Rotor};
-use crate::bearing::{CageAngle, Geometry, Support};
+use crate::bearing::{BearingRotation, Geometry, Support};
 
 /// Round-off of a position between the races, relative to the groove centre distance.
 const POSITION_ROUND_OFF: f64 = 4.0 * f64::EPSILON;
@@ -185,7 +186,7 @@ impl Rotor {
             .fold(0.0, f64::max)
     }
 
-    /// These displacements of the kept freedoms at some positions of the cage.
+    /// These displacements of the kept freedoms at some positions of the cage; none in a direction that nothing holds.
     fn passing_shifts(&self) -> Vec<DVector<f64>> {
         if self.cage == CageMotion::Frozen || self.highest_speed() == 0.0 {
             return Vec::new();
@@ -196,12 +197,13 @@ impl Rotor {
             .stiffness
             .view((0, 0), (kept, kept))
             .into_owned();
-        let factors = stiffness.lu();
+        let least = NOTHING * self.contact_stiffness();
+        let factors = stiffness.svd(true, true);
         (1..CAGE_POSITIONS)
             .filter_map(|position| {
                 let part = position as f64 / CAGE_POSITIONS as f64;
                 let change = DVector::from_vec(self.force_change(part)[..kept].to_vec());
-                factors.solve(&change)
+                factors.solve(&change, least).ok()
             })
             .collect()
     }
@@ -213,8 +215,9 @@ impl Rotor {
         for support in &self.supports {
             let spacing =
                 std::f64::consts::TAU / support.definition().bearing.geometry.balls() as f64;
-            let turned = support.force(place, CageAngle::new(part * spacing), self.speed());
-            let still = support.force(place, CageAngle::START, self.speed());
+            let start = BearingRotation::at_start(self.speed());
+            let turned = support.force(place, &start.with_cage_at(part * spacing));
+            let still = support.force(place, &start);
             for axis in 0..FREEDOMS {
                 change[axis] += turned[axis] - still[axis];
             }

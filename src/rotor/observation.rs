@@ -6,12 +6,12 @@ use crate::bearing::Vector5;
 impl Rotor {
     /// Room for what [`Rotor::sample`] observes of the balls.
     pub fn ball_contacts(&self) -> BallContacts {
-        BallContacts::new(&self.supports)
+        BallContacts::new(&self.supports, true)
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of contact angles.
     pub fn ball_loads(&self) -> BallContacts {
-        BallContacts::loads(&self.supports)
+        BallContacts::new(&self.supports, false)
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls, and of the forces of the bearings
@@ -38,9 +38,10 @@ impl Rotor {
         )
     }
 
-    /// Displacement of the shaft in a state.
-    pub(crate) fn displacement(&self, state: &[f64]) -> Vector5 {
-        self.full(&self.equilibrium.displacement, &state[..self.kept])
+    /// Of what [`Rotor::sample`] observes the balls and the bearings' axial forces alone.
+    pub(crate) fn observe_contacts(&self, time: f64, state: &[f64], contacts: &mut BallContacts) {
+        let displacement = self.full(&self.equilibrium.displacement, &state[..self.kept]);
+        self.observe_bearings(&displacement, &self.speed.at(time), contacts);
     }
 
     /// What is observed of a motion, displacement first.
@@ -85,26 +86,20 @@ impl Rotor {
         contacts: &mut BallContacts,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
-        let angles = contacts.angles;
-        let mut balls = contacts.balls.as_mut_slice();
-        let mut axial_forces = contacts.axial_forces.iter_mut();
-        self.for_each_support(rotation.angle, &self.phases(rotation), |support, cage| {
-            let own = balls.len().min(support.known_balls());
-            let force = match own {
-                0 => support.force(displacement, cage, rotation.speed),
-                _ => {
-                    let (own, others) = std::mem::take(&mut balls).split_at_mut(own);
-                    balls = others;
-                    support.force_and_balls(displacement, cage, rotation.speed, angles, own)
-                }
+        let observed = contacts.bearings.iter_mut().zip(&mut contacts.axial_forces);
+        let phases = self.phases(rotation);
+        for (support, (loads, axial)) in self.supports.iter().zip(observed) {
+            let rotation = self.seen_by(support, rotation, &phases);
+            let force = if loads.balls() > 0 {
+                support.force_and_loads(displacement, &rotation, loads)
+            } else {
+                support.force(displacement, &rotation)
             };
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
-            if let Some(axial) = axial_forces.next() {
-                *axial = support.definition().facing.sign() * force[2];
-            }
-        });
+            *axial = support.definition().facing.sign() * force[2];
+        }
         total
     }
 }

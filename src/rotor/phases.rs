@@ -3,15 +3,15 @@
 use wide::f64x2;
 
 use super::Rotation;
-use crate::bearing::CageAngle;
+use crate::bearing::Angle;
 
 /// Sines and cosines of the shaft and of its cages.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Phases {
     /// cos ψ and sin ψ of the shaft.
-    pub shaft: CageAngle,
+    pub shaft: Angle,
     /// Those of a cage that turns by `ratio` of the shaft's angle.
-    pub cage: CageAngle,
+    pub cage: Angle,
     /// That ratio.
     pub ratio: f64,
 }
@@ -23,7 +23,7 @@ impl Phases {
     pub fn new(rotation: &Rotation, ratio: f64) -> Self {
         let (sin, cos) = f64x2::new([rotation.angle, ratio * rotation.angle]).sin_cos();
         let (sin, cos) = (sin.to_array(), cos.to_array());
-        let pointer = |index: usize| CageAngle {
+        let pointer = |index: usize| Angle {
             cos: cos[index],
             sin: sin[index],
         };

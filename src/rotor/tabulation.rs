@@ -60,8 +60,8 @@ impl Rotor {
     pub fn count_outside_tables(&self, sample: &Sample, counts: &mut [u64]) {
         let rotation = self.speed.at(sample.time);
         let mut counts = counts.iter_mut();
-        self.for_each_support(rotation.angle, &self.phases(&rotation), |support, cage| {
-            let inside = support.is_inside_table(&sample.displacement, cage, rotation.speed);
+        self.for_each_support(&rotation, &self.phases(&rotation), |support, rotation| {
+            let inside = support.is_inside_table(&sample.displacement, rotation);
             if let Some(count) = counts.next() {
                 *count += u64::from(!inside);
             }

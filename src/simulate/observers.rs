@@ -73,20 +73,15 @@ impl<'a> Observers<'a> {
         states: &[[f64; N]],
     ) -> Result<(), SimulateError> {
         let rotor = system.rotor();
-        let mut holds = false;
         for (index, state) in states.iter().enumerate() {
             let time = self.grid.time(first + index as u64);
             if time < self.start {
                 continue;
             }
             if time < self.whole_from {
-                // nothing happens to contacts that hold at a sample and at the next one
-                let next = states.get(index + 1).map(|state| rotor.displacement(state));
-                let next_holds =
-                    next.is_some_and(|next| self.observation.is_certain_to_hold(&next));
-                if std::mem::replace(&mut holds, next_holds) && next_holds {
-                    continue;
-                }
+                self.observation
+                    .take_contacts(rotor, time, state, self.sink)?;
+                continue;
             }
             let sample = system.sample(time, state, self.observation.contacts());
             self.sink.sample(&sample)?;

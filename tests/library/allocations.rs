@@ -10,7 +10,7 @@ use std::fs::File;
 use std::io;
 use std::sync::atomic::AtomicBool;
 
-use jeffcott::bearing::CageAngle;
+use jeffcott::bearing::{BallLoads, BearingRotation};
 use jeffcott::integrate::System;
 use jeffcott::report::{Outputs, RunIdentity, RunReport, TraceCsv};
 use jeffcott::rotor::load::{
@@ -168,12 +168,15 @@ fn the_right_hand_side_allocates_nothing() {
 #[test]
 fn ring_force_stiffness_and_contacts_allocate_nothing() {
     let ring = ring(&bearing("7205C"));
+    let mut loads = BallLoads::new(12, true);
     let (count, _) = measured(|| {
         for step in 0..1000 {
-            let (cage, place) = (CageAngle::new(f64::from(step)), [1e-6; 5]);
-            std::hint::black_box(ring.force(&place, cage, 500.0));
-            std::hint::black_box(ring.force_and_stiffness(&place, cage, 500.0));
-            std::hint::black_box(ring.contacts(place, cage, 500.0).count());
+            let rotation = BearingRotation::at_start(500.0).with_cage_at(f64::from(step));
+            let place = [1e-6; 5];
+            std::hint::black_box(ring.force(&place, &rotation));
+            std::hint::black_box(ring.force_and_stiffness(&place, &rotation));
+            ring.loads(&place, &rotation, &mut loads);
+            std::hint::black_box(&loads);
         }
     });
     assert_eq!(count, 0);

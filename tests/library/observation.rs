@@ -3,7 +3,9 @@
 use std::f64::consts::{PI, TAU};
 use std::io;
 
-use jeffcott::bearing::{BallContact, ContactLaw, MountedBearing, Oil, Preload, Support, Vector5};
+use jeffcott::bearing::{
+    BallContact, BallLoads, ContactLaw, MountedBearing, Oil, Preload, Support, Vector5,
+};
 use jeffcott::physics::RaceControl;
 use jeffcott::rotor::load::{Column, Interpolation, Series, Shock};
 use jeffcott::rotor::{
@@ -156,7 +158,11 @@ fn behind_a_film_a_ball_leaves_once_a_turn_and_later() {
         assert_eq!(dry.ball, wet.ball);
         assert!(wet.time > dry.time);
     }
-    let loads = wet.balls.iter().flat_map(BallContacts::bearings).flatten();
+    let loads = wet
+        .balls
+        .iter()
+        .flat_map(BallContacts::bearings)
+        .flat_map(BallLoads::contacts);
     assert!(loads.map(|ball| ball.load_inner).fold(f64::MAX, f64::min) > 0.0);
 }
 
@@ -183,8 +189,11 @@ fn events_tell_the_contact_of_every_ball_at_every_sample() {
     let band = supports(&model.rotor.bearings)[0].contact_band(300.0);
     let in_order = |pair: &[Event]| pair[0].time <= pair[1].time;
     assert!(seen.events.windows(2).all(in_order));
-    let touches = |ball: &BallContact| ball.approach >= band.lost;
-    let mut contact: Vec<bool> = seen.balls[0].of_bearing(0).iter().map(touches).collect();
+    let touches = |ball: BallContact| ball.approach >= band.lost;
+    let mut contact: Vec<bool> = seen.balls[0].bearings()[0]
+        .contacts()
+        .map(touches)
+        .collect();
     let mut events = seen.events.iter().peekable();
     for (sample, balls) in seen.samples.iter().zip(&seen.balls) {
         while let Some(event) = events.next_if(|event| event.time <= sample.time) {
@@ -193,7 +202,7 @@ fn events_tell_the_contact_of_every_ball_at_every_sample() {
             assert_ne!(contact[ball], meets, "{event:?}");
             contact[ball] = meets;
         }
-        for (ball, contact) in balls.of_bearing(0).iter().zip(&contact) {
+        for (ball, contact) in balls.bearings()[0].contacts().zip(&contact) {
             let certain = ball.approach < band.lost || ball.approach > band.regained;
             assert!(!certain || *contact == touches(ball));
         }
@@ -326,9 +335,8 @@ fn a_preload_is_lost_while_no_ball_bears() {
             .iter()
             .zip(&regained)
             .any(|(lost, regained)| lost.time < sample.time && sample.time < regained.time);
-        let loaded = balls
-            .of_bearing(1)
-            .iter()
+        let loaded = balls.bearings()[1]
+            .contacts()
             .any(|ball| ball.load_inner > 1e-3);
         assert_ne!(loaded, let_go, "at {} s", sample.time);
     }
@@ -377,7 +385,12 @@ fn a_linear_bearing_knows_no_balls() {
     assert_eq!(bearings[0].balls, 0);
     assert!(bearings[0].events.is_empty() && seen.events.is_empty());
     assert!(bearings[0].load_zone.is_none() && bearings[0].life.is_none());
-    assert!(seen.balls[0].bearings().all(<[BallContact]>::is_empty));
+    assert!(
+        seen.balls[0]
+            .bearings()
+            .iter()
+            .all(|bearing| bearing.balls() == 0)
+    );
 }
 
 /// The balls of a trace bear what the trace says the bearings bear.
@@ -387,15 +400,14 @@ fn the_balls_add_up_to_the_force_on_the_shaft() {
     definition.shaft.eccentricity = 1e-5;
     let (_, seen) = observed(&model(definition, 0.02, 1e4));
     for (sample, balls) in seen.samples.iter().zip(&seen.balls) {
-        let axial: f64 = balls
-            .of_bearing(0)
-            .iter()
+        let axial: f64 = balls.bearings()[0]
+            .contacts()
             .map(|ball| ball.load_inner * ball.angle_inner.sin())
             .sum();
         assert_near("F_z", -sample.force_on_shaft[2], axial, 1e-9 * axial);
         assert_near("F_z", balls.axial_forces()[0], axial, 1e-9 * axial);
-        let largest = |load: f64, ball: &BallContact| load.max(ball.load_inner);
-        let largest = balls.of_bearing(0).iter().fold(0.0, largest);
+        let largest = |load: f64, ball: BallContact| load.max(ball.load_inner);
+        let largest = balls.bearings()[0].contacts().fold(0.0, largest);
         assert_eq!(sample.largest_ball_load, largest);
     }
 }

@@ -384,7 +384,7 @@ fn the_trace_of_balls_has_four_columns_a_ball_and_reads_back_bit_by_bit() {
     assert_eq!(columns[29], "bearing2_ball7_outer_angle_rad");
     assert!(columns.iter().all(|column| is_a_name(column)));
     let row: Vec<f64> = lines[1].iter().map(|cell| cell.parse().unwrap()).collect();
-    for (ball, cells) in contacts.of_bearing(1).iter().zip(row[2..].chunks(4)) {
+    for (ball, cells) in contacts.bearings()[1].contacts().zip(row[2..].chunks(4)) {
         assert!(ball.load_inner > 0.0);
         let written = [
             ball.load_inner,

@@ -7,8 +7,8 @@ use super::substitution::Substitution;
 use super::tableau::{Arguments, Error, Factors, MOST, Pair, Weights, sum};
 use crate::integrate::control::Control;
 use crate::integrate::course::Course;
-use crate::integrate::registers::in_wide_registers;
 use crate::integrate::{Counters, IntegrateError, Scaling, System};
+use crate::registers::in_wide_registers;
 
 /// Times that a step looks for a better place to land on.
 const MOST_SEARCHES: u32 = 5;

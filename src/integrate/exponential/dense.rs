@@ -11,7 +11,7 @@ use super::linear::LinearPart;
 use super::modes::{add, joined};
 use super::nodes::{NODES, POINTS, Points, combined};
 use super::propagator::Functions;
-use crate::integrate::registers::in_wide_registers;
+use crate::registers::in_wide_registers;
 
 /// A sample within a step, and how to come to the next.
 #[derive(Debug, Clone, Copy)]

@@ -12,7 +12,7 @@ use nalgebra::{Complex, DMatrix};
 
 use super::basis::Basis;
 use super::columns::{Columns, apply};
-use crate::integrate::registers::in_wide_registers;
+use crate::registers::in_wide_registers;
 
 /// Modes of a linear part.
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@ use nalgebra::Complex;
 use super::modes::{Diagonal, Modes, add, joined};
 use super::nodes::{NODES, POINTS, Points};
 use super::phi::{self, HIGHEST};
-use crate::integrate::registers::in_wide_registers;
+use crate::registers::in_wide_registers;
 
 /// φ_0 … φ_HIGHEST of all modes.
 pub(super) type Functions<const N: usize> = [Diagonal<N>; HIGHEST + 1];

@@ -1,7 +1,7 @@
 //! Finds where balls leave and meet the inner race, and where a preload is lost.
 
 use super::{Event, EventKind};
-use crate::bearing::{BallContact, ContactBand};
+use crate::bearing::ContactBand;
 
 /// Watches the contacts of one bearing from sample to sample.
 #[derive(Debug)]
@@ -53,33 +53,26 @@ impl ContactWatch {
         &mut self,
         time: f64,
         band: ContactBand,
-        balls: &[BallContact],
+        approaches: &[f64],
         axial_force: f64,
         found: &mut Vec<Event>,
     ) {
         let now = Instant { time, band };
         let already = found.len();
         match self.before.replace(now) {
-            None => self.start(band, balls, axial_force),
+            None => self.start(band, approaches, axial_force),
             Some(before) => {
-                self.watch_balls([before, now], balls, found);
+                self.watch_balls([before, now], approaches, found);
                 self.watch_preload([before, now], axial_force, already, found);
             }
         }
     }
 
-    /// Whether every ball is in contact and the preload held, if there is one.
-    pub fn is_at_work(&self) -> bool {
-        self.before.is_some()
-            && self.touching == self.balls.len()
-            && self.preload.is_none_or(|preload| preload.held)
-    }
-
     /// At the first sample nothing has happened yet.
-    fn start(&mut self, band: ContactBand, balls: &[BallContact], axial_force: f64) {
-        for (watch, ball) in self.balls.iter_mut().zip(balls) {
-            watch.in_contact = ball.approach >= band.lost;
-            watch.approach = ball.approach;
+    fn start(&mut self, band: ContactBand, approaches: &[f64], axial_force: f64) {
+        for (watch, &approach) in self.balls.iter_mut().zip(approaches) {
+            watch.in_contact = approach >= band.lost;
+            watch.approach = approach;
             self.touching += usize::from(watch.in_contact);
         }
         let touching = self.touching > 0;
@@ -92,15 +85,15 @@ impl ContactWatch {
         }
     }
 
-    fn watch_balls(&mut self, span: [Instant; 2], balls: &[BallContact], found: &mut Vec<Event>) {
-        for (index, (watch, ball)) in self.balls.iter_mut().zip(balls).enumerate() {
+    fn watch_balls(&mut self, span: [Instant; 2], approaches: &[f64], found: &mut Vec<Event>) {
+        for (index, (watch, &approach)) in self.balls.iter_mut().zip(approaches).enumerate() {
             let (limit, kind) = if watch.in_contact {
                 (span.map(|at| at.band.lost), EventKind::ContactLost)
             } else {
                 (span.map(|at| at.band.regained), EventKind::ContactRegained)
             };
-            let above = [watch.approach - limit[0], ball.approach - limit[1]];
-            watch.approach = ball.approach;
+            let above = [watch.approach - limit[0], approach - limit[1]];
+            watch.approach = approach;
             if (above[1] >= 0.0) != watch.in_contact {
                 watch.in_contact = !watch.in_contact;
                 match watch.in_contact {

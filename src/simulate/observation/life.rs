@@ -89,12 +89,12 @@ impl LifeSums {
         }
     }
 
-    /// Takes a sample and the loads of its balls in N, inner and outer race.
-    pub fn take(&mut self, sample: &Sample, loads: impl Iterator<Item = [f64; 2]>) {
+    /// Takes a sample and the powers of the loads of its balls, [`crate::bearing::BallLoads::life_powers`].
+    pub fn take(&mut self, sample: &Sample, life_powers: [f64; 2]) {
         let now = Rate {
             time: sample.time,
             angle: sample.angle,
-            consumption: self.rating.consumption(loads),
+            consumption: self.rating.consumption(life_powers),
         };
         let Some(before) = self.before.replace(now) else {
             return;
@@ -159,8 +159,11 @@ mod tests {
         let bearing = catalogue::find("6305").expect("an entry").bearing();
         let bearing = bearing.expect("a bearing");
         let rating = bearing.dynamic_rating.expect("a rating");
-        let loads = |load| [[load; 2]; 7].into_iter();
-        let life = |load| reference_rating_life(&bearing.geometry, rating, loads(load));
+        let life = |load| {
+            let loads = [[load; 2]; 7].into_iter();
+            reference_rating_life(&bearing.geometry, rating, loads)
+        };
+        let powers = |load: f64| [7.0 * load.powi(3), 7.0 * load.powf(10.0 / 3.0)];
         let mut sums = LifeSums::new(&bearing.geometry, rating, 0.0);
         // 30 revolutions in 3 s, then, after a jump, 10 in 4 s
         for (load, from, to) in [
@@ -169,7 +172,7 @@ mod tests {
         ] {
             for part in [0.0, 0.25, 0.7, 1.0] {
                 let [time, turns] = [0, 1].map(|k| from[k] + part * (to[k] - from[k]));
-                sums.take(&sample(time, TAU * turns), loads(load));
+                sums.take(&sample(time, TAU * turns), powers(load));
             }
         }
         let consumed = sums.finish().expect("a life").whole_run;

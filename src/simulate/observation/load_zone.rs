@@ -2,8 +2,6 @@
 
 use std::f64::consts::TAU;
 
-use crate::bearing::BallContact;
-
 /// Smallest, mean and largest value of the samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
@@ -64,19 +62,18 @@ pub(super) struct LoadZoneSums {
 }
 
 impl LoadZoneSums {
-    /// Takes the loads of all balls at the inner race in a sample; one is loaded by more than `least` in N.
-    pub fn take(&mut self, balls: &[BallContact], least: f64) {
-        let loaded = |ball: &BallContact| ball.load_inner > least;
-        let count = balls.iter().filter(|ball| loaded(ball)).count();
-        let gap = match count == balls.len() {
+    /// Takes the loads of all balls at the inner race in a sample, N; one is loaded by more than `least`.
+    pub fn take(&mut self, loads: &[f64], least: f64) {
+        let count = loads.iter().map(|load| usize::from(*load > least)).sum();
+        let gap = match count == loads.len() {
             true => 0,
-            false => longest_row(balls.iter().map(|ball| !loaded(ball))),
+            false => longest_row(loads.iter().map(|load| *load <= least)),
         };
         let first = self.samples == 0;
-        self.balls = balls.len();
+        self.balls = loads.len();
         self.samples += 1;
         self.loaded.add(count, first);
-        self.spanned.add(balls.len() - gap, first);
+        self.spanned.add(loads.len() - gap, first);
     }
 
     pub fn finish(self) -> Option<LoadZone> {

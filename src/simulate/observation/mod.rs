@@ -14,7 +14,7 @@ pub use life::{ConsumedLife, LifeHistory};
 pub use load_zone::{LoadZone, Spread};
 
 use super::{BallParts, Model, TraceSink, Watched};
-use crate::bearing::{BallContact, ContactBand, Support, Vector5};
+use crate::bearing::{BallLoads, ContactBand, Support};
 use crate::rotor::{BallContacts, Rotor, Sample};
 use contact_watch::ContactWatch;
 use event::EventCounts;
@@ -58,7 +58,13 @@ impl<'a> Observation<'a> {
         };
         Self {
             // a ball and its bearing can each do one thing between two samples
-            found: Vec::with_capacity(contacts.bearings().map(|balls| balls.len() + 1).sum()),
+            found: Vec::with_capacity(
+                contacts
+                    .bearings()
+                    .iter()
+                    .map(|balls| balls.balls() + 1)
+                    .sum(),
+            ),
             bearings: rotor.supports().iter().enumerate().map(observer).collect(),
             contacts,
             settle: model.settle,
@@ -76,16 +82,6 @@ impl<'a> Observation<'a> {
         bearings.any(|bearing| bearing.parts.early_life && bearing.life.is_some())
     }
 
-    /// Whether all contacts hold, and are certain to hold at a displacement of the shaft.
-    pub fn is_certain_to_hold(&self, displacement: &Vector5) -> bool {
-        self.bearings.iter().all(|bearing| {
-            let least = bearing.band.1.lost;
-            bearing.watch.as_ref().is_none_or(|watch| {
-                watch.is_at_work() && bearing.support.is_certain_to_bear(displacement, least)
-            })
-        })
-    }
-
     /// Where the rotor leaves what it observes of the balls.
     pub fn contacts(&mut self) -> &mut BallContacts {
         &mut self.contacts
@@ -94,7 +90,7 @@ impl<'a> Observation<'a> {
     /// Takes the sample whose balls stand in [`Observation::contacts`], and hands balls and events on.
     pub fn take(&mut self, sample: &Sample, sink: &mut dyn TraceSink) -> io::Result<()> {
         sink.balls(sample, &self.contacts)?;
-        self.watch(sample, sink)?;
+        self.watch([sample.time, sample.speed], sink)?;
         let settled = sample.time >= self.settle;
         let least = self.contacts.least_load();
         for (bearing, balls) in self.bearings.iter_mut().zip(self.contacts.bearings()) {
@@ -103,11 +99,23 @@ impl<'a> Observation<'a> {
         Ok(())
     }
 
-    /// Hands on what has happened since the sample before.
-    fn watch(&mut self, sample: &Sample, sink: &mut dyn TraceSink) -> io::Result<()> {
+    /// Takes the contacts alone of a state at a time, of a rotor whose speed is a function of time.
+    pub fn take_contacts(
+        &mut self,
+        rotor: &Rotor,
+        time: f64,
+        state: &[f64],
+        sink: &mut dyn TraceSink,
+    ) -> io::Result<()> {
+        rotor.observe_contacts(time, state, &mut self.contacts);
+        self.watch([time, rotor.speed_profile().at(time).speed], sink)
+    }
+
+    /// Hands on what has happened since the sample before, at a time and a speed in s and rad/s.
+    fn watch(&mut self, instant: [f64; 2], sink: &mut dyn TraceSink) -> io::Result<()> {
         self.found.clear();
         for (index, bearing) in self.bearings.iter_mut().enumerate() {
-            bearing.watch(index, sample, &self.contacts, &mut self.found);
+            bearing.watch(index, instant, &self.contacts, &mut self.found);
         }
         self.found.sort_unstable_by(Event::order);
         self.found.iter().try_for_each(|event| sink.event(event))
@@ -145,37 +153,36 @@ impl<'a> BearingObserver<'a> {
     fn watch(
         &mut self,
         index: usize,
-        sample: &Sample,
+        [time, speed]: [f64; 2],
         contacts: &BallContacts,
         found: &mut Vec<Event>,
     ) {
-        let balls = contacts.of_bearing(index);
+        let balls = &contacts.bearings()[index];
         let Some(watch) = &mut self.watch else {
             return;
         };
-        if self.band.0 != sample.speed {
-            self.band = (sample.speed, self.support.contact_band(sample.speed));
+        if self.band.0 != speed {
+            self.band = (speed, self.support.contact_band(speed));
         }
         let already = found.len();
         let axial = contacts.axial_forces()[index];
-        watch.take(sample.time, self.band.1, balls, axial, found);
+        watch.take(time, self.band.1, &balls.approach, axial, found);
         found[already..]
             .iter()
             .for_each(|event| self.counts.add(event));
     }
 
     /// Adds up what the balls bear; one is loaded by more than `least` in N.
-    fn weigh(&mut self, sample: &Sample, balls: &[BallContact], least: f64, settled: bool) {
-        if balls.is_empty() {
+    fn weigh(&mut self, sample: &Sample, balls: &BallLoads, least: f64, settled: bool) {
+        if balls.balls() == 0 {
             return;
         }
         if let Some(zone) = self.zone.as_mut().filter(|_| settled) {
-            zone.take(balls, least);
+            zone.take(&balls.load[0], least);
         }
         let lives = settled || self.parts.early_life;
         if let Some(life) = self.life.as_mut().filter(|_| lives) {
-            let loads = balls.iter().map(|ball| [ball.load_inner, ball.load_outer]);
-            life.take(sample, loads);
+            life.take(sample, balls.life_powers);
         }
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::points::{Point, equilibrium};
 use super::{Difference, largest, lever};
-use crate::bearing::{CageAngle, ContactLaw, Geometry, Matrix5, Support, Vector5};
+use crate::bearing::{BearingRotation, ContactLaw, Geometry, Matrix5, Support, Vector5};
 use crate::rotor::{CageMotion, FREEDOMS, RotorDefinition, RotorError, build_supports};
 
 /// Places of the cage within one ball spacing.
@@ -37,18 +37,17 @@ impl Candidate {
         for support in &self.supports {
             let definition = support.definition();
             let balls = definition.bearing.geometry.balls() as f64;
-            let cage = CageAngle::new(part * TAU / balls);
-            let own = support.force(place, cage, speed);
+            let rotation = BearingRotation::at_start(speed).with_cage_at(part * TAU / balls);
+            let own = support.force(place, &rotation);
             for (sum, own) in force.iter_mut().zip(own) {
                 *sum += own;
             }
             stiffness += if definition.law == ContactLaw::Linear {
                 let (place, speed) = &self.frozen;
-                support
-                    .force_and_stiffness(place, CageAngle::START, *speed)
-                    .1
+                let start = BearingRotation::at_start(*speed);
+                support.force_and_stiffness(place, &start).1
             } else {
-                support.force_and_stiffness(place, cage, speed).1
+                support.force_and_stiffness(place, &rotation).1
             };
         }
         (force, stiffness)

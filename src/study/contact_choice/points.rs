@@ -2,7 +2,7 @@
 
 use super::{ContactQuestion, largest, lever};
 use crate::bearing::equilibrium::StaticProblem;
-use crate::bearing::{CageAngle, Geometry, Matrix5, Support, Vector5};
+use crate::bearing::{BearingRotation, Geometry, Matrix5, Support, Vector5};
 use crate::rotor::{FREEDOMS, Rotor, RotorDefinition, RotorError, build_supports, static_start};
 
 /// Largest motion that is looked at, in groove centre distances: beyond it the estimate is a resonance
@@ -60,7 +60,7 @@ impl Point {
         let kept = steady.shaft.freedoms.count();
         let change = reach * stiffest_freedom(&supports, &middle, speed, kept, arm);
         let bears = |support: &Support| {
-            let force = support.force(&middle, CageAngle::START, speed);
+            let force = support.force(&middle, &BearingRotation::at_start(speed));
             largest((0..FREEDOMS).map(|axis| force[axis] / lever(axis, arm)))
         };
         Ok(Self {
@@ -111,7 +111,7 @@ fn stiffest_freedom(
     arm: f64,
 ) -> f64 {
     let stiffness = supports.iter().fold(Matrix5::zeros(), |sum, support| {
-        let (_, own) = support.force_and_stiffness(place, CageAngle::START, speed);
+        let (_, own) = support.force_and_stiffness(place, &BearingRotation::at_start(speed));
         sum + own
     });
     largest((0..kept).map(|axis| stiffness[(axis, axis)] / lever(axis, arm).powi(2)))

@@ -59,8 +59,8 @@ fn force_and_stiffness_are_those_of_the_support() {
         };
         let support = Support::new(&definition, 600.0).expect("a bearing");
         let place = [5e-6, 3e-6, 20e-6, 0.0, 1e-4];
-        let cage = jeffcott::bearing::CageAngle::START;
-        let (force, stiffness) = support.force_and_stiffness(&place, cage, 600.0);
+        let rotation = jeffcott::bearing::BearingRotation::at_start(600.0);
+        let (force, stiffness) = support.force_and_stiffness(&place, &rotation);
         let state = support.state(&place, 600.0);
         assert_eq!(state.force, force);
         assert_eq!(state.stiffness, stiffness);

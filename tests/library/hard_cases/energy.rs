@@ -2,7 +2,6 @@
 
 use std::io;
 
-use jeffcott::bearing::CageAngle;
 use jeffcott::integrate::{Counters, System};
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialState, Rotor, RotorDefinition, Sample,
@@ -10,7 +9,7 @@ use jeffcott::rotor::{
 use jeffcott::simulate::TraceSink;
 
 use crate::support::{
-    AT_EQUILIBRIUM, bearing, law, model, settings, shaft, simulate_into, thrust_rotor,
+    AT_EQUILIBRIUM, bearing, contacts, law, model, settings, shaft, simulate_into, thrust_rotor,
 };
 
 /// A 7205C under thrust and a radial load, let go 5 µm beside its equilibrium: x and y vibrate, coupled
@@ -50,7 +49,7 @@ impl Vibration {
         };
         let rotor = assemble(&definition);
         let mut vibration = Self {
-            stiffness: law(&bearing("7205C")).load_deflection_constant,
+            stiffness: law(&bearing("7205C")).load_deflection_constant(),
             frequency: rotor.natural_frequencies()[0].frequency,
             definition,
             rotor,
@@ -75,9 +74,9 @@ impl Vibration {
         energy -= self.definition.load[1] * y;
         let mut add = |load: f64| energy += 0.4 * load * (load / self.stiffness).cbrt().powi(2);
         let support = &self.rotor.supports()[0];
-        support.for_each_contact(&place, CageAngle::START, 0.0, &mut |ball| {
-            add(ball.load_inner)
-        });
+        for ball in contacts(support, &place, 0.0) {
+            add(ball.load_inner);
+        }
         energy
     }
 

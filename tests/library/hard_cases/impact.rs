@@ -1,10 +1,9 @@
 //! Impacts of 100 g on the housing.
 
-use jeffcott::bearing::CageAngle;
 use jeffcott::rotor::{Rotor, STANDARD_GRAVITY, Sample};
 
 use super::{clearance_scene, error, model, run, work};
-use crate::support::{equilibrium, try_run};
+use crate::support::{contacts, equilibrium, try_run};
 
 /// m/s².
 const PEAK: f64 = 100.0 * STANDARD_GRAVITY;
@@ -64,12 +63,9 @@ fn an_impact_of_100_g_on_a_preloaded_pair() {
 fn energy(rotor: &Rotor, sample: &Sample) -> f64 {
     let mut energy = 196.0 * sample.displacement[1];
     energy += sample.velocity.iter().map(|v| 10.0 * v * v).sum::<f64>();
-    rotor.supports()[0].for_each_contact(
-        &sample.displacement,
-        CageAngle::START,
-        0.0,
-        &mut |ball| energy += 0.4 * ball.load_inner * (ball.load_inner / 1.334e10).cbrt().powi(2),
-    );
+    for ball in contacts(&rotor.supports()[0], &sample.displacement, 0.0) {
+        energy += 0.4 * ball.load_inner * (ball.load_inner / 1.334e10).cbrt().powi(2);
+    }
     energy
 }
 

@@ -1,6 +1,6 @@
 //! The equations of a ball hold at every state that a law returns, computed anew from the state.
 
-use jeffcott::bearing::{BallLaw, BallState, JonesFilmLaw, JonesLaw};
+use jeffcott::bearing::{Ball, BallLaw, BallState, ForceLaw, JonesFilmLaw, JonesLaw};
 use jeffcott::physics::{
     BallMotion, RaceControl, ball_inertia, ball_mass, centrifugal_force, gyroscopic_moment,
 };
@@ -19,8 +19,9 @@ fn forces_on_a_dry_ball_balance_everywhere() {
         let case = random.case();
         let control = CONTROLS[number % 3];
         let law = JonesLaw::new(&case.bearing, control).unwrap();
-        let state = law.state(case.axial, case.radial, case.speed);
-        let couple = law.force(case.axial, case.radial, case.speed).couple;
+        let ball = Ball::at(case.axial, case.radial);
+        let state = law.state(&ball, case.speed).expect("a law with inertia");
+        let couple = law.force(&ball, case.speed).couple;
         assert!(state.trials <= 40, "{} trials, {control:?}", state.trials);
         Check::new(&case, &state, couple, [0.0; 2]).run(control);
     }
@@ -34,11 +35,12 @@ fn forces_on_a_lubricated_ball_balance_everywhere() {
         let case = random.case();
         let control = CONTROLS[number % 3];
         let law = JonesFilmLaw::with_film(&case.bearing, control, OIL, case.speed).unwrap();
-        let state = law.state(case.axial, case.radial, case.speed);
-        let couple = law.force(case.axial, case.radial, case.speed).couple;
+        let ball = Ball::at(case.axial, case.radial);
+        let state = law.state(&ball, case.speed).expect("a law with inertia");
+        let couple = law.force(&ball, case.speed).couple;
         assert!(state.trials <= 60, "{} trials, {control:?}", state.trials);
         let loads = [state.contact.load_inner, state.contact.load_outer];
-        let films = law.films().thickness(loads, case.speed);
+        let films = law.films().expect("films").thickness(loads, case.speed);
         Check::new(&case, &state, couple, films.map(|film| film.central)).run(control);
     }
 }

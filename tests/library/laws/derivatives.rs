@@ -1,6 +1,6 @@
 //! The tangent of each law is the derivative of its force.
 
-use jeffcott::bearing::{BallForce, BallLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw};
+use jeffcott::bearing::{Ball, BallForce, BallLaw, ForceLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw};
 use jeffcott::physics::RaceControl;
 
 use super::OIL;
@@ -49,7 +49,7 @@ fn check(law: &impl BallLaw, case: &Case) {
         let along = |step: f64| {
             let (mut axial, mut radial) = (case.axial, case.radial);
             *[&mut axial, &mut radial][column] += step;
-            components(law.force(axial, radial, case.speed), diameter)
+            components(law.force(&Ball::at(axial, radial), case.speed), diameter)
         };
         let exact = [
             tangent[0][column],

@@ -1,6 +1,6 @@
 //! Where a ball leaves the inner race, the law knows it without its force.
 
-use jeffcott::bearing::{BallLaw, HertzLaw, JonesLaw, catalogue};
+use jeffcott::bearing::{Ball, BallLaw, ForceLaw, HertzLaw, JonesLaw, catalogue};
 use jeffcott::physics::RaceControl;
 
 /// Places of the inner groove centre about the line of lift-off of a 7205C, m.
@@ -22,8 +22,8 @@ const NEAR: f64 = 1e-11;
 fn pressed(law: &impl BallLaw, speed: f64) -> usize {
     let mut count = 0;
     for [axial, radial] in places() {
-        let past = law.past_lift_off(axial, radial, speed);
-        let load = law.contact(axial, radial, speed).load_inner;
+        let past = law.distance_past_lift_off(&Ball::at(axial, radial), speed);
+        let load = law.contact(&Ball::at(axial, radial), speed).load_inner;
         let loaded = load > NOTHING;
         if past.abs() > NEAR {
             assert_eq!(past > 0.0, loaded, "{past:e} {load:e} {speed}");
@@ -36,10 +36,10 @@ fn pressed(law: &impl BallLaw, speed: f64) -> usize {
 #[test]
 fn a_ball_is_loaded_where_it_is_pressed_past_its_lift_off() {
     let bearing = catalogue::find("7205C").unwrap().bearing().unwrap();
-    let hertz = HertzLaw {
-        load_deflection_constant: bearing.load_deflection_constant().unwrap(),
-        distance: bearing.geometry.groove_centre_distance(),
-    };
+    let hertz = HertzLaw::new(
+        bearing.load_deflection_constant().unwrap(),
+        bearing.geometry.groove_centre_distance(),
+    );
     let all = places().count();
     assert!((all / 4..3 * all / 4).contains(&pressed(&hertz, 0.0)));
     for control in [RaceControl::Outer, RaceControl::Inner, RaceControl::Even] {

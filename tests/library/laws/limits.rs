@@ -1,6 +1,8 @@
 //! Limits and symmetries that every law must have.
 
-use jeffcott::bearing::{BallLaw, Bearing, HertzFilmLaw, JonesFilmLaw, JonesLaw, Oil};
+use jeffcott::bearing::{
+    Ball, BallLaw, Bearing, ForceLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Oil,
+};
 use jeffcott::physics::RaceControl;
 use proptest::prelude::*;
 
@@ -27,7 +29,7 @@ fn at_rest_jones_is_hertz() {
         let round_off = stiffness * approach.powf(1.5) - load;
         for control in [RaceControl::Outer, RaceControl::Inner, RaceControl::Even] {
             let law = JonesLaw::new(&case.bearing, control).unwrap();
-            let contact = law.contact(case.axial, case.radial, 0.0);
+            let contact = law.contact(&Ball::at(case.axial, case.radial), 0.0);
             assert!((contact.load_inner - load).abs() <= 1e-13 * load + round_off);
             assert!((contact.load_outer - load).abs() <= 1e-13 * load + round_off);
             if load > 1e-3 {
@@ -52,7 +54,7 @@ fn at_rest_a_film_law_is_its_dry_law() {
         );
         let hertz_film = HertzFilmLaw::new(&case.bearing, OIL, 100.0).unwrap();
         let (load, _) = hertz(&case.bearing, case.axial, case.radial);
-        let contact = hertz_film.contact(place.0, place.1, place.2);
+        let contact = hertz_film.contact(&Ball::at(place.0, place.1), place.2);
         assert!((contact.load_inner - load).abs() <= 1e-12 * load + 1e-9);
     }
 }
@@ -69,8 +71,8 @@ fn a_thin_film_changes_nothing() {
     let dry = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();
     let film = JonesFilmLaw::with_film(&bearing, RaceControl::Outer, water_thin, 1e3).unwrap();
     let (dry, film) = (
-        dry.force(axial, radial, 1e3),
-        film.force(axial, radial, 1e3),
+        dry.force(&Ball::at(axial, radial), 1e3),
+        film.force(&Ball::at(axial, radial), 1e3),
     );
     assert!((dry.axial / film.axial - 1.0).abs() < 1e-6);
     assert!((dry.radial / film.radial - 1.0).abs() < 1e-6);
@@ -83,7 +85,7 @@ fn inertia_vanishes_with_the_square_of_speed() {
     let geometry = &bearing.geometry;
     let (axial, radial) = (geometry.free_axial() + 20e-6, geometry.free_radial());
     let law = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();
-    let at = |speed: f64| law.contact(axial, radial, speed);
+    let at = |speed: f64| law.contact(&Ball::at(axial, radial), speed);
     let difference = |speed: f64| at(speed).angle_inner - at(speed).angle_outer;
     assert!((difference(20.0) / difference(10.0) - 4.0).abs() < 1e-3);
 }
@@ -96,7 +98,9 @@ fn a_ball_without_inner_contact_rests_on_the_outer_race() {
     let (axial, radial) = (geometry.free_axial(), geometry.free_radial() - 60e-6);
     for control in [RaceControl::Outer, RaceControl::Inner, RaceControl::Even] {
         let law = JonesLaw::new(&bearing, control).unwrap();
-        let state = law.state(axial, radial, 3000.0);
+        let state = law
+            .state(&Ball::at(axial, radial), 3000.0)
+            .expect("a law with inertia");
         let contact = state.contact;
         assert_eq!((contact.load_inner, contact.angle_outer), (0.0, 0.0));
         assert!((contact.load_outer / state.centrifugal_force - 1.0).abs() < 1e-13);
@@ -117,7 +121,7 @@ fn the_film_law_is_monotone_through_lift_off() {
     for step in 0..4_000 {
         let radial = geometry.free_radial() + 20e-6 - f64::from(step) * 5e-8;
         let load = law
-            .contact(geometry.free_axial(), radial, 1000.0)
+            .contact(&Ball::at(geometry.free_axial(), radial), 1000.0)
             .load_inner;
         assert!(
             load > 0.0 && load < last,
@@ -136,12 +140,12 @@ fn a_law_prepared_for_another_speed_is_the_same_law() {
     let here = HertzFilmLaw::new(&bearing, OIL, 700.0).unwrap();
     let there = HertzFilmLaw::new(&bearing, OIL, 50.0).unwrap();
     assert_eq!(
-        here.force(axial, radial, 700.0),
-        there.force(axial, radial, 700.0)
+        here.force(&Ball::at(axial, radial), 700.0),
+        there.force(&Ball::at(axial, radial), 700.0)
     );
     assert_eq!(
-        here.force(axial, radial, -700.0),
-        there.force(axial, radial, 700.0)
+        here.force(&Ball::at(axial, radial), -700.0),
+        there.force(&Ball::at(axial, radial), 700.0)
     );
 }
 

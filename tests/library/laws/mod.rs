@@ -7,7 +7,7 @@ mod limits;
 mod published;
 mod random;
 
-use jeffcott::bearing::{BallLaw, Bearing, Oil, catalogue};
+use jeffcott::bearing::{BallLaw, Bearing, ForceLaw, Oil, catalogue};
 
 /// The oil of the reference rows: η0 = 0.04 Pa s, α_p = 22 1/GPa.
 const OIL: Oil = Oil {

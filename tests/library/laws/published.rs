@@ -3,7 +3,7 @@
 //! nominal contact angle. Tolerances are half a unit of the last digit.
 
 use jeffcott::bearing::{
-    BallLaw, Bearing, FreePosition, Geometry, HertzFilmLaw, JonesFilmLaw, JonesLaw,
+    Ball, BallLaw, Bearing, ForceLaw, FreePosition, Geometry, HertzFilmLaw, JonesFilmLaw, JonesLaw,
 };
 use jeffcott::physics::{Material, RaceControl};
 
@@ -65,7 +65,9 @@ fn thrust_at_speed() {
         let z = displacement_under_thrust(&law, &bearing, 1000.0, row.speed);
         let geometry = &bearing.geometry;
         let place = (geometry.free_axial() + z, geometry.free_radial());
-        let state = law.state(place.0, place.1, row.speed);
+        let state = law
+            .state(&Ball::at(place.0, place.1), row.speed)
+            .expect("a law with inertia");
         let (_, tangent) = law.force_and_tangent(place.0, place.1, row.speed);
         let contact = state.contact;
         let balls = geometry.balls() as f64;
@@ -127,7 +129,10 @@ fn high_speed_case_of_a_public_program() {
     let law = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();
     let z = displacement_under_thrust(&law, &bearing, 2670.0, speed);
     let geometry = &bearing.geometry;
-    let contact = law.contact(geometry.free_axial() + z, geometry.free_radial(), speed);
+    let contact = law.contact(
+        &Ball::at(geometry.free_axial() + z, geometry.free_radial()),
+        speed,
+    );
     assert_printed("Q_i N", contact.load_inner, 603.9922, 4);
     assert_printed("Q_o N", contact.load_outer, 768.7591, 4);
     assert_printed("α_i °", contact.angle_inner.to_degrees(), 26.23531, 5);
@@ -142,7 +147,7 @@ fn thrust_on_an_oil_film() {
     let z = displacement_under_thrust(&law, &bearing, 1000.0, 1000.0);
     let geometry = &bearing.geometry;
     let (axial, radial) = (geometry.free_axial() + z, geometry.free_radial());
-    let contact = law.contact(axial, radial, 1000.0);
+    let contact = law.contact(&Ball::at(axial, radial), 1000.0);
     let (_, tangent) = law.force_and_tangent(axial, radial, 1000.0);
     assert_printed("δz µm", z * 1e6, 26.893679, 6);
     assert_printed("Q N", contact.load_inner, 260.182616, 6);
@@ -167,7 +172,10 @@ fn film_thickness() {
         outer_minimum,
     ] in rows
     {
-        let [inner, outer] = law.films().thickness([251.39, 251.39], speed);
+        let [inner, outer] = law
+            .films()
+            .expect("films")
+            .thickness([251.39, 251.39], speed);
         assert_printed("inner h_c µm", inner.central * 1e6, inner_central, 4);
         assert_printed("inner h_min µm", inner.minimum * 1e6, inner_minimum, 4);
         assert_printed("outer h_c µm", outer.central * 1e6, outer_central, 4);

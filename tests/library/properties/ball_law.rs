@@ -1,6 +1,6 @@
 //! The law of one ball against its formula differentiated by dual numbers.
 
-use jeffcott::bearing::BallLaw;
+use jeffcott::bearing::{Ball, BallLaw, ForceLaw};
 use num_dual::{Dual64, DualNum};
 use proptest::prelude::*;
 
@@ -25,7 +25,7 @@ proptest! {
         angle in -3.2..3.2f64, reach in 0.5..1.4f64,
     ) {
         let law = law(&bearing("7205C"));
-        let (stiffness, distance) = (law.load_deflection_constant, law.distance);
+        let (stiffness, distance) = (law.load_deflection_constant(), law.distance());
         let (axial, radial) = (reach * distance * angle.sin(), reach * distance * angle.cos());
         let (force, tangent) = law.force_and_tangent(axial, radial, 0.0);
         let by = |axis: usize| {
@@ -34,7 +34,7 @@ proptest! {
             formula(stiffness, distance, place[0], place[1])
         };
         let [by_axial, by_radial] = [by(0), by(1)];
-        prop_assert_eq!(force, law.force(axial, radial, 0.0));
+        prop_assert_eq!(force, law.force(&Ball::at(axial, radial), 0.0));
         // δ is the difference of two lengths of size A: their round-off, 4 ε A, is its error
         let approach = (reach - 1.0).abs() * distance;
         let relative = 16.0 * f64::EPSILON * (1.0 + distance / approach);
@@ -56,5 +56,5 @@ fn every_position_has_a_finite_answer() {
     let (force, tangent) = law.force_and_tangent(0.0, 0.0, 0.0);
     assert_eq!([force.axial, force.radial], [0.0; 2]);
     assert!(tangent.iter().flatten().all(|entry| *entry == 0.0));
-    assert_eq!(law.contact(0.0, 0.0, 0.0).load_inner, 0.0);
+    assert_eq!(law.contact(&Ball::at(0.0, 0.0), 0.0).load_inner, 0.0);
 }

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use jeffcott::bearing::{BallLaw, HertzLaw};
+use jeffcott::bearing::{Ball, ForceLaw, HertzLaw};
 use jeffcott::integrate::{Grid, Integration, Linearised, Scaling, System};
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialState, Rotor, RotorDefinition, Sample,
@@ -31,7 +31,7 @@ impl OneBall {
     }
 
     fn stiffness(&self) -> f64 {
-        self.law.load_deflection_constant
+        self.law.load_deflection_constant()
     }
 
     /// ½ m v² + (2/5) K δ^(5/2) − W x, J.
@@ -64,7 +64,7 @@ impl System<2> for OneBall {
     fn derivative(&self, _time: f64, state: &[f64; 2], rate: &mut [f64; 2]) {
         let force = self
             .law
-            .force(0.0, self.law.distance + state[0], 0.0)
+            .force(&Ball::at(0.0, self.law.distance() + state[0]), 0.0)
             .radial;
         *rate = [state[1], (self.load - force) / MASS];
     }
@@ -72,7 +72,7 @@ impl System<2> for OneBall {
 
 impl Linearised<2> for OneBall {
     fn linearisation(&self, _time: f64, state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
-        let place = self.law.distance + state[0];
+        let place = self.law.distance() + state[0];
         let (_, tangent) = self.law.force_and_tangent(0.0, place, 0.0);
         (matrix![0.0, 1.0; -tangent[1][1] / MASS, 0.0], [0.0; 2])
     }
@@ -189,8 +189,8 @@ fn integral(samples: &[Sample], interval: f64, value: impl Fn(&Sample) -> f64) -
 fn stored(sample: &Sample, definition: &RotorDefinition, supports: &Rotor) -> f64 {
     let kinetic = (0..3).map(|axis| 0.5 * definition.shaft.mass * sample.velocity[axis].powi(2));
     let support = &supports.supports()[0];
-    let stiffness = law(&bearing("7205C")).load_deflection_constant;
-    let contact = crate::support::contacts(support, &sample.displacement)
+    let stiffness = law(&bearing("7205C")).load_deflection_constant();
+    let contact = crate::support::contacts(support, &sample.displacement, 0.0)
         .into_iter()
         .map(|ball| 0.4 * ball.load_inner * (ball.load_inner / stiffness).cbrt().powi(2));
     let loads = (0..3).map(|axis| definition.load[axis] * sample.displacement[axis]);

@@ -2,11 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use jeffcott::bearing::{CageAngle, Facing, MountedBearing, Preload, Ring, Vector5};
+use jeffcott::bearing::{BearingRotation, Facing, MountedBearing, Preload, Vector5};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-use crate::support::{bearing, law, mounted, ring, supports};
+use crate::support::{bearing, law, mounted, ring, ring_from, supports};
 
 /// Displacements of tens of micrometres, loaded balls and free ones.
 fn displacement() -> impl Strategy<Value = Vector5> {
@@ -52,7 +52,7 @@ fn turned(vector: &Vector5, angle: f64) -> Vector5 {
 }
 
 fn force_of(mounted: MountedBearing, displacement: &Vector5) -> Vector5 {
-    supports(&[mounted])[0].force(displacement, CageAngle::START, 0.0)
+    supports(&[mounted])[0].force(displacement, &BearingRotation::at_start(0.0))
 }
 
 /// Σ (2/5) K_n δ^(5/2) over all balls, in J, by the formula of the groove centres.
@@ -66,8 +66,8 @@ fn energy(displacement: &Vector5) -> f64 {
         let arm = geometry.inner_groove_radius();
         let axial = geometry.free_axial() + z + arm * (tilt_x * sin - tilt_y * cos);
         let radial = geometry.free_radial() + x * cos + y * sin;
-        let approach = (axial.hypot(radial) - law.distance).max(0.0);
-        0.4 * law.load_deflection_constant * approach.powf(2.5)
+        let approach = (axial.hypot(radial) - law.distance()).max(0.0);
+        0.4 * law.load_deflection_constant() * approach.powf(2.5)
     };
     (0..geometry.balls()).map(ball).sum()
 }
@@ -98,8 +98,8 @@ proptest! {
     ) {
         let ring = ring(&bearing("7205C"));
         let further = angle + f64::from(spacings) * TAU / 12.0;
-        let before = ring.force(&place, CageAngle::new(angle), 0.0);
-        same(&before, &ring.force(&place, CageAngle::new(further), 0.0))?;
+        let before = ring.force(&place, &BearingRotation::at_start(0.0).with_cage_at(angle));
+        same(&before, &ring.force(&place, &BearingRotation::at_start(0.0).with_cage_at(further)))?;
     }
 
     #[test]
@@ -107,13 +107,13 @@ proptest! {
         place in displacement(), angle in -7.0..7.0f64,
     ) {
         let ring = ring(&bearing("7205C"));
-        let force = ring.force(&place, CageAngle::START, 0.0);
-        let of_turned = ring.force(&turned(&place, angle), CageAngle::new(angle), 0.0);
+        let force = ring.force(&place, &BearingRotation::at_start(0.0));
+        let of_turned = ring.force(&turned(&place, angle), &BearingRotation::at_start(0.0).with_cage_at(angle));
         same(&turned(&force, angle), &of_turned)?;
         // a first ball elsewhere is the same as a cage turned there
         let bearing = bearing("7205C");
-        let other = Ring::new(&bearing.geometry, angle, law(&bearing));
-        same(&of_turned, &other.force(&turned(&place, angle), CageAngle::START, 0.0))?;
+        let other = ring_from(&bearing, angle);
+        same(&of_turned, &other.force(&turned(&place, angle), &BearingRotation::at_start(0.0)))?;
     }
 
     #[test]
@@ -121,9 +121,9 @@ proptest! {
         place in displacement(), angle in -7.0..7.0f64,
     ) {
         let ring = ring(&bearing("7205C"));
-        let cage = CageAngle::new(angle);
-        let (force, k) = ring.force_and_stiffness(&place, cage, 0.0);
-        same(&force, &ring.force(&place, cage, 0.0))?;
+        let cage = BearingRotation::at_start(0.0).with_cage_at(angle);
+        let (force, k) = ring.force_and_stiffness(&place, &cage);
+        same(&force, &ring.force(&place, &cage))?;
         for row in 0..5 {
             for column in 0..5 {
                 let unit = (k[(row, row)] * k[(column, column)]).sqrt();
@@ -134,7 +134,7 @@ proptest! {
 
     #[test]
     fn force_is_the_gradient_of_the_contact_energy(place in displacement()) {
-        let force = ring(&bearing("7205C")).force(&place, CageAngle::START, 0.0);
+        let force = ring(&bearing("7205C")).force(&place, &BearingRotation::at_start(0.0));
         let gradient = std::array::from_fn(|axis| slope(axis, &place, energy));
         let size = in_newton(&force).iter().fold(100.0_f64, |size, part| size.max(part.abs()));
         for (a, b) in in_newton(&force).into_iter().zip(in_newton(&gradient)) {
@@ -145,11 +145,11 @@ proptest! {
     #[test]
     fn stiffness_is_the_derivative_of_the_force(place in displacement()) {
         let ring = ring(&bearing("7205C"));
-        let (_, k) = ring.force_and_stiffness(&place, CageAngle::START, 0.0);
+        let (_, k) = ring.force_and_stiffness(&place, &BearingRotation::at_start(0.0));
         for row in 0..5 {
             for column in 0..5 {
                 let difference =
-                    slope(column, &place, |q| ring.force(q, CageAngle::START, 0.0)[row]);
+                    slope(column, &place, |q| ring.force(q, &BearingRotation::at_start(0.0))[row]);
                 // N/m of all balls together, floor for the kink where a ball comes into contact
                 let lever = |axis: usize| if axis < 3 { 1.0 } else { 0.0194 };
                 let unit = 3e8 * lever(row) * lever(column);
@@ -214,11 +214,8 @@ fn wider_registers_give_the_same_bytes() {
             1e-5 * t.cos(),
             1e-6 * t,
         ];
-        let cage = CageAngle::new(t);
-        let (narrow, wide) = (
-            ring.force(&place, cage, 0.0),
-            support.force(&place, cage, 0.0),
-        );
+        let cage = BearingRotation::at_start(0.0).with_cage_at(t);
+        let (narrow, wide) = (ring.force(&place, &cage), support.force(&place, &cage));
         assert_eq!(bits(&narrow), bits(&wide), "{narrow:?} {wide:?}");
     }
 }

@@ -1,8 +1,8 @@
 //! A table stands for the law that it was compiled from.
 
 use jeffcott::bearing::{
-    BallForce, BallLaw, BallRegion, BallTable, Bearing, CageAngle, ContactLaw, HertzFilmLaw,
-    JonesFilmLaw, JonesLaw, Oil, Support, TableError, TableReport,
+    Ball, BallForce, BallLaw, BallRegion, BallTable, Bearing, BearingRotation, ContactLaw,
+    ForceLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Oil, Support, TableError, TableReport,
 };
 use jeffcott::integrate::Method;
 use jeffcott::physics::RaceControl;
@@ -70,8 +70,8 @@ fn check_values<L: BallLaw>(law: &L, regions: &[BallRegion]) {
         assert!(report.evaluations < 60_000, "{report:?}");
         for [axial, radial] in places(region, 4000) {
             assert!(table.covers(axial, radial, SPEED));
-            let exact = law.force(axial, radial, SPEED);
-            let own = table.force(axial, radial);
+            let exact = law.force(&Ball::at(axial, radial), SPEED);
+            let own = table.force(&Ball::at(axial, radial), SPEED);
             let error = difference(&own, &exact, arm);
             assert!(
                 error <= TOLERANCE * LOAD,
@@ -127,8 +127,8 @@ fn the_derivative_is_that_of_the_table_and_close_to_that_of_the_law() {
     let (table, _) = compiled(&law, region);
     let (stiffest, step) = (1e8, 1e-10);
     for [axial, radial] in places(region, 300) {
-        let (force, tangent) = table.force_and_tangent(axial, radial);
-        let plain = table.force(axial, radial);
+        let (force, tangent) = table.force_and_tangent(axial, radial, SPEED);
+        let plain = table.force(&Ball::at(axial, radial), SPEED);
         assert!(difference(&force, &plain, 1e-4) < 1e-11 * LOAD);
         let exact = law.force_and_tangent(axial, radial, SPEED).1;
         for (row, arm) in [(0, 1.0), (1, 1.0), (2, 4e-4)] {
@@ -137,8 +137,8 @@ fn the_derivative_is_that_of_the_table_and_close_to_that_of_the_law() {
                 assert!(error < 1e-6 * arm * stiffest, "{row}, {column}: {error:e}");
             }
         }
-        let ahead = table.force(axial, radial + step).radial;
-        let behind = table.force(axial, radial - step).radial;
+        let ahead = table.force(&Ball::at(axial, radial + step), SPEED).radial;
+        let behind = table.force(&Ball::at(axial, radial - step), SPEED).radial;
         let slope = (ahead - behind) / (2.0 * step);
         assert!((slope - tangent[1][1]).abs() < 1e-5 * stiffest);
     }
@@ -159,8 +159,8 @@ fn both_sides_of_a_centred_ball_are_the_same() {
     for axial in [-8e-6, -0.0, 0.0, 8e-6] {
         for radial in [region.radial[0], region.radial[1]] {
             let error = difference(
-                &table.force(axial, radial),
-                &law.force(axial, radial, SPEED),
+                &table.force(&Ball::at(axial, radial), SPEED),
+                &law.force(&Ball::at(axial, radial), SPEED),
                 1.0,
             );
             assert!(table.covers(axial, radial, SPEED));
@@ -168,10 +168,11 @@ fn both_sides_of_a_centred_ball_are_the_same() {
         }
     }
     for [axial, radial] in places(region, 500) {
-        let [here, there] = [axial, -axial].map(|axial| table.force(axial, radial));
+        let [here, there] =
+            [axial, -axial].map(|axial| table.force(&Ball::at(axial, radial), SPEED));
         assert_eq!(here.axial, -there.axial);
         assert_eq!(here.radial, there.radial);
-        let exact = law.force(axial, radial, SPEED);
+        let exact = law.force(&Ball::at(axial, radial), SPEED);
         assert!(difference(&here, &exact, 1.0) <= TOLERANCE * LOAD);
     }
 }
@@ -206,7 +207,8 @@ fn a_bearing_has_the_force_of_its_table_inside_it_and_that_of_its_law_outside() 
     };
     let exact = Support::new(&definition, SPEED).expect("a support");
     let mut table = exact.clone();
-    let (middle, cage) = ([0.0, 0.0, 32e-6, 0.0, 0.0], CageAngle::new(0.7));
+    let middle = [0.0, 0.0, 32e-6, 0.0, 0.0];
+    let rotation = |speed| BearingRotation::at_start(speed).with_cage_at(0.7);
     let swing = [4e-6, 4e-6, 6e-6, 1e-4, 1e-4];
     let report = table.tabulate(&middle, &swing, SPEED, TOLERANCE);
     let report = report.expect("a costly law").expect("a smooth law");
@@ -219,18 +221,19 @@ fn a_bearing_has_the_force_of_its_table_inside_it_and_that_of_its_law_outside() 
         [2e-6, -3e-6, 30e-6, 4e-5, -7e-5],
         [-3e-6, 3e-6, 36e-6, -1e-4, 0.0],
     ] {
-        assert!(table.is_inside_table(&place, cage, SPEED));
+        let rotation = rotation(SPEED);
+        assert!(table.is_inside_table(&place, &rotation));
         let (own, reference) = (
-            table.force(&place, cage, SPEED),
-            exact.force(&place, cage, SPEED),
+            table.force(&place, &rotation),
+            exact.force(&place, &rotation),
         );
         assert_ne!(own, reference);
         for (axis, lever) in levers.into_iter().enumerate() {
             let error = (own[axis] - reference[axis]).abs();
             assert!(error < 12.0 * TOLERANCE * load * lever, "{axis}: {error:e}");
         }
-        let (own, by_cage) = table.slopes(&place, cage, SPEED);
-        let (reference, exactly) = exact.slopes(&place, cage, SPEED);
+        let (own, by_cage) = table.slopes(&place, &rotation);
+        let (reference, exactly) = exact.slopes(&place, &rotation);
         assert!((own - reference).abs().max() < 1e-5 * reference.abs().max());
         assert!((by_cage[0] - exactly[0]).abs() < 1e-5 * load);
     }
@@ -240,12 +243,13 @@ fn a_bearing_has_the_force_of_its_table_inside_it_and_that_of_its_law_outside() 
         ([0.0, 0.0, 32e-6, 1e-3, 0.0], SPEED),
         (middle, 999.0),
     ] {
-        assert!(!table.is_inside_table(&place, cage, speed));
-        let own = table.force(&place, cage, speed);
-        assert_eq!(own, exact.force(&place, cage, speed));
+        let rotation = rotation(speed);
+        assert!(!table.is_inside_table(&place, &rotation));
+        let own = table.force(&place, &rotation);
+        assert_eq!(own, exact.force(&place, &rotation));
         assert_eq!(
-            table.slopes(&place, cage, speed),
-            exact.slopes(&place, cage, speed)
+            table.slopes(&place, &rotation),
+            exact.slopes(&place, &rotation)
         );
     }
 }

@@ -1,12 +1,12 @@
 //! Harris, *Rolling Bearing Analysis*: load-distribution integrals (Table 7.4), constants of the
 //! elliptic contact (Table 6.1); Harris & Mindel 1973, Fig. 15.
 
-use jeffcott::bearing::{Bearing, CageAngle, FreePosition, Geometry, HertzLaw, Ring};
+use jeffcott::bearing::{BallLoads, Bearing, BearingRotation, FreePosition, Geometry};
 use jeffcott::physics::{
     Curvature, HertzContact, Material, contact_modulus, inner_race_curvature, outer_race_curvature,
 };
 
-use crate::support::{assert_near, assert_printed, half_last_digit, law};
+use crate::support::{assert_near, assert_printed, half_last_digit, ring};
 
 /// A bearing with so many balls that the sum over them is the integral around the ring.
 fn crowded_bearing() -> Bearing {
@@ -27,17 +27,18 @@ fn crowded_bearing() -> Bearing {
 fn load_distribution(zone: f64) -> [f64; 3] {
     let bearing = crowded_bearing();
     let geometry = &bearing.geometry;
-    let ring: Ring<HertzLaw> = Ring::new(geometry, 0.0, law(&bearing));
+    let ring = ring(&bearing);
     let (sin, cos) = geometry.contact_angle().sin_cos();
     // ε = ½(1 + δa tan α/δr)
     let radial = 1e-7 * geometry.groove_centre_distance();
     let axial = (2.0 * zone - 1.0) * radial * cos / sin;
     let place = [radial, 0.0, axial, 0.0, 0.0];
-    let [f_r, _, f_a, ..] = ring.force(&place, CageAngle::START, 0.0);
-    let largest = ring
-        .contacts(place, CageAngle::START, 0.0)
-        .map(|ball| ball.load_inner)
-        .fold(0.0, f64::max);
+    let rotation = BearingRotation::at_start(0.0);
+    let [f_r, _, f_a, ..] = ring.force(&place, &rotation);
+    let mut loads = BallLoads::new(geometry.balls(), false);
+    ring.loads(&place, &rotation, &mut loads);
+    let largest = loads.load[0].iter().copied().fold(0.0, f64::max);
+    assert_eq!(loads.largest[0], largest);
     let all = geometry.balls() as f64 * largest;
     [f_r * sin / cos / f_a, f_r / (all * cos), f_a / (all * sin)]
 }

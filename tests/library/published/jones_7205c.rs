@@ -5,10 +5,10 @@
 //! ρ = 7800 kg/m³, race constants at the nominal contact angle; F_z = 1000 N.
 
 use jeffcott::bearing::equilibrium::{Equilibrium, StaticProblem};
-use jeffcott::bearing::{BallContact, CageAngle, ContactLaw, MountedBearing, Oil, Support};
+use jeffcott::bearing::{BallContact, ContactLaw, MountedBearing, Oil, Support};
 use jeffcott::physics::RaceControl;
 
-use crate::support::{bearing, mounted};
+use crate::support::{bearing, contacts, mounted};
 
 const OUTER_CONTROL: ContactLaw = ContactLaw::Jones(RaceControl::Outer);
 const OIL: Oil = Oil {
@@ -33,9 +33,7 @@ fn under_thrust(law: ContactLaw, oil: Option<Oil>, speed: f64) -> (Equilibrium, 
     }
     .solve()
     .expect("an equilibrium");
-    let mut balls = Vec::new();
-    let place = &equilibrium.displacement;
-    supports[0].for_each_contact(place, CageAngle::START, speed, &mut |ball| balls.push(ball));
+    let balls = contacts(&supports[0], &equilibrium.displacement, speed);
     (equilibrium, balls[0])
 }
 
@@ -119,8 +117,7 @@ fn a_hybrid_bearing_is_less_moved_by_speed() {
         };
         let supports = [Support::new(&definition, 2000.0).expect("a sound bearing")];
         let place = [0.0, 0.0, 32e-6, 0.0, 0.0];
-        let mut balls = Vec::new();
-        supports[0].for_each_contact(&place, CageAngle::START, 2000.0, &mut |b| balls.push(b));
+        let balls = contacts(&supports[0], &place, 2000.0);
         balls[0].load_outer - balls[0].load_inner
     };
     let (steel, ceramic) = (spread(bearing("7205C")), spread(hybrid));

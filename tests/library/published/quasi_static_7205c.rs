@@ -95,7 +95,7 @@ fn pure_thrust_displacement_angle_and_stiffness() {
 
 /// Loads in N and contact angles in degrees of all balls.
 fn contacts(bearings: &[MountedBearing], displacement: &[f64; 5]) -> Vec<(f64, f64)> {
-    crate::support::contacts(&supports(bearings)[0], displacement)
+    crate::support::contacts(&supports(bearings)[0], displacement, 0.0)
         .iter()
         .map(|ball| (ball.load_inner, ball.angle_inner.to_degrees()))
         .collect()

@@ -7,8 +7,9 @@ use std::sync::atomic::AtomicBool;
 
 use jeffcott::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
 use jeffcott::bearing::{
-    BallContact, Bearing, CageAngle, ContactDamping, ContactLaw, Facing, FreePosition, Geometry,
-    HertzLaw, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
+    BallContact, BallLoads, Bearing, BearingRotation, ContactDamping, ContactLaw, Facing,
+    FreePosition, Geometry, HertzLaw, Matrix5, MountedBearing, Preload, Ring, Support, Vector5,
+    catalogue,
 };
 use jeffcott::integrate::{Method, Settings};
 use jeffcott::physics::Material;
@@ -96,17 +97,49 @@ pub fn varying_compliance(speed: f64, mass: f64, weight: f64, bearing: Bearing) 
     }
 }
 
-/// The ring of balls of a bearing, ball 0 on +X.
-pub fn ring(bearing: &Bearing) -> Ring<HertzLaw> {
-    Ring::new(&bearing.geometry, 0.0, law(bearing))
+/// The ring of balls of a bearing under its law of Hertz contacts.
+pub struct HertzRing {
+    pub ring: Ring,
+    law: HertzLaw,
+}
+
+impl HertzRing {
+    pub fn force(&self, place: &Vector5, rotation: &BearingRotation) -> Vector5 {
+        self.ring.force(&self.law, place, rotation)
+    }
+
+    pub fn force_and_stiffness(
+        &self,
+        place: &Vector5,
+        rotation: &BearingRotation,
+    ) -> (Vector5, Matrix5) {
+        self.ring.force_and_stiffness(&self.law, place, rotation)
+    }
+
+    pub fn loads(&self, place: &Vector5, rotation: &BearingRotation, loads: &mut BallLoads) {
+        self.ring.loads(&self.law, place, rotation, loads);
+    }
+}
+
+/// The ring of balls of a bearing, ball 0 at an azimuth in rad.
+pub fn ring_from(bearing: &Bearing, first_ball: f64) -> HertzRing {
+    HertzRing {
+        ring: Ring::new(&bearing.geometry, first_ball),
+        law: law(bearing),
+    }
+}
+
+/// The same with ball 0 on +X.
+pub fn ring(bearing: &Bearing) -> HertzRing {
+    ring_from(bearing, 0.0)
 }
 
 /// The law of its balls.
 pub fn law(bearing: &Bearing) -> HertzLaw {
-    HertzLaw {
-        load_deflection_constant: bearing.load_deflection_constant().expect("a contact"),
-        distance: bearing.geometry.groove_centre_distance(),
-    }
+    HertzLaw::new(
+        bearing.load_deflection_constant().expect("a contact"),
+        bearing.geometry.groove_centre_distance(),
+    )
 }
 
 /// Supports of mounted bearings.
@@ -115,13 +148,11 @@ pub fn supports(bearings: &[MountedBearing]) -> Vec<Support> {
     bearings.iter().map(support).collect()
 }
 
-/// Contacts of every ball of a support, its cage where it starts, at zero speed.
-pub fn contacts(support: &Support, displacement: &Vector5) -> Vec<BallContact> {
-    let mut contacts = Vec::new();
-    support.for_each_contact(displacement, CageAngle::START, 0.0, &mut |ball| {
-        contacts.push(ball)
-    });
-    contacts
+/// Contacts of every ball of a support, its cage where it starts, at a speed in rad/s.
+pub fn contacts(support: &Support, displacement: &Vector5, speed: f64) -> Vec<BallContact> {
+    let mut loads = BallLoads::new(support.known_balls(), true);
+    support.force_and_loads(displacement, &BearingRotation::at_start(speed), &mut loads);
+    loads.contacts().collect()
 }
 
 /// Static equilibrium of a standing shaft, searched from q = 0.

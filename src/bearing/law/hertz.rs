@@ -1,0 +1,166 @@
+//! Ball law of two Hertz contacts in series, ball inertia neglected.
+
+use super::spring::{ContactSpring, HertzSpring, race_springs};
+use super::{Ball, BallContact, BallForce, BallLaw, BallResponse};
+use crate::bearing::Bearing;
+use crate::bearing::number::{Number, Plain};
+use crate::physics::HertzContact;
+
+/// Hertz contact of a ball with both races, the ball itself without inertia.
+///
+/// ```text
+/// d = √(A1² + A2²)   δ = d − A − h_i − h_o   Q = K_n max(δ, 0)^(3/2)   F_a = Q A1/d   F_r = Q A2/d
+/// ```
+///
+/// `A1`, `A2` place of the inner groove centre from the outer one in m, `A` their unloaded
+/// distance in m, `h` drops of the surfaces under the ball in m, `K_n` in N/m^1.5. Holds at speeds where centrifugal force is small against the
+/// ball load. A separated ball (δ ≤ 0) carries nothing.
+///
+/// Source: Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), eqs. 7.5 and 7.20–7.24.
+///
+/// ```
+/// use jeffcott::bearing::{Ball, BallLaw, HertzLaw};
+/// // 7205C under 1000 N of thrust (independent implementations): α = 19.35927°, δz = 31.97643 µm,
+/// // so each of the 12 balls carries Q = 1000/(12 sin α) = 251.39 N.
+/// let (distance, angle) = (0.396_9e-3, 15f64.to_radians());
+/// let law = HertzLaw::new(273_580.37 * 10f64.powf(4.5), distance);
+/// let ball = Ball::at(distance * angle.sin() + 31.97643e-6, distance * angle.cos());
+/// let ball = law.contact(&ball, 0.0);
+/// assert!((ball.load_inner - 251.39).abs() < 5e-3);
+/// assert!((ball.angle_inner.to_degrees() - 19.35927).abs() < 1e-5);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HertzLaw {
+    /// K_n, N/m^1.5.
+    load_deflection_constant: f64,
+    /// A, m.
+    distance: f64,
+    /// Part of the approach that the contact with the inner race has.
+    inner_share: f64,
+    /// K_n^(10/3).
+    life_factor: f64,
+}
+
+/// Keeps the direction of the line of centres defined where the two centres meet (no contact there).
+const SMALLEST_DISTANCE: f64 = f64::MIN_POSITIVE;
+
+impl HertzLaw {
+    /// From the load–deflection constant K_n of both races in series in N/m^1.5 and the unloaded distance A of the
+    /// groove centres in m. The races are taken for alike: each contact has half of the approach.
+    pub fn new(load_deflection_constant: f64, distance: f64) -> Self {
+        Self {
+            load_deflection_constant,
+            distance,
+            inner_share: 0.5,
+            life_factor: load_deflection_constant.powf(10.0 / 3.0),
+        }
+    }
+
+    /// K_n, N/m^1.5.
+    pub fn load_deflection_constant(&self) -> f64 {
+        self.load_deflection_constant
+    }
+
+    /// A, m.
+    pub fn distance(&self) -> f64 {
+        self.distance
+    }
+
+    /// Of a bearing with its Hertz contacts.
+    pub(super) fn between(bearing: &Bearing, contacts: &[HertzContact; 2]) -> Self {
+        // under one load the approaches are as the stiffnesses to the power −1
+        let [inner, outer] = race_springs(bearing, contacts).map(|race| race.stiffness_under(1.0));
+        Self {
+            inner_share: outer / (inner + outer),
+            ..Self::new(
+                bearing.load_deflection_constant_by(contacts),
+                bearing.geometry.groove_centre_distance(),
+            )
+        }
+    }
+
+    /// Distance d of the groove centres, and δ, negative where ball and races are apart.
+    #[inline(always)]
+    fn distance_and_approach<T: Number>(&self, ball: &Ball<T>) -> (T, T) {
+        let distance = (ball.axial * ball.axial + ball.radial * ball.radial).sqrt();
+        let [inner, outer] = ball.drop;
+        (distance, (distance - self.distance) - (inner + outer))
+    }
+
+    fn spring(&self) -> HertzSpring {
+        HertzSpring {
+            stiffness: self.load_deflection_constant,
+        }
+    }
+}
+
+impl BallLaw for HertzLaw {
+    const LIFTS_OFF: bool = true;
+
+    #[inline(always)]
+    fn response<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallResponse<T> {
+        let (distance, approach) = self.distance_and_approach(ball);
+        let pressed = approach.positive();
+        // Q = K_n δ^(3/2)
+        let load = pressed * self.load_deflection_constant * pressed.sqrt();
+        let lateral = load / (distance + SMALLEST_DISTANCE);
+        BallResponse {
+            force: BallForce {
+                axial: lateral * ball.axial,
+                radial: lateral * ball.radial,
+                couple: load.constant(0.0),
+            },
+            load: [load; 2],
+            approach,
+        }
+    }
+
+    #[inline(always)]
+    fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        self.distance_and_approach(ball).1
+    }
+
+    fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
+        without_inertia(&self.response(ball, speed), ball)
+    }
+
+    #[inline(always)]
+    fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
+        let pressed = response.approach.positive();
+        [
+            pressed * self.inner_share,
+            pressed * (1.0 - self.inner_share),
+        ]
+    }
+
+    /// Q³ and Q^(10/3) without a root: δ⁵ is a whole power.
+    #[inline(always)]
+    fn life_powers<T: Plain>(&self, response: &BallResponse<T>) -> [T; 2] {
+        let ([load, _], pressed) = (response.load, response.approach.positive());
+        let square = pressed * pressed;
+        [
+            load * load * load,
+            square * square * pressed * self.life_factor,
+        ]
+    }
+
+    fn approach_under(&self, load: f64, _speed: f64) -> f64 {
+        self.spring().approach(load)
+    }
+
+    fn load_past_lift_off(&self, distance: f64, _speed: f64) -> f64 {
+        self.spring().load_and_stiffness(distance).0
+    }
+}
+
+/// Loads and angles of a ball that both races press at along one line.
+pub(super) fn without_inertia(response: &BallResponse, ball: &Ball) -> BallContact {
+    let ([load_inner, load_outer], angle) = (response.load, ball.axial.atan2(ball.radial));
+    BallContact {
+        load_inner,
+        load_outer,
+        angle_inner: angle,
+        angle_outer: angle,
+        approach: response.approach,
+    }
+}

@@ -1,0 +1,148 @@
+//! Hertz contact and oil film of both races in series: the law of a ball without inertia.
+
+use super::film_shares::{film_tangent, spring_tangent};
+use super::film_spring::{FilmSpring, LubricatedContact};
+use super::hertz::without_inertia;
+use super::races::RaceFilms;
+use super::spring::{ContactSpring, HertzSpring, race_springs};
+use super::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent};
+use crate::bearing::number::{Number, Plain};
+use crate::bearing::{Bearing, BearingError, Oil};
+
+/// Law of a ball between two lubricated races, its inertia neglected.
+///
+/// ```text
+/// d = √(A1² + A2²)   δ = d − A − drops   δ = (Q/K_n)^(2/3) − h_i(Q) − h_o(Q)
+/// F_a = Q A1/d       F_r = Q A2/d
+/// ```
+///
+/// | symbol | meaning | unit |
+/// |---|---|---|
+/// | A1, A2 | axial and radial distance of the groove centres | m |
+/// | A | their distance in the unloaded bearing | m |
+/// | Q | load, the same at both races | N |
+/// | K_n | load–deflection constant of both races | N/m^1.5 |
+/// | h_i, h_o | central film thickness, [`crate::physics::FilmContact`] | m |
+///
+/// The films separate the surfaces, so that the slope `dδ/dQ` is the series rule of Hertz and
+/// film stiffness. It has no kink at lift-off: apart, the load decays as gap^(−15). At rest
+/// the law is the dry one. The sense of rotation does not matter.
+///
+/// Source: B. J. Hamrock & D. Dowson, *J. Lubrication Technology* 99 (1977) 264–276 (thickness);
+/// Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), ch. 7 (races in series).
+///
+/// ```
+/// use jeffcott::bearing::{Ball, BallLaw, HertzFilmLaw, Oil, catalogue};
+/// // 7205C, 1000 N thrust, 1000 rad/s: δz = 26.893679 µm gives Q = 260.182616 N.
+/// let bearing = catalogue::find("7205C").unwrap().bearing()?;
+/// let oil = Oil { viscosity: 0.04, pressure_viscosity: 2.2e-8 };
+/// let law = HertzFilmLaw::new(&bearing, oil, 1000.0)?;
+/// let geometry = bearing.geometry;
+/// let axial = geometry.free_axial() + 26.893679e-6;
+/// let contact = law.contact(&Ball::at(axial, geometry.free_radial()), 1000.0);
+/// assert!((contact.load_inner - 260.182616).abs() < 2e-5);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HertzFilmLaw {
+    free_distance: f64,
+    /// Both races in series.
+    contact: LubricatedContact,
+    /// Elastic contacts, inner race first.
+    springs: [HertzSpring; 2],
+    prepared_speed: f64,
+    prepared: FilmSpring,
+    films: RaceFilms,
+}
+
+impl HertzFilmLaw {
+    /// Law of one ball of a bearing; fastest at `prepared_speed` in rad/s, right at every speed.
+    ///
+    /// # Errors
+    /// [`BearingError`] where ball and race form no contact or the oil is none.
+    pub fn new(bearing: &Bearing, oil: Oil, prepared_speed: f64) -> Result<Self, BearingError> {
+        let contacts = bearing.contacts()?;
+        let films = RaceFilms::new(bearing, &contacts, &oil)?;
+        // equal loads and equal exponents: the two films add up to one
+        let contact = LubricatedContact::new(
+            bearing.load_deflection_constant_by(&contacts),
+            films.central_constants().iter().sum(),
+        );
+        Ok(Self {
+            free_distance: bearing.geometry.groove_centre_distance(),
+            contact,
+            springs: race_springs(bearing, &contacts),
+            prepared_speed,
+            prepared: contact.at_speed(prepared_speed),
+            films,
+        })
+    }
+
+    /// Both races and their films in series at a shaft speed in rad/s.
+    #[inline]
+    fn spring(&self, speed: f64) -> FilmSpring {
+        if speed == self.prepared_speed {
+            self.prepared
+        } else {
+            self.contact.at_speed(speed)
+        }
+    }
+}
+
+impl BallLaw for HertzFilmLaw {
+    const LIFTS_OFF: bool = false;
+
+    #[inline(always)]
+    fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
+        let distance = (ball.axial * ball.axial + ball.radial * ball.radial).sqrt();
+        let [inner, outer] = ball.drop;
+        let approach = (distance - self.free_distance) - (inner + outer);
+        let [load] = T::apply(&self.spring(speed), [approach]);
+        // coinciding centres have no line of centres; any serves, for they press on nothing
+        let lateral = load / (distance + f64::MIN_POSITIVE);
+        BallResponse {
+            force: BallForce {
+                axial: lateral * ball.axial,
+                radial: lateral * ball.radial,
+                couple: load.constant(0.0),
+            },
+            load: [load; 2],
+            approach,
+        }
+    }
+
+    fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        ball.axial.constant(f64::INFINITY)
+    }
+
+    fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
+        without_inertia(&self.response(ball, speed), ball)
+    }
+
+    fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
+        let [inner] = T::apply(&self.springs[0], [response.load[0]]);
+        let [outer] = T::apply(&self.springs[1], [response.load[1]]);
+        [inner, outer]
+    }
+
+    fn approach_under(&self, load: f64, speed: f64) -> f64 {
+        self.spring(speed).approach(load)
+    }
+
+    fn load_past_lift_off(&self, _distance: f64, _speed: f64) -> f64 {
+        0.0
+    }
+
+    fn films(&self) -> Option<&RaceFilms> {
+        Some(&self.films)
+    }
+
+    fn share_tangents(&self, ball: &Ball, speed: f64) -> Option<[BallTangent; 2]> {
+        let contact = self.contact(ball, speed);
+        let load = contact.load_inner;
+        let distance = ball.axial.hypot(ball.radial).max(f64::MIN_POSITIVE);
+        let stiffness = self.contact.elastic().stiffness_under(load);
+        let contacts = spring_tangent(contact.angle_inner, stiffness, load / distance);
+        Some([contacts, film_tangent(&self.films, &contact, speed)])
+    }
+}

@@ -1,0 +1,165 @@
+//! Balance of forces on one ball at a trial position.
+
+use super::contact::{Contact, Plane, Scalar};
+use super::inertia::{InertiaForces, InertiaLaw};
+use crate::bearing::law::ContactSpring;
+use crate::bearing::number::Dual;
+
+/// Dimensions of a ball's plane, and its inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Ball {
+    /// D, m.
+    pub(super) diameter: f64,
+    /// (f_i − 1/2)D, m.
+    pub(super) free_inner: f64,
+    /// (f_o − 1/2)D, m.
+    pub(super) free_outer: f64,
+    /// Radius of the inner groove f_i D: arm of T_i about the groove centre, m.
+    pub(super) groove_radius: f64,
+    pub(super) inertia: InertiaLaw,
+}
+
+/// Positions in a ball's plane, from the outer groove centre, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Positions<T = f64> {
+    /// Of the ball's centre.
+    pub(super) centre: Plane<T>,
+    /// Of the inner groove centre.
+    pub(super) groove: Plane<T>,
+    /// Drops of the surfaces of both races under the ball.
+    pub(super) drop: [T; 2],
+}
+
+/// Forces on a ball at a trial position.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Balance<T> {
+    pub(super) inner: Contact<T>,
+    pub(super) outer: Contact<T>,
+    pub(super) inertia: InertiaForces<T>,
+    /// Force that the inner race presses onto the ball, N.
+    ring_force: Plane<T>,
+    /// Sum of all forces on the ball, N.
+    pub(super) residual: Plane<T>,
+}
+
+/// Force of the inner ring onto a ball (axial, radial, couple), loads at both races, and the approach at the inner one.
+pub(super) type Response<T> = [T; 6];
+
+impl Ball {
+    /// Balance in some positions; `force_scale` is F_0 = ½ m_b d_m ω² in N. Where `stiffness` is given, in N/m, the
+    /// loads have it in place of that of the springs.
+    ///
+    /// ```text
+    /// r = Q_i n_i + T_i t_i − Q_o n_o − T_o t_o + (0, F_c)
+    /// n = (sin α, cos α)   t = (cos α, −sin α)
+    /// ```
+    #[inline(always)]
+    pub(super) fn balance<T: Scalar>(
+        &self,
+        positions: &Positions<T>,
+        springs: &[impl ContactSpring; 2],
+        stiffness: Option<[f64; 2]>,
+        force_scale: f64,
+    ) -> Balance<T> {
+        let Positions {
+            centre: [x, y],
+            groove: [axial, radial],
+            drop: [drop_inner, drop_outer],
+        } = *positions;
+        let free = [drop_inner + self.free_inner, drop_outer + self.free_outer];
+        let mut inner = Contact::new([axial - x, radial - y], free[0], &springs[0]);
+        let mut outer = Contact::new([x, y], free[1], &springs[1]);
+        if let Some([of_inner, of_outer]) = stiffness {
+            inner = inner.with_stiffness(of_inner);
+            outer = outer.with_stiffness(of_outer);
+        }
+        let inertia = self.inertia.forces(&inner, &outer, force_scale);
+        let [ring_force, outer_force] =
+            [(&inner, inertia.friction[0]), (&outer, inertia.friction[1])].map(
+                |(contact, friction)| {
+                    [
+                        contact.load * contact.sin + friction * contact.cos,
+                        contact.load * contact.cos - friction * contact.sin,
+                    ]
+                },
+            );
+        Balance {
+            residual: [
+                ring_force[0] - outer_force[0],
+                ring_force[1] - outer_force[1] + inertia.centrifugal,
+            ],
+            ring_force,
+            inner,
+            outer,
+            inertia,
+        }
+    }
+
+    /// What the ball answers in balance.
+    #[inline(always)]
+    pub(super) fn response<T: Scalar>(&self, balance: &Balance<T>) -> Response<T> {
+        let [axial, radial] = balance.ring_force;
+        [
+            axial,
+            radial,
+            // λ_i f_i M_g = f_i D T_i
+            balance.inertia.friction[0] * -self.groove_radius,
+            balance.inner.load,
+            balance.outer.load,
+            balance.inner.approach,
+        ]
+    }
+
+    /// Derivatives of the response in balance by the position of the inner groove centre, axial and radial, and by the
+    /// drops of both surfaces, the ball's centre following so that its balance keeps: `dX/da = −(∂r/∂X)⁻¹ ∂r/∂a`.
+    /// Zero where no load holds the ball. `stiffness` as for [`Ball::balance`].
+    pub(super) fn slopes(
+        &self,
+        positions: &Positions,
+        springs: &[impl ContactSpring; 2],
+        stiffness: Option<[f64; 2]>,
+        force_scale: f64,
+    ) -> [[f64; 4]; 6] {
+        // the centre's position first, then what it follows
+        let variable = |value: [f64; 2], first: usize| -> Plane<Dual<f64, 6>> {
+            [
+                Dual::variable(value[0], first),
+                Dual::variable(value[1], first + 1),
+            ]
+        };
+        let positions = Positions {
+            centre: variable(positions.centre, 0),
+            groove: variable(positions.groove, 2),
+            drop: variable(positions.drop, 4),
+        };
+        let balance = self.balance(&positions, springs, stiffness, force_scale);
+        let residual = balance.residual.map(|residual| residual.slopes);
+        let by_centre = residual.map(|[x, y, ..]| [x, y]);
+        // no load, no force; and without inertia nothing then holds the ball anywhere
+        let loaded = balance.inner.load.value > 0.0;
+        let Some(inverse) = inverse(&by_centre).filter(|_| loaded) else {
+            return [[0.0; 4]; 6];
+        };
+        self.response(&balance).map(|response| {
+            std::array::from_fn(|index| {
+                let [x, y] = apply(&inverse, residual.map(|row| row[2 + index]));
+                response.slopes[2 + index] - response.slopes[0] * x - response.slopes[1] * y
+            })
+        })
+    }
+}
+
+/// `A x`
+#[inline(always)]
+pub(super) fn apply(a: &[Plane<f64>; 2], x: Plane<f64>) -> Plane<f64> {
+    a.map(|row| row[0] * x[0] + row[1] * x[1])
+}
+
+/// `A⁻¹`; nothing for a singular matrix.
+#[inline(always)]
+pub(super) fn inverse(&[[a, b], [c, d]]: &[Plane<f64>; 2]) -> Option<[Plane<f64>; 2]> {
+    let scale = 1.0 / (a * d - b * c);
+    scale
+        .is_finite()
+        .then(|| [[d * scale, -b * scale], [-c * scale, a * scale]])
+}

@@ -1,0 +1,176 @@
+//! What the motion of a ball asks of its contacts: centrifugal force and friction forces.
+
+use super::contact::{Contact, Scalar};
+use crate::physics::RaceControl;
+
+/// Inertia forces of a ball, N.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct InertiaForces<T> {
+    /// Centrifugal force F_c.
+    pub(super) centrifugal: T,
+    /// Friction forces T at the inner and the outer race.
+    pub(super) friction: [T; 2],
+}
+
+/// Load at the inner race above which its friction is full, in units of F_0.
+const FULL_GRIP: f64 = 0.1;
+/// Distance of ball and inner groove centre above which Jones's kinematics hold, in units of the
+/// distance at first touch.
+const NEAR: f64 = 0.9;
+/// Cosine of the angle between the contacts down to which Jones's kinematics hold.
+const FARTHEST: f64 = 0.25;
+
+/// The kinematic law of the inertia forces.
+///
+/// Jones's kinematics without trigonometric functions: with c = cos(α_i − α_o)
+///
+/// ```text
+/// outer control:  ω_m/ω = (1 − γ' cos α_i)/(1 + c)       p = sin α_o (1 − γ' cos α_i)/(1 + c)
+/// inner control:  ω_m/ω = (c − γ' cos α_o)/(1 + c)       p = sin α_i (1 + γ' cos α_o)/(1 + c)
+/// F_c = F_0 (ω_m/ω)²,  F_0 = ½ m_b d_m ω²
+/// T_i + T_o = 2 M_g/D = (2/5) F_0 (ω_m/ω) p,   p = γ' (|ω_R|/ω) sin β
+/// ```
+///
+/// from the formulas of [`crate::physics::BallMotion`] and J = m_b D²/10.
+///
+/// Where those say nothing, the law goes on smoothly: an inner race that bears (almost) nothing
+/// neither rubs nor controls, the outer race then does both; a ball far from the inner race orbits
+/// at the nominal cage speed; contacts more than a right angle apart count as a right angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct InertiaLaw {
+    pub(super) control: RaceControl,
+    /// γ' = D/d_m.
+    pub(super) diameter_ratio: f64,
+    /// F_0/ω² = ½ m_b d_m, kg m.
+    pub(super) scale: f64,
+}
+
+impl InertiaLaw {
+    /// Inertia forces of a ball between two contacts; `force_scale` is F_0 in N.
+    #[inline(always)]
+    pub(super) fn forces<T: Scalar>(
+        &self,
+        inner: &Contact<T>,
+        outer: &Contact<T>,
+        force_scale: f64,
+    ) -> InertiaForces<T> {
+        let zero = inner.load.constant(0.0);
+        let free = self.outer_control(inner, outer, force_scale);
+        let [centrifugal, friction] = self.carried_where_far(inner, outer, free, force_scale);
+        let grip = || grip(inner, force_scale);
+        match self.control {
+            RaceControl::Outer => InertiaForces {
+                centrifugal,
+                friction: [zero, friction],
+            },
+            RaceControl::Even => {
+                let held = grip() * friction * 0.5;
+                InertiaForces {
+                    centrifugal,
+                    friction: [held, friction - held],
+                }
+            }
+            RaceControl::Inner => {
+                let grip = grip();
+                let [held, inner_friction] = self.inner_control(inner, outer, force_scale);
+                InertiaForces {
+                    centrifugal: blend(held, centrifugal, grip),
+                    friction: [inner_friction * grip, blend(zero, friction, grip)],
+                }
+            }
+        }
+    }
+
+    /// F_c and 2 M_g/D under outer race control.
+    #[inline(always)]
+    fn outer_control<T: Scalar>(
+        &self,
+        inner: &Contact<T>,
+        outer: &Contact<T>,
+        force_scale: f64,
+    ) -> [T; 2] {
+        // ω_m/ω = (1 − γ' cos α_i)/(1 + c)
+        let orbit = (-inner.cos * self.diameter_ratio + 1.0) * share(inner, outer);
+        // F_c = F_0 (ω_m/ω)²
+        let centrifugal = orbit * orbit * force_scale;
+        // 2 M_g/D = (2/5) F_c sin α_o, for here p = (ω_m/ω) sin α_o
+        [centrifugal, centrifugal * outer.sin * 0.4]
+    }
+
+    /// F_c and 2 M_g/D under inner race control.
+    #[inline(always)]
+    fn inner_control<T: Scalar>(
+        &self,
+        inner: &Contact<T>,
+        outer: &Contact<T>,
+        force_scale: f64,
+    ) -> [T; 2] {
+        // ω_m/ω = (c − γ' cos α_o)/(1 + c) = 1 − (1 + γ' cos α_o)/(1 + c)
+        let rest = (outer.cos * self.diameter_ratio + 1.0) * share(inner, outer);
+        let orbit = -rest + 1.0;
+        // 2 M_g/D = (2/5) F_0 (ω_m/ω) p,  p = sin α_i (1 + γ' cos α_o)/(1 + c)
+        let friction = inner.sin * orbit * rest * (0.4 * force_scale);
+        [orbit * orbit * force_scale, friction]
+    }
+
+    /// These forces, and far from the inner race more and more those of a ball that the cage carries round: outer
+    /// control with α_i = α_o.
+    #[inline(always)]
+    fn carried_where_far<T: Scalar>(
+        &self,
+        inner: &Contact<T>,
+        outer: &Contact<T>,
+        [centrifugal, friction]: [T; 2],
+        force_scale: f64,
+    ) -> [T; 2] {
+        let near = (inner.length - inner.approach) * NEAR;
+        if inner.length.value() >= near.value() {
+            return [centrifugal, friction];
+        }
+        // ω_m/ω = (1 − γ' cos α_o)/2
+        let orbit = (-outer.cos * self.diameter_ratio + 1.0) * 0.5;
+        let carried = orbit * orbit * force_scale;
+        let near = smooth_step(inner.length / near);
+        [
+            blend(centrifugal, carried, near),
+            blend(friction, carried * outer.sin * 0.4, near),
+        ]
+    }
+}
+
+/// 1/(1 + c): c = cos(α_i − α_o) itself where Jones's kinematics hold; below, a parabola down to c = 0, then constant.
+#[inline(always)]
+fn share<T: Scalar>(inner: &Contact<T>, outer: &Contact<T>) -> T {
+    let c = inner.cos * outer.cos + inner.sin * outer.sin;
+    let bounded = if c.value() >= FARTHEST {
+        c
+    } else {
+        let c = c.positive();
+        c * c * (0.5 / FARTHEST) + 0.5 * FARTHEST
+    };
+    let share = 1.0 / (1.0 + bounded.value());
+    bounded.chained(share, -share * share)
+}
+
+/// Share of the inner race's friction that its load can hold: 1 above a small load, 0 at none.
+#[inline(always)]
+fn grip<T: Scalar>(inner: &Contact<T>, force_scale: f64) -> T {
+    let full = FULL_GRIP * force_scale;
+    if inner.load.value() >= full {
+        inner.load.constant(1.0)
+    } else {
+        smooth_step(inner.load * (1.0 / full))
+    }
+}
+
+/// `weight` × `one` + (1 − `weight`) × `other`.
+#[inline(always)]
+fn blend<T: Scalar>(one: T, other: T, weight: T) -> T {
+    other + weight * (one - other)
+}
+
+/// 3x² − 2x³ of x in 0 … 1: from 0 to 1 without a kink.
+#[inline(always)]
+fn smooth_step<T: Scalar>(x: T) -> T {
+    x * x * (x * -2.0 + 3.0)
+}

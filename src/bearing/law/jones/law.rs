@@ -1,0 +1,321 @@
+//! The law of a ball with inertia: construction and force.
+
+use super::balance::{self, Positions, Response};
+use super::inertia::InertiaLaw;
+use super::solve::Rest;
+use super::start::StartConstants;
+use super::state::{BallState, SpinResistance, contact_of};
+use crate::bearing::law::film_shares::film_tangent;
+use crate::bearing::law::film_spring::LubricatedContact;
+use crate::bearing::law::{
+    Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ContactSpring, DryRaces,
+    LubricatedRaces, RaceFilms, Races,
+};
+use crate::bearing::number::{Differentiable, Function, Number, Plain};
+use crate::bearing::{Bearing, BearingError, Oil};
+use crate::physics::{HertzContact, RaceControl, ball_mass};
+
+/// Law of a ball with centrifugal force and gyroscopic moment.
+///
+/// The ball's centre (X1, X2), measured from the outer groove centre, is where the forces on the
+/// ball balance:
+///
+/// ```text
+/// L_o = √(X1² + X2²) = (f_o − ½)D + s_o(Q_o)
+/// L_i = √((A1 − X1)² + (A2 − X2)²) = (f_i − ½)D + s_i(Q_i)
+/// Q_i sin α_i − Q_o sin α_o + T_i cos α_i − T_o cos α_o       = 0
+/// Q_i cos α_i − Q_o cos α_o − T_i sin α_i + T_o sin α_o + F_c = 0
+/// F_c = ½ m_b d_m ω_m²   M_g = J |ω_R| ω_m sin β   T = λ M_g/D
+/// F_a = Q_i sin α_i + T_i cos α_i   F_r = Q_i cos α_i − T_i sin α_i   couple = −λ_i f_i M_g
+/// ```
+///
+/// | symbol | meaning | unit |
+/// |---|---|---|
+/// | A1, A2 | axial and radial distance of the groove centres | m |
+/// | Q, α, T | normal load, contact angle, friction force at a race | N, rad, N |
+/// | s(Q) | approach: Hertz, less the film thickness where there is oil, plus the drop of the surface | m |
+/// | f, D, d_m | groove factor, ball and pitch diameter | –, m, m |
+/// | ω_m, ω_R, β | motion of the ball, [`crate::physics::BallMotion`] | rad/s, rad |
+/// | λ | shares of the friction, [`RaceControl`] | – |
+///
+/// The signs of T are those of a turning inner ring, with M_g of the sign of β. At rest both
+/// loads are equal and the law is that of Hertz contacts in series. A ball without load at the
+/// inner race rests on the outer race alone, at α_o = 0. Holds for contact angles below 90°, that
+/// is while the inner groove centre is outside the ball's own radius, A2 > X2.
+///
+/// Where the books' formulas say nothing the law goes on smoothly:
+/// - friction and control of the inner race fade out, to the outer race, below
+///   `Q_i = 0.05 m_b d_m ω²` (about half of F_c): what bears nothing cannot rub;
+/// - once the ball is off the inner race by a tenth of (f_i − ½)D, its orbital speed goes over to
+///   the cage's, for an angle to a race far away has no meaning;
+/// - in the kinematics, contacts more than 75° apart count as at most 83° apart.
+///
+/// Source: A. B. Jones, *J. Basic Engineering* 82 (1960) 309–320; Harris & Kotzalas, *Rolling
+/// Bearing Analysis*, 5th ed. (2007), vol. 2, ch. 3. The gyroscopic terms' signs are opposite to
+/// the books', whose ω_R is negative here.
+///
+/// ```
+/// use jeffcott::bearing::{Ball, BallLaw, JonesLaw, catalogue};
+/// use jeffcott::physics::RaceControl;
+/// // 7205C, 1000 N thrust, 1000 rad/s: δz = 31.83103 µm, Q_i = 246.6608 N, Q_o = 252.6792 N,
+/// // α_i = 19.74569°, α_o = 19.06724° (independent implementations).
+/// let bearing = catalogue::find("7205C").unwrap().bearing()?;
+/// let law = JonesLaw::new(&bearing, RaceControl::Outer)?;
+/// let axial = bearing.geometry.free_axial() + 31.83103e-6;
+/// let ball = Ball::at(axial, bearing.geometry.free_radial());
+/// let contact = law.contact(&ball, 1000.0);
+/// assert!((contact.load_inner - 246.6608).abs() < 2e-4);
+/// assert!((contact.load_outer - 252.6792).abs() < 2e-4);
+/// assert!((contact.angle_inner.to_degrees() - 19.74569).abs() < 6e-6);
+/// assert!((contact.angle_outer.to_degrees() - 19.06724).abs() < 6e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JonesLaw<R = DryRaces> {
+    ball: balance::Ball,
+    start: StartConstants,
+    resistance: SpinResistance,
+    races: R,
+}
+
+/// Jones's law with oil films.
+pub type JonesFilmLaw = JonesLaw<LubricatedRaces>;
+
+impl JonesLaw<DryRaces> {
+    /// Law of one ball of a bearing without oil films.
+    ///
+    /// # Errors
+    /// [`BearingError`] where ball and races form no contacts, where one stiffness is given for
+    /// both of them together, or where the ball has no mass.
+    pub fn new(bearing: &Bearing, control: RaceControl) -> Result<Self, BearingError> {
+        let contacts = contacts(bearing)?;
+        Self::with_races(bearing, control, &contacts, DryRaces::new(&contacts))
+    }
+}
+
+impl JonesLaw<LubricatedRaces> {
+    /// Law of one ball of a bearing with oil films; fastest at `prepared_speed` in rad/s, right
+    /// at every speed.
+    ///
+    /// # Errors
+    /// [`BearingError`] as [`JonesLaw::new`], and where the oil is none.
+    pub fn with_film(
+        bearing: &Bearing,
+        control: RaceControl,
+        oil: Oil,
+        prepared_speed: f64,
+    ) -> Result<Self, BearingError> {
+        let contacts = contacts(bearing)?;
+        let films = RaceFilms::new(bearing, &contacts, &oil)?;
+        let constants = films.central_constants();
+        let lubricated = std::array::from_fn(|race| {
+            LubricatedContact::new(contacts[race].stiffness(), constants[race])
+        });
+        let races = LubricatedRaces::new(lubricated, films, prepared_speed);
+        Self::with_races(bearing, control, &contacts, races)
+    }
+}
+
+/// Contacts with the inner and the outer race.
+fn contacts(bearing: &Bearing) -> Result<[HertzContact; 2], BearingError> {
+    if let Some(stiffness) = bearing.contact_stiffness {
+        return Err(BearingError::SeriesStiffness { stiffness });
+    }
+    bearing.contacts()
+}
+
+impl<R: Races> JonesLaw<R> {
+    fn with_races(
+        bearing: &Bearing,
+        control: RaceControl,
+        contacts: &[HertzContact; 2],
+        races: R,
+    ) -> Result<Self, BearingError> {
+        let geometry = &bearing.geometry;
+        let density = bearing.ball_material.density;
+        if !(density > 0.0 && density.is_finite()) {
+            return Err(BearingError::Density { density });
+        }
+        let diameter = geometry.ball_diameter();
+        let mass = ball_mass(diameter, density);
+        Ok(Self {
+            ball: balance::Ball {
+                diameter,
+                free_inner: (geometry.groove_factor_inner() - 0.5) * diameter,
+                free_outer: (geometry.groove_factor_outer() - 0.5) * diameter,
+                groove_radius: geometry.groove_factor_inner() * diameter,
+                inertia: InertiaLaw {
+                    control,
+                    diameter_ratio: diameter / geometry.pitch_diameter(),
+                    scale: 0.5 * mass * geometry.pitch_diameter(),
+                },
+            },
+            start: StartConstants::new(contacts[0].stiffness(), contacts[1].stiffness()),
+            resistance: SpinResistance::new(contacts),
+            races,
+        })
+    }
+
+    /// F_0 = ½ m_b d_m ω², N.
+    #[inline(always)]
+    fn force_scale(&self, speed: f64) -> f64 {
+        self.ball.inertia.scale * speed * speed
+    }
+
+    /// The ball with the surfaces lower by their drops.
+    #[inline(always)]
+    fn over(&self, [inner, outer]: [f64; 2]) -> balance::Ball {
+        balance::Ball {
+            free_inner: self.ball.free_inner + inner,
+            free_outer: self.ball.free_outer + outer,
+            ..self.ball
+        }
+    }
+
+    #[inline]
+    fn solve(&self, ball: &Ball, speed: f64) -> Rest {
+        let groove = [ball.axial, ball.radial];
+        let (springs, force_scale) = (self.races.at_speed(speed), self.force_scale(speed));
+        let over = self.over(ball.drop);
+        let start = Positions {
+            centre: over.start(&self.start, groove, &springs, force_scale),
+            groove,
+            drop: ball.drop,
+        };
+        self.ball.solve(start, &springs, force_scale)
+    }
+}
+
+/// A ball's balance at a speed as a function of the position of the inner groove centre and the drops.
+struct InBalance<'a, R> {
+    law: &'a JonesLaw<R>,
+    speed: f64,
+}
+
+impl<R: Races> InBalance<'_, R> {
+    #[inline(always)]
+    fn rest(&self, [axial, radial, inner, outer]: [f64; 4]) -> Rest {
+        let drop = [inner, outer];
+        let ball = Ball {
+            axial,
+            radial,
+            drop,
+        };
+        self.law.solve(&ball, self.speed)
+    }
+}
+
+impl<R: Races> Function<4, 6> for InBalance<'_, R> {
+    fn values(&self, at: [f64; 4]) -> Response<f64> {
+        let response = self.law.ball.response(&self.rest(at).balance);
+        response.map(|part| part.value)
+    }
+}
+
+impl<R: Races> Differentiable<4, 6> for InBalance<'_, R> {
+    fn with_slopes(&self, at: [f64; 4]) -> (Response<f64>, [[f64; 4]; 6]) {
+        let (law, rest) = (self.law, self.rest(at));
+        let springs = law.races.at_speed(self.speed);
+        let force_scale = law.force_scale(self.speed);
+        let slopes = law
+            .ball
+            .slopes(&rest.positions, &springs, None, force_scale);
+        (
+            law.ball.response(&rest.balance).map(|part| part.value),
+            slopes,
+        )
+    }
+}
+
+/// From the inner race to the ball that rests on the outer race alone, as a function of the same.
+struct PastLiftOff<'a, R>(InBalance<'a, R>);
+
+impl<R: Races> Function<4, 1> for PastLiftOff<'_, R> {
+    fn values(&self, [axial, radial, inner, outer]: [f64; 4]) -> [f64; 1] {
+        let InBalance { law, speed } = self.0;
+        let (springs, force_scale) = (law.races.at_speed(speed), law.force_scale(speed));
+        let over = law.over([inner, outer]);
+        [over.overlap_when_thrown([axial, radial], &springs, force_scale)]
+    }
+}
+
+impl<R: Races> BallLaw for JonesLaw<R> {
+    const HAS_INERTIA: bool = true;
+    const LIFTS_OFF: bool = R::DRY;
+
+    #[inline(always)]
+    fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
+        let [inner, outer] = ball.drop;
+        let balance = InBalance { law: self, speed };
+        let [axial, radial, couple, load_inner, load_outer, approach] =
+            T::apply(&balance, [ball.axial, ball.radial, inner, outer]);
+        BallResponse {
+            force: BallForce {
+                axial,
+                radial,
+                couple,
+            },
+            load: [load_inner, load_outer],
+            approach,
+        }
+    }
+
+    #[inline(always)]
+    fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T {
+        let [inner, outer] = ball.drop;
+        let past = PastLiftOff(InBalance { law: self, speed });
+        let [past] = T::values(&past, [ball.axial, ball.radial, inner, outer]);
+        past
+    }
+
+    fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
+        contact_of(&self.solve(ball, speed).balance)
+    }
+
+    fn elastic_approaches<T: Number>(&self, response: &BallResponse<T>) -> [T; 2] {
+        let [inner, outer] = self.races.elastic();
+        let [inner] = T::apply(&inner, [response.load[0]]);
+        let [outer] = T::apply(&outer, [response.load[1]]);
+        [inner, outer]
+    }
+
+    fn approach_under(&self, load: f64, speed: f64) -> f64 {
+        let [inner, _] = self.races.at_speed(speed);
+        inner.approach(load)
+    }
+
+    fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64 {
+        if !R::DRY {
+            return 0.0;
+        }
+        let [inner, _] = self.races.at_speed(speed);
+        inner.load_and_stiffness(distance).0
+    }
+
+    fn films(&self) -> Option<&RaceFilms> {
+        self.races.films()
+    }
+
+    fn state(&self, ball: &Ball, speed: f64) -> Option<BallState> {
+        let rest = self.solve(ball, speed);
+        Some(BallState::new(&self.ball, &self.resistance, &rest))
+    }
+
+    fn share_tangents(&self, ball: &Ball, speed: f64) -> Option<[BallTangent; 2]> {
+        let films = self.races.films()?;
+        let rest = self.solve(ball, speed);
+        let contact = contact_of(&rest.balance);
+        let elastic = self.races.elastic();
+        // the films rigid
+        let stiffness = [
+            elastic[0].stiffness_under(contact.load_inner),
+            elastic[1].stiffness_under(contact.load_outer),
+        ];
+        let (springs, force_scale) = (self.races.at_speed(speed), self.force_scale(speed));
+        let [axial, radial, couple, ..] =
+            self.ball
+                .slopes(&rest.positions, &springs, Some(stiffness), force_scale);
+        let contacts = [axial, radial, couple].map(|[axial, radial, ..]| [axial, radial]);
+        Some([contacts, film_tangent(films, &contact, speed)])
+    }
+}

@@ -1,0 +1,126 @@
+//! Place of a ball between its races: damped Newton from an explicit start.
+
+use super::balance::{Balance, Ball, Positions, apply, inverse};
+use super::contact::Plane;
+use crate::bearing::law::ContactSpring;
+use crate::bearing::number::Dual;
+
+/// Trial positions after which a solve ends with what it has.
+pub(super) const MOST_TRIALS: usize = 200;
+
+/// A ball at rest: its balance with slopes by its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rest {
+    pub(super) positions: Positions,
+    pub(super) balance: Balance<Dual<f64, 2>>,
+    /// Number of trial positions that it took.
+    pub(super) trials: usize,
+}
+
+impl Ball {
+    /// Balance at the ball's place of rest, from a start of its centre.
+    ///
+    /// Newton's method on the sum of forces r. A step is halved until the next one, with the same
+    /// slopes, is shorter: the natural monotonicity test, which measures the error in metres and
+    /// so is not misled by contacts that are stiff along their normal and soft across it.
+    ///
+    /// Source: P. Deuflhard, *Newton Methods for Nonlinear Problems* (2004), sec. 3.3.
+    #[inline(always)]
+    pub(super) fn solve(
+        &self,
+        start: Positions,
+        springs: &[impl ContactSpring; 2],
+        force_scale: f64,
+    ) -> Rest {
+        let mut rest = Rest {
+            positions: start,
+            balance: self.linearised(&start, springs, force_scale),
+            trials: 1,
+        };
+        while let Some(inverse) = rest.balance.slopes_inverse() {
+            let centre = rest.positions.centre;
+            let mut step = apply(&inverse, rest.balance.residual.map(|part| -part.value));
+            let newton = square(step);
+            let longest = self.longest_step(&rest.balance);
+            if newton > longest {
+                let part = (longest / newton).sqrt();
+                step = step.map(|step| part * step);
+            }
+            loop {
+                let trial = Positions {
+                    centre: [centre[0] + step[0], centre[1] + step[1]],
+                    ..rest.positions
+                };
+                let balance = self.linearised(&trial, springs, force_scale);
+                rest.trials += 1;
+                let next = square(apply(&inverse, balance.residual.map(|part| part.value)));
+                if next < newton {
+                    (rest.positions, rest.balance) = (trial, balance);
+                    break;
+                }
+                let is_round_off = square(step) <= f64::EPSILON * f64::EPSILON * square(centre);
+                if is_round_off || rest.trials >= MOST_TRIALS {
+                    return rest;
+                }
+                step = step.map(|step| 0.5 * step);
+            }
+        }
+        rest
+    }
+
+    /// Balance in some positions with slopes by the ball's centre.
+    #[inline(always)]
+    fn linearised(
+        &self,
+        positions: &Positions,
+        springs: &[impl ContactSpring; 2],
+        force_scale: f64,
+    ) -> Balance<Dual<f64, 2>> {
+        let Positions {
+            centre: [x, y],
+            groove,
+            drop,
+        } = *positions;
+        let positions = Positions {
+            centre: [Dual::variable(x, 0), Dual::variable(y, 1)],
+            groove: groove.map(Dual::fixed),
+            drop: drop.map(Dual::fixed),
+        };
+        self.balance(&positions, springs, None, force_scale)
+    }
+
+    /// Square of the step in m² whose sagitta is as large as the present approaches: a longer one
+    /// leaves the slopes it was computed from.
+    #[inline(always)]
+    fn longest_step(&self, balance: &Balance<Dual<f64, 2>>) -> f64 {
+        let approach = balance.inner.approach.value.abs() + balance.outer.approach.value.abs();
+        4.0 * self.free_inner.min(self.free_outer) * approach
+    }
+}
+
+impl Balance<Dual<f64, 2>> {
+    /// `(∂r/∂X)⁻¹`; nothing where the residual is round-off already, or there is none.
+    #[inline(always)]
+    fn slopes_inverse(&self) -> Option<[Plane<f64>; 2]> {
+        let round_off = self.round_off();
+        if square(self.residual.map(|part| part.value)) <= round_off * round_off {
+            return None;
+        }
+        inverse(&self.residual.map(|part| part.slopes))
+    }
+
+    /// Residual in N that rounding of lengths and loads alone can leave.
+    #[inline(always)]
+    pub(super) fn round_off(&self) -> f64 {
+        let (inner, outer) = (&self.inner, &self.outer);
+        let stiffness = inner.stiffness + outer.stiffness;
+        let length = inner.length.value + outer.length.value;
+        f64::EPSILON * (stiffness * length + inner.load.value + outer.load.value)
+    }
+}
+
+/// `|x|²`
+#[inline(always)]
+pub(super) fn square([x, y]: Plane<f64>) -> f64 {
+    x * x + y * y
+}

@@ -1,0 +1,172 @@
+//! The two contacts of a ball, dry or lubricated, ready for a speed.
+
+use super::film_spring::{FilmSpring, LubricatedContact};
+use super::spring::{ContactSpring, HertzSpring};
+use crate::bearing::{Bearing, BearingError, Oil};
+use crate::physics::{FilmContact, FilmInputs, HertzContact, contact_modulus, entrainment_speed};
+
+/// The contacts of a ball with both races.
+pub trait Races {
+    /// What a contact is at one speed.
+    type Spring: ContactSpring;
+
+    /// Whether there is no oil: the load then sets in where the surfaces touch.
+    const DRY: bool;
+
+    /// Springs of the inner and the outer race at a shaft speed in rad/s.
+    fn at_speed(&self, speed: f64) -> [Self::Spring; 2];
+
+    /// Elastic contacts of both races by themselves.
+    fn elastic(&self) -> [HertzSpring; 2];
+
+    /// Oil films of both races, where there are any.
+    fn films(&self) -> Option<&RaceFilms>;
+}
+
+/// Hertz contacts without oil.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DryRaces([HertzSpring; 2]);
+
+impl DryRaces {
+    pub(super) fn new(contacts: &[HertzContact; 2]) -> Self {
+        Self(contacts.each_ref().map(|contact| HertzSpring {
+            stiffness: contact.stiffness(),
+        }))
+    }
+}
+
+impl Races for DryRaces {
+    type Spring = HertzSpring;
+
+    const DRY: bool = true;
+
+    #[inline]
+    fn at_speed(&self, _speed: f64) -> [HertzSpring; 2] {
+        self.0
+    }
+
+    fn elastic(&self) -> [HertzSpring; 2] {
+        self.0
+    }
+
+    fn films(&self) -> Option<&RaceFilms> {
+        None
+    }
+}
+
+/// Hertz contacts behind oil films; prepared for one speed, right at every speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LubricatedRaces {
+    contacts: [LubricatedContact; 2],
+    films: RaceFilms,
+    prepared_speed: f64,
+    prepared: [FilmSpring; 2],
+}
+
+impl LubricatedRaces {
+    pub(super) fn new(
+        contacts: [LubricatedContact; 2],
+        films: RaceFilms,
+        prepared_speed: f64,
+    ) -> Self {
+        Self {
+            contacts,
+            films,
+            prepared_speed,
+            prepared: contacts.map(|contact| contact.at_speed(prepared_speed)),
+        }
+    }
+}
+
+impl Races for LubricatedRaces {
+    type Spring = FilmSpring;
+
+    const DRY: bool = false;
+
+    #[inline]
+    fn at_speed(&self, speed: f64) -> [FilmSpring; 2] {
+        if speed == self.prepared_speed {
+            self.prepared
+        } else {
+            self.contacts.map(|contact| contact.at_speed(speed))
+        }
+    }
+
+    fn elastic(&self) -> [HertzSpring; 2] {
+        self.contacts.each_ref().map(LubricatedContact::elastic)
+    }
+
+    fn films(&self) -> Option<&RaceFilms> {
+        Some(&self.films)
+    }
+}
+
+/// Oil films of both races, inner first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RaceFilms {
+    contacts: [FilmContact; 2],
+    entrainment_ratio: f64,
+}
+
+impl RaceFilms {
+    pub(super) fn new(
+        bearing: &Bearing,
+        [inner, outer]: &[HertzContact; 2],
+        oil: &Oil,
+    ) -> Result<Self, BearingError> {
+        oil.check()?;
+        let geometry = &bearing.geometry;
+        let gamma = geometry.gamma();
+        let film = |contact: &HertzContact, curvature: f64| {
+            FilmContact::new(FilmInputs {
+                // R_x = D(1 ∓ γ)/2
+                radius: 0.5 * geometry.ball_diameter() * (1.0 + curvature),
+                modulus: 2.0 * contact_modulus(&bearing.ball_material, &bearing.ring_material),
+                ellipticity: contact.ellipticity(),
+                viscosity: oil.viscosity,
+                pressure_viscosity: oil.pressure_viscosity,
+            })
+        };
+        Ok(Self {
+            contacts: [film(inner, -gamma), film(outer, gamma)],
+            entrainment_ratio: entrainment_speed(geometry.pitch_diameter(), gamma, 1.0),
+        })
+    }
+
+    /// Constants c in m of `h = c ω^0.67 Q^(−0.067)`, inner race first.
+    pub(super) fn central_constants(&self) -> [f64; 2] {
+        let growth = self.entrainment_ratio.powf(FilmContact::SPEED_EXPONENT);
+        self.contacts.map(|film| film.central_constant() * growth)
+    }
+
+    /// Central and minimum thickness in m at the inner and the outer race, for their loads in N
+    /// at a shaft speed in rad/s.
+    pub fn thickness(&self, loads: [f64; 2], speed: f64) -> [FilmThickness; 2] {
+        let entrainment = self.entrainment_ratio * speed.abs();
+        std::array::from_fn(|race| FilmThickness {
+            central: self.contacts[race].central(entrainment, loads[race]),
+            minimum: self.contacts[race].minimum(entrainment, loads[race]),
+        })
+    }
+
+    /// Stiffness Q/(0.067 h) in N/m of the films at the inner and the outer race, for their loads
+    /// in N at a shaft speed in rad/s; infinite at rest, zero without load.
+    pub fn stiffness(&self, loads: [f64; 2], speed: f64) -> [f64; 2] {
+        let entrainment = self.entrainment_ratio * speed.abs();
+        // k = |dQ/dh|
+        std::array::from_fn(|race| {
+            1.0 / self.contacts[race]
+                .central_slope(entrainment, loads[race])
+                .abs()
+        })
+    }
+}
+
+/// Thickness of the oil film in one contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FilmThickness {
+    /// Central thickness h_c, m.
+    pub central: f64,
+    /// Minimum thickness h_min, m.
+    pub minimum: f64,
+}

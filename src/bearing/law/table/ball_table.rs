@@ -1,0 +1,164 @@
+//! A table of polynomials that stands for a ball law.
+
+use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
+
+use super::cells::{Cell, values};
+use super::chart::Chart;
+use super::grid::{Grid, InCells};
+use super::region::BallRegion;
+use crate::bearing::law::{Ball, BallForce, ForceLaw};
+use crate::bearing::number::{Differentiable, Function, Lanes, Number, Plain};
+
+/// The forces of a ball law at one speed over a region, as polynomials.
+///
+/// ```text
+/// u = (A2 − c)² − M(|A1|)   v = √u   F = u Σ c_kl x^k t^l
+/// ```
+///
+/// with x and t the places in a cell of (v, |A1|). `u = 0` is the line of lift-off, beyond which a
+/// ball carries nothing. It is for the caller to ask the law itself where [`BallTable::covers`] says no.
+///
+/// The force differs from the exact one by the bound of its [`super::TableReport`]; from cell to cell it steps by no more.
+#[derive(Debug, Clone)]
+pub struct BallTable {
+    /// Shaft speed, rad/s.
+    pub(super) speed: f64,
+    /// Where balls are looked up, folded.
+    pub(super) region: BallRegion,
+    pub(super) chart: Chart,
+    pub(super) grid: Grid,
+    /// Of axial and radial force over u.
+    pub(super) forces: Vec<Cell>,
+    /// Of the couple over u, the second polynomials zero; empty for a law without couple.
+    pub(super) couples: Vec<Cell>,
+}
+
+/// Places of balls side by side in a table.
+struct Located<S: Simd> {
+    in_cells: InCells<S>,
+    past_lift: Lanes<S>,
+    /// u with the sign of A1, in which axial force and couple are odd.
+    odd: Lanes<S>,
+}
+
+impl BallTable {
+    /// Whether the table stands for the law at a place and speed.
+    pub fn covers(&self, axial: f64, radial: f64, speed: f64) -> bool {
+        speed == self.speed && self.region.contains(axial, radial)
+    }
+
+    /// Whether it does at all places whose A1 and A2 are within their swings of the middle; each is the middle and the
+    /// square of the swing, in m and m².
+    #[inline(always)]
+    pub(in crate::bearing) fn covers_around(
+        &self,
+        axial: [f64; 2],
+        radial: [f64; 2],
+        speed: f64,
+    ) -> bool {
+        speed == self.speed && self.region.contains_around(axial, radial)
+    }
+
+    /// Where places that the table covers are in it, the one polynomial coordinate after the other.
+    #[inline(always)]
+    fn locate<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> Located<S> {
+        let [along, root, past_lift] = self.chart.coordinates(axial.abs(), radial);
+        Located {
+            in_cells: self.grid.locate(root, along),
+            past_lift,
+            odd: past_lift.copysign(axial),
+        }
+    }
+}
+
+/// Axial force, radial force and couple at places that the table covers.
+impl Function<2, 3> for BallTable {
+    fn values(&self, at: [f64; 2]) -> [f64; 3] {
+        dispatch!(Level::baseline(), simd => {
+            let [axial, radial] = at;
+            let found = self.side_by_side([Lanes::splat(simd, axial), Lanes::splat(simd, radial)]);
+            [found[0][0], found[1][0], found[2][0]]
+        })
+    }
+
+    #[inline(always)]
+    fn side_by_side<S: Simd>(&self, [axial, radial]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
+        let Located {
+            in_cells,
+            past_lift,
+            odd,
+        } = self.locate(axial, radial);
+        let [push_axial, push_radial] = values(&self.forces, &in_cells);
+        let couple = if self.couples.is_empty() {
+            Lanes::splat(past_lift.witness(), 0.0)
+        } else {
+            odd * values(&self.couples, &in_cells)[0]
+        };
+        [odd * push_axial, past_lift * push_radial, couple]
+    }
+}
+
+impl Differentiable<2, 3> for BallTable {
+    fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], [[f64; 2]; 3]) {
+        let (past_lift, cell, x, t) = dispatch!(Level::baseline(), simd => {
+            let [axial, radial] = [axial, radial].map(|number| Lanes::splat(simd, number));
+            let Located { in_cells, past_lift, .. } = self.locate(axial, radial);
+            (past_lift[0], in_cells.cells[0], in_cells.x[0], in_cells.t[0])
+        });
+        let (along_rate, past_lift_rates) = self.chart.slopes(axial.abs(), radial);
+        // dx/dv and dt/d|A1|
+        let (x_rate, t_rate) = (self.grid.root.scale, self.grid.along.scale * along_rate);
+        // F = u H(x, t), u dv/du = v/2
+        let row = |cell: &Cell, which: usize| {
+            let [value, by_x, by_t] = cell.with_slopes(which, x, t);
+            let by_past_lift = value + 0.5 * past_lift.sqrt() * x_rate * by_x;
+            let [axial, radial] = past_lift_rates.map(|rate| by_past_lift * rate);
+            (
+                past_lift * value,
+                [axial + past_lift * t_rate * by_t, radial],
+            )
+        };
+        let side = 1.0_f64.copysign(axial);
+        let odd = |(value, [by_axial, by_radial]): (f64, [f64; 2])| {
+            (side * value, [by_axial, side * by_radial])
+        };
+        let (push_axial, axial_row) = odd(row(&self.forces[cell], 0));
+        let (push_radial, [by_axial, by_radial]) = row(&self.forces[cell], 1);
+        let couple = self.couples.get(cell);
+        let (couple, couple_row) = couple.map_or((0.0, [0.0; 2]), |cell| odd(row(cell, 0)));
+        (
+            [push_axial, push_radial, couple],
+            [axial_row, [side * by_axial, by_radial], couple_row],
+        )
+    }
+}
+
+/// Distance of a place past the table's own line of lift-off, m.
+struct PastLiftOff<'a>(&'a Chart);
+
+impl Function<2, 1> for PastLiftOff<'_> {
+    fn values(&self, [axial, radial]: [f64; 2]) -> [f64; 1] {
+        [self.0.distance_past_lift(axial.abs(), radial)]
+    }
+}
+
+/// On perfect races, at the speed of the table, at places that it covers.
+impl ForceLaw for BallTable {
+    const HAS_COUPLE: bool = true;
+
+    #[inline(always)]
+    fn force<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallForce<T> {
+        let [axial, radial, couple] = T::apply(self, [ball.axial, ball.radial]);
+        BallForce {
+            axial,
+            radial,
+            couple,
+        }
+    }
+
+    #[inline(always)]
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        let [past] = T::values(&PastLiftOff(&self.chart), [ball.axial, ball.radial]);
+        past
+    }
+}

@@ -1,0 +1,208 @@
+//! From an exact law to its table.
+
+use super::ball_table::BallTable;
+use super::cells::{AXIAL_TERMS, ROOT_TERMS};
+use super::draft::{Draft, Probes};
+use super::region::BallRegion;
+use super::report::{TableError, TableReport};
+use crate::bearing::law::ForceLaw;
+
+/// Cells along v and along |A1| to begin with.
+const FEWEST_CELLS: [usize; 2] = [8, 2];
+/// Most cells of a table.
+const MOST_CELLS: usize = 4096;
+/// Most doublings of their number at a time: an error of much too large cells says little of smaller ones.
+const MOST_DOUBLINGS: f64 = 3.0;
+/// Share of the tolerance that the error along each of the coordinates may have.
+const SHARE: f64 = 0.7;
+
+impl BallTable {
+    /// Compiles `law` at a shaft speed in rad/s over a region, so that no force differs by more than
+    /// `tolerance` times `load` in N. A couple may differ by that times the distance of the groove
+    /// centres.
+    ///
+    /// # Errors
+    /// [`TableError`] where the region is none or too narrow, or the law does not allow for the tolerance.
+    pub fn compile<L: ForceLaw>(
+        law: &L,
+        region: BallRegion,
+        speed: f64,
+        load: f64,
+        tolerance: f64,
+    ) -> Result<(Self, TableReport), TableError> {
+        let mut draft = Draft::new(law, region, speed, load)?;
+        let (allowed, share) = (tolerance * load, SHARE * tolerance * load);
+        let mut cells = FEWEST_CELLS;
+        loop {
+            let table = draft.table(cells);
+            let along = [Probes::AlongRoot, Probes::AlongAxial];
+            let errors = along.map(|probes| draft.error_of(&table, probes));
+            let mut error = errors[0].max(errors[1]);
+            let mut growth = [
+                growth(errors[0] / share, ROOT_TERMS),
+                growth(errors[1] / share, AXIAL_TERMS),
+            ];
+            if growth == [1; 2] {
+                error = error.max(draft.error_of(&table, Probes::All));
+                if error <= allowed {
+                    let report = TableReport {
+                        error,
+                        relative_error: error / load,
+                        cells: table.forces.len(),
+                        evaluations: draft.evaluations,
+                    };
+                    return Ok((table, report));
+                }
+                growth = [2; 2];
+            }
+            cells = [cells[0] * growth[0], cells[1] * growth[1]];
+            if cells[0] * cells[1] > MOST_CELLS {
+                return Err(TableError::Tolerance {
+                    relative_error: error / load,
+                    cells: table.forces.len(),
+                });
+            }
+        }
+    }
+}
+
+/// How many times as many cells, a power of two, bring an error of so many times the allowed one down to it: it falls
+/// with a power of the width of the cells.
+fn growth(excess: f64, terms: usize) -> usize {
+    if excess <= 1.0 {
+        return 1;
+    }
+    1 << (excess.log2() / terms as f64).ceil().min(MOST_DOUBLINGS) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bearing::{Ball, BallForce, Bearing, HertzFilmLaw, JonesLaw, Oil, catalogue};
+    use crate::physics::RaceControl;
+
+    const SPEED: f64 = 1000.0;
+    const LOAD: f64 = 300.0;
+
+    fn bearing() -> Bearing {
+        catalogue::find("7205C").unwrap().bearing().unwrap()
+    }
+
+    /// Balls that lift off on one side.
+    fn region() -> BallRegion {
+        let geometry = bearing().geometry;
+        let around = |middle: f64, half: f64| [middle - half, middle + half];
+        BallRegion {
+            axial: around(geometry.free_axial() + 10e-6, 5e-6),
+            radial: around(geometry.free_radial(), 20e-6),
+        }
+    }
+
+    /// The largest step of the force across borders between cells, N.
+    fn largest_step<L: ForceLaw>(law: &L) -> f64 {
+        let (table, _) = BallTable::compile(law, region(), SPEED, LOAD, 1e-9).unwrap();
+        let BallTable { chart, grid, .. } = &table;
+        let (mut largest, mut borders) = (0.0_f64, 0);
+        for strip in 1..grid.root.count() {
+            for column in 1..grid.along.count() {
+                let middle = [
+                    grid.root.coordinate(strip, -0.5),
+                    grid.along.coordinate(column, -0.5),
+                ];
+                // across both kinds of borders, by so little that rounding decides
+                let (root, along) = (1e-9 / grid.root.scale, 1e-9 / grid.along.scale);
+                for [root, along] in [[root, 0.0], [0.0, along]] {
+                    let at = |side: f64| {
+                        let [axial, radial] = chart.place(
+                            middle[1]
+                                + 0.3 / grid.along.scale * f64::from(root > 0.0)
+                                + side * along,
+                            middle[0]
+                                + 0.3 / grid.root.scale * f64::from(along > 0.0)
+                                + side * root,
+                        );
+                        (
+                            table.force_and_tangent(axial, radial, SPEED),
+                            [axial, radial],
+                        )
+                    };
+                    let ((below, slope), here) = at(-1.0);
+                    let ((above, _), there) = at(1.0);
+                    let shift = [there[0] - here[0], there[1] - here[1]];
+                    for (step, slope) in [
+                        (above.axial - below.axial, slope[0]),
+                        (above.radial - below.radial, slope[1]),
+                    ] {
+                        let rise = slope[0] * shift[0] + slope[1] * shift[1];
+                        largest = largest.max((step - rise).abs());
+                    }
+                    borders += 1;
+                }
+            }
+        }
+        assert!(borders > 100, "{borders}");
+        largest
+    }
+
+    #[test]
+    fn the_force_is_continuous_from_cell_to_cell() {
+        let oil = Oil {
+            viscosity: 0.04,
+            pressure_viscosity: 2.2e-8,
+        };
+        let film = HertzFilmLaw::new(&bearing(), oil, SPEED).unwrap();
+        let dry = JonesLaw::new(&bearing(), RaceControl::Outer).unwrap();
+        for step in [largest_step(&film), largest_step(&dry)] {
+            assert!(step < 1e-11 * LOAD, "{step:e}");
+        }
+    }
+
+    /// The reported error is what is found at other places.
+    #[test]
+    fn the_error_is_measured_honestly() {
+        let law = JonesLaw::new(&bearing(), RaceControl::Outer).unwrap();
+        let (table, report) = BallTable::compile(&law, region(), SPEED, LOAD, 1e-7).unwrap();
+        let BallRegion { axial, radial } = region();
+        let mut largest = 0.0_f64;
+        for (i, j) in (0..100).flat_map(|i| (0..100).map(move |j| (i, j))) {
+            let between = |[low, high]: [f64; 2], part: i32| {
+                low + (high - low) * (f64::from(part) + 0.37) / 100.0
+            };
+            let (axial, radial) = (between(axial, i), between(radial, j));
+            let ball = Ball::at(axial, radial);
+            let (own, exact) = (table.force(&ball, SPEED), law.force(&ball, SPEED));
+            let off = (own.axial - exact.axial).abs();
+            largest = largest.max(off).max((own.radial - exact.radial).abs());
+        }
+        assert!(
+            largest < 1.5 * report.error && largest > 0.2 * report.error,
+            "{largest:e}, {report:?}"
+        );
+        assert_eq!(report.relative_error, report.error / LOAD);
+    }
+
+    #[test]
+    fn lifted_balls_bear_nothing_on_both_sides_of_the_line() {
+        let law = JonesLaw::new(&bearing(), RaceControl::Outer).unwrap();
+        let radial = region().radial;
+        let wide = BallRegion {
+            radial: [radial[0] - 20e-6, radial[1]],
+            ..region()
+        };
+        let (table, _) = BallTable::compile(&law, wide, SPEED, LOAD, 1e-6).unwrap();
+        let (axial, mut lifted) = (wide.axial[0], 0);
+        for part in 0..200 {
+            let [low, high] = wide.radial;
+            let radial = low + (high - low) * f64::from(part) / 199.0;
+            let ball = Ball::at(axial, radial);
+            let past = law.distance_past_lift_off(&ball, SPEED);
+            let own = table.distance_past_lift_off(&ball, SPEED);
+            assert!((own > 0.0) == (past > 0.0) || past.abs() < 1e-11);
+            if past < -1e-11 {
+                assert_eq!(table.force(&ball, SPEED), BallForce::default());
+                lifted += 1;
+            }
+        }
+        assert!((20..180).contains(&lifted), "{lifted}");
+    }
+}

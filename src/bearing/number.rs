@@ -1,0 +1,396 @@
+//! Numbers that a ball law computes with: plain, side by side in a register, or with slopes.
+
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use fearless_simd::{Simd, SimdBase, SimdFloat};
+
+/// Numbers of a few balls side by side, in registers as wide as the processor's level `S` has them.
+/// The lanes are the same at every level and no products are fused, so that results are the same, bit
+/// by bit.
+pub type Lanes<S> = fearless_simd::f64x4<S>;
+
+/// Number of balls side by side.
+pub const LANES: usize = 4;
+
+/// What a law computes with: `f64`, [`Lanes`], or a [`Dual`] of either, which carries slopes along.
+pub trait Number:
+    Copy
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Add<f64, Output = Self>
+    + Sub<f64, Output = Self>
+    + Mul<f64, Output = Self>
+{
+    /// A constant of the same kind.
+    fn constant(self, value: f64) -> Self;
+
+    /// √x. The slope at zero is zero: a load that starts there as x√x has none either.
+    fn sqrt(self) -> Self;
+
+    /// max(x, 0), its slope zero where x is not positive.
+    fn positive(self) -> Self;
+
+    /// A function that is not written in these operations.
+    fn apply<const K: usize, const M: usize>(
+        function: &impl Differentiable<K, M>,
+        at: [Self; K],
+    ) -> [Self; M];
+}
+
+/// A [`Number`] without slopes.
+pub trait Plain: Number {
+    /// A function of which no slopes are known.
+    fn values<const K: usize, const M: usize>(
+        function: &impl Function<K, M>,
+        at: [Self; K],
+    ) -> [Self; M];
+
+    /// A function with its slopes.
+    fn with_slopes<const K: usize, const M: usize>(
+        function: &impl Differentiable<K, M>,
+        at: [Self; K],
+    ) -> ([Self; M], [[Self; K]; M]);
+
+    /// `value` where this number is positive, else zero.
+    fn if_positive(self, value: Self) -> Self;
+}
+
+/// M functions of K numbers.
+pub trait Function<const K: usize, const M: usize> {
+    /// Values at a place.
+    fn values(&self, at: [f64; K]) -> [f64; M];
+
+    /// Values for balls side by side: the same numbers as by [`Function::values`].
+    #[inline(always)]
+    fn side_by_side<S: Simd>(&self, at: [Lanes<S>; K]) -> [Lanes<S>; M] {
+        let simd = at[0].witness();
+        let mut places = [[0.0; K]; LANES];
+        for k in 0..K {
+            for lane in 0..LANES {
+                places[lane][k] = at[k][lane];
+            }
+        }
+        let found = one_by_one(self, &places);
+        let mut values = [Lanes::splat(simd, 0.0); M];
+        for m in 0..M {
+            let [a, b, c, d] = &found;
+            values[m] = simd.load_array_f64x4([a[m], b[m], c[m], d[m]]);
+        }
+        values
+    }
+}
+
+/// Functions with known slopes, as the solution of an equation has them.
+pub trait Differentiable<const K: usize, const M: usize>: Function<K, M> {
+    /// Values and their slopes, a row for each value.
+    fn with_slopes(&self, at: [f64; K]) -> ([f64; M], [[f64; K]; M]);
+}
+
+/// Out of line: costly functions gain nothing from the wide registers that the loop over the balls is
+/// compiled for.
+#[inline(never)]
+fn one_by_one<const K: usize, const M: usize>(
+    function: &(impl Function<K, M> + ?Sized),
+    places: &[[f64; K]; LANES],
+) -> [[f64; M]; LANES] {
+    let mut found = [[0.0; M]; LANES];
+    for (found, place) in found.iter_mut().zip(places) {
+        *found = function.values(*place);
+    }
+    found
+}
+
+impl Number for f64 {
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+
+    #[inline(always)]
+    fn positive(self) -> Self {
+        self.if_positive(self)
+    }
+
+    #[inline(always)]
+    fn apply<const K: usize, const M: usize>(
+        function: &impl Differentiable<K, M>,
+        at: [Self; K],
+    ) -> [Self; M] {
+        function.values(at)
+    }
+}
+
+impl Plain for f64 {
+    #[inline(always)]
+    fn values<const K: usize, const M: usize>(
+        function: &impl Function<K, M>,
+        at: [Self; K],
+    ) -> [Self; M] {
+        function.values(at)
+    }
+
+    #[inline(always)]
+    fn with_slopes<const K: usize, const M: usize>(
+        function: &impl Differentiable<K, M>,
+        at: [Self; K],
+    ) -> ([Self; M], [[Self; K]; M]) {
+        function.with_slopes(at)
+    }
+
+    #[inline(always)]
+    fn if_positive(self, value: Self) -> Self {
+        if self > 0.0 { value } else { 0.0 }
+    }
+}
+
+impl<S: Simd> Number for Lanes<S> {
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        Self::splat(self.witness(), value)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        SimdFloat::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn positive(self) -> Self {
+        self.max(self.constant(0.0))
+    }
+
+    #[inline(always)]
+    fn apply<const K: usize, const M: usize>(
+        function: &impl Differentiable<K, M>,
+        at: [Self; K],
+    ) -> [Self; M] {
+        function.side_by_side(at)
+    }
+}
+
+impl<S: Simd> Plain for Lanes<S> {
+    #[inline(always)]
+    fn values<const K: usize, const M: usize>(
+        function: &impl Function<K, M>,
+        at: [Self; K],
+    ) -> [Self; M] {
+        function.side_by_side(at)
+    }
+
+    #[inline(always)]
+    fn with_slopes<const K: usize, const M: usize>(
+        function: &impl Differentiable<K, M>,
+        at: [Self; K],
+    ) -> ([Self; M], [[Self; K]; M]) {
+        let zero = at[0].constant(0.0);
+        let (mut values, mut slopes) = ([zero; M], [[zero; K]; M]);
+        for lane in 0..LANES {
+            let mut place = [0.0; K];
+            for k in 0..K {
+                place[k] = at[k][lane];
+            }
+            let (value, slope) = function.with_slopes(place);
+            for m in 0..M {
+                values[m][lane] = value[m];
+                for k in 0..K {
+                    slopes[m][k][lane] = slope[m][k];
+                }
+            }
+        }
+        (values, slopes)
+    }
+
+    #[inline(always)]
+    fn if_positive(self, value: Self) -> Self {
+        let simd = self.witness();
+        let zero = self.constant(0.0);
+        simd.select_f64x4(simd.simd_gt_f64x4(self, zero), value, zero)
+    }
+}
+
+/// A number and its slopes by D variables.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dual<T, const D: usize> {
+    /// The number.
+    pub value: T,
+    /// Its slopes.
+    pub slopes: [T; D],
+}
+
+impl<T: Plain, const D: usize> Dual<T, D> {
+    /// A number that does not change with the variables.
+    #[inline(always)]
+    pub fn fixed(value: T) -> Self {
+        Self {
+            value,
+            slopes: [value.constant(0.0); D],
+        }
+    }
+
+    /// The variable with this index.
+    #[inline(always)]
+    pub fn variable(value: T, index: usize) -> Self {
+        let mut dual = Self::fixed(value);
+        dual.slopes[index] = value.constant(1.0);
+        dual
+    }
+
+    /// A value whose slopes are these, each times a factor.
+    #[inline(always)]
+    fn chained(mut self, value: T, factor: T) -> Self {
+        for slope in &mut self.slopes {
+            *slope = *slope * factor;
+        }
+        self.value = value;
+        self
+    }
+}
+
+impl<T: Plain, const D: usize> Number for Dual<T, D> {
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        Self::fixed(self.value.constant(value))
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        let slope = root.constant(0.5) / (root + f64::MIN_POSITIVE);
+        self.chained(root, slope)
+    }
+
+    #[inline(always)]
+    fn positive(self) -> Self {
+        let mut positive = self;
+        for slope in &mut positive.slopes {
+            *slope = self.value.if_positive(*slope);
+        }
+        positive.value = self.value.positive();
+        positive
+    }
+
+    #[inline(always)]
+    fn apply<const K: usize, const M: usize>(
+        function: &impl Differentiable<K, M>,
+        at: [Self; K],
+    ) -> [Self; M] {
+        let mut place = [at[0].value; K];
+        for k in 0..K {
+            place[k] = at[k].value;
+        }
+        let (values, slopes) = T::with_slopes(function, place);
+        let mut result = [Self::fixed(values[0]); M];
+        for m in 0..M {
+            result[m].value = values[m];
+            for d in 0..D {
+                for k in 0..K {
+                    result[m].slopes[d] = result[m].slopes[d] + slopes[m][k] * at[k].slopes[d];
+                }
+            }
+        }
+        result
+    }
+}
+
+impl<T: Plain, const D: usize> Add for Dual<T, D> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(mut self, other: Self) -> Self {
+        self.value = self.value + other.value;
+        for d in 0..D {
+            self.slopes[d] = self.slopes[d] + other.slopes[d];
+        }
+        self
+    }
+}
+
+impl<T: Plain, const D: usize> Sub for Dual<T, D> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(mut self, other: Self) -> Self {
+        self.value = self.value - other.value;
+        for d in 0..D {
+            self.slopes[d] = self.slopes[d] - other.slopes[d];
+        }
+        self
+    }
+}
+
+impl<T: Plain, const D: usize> Mul for Dual<T, D> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        let mut product = self;
+        product.value = self.value * other.value;
+        for d in 0..D {
+            product.slopes[d] = self.slopes[d] * other.value + self.value * other.slopes[d];
+        }
+        product
+    }
+}
+
+impl<T: Plain, const D: usize> Div for Dual<T, D> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        let mut quotient = self;
+        quotient.value = self.value / other.value;
+        let inverse = other.value.constant(1.0) / other.value;
+        for d in 0..D {
+            quotient.slopes[d] = (self.slopes[d] - quotient.value * other.slopes[d]) * inverse;
+        }
+        quotient
+    }
+}
+
+impl<T: Plain, const D: usize> Neg for Dual<T, D> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        let minus = self.value.constant(-1.0);
+        self.chained(-self.value, minus)
+    }
+}
+
+impl<T: Plain, const D: usize> Add<f64> for Dual<T, D> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(mut self, other: f64) -> Self {
+        self.value = self.value + other;
+        self
+    }
+}
+
+impl<T: Plain, const D: usize> Sub<f64> for Dual<T, D> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(mut self, other: f64) -> Self {
+        self.value = self.value - other;
+        self
+    }
+}
+
+impl<T: Plain, const D: usize> Mul<f64> for Dual<T, D> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, other: f64) -> Self {
+        let factor = self.value.constant(other);
+        self.chained(self.value * other, factor)
+    }
+}
