@@ -147,6 +147,7 @@ impl AnyRing {
     }
 
     /// Approach that no ball has less of, wherever the cage stands, m; none where that is not known.
+    #[allow(dead_code)]
     pub fn least_approach(&self, place: &Vector5) -> Option<f64> {
         match self {
             Self::Hertz(ring) => Some(ring.least_approach(place)),

@@ -79,6 +79,7 @@ impl Support {
 
     /// Distance that every ball has from its lift-off, wherever the cage stands, m; not positive where that is not
     /// known.
+    #[allow(dead_code)]
     pub(crate) fn clearance(&self, displacement: &Vector5) -> f64 {
         if self.balls_that_lift_off() == 0 {
             return f64::INFINITY;

@@ -32,6 +32,11 @@ impl Control {
         growth.clamp(SHRINK, most)
     }
 
+    /// Takes note of a bad step whose error says nothing of the next size.
+    pub fn note_rejected(&mut self) {
+        self.rejected = true;
+    }
+
     /// Factor after a bad step, whose error may be no number.
     pub fn rejected(&mut self, error: f64, power: i32) -> f64 {
         self.rejected = true;

@@ -2,16 +2,16 @@
 
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::{Complex, Const};
+use nalgebra::Complex;
 
 use super::flight::sampled;
 use super::places::Places;
-use super::rotor_map::{RotorMap, Source, Way};
+use super::rotor_map::{RotorMap, Solver, Source};
 use super::search::find;
 use super::swing::swings;
 use super::{SteadyError, Swing};
 use crate::analysis::Channel;
-use crate::integrate::{Counters, Square};
+use crate::integrate::Counters;
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::shooting::{
     Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, Unrefined, follow,
@@ -121,32 +121,25 @@ pub fn response(
     let first = (question.family)(question.stretch[0]).map_err(SteadyError::Parameter)?;
     let rotor = Rotor::assemble(&first)?;
     let places = Places::new(&rotor, question.multiple)?;
-    match rotor.kept() {
-        2 => branches::<4, 5, 20>(question, rotor, places, progress),
-        3 => branches::<6, 7, 42>(question, rotor, places, progress),
-        _ => branches::<10, 11, 110>(question, rotor, places, progress),
-    }
+    branches(question, rotor, places, progress)
 }
 
-fn branches<const N: usize, const M: usize, const A: usize>(
+fn branches(
     question: &ResponseQuestion<'_>,
     rotor: Rotor,
     places: Places,
     progress: &mut dyn FnMut(f64),
-) -> Result<Vec<Response>, SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<Vec<Response>, SteadyError> {
     let [from, to] = question.stretch;
     let at = |parameter: f64| (question.family)(from + (to - from) * parameter);
     let source: Source<'_> = &at;
     let mut settings = question.model.integrator;
     settings.tolerance = (EXACTER * settings.tolerance).max(TIGHTEST);
-    let way = Way {
+    let solver = Solver {
         settings,
         stop: question.stop,
     };
-    let mut map = RotorMap::<N, M, A>::new(rotor, places, way);
+    let mut map = RotorMap::new(rotor, places, solver);
     let guess = find(&mut map)?.states;
     let mut map = map.of_family(source);
     let plan = plan(question);
@@ -237,14 +230,11 @@ fn is_on_another(
 }
 
 /// What there is to tell of a branch.
-fn answer<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+fn answer(
+    map: &mut RotorMap<'_>,
     branch: &Branch,
     question: &ResponseQuestion<'_>,
-) -> Result<Response, SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<Response, SteadyError> {
     let mut points = Vec::new();
     for point in &branch.points {
         points.push(told(map, point, question)?);
@@ -288,14 +278,11 @@ fn unrefined_over([from, to]: [f64; 2], unrefined: &Unrefined) -> ResponseUnrefi
     }
 }
 
-fn told<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+fn told(
+    map: &mut RotorMap<'_>,
     point: &BranchPoint,
     question: &ResponseQuestion<'_>,
-) -> Result<ResponsePoint, SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<ResponsePoint, SteadyError> {
     let [from, to] = question.stretch;
     map.set(point.parameter)?;
     let sampled = sampled(map, &point.states, question.model, true)?;

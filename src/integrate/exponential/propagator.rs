@@ -1,25 +1,27 @@
-//! State-transition operator over a step of one size, in the coordinates of modes.
+//! State-transition operators over steps of some sizes, in the coordinates of modes.
 
 use fearless_simd::Level;
 use nalgebra::Complex;
 
-use super::modes::{Diagonal, Modes, add, joined};
+use super::linear::{Diagonal, LinearPart, add, joined};
 use super::nodes::{NODES, POINTS, Points};
 use super::phi::{self, HIGHEST};
+use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
 use crate::integrate::registers::in_wide_registers;
 
-/// φ_0 … φ_HIGHEST of all modes.
-pub(super) type Functions<const N: usize> = [Diagonal<N>; HIGHEST + 1];
+/// Step sizes whose operators are kept.
+const KEPT: usize = 12;
 
-/// The functions over an interval, s.
-#[inline(never)]
-pub(super) fn functions<const N: usize>(
-    eigenvalues: &[Complex<f64>; N],
-    interval: f64,
-) -> Functions<N> {
-    let mut functions = [[[0.0; N]; 2]; HIGHEST + 1];
+/// φ_0 … φ_HIGHEST of a chunk of modes.
+pub(super) type Functions = [Diagonal; HIGHEST + 1];
+
+const NO_FUNCTIONS: Functions = [[[0.0; 4]; 2]; HIGHEST + 1];
+
+/// Finds the functions of all modes over an interval, s.
+fn find_functions(eigenvalues: &[Complex<f64>], interval: f64, functions: &mut [Functions]) {
+    functions.fill(NO_FUNCTIONS);
     let mut coordinate = 0;
-    while coordinate < N {
+    while coordinate < eigenvalues.len() {
         let exponent = eigenvalues[coordinate] * interval;
         let paired = exponent.im > 0.0;
         let values = if paired {
@@ -27,61 +29,43 @@ pub(super) fn functions<const N: usize>(
         } else {
             phi::functions(exponent.re).map(Complex::from)
         };
-        for ([own, given], value) in functions.iter_mut().zip(values) {
-            own[coordinate] = value.re;
-            given[coordinate] = -value.im;
+        let (chunk, lane) = (coordinate / 4, coordinate % 4);
+        for ([own, given], value) in functions[chunk].iter_mut().zip(values) {
+            own[lane] = value.re;
+            given[lane] = -value.im;
             if paired {
-                own[coordinate + 1] = value.re;
-                given[coordinate + 1] = value.im;
+                own[lane + 1] = value.re;
+                given[lane + 1] = value.im;
             }
         }
         coordinate += 1 + usize::from(paired);
     }
-    functions
 }
 
 /// `z(t + c_i h) = E_i z(t) + Σ_j A_ij g(t + c_j h)`, exact where g is a polynomial of the points' degree: E_i and
-/// A_ij of the points after the first.
+/// A_ij of the points after the first, for a chunk of modes.
 #[derive(Debug, Clone)]
-pub(super) struct Propagator<const N: usize> {
-    level: Level,
-    free: [Diagonal<N>; POINTS - 1],
-    forced: [[Diagonal<N>; POINTS]; POINTS - 1],
+struct ChunkPropagator {
+    free: [Diagonal; POINTS - 1],
+    forced: [[Diagonal; POINTS]; POINTS - 1],
 }
 
-impl<const N: usize> Propagator<N> {
-    /// Over a step of a size, s.
-    #[inline(never)]
-    pub fn new(modes: &Modes<N>, size: f64, level: Level) -> Self {
-        let mut propagator = Self {
-            level,
-            free: [[[0.0; N]; 2]; POINTS - 1],
-            forced: [[[[0.0; N]; 2]; POINTS]; POINTS - 1],
-        };
-        // intervals lie symmetrically about the middle of the step
-        for interval in 0..POINTS / 2 {
-            let length = (NODES.part[interval + 1] - NODES.part[interval]) * size;
-            let functions = functions(&modes.eigenvalues, length);
-            for mirror in [interval, POINTS - 2 - interval] {
-                propagator.free[mirror] = functions[0];
-                in_wide_registers!(level, propagator.integrate(mirror, length, &functions));
-            }
-        }
-        in_wide_registers!(level, propagator.go_from_point_to_point());
-        propagator
-    }
+impl ChunkPropagator {
+    const NONE: Self = Self {
+        free: [[[0.0; 4]; 2]; POINTS - 1],
+        forced: [[[[0.0; 4]; 2]; POINTS]; POINTS - 1],
+    };
 
-    /// What each of the points' polynomials adds over an interval.
+    /// What each of the points' polynomials adds over an interval between two points.
     #[inline(always)]
-    fn integrate(&mut self, interval: usize, length: f64, functions: &Functions<N>) {
+    fn integrate(&mut self, interval: usize, length: f64, functions: &Functions) {
+        self.free[interval] = functions[0];
         for (local, forced) in NODES.local[interval].iter().zip(&mut self.forced[interval]) {
-            let mut sums = [[0.0; N]; 2];
+            let mut sums = [[0.0; 4]; 2];
             for (coefficient, function) in local.iter().zip(&functions[1..]) {
                 let factor = length * coefficient;
                 for (part, sum) in function.iter().zip(&mut sums) {
-                    for i in 0..N {
-                        sum[i] += factor * part[i];
-                    }
+                    add_scaled(sum, factor, part);
                 }
             }
             *forced = sums;
@@ -96,60 +80,171 @@ impl<const N: usize> Propagator<N> {
             for of in 0..POINTS {
                 let mut carried = product(&on, &self.forced[point - 1][of]);
                 for (carried, forced) in carried.iter_mut().zip(&self.forced[point][of]) {
-                    for i in 0..N {
-                        carried[i] += forced[i];
-                    }
+                    add_scaled(carried, 1.0, forced);
                 }
                 self.forced[point][of] = carried;
             }
             self.free[point] = product(&on, &self.free[point - 1]);
         }
     }
+}
 
-    /// Coordinates at a point after the first.
-    #[inline(never)]
-    pub fn coordinates(&self, point: usize, from: &[f64; N], slow: &Points<N>) -> [f64; N] {
-        in_wide_registers!(self.level, {
-            let mut sums = [[0.0; N]; 2];
-            add(&self.free[point - 1], from, &mut sums);
-            self.add_slow(point, slow, &mut sums);
-            joined(&sums)
-        })
-    }
+/// State-transition operator over a step.
+#[derive(Debug, Clone)]
+pub(super) struct Propagator {
+    level: Level,
+    chunks: Vec<ChunkPropagator>,
+}
 
-    /// What a slow part that vanishes at the start does to the coordinates at a point.
-    #[inline(never)]
-    pub fn moved(&self, point: usize, slow: &Points<N>) -> [f64; N] {
-        in_wide_registers!(self.level, {
-            let mut sums = [[0.0; N]; 2];
-            self.add_slow(point, slow, &mut sums);
-            joined(&sums)
-        })
-    }
-
-    #[inline(always)]
-    fn add_slow(&self, point: usize, slow: &Points<N>, sums: &mut Diagonal<N>) {
-        for (forced, slow) in self.forced[point - 1].iter().zip(slow) {
-            add(forced, slow, sums);
+impl Propagator {
+    /// Finds the operator over a step of a size, s; `functions` is room for those of its intervals.
+    fn find(&mut self, linear: &LinearPart, size: f64, functions: &mut [Functions]) {
+        // intervals lie symmetrically about the middle of the step
+        for interval in 0..POINTS / 2 {
+            let length = (NODES.part[interval + 1] - NODES.part[interval]) * size;
+            find_functions(&linear.eigenvalues, length, functions);
+            in_wide_registers!(self.level, {
+                for (chunk, functions) in self.chunks.iter_mut().zip(&*functions) {
+                    for mirror in [interval, POINTS - 2 - interval] {
+                        chunk.integrate(mirror, length, functions);
+                    }
+                }
+            });
         }
+        in_wide_registers!(self.level, {
+            for chunk in &mut self.chunks {
+                chunk.go_from_point_to_point();
+            }
+        });
     }
 
-    /// What the slow part at one point alone does to the coordinates at another.
+    /// Finds the coordinates at a point after the first.
     #[inline(never)]
-    pub fn effect(&self, point: usize, of: usize, slow: &[f64; N]) -> [f64; N] {
-        let mut sums = [[0.0; N]; 2];
-        add(&self.forced[point - 1][of], slow, &mut sums);
-        joined(&sums)
+    pub fn to_coordinates(&self, point: usize, from: &Padded, remainder: &Points, to: &mut Padded) {
+        in_wide_registers!(self.level, {
+            let chunks = self.chunks.iter().zip(from.chunks()).zip(remainder);
+            for (to, ((chunk, from), remainder)) in to.chunks_mut().iter_mut().zip(chunks) {
+                let mut sums = [[0.0; 4]; 2];
+                add(&chunk.free[point - 1], from, &mut sums);
+                for (forced, remainder) in chunk.forced[point - 1].iter().zip(remainder) {
+                    add(forced, remainder, &mut sums);
+                }
+                *to = joined(&sums);
+            }
+        });
+    }
+
+    /// Finds what a remainder that vanishes at the start does to the coordinates at the end.
+    #[inline(never)]
+    pub fn to_shift(&self, remainder: &Points, shift: &mut Padded) {
+        in_wide_registers!(self.level, {
+            let chunks = self.chunks.iter().zip(remainder);
+            for (shift, (chunk, remainder)) in shift.chunks_mut().iter_mut().zip(chunks) {
+                let mut sums = [[0.0; 4]; 2];
+                for (forced, remainder) in chunk.forced[POINTS - 2].iter().zip(remainder) {
+                    add(forced, remainder, &mut sums);
+                }
+                *shift = joined(&sums);
+            }
+        });
+    }
+
+    /// Finds what the remainder at one point alone does to the coordinates at another.
+    pub fn to_effect(&self, point: usize, of: usize, remainder: &Padded, effect: &mut Padded) {
+        let chunks = self.chunks.iter().zip(remainder.chunks());
+        for (effect, (chunk, remainder)) in effect.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            add(&chunk.forced[point - 1][of], remainder, &mut sums);
+            *effect = joined(&sums);
+        }
     }
 }
 
 /// One function after the other, each as the complex numbers that its factors are the parts of.
 #[inline(always)]
-fn product<const N: usize>(left: &Diagonal<N>, right: &Diagonal<N>) -> Diagonal<N> {
-    let mut product = [[0.0; N]; 2];
-    for i in 0..N {
+fn product(left: &Diagonal, right: &Diagonal) -> Diagonal {
+    let mut product = [[0.0; 4]; 2];
+    for i in 0..4 {
         product[0][i] = left[0][i] * right[0][i] - left[1][i] * right[1][i];
         product[1][i] = left[0][i] * right[1][i] + left[1][i] * right[0][i];
     }
     product
+}
+
+/// A step size with its operator.
+#[derive(Debug, Clone)]
+struct Size {
+    /// s; zero where there is none yet.
+    size: f64,
+    /// When it was asked for last.
+    used: u64,
+    propagator: Propagator,
+}
+
+/// Operators of one linear part over steps of the sizes of late, and the functions over a sample interval.
+#[derive(Debug, Clone)]
+pub(super) struct Propagators {
+    kept: Vec<Size>,
+    clock: u64,
+    samples: Vec<Functions>,
+    are_samples_known: bool,
+    /// Room for the functions over an interval.
+    functions: Vec<Functions>,
+}
+
+impl Propagators {
+    /// Room for those of so many states.
+    pub fn new(states: usize, level: Level) -> Self {
+        let chunks = chunks_of(states);
+        let none = Size {
+            size: 0.0,
+            used: 0,
+            propagator: Propagator {
+                level,
+                chunks: vec![ChunkPropagator::NONE; chunks],
+            },
+        };
+        Self {
+            kept: vec![none; KEPT],
+            clock: 0,
+            samples: vec![NO_FUNCTIONS; chunks],
+            are_samples_known: false,
+            functions: vec![NO_FUNCTIONS; chunks],
+        }
+    }
+
+    /// Forgets all: the linear part is another.
+    pub fn clear(&mut self) {
+        for kept in &mut self.kept {
+            (kept.size, kept.used) = (0.0, 0);
+        }
+        self.are_samples_known = false;
+    }
+
+    /// The operator over a step.
+    pub fn of(&mut self, linear: &LinearPart, size: f64) -> &Propagator {
+        self.clock += 1;
+        let known = self.kept.iter().position(|kept| kept.size == size);
+        let index = known.unwrap_or_else(|| {
+            // in place of none or of the one that was not used for longest
+            let longest = (0..KEPT).min_by_key(|&index| self.kept[index].used);
+            longest.unwrap_or(0)
+        });
+        let kept = &mut self.kept[index];
+        kept.used = self.clock;
+        if known.is_none() {
+            kept.size = size;
+            kept.propagator.find(linear, size, &mut self.functions);
+        }
+        &kept.propagator
+    }
+
+    /// The functions over an interval of samples.
+    pub fn samples(&mut self, linear: &LinearPart, interval: f64) -> &[Functions] {
+        if !self.are_samples_known {
+            find_functions(&linear.eigenvalues, interval, &mut self.samples);
+            self.are_samples_known = true;
+        }
+        &self.samples
+    }
 }
