@@ -117,7 +117,10 @@ impl Choice {
     ) {
         self.crossings <<= 1;
         if !self.checked.is_clear(system, time, to) {
-            self.start.evaluate(system, start, from);
+            std::mem::swap(&mut self.start, &mut self.checked);
+            if !self.start.is_of(start, from) {
+                self.start.evaluate(system, start, from);
+            }
             self.checked.evaluate(system, time, to);
             self.crossings |= u64::from(self.checked.differs_from(&self.start));
         }

@@ -56,6 +56,20 @@ impl EventCheck {
         system.event_change([self.time, time], [&self.state, state]) < SAFE * self.nearest
     }
 
+    /// Whether it was made in a state at a time.
+    pub fn is_of(&self, time: f64, state: &[f64]) -> bool {
+        self.time == time && self.state == state
+    }
+
+    /// The event functions in a state at a time: those of the check where it was made there.
+    pub fn values_at(&self, system: &dyn System, time: f64, state: &[f64], values: &mut [f64]) {
+        if self.is_of(time, state) {
+            values.copy_from_slice(&self.values);
+        } else {
+            system.events(time, state, values);
+        }
+    }
+
     /// Whether the state is past a surface.
     pub fn is_past(&self, event: usize) -> bool {
         self.values[event].is_sign_positive()

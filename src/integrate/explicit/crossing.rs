@@ -12,10 +12,9 @@ use crate::integrate::System;
 use crate::integrate::event_check::{EventCheck, EventStep};
 use crate::integrate::problem::Problem;
 
-/// Error of crossing a surface that is let pass, over the tolerance: from here on a landing costs less than the short
-/// steps that the same error takes without it; at loose tolerances from four times as much on, at fine ones from half as
-/// much.
-const LET_PASS: f64 = 0.25;
+/// Steps that a landing costs: it divides one in two. Where crossings are n steps apart, it raises the cost by this
+/// part of n, and pays where it takes a larger part of the tolerance off the error.
+const LANDING_COST: f64 = 1.0;
 /// Error that is let pass where a step was to end on the surface, over the tolerance.
 const BESIDE: f64 = 0.01;
 /// Error of a trial, in units of the state, from which on it says nothing of surfaces.
@@ -26,8 +25,9 @@ const WILD: f64 = 1e-2;
 pub(super) struct Crossings {
     /// Whether the state at the end of the latest step is past each surface.
     pub past: Vec<bool>,
-    /// Time of the latest step that crossed a surface or ended on one, s.
+    /// Ends of the latest step that crossed a surface, and of the latest that was to end on one, s.
     pub latest: f64,
+    pub landed: f64,
     /// Whether the latest step ended on a surface that adds to the derivative from there on.
     pub fresh: bool,
     /// When a step is to end on each surface, s; infinite where none is.
@@ -58,6 +58,7 @@ impl Crossings {
         Self {
             past: vec![false; events],
             latest: f64::NEG_INFINITY,
+            landed: f64::NEG_INFINITY,
             fresh: false,
             due: vec![f64::INFINITY; events],
             sizes: [f64::INFINITY; 2],
@@ -130,23 +131,29 @@ impl ExplicitStepper {
 
     /// Evaluates the event functions at both ends of the trial.
     fn evaluate_events_at_ends(&mut self, problem: &Problem<'_>, end: f64) {
-        let Crossings { ends, state, .. } = &mut self.crossing;
-        let motion = [(self.start, &self.from), (end, &self.to)];
-        for (values, (time, deviation)) in ends.iter_mut().zip(motion) {
-            problem.to_state(deviation, state);
-            problem.system.events(time, state, values);
-        }
+        let Crossings {
+            ends: [at_start, at_end],
+            state,
+            checked,
+            ahead,
+            ..
+        } = &mut self.crossing;
+        problem.to_state(&self.from, state);
+        checked.values_at(problem.system, self.start, state, at_start);
+        problem.to_state(&self.to, state);
+        ahead.values_at(problem.system, end, state, at_end);
     }
 
     /// Whether the error of crossing any surface counts.
     pub(super) fn does_any_count(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
         let mut rate = std::mem::take(&mut self.crossing.state);
         let step = self.event_step(problem, plan);
+        let let_pass = LANDING_COST * plan.size / (plan.end - self.crossing.latest);
         let counts = |event: usize| {
             if plan.lands_on(self.crossing.due[event]) {
                 step.error_beside(event, &mut rate) > BESIDE
             } else {
-                step.error_over(event, CROSSED, &mut rate) > LET_PASS
+                step.error_over(event, CROSSED, &mut rate) > let_pass
             }
         };
         let mut crossed =
@@ -183,6 +190,7 @@ impl ExplicitStepper {
     /// Takes note of the sides after a good step.
     pub(super) fn arrive(&mut self, problem: &Problem<'_>, plan: &Plan) {
         if plan.landing.is_some() {
+            self.crossing.landed = self.time;
             self.evaluate_events_at_ends(problem, plan.end);
         }
         let crossing = &mut self.crossing;

@@ -3,7 +3,8 @@
 use super::stepper::ExplicitStepper;
 use crate::integrate::problem::Problem;
 
-/// Steps without a crossing after which none is looked out for: a trial finds it.
+/// Steps without a landing after which none is looked out for: a trial finds it. Where crossings are let pass, to look
+/// out for them costs time for nothing.
 const SELDOM: f64 = 8.0;
 
 impl ExplicitStepper {
@@ -11,7 +12,7 @@ impl ExplicitStepper {
     /// acceleration at its start tell.
     pub(super) fn foresee(&mut self, problem: &Problem<'_>) {
         self.crossing.is_foreseen = false;
-        let often = self.start - self.crossing.latest < SELDOM * self.next_size;
+        let often = self.start - self.crossing.landed < SELDOM * self.next_size;
         if !often || !problem.system.is_second_order() {
             return;
         }
@@ -33,7 +34,8 @@ impl ExplicitStepper {
         }
         let [start, end] = &mut crossing.ends;
         problem.to_state(&self.from, &mut crossing.state);
-        system.events(self.start, &crossing.state, start);
+        let checked = &crossing.checked;
+        checked.values_at(system, self.start, &crossing.state, start);
         end.copy_from_slice(&crossing.foreseen.values);
         if self.does_any_count(problem, &plan) {
             self.plan_landings(problem, plan.size, |stepper, time, deviation| {
@@ -101,7 +103,7 @@ mod tests {
     }
 
     /// The landing that is foreseen from a height of one, at rest, by a step of a size.
-    fn foreseen(size: f64, latest_crossing: f64) -> Option<Landing> {
+    fn foreseen(size: f64, latest_landing: f64) -> Option<Landing> {
         let (stop, scaling) = (AtomicBool::new(false), Scaling::identity(2));
         let settings = Settings {
             method: Method::Verner76,
@@ -119,7 +121,7 @@ mod tests {
         let counters = Counters::default();
         let mut stepper = ExplicitStepper::new(&problem, 0.0, &[1.0, 0.0], size, counters);
         stepper.begin(&problem);
-        stepper.crossing.latest = latest_crossing;
+        stepper.crossing.landed = latest_landing;
         stepper.foresee(&problem);
         stepper.crossing.next_landing()
     }

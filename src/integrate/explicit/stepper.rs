@@ -169,7 +169,7 @@ impl ExplicitStepper {
         self.size_before = self.size;
         self.from.copy_from(&self.to);
         std::mem::swap(&mut self.rate_before, &mut self.start_rate);
-        self.start_rate.copy_from(&self.end_rate);
+        std::mem::swap(&mut self.start_rate, &mut self.end_rate);
         if self.time >= self.limit {
             problem.to_state(&self.from, &mut self.argument);
             if !self.events_known {
@@ -198,14 +198,14 @@ impl ExplicitStepper {
         let [part, slope] = self.substitution.at(const { NODES[STAGE] });
         // what begins at a break is no part of a step that ends there
         let time = (self.start + part * self.size).min(self.limit.next_down());
-        problem
-            .system
-            .derivative(time, &self.argument, &mut self.rate);
+        let rate = if const { STAGE == LAST } {
+            &mut self.end_rate
+        } else {
+            &mut self.rate
+        };
+        problem.system.derivative(time, &self.argument, rate);
         self.counters.evaluations += 1;
-        if const { STAGE == LAST } {
-            self.end_rate.copy_from(&self.rate);
-        }
-        for (stages, rate) in self.stages.iter_mut().zip(self.rate.chunks()) {
+        for (stages, rate) in self.stages.iter_mut().zip(rate.chunks()) {
             stages[STAGE] = rate.map(|rate| slope * rate);
         }
     }

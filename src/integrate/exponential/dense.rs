@@ -77,8 +77,8 @@ impl Cursor {
             while self.index < index {
                 self.go_on(phi);
             }
+            linear.find_deviation(&self.coordinates, deviation);
         });
-        linear.to_deviation(&self.coordinates, deviation);
     }
 
     /// Goes to the next sample.

@@ -13,7 +13,6 @@ use nalgebra::{Complex, DMatrix};
 use super::balance::{balanced_units, norm_in};
 use super::basis::Basis;
 use crate::integrate::chunks::{Chunk, Padded, add_product, add_scaled, chunks_of};
-use crate::integrate::registers::in_wide_registers;
 
 /// Damping that parts modes that are nearly the same, over the norm of the Jacobian: the root of it is how far
 /// apart they then are.
@@ -129,64 +128,87 @@ impl LinearPart {
 
     /// Finds the coordinates of a deviation.
     pub fn to_coordinates(&self, state: &mut ModalState) {
-        let to = state.coordinates.chunks_mut();
-        to.fill([0.0; 4]);
-        in_wide_registers!(self.level, self.parts.add_product(&state.deviation, to));
+        let ModalState {
+            coordinates,
+            deviation,
+        } = state;
+        self.parts
+            .multiply::<false>(deviation, coordinates.chunks_mut());
     }
 
-    /// Finds the deviation of coordinates.
-    #[inline(never)]
-    pub fn to_deviation(&self, coordinates: &Padded, deviation: &mut Padded) {
-        let to = deviation.chunks_mut();
-        to.fill([0.0; 4]);
-        in_wide_registers!(self.level, self.shapes.add_product(coordinates, to));
+    /// Finds the deviation of coordinates, within code for wide registers.
+    #[inline(always)]
+    pub fn find_deviation(&self, coordinates: &Padded, deviation: &mut Padded) {
+        self.shapes
+            .multiply::<false>(coordinates, deviation.chunks_mut());
     }
 
-    /// V⁻¹ f − Λ z, the coordinates of the nonlinear remainder f − J y where the derivative f is known.
-    #[inline(never)]
-    pub fn to_remainder(&self, rate: &Padded, coordinates: &Padded, remainder: &mut Padded) {
-        in_wide_registers!(self.level, {
-            let chunks = coordinates.chunks().iter().zip(&self.against);
-            for (remainder, (coordinates, against)) in remainder.chunks_mut().iter_mut().zip(chunks)
-            {
-                let mut sums = [[0.0; 4]; 2];
-                add(against, coordinates, &mut sums);
-                *remainder = joined(&sums);
-            }
-            self.parts.add_product(rate, remainder.chunks_mut());
-        });
+    /// V⁻¹ f − Λ z, the coordinates of the nonlinear remainder f − J y where the derivative f is known, within code for
+    /// wide registers.
+    #[inline(always)]
+    pub fn find_remainder(&self, rate: &Padded, coordinates: &Padded, remainder: &mut Padded) {
+        let chunks = coordinates.chunks().iter().zip(&self.against);
+        for (remainder, (coordinates, against)) in remainder.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            add(against, coordinates, &mut sums);
+            *remainder = joined(&sums);
+        }
+        self.parts.multiply::<true>(rate, remainder.chunks_mut());
     }
 }
 
-/// A square matrix: for every chunk of rows column after column.
+/// A square matrix: column after column in chunks.
 #[derive(Debug, Clone)]
 struct ChunkMatrix {
     entries: Vec<Chunk>,
-    columns: usize,
 }
 
 impl ChunkMatrix {
     fn of(matrix: &DMatrix<f64>) -> Self {
-        let columns = matrix.ncols();
-        let mut entries = vec![[0.0; 4]; chunks_of(columns) * columns];
-        for row in 0..columns {
-            for column in 0..columns {
-                entries[row / 4 * columns + column][row % 4] = matrix[(row, column)];
-            }
+        let columns = matrix.as_slice().chunks_exact(matrix.nrows());
+        Self {
+            entries: columns
+                .flat_map(|column| Padded::of(column).chunks().to_vec())
+                .collect(),
         }
-        Self { entries, columns }
     }
 
-    /// Adds the product with a vector.
+    /// Finds the product with a vector, or adds it.
     #[inline(always)]
-    fn add_product(&self, vector: &[f64], sums: &mut [Chunk]) {
-        for (sum, entries) in sums.iter_mut().zip(self.entries.chunks_exact(self.columns)) {
-            let mut own = *sum;
-            for (entries, value) in entries.iter().zip(vector) {
-                add_scaled(&mut own, *value, entries);
+    fn multiply<const ADD: bool>(&self, vector: &[f64], sums: &mut [Chunk]) {
+        // with the sums in registers
+        match sums.len() {
+            1 => self.multiply_rows::<ADD, 1>(vector, sums, 0),
+            2 => self.multiply_rows::<ADD, 2>(vector, sums, 0),
+            3 => self.multiply_rows::<ADD, 3>(vector, sums, 0),
+            chunks => {
+                for chunk in 0..chunks {
+                    self.multiply_rows::<ADD, 1>(vector, sums, chunk);
+                }
             }
-            *sum = own;
         }
+    }
+
+    /// That of some chunks of rows.
+    #[inline(always)]
+    fn multiply_rows<const ADD: bool, const CHUNKS: usize>(
+        &self,
+        vector: &[f64],
+        sums: &mut [Chunk],
+        first: usize,
+    ) {
+        let width = sums.len();
+        let sums = &mut sums[first..first + CHUNKS];
+        let mut own = [[0.0; 4]; CHUNKS];
+        if ADD {
+            own.copy_from_slice(sums);
+        }
+        for (column, value) in self.entries.chunks_exact(width).zip(vector) {
+            for (own, entries) in own.iter_mut().zip(&column[first..first + CHUNKS]) {
+                add_scaled(own, *value, entries);
+            }
+        }
+        sums.copy_from_slice(&own);
     }
 }
 
@@ -222,7 +244,7 @@ mod tests {
 
     fn deviation(part: &LinearPart, coordinates: &Padded) -> Padded {
         let mut deviation = coordinates.clone();
-        part.to_deviation(coordinates, &mut deviation);
+        part.find_deviation(coordinates, &mut deviation);
         deviation
     }
 
@@ -230,7 +252,7 @@ mod tests {
     fn remainder(part: &LinearPart, rate: &[f64], at: &[f64]) -> Padded {
         let (rate, coordinates) = (Padded::of(rate), coordinates(part, at));
         let mut remainder = rate.clone();
-        part.to_remainder(&rate, &coordinates, &mut remainder);
+        part.find_remainder(&rate, &coordinates, &mut remainder);
         deviation(part, &remainder)
     }
 

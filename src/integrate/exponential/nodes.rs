@@ -32,7 +32,9 @@ pub(super) fn combined(weights: &[f64; POINTS], points: &PointsOfChunk) -> Chunk
 
 /// Weights of the values at the points in their polynomial at a part of the step.
 pub(super) fn weights(part: f64) -> [f64; POINTS] {
-    std::array::from_fn(|j| product_of(&NODES.part, part, j, |k| k != j))
+    NODES
+        .power
+        .map(|row| row.iter().rev().fold(0.0, |sum, term| sum * part + term))
 }
 
 /// Numbers that the points alone decide; parts of a step count from its start.

@@ -118,39 +118,42 @@ impl Propagator {
         });
     }
 
-    /// Finds the coordinates at a point after the first.
-    #[inline(never)]
-    pub fn to_coordinates(&self, point: usize, from: &Padded, remainder: &Points, to: &mut Padded) {
-        in_wide_registers!(self.level, {
-            let chunks = self.chunks.iter().zip(from.chunks()).zip(remainder);
-            for (to, ((chunk, from), remainder)) in to.chunks_mut().iter_mut().zip(chunks) {
-                let mut sums = [[0.0; 4]; 2];
-                add(&chunk.free[point - 1], from, &mut sums);
-                for (forced, remainder) in chunk.forced[point - 1].iter().zip(remainder) {
-                    add(forced, remainder, &mut sums);
-                }
-                *to = joined(&sums);
+    /// Finds the coordinates at a point after the first, within code for wide registers.
+    #[inline(always)]
+    pub fn find_coordinates(
+        &self,
+        point: usize,
+        from: &Padded,
+        remainder: &Points,
+        to: &mut Padded,
+    ) {
+        let chunks = self.chunks.iter().zip(from.chunks()).zip(remainder);
+        for (to, ((chunk, from), remainder)) in to.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            add(&chunk.free[point - 1], from, &mut sums);
+            for (forced, remainder) in chunk.forced[point - 1].iter().zip(remainder) {
+                add(forced, remainder, &mut sums);
             }
-        });
+            *to = joined(&sums);
+        }
     }
 
     /// Finds what a remainder that vanishes at the start does to the coordinates at the end.
-    #[inline(never)]
-    pub fn to_shift(&self, remainder: &Points, shift: &mut Padded) {
-        in_wide_registers!(self.level, {
-            let chunks = self.chunks.iter().zip(remainder);
-            for (shift, (chunk, remainder)) in shift.chunks_mut().iter_mut().zip(chunks) {
-                let mut sums = [[0.0; 4]; 2];
-                for (forced, remainder) in chunk.forced[POINTS - 2].iter().zip(remainder) {
-                    add(forced, remainder, &mut sums);
-                }
-                *shift = joined(&sums);
+    #[inline(always)]
+    pub fn find_shift(&self, remainder: &Points, shift: &mut Padded) {
+        let chunks = self.chunks.iter().zip(remainder);
+        for (shift, (chunk, remainder)) in shift.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            for (forced, remainder) in chunk.forced[POINTS - 2].iter().zip(remainder) {
+                add(forced, remainder, &mut sums);
             }
-        });
+            *shift = joined(&sums);
+        }
     }
 
     /// Finds what the remainder at one point alone does to the coordinates at another.
-    pub fn to_effect(&self, point: usize, of: usize, remainder: &Padded, effect: &mut Padded) {
+    #[inline(always)]
+    pub fn find_effect(&self, point: usize, of: usize, remainder: &Padded, effect: &mut Padded) {
         let chunks = self.chunks.iter().zip(remainder.chunks());
         for (effect, (chunk, remainder)) in effect.chunks_mut().iter_mut().zip(chunks) {
             let mut sums = [[0.0; 4]; 2];

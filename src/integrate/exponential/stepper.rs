@@ -115,7 +115,7 @@ impl ExponentialStepper {
             counters,
             ahead: [[0.0; POINTS]; POINTS],
             ahead_ratio: 0.0,
-            sweeps: Sweeps::new(problem.system),
+            sweeps: Sweeps::new(problem),
             cursor: Cursor::new(states),
             state: Padded::zeros(states),
             jacobian: DMatrix::zeros(states, states),
@@ -241,7 +241,7 @@ impl ExponentialStepper {
     fn forget(&mut self, problem: &Problem<'_>) {
         self.remainder_size = 0.0;
         let evaluation = &mut self.sweeps.evaluation;
-        evaluation.evaluate(&self.linear, problem, self.start, &self.from);
+        evaluation.evaluate(&self.linear, problem.system, self.start, &self.from);
         for (points, now) in self.remainder.iter_mut().zip(evaluation.remainder.chunks()) {
             points[POINTS - 1] = *now;
         }
@@ -304,7 +304,7 @@ impl ExponentialStepper {
     }
 
     fn accept(&mut self, error: f64) {
-        self.to.copy_from(&self.sweeps.to);
+        std::mem::swap(&mut self.to, &mut self.sweeps.to);
         std::mem::swap(&mut self.remainder, &mut self.sweeps.remainder);
         self.remainder_size = self.size;
         let growth = self.control.accepted(error, ERROR_POWER);

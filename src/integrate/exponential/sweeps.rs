@@ -4,9 +4,10 @@ use super::linear::{LinearPart, ModalState};
 use super::nodes::{NODES, POINTS, Points, SPARE, combined, no_points};
 use super::propagator::Propagator;
 use crate::integrate::System;
-use crate::integrate::chunks::Padded;
+use crate::integrate::chunks::{Padded, add_scaled};
 use crate::integrate::event_check::EventCheck;
 use crate::integrate::problem::Problem;
+use crate::integrate::registers::in_wide_registers;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
 const LOCAL_PART: f64 = 0.05;
@@ -65,13 +66,14 @@ pub(super) struct Sweeps {
     pub evaluation: Evaluation,
     /// Coordinates and deviation of a part of the motion.
     shift: ModalState,
-    /// Event checks at the start and at a point.
+    /// The latest event check at the start of a step, and one at a point.
     checks: [EventCheck; 2],
 }
 
 /// An evaluation of the remainder.
 #[derive(Debug, Clone)]
 pub(super) struct Evaluation {
+    origin: Padded,
     state: Padded,
     rate: Padded,
     /// Its coordinates.
@@ -94,21 +96,31 @@ impl Evaluation {
     pub fn evaluate(
         &mut self,
         linear: &LinearPart,
-        problem: &Problem<'_>,
+        system: &dyn System,
         time: f64,
         at: &ModalState,
     ) {
-        problem.to_state(&at.deviation, &mut self.state);
-        let system = problem.system;
+        self.find_state(&at.deviation);
         system.derivative(time, &self.state, &mut self.rate);
-        linear.to_remainder(&self.rate, &at.coordinates, &mut self.remainder);
+        linear.find_remainder(&self.rate, &at.coordinates, &mut self.remainder);
+    }
+
+    /// The state at a deviation.
+    #[inline(always)]
+    fn find_state(&mut self, deviation: &Padded) {
+        let parts = self.origin.chunks().iter().zip(deviation.chunks());
+        for (state, (origin, deviation)) in self.state.chunks_mut().iter_mut().zip(parts) {
+            for i in 0..4 {
+                state[i] = origin[i] + deviation[i];
+            }
+        }
     }
 }
 
 impl Sweeps {
-    /// Room for those of a system.
-    pub fn new(system: &dyn System) -> Self {
-        let states = system.states();
+    /// Room for those of a problem.
+    pub fn new(problem: &Problem<'_>) -> Self {
+        let (system, states) = (problem.system, problem.system.states());
         let zeros = Padded::zeros(states);
         Self {
             remainder: no_points(states),
@@ -119,6 +131,7 @@ impl Sweeps {
             rate: 1.0,
             count: 0,
             evaluation: Evaluation {
+                origin: Padded::of(&problem.scaling.origin),
                 state: zeros.clone(),
                 rate: zeros.clone(),
                 remainder: zeros,
@@ -132,12 +145,14 @@ impl Sweeps {
     pub fn begin(&mut self, trial: &Trial<'_>, rate: f64) {
         (self.rate, self.count) = (rate, 0);
         let (linear, from) = (trial.linear, trial.from);
-        let to = &mut self.to.coordinates;
-        let end = POINTS - 1;
-        trial
-            .operator
-            .to_coordinates(end, &from.coordinates, &self.remainder, to);
-        linear.to_deviation(&self.to.coordinates, &mut self.to.deviation);
+        let (to, remainder) = (&mut self.to, &self.remainder);
+        in_wide_registers!(linear.level, {
+            let (point, start) = (POINTS - 1, &from.coordinates);
+            trial
+                .operator
+                .find_coordinates(point, start, remainder, &mut to.coordinates);
+            linear.find_deviation(&to.coordinates, &mut to.deviation);
+        });
         let part = if linear.damping * trial.size > STIFF {
             STIFF_PART
         } else {
@@ -185,44 +200,55 @@ impl Sweeps {
     /// changes at the end.
     pub fn sweep(&mut self, trial: &Trial<'_>) -> f64 {
         self.count += 1;
-        let (linear, shift) = (trial.linear, &mut self.shift);
-        let from = &trial.from.coordinates;
+        in_wide_registers!(trial.linear.level, self.swept(trial));
+        norm(&self.shift.deviation, &self.inverse)
+    }
+
+    #[inline(always)]
+    fn swept(&mut self, trial: &Trial<'_>) {
+        let (linear, operator) = (trial.linear, trial.operator);
+        let coordinates = &mut self.shift.coordinates;
+        let evaluation = &mut self.evaluation;
         for point in 1..POINTS {
-            let to = &mut shift.coordinates;
-            trial
-                .operator
-                .to_coordinates(point, from, &self.remainder, to);
-            linear.to_deviation(&shift.coordinates, &mut shift.deviation);
-            self.deviations[point].copy_from(&shift.deviation);
-            let time = trial.time_of(point);
-            self.evaluation.evaluate(linear, trial.problem, time, shift);
-            let found = self.evaluation.remainder.chunks();
+            let (from, deviation) = (&trial.from.coordinates, &mut self.deviations[point]);
+            operator.find_coordinates(point, from, &self.remainder, coordinates);
+            linear.find_deviation(coordinates, deviation);
+            evaluation.find_state(deviation);
+            let system = trial.problem.system;
+            system.derivative(
+                trial.time_of(point),
+                &evaluation.state,
+                &mut evaluation.rate,
+            );
+            linear.find_remainder(&evaluation.rate, coordinates, &mut evaluation.remainder);
             let points = self.remainder.iter_mut().zip(&mut self.change);
-            for ((known, change), found) in points.zip(found) {
+            for ((known, change), found) in points.zip(evaluation.remainder.chunks()) {
                 for i in 0..4 {
                     change[point][i] = found[i] - known[point][i];
                 }
                 known[point] = *found;
             }
         }
-        trial
-            .operator
-            .to_shift(&self.change, &mut shift.coordinates);
-        linear.to_deviation(&shift.coordinates, &mut shift.deviation);
+        operator.find_shift(&self.change, coordinates);
+        linear.find_deviation(coordinates, &mut self.shift.deviation);
         for (to, by) in [
-            (&mut self.to.coordinates, &shift.coordinates),
-            (&mut self.to.deviation, &shift.deviation),
+            (&mut self.to.coordinates, &self.shift.coordinates),
+            (&mut self.to.deviation, &self.shift.deviation),
         ] {
-            for (to, by) in to.iter_mut().zip(by.iter()) {
-                *to += by;
+            for (to, by) in to.chunks_mut().iter_mut().zip(by.chunks()) {
+                add_scaled(to, 1.0, by);
             }
         }
-        norm(&self.shift.deviation, &self.inverse)
     }
 
     /// What the highest power of the polynomial does at the end and in the middle of the step, over
     /// what is allowed, as far as it is not better than that.
     fn error(&mut self, trial: &Trial<'_>) -> f64 {
+        in_wide_registers!(trial.linear.level, self.estimated(trial))
+    }
+
+    #[inline(always)]
+    fn estimated(&mut self, trial: &Trial<'_>) -> f64 {
         let smoothness = self.smoothness(trial);
         self.combine(&NODES.spare);
         let spare = &mut self.evaluation.remainder;
@@ -230,15 +256,16 @@ impl Sweeps {
         let shift = &mut self.shift;
         let [end, middle] = [POINTS - 1, SPARE + 1].map(|point| {
             let effect = &mut shift.coordinates;
-            trial.operator.to_effect(point, SPARE, spare, effect);
+            trial.operator.find_effect(point, SPARE, spare, effect);
             let deviation = &mut shift.deviation;
-            trial.linear.to_deviation(effect, deviation);
+            trial.linear.find_deviation(effect, deviation);
             norm(deviation, &self.inverse)
         });
         smoothness * end.max(middle)
     }
 
     /// Finds a weighted sum of the remainders at the points.
+    #[inline(always)]
     fn combine(&mut self, weights: &[f64; POINTS]) {
         let to = self.shift.coordinates.chunks_mut();
         for (to, points) in to.iter_mut().zip(&self.remainder) {
@@ -252,6 +279,7 @@ impl Sweeps {
     /// the next, and what the polynomial leaves out is smaller than what the estimate sees by two of
     /// them. Where an event surface is crossed they fall slowly, and no faster than seen. A part that is nearly
     /// odd about the middle of the step has next to no even coefficients: there the fall is not seen.
+    #[inline(always)]
     fn smoothness(&mut self, trial: &Trial<'_>) -> f64 {
         let [before, middle, highest] = NODES.modes.map(|mode| {
             self.combine(&mode);
@@ -259,7 +287,7 @@ impl Sweeps {
                 coordinates,
                 deviation,
             } = &mut self.shift;
-            trial.linear.to_deviation(coordinates, deviation);
+            trial.linear.find_deviation(coordinates, deviation);
             norm(deviation, &self.inverse)
         });
         let squares = [before, middle, highest].map(|mode| mode * mode);
@@ -279,22 +307,40 @@ impl Sweeps {
         if system.event_count() == 0 {
             return false;
         }
-        let [start, later] = &mut self.checks;
+        // a check of long ago may say enough
+        if self.is_clear(trial) {
+            return false;
+        }
         let state = &mut self.evaluation.state;
         problem.to_state(&trial.from.deviation, state);
-        start.evaluate(system, trial.start, state);
+        self.checks[0].evaluate(system, trial.start, state);
         (1..POINTS).any(|point| {
-            let deviation = match point + 1 {
-                POINTS => &self.to.deviation,
-                _ => &self.deviations[point],
-            };
-            problem.to_state(deviation, state);
+            self.find_state_at(point);
+            let ([start, later], state) = (&mut self.checks, &self.evaluation.state);
             let time = trial.time_of(point);
             !start.is_clear(system, time, state) && {
                 later.evaluate(system, time, state);
                 later.differs_from(start)
             }
         })
+    }
+
+    /// Whether it is certain that no event surface lies between the latest check and the points of the step.
+    fn is_clear(&mut self, trial: &Trial<'_>) -> bool {
+        (1..POINTS).all(|point| {
+            self.find_state_at(point);
+            let (system, state) = (trial.problem.system, &self.evaluation.state);
+            self.checks[0].is_clear(system, trial.time_of(point), state)
+        })
+    }
+
+    /// The state at a point after the first, as the latest sweep had it.
+    fn find_state_at(&mut self, point: usize) {
+        let deviation = match point + 1 {
+            POINTS => &self.to.deviation,
+            _ => &self.deviations[point],
+        };
+        self.evaluation.find_state(deviation);
     }
 }
 
@@ -306,6 +352,7 @@ impl Trial<'_> {
 }
 
 /// Root mean square over what is allowed.
+#[inline(always)]
 fn norm(vector: &[f64], inverse: &[f64]) -> f64 {
     let squares = vector.iter().zip(inverse);
     let sum: f64 = squares
@@ -375,10 +422,12 @@ mod tests {
         linear.to_coordinates(&mut from);
         let size = time / f64::from(steps);
         let operator = propagators.of(&linear, size);
-        let mut sweeps = Sweeps::new(&Hardening);
+        let mut sweeps = Sweeps::new(&problem);
         for step in 0..steps {
             let start = f64::from(step) * size;
-            sweeps.evaluation.evaluate(&linear, &problem, start, &from);
+            sweeps
+                .evaluation
+                .evaluate(&linear, &Hardening, start, &from);
             for (points, guess) in sweeps
                 .remainder
                 .iter_mut()
