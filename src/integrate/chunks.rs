@@ -88,15 +88,11 @@ impl DerefMut for Padded {
 /// Adds a factor times a chunk.
 #[inline(always)]
 pub(super) fn add_scaled(sum: &mut Chunk, factor: f64, chunk: &Chunk) {
-    for (sum, value) in sum.iter_mut().zip(chunk) {
-        *sum += factor * value;
-    }
+    *sum = std::array::from_fn(|i| sum[i] + factor * chunk[i]);
 }
 
 /// Adds a product, entry by entry.
 #[inline(always)]
 pub(super) fn add_product(sum: &mut Chunk, left: &Chunk, right: &Chunk) {
-    for ((sum, left), right) in sum.iter_mut().zip(left).zip(right) {
-        *sum += left * right;
-    }
+    *sum = std::array::from_fn(|i| sum[i] + left[i] * right[i]);
 }

@@ -96,6 +96,8 @@ const DENSE: [[f64; 5]; 2] = [
 
 /// Power of the step size that the error estimate falls with.
 const ERROR_POWER: i32 = 4;
+/// Part of the step that the error estimate would allow.
+const SAFETY: f64 = 0.9;
 /// First step in units of the scaling's time, where none is known.
 const FIRST_STEP: f64 = 1e-3;
 
@@ -152,7 +154,7 @@ impl<'a> Stepper<'a> {
             state: DVector::from_column_slice(start),
             step,
             full_step: step,
-            control: Control::NEW,
+            control: Control::new(SAFETY),
             counters: Counters::default(),
             fault: false,
             states: States::with_capacity(states, block.intervals),

@@ -1,7 +1,7 @@
 //! Where a motion changes its kind between two points of a branch.
 
+use super::continuation::{Continuer, Node, is_interrupted};
 use super::newton::ShootingError;
-use super::walk::{Node, Walk, is_interrupted};
 use super::{Branch, Crossing, Special, SpecialKind, Unrefined};
 use crate::integrate::root::Bracket;
 
@@ -19,7 +19,7 @@ fn outside(node: &Node) -> usize {
     all.iter().filter(|value| value.norm() >= 1.0).count()
 }
 
-impl Walk<'_> {
+impl Continuer<'_> {
     /// Finds where the motion changes its kind between two neighbouring points.
     pub fn locate_all(
         &mut self,

@@ -2,7 +2,7 @@
 //! would spoil a step, and nowhere else.
 
 #[cfg(test)]
-mod conditions;
+mod conditions_tests;
 mod crossing;
 mod dense;
 mod foresight;

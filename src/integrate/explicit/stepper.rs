@@ -6,7 +6,7 @@ use super::crossing::Crossings;
 use super::substitution::Substitution;
 use super::verner76::{ERROR, LAST, NODES, ORDER, STAGES, sum};
 use crate::integrate::chunks::{Chunk, Padded, chunks_of};
-use crate::integrate::control::Control;
+use crate::integrate::control::{Control, SAFETY};
 use crate::integrate::problem::Problem;
 use crate::integrate::registers::in_wide_registers;
 use crate::integrate::{Counters, IntegrateError};
@@ -99,7 +99,7 @@ impl ExplicitStepper {
             quintic: false,
             jerk: vec![f64::INFINITY; states / 2],
             size_before: 0.0,
-            control: Control::NEW,
+            control: Control::new(SAFETY),
             fault: false,
             events_known: false,
             counters,

@@ -14,7 +14,7 @@
 //! Source: J. H. Verner, "Numerically optimal Runge–Kutta pairs with interpolants", *Numerical
 //! Algorithms* 53 (2010) 383–396, and the rational coefficients on the author's page, pair IIa 7(6).
 
-use crate::integrate::chunks::Chunk;
+use crate::integrate::chunks::{Chunk, add_scaled};
 
 /// All stages: ten of a trial step, the derivative at its end, and two for dense output.
 pub(super) const STAGES: usize = 13;
@@ -268,9 +268,7 @@ pub(super) fn sum<const ROW: usize>(stages: &[Chunk; STAGES]) -> Chunk {
         ($($stage:literal)*) => {$(
             if const { FACTORS[ROW][$stage] != 0.0 } {
                 let factor = const { FACTORS[ROW][$stage] };
-                for (sum, slope) in sum.iter_mut().zip(&stages[$stage]) {
-                    *sum += factor * slope;
-                }
+                add_scaled(&mut sum, factor, &stages[$stage]);
             }
         )*};
     }

@@ -1,6 +1,5 @@
 //! State-transition operators over steps of some sizes, in the coordinates of modes.
 
-use fearless_simd::Level;
 use nalgebra::Complex;
 
 use super::linear::{Diagonal, LinearPart, add, joined};
@@ -89,35 +88,39 @@ impl ChunkPropagator {
     }
 }
 
-/// State-transition operator over a step.
-#[derive(Debug, Clone)]
-pub(super) struct Propagator {
-    level: Level,
-    chunks: Vec<ChunkPropagator>,
-}
-
-impl Propagator {
-    /// Finds the operator over a step of a size, s; `functions` is room for those of its intervals.
-    fn find(&mut self, linear: &LinearPart, size: f64, functions: &mut [Functions]) {
-        // intervals lie symmetrically about the middle of the step
-        for interval in 0..POINTS / 2 {
-            let length = (NODES.part[interval + 1] - NODES.part[interval]) * size;
-            find_functions(&linear.eigenvalues, length, functions);
-            in_wide_registers!(self.level, {
-                for (chunk, functions) in self.chunks.iter_mut().zip(&*functions) {
-                    for mirror in [interval, POINTS - 2 - interval] {
-                        chunk.integrate(mirror, length, functions);
-                    }
+/// Finds the operator over a step of a size, s; `functions` is room for those of its intervals.
+fn find_propagator(
+    linear: &LinearPart,
+    size: f64,
+    functions: &mut [Functions],
+    chunks: &mut [ChunkPropagator],
+) {
+    // intervals lie symmetrically about the middle of the step
+    for interval in 0..POINTS / 2 {
+        let length = (NODES.part[interval + 1] - NODES.part[interval]) * size;
+        find_functions(&linear.eigenvalues, length, functions);
+        in_wide_registers!(linear.level, {
+            for (chunk, functions) in chunks.iter_mut().zip(&*functions) {
+                for mirror in [interval, POINTS - 2 - interval] {
+                    chunk.integrate(mirror, length, functions);
                 }
-            });
-        }
-        in_wide_registers!(self.level, {
-            for chunk in &mut self.chunks {
-                chunk.go_from_point_to_point();
             }
         });
     }
+    in_wide_registers!(linear.level, {
+        for chunk in chunks {
+            chunk.go_from_point_to_point();
+        }
+    });
+}
 
+/// State-transition operator over a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Propagator<'a> {
+    chunks: &'a [ChunkPropagator],
+}
+
+impl Propagator<'_> {
     /// Finds the coordinates at a point after the first, within code for wide registers.
     #[inline(always)]
     pub fn find_coordinates(
@@ -174,20 +177,21 @@ fn product(left: &Diagonal, right: &Diagonal) -> Diagonal {
     product
 }
 
-/// A step size with its operator.
-#[derive(Debug, Clone)]
+/// A step size whose operator is kept.
+#[derive(Debug, Clone, Copy)]
 struct Size {
-    /// s; zero where there is none yet.
+    /// s; zero where there is none.
     size: f64,
     /// When it was asked for last.
     used: u64,
-    propagator: Propagator,
 }
 
 /// Operators of one linear part over steps of the sizes of late, and the functions over a sample interval.
 #[derive(Debug, Clone)]
 pub(super) struct Propagators {
-    kept: Vec<Size>,
+    sizes: Vec<Size>,
+    /// The operators of all sizes, one after the other.
+    operators: Vec<ChunkPropagator>,
     clock: u64,
     samples: Vec<Functions>,
     are_samples_known: bool,
@@ -197,18 +201,11 @@ pub(super) struct Propagators {
 
 impl Propagators {
     /// Room for those of so many states.
-    pub fn new(states: usize, level: Level) -> Self {
+    pub fn new(states: usize) -> Self {
         let chunks = chunks_of(states);
-        let none = Size {
-            size: 0.0,
-            used: 0,
-            propagator: Propagator {
-                level,
-                chunks: vec![ChunkPropagator::NONE; chunks],
-            },
-        };
         Self {
-            kept: vec![none; KEPT],
+            sizes: Vec::with_capacity(KEPT),
+            operators: Vec::with_capacity(KEPT * chunks),
             clock: 0,
             samples: vec![NO_FUNCTIONS; chunks],
             are_samples_known: false,
@@ -218,28 +215,42 @@ impl Propagators {
 
     /// Forgets all: the linear part is another.
     pub fn clear(&mut self) {
-        for kept in &mut self.kept {
-            (kept.size, kept.used) = (0.0, 0);
-        }
+        self.sizes.clear();
+        self.operators.clear();
         self.are_samples_known = false;
     }
 
     /// The operator over a step.
-    pub fn of(&mut self, linear: &LinearPart, size: f64) -> &Propagator {
+    pub fn of(&mut self, linear: &LinearPart, size: f64) -> Propagator<'_> {
         self.clock += 1;
-        let known = self.kept.iter().position(|kept| kept.size == size);
-        let index = known.unwrap_or_else(|| {
-            // in place of none or of the one that was not used for longest
-            let longest = (0..KEPT).min_by_key(|&index| self.kept[index].used);
-            longest.unwrap_or(0)
-        });
-        let kept = &mut self.kept[index];
-        kept.used = self.clock;
+        let chunks = self.functions.len();
+        let known = self.sizes.iter().position(|kept| kept.size == size);
+        let index = known.unwrap_or_else(|| self.place());
+        let operator = chunks * index..chunks * (index + 1);
         if known.is_none() {
-            kept.size = size;
-            kept.propagator.find(linear, size, &mut self.functions);
+            let room = &mut self.operators[operator.clone()];
+            find_propagator(linear, size, &mut self.functions, room);
         }
-        &kept.propagator
+        self.sizes[index] = Size {
+            size,
+            used: self.clock,
+        };
+        Propagator {
+            chunks: &self.operators[operator],
+        }
+    }
+
+    /// A place for a further operator: a new one or that of the one that was not used for longest.
+    fn place(&mut self) -> usize {
+        let kept = self.sizes.len();
+        if kept < KEPT {
+            self.sizes.push(Size { size: 0.0, used: 0 });
+            let chunks = self.operators.len() + self.functions.len();
+            self.operators.resize(chunks, ChunkPropagator::NONE);
+            return kept;
+        }
+        let longest = (0..KEPT).min_by_key(|&index| self.sizes[index].used);
+        longest.unwrap_or(0)
     }
 
     /// The functions over an interval of samples.

@@ -10,7 +10,7 @@ use super::propagator::Propagators;
 use super::relinearisation::{Mean, Relinearisation, USUAL_SWEEPS};
 use super::sweeps::{self, Ending, Sweeps, Trial};
 use crate::integrate::chunks::Padded;
-use crate::integrate::control::Control;
+use crate::integrate::control::{Control, SAFETY};
 use crate::integrate::problem::Problem;
 use crate::integrate::{Counters, IntegrateError};
 
@@ -102,7 +102,7 @@ impl ExponentialStepper {
             mean: Mean::of(deviation),
             remainder: no_points(states),
             remainder_size: 0.0,
-            propagators: Propagators::new(states, linear.level),
+            propagators: Propagators::new(states),
             linear,
             fresh: false,
             rate: 1.0,
@@ -110,7 +110,7 @@ impl ExponentialStepper {
             rate_size: 0.0,
             // the first step takes a linear part
             relinearisation: Relinearisation::NONE,
-            control: Control::NEW,
+            control: Control::new(SAFETY),
             fault: false,
             counters,
             ahead: [[0.0; POINTS]; POINTS],

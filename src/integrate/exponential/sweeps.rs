@@ -38,7 +38,7 @@ const SMOOTH_CAUTION: f64 = 2.0;
 pub(super) struct Trial<'a> {
     pub problem: &'a Problem<'a>,
     pub linear: &'a LinearPart,
-    pub operator: &'a Propagator,
+    pub operator: Propagator<'a>,
     pub start: f64,
     pub size: f64,
     /// Time that no evaluation reaches, s.
@@ -110,9 +110,7 @@ impl Evaluation {
     fn find_state(&mut self, deviation: &Padded) {
         let parts = self.origin.chunks().iter().zip(deviation.chunks());
         for (state, (origin, deviation)) in self.state.chunks_mut().iter_mut().zip(parts) {
-            for i in 0..4 {
-                state[i] = origin[i] + deviation[i];
-            }
+            *state = std::array::from_fn(|i| origin[i] + deviation[i]);
         }
     }
 }
@@ -223,9 +221,8 @@ impl Sweeps {
             linear.find_remainder(&evaluation.rate, coordinates, &mut evaluation.remainder);
             let points = self.remainder.iter_mut().zip(&mut self.change);
             for ((known, change), found) in points.zip(evaluation.remainder.chunks()) {
-                for i in 0..4 {
-                    change[point][i] = found[i] - known[point][i];
-                }
+                let before = known[point];
+                change[point] = std::array::from_fn(|i| found[i] - before[i]);
                 known[point] = *found;
             }
         }
@@ -416,7 +413,7 @@ mod tests {
         };
         let square = -1.06 * NATURAL * NATURAL;
         let linear = LinearPart::near(&DMatrix::from_row_slice(2, 2, &[0.0, 1.0, square, 0.0]));
-        let mut propagators = Propagators::new(2, linear.level);
+        let mut propagators = Propagators::new(2);
         let mut from = ModalState::zeros(2);
         from.deviation.copy_from_slice(&[0.98, 0.0]);
         linear.to_coordinates(&mut from);
