@@ -49,7 +49,7 @@ impl Block<'_> {
         rate: &mut [f64],
     ) {
         let scaling = self.problem.scaling;
-        scaling.to_state(scaled, state);
+        scaling.write_state(scaled, state);
         self.problem.system.derivative(time, state, rate);
         for (rate, scale) in rate.iter_mut().zip(&scaling.scale) {
             *rate *= scaling.time / scale;
@@ -141,7 +141,7 @@ impl Integration<'_> {
             None => rosenbrock::integrate(&block, &self.scaled),
         };
         for scaled in outcome.states.iter() {
-            self.scaling.to_state(scaled, &mut self.state);
+            self.scaling.write_state(scaled, &mut self.state);
             states.push(&self.state);
         }
         self.counters.add(&outcome.counters);

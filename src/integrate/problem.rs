@@ -87,7 +87,7 @@ impl<'a> Problem<'a> {
 
     /// Writes the state at a deviation from the origin.
     #[inline]
-    pub fn to_state(&self, deviation: &[f64], state: &mut [f64]) {
+    pub fn write_state(&self, deviation: &[f64], state: &mut [f64]) {
         let parts = self.scaling.origin.iter().zip(deviation);
         for (state, (origin, deviation)) in state.iter_mut().zip(parts) {
             *state = origin + deviation;
@@ -134,7 +134,7 @@ impl<'a> Problem<'a> {
         let moved = deviation.iter().zip(slope);
         let moved: Vec<f64> = moved.map(|(from, slope)| from + guess * slope).collect();
         let [mut ahead, mut change] = [moved.clone(), moved.clone()];
-        self.to_state(&moved, &mut ahead);
+        self.write_state(&moved, &mut ahead);
         self.system.derivative(start + guess, &ahead, &mut change);
         for (change, slope) in change.iter_mut().zip(slope) {
             *change -= slope;

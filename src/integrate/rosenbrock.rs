@@ -238,7 +238,7 @@ impl<'a> Stepper<'a> {
     fn linearise(&mut self) {
         let (time, problem) = (self.seconds(self.time), &self.block.problem);
         let scaling = problem.scaling;
-        scaling.to_state(self.state.as_slice(), &mut self.room);
+        scaling.write_state(self.state.as_slice(), &mut self.room);
         let by_time = self.by_time.as_mut_slice();
         problem
             .system

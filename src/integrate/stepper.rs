@@ -109,9 +109,9 @@ impl Stepper {
             return stepper.step(problem);
         };
         let start = stepper.time();
-        problem.to_state(stepper.deviation(), &mut self.ends[0]);
+        problem.write_state(stepper.deviation(), &mut self.ends[0]);
         let ending = stepper.step(problem);
-        problem.to_state(stepper.deviation(), &mut self.ends[1]);
+        problem.write_state(stepper.deviation(), &mut self.ends[1]);
         let (times, [from, to]) = ([start, stepper.time()], &self.ends);
         if choice.is_over(problem, times, [from, to], ending)? {
             let start = Start {

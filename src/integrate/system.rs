@@ -91,7 +91,7 @@ impl Scaling {
     }
 
     /// Writes the state that scaled numbers stand for.
-    pub fn to_state(&self, scaled: &[f64], state: &mut [f64]) {
+    pub fn write_state(&self, scaled: &[f64], state: &mut [f64]) {
         let units = self.origin.iter().zip(&self.scale);
         for ((state, scaled), (origin, scale)) in state.iter_mut().zip(scaled).zip(units) {
             *state = origin + scale * scaled;
@@ -101,7 +101,7 @@ impl Scaling {
     /// The state that scaled numbers stand for.
     pub fn state(&self, scaled: &[f64]) -> Vec<f64> {
         let mut state = vec![0.0; self.scale.len()];
-        self.to_state(scaled, &mut state);
+        self.write_state(scaled, &mut state);
         state
     }
 

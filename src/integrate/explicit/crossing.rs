@@ -109,7 +109,7 @@ impl ExplicitStepper {
             return false;
         }
         let (system, crossing) = (problem.system, &mut self.crossing);
-        problem.to_state(&self.to, &mut crossing.state);
+        problem.write_state(&self.to, &mut crossing.state);
         if crossing.is_foreseen
             && crossing
                 .foreseen
@@ -138,9 +138,9 @@ impl ExplicitStepper {
             ahead,
             ..
         } = &mut self.crossing;
-        problem.to_state(&self.from, state);
+        problem.write_state(&self.from, state);
         checked.values_at(problem.system, self.start, state, at_start);
-        problem.to_state(&self.to, state);
+        problem.write_state(&self.to, state);
         ahead.values_at(problem.system, end, state, at_end);
     }
 

@@ -30,7 +30,7 @@ impl ExplicitStepper {
     /// Writes the state at a time that is neither before the start of the latest step nor after its end.
     pub fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
         if time >= self.time {
-            problem.to_state(&self.to, state);
+            problem.write_state(&self.to, state);
             return;
         }
         let mut deviation = std::mem::take(&mut self.argument);
@@ -42,7 +42,7 @@ impl ExplicitStepper {
             deviation = std::mem::take(&mut self.argument);
             self.by_stages(time, &mut deviation);
         }
-        problem.to_state(&deviation, state);
+        problem.write_state(&deviation, state);
         self.argument = deviation;
     }
 

@@ -20,7 +20,7 @@ impl ExplicitStepper {
         let mut deviation = std::mem::take(&mut self.argument);
         self.carry_on(plan.end, &mut deviation);
         let crossing = &mut self.crossing;
-        problem.to_state(&deviation, &mut crossing.state);
+        problem.write_state(&deviation, &mut crossing.state);
         self.argument = deviation;
         if crossing.checked.is_clear(system, plan.end, &crossing.state) {
             return;
@@ -33,7 +33,7 @@ impl ExplicitStepper {
             return;
         }
         let [start, end] = &mut crossing.ends;
-        problem.to_state(&self.from, &mut crossing.state);
+        problem.write_state(&self.from, &mut crossing.state);
         let checked = &crossing.checked;
         checked.values_at(system, self.start, &crossing.state, start);
         end.copy_from_slice(&crossing.foreseen.values);

@@ -60,7 +60,7 @@ impl ExplicitStepper {
             }
             let value = |time: f64| {
                 motion(self, time, &mut deviation);
-                problem.to_state(&deviation, &mut state);
+                problem.write_state(&deviation, &mut state);
                 problem.system.events(time, &state, &mut values);
                 values[event]
             };

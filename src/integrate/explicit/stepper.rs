@@ -171,7 +171,7 @@ impl ExplicitStepper {
         std::mem::swap(&mut self.rate_before, &mut self.start_rate);
         std::mem::swap(&mut self.start_rate, &mut self.end_rate);
         if self.time >= self.limit {
-            problem.to_state(&self.from, &mut self.argument);
+            problem.write_state(&self.from, &mut self.argument);
             if !self.events_known {
                 self.crossing.begin(problem, self.time, &self.argument);
                 self.events_known = true;
@@ -265,7 +265,7 @@ impl ExplicitStepper {
     pub(super) fn evaluate_end(&mut self, problem: &Problem<'_>) {
         if !self.ended {
             self.ended = true;
-            problem.to_state(&self.to, &mut self.argument);
+            problem.write_state(&self.to, &mut self.argument);
             self.evaluate::<LAST>(problem);
         }
     }

@@ -146,7 +146,7 @@ impl ExponentialStepper {
     /// Writes the state at a sample that is neither before the start of the latest step nor after its end.
     pub fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
         if time >= self.time {
-            problem.to_state(&self.to.deviation, state);
+            problem.write_state(&self.to.deviation, state);
             return;
         }
         let index = ((time - self.start) / self.interval).round();
@@ -163,7 +163,7 @@ impl ExponentialStepper {
             );
         }
         cursor.go_to(index, phi, linear, &mut self.state);
-        problem.to_state(&self.state, state);
+        problem.write_state(&self.state, state);
     }
 
     /// Takes a step.
@@ -224,7 +224,7 @@ impl ExponentialStepper {
 
     /// Takes the linear part anew, about the mean of the motion of late.
     fn linearise(&mut self, problem: &Problem<'_>) {
-        problem.to_state(&self.mean.deviation, &mut self.state);
+        problem.write_state(&self.mean.deviation, &mut self.state);
         let (jacobian, by_time) = (&mut self.jacobian, &mut self.by_time);
         problem
             .system

@@ -309,7 +309,7 @@ impl Sweeps {
             return false;
         }
         let state = &mut self.evaluation.state;
-        problem.to_state(&trial.from.deviation, state);
+        problem.write_state(&trial.from.deviation, state);
         self.checks[0].evaluate(system, trial.start, state);
         (1..POINTS).any(|point| {
             self.find_state_at(point);
