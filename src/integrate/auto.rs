@@ -7,8 +7,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::event_check::EventCheck;
-use super::problem::Problem;
 use super::{IntegrateError, Method, System};
 
 /// Steps of the exponential method that are looked back over, and how many of them that crossed a surface are
@@ -58,38 +56,32 @@ impl MethodUse {
 }
 
 /// The rule applied to a run under way.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Choice {
     pub method_use: MethodUse,
-    /// The latest event check of the exponential method, and one at the start of a step.
-    checked: EventCheck,
-    start: EventCheck,
-    /// Its latest steps, a bit for each, set where a step crossed a surface.
+    /// The latest steps of the exponential method, a bit for each, set where a step crossed a surface.
     crossings: u64,
 }
 
 impl Choice {
     /// Of a run that goes on with what was chosen.
-    pub fn new(method_use: MethodUse, system: &dyn System) -> Self {
+    pub fn new(method_use: MethodUse) -> Self {
         Self {
             method_use,
-            checked: EventCheck::none(system),
-            start: EventCheck::none(system),
             crossings: 0,
         }
     }
 
-    /// Takes note of how a step of the exponential method ended, with the times and states at its ends; whether the
-    /// explicit pair is to go on from there.
+    /// Takes note of how a step of the exponential method ended at a time, s, and whether it crossed an event surface;
+    /// whether the explicit pair is to go on from there.
     ///
     /// # Errors
     /// Why the run ends there.
     pub fn is_over(
         &mut self,
-        problem: &Problem<'_>,
-        times: [f64; 2],
-        states: [&[f64]; 2],
         ending: Result<(), IntegrateError>,
+        time: f64,
+        crossed: bool,
     ) -> Result<bool, IntegrateError> {
         let reason = match ending {
             Err(IntegrateError::StepUnderflow { .. } | IntegrateError::NotFinite { .. }) => {
@@ -97,32 +89,14 @@ impl Choice {
             }
             Err(error) => return Err(error),
             Ok(()) => {
-                self.count_crossing(problem.system, times, states);
+                self.crossings = self.crossings << 1 | u64::from(crossed);
                 if self.crossings.count_ones() < AGAIN_AND_AGAIN {
                     return Ok(false);
                 }
                 ChangeReason::Crossings
             }
         };
-        self.method_use.change = Some((reason, times[1]));
+        self.method_use.change = Some((reason, time));
         Ok(true)
-    }
-
-    /// Takes note of whether a step between two times and states crossed an event surface.
-    fn count_crossing(
-        &mut self,
-        system: &dyn System,
-        [start, time]: [f64; 2],
-        [from, to]: [&[f64]; 2],
-    ) {
-        self.crossings <<= 1;
-        if !self.checked.is_clear(system, time, to) {
-            std::mem::swap(&mut self.start, &mut self.checked);
-            if !self.start.is_of(start, from) {
-                self.start.evaluate(system, start, from);
-            }
-            self.checked.evaluate(system, time, to);
-            self.crossings |= u64::from(self.checked.differs_from(&self.start));
-        }
     }
 }

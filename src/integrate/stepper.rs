@@ -14,8 +14,6 @@ pub(super) struct Stepper {
     choice: Option<Choice>,
     /// Interval of the samples, s.
     interval: f64,
-    /// State at the start and at the end of the latest step, where the choice is left open.
-    ends: [Vec<f64>; 2],
 }
 
 #[derive(Debug, Clone)]
@@ -72,14 +70,10 @@ impl Stepper {
     /// By a method, before samples at an interval, s.
     pub fn new(method: Method, problem: &Problem<'_>, start: &Start, interval: f64) -> Self {
         let method = start.method_use.map_or(method, |used| used.latest());
-        let room = vec![0.0; start.deviation.len()];
         Self {
             of: Of::new(method, problem, start, interval),
-            choice: start
-                .method_use
-                .map(|used| Choice::new(used, problem.system)),
+            choice: start.method_use.map(Choice::new),
             interval,
-            ends: [room.clone(), room],
         }
     }
 
@@ -108,12 +102,8 @@ impl Stepper {
         let Some(choice) = &mut self.choice else {
             return stepper.step(problem);
         };
-        let start = stepper.time();
-        problem.write_state(stepper.deviation(), &mut self.ends[0]);
         let ending = stepper.step(problem);
-        problem.write_state(stepper.deviation(), &mut self.ends[1]);
-        let (times, [from, to]) = ([start, stepper.time()], &self.ends);
-        if choice.is_over(problem, times, [from, to], ending)? {
+        if choice.is_over(ending, stepper.time(), stepper.crossed())? {
             let start = Start {
                 time: stepper.time(),
                 deviation: stepper.deviation().to_vec(),

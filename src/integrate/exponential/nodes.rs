@@ -32,9 +32,13 @@ pub(super) fn combined(weights: &[f64; POINTS], points: &PointsOfChunk) -> Chunk
 
 /// Weights of the values at the points in their polynomial at a part of the step.
 pub(super) fn weights(part: f64) -> [f64; POINTS] {
-    NODES
-        .power
-        .map(|row| row.iter().rev().fold(0.0, |sum, term| sum * part + term))
+    let mut weights = [0.0; POINTS];
+    for (weight, row) in weights.iter_mut().zip(&NODES.power) {
+        for term in row.iter().rev() {
+            *weight = *weight * part + term;
+        }
+    }
+    weights
 }
 
 /// Numbers that the points alone decide; parts of a step count from its start.

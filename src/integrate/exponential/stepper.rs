@@ -143,6 +143,11 @@ impl ExponentialStepper {
         self.counters
     }
 
+    /// Whether the latest step crossed event surfaces.
+    pub fn crossed(&self) -> bool {
+        self.sweeps.crossed
+    }
+
     /// Writes the state at a sample that is neither before the start of the latest step nor after its end.
     pub fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
         if time >= self.time {

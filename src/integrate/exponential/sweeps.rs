@@ -63,6 +63,8 @@ pub(super) struct Sweeps {
     /// known.
     pub rate: f64,
     pub count: u32,
+    /// Whether event surfaces lie between the points.
+    pub crossed: bool,
     pub evaluation: Evaluation,
     /// Coordinates and deviation of a part of the motion.
     shift: ModalState,
@@ -128,6 +130,7 @@ impl Sweeps {
             inverse: vec![0.0; states],
             rate: 1.0,
             count: 0,
+            crossed: false,
             evaluation: Evaluation {
                 origin: Padded::of(&problem.scaling.origin),
                 state: zeros.clone(),
@@ -291,7 +294,8 @@ impl Sweeps {
         let fall = (squares[1] + squares[2]) / (squares[0] + squares[1]);
         let factor = SMOOTH_CAUTION * fall.max(highest / before.max(middle));
         // no number where the remainder is constant
-        if factor < 1.0 && !self.crosses(trial) {
+        self.crossed = self.crosses(trial);
+        if factor < 1.0 && !self.crossed {
             factor
         } else {
             1.0
