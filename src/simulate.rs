@@ -17,8 +17,6 @@ mod watch;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use nalgebra::Const;
-
 pub use analyses::{Analyses, BallParts, Maps, SpectrumLines, Watched};
 pub use bare::BareRun;
 pub use energy_audit::EnergyReport;
@@ -33,9 +31,9 @@ pub use tables::TableUse;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, MethodUse, SEGMENT, Square, Stiffness,
+    Counters, Grid, IntegrateError, Integration, MethodUse, SEGMENT, States, Stiffness,
 };
-use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, MotionScale, Moving, Rotor, check_loose};
+use crate::rotor::{AccountedRotor, MotionScale, Moving, Rotor, check_loose};
 use observers::Observers;
 use reference::{Reference, reference_settings};
 use tables::TableAudit;
@@ -74,37 +72,16 @@ pub fn simulate_part(
     } else {
         Vec::new()
     });
-    if model.energy || rotor.is_driven() {
-        let accounted = AccountedRotor::new(&rotor);
-        return run::<_, ACCOUNTED_STATES, { ACCOUNTED_STATES + 1 }>(
-            model, &accounted, tables, sink, monitor, part,
-        );
-    }
-    // N states of the kept freedoms, and M = N + 1 with the time
-    match rotor.kept() {
-        2 => run::<_, 4, 5>(model, &rotor, tables, sink, monitor, part),
-        3 => run::<_, 6, 7>(model, &rotor, tables, sink, monitor, part),
-        _ => run::<_, 10, 11>(model, &rotor, tables, sink, monitor, part),
-    }
-}
-
-fn run<S, const N: usize, const M: usize>(
-    model: &Model,
-    system: &S,
-    tables: TableAudit,
-    sink: &mut dyn TraceSink,
-    monitor: &mut Monitor<'_>,
-    part: &mut Part<'_>,
-) -> Result<Run, SimulateError>
-where
-    S: Moving<N>,
-    Const<N>: Square,
-{
-    let rotor = system.rotor();
-    let loose = check_loose(&model.rotor, rotor)?;
-    let grid = sampling::grid(model, rotor)?;
-    let mut passes = Passes::<S, N, M>::start(model, system, grid, monitor.stop);
-    let mut observers = Observers::new(model, rotor, grid, sink, tables);
+    let accounted = AccountedRotor::new(&rotor);
+    let system: &dyn Moving = if model.energy || rotor.is_driven() {
+        &accounted
+    } else {
+        &rotor
+    };
+    let loose = check_loose(&model.rotor, &rotor)?;
+    let grid = sampling::grid(model, &rotor)?;
+    let mut passes = Passes::start(model, system, grid, monitor.stop);
+    let mut observers = Observers::new(model, &rotor, grid, sink, tables);
     part.go_on(&mut passes.main, passes.reference.as_mut())?;
     replay(&passes, &mut observers, monitor, part)?;
     integrate(&mut passes, &mut observers, monitor, part)?;
@@ -124,21 +101,17 @@ where
         measured_error: reference.and_then(|reference| reference.measured(model, scale)),
         error_unknown: reference.and_then(Reference::failure),
     };
-    Ok(answer(model, rotor, work, observers, loose))
+    Ok(answer(model, &rotor, work, observers, loose))
 }
 
 /// Shows the observers what an earlier part of the run has integrated.
-fn replay<S, const N: usize, const M: usize>(
-    passes: &Passes<'_, S, N, M>,
+fn replay(
+    passes: &Passes<'_>,
     observers: &mut Observers<'_>,
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
-) -> Result<(), SimulateError>
-where
-    S: Moving<N>,
-    Const<N>: Square,
-{
-    let mut states = Vec::new();
+) -> Result<(), SimulateError> {
+    let mut states = States::new(passes.system.states());
     let mut replayed = 0;
     while replayed < passes.main.done() {
         if monitor.stop.load(Ordering::Relaxed) {
@@ -154,18 +127,14 @@ where
 }
 
 /// Integrates block by block to the end of the run or of its part.
-fn integrate<S, const N: usize, const M: usize>(
-    passes: &mut Passes<'_, S, N, M>,
+fn integrate(
+    passes: &mut Passes<'_>,
     observers: &mut Observers<'_>,
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
-) -> Result<(), SimulateError>
-where
-    S: Moving<N>,
-    Const<N>: Square,
-{
+) -> Result<(), SimulateError> {
     let grid = passes.grid;
-    let mut states = Vec::with_capacity(BLOCK);
+    let mut states = States::with_capacity(passes.system.states(), BLOCK);
     while passes.main.done() < grid.count {
         let first = passes.main.done();
         part.stand(grid.time(first), &passes.main, passes.reference.as_ref())?;
@@ -173,7 +142,7 @@ where
         let result = passes.main.advance(BLOCK, &mut states);
         part.counters = passes.main.counters();
         if let Some(reference) = &mut passes.reference {
-            reference.compare(&states, passes.system, &passes.scale)?;
+            reference.compare(&states, passes.system.rotor(), &passes.scale)?;
         }
         observers.take(passes.system, first, &states)?;
         result?;
@@ -245,20 +214,16 @@ fn answer(
 }
 
 /// The run and the second pass that measures its error.
-struct Passes<'a, S, const N: usize, const M: usize> {
-    system: &'a S,
+struct Passes<'a> {
+    system: &'a dyn Moving,
     scale: MotionScale,
     grid: Grid,
-    main: Integration<'a, S, N, M>,
-    reference: Option<Reference<'a, S, N, M>>,
+    main: Integration<'a>,
+    reference: Option<Reference<'a>>,
 }
 
-impl<'a, S, const N: usize, const M: usize> Passes<'a, S, N, M>
-where
-    S: Moving<N>,
-    Const<N>: Square,
-{
-    fn start(model: &'a Model, system: &'a S, grid: Grid, stop: &'a AtomicBool) -> Self {
+impl<'a> Passes<'a> {
+    fn start(model: &Model, system: &'a dyn Moving, grid: Grid, stop: &'a AtomicBool) -> Self {
         let scale = system
             .rotor()
             .motion_scale(reference_settings(model).tolerance);
@@ -272,7 +237,7 @@ where
             main: pass(model.integrator),
             reference: model
                 .verify
-                .then(|| Reference::new(pass(reference_settings(model)))),
+                .then(|| Reference::new(pass(reference_settings(model)), system.states())),
             scale,
         }
     }

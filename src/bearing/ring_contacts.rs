@@ -5,7 +5,7 @@ use fearless_simd::{Fallback, Simd, SimdBase, SimdFloat};
 use super::number::{LANES, Lanes};
 use super::ring::{Balls, Consumer, side_by_side};
 use super::ring_forces::{ForceSums, total};
-use super::{Ball, BallContact, BallLaw, BearingRotation, ForceLaw, Ring, Vector5};
+use super::{BallContact, BallLaw, BearingRotation, ForceLaw, Ring, Vector5};
 use crate::registers::in_wide_registers;
 
 /// Loads of the balls of one bearing at an instant, ball 0 first.
@@ -69,30 +69,6 @@ impl Ring {
             let mut lift_off = LiftOff { law, speed, past };
             self.visit(simd, &side_by_side(simd, displacement), rotation, &mut lift_off);
         });
-    }
-
-    /// How far one of the balls is pressed past its lift-off, m; infinite for one that the ring does not have.
-    pub(super) fn past_lift_off(
-        &self,
-        law: &impl ForceLaw,
-        ball: usize,
-        displacement: &Vector5,
-        rotation: &BearingRotation,
-    ) -> f64 {
-        let simd = Fallback::new();
-        let mut chosen = Chosen {
-            number: ball,
-            balls: self.balls(),
-            ball: None,
-        };
-        self.visit(
-            simd,
-            &side_by_side(simd, displacement),
-            rotation,
-            &mut chosen,
-        );
-        let past = |ball| law.distance_past_lift_off(&ball, rotation.speed);
-        chosen.ball.map_or(f64::INFINITY, past)
     }
 
     /// Force as by [`Ring::force`]; leaves the loads of all balls in `loads`.
@@ -170,23 +146,6 @@ impl<L: ForceLaw, S: Simd> Consumer<S> for LiftOff<'_, L> {
     fn take(&mut self, at: &Balls<S>) {
         let past = self.law.distance_past_lift_off(&at.ball, self.speed);
         store(past, at.first, self.past);
-    }
-}
-
-/// One of the balls.
-struct Chosen {
-    number: usize,
-    balls: usize,
-    ball: Option<Ball>,
-}
-
-impl<S: Simd> Consumer<S> for Chosen {
-    #[inline(always)]
-    fn take(&mut self, at: &Balls<S>) {
-        let mut balls = at.single(self.balls);
-        if let Some((_, ball)) = balls.find(|(number, _)| *number == self.number) {
-            self.ball = Some(ball);
-        }
     }
 }
 

@@ -39,20 +39,6 @@ impl Support {
         }
     }
 
-    /// The same of one of them.
-    pub(crate) fn past_lift_off(
-        &self,
-        ball: usize,
-        displacement: &Vector5,
-        rotation: &BearingRotation,
-    ) -> f64 {
-        let (ring, place) = (&self.ring, self.ring_displacement(displacement, rotation));
-        match self.table_at(&place, rotation.speed) {
-            Some(table) => ring.past_lift_off(table, ball, &place, rotation),
-            None => with_law!(&self.law, law => ring.past_lift_off(law, ball, &place, rotation)),
-        }
-    }
-
     /// Whether any ball comes to its lift-off as the shaft swings by the distance of two displacements about the first
     /// of them, at a speed in rad/s: at the start's position of the cage, or, where the cage turns, at any.
     ///

@@ -147,7 +147,7 @@ fn along(
     let question = ResponseQuestion {
         model,
         family: &|value| stretch.varied.rotor(value),
-        stretch: stretch.ends,
+        range: stretch.ends,
         multiple: arguments.period.unwrap_or(1),
         points: arguments.points,
         doubled: !arguments.no_doubled,

@@ -7,7 +7,7 @@
 //! - Its derivative cannot fail; a derivative that is not finite is remembered until a step with a
 //!   finite one is accepted, and explains the step-size underflow that follows.
 //! - Grid times drift by added round-off; callers rebuild them from the index.
-//! - Its own look for stiffness comes once in a thousand steps of one solver, and ends runs that
+//! - Its own test for stiffness comes once in a thousand steps of one solver, and ends runs that
 //!   would end well; it is left out for [`stiffness`], which knows the Jacobian and the limit on
 //!   steps.
 
@@ -15,25 +15,32 @@ use std::cell::{Cell, RefCell};
 use std::sync::atomic::Ordering;
 
 use ode_solvers::dop_shared::{IntegrationError, OutputType, Stats};
-use ode_solvers::{Dop853, Dopri5, SVector, System as LibrarySystem};
-
-use nalgebra::Const;
+use ode_solvers::{DVector, Dop853, Dopri5, System as LibrarySystem};
 
 use super::block::{Block, Outcome};
 use super::stiffness::stiffness;
-use super::{Counters, IntegrateError, Linearised, Square};
+use super::{Counters, IntegrateError, Method, States};
 
 /// Evaluations after an accepted step's own that dense output may add, and that one itself.
 const REMEMBERED: usize = 4;
 
 /// The methods of the library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum ExplicitMethod {
+pub(super) enum LibraryMethod {
     Dopri5,
     Dop853,
 }
 
-impl ExplicitMethod {
+impl LibraryMethod {
+    /// The method of the library that a method is.
+    pub fn of(method: Method) -> Option<Self> {
+        match method {
+            Method::Dopri5 => Some(Self::Dopri5),
+            Method::Dop853 => Some(Self::Dop853),
+            _ => None,
+        }
+    }
+
     /// Product of step and largest eigenvalue at which the method ceases to be stable, on the
     /// negative real axis.
     ///
@@ -46,29 +53,23 @@ impl ExplicitMethod {
     }
 }
 
-/// Integrates a block from a scaled state. `M` must be `N + 1`: the state and the time.
-pub(super) fn integrate<S, const N: usize, const M: usize>(
-    method: ExplicitMethod,
-    block: &Block<'_, S, N>,
-    start: &[f64; N],
-) -> Outcome<N>
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    const { assert!(M == N + 1, "one more state than the system has: the time") };
-    let initial = SVector::<f64, M>::from_fn(|row, _| if row < N { start[row] } else { 0.0 });
-    let recorder = Recorder::new(initial);
+/// Integrates a block from a scaled state.
+pub(super) fn integrate(method: LibraryMethod, block: &Block<'_>, start: &[f64]) -> Outcome {
+    let time_scale = block.problem.scaling.time;
+    // the time comes last
+    let initial = DVector::from_column_slice(start).push(0.0);
+    let recorder = Recorder::new(&initial);
     let bridge = Bridge {
         block,
         recorder: &recorder,
         method,
+        state: RefCell::new(start.to_vec()),
     };
-    let dx = block.interval / block.scaling.time;
+    let dx = block.interval / time_scale;
     let end = dx * block.intervals as f64;
     let tolerance = block.local_tolerance();
     let step_limit = u32::try_from(block.steps_left).unwrap_or(u32::MAX);
-    let first_step = (block.first_step / block.scaling.time).min(end);
+    let first_step = (block.first_step / time_scale).min(end);
     macro_rules! solve {
         ($Solver:ident, $beta:expr, $shrink:expr, $grow:expr) => {{
             let mut solver = $Solver::from_param(
@@ -94,33 +95,28 @@ where
         }};
     }
     match method {
-        ExplicitMethod::Dopri5 => solve!(Dopri5, 0.04, 0.2, 10.0),
-        ExplicitMethod::Dop853 => solve!(Dop853, 0.0, 0.333, 6.0),
+        LibraryMethod::Dopri5 => solve!(Dopri5, 0.04, 0.2, 10.0),
+        LibraryMethod::Dop853 => solve!(Dop853, 0.0, 0.333, 6.0),
     }
 }
 
 /// Accepted steps between two of the library's own tests: none comes so far.
 const NO_TEST_FOR_STIFFNESS: u32 = u32::MAX;
-/// Accepted steps between two looks at whether the run comes to its end.
-const OUTLOOK_EVERY: u64 = 1000;
-/// Part of the limit on steps that is used before a run is called hopeless: a short stiff stretch
+/// Accepted steps between two checks of whether the run comes to its end.
+const CHECK_EVERY: u64 = 1000;
+/// Part of the limit on steps that is used before a run is called hopeless: a short stiff part
 /// passes.
 const PATIENCE: f64 = 0.01;
 
-fn outcome<S, const N: usize, const M: usize>(
-    method: ExplicitMethod,
-    block: &Block<'_, S, N>,
-    recorder: &Recorder<M>,
+fn outcome(
+    method: LibraryMethod,
+    block: &Block<'_>,
+    recorder: &Recorder,
     result: Result<Stats, IntegrationError>,
-    dense: &[SVector<f64, M>],
-) -> Outcome<N>
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    let time = |x: f64| block.start + x * block.scaling.time;
-    let end = recorder.end.get();
-    let reached = time(recorder.end_x.get());
+    dense: &[DVector<f64>],
+) -> Outcome {
+    let reached = recorder.time(block);
+    let last_step = recorder.longest_late_step() * block.problem.scaling.time;
     let rejected = match &result {
         Ok(stats) => u64::from(stats.rejected_steps),
         Err(IntegrationError::MaxNumStepReached { n_step, .. }) => {
@@ -134,29 +130,28 @@ where
         Ok(_) => None,
         Err(_) if recorder.fault.get() => Some(IntegrateError::NotFinite { time: reached }),
         Err(IntegrationError::MaxNumStepReached { .. }) => Some(
-            look(method, block, recorder).unwrap_or(IntegrateError::StepLimit {
+            stiff(method, block, recorder).unwrap_or(IntegrateError::StepLimit {
                 time: reached,
-                limit: block.settings.step_limit,
+                limit: block.problem.settings.step_limit,
             }),
         ),
-        // the library does not look for stiffness
+        // the library does not test for stiffness
         Err(
             IntegrationError::StepSizeUnderflow { .. } | IntegrationError::StiffnessDetected { .. },
         ) => Some(IntegrateError::StepUnderflow {
             time: reached,
-            step: recorder.longest_late_step() * block.scaling.time,
+            step: last_step,
         }),
     };
-    let states = dense
-        .iter()
-        .take(block.intervals)
-        .take_while(|state| state.iter().all(|value| value.is_finite()))
-        .map(without_time)
-        .collect();
+    let mut states = States::with_capacity(block.problem.system.states(), block.intervals);
+    let finite = |state: &&DVector<f64>| state.iter().all(|value| value.is_finite());
+    for state in dense.iter().take(block.intervals).take_while(finite) {
+        states.push(without_time(state));
+    }
     Outcome {
         states,
-        end: without_time(&end),
-        last_step: recorder.longest_late_step() * block.scaling.time,
+        end: without_time(&recorder.end.borrow()).to_vec(),
+        last_step,
         counters: Counters {
             steps: recorder.accepted.get(),
             rejected,
@@ -168,57 +163,50 @@ where
 
 /// The error that ends a run that stability keeps from its end: none where steps are as long as
 /// accuracy allows.
-fn look<S, const N: usize, const M: usize>(
-    method: ExplicitMethod,
-    block: &Block<'_, S, N>,
-    recorder: &Recorder<M>,
-) -> Option<IntegrateError>
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    let step = recorder.longest_late_step() * block.scaling.time;
+fn stiff(method: LibraryMethod, block: &Block<'_>, recorder: &Recorder) -> Option<IntegrateError> {
+    let step = recorder.longest_late_step() * block.problem.scaling.time;
     if step <= 0.0 {
         return None;
     }
-    let time = block.start + recorder.end_x.get() * block.scaling.time;
-    let state = without_time(&recorder.end.get());
-    let found = stiffness(block, method.stability_limit(), time, &state, step)?;
+    let time = recorder.time(block);
+    let end = recorder.end.borrow();
+    let found = stiffness(
+        block,
+        method.stability_limit(),
+        time,
+        without_time(&end),
+        step,
+    )?;
     Some(IntegrateError::Stiff {
         needed: needed(block, recorder, time, step),
-        limit: block.settings.step_limit,
+        limit: block.problem.settings.step_limit,
         stiffness: found,
     })
 }
 
 /// Steps of the whole run that goes on with steps of a size.
-fn needed<S, const N: usize, const M: usize>(
-    block: &Block<'_, S, N>,
-    recorder: &Recorder<M>,
-    time: f64,
-    step: f64,
-) -> f64 {
-    used(block, recorder) + (block.run_end - time).max(0.0) / step
+fn needed(block: &Block<'_>, recorder: &Recorder, time: f64, step: f64) -> f64 {
+    used(block, recorder) + (block.problem.end - time).max(0.0) / step
 }
 
 /// Steps of the whole run so far.
-fn used<S, const N: usize, const M: usize>(block: &Block<'_, S, N>, recorder: &Recorder<M>) -> f64 {
-    let before = block.settings.step_limit - block.steps_left;
+fn used(block: &Block<'_>, recorder: &Recorder) -> f64 {
+    let before = block.problem.settings.step_limit - block.steps_left;
     (before + recorder.accepted.get()) as f64
 }
 
-fn without_time<const N: usize, const M: usize>(state: &SVector<f64, M>) -> [f64; N] {
-    std::array::from_fn(|row| state[row])
+fn without_time(state: &DVector<f64>) -> &[f64] {
+    &state.as_slice()[..state.len() - 1]
 }
 
 /// What the solver's calls reveal and its interface does not.
-struct Recorder<const M: usize> {
+struct Recorder {
     /// Latest evaluations, in a ring.
-    evaluated: RefCell<[(f64, SVector<f64, M>); REMEMBERED]>,
+    evaluated: RefCell<[(f64, DVector<f64>); REMEMBERED]>,
     evaluations: Cell<u64>,
     accepted: Cell<u64>,
     /// State at the end of the latest accepted step.
-    end: Cell<SVector<f64, M>>,
+    end: RefCell<DVector<f64>>,
     end_x: Cell<f64>,
     /// Sizes of the latest accepted steps.
     steps: Cell<[f64; 3]>,
@@ -229,13 +217,13 @@ struct Recorder<const M: usize> {
     hopeless: RefCell<Option<IntegrateError>>,
 }
 
-impl<const M: usize> Recorder<M> {
-    fn new(start: SVector<f64, M>) -> Self {
+impl Recorder {
+    fn new(start: &DVector<f64>) -> Self {
         Self {
-            evaluated: RefCell::new([(f64::NAN, start); REMEMBERED]),
+            evaluated: RefCell::new(std::array::from_fn(|_| (f64::NAN, start.clone()))),
             evaluations: Cell::new(0),
             accepted: Cell::new(0),
-            end: Cell::new(start),
+            end: RefCell::new(start.clone()),
             end_x: Cell::new(0.0),
             steps: Cell::new([0.0; 3]),
             fault: Cell::new(false),
@@ -244,9 +232,11 @@ impl<const M: usize> Recorder<M> {
         }
     }
 
-    fn evaluated(&self, x: f64, state: &SVector<f64, M>, finite: bool) {
+    fn evaluated(&self, x: f64, state: &DVector<f64>, finite: bool) {
         let count = self.evaluations.get();
-        self.evaluated.borrow_mut()[count as usize % REMEMBERED] = (x, *state);
+        let (at, kept) = &mut self.evaluated.borrow_mut()[count as usize % REMEMBERED];
+        *at = x;
+        kept.copy_from(state);
         self.evaluations.set(count + 1);
         if !finite {
             self.fault.set(true);
@@ -259,18 +249,22 @@ impl<const M: usize> Recorder<M> {
         let (count, evaluated) = (self.evaluations.get() as usize, self.evaluated.borrow());
         let state = (1..=REMEMBERED.min(count))
             .map(|back| &evaluated[(count - back) % REMEMBERED])
-            .find(|(at, _)| *at == x && x > self.end_x.get())
-            .map(|(_, state)| *state);
-        let accepted = state.is_some();
-        if let Some(state) = state {
-            let [_, second, third] = self.steps.get();
-            self.steps.set([second, third, x - self.end_x.get()]);
-            self.end_x.set(x);
-            self.end.set(state);
-            self.accepted.set(self.accepted.get() + 1);
-            self.fault.set(false);
-        }
-        accepted
+            .find(|(at, _)| *at == x && x > self.end_x.get());
+        let Some((_, state)) = state else {
+            return false;
+        };
+        let [_, second, third] = self.steps.get();
+        self.steps.set([second, third, x - self.end_x.get()]);
+        self.end_x.set(x);
+        self.end.borrow_mut().copy_from(state);
+        self.accepted.set(self.accepted.get() + 1);
+        self.fault.set(false);
+        true
+    }
+
+    /// Time at the end of the latest accepted step, s.
+    fn time(&self, block: &Block<'_>) -> f64 {
+        block.start + self.end_x.get() * block.problem.scaling.time
     }
 
     /// The last step may be cut short by the end of the block; one of those before was not.
@@ -280,60 +274,50 @@ impl<const M: usize> Recorder<M> {
 }
 
 /// The system as the library sees it: scaled, and with the time as its last state.
-struct Bridge<'a, S, const N: usize, const M: usize> {
-    block: &'a Block<'a, S, N>,
-    recorder: &'a Recorder<M>,
-    method: ExplicitMethod,
+struct Bridge<'a> {
+    block: &'a Block<'a>,
+    recorder: &'a Recorder,
+    method: LibraryMethod,
+    /// Room for a state.
+    state: RefCell<Vec<f64>>,
 }
 
-impl<S, const N: usize, const M: usize> Bridge<'_, S, N, M>
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    /// Whether stability keeps the run from ending within its limit on steps; looked at now and then.
+impl Bridge<'_> {
+    /// Whether stability keeps the run from ending within its limit on steps; checked now and then.
     fn is_hopeless(&self) -> bool {
         let (block, recorder) = (self.block, self.recorder);
-        if !recorder.accepted.get().is_multiple_of(OUTLOOK_EVERY) {
+        if !recorder.accepted.get().is_multiple_of(CHECK_EVERY) {
             return false;
         }
-        let limit = block.settings.step_limit as f64;
-        let time = block.start + recorder.end_x.get() * block.scaling.time;
-        let step = recorder.longest_late_step() * block.scaling.time;
-        let used = used(block, recorder);
-        if used < PATIENCE * limit || needed(block, recorder, time, step) < limit {
+        let limit = block.problem.settings.step_limit as f64;
+        let step = recorder.longest_late_step() * block.problem.scaling.time;
+        let needed = needed(block, recorder, recorder.time(block), step);
+        if used(block, recorder) < PATIENCE * limit || needed < limit {
             return false;
         }
-        *recorder.hopeless.borrow_mut() = look(self.method, block, recorder);
+        *recorder.hopeless.borrow_mut() = stiff(self.method, block, recorder);
         recorder.hopeless.borrow().is_some()
     }
 }
 
-impl<S, const N: usize, const M: usize> LibrarySystem<f64, SVector<f64, M>> for Bridge<'_, S, N, M>
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    fn system(&self, x: f64, state: &SVector<f64, M>, rate: &mut SVector<f64, M>) {
-        let scaling = self.block.scaling;
-        let physical = scaling.state(&state.as_slice()[..N]);
-        let mut derivative = [0.0; N];
-        let time = self.block.start + state[N] * scaling.time;
+impl LibrarySystem<f64, DVector<f64>> for Bridge<'_> {
+    fn system(&self, x: f64, state: &DVector<f64>, rate: &mut DVector<f64>) {
+        let own = state.len() - 1;
+        let time = self.block.start + state[own] * self.block.problem.scaling.time;
+        let (rates, room) = (
+            &mut rate.as_mut_slice()[..own],
+            &mut self.state.borrow_mut(),
+        );
         self.block
-            .system
-            .derivative(time, &physical, &mut derivative);
-        let mut sum = 0.0;
-        for row in 0..N {
-            rate[row] = derivative[row] * (scaling.time / scaling.scale[row]);
-            sum += rate[row];
-        }
-        rate[N] = 1.0;
+            .scaled_derivative(time, without_time(state), room, rates);
+        let sum: f64 = rates.iter().sum();
+        rate[own] = 1.0;
         self.recorder.evaluated(x, state, sum.is_finite());
     }
 
-    fn solout(&mut self, x: f64, _stale: &SVector<f64, M>, _rate: &SVector<f64, M>) -> bool {
+    fn solout(&mut self, x: f64, _stale: &DVector<f64>, _rate: &DVector<f64>) -> bool {
         let accepted = self.recorder.announced(x);
-        let stop = self.block.stop.load(Ordering::Relaxed);
+        let stop = self.block.problem.stop.load(Ordering::Relaxed);
         self.recorder.stopped.set(stop);
         stop || (accepted && self.is_hopeless())
     }

@@ -1,15 +1,12 @@
 //! The choice of a method for a run that names none.
 //!
-//! One rule, asked once: where the motion is expected to cross surfaces at which the derivative is not smooth, as
-//! the lift-off of a ball from a race ([`System::expects_crossings`](super::System::expects_crossings)), the
-//! explicit pair `verner76`, whose steps end on them, takes the run; elsewhere the exponential method. And one way
-//! back: a run of the exponential method that crosses them again and again goes on with `verner76`, and so does one
-//! in which that method can take no step.
+//! One rule, asked once: where the motion is expected to cross event surfaces, as the lift-off of a ball from a race
+//! ([`System::expects_crossings`](super::System::expects_crossings)), the explicit pair `verner76`, whose steps end on
+//! them, takes the run; elsewhere the exponential method. And one way back: a run of the exponential method that
+//! crosses them again and again goes on with `verner76`, and so does one in which that method can take no step.
 
 use serde::{Deserialize, Serialize};
 
-use super::course::Course;
-use super::look::Look;
 use super::{IntegrateError, Method, System};
 
 /// Steps of the exponential method that are looked back over, and how many of them that crossed a surface are
@@ -43,21 +40,9 @@ impl MethodUse {
             Some(_) => Method::Verner76,
         }
     }
-}
 
-/// The rule applied to a run under way.
-#[derive(Debug, Clone)]
-pub(super) struct Choice<const N: usize> {
-    pub method_use: MethodUse,
-    /// The latest event check of the exponential method.
-    looked: Look<N>,
-    /// Its latest steps, a bit for each, set where a step crossed a surface.
-    crossings: u64,
-}
-
-impl MethodUse {
     /// By the rule, before the first step.
-    pub(super) fn of<S: System<N>, const N: usize>(system: &S) -> Self {
+    pub(super) fn of(system: &dyn System) -> Self {
         let first = if system.expects_crossings() {
             Method::Verner76
         } else {
@@ -70,27 +55,33 @@ impl MethodUse {
     }
 }
 
-impl<const N: usize> Choice<N> {
+/// The rule applied to a run under way.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Choice {
+    pub method_use: MethodUse,
+    /// The latest steps of the exponential method, a bit for each, set where a step crossed a surface.
+    crossings: u64,
+}
+
+impl Choice {
     /// Of a run that goes on with what was chosen.
     pub fn new(method_use: MethodUse) -> Self {
         Self {
             method_use,
-            looked: Look::NONE,
             crossings: 0,
         }
     }
 
-    /// Takes note of how a step of the exponential method ended, at a time in s in a deviation from the origin;
+    /// Takes note of how a step of the exponential method ended at a time, s, and whether it crossed an event surface;
     /// whether the explicit pair is to go on from there.
     ///
     /// # Errors
     /// Why the run ends there.
-    pub fn is_over<S: System<N>>(
+    pub fn is_over(
         &mut self,
-        course: &Course<'_, S, N>,
-        [start, time]: [f64; 2],
-        deviations: [&[f64; N]; 2],
         ending: Result<(), IntegrateError>,
+        time: f64,
+        crossed: bool,
     ) -> Result<bool, IntegrateError> {
         let reason = match ending {
             Err(IntegrateError::StepUnderflow { .. } | IntegrateError::NotFinite { .. }) => {
@@ -98,8 +89,7 @@ impl<const N: usize> Choice<N> {
             }
             Err(error) => return Err(error),
             Ok(()) => {
-                let states = deviations.map(|deviation| course.state(deviation));
-                self.count_crossing(course.system, [start, time], states);
+                self.crossings = self.crossings << 1 | u64::from(crossed);
                 if self.crossings.count_ones() < AGAIN_AND_AGAIN {
                     return Ok(false);
                 }
@@ -108,21 +98,5 @@ impl<const N: usize> Choice<N> {
         };
         self.method_use.change = Some((reason, time));
         Ok(true)
-    }
-
-    /// Takes note of whether a step between two times and states crossed a surface.
-    fn count_crossing<S: System<N>>(
-        &mut self,
-        system: &S,
-        [start, time]: [f64; 2],
-        [from, to]: [[f64; N]; 2],
-    ) {
-        self.crossings <<= 1;
-        if self.looked.is_clear(system, time, &to) {
-            return;
-        }
-        let before = system.surroundings(start, &from).sides;
-        self.looked = Look::around(system, time, to);
-        self.crossings |= u64::from(self.looked.sides != before);
     }
 }

@@ -2,7 +2,7 @@
 
 /// Part of the step that the error estimate would allow: where balls lose contact, larger ones are
 /// rejected too often.
-const SAFETY: f64 = 0.8;
+pub(super) const SAFETY: f64 = 0.8;
 /// Least and largest change of the size from one trial to the next.
 const SHRINK: f64 = 0.2;
 const GROW: f64 = 6.0;
@@ -17,29 +17,42 @@ const LEAST_ERROR: f64 = 1e-12;
 /// less than their scatter, on smooth motion and with balls that lose contact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Control {
+    /// Part of the step that the error estimate would allow.
+    safety: f64,
     /// Whether the latest trial was rejected.
     rejected: bool,
 }
 
 impl Control {
-    pub const NEW: Self = Self { rejected: false };
+    /// With a part of the step that the error estimate would allow.
+    pub fn new(safety: f64) -> Self {
+        Self {
+            safety,
+            rejected: false,
+        }
+    }
 
     /// Factor after a good step; none above one directly after a bad one.
     pub fn accepted(&mut self, error: f64, power: i32) -> f64 {
-        let growth = growth(error.max(LEAST_ERROR), power);
+        let growth = self.growth(error.max(LEAST_ERROR), power);
         let most = if self.rejected { 1.0 } else { GROW };
         self.rejected = false;
         growth.clamp(SHRINK, most)
     }
 
+    /// Takes note of a bad step whose error says nothing of the next size.
+    pub fn note_rejected(&mut self) {
+        self.rejected = true;
+    }
+
     /// Factor after a bad step, whose error may be no number.
     pub fn rejected(&mut self, error: f64, power: i32) -> f64 {
         self.rejected = true;
-        let growth = growth(error, power);
+        let growth = self.growth(error, power);
         if growth >= SHRINK { growth } else { SHRINK }
     }
-}
 
-fn growth(error: f64, power: i32) -> f64 {
-    SAFETY * error.powf(-1.0 / f64::from(power))
+    fn growth(&self, error: f64, power: i32) -> f64 {
+        self.safety * error.powf(-1.0 / f64::from(power))
+    }
 }

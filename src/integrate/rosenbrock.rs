@@ -10,10 +10,11 @@
 
 use std::sync::atomic::Ordering;
 
-use nalgebra::{Const, SMatrix, SVector};
+use nalgebra::{DMatrix, DVector};
 
 use super::block::{Block, Outcome};
-use super::{Counters, IntegrateError, Linearised, Square};
+use super::control::Control;
+use super::{Counters, IntegrateError, States};
 
 const GAMMA: f64 = 0.25;
 const STAGES: usize = 6;
@@ -93,84 +94,89 @@ const DENSE: [[f64; 5]; 2] = [
     ],
 ];
 
-/// Smallest and largest growth of a step, and the safety of its choice.
-const SHRINK: f64 = 0.2;
-const GROW: f64 = 6.0;
+/// Power of the step size that the error estimate falls with.
+const ERROR_POWER: i32 = 4;
+/// Part of the step that the error estimate would allow.
 const SAFETY: f64 = 0.9;
 /// First step in units of the scaling's time, where none is known.
 const FIRST_STEP: f64 = 1e-3;
 
 /// Integrates a block from a scaled state.
-pub(super) fn integrate<S, const N: usize>(block: &Block<'_, S, N>, start: &[f64; N]) -> Outcome<N>
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    let mut walk = Walk::new(block, start);
-    let error = walk.run().err();
+pub(super) fn integrate(block: &Block<'_>, start: &[f64]) -> Outcome {
+    let mut stepper = Stepper::new(block, start);
+    let error = stepper.run().err();
     Outcome {
-        states: walk.states,
-        end: walk.state.into(),
-        last_step: walk.full_step * block.scaling.time,
-        counters: walk.counters,
+        states: stepper.states,
+        end: stepper.state.as_slice().to_vec(),
+        last_step: stepper.full_step * block.problem.scaling.time,
+        counters: stepper.counters,
         error,
     }
 }
 
-/// A block being walked through, in scaled states and scaled time from the block's start.
-struct Walk<'a, S, const N: usize> {
-    block: &'a Block<'a, S, N>,
+/// A block under way, in scaled states and scaled time from the block's start.
+struct Stepper<'a> {
+    block: &'a Block<'a>,
     time: f64,
-    state: SVector<f64, N>,
+    state: DVector<f64>,
     /// Size of the next step, and of the latest one that the end of the block did not cut.
     step: f64,
     full_step: f64,
+    control: Control,
     counters: Counters,
     /// Whether a trial since the latest good step was not finite.
     fault: bool,
-    states: Vec<[f64; N]>,
+    states: States,
+    jacobian: DMatrix<f64>,
+    by_time: DVector<f64>,
+    /// Stages k_i of the latest trial.
+    stages: [DVector<f64>; STAGES],
+    /// Room for a state.
+    room: Vec<f64>,
 }
 
 /// An attempted step.
-struct Trial<const N: usize> {
-    end: SVector<f64, N>,
+struct Trial {
+    end: DVector<f64>,
     /// Error over tolerance; a step is good at 1 or less.
     error: f64,
-    dense: [SVector<f64, N>; 2],
+    dense: [DVector<f64>; 2],
 }
 
-impl<'a, S, const N: usize> Walk<'a, S, N>
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    fn new(block: &'a Block<'a, S, N>, start: &[f64; N]) -> Self {
-        let known = block.first_step / block.scaling.time;
+impl<'a> Stepper<'a> {
+    fn new(block: &'a Block<'a>, start: &[f64]) -> Self {
+        let known = block.first_step / block.problem.scaling.time;
         let step = if known > 0.0 { known } else { FIRST_STEP };
+        let states = start.len();
         Self {
             block,
             time: 0.0,
-            state: SVector::from(*start),
+            state: DVector::from_column_slice(start),
             step,
             full_step: step,
+            control: Control::new(SAFETY),
             counters: Counters::default(),
             fault: false,
-            states: Vec::with_capacity(block.intervals),
+            states: States::with_capacity(states, block.intervals),
+            jacobian: DMatrix::zeros(states, states),
+            by_time: DVector::zeros(states),
+            stages: std::array::from_fn(|_| DVector::zeros(states)),
+            room: start.to_vec(),
         }
     }
 
     fn run(&mut self) -> Result<(), IntegrateError> {
-        let interval = self.block.interval / self.block.scaling.time;
+        let interval = self.block.interval / self.block.problem.scaling.time;
         let end = interval * self.block.intervals as f64;
         while self.time < end {
             self.check_limits()?;
             let cut = self.time + 1.01 * self.step >= end;
             let size = if cut { end - self.time } else { self.step };
             let trial = self.attempt(size);
-            let growth = (SAFETY * trial.error.powf(-0.25)).clamp(SHRINK, GROW);
             if trial.error <= 1.0 {
                 self.counters.steps += 1;
                 self.fault = false;
+                let growth = self.control.accepted(trial.error, ERROR_POWER);
                 let reached = if cut { end } else { self.time + size };
                 self.hand_out(&trial, size, reached, interval);
                 (self.time, self.state) = (reached, trial.end);
@@ -181,35 +187,40 @@ where
             } else {
                 self.counters.rejected += 1;
                 self.fault |= trial.error == f64::INFINITY;
-                // growth is NaN where the trial was not finite
-                self.step = size * if growth < 1.0 { growth } else { SHRINK };
+                self.step = size * self.control.rejected(trial.error, ERROR_POWER);
             }
         }
         Ok(())
     }
 
     fn check_limits(&self) -> Result<(), IntegrateError> {
-        let time = self.block.start + self.time * self.block.scaling.time;
-        if self.block.stop.load(Ordering::Relaxed) {
+        let problem = &self.block.problem;
+        let time = self.seconds(self.time);
+        if problem.stop.load(Ordering::Relaxed) {
             return Err(IntegrateError::Interrupted { time });
         }
         if self.counters.steps + self.counters.rejected >= self.block.steps_left {
-            let limit = self.block.settings.step_limit;
+            let limit = problem.settings.step_limit;
             return Err(IntegrateError::StepLimit { time, limit });
         }
         if self.step <= 10.0 * f64::EPSILON * self.time.max(FIRST_STEP) {
             return Err(if self.fault {
                 IntegrateError::NotFinite { time }
             } else {
-                let step = self.step * self.block.scaling.time;
+                let step = self.step * problem.scaling.time;
                 IntegrateError::StepUnderflow { time, step }
             });
         }
         Ok(())
     }
 
+    /// Time in s at a scaled time from the block's start.
+    fn seconds(&self, time: f64) -> f64 {
+        self.block.start + time * self.block.problem.scaling.time
+    }
+
     /// Hands out the grid points within the step that ends at `reached`.
-    fn hand_out(&mut self, trial: &Trial<N>, size: f64, reached: f64, interval: f64) {
+    fn hand_out(&mut self, trial: &Trial, size: f64, reached: f64, interval: f64) {
         while self.states.len() < self.block.intervals {
             let point = interval * self.states.len() as f64;
             if point >= reached {
@@ -217,90 +228,83 @@ where
             }
             let theta = (point - self.time) / size;
             let rest = 1.0 - theta;
-            let bent = (trial.dense[0] + trial.dense[1] * theta) * rest;
-            let state = self.state * rest + (trial.end + bent) * theta;
-            self.states.push(state.into());
+            let bent = (&trial.dense[0] + &trial.dense[1] * theta) * rest;
+            let state = &self.state * rest + (&trial.end + bent) * theta;
+            self.states.push(state.as_slice());
         }
     }
 
-    /// Derivative of the scaled state by scaled time.
-    fn derivative(&self, time: f64, state: &SVector<f64, N>) -> SVector<f64, N> {
-        let scaling = self.block.scaling;
-        let mut rate = [0.0; N];
-        let physical = scaling.state(state.as_slice());
-        let time = self.block.start + time * scaling.time;
-        self.block.system.derivative(time, &physical, &mut rate);
-        SVector::from_fn(|row, _| rate[row] * (scaling.time / scaling.scale[row]))
+    /// Takes `∂f/∂y` and `∂f/∂t` in scaled quantities.
+    fn linearise(&mut self) {
+        let (time, problem) = (self.seconds(self.time), &self.block.problem);
+        let scaling = problem.scaling;
+        scaling.write_state(self.state.as_slice(), &mut self.room);
+        let by_time = self.by_time.as_mut_slice();
+        problem
+            .system
+            .linearisation(time, &self.room, &mut self.jacobian, by_time);
+        scaling.scale_jacobian(&mut self.jacobian);
+        for (rate, scale) in by_time.iter_mut().zip(&scaling.scale) {
+            *rate = *rate * scaling.time * scaling.time / scale;
+        }
     }
 
-    /// `∂f/∂y` and `∂f/∂t` in scaled quantities.
-    fn linearisation(&self) -> (SMatrix<f64, N, N>, SVector<f64, N>) {
-        let scaling = self.block.scaling;
-        let physical = scaling.state(self.state.as_slice());
-        let time = self.block.start + self.time * scaling.time;
-        let (jacobian, by_time) = self.block.system.linearisation(time, &physical);
-        let scaled = SMatrix::from_fn(|row, column| {
-            jacobian[(row, column)] * scaling.time * scaling.scale[column] / scaling.scale[row]
-        });
-        let by_time = SVector::from_fn(|row, _| {
-            by_time[row] * scaling.time * scaling.time / scaling.scale[row]
-        });
-        (scaled, by_time)
-    }
-
-    fn attempt(&mut self, size: f64) -> Trial<N> {
-        let (jacobian, by_time) = self.linearisation();
-        let factors = (SMatrix::<f64, N, N>::identity() / (size * GAMMA) - jacobian).lu();
-        let mut stages = [SVector::<f64, N>::zeros(); STAGES];
-        let mut argument = self.state;
+    fn attempt(&mut self, size: f64) -> Trial {
+        self.linearise();
+        let states = self.state.len();
+        let unity = DMatrix::<f64>::identity(states, states);
+        let factors = (unity / (size * GAMMA) - &self.jacobian).lu();
+        let mut argument = self.state.clone();
         for stage in 0..STAGES {
-            argument = match stage {
-                5 => argument + stages[4],
-                _ => self.state + combine(&ARGUMENT[stage], &stages),
-            };
-            let rate = self.derivative(self.time + NODE[stage] * size, &argument);
-            let right =
-                rate + combine(&COUPLING[stage], &stages) / size + by_time * (size * TIME[stage]);
+            match stage {
+                5 => argument += &self.stages[4],
+                _ => argument = &self.state + combine(&ARGUMENT[stage], &self.stages),
+            }
+            let time = self.seconds(self.time + NODE[stage] * size);
+            let mut right = combine(&COUPLING[stage], &self.stages) / size;
+            let rate = self.stages[stage].as_mut_slice();
+            self.block
+                .scaled_derivative(time, argument.as_slice(), &mut self.room, rate);
+            right += &self.stages[stage];
+            right += &self.by_time * (size * TIME[stage]);
             // a singular matrix gives no step: the trial counts as infinitely wrong
-            stages[stage] = factors
-                .solve(&right)
-                .unwrap_or_else(|| SVector::repeat(f64::NAN));
+            if !factors.solve_mut(&mut right) {
+                right.fill(f64::NAN);
+            }
+            self.stages[stage] = right;
         }
         self.counters.evaluations += STAGES as u64;
-        let end = argument + stages[5];
+        let end = argument + &self.stages[5];
         Trial {
-            error: self.error(&end, &stages[5]),
+            error: self.error(&end),
+            dense: DENSE.map(|row| combine(&row, &self.stages)),
             end,
-            dense: DENSE.map(|row| combine(&row, &stages)),
         }
     }
 
-    /// Root mean square of the error over what is allowed.
-    fn error(&self, end: &SVector<f64, N>, error: &SVector<f64, N>) -> f64 {
+    /// Root mean square of the error, which is the last stage, over what is allowed.
+    fn error(&self, end: &DVector<f64>) -> f64 {
         let tolerance = self.block.local_tolerance();
-        let sum: f64 = (0..N)
-            .map(|row| {
-                let size = self.state[row].abs().max(end[row].abs());
-                (error[row] / (tolerance * (1.0 + size))).powi(2)
+        let sizes = self.state.iter().zip(end.iter());
+        let errors = self.stages[STAGES - 1].iter().zip(sizes);
+        let sum: f64 = errors
+            .map(|(error, (from, to))| {
+                let size = from.abs().max(to.abs());
+                (error / (tolerance * (1.0 + size))).powi(2)
             })
             .sum();
-        let norm = (sum / N as f64).sqrt();
-        if norm.is_nan() {
-            f64::INFINITY
-        } else {
-            norm.max(1e-12)
-        }
+        let norm = (sum / end.len() as f64).sqrt();
+        if norm.is_nan() { f64::INFINITY } else { norm }
     }
 }
 
-/// Σ factor_j k_j
-fn combine<const N: usize, const M: usize>(
-    factors: &[f64; M],
-    stages: &[SVector<f64, N>; STAGES],
-) -> SVector<f64, N> {
-    let mut sum = SVector::zeros();
+/// Σ factor_j k_j of the first stages
+fn combine(factors: &[f64], stages: &[DVector<f64>; STAGES]) -> DVector<f64> {
+    let mut sum = DVector::zeros(stages[0].len());
     for (factor, stage) in factors.iter().zip(stages) {
-        sum += stage * *factor;
+        if *factor != 0.0 {
+            sum.axpy(*factor, stage, 1.0);
+        }
     }
     sum
 }

@@ -1,51 +1,58 @@
 //! A system whose clock starts later.
 
-use nalgebra::SMatrix;
+use nalgebra::DMatrix;
 
-use super::{Linearised, Surroundings, System};
+use super::System;
 
 /// The same system with its time counted from `start`, s.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shifted<'a, S> {
+#[derive(Clone, Copy)]
+pub struct Shifted<'a> {
     /// The system.
-    pub system: &'a S,
+    pub system: &'a dyn System,
     /// Its time where the shifted one is zero, s.
     pub start: f64,
 }
 
-impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
-    #[inline]
-    fn derivative(&self, time: f64, state: &[f64; N], rate: &mut [f64; N]) {
+impl System for Shifted<'_> {
+    fn states(&self) -> usize {
+        self.system.states()
+    }
+
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         self.system.derivative(self.start + time, state, rate);
+    }
+
+    fn linearisation(
+        &self,
+        time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        let system = self.system;
+        system.linearisation(self.start + time, state, jacobian, by_time);
     }
 
     fn next_break(&self, after: f64) -> f64 {
         self.system.next_break(self.start + after) - self.start
     }
 
-    fn surroundings(&self, time: f64, state: &[f64; N]) -> Surroundings {
-        self.system.surroundings(self.start + time, state)
+    fn event_count(&self) -> usize {
+        self.system.event_count()
     }
 
-    fn past(&self, surface: u32, time: f64, state: &[f64; N]) -> f64 {
-        self.system.past(surface, self.start + time, state)
+    fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        self.system.events(self.start + time, state, values);
     }
 
-    fn approach(&self, times: [f64; 2], states: [&[f64; N]; 2]) -> f64 {
+    fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
         let times = times.map(|time| self.start + time);
-        self.system.approach(times, states)
+        self.system.event_change(times, states)
     }
 
-    fn clearance(&self, state: &[f64; N]) -> f64 {
-        self.system.clearance(state)
-    }
-
-    fn shift(&self, states: [&[f64; N]; 2]) -> f64 {
-        self.system.shift(states)
-    }
-
-    fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {
-        self.system.added(surface, self.start + time, distance)
+    fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
+        let system = self.system;
+        system.force_jump(event, self.start + time, distance, rate);
     }
 
     fn is_second_order(&self) -> bool {
@@ -54,11 +61,5 @@ impl<const N: usize, S: System<N>> System<N> for Shifted<'_, S> {
 
     fn expects_crossings(&self) -> bool {
         self.system.expects_crossings()
-    }
-}
-
-impl<const N: usize, S: Linearised<N>> Linearised<N> for Shifted<'_, S> {
-    fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]) {
-        self.system.linearisation(self.start + time, state)
     }
 }

@@ -1,25 +1,25 @@
 //! The stepper of the method in use.
 
 use super::auto::{Choice, MethodUse};
-use super::course::Course;
-use super::explicit::{self, Pair, Verner76};
-use super::exponential::ExponentialWalk;
-use super::{Counters, IntegrateError, Linearised, Method, Scaling};
+use super::explicit::{ExplicitStepper, STABILITY};
+use super::exponential::ExponentialStepper;
+use super::problem::Problem;
+use super::{Counters, IntegrateError, Method};
 
 /// The stepper of a method of this crate, whose steps do not end with a block of samples.
 #[derive(Debug, Clone)]
-pub(super) struct Stepper<const N: usize> {
-    of: Of<N>,
+pub(super) struct Stepper {
+    of: Of,
     /// Where the choice of the method is left open.
-    choice: Option<Choice<N>>,
+    choice: Option<Choice>,
     /// Interval of the samples, s.
     interval: f64,
 }
 
 #[derive(Debug, Clone)]
-enum Of<const N: usize> {
-    Explicit(Box<explicit::Walk<N>>),
-    Exponential(Box<ExponentialWalk<N>>),
+enum Of {
+    Explicit(Box<ExplicitStepper>),
+    Exponential(Box<ExponentialStepper>),
 }
 
 /// The same of either.
@@ -33,93 +33,86 @@ macro_rules! either {
 }
 
 /// Where a stepper begins.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Start<const N: usize> {
+#[derive(Debug, Clone)]
+pub(super) struct Start {
     /// s.
     pub time: f64,
     /// From the scaling's origin.
-    pub deviation: [f64; N],
+    pub deviation: Vec<f64>,
     /// Size of the first step, s; zero where it is to find its own.
     pub step: f64,
     /// Work done before.
     pub counters: Counters,
-    /// Which method has carried the run, where the choice is left open and it is under way.
+    /// Which method has carried the run, where the choice is left open.
     pub method_use: Option<MethodUse>,
 }
 
-impl<const N: usize> Of<N> {
-    fn new(method: Method, start: &Start<N>, interval: f64) -> Self {
+impl Of {
+    fn new(method: Method, problem: &Problem<'_>, start: &Start, interval: f64) -> Self {
         let Start {
             time,
-            deviation,
+            ref deviation,
             step,
             counters,
             ..
         } = *start;
-        match method {
-            Method::Exponential => {
-                let times = [time, interval];
-                let stepper = ExponentialWalk::new(times, deviation, step, counters);
-                Self::Exponential(Box::new(stepper))
-            }
-            _ => Self::Explicit(Box::new(explicit::Walk::new(
-                time, deviation, step, counters,
-            ))),
+        if method == Method::Exponential {
+            let times = [time, interval];
+            let stepper = ExponentialStepper::new(problem, times, deviation, step, counters);
+            return Self::Exponential(Box::new(stepper));
         }
+        let stepper = ExplicitStepper::new(problem, time, deviation, step, counters);
+        Self::Explicit(Box::new(stepper))
     }
 }
 
-impl<const N: usize> Stepper<N> {
+impl Stepper {
     /// By a method, before samples at an interval, s.
-    pub fn new(method: Method, start: &Start<N>, interval: f64) -> Self {
+    pub fn new(method: Method, problem: &Problem<'_>, start: &Start, interval: f64) -> Self {
         let method = start.method_use.map_or(method, |used| used.latest());
         Self {
-            of: Of::new(method, start, interval),
+            of: Of::new(method, problem, start, interval),
             choice: start.method_use.map(Choice::new),
             interval,
         }
     }
 
-    /// State at a time that is not before the start of the latest step; steps on as far as needed.
+    /// Writes the state at a time that is not before the start of the latest step; takes steps as far as needed.
     ///
     /// # Errors
     /// Why the run ends before that time.
-    #[inline]
-    pub fn state_at<S: Linearised<N>>(
+    pub fn state_at(
         &mut self,
-        course: &Course<'_, S, N>,
+        problem: &Problem<'_>,
         time: f64,
-    ) -> Result<[f64; N], IntegrateError> {
+        state: &mut [f64],
+    ) -> Result<(), IntegrateError> {
         while self.time() < time {
-            self.step(course)?;
+            self.step(problem)?;
         }
-        Ok(match &mut self.of {
-            Of::Explicit(stepper) => stepper.state_within::<Verner76, S>(course, time),
-            Of::Exponential(stepper) => stepper.state_within(course, time),
-        })
+        either!(&mut self.of, stepper => stepper.state_within(problem, time, state));
+        Ok(())
     }
 
-    fn step<S: Linearised<N>>(&mut self, course: &Course<'_, S, N>) -> Result<(), IntegrateError> {
+    fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
         let stepper = match &mut self.of {
-            Of::Explicit(stepper) => return stepper.step::<Verner76, S>(course),
+            Of::Explicit(stepper) => return stepper.step(problem),
             Of::Exponential(stepper) => stepper,
         };
-        let (start, from) = (stepper.time(), stepper.deviation());
-        let ending = stepper.step(course);
         let Some(choice) = &mut self.choice else {
-            return ending;
+            return stepper.step(problem);
         };
-        let (time, deviation) = (stepper.time(), stepper.deviation());
-        if choice.is_over(course, [start, time], [&from, &deviation], ending)? {
+        let ending = stepper.step(problem);
+        if choice.is_over(ending, stepper.time(), stepper.crossed())? {
             let start = Start {
-                time,
-                deviation,
+                time: stepper.time(),
+                deviation: stepper.deviation().to_vec(),
                 // the pair finds its own first step
                 step: 0.0,
                 counters: stepper.counters(),
                 method_use: None,
             };
-            self.of = Of::new(Method::Verner76, &start, self.interval);
+            self.of = Of::new(Method::Verner76, problem, &start, self.interval);
         }
         Ok(())
     }
@@ -127,7 +120,7 @@ impl<const N: usize> Stepper<N> {
     /// Product of step and largest eigenvalue at which the method ceases to be stable; none where nothing holds it.
     pub fn stability_limit(&self) -> Option<f64> {
         match self.of {
-            Of::Explicit(_) => Some(Verner76::STABILITY),
+            Of::Explicit(_) => Some(STABILITY),
             Of::Exponential(_) => None,
         }
     }
@@ -142,9 +135,13 @@ impl<const N: usize> Stepper<N> {
         either!(&self.of, stepper => stepper.time())
     }
 
-    /// Work done so far, the size of the latest step or of the one to come, s, and the scaled state at the end of the
-    /// latest.
-    pub fn progress(&self, scaling: &Scaling<N>) -> (Counters, f64, [f64; N]) {
-        either!(&self.of, stepper => (stepper.counters(), stepper.step_size(), stepper.scaled(scaling)))
+    /// Deviation at the end of the latest step.
+    pub fn deviation(&self) -> &[f64] {
+        either!(&self.of, stepper => stepper.deviation())
+    }
+
+    /// Work done so far, and the size of the latest step or of the one to come, s.
+    pub fn progress(&self) -> (Counters, f64) {
+        either!(&self.of, stepper => (stepper.counters(), stepper.step_size()))
     }
 }

@@ -4,12 +4,13 @@ use serde::{Deserialize, Serialize};
 
 use std::sync::atomic::AtomicBool;
 
+use nalgebra::DMatrix;
 use nalgebra::linalg::Schur;
-use nalgebra::{Const, DMatrix, SMatrix};
 
 use super::block::Block;
+use super::problem::Problem;
 use super::rosenbrock;
-use super::{Linearised, Method, Settings, Square};
+use super::{Method, Settings};
 
 /// Part of the stability limit from which on a step counts as held by it: step sizes swing below it.
 const NEAR: f64 = 0.5;
@@ -39,30 +40,32 @@ pub struct Stiffness {
     pub implicit_step: f64,
 }
 
-/// Looks for stiffness in a scaled state at a time, where an explicit method that is stable up to
+/// Checks for stiffness in a scaled state at a time, where an explicit method that is stable up to
 /// `limit` = step × eigenvalue takes steps of size `step`.
 ///
 /// The eigenvalue alone does not tell: a fine tolerance may need the same short steps for accuracy.
 /// So the implicit method is tried from here, and it is stiffness only where its steps are longer.
-pub(super) fn stiffness<S, const N: usize>(
-    block: &Block<'_, S, N>,
+pub(super) fn stiffness(
+    block: &Block<'_>,
     limit: f64,
     time: f64,
-    scaled: &[f64; N],
+    scaled: &[f64],
     step: f64,
-) -> Option<Stiffness>
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    let jacobian = scaled_jacobian(block, time, scaled);
-    let held = NEAR * limit * block.scaling.time / step;
+) -> Option<Stiffness> {
+    let Problem {
+        system, scaling, ..
+    } = block.problem;
+    let mut jacobian = DMatrix::zeros(scaled.len(), scaled.len());
+    let mut by_time = vec![0.0; scaled.len()];
+    system.linearisation(time, &scaling.state(scaled), &mut jacobian, &mut by_time);
+    scaling.scale_jacobian(&mut jacobian);
+    let held = NEAR * limit * scaling.time / step;
     // no eigenvalue exceeds the norm, which costs nothing
     let norm = jacobian.norm();
     if !norm.is_finite() || norm < held {
         return None;
     }
-    let eigenvalue = largest_eigenvalue(&jacobian)?;
+    let eigenvalue = largest_eigenvalue(jacobian)?;
     if eigenvalue < held {
         return None;
     }
@@ -70,29 +73,12 @@ where
     (implicit_step >= WORTH * step).then(|| Stiffness {
         time,
         step,
-        eigenvalue: eigenvalue / block.scaling.time,
+        eigenvalue: eigenvalue / scaling.time,
         implicit_step,
     })
 }
 
-/// `∂f/∂y` in scaled quantities, whose components are of one size.
-fn scaled_jacobian<S, const N: usize>(
-    block: &Block<'_, S, N>,
-    time: f64,
-    scaled: &[f64; N],
-) -> SMatrix<f64, N, N>
-where
-    S: Linearised<N>,
-{
-    let scaling = block.scaling;
-    let (jacobian, _) = block.system.linearisation(time, &scaling.state(scaled));
-    SMatrix::from_fn(|row, column| {
-        jacobian[(row, column)] * scaling.time * scaling.scale[column] / scaling.scale[row]
-    })
-}
-
-fn largest_eigenvalue<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Option<f64> {
-    let matrix = DMatrix::from_fn(N, N, |row, column| matrix[(row, column)]);
+fn largest_eigenvalue(matrix: DMatrix<f64>) -> Option<f64> {
     let schur = Schur::try_new(matrix, f64::EPSILON, SWEEPS)?;
     let eigenvalues = schur.complex_eigenvalues();
     eigenvalues
@@ -102,29 +88,23 @@ fn largest_eigenvalue<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Option<f64
 }
 
 /// Step size, s, that the implicit method settles at when it goes on from here for a while.
-fn implicit_step<S, const N: usize>(
-    block: &Block<'_, S, N>,
-    time: f64,
-    scaled: &[f64; N],
-    step: f64,
-) -> f64
-where
-    S: Linearised<N>,
-    Const<N>: Square,
-{
-    let smooth = block.system.next_break(time + step) - time;
+fn implicit_step(block: &Block<'_>, time: f64, scaled: &[f64], step: f64) -> f64 {
+    let smooth = block.problem.system.next_break(time + step) - time;
+    let settings = Settings {
+        method: Method::Rodas,
+        ..*block.problem.settings
+    };
     let trial = Block {
-        settings: &Settings {
-            method: Method::Rodas,
-            ..*block.settings
+        problem: Problem {
+            settings: &settings,
+            stop: &GOES_ON,
+            ..block.problem
         },
-        stop: &GOES_ON,
         start: time,
         interval: (TRIAL * step).min(smooth),
         intervals: 1,
         first_step: step,
         steps_left: TRIAL_STEPS,
-        ..*block
     };
     rosenbrock::integrate(&trial, scaled).last_step
 }

@@ -1,34 +1,30 @@
 //! What can be integrated.
 
-use nalgebra::{DimMin, SMatrix};
+use nalgebra::DMatrix;
 
-/// Sides of surfaces, a bit for each: set past the surface. Those beyond the last bit go unseen.
-pub type Sides = u128;
-
-/// The surfaces about a state.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Surroundings {
-    /// Sides on which the state lies.
-    pub sides: Sides,
-    /// Least distance of a surface, on either side.
-    pub nearest: f64,
-}
-
-impl Surroundings {
-    /// No surface anywhere.
-    pub const SMOOTH: Self = Self {
-        sides: 0,
-        nearest: f64::INFINITY,
-    };
-}
-
-/// A system of N first-order differential equations.
+/// A system of first-order differential equations.
 ///
 /// The derivative must be a pure function of time and state, or the error estimate lies. Where it
 /// has no value it writes NaN; the integration then ends with an error that says when.
-pub trait System<const N: usize> {
+pub trait System {
+    /// Number of states.
+    fn states(&self) -> usize;
+
     /// Writes `d(state)/dt` at a time in s into `rate`.
-    fn derivative(&self, time: f64, state: &[f64; N], rate: &mut [f64; N]);
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]);
+
+    /// Writes `∂f/∂y`, rows by component of f, and `∂f/∂t` at a fixed state: every entry. By default NaN, for a
+    /// system that does not know its slopes; explicit methods do not ask for them.
+    fn linearisation(
+        &self,
+        _time: f64,
+        _state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        jacobian.fill(f64::NAN);
+        by_time.fill(f64::NAN);
+    }
 
     /// The first time after `after`, in s, at which the derivative or its slope by time jumps, as
     /// where a shock begins; infinite where it is smooth from there on. No step reaches over such a
@@ -37,40 +33,25 @@ pub trait System<const N: usize> {
         f64::INFINITY
     }
 
-    /// On which side of every surface at which the derivative is not smooth the state lies, and how far
-    /// the nearest one is.
-    fn surroundings(&self, _time: f64, _state: &[f64; N]) -> Surroundings {
-        Surroundings::SMOOTH
+    /// Number of event surfaces: surfaces in the state space at which the derivative is not smooth.
+    fn event_count(&self) -> usize {
+        0
     }
 
-    /// How far the state is past a surface, negative before it: continuous, with a simple zero at
-    /// the surface.
-    fn past(&self, _surface: u32, _time: f64, _state: &[f64; N]) -> f64 {
-        f64::INFINITY
-    }
+    /// Writes the event functions: how far the state is past every event surface, negative before it. Each is
+    /// continuous, with a simple zero at its surface.
+    fn events(&self, _time: f64, _state: &[f64], _values: &mut [f64]) {}
 
-    /// No surface comes nearer by more than this between two times with their states; infinite where
+    /// Upper bound of the change of any event function between two times with their states; infinite where
     /// nothing is known.
-    fn approach(&self, _times: [f64; 2], _states: [&[f64; N]; 2]) -> f64 {
+    fn event_change(&self, _times: [f64; 2], _states: [&[f64]; 2]) -> f64 {
         f64::INFINITY
     }
 
-    /// Distance that a state has from all surfaces, wherever these are by the time; not positive where that is not
-    /// known. A [`System::shift`] below it spares [`System::surroundings`] and [`System::approach`].
-    fn clearance(&self, _state: &[f64; N]) -> f64 {
-        0.0
-    }
-
-    /// No surface comes nearer by more than this from one state to another, where it stays as it is by the time;
-    /// infinite where nothing is known. It is to cost little.
-    fn shift(&self, _states: [&[f64; N]; 2]) -> f64 {
-        f64::INFINITY
-    }
-
-    /// Upper bound of what a surface has added to each component of the derivative at a distance
-    /// past it: it grows with a broken power of the distance, like a contact force.
-    fn added(&self, _surface: u32, _time: f64, _distance: f64) -> [f64; N] {
-        [0.0; N]
+    /// Writes an upper bound of what an event surface has added to each component of the derivative at a
+    /// distance past it: it grows with a broken power of the distance, like a contact force.
+    fn force_jump(&self, _event: usize, _time: f64, _distance: f64, rate: &mut [f64]) {
+        rate.fill(0.0);
     }
 
     /// Whether the state is (q, q̇), displacements first and as many velocities after them: the motion
@@ -79,54 +60,64 @@ pub trait System<const N: usize> {
         false
     }
 
-    /// Whether the motion is expected to cross a surface at which the derivative is not smooth: estimated before the
-    /// motion is known.
+    /// Whether the motion is expected to cross event surfaces: estimated before the motion is known.
     fn expects_crossings(&self) -> bool {
         true
     }
 }
 
-/// A system that knows its own slopes, as implicit methods need them.
-pub trait Linearised<const N: usize>: System<N> {
-    /// `∂f/∂y`, rows by component of f, and `∂f/∂t` at fixed state.
-    fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]);
-}
-
-/// A number of states for which square matrices can be factored: every `Const<N>` that is used.
-pub trait Square: DimMin<Self, Output = Self> {}
-
-impl<D: DimMin<D, Output = D>> Square for D {}
-
 /// Makes every component of a state a number of order one: `scaled = (state − origin)/scale`.
 ///
 /// Tolerances then mean the same for a displacement of a nanometre and a speed of a metre per
 /// second.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scaling<const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scaling {
     /// State that becomes zero.
-    pub origin: [f64; N],
+    pub origin: Vec<f64>,
     /// Size of one unit of each component, positive.
-    pub scale: [f64; N],
+    pub scale: Vec<f64>,
     /// Unit of time, s, positive.
     pub time: f64,
 }
 
-impl<const N: usize> Scaling<N> {
-    /// The scaling that changes nothing.
-    pub const IDENTITY: Self = Self {
-        origin: [0.0; N],
-        scale: [1.0; N],
-        time: 1.0,
-    };
+impl Scaling {
+    /// The scaling of so many states that changes nothing.
+    pub fn identity(states: usize) -> Self {
+        Self {
+            origin: vec![0.0; states],
+            scale: vec![1.0; states],
+            time: 1.0,
+        }
+    }
+
+    /// Writes the state that scaled numbers stand for.
+    pub fn write_state(&self, scaled: &[f64], state: &mut [f64]) {
+        let units = self.origin.iter().zip(&self.scale);
+        for ((state, scaled), (origin, scale)) in state.iter_mut().zip(scaled).zip(units) {
+            *state = origin + scale * scaled;
+        }
+    }
 
     /// The state that scaled numbers stand for.
-    #[inline]
-    pub fn state(&self, scaled: &[f64]) -> [f64; N] {
-        std::array::from_fn(|i| self.origin[i] + self.scale[i] * scaled[i])
+    pub fn state(&self, scaled: &[f64]) -> Vec<f64> {
+        let mut state = vec![0.0; self.scale.len()];
+        self.write_state(scaled, &mut state);
+        state
     }
 
     /// Scaled numbers of a state.
-    pub fn scaled(&self, state: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| (state[i] - self.origin[i]) / self.scale[i])
+    pub fn scaled(&self, state: &[f64]) -> Vec<f64> {
+        let units = self.origin.iter().zip(&self.scale);
+        let scaled = |(state, (origin, scale)): (&f64, (&f64, &f64))| (state - origin) / scale;
+        state.iter().zip(units).map(scaled).collect()
+    }
+
+    /// `∂f/∂y` in scaled quantities, in place.
+    pub(super) fn scale_jacobian(&self, jacobian: &mut DMatrix<f64>) {
+        for (column, mut entries) in jacobian.column_iter_mut().enumerate() {
+            for (row, entry) in entries.iter_mut().enumerate() {
+                *entry = *entry * self.time * self.scale[column] / self.scale[row];
+            }
+        }
     }
 }

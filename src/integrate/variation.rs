@@ -1,48 +1,60 @@
 //! How the end of a motion depends on its start: the variational equations.
 
+use std::cell::RefCell;
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::SMatrix;
+use nalgebra::DMatrix;
 
-use super::course::Course;
-use super::explicit::{Verner76, Walk};
-use super::{Counters, IntegrateError, Linearised, Scaling, Settings, System};
+use super::explicit::ExplicitStepper;
+use super::problem::Problem;
+use super::{Counters, IntegrateError, Scaling, Settings, System};
 
 /// Distance of a break from either end of the motion, as a part of its duration, below which it counts
 /// as standing there.
 const BREAK_SLACK: f64 = 1e-9;
 
 /// The end of a motion and its slopes by the start.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Variation<const N: usize> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variation {
     /// State at the end.
-    pub end: [f64; N],
+    pub end: Vec<f64>,
     /// `∂(end)/∂(start)`, rows by component of the end.
-    pub slopes: SMatrix<f64, N, N>,
+    pub slopes: DMatrix<f64>,
     /// Work done.
     pub counters: Counters,
 }
 
-/// A system of N states with their slopes by the start beside them: the state first, then Φ column by
+/// A system with the slopes of its states by the start beside them: the state first, then Φ column by
 /// column.
-struct Augmented<'a, S, const N: usize> {
-    system: &'a S,
+struct Augmented<'a> {
+    system: &'a dyn System,
+    /// Room for `∂f/∂y` and `∂f/∂t`.
+    slopes: RefCell<(DMatrix<f64>, Vec<f64>)>,
 }
 
-impl<S, const N: usize, const A: usize> System<A> for Augmented<'_, S, N>
-where
-    S: Linearised<N>,
-{
-    fn derivative(&self, time: f64, all: &[f64; A], rate: &mut [f64; A]) {
-        let system = self.system;
-        let (state, slopes) = all.split_at(N);
-        let state: [f64; N] = std::array::from_fn(|i| state[i]);
-        let mut own = [0.0; N];
-        system.derivative(time, &state, &mut own);
-        let (jacobian, _) = system.linearisation(time, &state);
-        let product = jacobian * SMatrix::<f64, N, N>::from_column_slice(slopes);
-        rate[..N].copy_from_slice(&own);
-        rate[N..].copy_from_slice(product.as_slice());
+impl System for Augmented<'_> {
+    fn states(&self) -> usize {
+        let states = self.system.states();
+        states + states * states
+    }
+
+    fn derivative(&self, time: f64, all: &[f64], rate: &mut [f64]) {
+        let states = self.system.states();
+        let (state, columns) = all.split_at(states);
+        let (own, rates) = rate.split_at_mut(states);
+        self.system.derivative(time, state, own);
+        let (jacobian, by_time) = &mut *self.slopes.borrow_mut();
+        self.system.linearisation(time, state, jacobian, by_time);
+        rates.fill(0.0);
+        let columns = columns.chunks_exact(states);
+        for (rates, column) in rates.chunks_exact_mut(states).zip(columns) {
+            let slopes = jacobian.as_slice().chunks_exact(states);
+            for (slopes, value) in slopes.zip(column) {
+                for (rate, slope) in rates.iter_mut().zip(slopes) {
+                    *rate += slope * value;
+                }
+            }
+        }
     }
 
     fn next_break(&self, after: f64) -> f64 {
@@ -56,26 +68,25 @@ where
 /// ẏ = f(t, y),   Φ̇ = ∂f/∂y(t, y) Φ,   Φ(0) = 1
 /// ```
 ///
-/// Both are kept to the tolerance of `settings` by Verner's pair 7(6), whatever method they name; `A` must be
-/// `N + N²`.
+/// Both are kept to the tolerance of `settings` by Verner's pair 7(6), whatever method they name.
 ///
 /// # Errors
 /// [`IntegrateError`] where the integration cannot go on.
-pub fn variation<S, const N: usize, const A: usize>(
-    system: &S,
-    scaling: &Scaling<N>,
+pub fn variation(
+    system: &dyn System,
+    scaling: &Scaling,
     settings: &Settings,
     stop: &AtomicBool,
     duration: f64,
-    start: &[f64; N],
-) -> Result<Variation<N>, IntegrateError>
-where
-    S: Linearised<N>,
-{
-    const { assert!(A == N + N * N, "the state and its slopes by the start") };
-    let augmented = Augmented::<S, N> { system };
-    let scaling = augmented_scaling::<N, A>(scaling);
-    let course = Course {
+    start: &[f64],
+) -> Result<Variation, IntegrateError> {
+    let states = system.states();
+    let augmented = Augmented {
+        system,
+        slopes: RefCell::new((DMatrix::zeros(states, states), vec![0.0; states])),
+    };
+    let scaling = augmented_scaling(scaling);
+    let problem = Problem {
         system: &augmented,
         scaling: &scaling,
         settings,
@@ -83,31 +94,35 @@ where
         end: duration,
         slack: BREAK_SLACK * duration,
     };
-    let deviation = std::array::from_fn(|i| match i {
-        i if i < N => start[i] - scaling.origin[i],
-        i => f64::from(u8::from((i - N).is_multiple_of(N + 1))),
-    });
-    let mut walk = Walk::new(0.0, deviation, 0.0, Counters::default());
-    let end = walk.state_at::<Verner76, _>(&course, duration)?;
+    let own = start.iter().zip(&scaling.origin);
+    let mut deviation: Vec<f64> = own.map(|(state, origin)| state - origin).collect();
+    deviation.extend_from_slice(DMatrix::<f64>::identity(states, states).as_slice());
+    let mut stepper = ExplicitStepper::new(&problem, 0.0, &deviation, 0.0, Counters::default());
+    let mut end = deviation;
+    stepper.state_at(&problem, duration, &mut end)?;
     Ok(Variation {
-        end: std::array::from_fn(|i| end[i]),
-        slopes: SMatrix::from_column_slice(&end[N..]),
-        counters: walk.counters(),
+        slopes: DMatrix::from_column_slice(states, states, &end[states..]),
+        end: end[..states].to_vec(),
+        counters: stepper.counters(),
     })
 }
 
 /// Units of the state, and of its slopes as they follow from them.
-fn augmented_scaling<const N: usize, const A: usize>(scaling: &Scaling<N>) -> Scaling<A> {
-    let row_and_column = |i: usize| ((i - N) % N, (i - N) / N);
+fn augmented_scaling(scaling: &Scaling) -> Scaling {
+    let Scaling {
+        origin,
+        scale,
+        time,
+    } = scaling;
+    let slopes = scale
+        .iter()
+        .flat_map(|column| scale.iter().map(move |row| row / column));
+    let states = scale.len();
+    let mut all_origins = origin.clone();
+    all_origins.resize(states + states * states, 0.0);
     Scaling {
-        origin: std::array::from_fn(|i| if i < N { scaling.origin[i] } else { 0.0 }),
-        scale: std::array::from_fn(|i| {
-            if i < N {
-                return scaling.scale[i];
-            }
-            let (row, column) = row_and_column(i);
-            scaling.scale[row] / scaling.scale[column]
-        }),
-        time: scaling.time,
+        origin: all_origins,
+        scale: scale.iter().copied().chain(slopes).collect(),
+        time: *time,
     }
 }

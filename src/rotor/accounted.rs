@@ -1,23 +1,19 @@
 //! The shaft in motion with its energy accounted for, and, where it is driven, with its rotation.
 
+use nalgebra::DMatrix;
+
 use super::energy::{EnergyBalance, Works};
+
 use super::{BallContacts, FREEDOMS, MotionScale, Moving, Rotation, Rotor, Sample};
 use crate::bearing::Vector5;
-use crate::integrate::{Scaling, Surroundings, System};
-
-/// States of an accounted rotor that keeps all freedoms and is driven.
-pub const ACCOUNTED_STATES: usize = 2 * FREEDOMS + 2 + Works::COUNT;
-
-pub(super) type State = [f64; ACCOUNTED_STATES];
+use crate::integrate::{Scaling, System};
 
 /// A rotor whose state goes on with the angle and the speed of its shaft, where it is driven, and with
 /// the works of [`Works`]:
 ///
 /// ```text
-/// (q, q̇, [ψ, ω], W_1 … W_9, 0 … )
+/// (q, q̇, [ψ, ω], W_1 … W_9)
 /// ```
-///
-/// What is left of [`ACCOUNTED_STATES`] where fewer freedoms are kept stays zero.
 ///
 /// The works are integrals that the integrator keeps as exactly as the motion itself. A scene that
 /// asks neither for energy nor for a drive does not pay for it: a [`Rotor`] moves by itself, too.
@@ -106,8 +102,12 @@ impl<'a> AccountedRotor<'a> {
     }
 }
 
-impl System<ACCOUNTED_STATES> for AccountedRotor<'_> {
-    fn derivative(&self, time: f64, state: &State, rate: &mut State) {
+impl System for AccountedRotor<'_> {
+    fn states(&self) -> usize {
+        2 * self.rotor.kept + Self::turning(self.rotor) + Works::COUNT
+    }
+
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         let rotor = self.rotor;
         let kept = rotor.kept;
         let action = self.act(time, state);
@@ -127,57 +127,60 @@ impl System<ACCOUNTED_STATES> for AccountedRotor<'_> {
             next += 2;
         }
         let powers = action.powers(rotor).values();
-        rate[next..].fill(0.0);
         rate[next..next + Works::COUNT].copy_from_slice(&powers);
+    }
+
+    fn linearisation(
+        &self,
+        time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        self.linearise(time, state, jacobian, by_time);
     }
 
     fn next_break(&self, after: f64) -> f64 {
         self.rotor.next_break_after(after)
     }
 
-    fn surroundings(&self, time: f64, state: &State) -> Surroundings {
-        let rotation = self.rotation(time, state);
-        self.rotor.lift_offs(&rotation, &state[..self.rotor.kept])
+    fn event_count(&self) -> usize {
+        self.rotor.lift_off_count()
     }
 
-    fn past(&self, surface: u32, time: f64, state: &State) -> f64 {
+    fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
         let rotation = self.rotation(time, state);
         self.rotor
-            .past_lift_off(surface, &rotation, &state[..self.rotor.kept])
+            .lift_off_distances(&rotation, &state[..self.rotor.kept], values);
     }
 
-    fn approach(&self, times: [f64; 2], states: [&State; 2]) -> f64 {
+    fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
         let rotations = [0, 1].map(|end| self.rotation(times[end], states[end]));
         let places = states.map(|state| &state[..self.rotor.kept]);
-        self.rotor
-            .approach_to_lift_off(rotations.each_ref(), places)
+        self.rotor.lift_off_change(rotations.each_ref(), places)
     }
 
-    fn expects_crossings(&self) -> bool {
-        self.rotor.balls_may_part()
-    }
-
-    fn added(&self, surface: u32, time: f64, distance: f64) -> State {
-        let kept = self.rotor.kept;
+    fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
         // the speed that a drive is meant for: a bound does not ask for more
         let speed = match self.rotor.drive {
             None => self.rotor.speed.at(time).speed,
             Some(_) => self.rotor.highest_speed(),
         };
-        let rates = self.rotor.added_past_lift_off(surface, speed, distance);
-        let mut added = [0.0; ACCOUNTED_STATES];
-        added[kept..2 * kept].copy_from_slice(&rates[..kept]);
-        added
+        self.rotor.lift_off_jump(event, speed, distance, rate);
+    }
+
+    fn expects_crossings(&self) -> bool {
+        self.rotor.balls_may_part()
     }
 }
 
-impl Moving<ACCOUNTED_STATES> for AccountedRotor<'_> {
+impl Moving for AccountedRotor<'_> {
     fn rotor(&self) -> &Rotor {
         self.rotor
     }
 
-    fn start(&self) -> State {
-        let mut state = [0.0; ACCOUNTED_STATES];
+    fn start(&self) -> Vec<f64> {
+        let mut state = vec![0.0; self.states()];
         let kept = self.rotor.kept;
         let [displacement, velocity] = &self.rotor.initial;
         state[..kept].copy_from_slice(&displacement[..kept]);
@@ -188,14 +191,14 @@ impl Moving<ACCOUNTED_STATES> for AccountedRotor<'_> {
         state
     }
 
-    fn scaling(&self, scale: &MotionScale) -> Scaling<ACCOUNTED_STATES> {
+    fn scaling(&self, scale: &MotionScale) -> Scaling {
         let rotor = self.rotor;
         let (kept, turning) = (rotor.kept, Self::turning(rotor));
         // kinetic energy of the motion
         let energy = rotor.mass[0] * (scale.length * scale.frequency).powi(2);
         let mut scaling = Scaling {
-            origin: [0.0; ACCOUNTED_STATES],
-            scale: [energy; ACCOUNTED_STATES],
+            origin: vec![0.0; self.states()],
+            scale: vec![energy; self.states()],
             time: 1.0 / scale.frequency,
         };
         scaling.origin[..kept].copy_from_slice(&rotor.equilibrium.displacement[..kept]);
@@ -211,7 +214,7 @@ impl Moving<ACCOUNTED_STATES> for AccountedRotor<'_> {
         scaling
     }
 
-    fn sample(&self, time: f64, state: &State, contacts: &mut BallContacts) -> Sample {
+    fn sample(&self, time: f64, state: &[f64], contacts: &mut BallContacts) -> Sample {
         let [place, velocity] = self.motion(state);
         let action = self.rotor.drive.map(|_| self.act(time, state));
         let rotation = match &action {

@@ -1,54 +1,54 @@
 //! Slopes of the equations of an accounted rotor, for implicit methods.
 
-use nalgebra::SMatrix;
+use nalgebra::DMatrix;
 
 use super::FREEDOMS;
-use super::accounted::{ACCOUNTED_STATES, AccountedRotor, State};
+use super::accounted::AccountedRotor;
 use crate::bearing::{Geometry, Support};
-use crate::integrate::{Linearised, System};
+use crate::integrate::System;
 
 /// Relative step of the differences that stand for slopes: the cube root of round-off.
 const STEP: f64 = 6e-6;
 /// Time over which the change of the right-hand side is looked at, s.
 const TIME_STEP: f64 = 1e-8;
 
-impl Linearised<ACCOUNTED_STATES> for AccountedRotor<'_> {
+impl AccountedRotor<'_> {
     /// By central differences: exact slopes of powers are not worth their code.
-    fn linearisation(
+    pub(super) fn linearise(
         &self,
         time: f64,
-        state: &State,
-    ) -> (SMatrix<f64, ACCOUNTED_STATES, ACCOUNTED_STATES>, State) {
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
         let steps = self.difference_steps();
-        let rate_at = |time: f64, state: &State| {
-            let mut rate = [0.0; ACCOUNTED_STATES];
+        let rate_at = |time: f64, state: &[f64]| {
+            let mut rate = vec![0.0; state.len()];
             self.derivative(time, state, &mut rate);
             rate
         };
-        let mut jacobian = SMatrix::zeros();
+        jacobian.fill(0.0);
         // no rate depends on the works
         let moving = 2 * self.rotor.kept + Self::turning(self.rotor);
         for column in 0..moving {
             let step = steps[column];
             let moved = |step: f64| {
-                let mut moved = *state;
+                let mut moved = state.to_vec();
                 moved[column] += step;
                 rate_at(time, &moved)
             };
             let (up, down) = (moved(step), moved(-step));
-            for row in 0..ACCOUNTED_STATES {
+            for row in 0..state.len() {
                 jacobian[(row, column)] = (up[row] - down[row]) / (2.0 * step);
             }
         }
         let later = |part: f64| rate_at(time + part * TIME_STEP, state);
         let (now, half, full) = (later(0.0), later(0.5), later(1.0));
-        let by_time =
-            std::array::from_fn(|row| (4.0 * half[row] - 3.0 * now[row] - full[row]) / TIME_STEP);
-        (jacobian, by_time)
+        for (row, by_time) in by_time.iter_mut().enumerate() {
+            *by_time = (4.0 * half[row] - 3.0 * now[row] - full[row]) / TIME_STEP;
+        }
     }
-}
 
-impl AccountedRotor<'_> {
     /// Steps of the differences by each state that moves: short against what the contacts yield.
     fn difference_steps(&self) -> [f64; 2 * FREEDOMS + 2] {
         let rotor = self.rotor;

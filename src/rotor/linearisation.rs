@@ -1,10 +1,9 @@
 //! Slopes of the shaft's equations of motion, for implicit methods.
 
-use nalgebra::{ArrayStorage, SMatrix};
+use nalgebra::{ArrayStorage, DMatrix};
 
 use super::{FREEDOMS, Rotation, Rotor};
 use crate::bearing::{Geometry, Matrix5, Support, Vector5};
-use crate::integrate::Linearised;
 
 /// Time over which the change of a load is looked at, s.
 const LOAD_RATE_STEP: f64 = 1e-8;
@@ -23,15 +22,22 @@ struct DampingSlopes {
     by_time: Vector5,
 }
 
-impl<const N: usize> Linearised<N> for Rotor {
-    fn linearisation(&self, time: f64, state: &[f64; N]) -> (SMatrix<f64, N, N>, [f64; N]) {
-        let kept = N / 2;
+impl Rotor {
+    /// Writes the slopes of the derivative by the state and by the time.
+    pub(super) fn linearise(
+        &self,
+        time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        let kept = self.kept;
         let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
         let rotation = self.speed.at(time);
         let (stiffness, force_rate) = self.bearing_slopes(&displacement, &rotation);
         let push_rate = self.push_rate(time, &rotation);
-        let mut jacobian = SMatrix::zeros();
-        let mut by_time = [0.0; N];
+        jacobian.fill(0.0);
+        by_time.fill(0.0);
         for row in 0..kept {
             let inverse_mass = self.inverse_mass[row];
             jacobian[(row, kept + row)] = 1.0;
@@ -63,11 +69,8 @@ impl<const N: usize> Linearised<N> for Rotor {
                 by_time[kept + row] -= slopes.by_time[row] * inverse_mass;
             }
         }
-        (jacobian, by_time)
     }
-}
 
-impl Rotor {
     /// K of all bearings, and the rate at which their force changes as the cages turn. What a change
     /// of speed does to the inertia of the balls is left out: it is slow beside the passing of a ball.
     fn bearing_slopes(&self, displacement: &Vector5, rotation: &Rotation) -> (Matrix5, Vector5) {

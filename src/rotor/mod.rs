@@ -27,7 +27,7 @@ mod sample;
 mod speed_profile;
 mod tabulation;
 
-pub use accounted::{ACCOUNTED_STATES, AccountedRotor};
+pub use accounted::AccountedRotor;
 pub use assembly::RotorError;
 pub(crate) use assembly::{build_supports, static_start};
 pub use ball_contacts::BallContacts;

@@ -1,13 +1,14 @@
 //! The shaft in motion: the right-hand side of its equations.
 
 use fearless_simd::{Level, Simd, dispatch};
+use nalgebra::DMatrix;
 
 use super::damping::DampingMatrix;
 use super::phases::Phases;
 use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{Angle, BearingRotation, Support, Vector5, in_registers};
-use crate::integrate::{Surroundings, System};
+use crate::integrate::System;
 
 /// A concentrated mass on its bearings, assembled and ready to move.
 ///
@@ -284,33 +285,46 @@ impl Rotor {
     }
 }
 
-impl<const N: usize> System<N> for Rotor {
+impl System for Rotor {
+    fn states(&self) -> usize {
+        2 * self.kept
+    }
+
     #[inline]
-    fn derivative(&self, time: f64, state: &[f64; N], rate: &mut [f64; N]) {
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         dispatch!(self.level, simd => self.derivative_by(simd, time, state, rate));
+    }
+
+    fn linearisation(
+        &self,
+        time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        self.linearise(time, state, jacobian, by_time);
     }
 
     fn next_break(&self, after: f64) -> f64 {
         self.next_break_after(after)
     }
 
-    fn surroundings(&self, time: f64, state: &[f64; N]) -> Surroundings {
-        self.lift_offs(&self.speed.at(time), &state[..N / 2])
+    fn event_count(&self) -> usize {
+        self.lift_off_count()
     }
 
-    fn past(&self, surface: u32, time: f64, state: &[f64; N]) -> f64 {
-        self.past_lift_off(surface, &self.speed.at(time), &state[..N / 2])
+    fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        self.lift_off_distances(&self.speed.at(time), &state[..self.kept], values);
     }
 
-    fn approach(&self, times: [f64; 2], states: [&[f64; N]; 2]) -> f64 {
+    fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
         let rotations = times.map(|time| self.speed.at(time));
-        self.approach_to_lift_off(rotations.each_ref(), states.map(|state| &state[..N / 2]))
+        let places = states.map(|state| &state[..self.kept]);
+        self.lift_off_change(rotations.each_ref(), places)
     }
 
-    fn added(&self, surface: u32, time: f64, distance: f64) -> [f64; N] {
-        let kept = N / 2;
-        let added = self.added_past_lift_off(surface, self.speed.at(time).speed, distance);
-        std::array::from_fn(|i| if i < kept { 0.0 } else { added[i - kept] })
+    fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
+        self.lift_off_jump(event, self.speed.at(time).speed, distance, rate);
     }
 
     fn is_second_order(&self) -> bool {
@@ -325,14 +339,25 @@ impl<const N: usize> System<N> for Rotor {
 impl Rotor {
     /// The derivative, for the processor's level `S`.
     #[inline(always)]
-    fn derivative_by<S: Simd, const N: usize>(
+    fn derivative_by<S: Simd>(&self, simd: S, time: f64, state: &[f64], rate: &mut [f64]) {
+        // known to the compiler in the loops over them
+        match self.kept {
+            2 => self.derivative_of::<S, 2>(simd, time, state, rate),
+            3 => self.derivative_of::<S, 3>(simd, time, state, rate),
+            _ => self.derivative_of::<S, FREEDOMS>(simd, time, state, rate),
+        }
+    }
+
+    #[inline(always)]
+    fn derivative_of<S: Simd, const KEPT: usize>(
         &self,
         simd: S,
         time: f64,
-        state: &[f64; N],
-        rate: &mut [f64; N],
+        state: &[f64],
+        rate: &mut [f64],
     ) {
-        let kept = N / 2;
+        let kept = KEPT;
+        let (state, rate) = (&state[..2 * kept], &mut rate[..2 * kept]);
         let velocity = &state[kept..];
         let rotation = self.speed.at(time);
         let phases = self.phases(&rotation);

@@ -56,16 +56,10 @@ impl Rotor {
     }
 
     /// Scales of the state (q, q̇) of the kept freedoms.
-    pub fn state_scale<const N: usize>(&self, scale: &MotionScale) -> [f64; N] {
-        std::array::from_fn(|index| {
-            let axis = index % (N / 2);
-            let displacement = scale.length / lever(axis, scale.arm);
-            if index < N / 2 {
-                displacement
-            } else {
-                displacement * scale.frequency
-            }
-        })
+    pub fn state_scale(&self, scale: &MotionScale) -> Vec<f64> {
+        let displacements = (0..self.kept).map(|axis| scale.length / lever(axis, scale.arm));
+        let velocities = displacements.clone().map(|length| length * scale.frequency);
+        displacements.chain(velocities).collect()
     }
 
     /// Highest natural frequency of a freedom by itself, rad/s, or the speed where that is higher;

@@ -22,14 +22,9 @@ impl Rotor {
 
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
     /// own [`Rotor::ball_contacts`].
-    pub fn sample<const N: usize>(
-        &self,
-        time: f64,
-        state: &[f64; N],
-        contacts: &mut BallContacts,
-    ) -> Sample {
-        let displacement = self.full(&self.equilibrium.displacement, &state[..N / 2]);
-        let velocity = self.full(&[0.0; FREEDOMS], &state[N / 2..]);
+    pub fn sample(&self, time: f64, state: &[f64], contacts: &mut BallContacts) -> Sample {
+        let displacement = self.full(&self.equilibrium.displacement, &state[..self.kept]);
+        let velocity = self.full(&[0.0; FREEDOMS], &state[self.kept..]);
         self.observe(
             time,
             &self.speed.at(time),

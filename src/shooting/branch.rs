@@ -11,7 +11,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::walk::{Start, Walk, is_interrupted};
+use super::continuation::{Continuer, Start, is_interrupted};
 use super::{Family, Multipliers, ShootingError, SpecialKind};
 
 /// Parts of a step that a motion of doubled period is first looked for at.
@@ -22,7 +22,7 @@ const FIRST_PARTS: [f64; 4] = [1.0, 0.2, 0.04, 5.0];
 pub struct Continuation {
     /// Relative exactness of every point, in sizes of the motion.
     pub tolerance: f64,
-    /// First and longest distance of two points; a unit is the whole stretch of the parameter.
+    /// First and longest distance of two points; a unit is the whole range of the parameter.
     pub step: f64,
     /// Least distance.
     pub least_step: f64,
@@ -72,7 +72,7 @@ pub struct Unrefined {
 /// Why a branch ends.
 #[derive(Debug, Clone, PartialEq)]
 pub enum BranchEnd {
-    /// The parameter reached the end of its stretch.
+    /// The parameter reached the end of its range.
     Reached,
     /// The parameter came back to its start.
     CameBack,
@@ -152,15 +152,15 @@ fn follow_from(
     plan: &Continuation,
     watch: &mut dyn FnMut(&BranchPoint) -> bool,
 ) -> Result<Branch, ShootingError> {
-    let mut walk = Walk { family, plan };
-    let first = walk.first(start)?;
+    let mut continuer = Continuer { family, plan };
+    let first = continuer.first(start)?;
     let mut branch = Branch {
         points: Vec::new(),
         specials: Vec::new(),
         unrefined: Vec::new(),
         end: BranchEnd::Points,
     };
-    branch.end = match walk.along(first, &mut branch, watch) {
+    branch.end = match continuer.along(first, &mut branch, watch) {
         Ok(end) => end,
         Err(error) => BranchEnd::Lost(error),
     };

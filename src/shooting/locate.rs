@@ -1,8 +1,9 @@
 //! Where a motion changes its kind between two points of a branch.
 
+use super::continuation::{Continuer, Node, is_interrupted};
 use super::newton::ShootingError;
-use super::walk::{Node, Walk, is_interrupted};
 use super::{Branch, Crossing, Special, SpecialKind, Unrefined};
+use crate::integrate::root::Bracket;
 
 /// Points looked at to find where a motion changes its kind.
 const MOST_LOCATIONS: usize = 16;
@@ -18,7 +19,7 @@ fn outside(node: &Node) -> usize {
     all.iter().filter(|value| value.norm() >= 1.0).count()
 }
 
-impl Walk<'_> {
+impl Continuer<'_> {
     /// Finds where the motion changes its kind between two neighbouring points.
     pub fn locate_all(
         &mut self,
@@ -48,7 +49,7 @@ impl Walk<'_> {
         Ok(())
     }
 
-    /// By the regula falsi in the form of Illinois, along the tangent of the first point.
+    /// By the regula falsi, along the tangent of the first point.
     fn locate(
         &mut self,
         before: &Node,
@@ -57,15 +58,16 @@ impl Walk<'_> {
         kind: SpecialKind,
     ) -> Result<Node, ShootingError> {
         let value = |node: &Node| node.crossing().of_kind(kind);
-        let (mut low, mut high) = ((0.0, value(before)), (length, value(after)));
-        let mut nearest = if low.1.abs() < high.1.abs() {
+        let mut nearest = if value(before).abs() < value(after).abs() {
             before.clone()
         } else {
             after.clone()
         };
-        let mut same_side = 0;
+        let Some(mut bracket) = Bracket::new([0.0, length], [before, after].map(value)) else {
+            return Ok(nearest);
+        };
         for _ in 0..MOST_LOCATIONS {
-            let at = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
+            let at = bracket.guess();
             let guess = &before.place + &before.tangent * at;
             let found = match self.corrected(guess, &before.tangent, &after.slopes) {
                 Err(error) if is_interrupted(&error) => return Err(error),
@@ -77,22 +79,10 @@ impl Walk<'_> {
             if number.abs() < value(&nearest).abs() {
                 nearest = found;
             }
-            if number.abs() < LOCATED || (high.0 - low.0) < self.plan.tolerance {
+            if number.abs() < LOCATED || bracket.length() < self.plan.tolerance {
                 break;
             }
-            if number * high.1 > 0.0 {
-                high = (at, number);
-                if same_side == 1 {
-                    low.1 *= 0.5;
-                }
-                same_side = 1;
-            } else {
-                low = (at, number);
-                if same_side == -1 {
-                    high.1 *= 0.5;
-                }
-                same_side = -1;
-            }
+            bracket.narrow(at, number);
         }
         Ok(nearest)
     }

@@ -13,12 +13,12 @@
 
 mod branch;
 mod circle;
+mod continuation;
 mod crossing;
 mod locate;
 mod map;
 mod multipliers;
 mod newton;
-mod walk;
 
 pub use branch::{
     Branch, BranchEnd, BranchPoint, Continuation, Special, Unrefined, follow, follow_doubled,

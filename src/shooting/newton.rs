@@ -82,35 +82,35 @@ fn search(
     factors: Option<Factors>,
     tolerance: f64,
 ) -> Result<Returned, ShootingError> {
-    let mut walk = Search {
+    let mut search = Search {
         states: guess,
         missing: DVector::zeros(0),
         factors,
         asked: Slopes::First,
         history: Vec::new(),
     };
-    walk.look(map)?;
+    search.evaluate(map)?;
     let (mut before, mut renewed) = (f64::INFINITY, false);
     for _ in 0..MOST_CORRECTIONS {
-        let correction = walk.correction(map)?;
+        let correction = search.correction(map)?;
         let size = correction.amax();
         let noise = renewed && size > 0.5 * before && size <= NOISE * tolerance;
         if size <= tolerance || noise {
             return Ok(Returned {
-                states: walk.states + correction,
-                history: walk.history,
+                states: search.states + correction,
+                history: search.history,
             });
         }
         let slow = size > SLOW * before;
         renewed = slow || size > 1.0;
         if slow {
-            walk.asked = Slopes::All;
+            search.asked = Slopes::All;
         }
-        walk.apply(map, &correction, renewed)?;
+        search.apply(map, &correction, renewed)?;
         before = size;
     }
     Err(ShootingError::NotFound {
-        history: walk.history,
+        history: search.history,
     })
 }
 
@@ -118,14 +118,14 @@ struct Search {
     states: DVector<f64>,
     missing: DVector<f64>,
     factors: Option<Factors>,
-    /// Slopes that the next look at fresh ones asks for: those of one state until they lead too slowly.
+    /// Slopes that the next evaluation asks for where fresh ones are needed: those of one state until they lead too slowly.
     asked: Slopes,
     history: Vec<f64>,
 }
 
 impl Search {
-    /// Looks at what is missing, with slopes where they are to be renewed.
-    fn look(&mut self, map: &mut dyn ReturnMap) -> Result<(), ShootingError> {
+    /// Evaluates what is missing, with slopes where they are to be renewed.
+    fn evaluate(&mut self, map: &mut dyn ReturnMap) -> Result<(), ShootingError> {
         let asked = match self.factors {
             Some(_) => Slopes::None,
             None => self.asked,
@@ -140,7 +140,7 @@ impl Search {
 
     fn correction(&mut self, map: &mut dyn ReturnMap) -> Result<DVector<f64>, ShootingError> {
         if self.factors.is_none() {
-            self.look(map)?;
+            self.evaluate(map)?;
         }
         self.history.push(self.missing.amax());
         let factors = self.factors.as_ref().ok_or(ShootingError::Singular)?;
@@ -164,7 +164,7 @@ impl Search {
             if renewed {
                 self.factors = None;
             }
-            match self.look(map) {
+            match self.evaluate(map) {
                 Ok(()) if self.missing.amax() <= LEADS_AWAY * before || before < 1e-3 => {
                     return Ok(());
                 }

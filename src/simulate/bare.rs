@@ -2,12 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::Const;
-
 use super::reference::reference_settings;
 use super::{BLOCK, Model, SimulateError, sampling};
-use crate::integrate::{Counters, Integration, Square};
-use crate::rotor::{ACCOUNTED_STATES, AccountedRotor, Moving, Rotor};
+use crate::integrate::{Counters, Integration, States};
+use crate::rotor::{AccountedRotor, Moving, Rotor};
 
 /// The integration of a model, assembled and ready to be run as often as one likes.
 #[derive(Debug, Clone)]
@@ -51,35 +49,19 @@ impl<'a> BareRun<'a> {
         stop: &AtomicBool,
     ) -> Result<[Counters; 2], SimulateError> {
         let rotor = &self.rotor;
-        if self.model.energy || rotor.is_driven() {
-            let accounted = AccountedRotor::new(rotor);
-            return self
-                .pass::<_, ACCOUNTED_STATES, { ACCOUNTED_STATES + 1 }>(&accounted, part, stop);
-        }
-        match rotor.kept() {
-            2 => self.pass::<_, 4, 5>(rotor, part, stop),
-            3 => self.pass::<_, 6, 7>(rotor, part, stop),
-            _ => self.pass::<_, 10, 11>(rotor, part, stop),
-        }
-    }
-
-    fn pass<S, const N: usize, const M: usize>(
-        &self,
-        system: &S,
-        part: f64,
-        stop: &AtomicBool,
-    ) -> Result<[Counters; 2], SimulateError>
-    where
-        S: Moving<N>,
-        Const<N>: Square,
-    {
+        let accounted = AccountedRotor::new(rotor);
+        let system: &dyn Moving = if self.model.energy || rotor.is_driven() {
+            &accounted
+        } else {
+            rotor
+        };
         let model = self.model;
         let scale = self.rotor.motion_scale(reference_settings(model).tolerance);
         let grid = sampling::grid(model, &self.rotor)?;
         let (scaling, state) = (system.scaling(&scale), system.start());
         let mut integration =
-            Integration::<_, N, M>::new(system, scaling, grid, model.integrator, stop, &state);
-        let mut states = Vec::with_capacity(BLOCK);
+            Integration::new(system, scaling, grid, model.integrator, stop, &state);
+        let mut states = States::with_capacity(system.states(), BLOCK);
         let mut up_to = |end: u64| {
             while integration.done() < end {
                 states.clear();

@@ -6,7 +6,7 @@ use super::observation::Observation;
 use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
 use crate::analysis::{Recorder, Recording};
-use crate::integrate::Grid;
+use crate::integrate::{Grid, States};
 use crate::rotor::{Moving, Rotor, Sample};
 
 /// The sink, and what the answer of the run is made of.
@@ -26,6 +26,8 @@ pub(super) struct Observers<'a> {
     pub observation: Observation<'a>,
     pub audit: EnergyAudit,
     pub tables: TableAudit,
+    /// Room for a derivative.
+    rate: Vec<f64>,
 }
 
 impl<'a> Observers<'a> {
@@ -62,15 +64,16 @@ impl<'a> Observers<'a> {
             observation,
             audit: EnergyAudit::default(),
             tables,
+            rate: Vec::new(),
         }
     }
 
     /// Shows everybody the samples of states from grid time number `first` on.
-    pub fn take<S: Moving<N>, const N: usize>(
+    pub fn take(
         &mut self,
-        system: &S,
+        system: &dyn Moving,
         first: u64,
-        states: &[[f64; N]],
+        states: &States,
     ) -> Result<(), SimulateError> {
         let rotor = system.rotor();
         for (index, state) in states.iter().enumerate() {
@@ -92,12 +95,7 @@ impl<'a> Observers<'a> {
     }
 
     /// Shows a sample and its state to those who know nothing of the balls.
-    fn record<S: Moving<N>, const N: usize>(
-        &mut self,
-        system: &S,
-        sample: &Sample,
-        state: &[f64; N],
-    ) {
+    fn record(&mut self, system: &dyn Moving, sample: &Sample, state: &[f64]) {
         if sample.time >= self.settle {
             self.largest_ball_load = self.largest_ball_load.max(sample.largest_ball_load);
         }
@@ -112,7 +110,7 @@ impl<'a> Observers<'a> {
         {
             let acceleration = recording
                 .needs_acceleration()
-                .then(|| system.acceleration(sample.time, state));
+                .then(|| system.acceleration(sample.time, state, &mut self.rate));
             recording.record(sample, acceleration.as_ref());
         }
     }

@@ -4,16 +4,13 @@ use serde::{Deserialize, Serialize};
 
 use std::io;
 
-use nalgebra::Const;
-
 use super::SimulateError;
 use super::reference::{Reference, ReferenceStanding};
-use crate::integrate::{Checkpoint, Counters, Integration, Square};
-use crate::rotor::Moving;
+use crate::integrate::{Checkpoint, Counters, Integration, States};
 
 /// Keeps the states of a run, from which another part goes on.
 pub trait StateKeeper {
-    /// Takes the states of further samples, one after the other, N numbers each.
+    /// Takes the states of further samples, one after the other.
     ///
     /// # Errors
     /// Whatever keeps it from taking them; the run ends there.
@@ -80,15 +77,11 @@ impl Default for Part<'_> {
 
 impl Part<'_> {
     /// Sets both passes to where the earlier part stopped.
-    pub(super) fn go_on<S, const N: usize, const M: usize>(
+    pub(super) fn go_on(
         &self,
-        main: &mut Integration<'_, S, N, M>,
-        reference: Option<&mut Reference<'_, S, N, M>>,
-    ) -> Result<(), SimulateError>
-    where
-        S: Moving<N>,
-        Const<N>: Square,
-    {
+        main: &mut Integration<'_>,
+        reference: Option<&mut Reference<'_>>,
+    ) -> Result<(), SimulateError> {
         let Some(earlier) = &self.earlier else {
             return Ok(());
         };
@@ -103,50 +96,39 @@ impl Part<'_> {
 
     /// The states of the earlier part from sample `from` on, `most` at most, and none after its last
     /// one; they are kept for the part that follows this.
-    pub(super) fn replay<const N: usize>(
+    pub(super) fn replay(
         &mut self,
         from: u64,
         most: usize,
-        states: &mut Vec<[f64; N]>,
+        states: &mut States,
     ) -> Result<(), SimulateError> {
         states.clear();
         if let Some(earlier) = &mut self.earlier {
             let left = earlier.standing.main.next - from;
             let count = usize::try_from(left).unwrap_or(usize::MAX).min(most);
-            states.resize(count, [0.0; N]);
-            let numbers = states.as_flattened_mut();
-            earlier
-                .states
-                .fill(numbers)
-                .map_err(SimulateError::Replay)?;
+            states.resize(count);
+            let numbers = states.as_mut_slice();
+            let filled = earlier.states.fill(numbers);
+            filled.map_err(SimulateError::Replay)?;
         }
         self.keep(states)
     }
 
     /// Keeps the states of a whole block.
-    pub(super) fn keep<const N: usize>(
-        &mut self,
-        states: &[[f64; N]],
-    ) -> Result<(), SimulateError> {
+    pub(super) fn keep(&mut self, states: &States) -> Result<(), SimulateError> {
         match &mut self.keeper {
-            Some(keeper) => keeper
-                .keep(states.as_flattened())
-                .map_err(SimulateError::Keep),
+            Some(keeper) => keeper.keep(states.as_slice()).map_err(SimulateError::Keep),
             None => Ok(()),
         }
     }
 
     /// Takes note of the end of a block, and stops there where the part ends.
-    pub(super) fn stand<S, const N: usize, const M: usize>(
+    pub(super) fn stand(
         &mut self,
         time: f64,
-        main: &Integration<'_, S, N, M>,
-        reference: Option<&Reference<'_, S, N, M>>,
-    ) -> Result<(), SimulateError>
-    where
-        S: Moving<N>,
-        Const<N>: Square,
-    {
+        main: &Integration<'_>,
+        reference: Option<&Reference<'_>>,
+    ) -> Result<(), SimulateError> {
         self.standing = Some(Standing {
             time,
             main: main.checkpoint().clone(),

@@ -2,13 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use nalgebra::Const;
-
 use super::{MeasuredError, Model};
 use crate::integrate::{
-    Checkpoint, CheckpointMismatch, IntegrateError, Integration, Settings, Square,
+    Checkpoint, CheckpointMismatch, IntegrateError, Integration, Settings, States,
 };
-use crate::rotor::{MotionScale, Moving};
+use crate::rotor::{MotionScale, Rotor};
 
 /// Factor between the tolerances of the two passes.
 const REFERENCE_FACTOR: f64 = 0.1;
@@ -43,23 +41,19 @@ pub struct ReferenceStanding {
 }
 
 /// The second pass, and how far the first is from it.
-pub(super) struct Reference<'a, S, const N: usize, const M: usize> {
-    integration: Integration<'a, S, N, M>,
-    states: Vec<[f64; N]>,
+pub(super) struct Reference<'a> {
+    integration: Integration<'a>,
+    states: States,
     difference: f64,
     excursion: f64,
     failure: Option<String>,
 }
 
-impl<'a, S, const N: usize, const M: usize> Reference<'a, S, N, M>
-where
-    S: Moving<N>,
-    Const<N>: Square,
-{
-    pub fn new(integration: Integration<'a, S, N, M>) -> Self {
+impl<'a> Reference<'a> {
+    pub fn new(integration: Integration<'a>, states: usize) -> Self {
         Self {
             integration,
-            states: Vec::new(),
+            states: States::new(states),
             difference: 0.0,
             excursion: 0.0,
             failure: None,
@@ -97,11 +91,10 @@ where
     /// [`IntegrateError::Interrupted`] where somebody asked the run to stop.
     pub fn compare(
         &mut self,
-        states: &[[f64; N]],
-        system: &S,
+        states: &States,
+        rotor: &Rotor,
         scale: &MotionScale,
     ) -> Result<(), IntegrateError> {
-        let rotor = system.rotor();
         if self.failure.is_some() {
             return Ok(());
         }
@@ -111,7 +104,7 @@ where
             result => self.failure = result.err().map(|error| error.to_string()),
         }
         let place = &rotor.equilibrium().displacement;
-        for (state, reference) in states.iter().zip(&self.states) {
+        for (state, reference) in states.iter().zip(self.states.iter()) {
             for axis in 0..rotor.kept() {
                 let lever = scale.lever(axis);
                 self.difference = self

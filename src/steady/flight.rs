@@ -1,11 +1,12 @@
 //! One period of a motion, sampled from every place; and the trace that is shown.
 
-use nalgebra::{Const, DVector};
+use nalgebra::DVector;
 
 use super::rotor_map::RotorMap;
 use super::{Base, SteadyError};
-use crate::integrate::{Grid, Square};
+use crate::integrate::{Grid, States};
 use crate::rotor::{BallContacts, Sample};
+use crate::shooting::ReturnMap;
 use crate::simulate::{Model, Sampling};
 
 /// Least number of samples of a period, and the most.
@@ -18,28 +19,22 @@ const LEAST_SHOWN: usize = 32;
 
 /// Samples of a period from every place: how the shaft moves and, where asked for, the forces of its
 /// bearings; nothing of balls.
-pub(super) fn sampled<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+pub(super) fn sampled(
+    map: &mut RotorMap<'_>,
     states: &DVector<f64>,
     model: &Model,
     forces: bool,
-) -> Result<Vec<Vec<Sample>>, SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<Vec<Vec<Sample>>, SteadyError> {
     let flights = flights(map, states, model)?;
     Ok(seen(map, &flights, map.rotor.unwatched_balls(forces)))
 }
 
 /// States of a period on a grid, from every place.
-pub(super) fn flights<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+pub(super) fn flights(
+    map: &mut RotorMap<'_>,
     states: &DVector<f64>,
     model: &Model,
-) -> Result<Vec<Vec<[f64; N]>>, SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<Vec<States>, SteadyError> {
     let count = samples(map, model);
     let grid = Grid {
         interval: map.places.circle.period() / count as f64,
@@ -54,13 +49,7 @@ where
 }
 
 /// What is observed on the flights of a period; of balls, what the trace shows where it is one of them.
-pub(super) fn observed<const N: usize, const M: usize, const A: usize>(
-    map: &RotorMap<'_, N, M, A>,
-    flights: &[Vec<[f64; N]>],
-) -> Vec<Vec<Sample>>
-where
-    Const<N>: Square,
-{
+pub(super) fn observed(map: &RotorMap<'_>, flights: &[States]) -> Vec<Vec<Sample>> {
     let contacts = match map.places.is_torus() {
         true => map.rotor.unwatched_balls(true),
         false => map.rotor.ball_loads(),
@@ -68,19 +57,12 @@ where
     seen(map, flights, contacts)
 }
 
-fn seen<const N: usize, const M: usize, const A: usize>(
-    map: &RotorMap<'_, N, M, A>,
-    flights: &[Vec<[f64; N]>],
-    mut contacts: BallContacts,
-) -> Vec<Vec<Sample>>
-where
-    Const<N>: Square,
-{
+fn seen(map: &RotorMap<'_>, flights: &[States], mut contacts: BallContacts) -> Vec<Vec<Sample>> {
     let circle = &map.places.circle;
-    let mut flight = |(states, strobe): (&Vec<[f64; N]>, &u64)| {
+    let mut flight = |(states, strobe): (&States, &u64)| {
         let start = map.places.time(*strobe);
         let interval = circle.period() / states.len() as f64;
-        let sample = |(number, state): (usize, &[f64; N])| {
+        let sample = |(number, state): (usize, &[f64])| {
             map.rotor
                 .sample(start + number as f64 * interval, state, &mut contacts)
         };
@@ -94,10 +76,7 @@ where
 }
 
 /// Samples of a period: as many as the scene asks for, and a power of two.
-fn samples<const N: usize, const M: usize, const A: usize>(
-    map: &RotorMap<'_, N, M, A>,
-    model: &Model,
-) -> usize {
+fn samples(map: &RotorMap<'_>, model: &Model) -> usize {
     let least = LEAST_SAMPLES * map.places.multiple as usize;
     asked(map, model)
         .max(least)
@@ -106,10 +85,7 @@ fn samples<const N: usize, const M: usize, const A: usize>(
 }
 
 /// Samples of a period that the scene asks for.
-fn asked<const N: usize, const M: usize, const A: usize>(
-    map: &RotorMap<'_, N, M, A>,
-    model: &Model,
-) -> usize {
+fn asked(map: &RotorMap<'_>, model: &Model) -> usize {
     let period = map.places.circle.period();
     let asked = match model.sampling {
         Sampling::Rate(rate) => rate * period,
@@ -122,15 +98,12 @@ fn asked<const N: usize, const M: usize, const A: usize>(
 
 /// The trace that is shown: the period itself, or some of the slower of two frequencies, whose states
 /// stand between those of the places, as close to each other as the scene asks for.
-pub(super) fn trace<const N: usize, const M: usize, const A: usize>(
-    map: &RotorMap<'_, N, M, A>,
-    flights: &[Vec<[f64; N]>],
+pub(super) fn trace(
+    map: &RotorMap<'_>,
+    flights: &[States],
     sampled: &[Vec<Sample>],
     model: &Model,
-) -> Vec<Sample>
-where
-    Const<N>: Square,
-{
+) -> Vec<Sample> {
     let (circle, mut contacts) = (&map.places.circle, map.rotor.ball_loads());
     if !map.places.is_torus() {
         return sampled.first().cloned().unwrap_or_default();
@@ -142,15 +115,16 @@ where
         .map(Base::period)
         .fold(0.0, f64::max);
     let periods = (TRACED * slower / circle.period()).ceil() as u64;
-    let instants = flights.first().map_or(0, Vec::len);
+    let instants = flights.first().map_or(0, States::len);
     let shown = asked(map, model).max(LEAST_SHOWN).next_power_of_two();
     let mut trace = Vec::new();
     for strobe in 0..periods {
         let weights = circle.values_at(&[circle.phase(strobe)]);
         for instant in (0..instants).step_by((instants / shown).max(1)) {
-            let mut state = [0.0; N];
+            let mut state = vec![0.0; map.size()];
             for (flight, weight) in flights.iter().zip(weights.iter()) {
-                for (sum, part) in state.iter_mut().zip(flight[instant]) {
+                let parts = flight.get(instant).into_iter().flatten();
+                for (sum, part) in state.iter_mut().zip(parts) {
                     *sum += weight * part;
                 }
             }

@@ -2,18 +2,18 @@
 
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::{Const, DVector};
+use nalgebra::DVector;
 
 use super::flight::{flights, observed, sampled, trace};
 use super::places::Places;
-use super::rotor_map::{RotorMap, Way};
+use super::rotor_map::{RotorMap, Solver};
 use super::search::{Found, find, found_from, subharmonic};
 use super::swing::swings;
 use super::{Base, SteadyError, SteadyLines, Swing};
 use crate::analysis::Channel;
-use crate::integrate::{Counters, Settings, Square};
+use crate::integrate::{Counters, Settings};
 use crate::rotor::{Rotor, Sample, check_loose};
-use crate::shooting::{Circle, Crossing, Multipliers, SpecialKind, refine};
+use crate::shooting::{Circle, Crossing, Multipliers, ReturnMap, SpecialKind, refine};
 use crate::simulate::{Model, StaticState};
 
 /// Factor between the tolerances of the two searches.
@@ -146,29 +146,21 @@ pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
     if model.table {
         rotor.tabulate();
     }
-    // N numbers of a state, M = N + 1, and A = N + N² with its slopes
-    let mut answer = match rotor.kept() {
-        2 => answer::<4, 5, 20>(question, rotor, places),
-        3 => answer::<6, 7, 42>(question, rotor, places),
-        _ => answer::<10, 11, 110>(question, rotor, places),
-    }?;
+    let mut answer = answer(question, rotor, places)?;
     answer.warnings.splice(0..0, loose);
     Ok(answer)
 }
 
-fn answer<const N: usize, const M: usize, const A: usize>(
+fn answer(
     question: &SteadyQuestion<'_>,
     rotor: Rotor,
     places: Places,
-) -> Result<Steady, SteadyError>
-where
-    Const<N>: Square,
-{
-    let way = Way {
+) -> Result<Steady, SteadyError> {
+    let solver = Solver {
         settings: question.model.integrator,
         stop: question.stop,
     };
-    let mut map = RotorMap::<N, M, A>::new(rotor, places, way);
+    let mut map = RotorMap::new(rotor, places, solver);
     let (found, single_period) = search(&mut map, question.multiple)?;
     let flights = flights(&mut map, &found.states, question.model)?;
     let sampled = observed(&map, &flights);
@@ -179,9 +171,9 @@ where
     let trace = trace(&map, &flights, &sampled, question.model);
     let channels = Channel::of_freedoms(map.rotor.kept());
     let error = measured.map_or(0.0, |error| error.relative);
-    let noise = error.max(NOISE * way.settings.tolerance);
+    let noise = error.max(NOISE * solver.settings.tolerance);
     let instability = Crossing::cause(&found.multipliers);
-    let warnings = warnings(&found, measured.as_ref(), way.settings.tolerance);
+    let warnings = warnings(&found, measured.as_ref(), solver.settings.tolerance);
     Ok(Steady {
         equilibrium: StaticState::of(&map.rotor),
         period: map.places.circle.period(),
@@ -200,11 +192,7 @@ where
         warnings,
         section: Section {
             start: map.places.time(0),
-            states: map
-                .states(&found.states)
-                .iter()
-                .map(|state| state.to_vec())
-                .collect(),
+            states: map.states(&found.states),
             circle: map.places.circle.clone(),
         },
         bases: map.places.bases,
@@ -214,13 +202,10 @@ where
 
 /// The motion asked for; where none is, a stable one if there is one. Beside it the multipliers of the
 /// motion of a single period, where that is another one.
-fn search<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+fn search(
+    map: &mut RotorMap<'_>,
     multiple: Option<u32>,
-) -> Result<(Found, Option<Multipliers>), SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<(Found, Option<Multipliers>), SteadyError> {
     let asked = map.places.clone();
     if !asked.is_torus() {
         map.places = asked.times(1);
@@ -232,7 +217,7 @@ where
     }
     // what leaves a motion that is not stable begins beside it; beside a stable one, at rest
     let start = match stable {
-        true => DVector::zeros(N),
+        true => DVector::zeros(map.size()),
         false => single.states.clone(),
     };
     let fits = |found: u32| found > 1 && multiple.is_none_or(|asked| asked.is_multiple_of(found));
@@ -245,7 +230,7 @@ where
     if map.places.multiple == 1 {
         return Ok((single, None));
     }
-    let tolerance = map.way.settings.tolerance;
+    let tolerance = map.solver.settings.tolerance;
     let again = found_from(map, single.states, tolerance)?;
     Ok((again, Some(single.multipliers)))
 }
@@ -269,21 +254,18 @@ fn warnings(found: &Found, measured: Option<&Measured>, tolerance: f64) -> Vec<S
 }
 
 /// Finds the motion again more exactly, and tells how far apart both are.
-fn measured<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+fn measured(
+    map: &mut RotorMap<'_>,
     found: &Found,
     sampled_before: &[Vec<Sample>],
     model: &Model,
-) -> Result<Measured, SteadyError>
-where
-    Const<N>: Square,
-{
-    let asked = map.way.settings;
-    map.way.settings = tighter(asked);
-    let tolerance = map.way.settings.tolerance;
+) -> Result<Measured, SteadyError> {
+    let asked = map.solver.settings;
+    map.solver.settings = tighter(asked);
+    let tolerance = map.solver.settings.tolerance;
     let again = refine(map, found.states.clone(), &found.slopes, tolerance)?;
     let reference = sampled(map, &again.states, model, false)?;
-    map.way.settings = asked;
+    map.solver.settings = asked;
     let place = map.rotor.equilibrium().displacement;
     let (mut displacement, mut excursion) = (0.0_f64, map.scale.length);
     let pairs = sampled_before

@@ -2,16 +2,16 @@
 
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::{Complex, Const};
+use nalgebra::Complex;
 
 use super::flight::sampled;
 use super::places::Places;
-use super::rotor_map::{RotorMap, Source, Way};
+use super::rotor_map::{RotorMap, Solver, Source};
 use super::search::find;
 use super::swing::swings;
 use super::{SteadyError, Swing};
 use crate::analysis::Channel;
-use crate::integrate::{Counters, Square};
+use crate::integrate::Counters;
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::shooting::{
     Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, Unrefined, follow,
@@ -19,7 +19,7 @@ use crate::shooting::{
 };
 use crate::simulate::Model;
 
-/// Steps that the stretch of the parameter is divided into at least, and the least part of one.
+/// Steps that the range of the parameter is divided into at least, and the least part of one.
 const STEPS: f64 = 50.0;
 const LEAST_PART: f64 = 1e-5;
 /// Part of the tolerance that motions are integrated with: where two motions meet, what is missing for
@@ -36,7 +36,7 @@ pub struct ResponseQuestion<'a> {
     /// The rotor at a value of the parameter, or what is wrong with it.
     pub family: &'a dyn Fn(f64) -> Result<RotorDefinition, String>,
     /// First and last value of the parameter.
-    pub stretch: [f64; 2],
+    pub range: [f64; 2],
     /// How many periods of the forcing the motion takes.
     pub multiple: u32,
     /// Most motions of a branch.
@@ -109,7 +109,7 @@ pub struct Response {
 /// Follows the motion of a scene along a parameter, and from every doubling of its period the motion of
 /// twice the period.
 ///
-/// `progress` is called with the parameter of the present motion, 0 … 1 along the stretch.
+/// `progress` is called with the parameter of the present motion, 0 … 1 along the range.
 ///
 /// # Errors
 /// [`SteadyError`] where there is no motion at the first value, or somebody stopped the search; a branch
@@ -118,35 +118,28 @@ pub fn response(
     question: &ResponseQuestion<'_>,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<Response>, SteadyError> {
-    let first = (question.family)(question.stretch[0]).map_err(SteadyError::Parameter)?;
+    let first = (question.family)(question.range[0]).map_err(SteadyError::Parameter)?;
     let rotor = Rotor::assemble(&first)?;
     let places = Places::new(&rotor, question.multiple)?;
-    match rotor.kept() {
-        2 => branches::<4, 5, 20>(question, rotor, places, progress),
-        3 => branches::<6, 7, 42>(question, rotor, places, progress),
-        _ => branches::<10, 11, 110>(question, rotor, places, progress),
-    }
+    branches(question, rotor, places, progress)
 }
 
-fn branches<const N: usize, const M: usize, const A: usize>(
+fn branches(
     question: &ResponseQuestion<'_>,
     rotor: Rotor,
     places: Places,
     progress: &mut dyn FnMut(f64),
-) -> Result<Vec<Response>, SteadyError>
-where
-    Const<N>: Square,
-{
-    let [from, to] = question.stretch;
+) -> Result<Vec<Response>, SteadyError> {
+    let [from, to] = question.range;
     let at = |parameter: f64| (question.family)(from + (to - from) * parameter);
     let source: Source<'_> = &at;
     let mut settings = question.model.integrator;
     settings.tolerance = (EXACTER * settings.tolerance).max(TIGHTEST);
-    let way = Way {
+    let solver = Solver {
         settings,
         stop: question.stop,
     };
-    let mut map = RotorMap::<N, M, A>::new(rotor, places, way);
+    let mut map = RotorMap::new(rotor, places, solver);
     let guess = find(&mut map)?.states;
     let mut map = map.of_family(source);
     let plan = plan(question);
@@ -227,7 +220,7 @@ fn is_on_another(
     point: &BranchPoint,
     question: &ResponseQuestion<'_>,
 ) -> bool {
-    let [from, to] = question.stretch;
+    let [from, to] = question.range;
     let value = from + (to - from) * point.parameter;
     let near =
         |point: &ResponsePoint| (point.value - value).abs() < 1.5 * (to - from).abs() / STEPS;
@@ -237,14 +230,11 @@ fn is_on_another(
 }
 
 /// What there is to tell of a branch.
-fn answer<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+fn answer(
+    map: &mut RotorMap<'_>,
     branch: &Branch,
     question: &ResponseQuestion<'_>,
-) -> Result<Response, SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<Response, SteadyError> {
     let mut points = Vec::new();
     for point in &branch.points {
         points.push(told(map, point, question)?);
@@ -264,7 +254,7 @@ where
         unrefined: branch
             .unrefined
             .iter()
-            .map(|unrefined| unrefined_over(question.stretch, unrefined))
+            .map(|unrefined| unrefined_over(question.range, unrefined))
             .collect(),
         end: match &branch.end {
             BranchEnd::Reached => "the parameter reached its last value".to_owned(),
@@ -288,15 +278,12 @@ fn unrefined_over([from, to]: [f64; 2], unrefined: &Unrefined) -> ResponseUnrefi
     }
 }
 
-fn told<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+fn told(
+    map: &mut RotorMap<'_>,
     point: &BranchPoint,
     question: &ResponseQuestion<'_>,
-) -> Result<ResponsePoint, SteadyError>
-where
-    Const<N>: Square,
-{
-    let [from, to] = question.stretch;
+) -> Result<ResponsePoint, SteadyError> {
+    let [from, to] = question.range;
     map.set(point.parameter)?;
     let sampled = sampled(map, &point.states, question.model, true)?;
     let channels = Channel::of_freedoms(map.rotor.kept());

@@ -2,13 +2,13 @@
 
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::{Const, DMatrix, DVector, SMatrix};
+use nalgebra::{DMatrix, DVector};
 
 use super::SteadyError;
 use super::places::Places;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, Square,
-    variation,
+    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, States,
+    System, variation,
 };
 use crate::rotor::{MotionScale, Moving, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
@@ -25,37 +25,34 @@ pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
 
 /// How the periods of a map are integrated.
 #[derive(Clone, Copy)]
-pub(super) struct Way<'a> {
+pub(super) struct Solver<'a> {
     pub settings: Settings,
     pub stop: &'a AtomicBool,
 }
 
 /// The map of a rotor over a multiple of the period of its forcing.
 #[derive(Clone)]
-pub(super) struct RotorMap<'a, const N: usize, const M: usize, const A: usize> {
+pub(super) struct RotorMap<'a> {
     pub rotor: Rotor,
     pub places: Places,
     /// What zero and one unit of a scaled state are: the place of rest at the present parameter, and the
     /// size of the motion at the first.
-    pub unit: Scaling<N>,
-    pub way: Way<'a>,
+    pub unit: Scaling,
+    pub solver: Solver<'a>,
     pub scale: MotionScale,
     pub counters: Counters,
     /// Where the rotor of another parameter comes from, and that of the present one.
     source: Option<(Source<'a>, f64)>,
 }
 
-impl<'a, const N: usize, const M: usize, const A: usize> RotorMap<'a, N, M, A>
-where
-    Const<N>: Square,
-{
-    pub fn new(rotor: Rotor, places: Places, way: Way<'a>) -> Self {
-        let scale = rotor.motion_scale(0.1 * way.settings.tolerance);
+impl<'a> RotorMap<'a> {
+    pub fn new(rotor: Rotor, places: Places, solver: Solver<'a>) -> Self {
+        let scale = rotor.motion_scale(0.1 * solver.settings.tolerance);
         Self {
-            unit: Moving::<N>::scaling(&rotor, &scale),
+            unit: rotor.scaling(&scale),
             rotor,
             places,
-            way,
+            solver,
             scale,
             counters: Counters::default(),
             source: None,
@@ -71,9 +68,9 @@ where
     }
 
     /// Scaled states as they are.
-    pub fn states(&self, scaled: &DVector<f64>) -> Vec<[f64; N]> {
-        let states = scaled.as_slice().as_chunks::<N>().0;
-        states.iter().map(|state| self.unit.state(state)).collect()
+    pub fn states(&self, scaled: &DVector<f64>) -> Vec<Vec<f64>> {
+        let states = scaled.as_slice().chunks_exact(self.size());
+        states.map(|state| self.unit.state(state)).collect()
     }
 
     /// Begin of the period of every state, s.
@@ -85,7 +82,7 @@ where
             .collect()
     }
 
-    fn scaling(&self) -> Scaling<N> {
+    fn scaling(&self) -> Scaling {
         self.rotor.scaling(&self.scale)
     }
 
@@ -93,67 +90,65 @@ where
     pub fn flight(
         &mut self,
         start: f64,
-        state: &[f64; N],
+        state: &[f64],
         grid: Grid,
-    ) -> Result<Vec<[f64; N]>, IntegrateError> {
+    ) -> Result<States, IntegrateError> {
         let system = Shifted {
             system: &self.rotor,
             start,
         };
-        let (scaling, way) = (self.scaling(), &self.way);
+        let (scaling, solver) = (self.scaling(), &self.solver);
         let mut integration =
-            Integration::<_, N, M>::new(&system, scaling, grid, way.settings, way.stop, state);
-        let mut states = Vec::with_capacity(grid.count as usize);
+            Integration::new(&system, scaling, grid, solver.settings, solver.stop, state);
+        let mut states = States::with_capacity(state.len(), grid.count as usize);
         let result = integration.advance(grid.count as usize, &mut states);
         self.counters.add(&integration.counters());
         result.map(|()| states)
     }
 
     /// The state a period after a time.
-    fn end(&mut self, start: f64, state: &[f64; N]) -> Result<[f64; N], IntegrateError> {
+    fn end(&mut self, start: f64, state: &[f64]) -> Result<Vec<f64>, IntegrateError> {
         let grid = Grid {
             interval: self.places.circle.period(),
             count: 2,
         };
         let states = self.flight(start, state, grid)?;
-        Ok(states.last().copied().unwrap_or([f64::NAN; N]))
+        Ok(states
+            .last()
+            .map_or_else(|| vec![f64::NAN; state.len()], <[f64]>::to_vec))
     }
 
     /// The same and its slopes, scaled.
     fn end_and_slopes(
         &mut self,
         start: f64,
-        state: &[f64; N],
-    ) -> Result<([f64; N], DMatrix<f64>), IntegrateError> {
-        if self.way.settings.method == Method::Rodas {
+        state: &[f64],
+    ) -> Result<(Vec<f64>, DMatrix<f64>), IntegrateError> {
+        if self.solver.settings.method == Method::Rodas {
             return self.slopes_by_difference(start, state);
         }
         let end = self.end(start, state)?;
         let slopes = self.slopes(start, state)?;
         let scale = &self.unit.scale;
-        let slopes = DMatrix::from_fn(N, N, |row, column| {
+        let slopes = DMatrix::from_fn(scale.len(), scale.len(), |row, column| {
             slopes[(row, column)] * scale[column] / scale[row]
         });
         Ok((end, slopes))
     }
 
     /// Slopes integrated beside the motion.
-    fn slopes(
-        &mut self,
-        start: f64,
-        state: &[f64; N],
-    ) -> Result<SMatrix<f64, N, N>, IntegrateError> {
+    fn slopes(&mut self, start: f64, state: &[f64]) -> Result<DMatrix<f64>, IntegrateError> {
         let system = Shifted {
             system: &self.rotor,
             start,
         };
-        let (way, period) = (&self.way, self.places.circle.period());
+        let (solver, period) = (&self.solver, self.places.circle.period());
         let settings = Settings {
-            tolerance: way.settings.tolerance.max(SLOPE_TOLERANCE),
-            ..way.settings
+            tolerance: solver.settings.tolerance.max(SLOPE_TOLERANCE),
+            ..solver.settings
         };
         let scaling = self.scaling();
-        let found = variation::<_, N, A>(&system, &scaling, &settings, way.stop, period, state)?;
+        let found = variation(&system, &scaling, &settings, solver.stop, period, state)?;
         self.counters.add(&found.counters);
         Ok(found.slopes)
     }
@@ -161,19 +156,19 @@ where
     fn slopes_by_difference(
         &mut self,
         start: f64,
-        state: &[f64; N],
-    ) -> Result<([f64; N], DMatrix<f64>), IntegrateError> {
-        let end = self.end(start, state)?;
-        let mut slopes = DMatrix::zeros(N, N);
-        for column in 0..N {
+        state: &[f64],
+    ) -> Result<(Vec<f64>, DMatrix<f64>), IntegrateError> {
+        let (end, size) = (self.end(start, state)?, state.len());
+        let mut slopes = DMatrix::zeros(size, size);
+        for column in 0..size {
             let step = STATE_STEP * self.unit.scale[column];
             let mut side = |step: f64| {
-                let mut moved = *state;
+                let mut moved = state.to_vec();
                 moved[column] += step;
                 self.end(start, &moved)
             };
             let (up, down) = (side(step)?, side(-step)?);
-            for row in 0..N {
+            for row in 0..size {
                 slopes[(row, column)] =
                     (up[row] - down[row]) / (2.0 * STATE_STEP * self.unit.scale[row]);
             }
@@ -182,12 +177,9 @@ where
     }
 }
 
-impl<const N: usize, const M: usize, const A: usize> ReturnMap for RotorMap<'_, N, M, A>
-where
-    Const<N>: Square,
-{
+impl ReturnMap for RotorMap<'_> {
     fn size(&self) -> usize {
-        N
+        self.rotor.states()
     }
 
     fn circle(&self) -> &Circle {
@@ -211,17 +203,15 @@ where
             } else {
                 self.end(start, state)?
             };
-            end.as_mut_slice()[N * place..N * (place + 1)]
+            let size = reached.len();
+            end.as_mut_slice()[size * place..size * (place + 1)]
                 .copy_from_slice(&self.unit.scaled(&reached));
         }
         Ok(Image { end, slopes: found })
     }
 }
 
-impl<const N: usize, const M: usize, const A: usize> Family for RotorMap<'_, N, M, A>
-where
-    Const<N>: Square,
-{
+impl Family for RotorMap<'_> {
     fn set(&mut self, parameter: f64) -> Result<(), MapError> {
         let Some((source, present)) = self.source else {
             return Ok(());
@@ -233,7 +223,7 @@ where
         let definition = source(parameter).map_err(MapError::Parameter)?;
         let rotor = Rotor::assemble(&definition).map_err(|error| wrong(error.into()))?;
         self.places = self.places.of_rotor(&rotor).map_err(wrong)?;
-        self.scale = rotor.motion_scale(0.1 * self.way.settings.tolerance);
+        self.scale = rotor.motion_scale(0.1 * self.solver.settings.tolerance);
         self.rotor = rotor;
         // the motion is followed, not the place of rest that it is about
         self.unit.origin = self.scaling().origin;

@@ -1,10 +1,9 @@
 //! The search for a motion that repeats: from rest, and where that fails from later and later.
 
-use nalgebra::{Const, DMatrix, DVector};
+use nalgebra::{DMatrix, DVector};
 
 use super::SteadyError;
 use super::rotor_map::RotorMap;
-use crate::integrate::Square;
 use crate::shooting::{
     Circle, MapError, Multipliers, ReturnMap, Returned, ShootingError, Slopes, multipliers, solve,
 };
@@ -38,15 +37,10 @@ pub(super) struct Found {
 }
 
 /// Finds the motion of a map, of one frequency or of two.
-pub(super) fn find<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
-) -> Result<Found, SteadyError>
-where
-    Const<N>: Square,
-{
-    let tolerance = map.way.settings.tolerance;
+pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
+    let tolerance = map.solver.settings.tolerance;
     if !map.places.is_torus() {
-        let guess = DVector::zeros(N);
+        let guess = DVector::zeros(map.size());
         return found_from(map, guess, tolerance);
     }
     let mut harmonics = FIRST_HARMONICS;
@@ -55,11 +49,11 @@ where
         let before = map.places.circle.clone();
         map.places = map.places.with_harmonics(harmonics)?;
         let start = match &guess {
-            Some(states) => between(&before, states, map.circle(), N),
-            None => DVector::zeros(N * map.circle().places()),
+            Some(states) => between(&before, states, map.circle(), map.size()),
+            None => DVector::zeros(map.size() * map.circle().places()),
         };
         let (returned, waited) = returned_from(map, start, tolerance)?;
-        let sizes = harmonic_sizes(map.circle(), &returned.states, N);
+        let sizes = harmonic_sizes(map.circle(), &returned.states, map.size());
         match more_harmonics(&sizes, tolerance) {
             None => return finished(map, returned, waited),
             Some(_) if harmonics >= MOST_HARMONICS => {
@@ -76,27 +70,21 @@ where
 }
 
 /// Finds the motion of a map near a guess.
-pub(super) fn found_from<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+pub(super) fn found_from(
+    map: &mut RotorMap<'_>,
     guess: DVector<f64>,
     tolerance: f64,
-) -> Result<Found, SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<Found, SteadyError> {
     let (returned, waited) = returned_from(map, guess, tolerance)?;
     finished(map, returned, waited)
 }
 
 /// States that return, found at once or after a wait; and how long it was, in periods.
-fn returned_from<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+fn returned_from(
+    map: &mut RotorMap<'_>,
     mut guess: DVector<f64>,
     tolerance: f64,
-) -> Result<(Returned, u64), SteadyError>
-where
-    Const<N>: Square,
-{
+) -> Result<(Returned, u64), SteadyError> {
     let mut waited = 0;
     let mut last = ShootingError::Singular;
     for wait in WAITS {
@@ -187,16 +175,9 @@ fn more_harmonics(sizes: &[f64], tolerance: f64) -> Option<usize> {
 }
 
 /// Looks at the slopes of what was found.
-fn finished<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
-    returned: Returned,
-    waited: u64,
-) -> Result<Found, SteadyError>
-where
-    Const<N>: Square,
-{
+fn finished(map: &mut RotorMap<'_>, returned: Returned, waited: u64) -> Result<Found, SteadyError> {
     let image = map.image(&returned.states, Slopes::All)?;
-    let shifted = mixed(map.circle().shift(), &returned.states, N);
+    let shifted = mixed(map.circle().shift(), &returned.states, map.size());
     Ok(Found {
         missing: (&image.end - shifted).amax(),
         multipliers: multipliers(map.circle(), &image.slopes),
@@ -209,14 +190,11 @@ where
 
 /// Waits beside some states until they nearly repeat after some periods, and finds the motion of that
 /// many periods: the map is then that of those; `None` where none is found that is stable.
-pub(super) fn subharmonic<const N: usize, const M: usize, const A: usize>(
-    map: &mut RotorMap<'_, N, M, A>,
+pub(super) fn subharmonic(
+    map: &mut RotorMap<'_>,
     from: &DVector<f64>,
-) -> Result<Option<Found>, SteadyError>
-where
-    Const<N>: Square,
-{
-    let (single, tolerance) = (map.places.clone(), map.way.settings.tolerance);
+) -> Result<Option<Found>, SteadyError> {
+    let (single, tolerance) = (map.places.clone(), map.solver.settings.tolerance);
     let mut states = from.add_scalar(BESIDE);
     let mut waited = 0;
     for wait in SUBHARMONIC_WAITS {

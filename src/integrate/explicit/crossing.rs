@@ -1,224 +1,240 @@
-//! Surfaces at which the derivative is not smooth: seen in a trial step, and landed on.
+//! Event surfaces: seen in a trial step, and landed on.
 //!
 //! A step over the surface of a contact has an error of order 2.5, and its estimate may be blind to it.
-//! So a trial that crosses a surface is given up where what the surface adds counts; the next one ends
+//! So a trial that crosses a surface is given up where the force jump counts; the next one ends
 //! on the surface, and the one after it begins there, each in a variable in which it is smooth.
 
-use super::aim::Aim;
-use super::landing::{AT_END, Landing};
-use super::tableau::Pair;
-use super::walk::Walk;
-use crate::integrate::course::Course;
-use crate::integrate::look::Look;
-use crate::integrate::stride::{Stride, each};
-use crate::integrate::{Sides, System};
+use super::landing::AT_END;
+use super::plan::Plan;
+use super::stepper::ExplicitStepper;
+use super::verner76::CROSSED;
+use crate::integrate::System;
+use crate::integrate::event_check::{EventCheck, EventStep};
+use crate::integrate::problem::Problem;
 
+/// Steps that a landing costs: it divides one in two. Where crossings are n steps apart, it raises the cost by this
+/// part of n, and pays where it takes a larger part of the tolerance off the error.
+const LANDING_COST: f64 = 1.0;
 /// Error that is let pass where a step was to end on the surface, over the tolerance.
 const BESIDE: f64 = 0.01;
 /// Error of a trial, in units of the state, from which on it says nothing of surfaces.
 const WILD: f64 = 1e-2;
 
-/// Where a walk stands between the surfaces.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Crossing<const N: usize> {
-    /// Sides at the end of the latest step.
-    pub sides: Sides,
-    /// Time of the latest step at whose end they were others than at its start, s.
+/// Where the motion is between the event surfaces.
+#[derive(Debug, Clone)]
+pub(super) struct Crossings {
+    /// Whether the state at the end of the latest step is past each surface.
+    pub past: Vec<bool>,
+    /// Ends of the latest step that crossed a surface, and of the latest that was to end on one, s.
     pub latest: f64,
-    /// Whether it ended on a surface that adds to the derivative from there on.
+    pub landed: f64,
+    /// Whether the latest step ended on a surface that adds to the derivative from there on.
     pub fresh: bool,
-    /// The next landing, where it is known.
-    pub planned: Option<Landing>,
+    /// When a step is to end on each surface, s; infinite where none is.
+    pub due: Vec<f64>,
     /// Sizes that steps from a surface, and those to one, may have, s.
     pub sizes: [f64; 2],
-    /// The latest look around on the way, and that at the end of the trial.
-    pub looked: Look<N>,
-    ahead: Look<N>,
-    /// Whether there was one at the end of the trial.
-    seen: bool,
-    /// The look around where the trial was expected to end.
-    pub foreseen: Option<Look<N>>,
+    /// The latest check at the end of a step, the one at the end of the trial, and the one where the trial was expected
+    /// to end.
+    pub checked: EventCheck,
+    ahead: EventCheck,
+    pub foreseen: EventCheck,
+    /// Whether the latter two are there.
+    is_ahead_known: bool,
+    pub is_foreseen: bool,
+    /// Which surfaces the trial crosses, and the event functions at its ends.
+    pub changed: Vec<bool>,
+    pub ends: [Vec<f64>; 2],
+    /// Room for a search.
+    pub found: Vec<f64>,
+    pub state: Vec<f64>,
+    pub values: Vec<f64>,
 }
 
-impl<const N: usize> Crossing<N> {
-    pub const NEW: Self = Self {
-        sides: 0,
-        latest: f64::NEG_INFINITY,
-        fresh: false,
-        planned: None,
-        sizes: [f64::INFINITY; 2],
-        looked: Look::NONE,
-        ahead: Look::NONE,
-        seen: false,
-        foreseen: None,
-    };
-}
-
-impl<const N: usize> Walk<N> {
-    /// Looks around at the start of the walk.
-    pub(super) fn look_around<S: System<N>>(&mut self, course: &Course<'_, S, N>) {
-        self.crossing.looked = Look::around(course.system, self.time, course.state(&self.from));
-        self.crossing.sides = self.crossing.looked.sides;
+impl Crossings {
+    pub fn new(system: &dyn System) -> Self {
+        let (events, states) = (system.event_count(), system.states());
+        let check = EventCheck::none(system);
+        Self {
+            past: vec![false; events],
+            latest: f64::NEG_INFINITY,
+            landed: f64::NEG_INFINITY,
+            fresh: false,
+            due: vec![f64::INFINITY; events],
+            sizes: [f64::INFINITY; 2],
+            checked: check.clone(),
+            ahead: check.clone(),
+            foreseen: check,
+            is_ahead_known: false,
+            is_foreseen: false,
+            changed: vec![false; events],
+            ends: [vec![0.0; events], vec![0.0; events]],
+            found: vec![f64::INFINITY; events],
+            state: vec![0.0; states],
+            values: vec![0.0; events],
+        }
     }
 
-    /// Where the trial crosses surfaces that spoil it: the first time, and the next one.
-    pub(super) fn crossed<P: Pair, S: System<N>>(
-        &mut self,
-        course: &Course<'_, S, N>,
-        aim: &Aim,
-        error: f64,
-    ) -> Option<[Option<Landing>; 2]> {
-        self.crossing.seen = false;
-        // with no number or a wild one there is nothing to see
-        let off = error * P::LOCAL_PART * course.settings.tolerance;
-        if off.is_nan() || off > WILD {
-            return None;
+    /// Checks the events in the first state of a run.
+    pub fn begin(&mut self, problem: &Problem<'_>, time: f64, state: &[f64]) {
+        self.checked.evaluate(problem.system, time, state);
+        for (event, past) in self.past.iter_mut().enumerate() {
+            *past = self.checked.is_past(event);
         }
-        let state = course.state(&self.to);
-        let is_clear = |look: &Look<N>| look.is_clear(course.system, aim.end, &state);
-        let ahead = match self.crossing.foreseen {
-            Some(foreseen) if is_clear(&foreseen) => foreseen,
-            _ if is_clear(&self.crossing.looked) => return None,
-            _ => Look::around(course.system, aim.end, state),
+    }
+
+    /// Finds the surfaces on the other side of which a check is; whether there are any.
+    pub fn compare(&mut self, is_foreseen: bool) -> bool {
+        let check = if is_foreseen {
+            &self.foreseen
+        } else {
+            &self.ahead
         };
-        self.crossing.ahead = ahead;
-        self.crossing.seen = true;
-        let changed = ahead.sides ^ self.crossing.sides;
-        if each(changed).any(|surface| self.spoils::<P, S>(course, aim, surface)) {
-            return self.locate::<P, S>(course, aim, changed, ahead.sides);
+        let mut any = false;
+        for (event, changed) in self.changed.iter_mut().enumerate() {
+            *changed = check.is_past(event) != self.past[event];
+            any |= *changed;
         }
-        None
+        any
     }
+}
 
-    /// The trial.
-    fn stride<'a, 'c, S>(
-        &'a self,
-        course: &'a Course<'c, S, N>,
-        aim: &Aim,
-    ) -> Stride<'a, 'c, S, N> {
-        self.stride_to(course, aim, &self.to)
-    }
-
-    /// A trial that ends in a deviation.
-    pub(super) fn stride_to<'a, 'c, S>(
-        &'a self,
-        course: &'a Course<'c, S, N>,
-        aim: &Aim,
-        to: &'a [f64; N],
-    ) -> Stride<'a, 'c, S, N> {
-        Stride {
-            course,
-            times: [self.start, aim.end],
-            deviations: [&self.from, to],
-            size: aim.size,
+impl ExplicitStepper {
+    /// Whether crossing an event surface spoils the trial: landings are then planned.
+    pub(super) fn is_spoiled(&mut self, problem: &Problem<'_>, plan: &Plan, error: f64) -> bool {
+        self.crossing.is_ahead_known = false;
+        // with no number or a wild one there is nothing to see
+        let off = error * problem.settings.tolerance;
+        if off.is_nan() || off > WILD {
+            return false;
         }
-    }
-
-    /// Whether the error of crossing a surface counts.
-    fn spoils<P: Pair, S: System<N>>(
-        &self,
-        course: &Course<'_, S, N>,
-        aim: &Aim,
-        surface: u32,
-    ) -> bool {
-        if aim
-            .landing
-            .is_some_and(|landing| landing.surfaces & (1 << surface) != 0)
+        let (system, crossing) = (problem.system, &mut self.crossing);
+        problem.write_state(&self.to, &mut crossing.state);
+        if crossing.is_foreseen
+            && crossing
+                .foreseen
+                .is_clear(system, plan.end, &crossing.state)
         {
-            let stride = self.stride(course, aim);
-            return misses(&stride, surface, stride.ends_past(surface));
+            crossing.ahead.copy_from(&crossing.foreseen);
+        } else if crossing.checked.is_clear(system, plan.end, &crossing.state) {
+            return false;
+        } else {
+            crossing.ahead.evaluate(system, plan.end, &crossing.state);
         }
-        self.stride(course, aim).spoils(surface, P::CROSSED)
+        crossing.is_ahead_known = true;
+        if !crossing.compare(false) {
+            return false;
+        }
+        self.evaluate_events_at_ends(problem, plan.end);
+        self.does_any_count(problem, plan) && self.locate(problem, plan)
     }
 
-    /// When the trial crosses surfaces towards `sides`: the first two landings.
-    fn locate<P: Pair, S: System<N>>(
-        &mut self,
-        course: &Course<'_, S, N>,
-        aim: &Aim,
-        surfaces: Sides,
-        sides: Sides,
-    ) -> Option<[Option<Landing>; 2]> {
-        self.evaluate_end::<P, S>(course);
-        let by_quintic = course.system.is_second_order() && self.substitution.is_none();
-        if !by_quintic {
-            self.extended = const { P::LAST + 1 >= P::STAGES };
-            self.extend::<P, S>(course);
-        }
-        let motion = |time: f64| {
-            if by_quintic {
-                self.by_quintic(time, P::LAST)
+    /// Evaluates the event functions at both ends of the trial.
+    fn evaluate_events_at_ends(&mut self, problem: &Problem<'_>, end: f64) {
+        let Crossings {
+            ends: [at_start, at_end],
+            state,
+            checked,
+            ahead,
+            ..
+        } = &mut self.crossing;
+        problem.write_state(&self.from, state);
+        checked.values_at(problem.system, self.start, state, at_start);
+        problem.write_state(&self.to, state);
+        ahead.values_at(problem.system, end, state, at_end);
+    }
+
+    /// Whether the error of crossing any surface counts.
+    pub(super) fn does_any_count(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
+        let mut rate = std::mem::take(&mut self.crossing.state);
+        let step = self.event_step(problem, plan);
+        let let_pass = LANDING_COST * plan.size / (plan.end - self.crossing.latest);
+        let counts = |event: usize| {
+            if plan.lands_on(self.crossing.due[event]) {
+                step.error_beside(event, &mut rate) > BESIDE
             } else {
-                self.by_stages::<P>(time)
+                step.error_over(event, CROSSED, &mut rate) > let_pass
             }
         };
-        let found = self.stride(course, aim).landings(surfaces, sides, motion);
-        found[0].map(|_| found)
+        let mut crossed =
+            (0..self.crossing.changed.len()).filter(|&event| self.crossing.changed[event]);
+        let any = crossed.any(counts);
+        self.crossing.state = rate;
+        any
+    }
+
+    fn event_step<'a>(&'a self, problem: &'a Problem<'a>, plan: &Plan) -> EventStep<'a> {
+        let [start, end] = &self.crossing.ends;
+        EventStep {
+            problem,
+            from: &self.from,
+            end: plan.end,
+            size: plan.size,
+            ends: [start, end],
+        }
+    }
+
+    /// Plans landings where the trial crosses surfaces; whether it does within.
+    fn locate(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
+        self.evaluate_end(problem);
+        if problem.system.is_second_order() && self.substitution.is_none() {
+            return self.plan_landings(problem, plan.size, |stepper, time, deviation| {
+                stepper.by_quintic(time, deviation);
+            });
+        }
+        self.extended = false;
+        self.extend(problem);
+        self.plan_landings(problem, plan.size, Self::by_stages)
     }
 
     /// Takes note of the sides after a good step.
-    pub(super) fn arrive<S: System<N>>(
-        &mut self,
-        course: &Course<'_, S, N>,
-        aim: &Aim,
-        next: [Option<Landing>; 2],
-    ) {
-        let crossing = &mut self.crossing;
-        let before = crossing.sides;
-        crossing.fresh = false;
-        crossing.planned = next[0];
-        if crossing.seen {
-            crossing.looked = crossing.ahead;
-            crossing.sides = crossing.ahead.sides;
+    pub(super) fn arrive(&mut self, problem: &Problem<'_>, plan: &Plan) {
+        if plan.landing.is_some() {
+            self.crossing.landed = self.time;
+            self.evaluate_events_at_ends(problem, plan.end);
         }
-        if let Some(landing) = aim.landing {
-            crossing.planned = next[1];
-            for surface in each(landing.surfaces) {
-                self.arrive_at(course, aim, surface, landing.sides & (1 << surface));
+        let crossing = &mut self.crossing;
+        crossing.fresh = false;
+        if crossing.is_ahead_known {
+            std::mem::swap(&mut crossing.checked, &mut crossing.ahead);
+        }
+        for event in 0..self.crossing.past.len() {
+            let crossing = &mut self.crossing;
+            let before = crossing.past[event];
+            if crossing.is_ahead_known {
+                crossing.past[event] = crossing.checked.is_past(event);
+            }
+            if plan.lands_on(crossing.due[event]) {
+                self.land(problem, plan, event, !before);
+            } else if crossing.past[event] != before {
+                crossing.due[event] = f64::INFINITY;
+            }
+            if self.crossing.past[event] != before {
+                self.crossing.latest = self.time;
             }
         }
-        if self.crossing.sides != before {
-            self.crossing.latest = self.time;
-        }
     }
 
-    /// Takes note of a step that was to end on a surface.
-    fn arrive_at<S: System<N>>(
-        &mut self,
-        course: &Course<'_, S, N>,
-        aim: &Aim,
-        surface: u32,
-        side: Sides,
-    ) {
-        let (surfaces, stride) = (1 << surface, self.stride(course, aim));
-        let [from, to] = stride.ends_past(surface);
-        let is_over = (to >= 0.0) == (side != 0);
+    /// Takes note of a step that was to end on a surface, and of the side after it.
+    fn land(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize, past: bool) {
+        let mut rate = std::mem::take(&mut self.crossing.state);
+        let step = self.event_step(problem, plan);
+        let misses = step.error_beside(event, &mut rate) > BESIDE;
+        let [from, to] = step.ends_past(event);
+        let crossing = &mut self.crossing;
+        crossing.state = rate;
+        crossing.due[event] = f64::INFINITY;
+        let is_over = (to >= 0.0) == past;
         let left = self.size * to / (from - to);
         let near = AT_END * self.next_size;
-        if is_over || (0.0..near).contains(&left) || !misses(&stride, surface, [from, to]) {
+        if is_over || (0.0..near).contains(&left) || !misses {
             // round-off must not bring it back
-            let crossing = &mut self.crossing;
-            crossing.sides = (crossing.sides & !surfaces) | side;
-            crossing.looked.sides = crossing.sides;
-            crossing.looked.nearest = 0.0;
-            crossing.fresh |= side != 0;
-        } else if (near..self.size).contains(&left) {
+            crossing.past[event] = past;
+            crossing.checked.nearest = 0.0;
+            crossing.fresh |= past;
+        } else if (near..self.size).contains(&left) && self.time + left < self.limit {
             // not quite there: a short step more
-            let landing = Landing {
-                time: self.time + left,
-                surfaces,
-                sides: side,
-            };
-            self.crossing.planned = Some(landing).filter(|landing| landing.time < self.limit);
+            crossing.due[event] = self.time + left;
         }
     }
-}
-
-/// Whether a step that was to end on a surface ends so far from it that it counts, by how far its ends are past it.
-fn misses<S: System<N>, const N: usize>(
-    stride: &Stride<'_, '_, S, N>,
-    surface: u32,
-    ends: [f64; 2],
-) -> bool {
-    stride.error_beside(surface, ends) > BESIDE
 }

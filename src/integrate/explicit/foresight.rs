@@ -1,69 +1,66 @@
-//! Surfaces that a step is about to cross, seen before it is tried: a landing then costs no trial.
+//! Event surfaces that a step is about to cross, seen before it is tried: a landing then costs no trial.
 
-use super::landing::Landing;
-use super::tableau::Pair;
-use super::walk::Walk;
-use crate::integrate::System;
-use crate::integrate::course::Course;
-use crate::integrate::look::Look;
-use crate::integrate::stride::each;
+use super::stepper::ExplicitStepper;
+use crate::integrate::problem::Problem;
 
-/// Steps without a crossing after which none is looked out for: a trial finds it.
+/// Steps without a landing after which none is looked out for: a trial finds it. Where crossings are let pass, to look
+/// out for them costs time for nothing.
 const SELDOM: f64 = 8.0;
 
-impl<const N: usize> Walk<N> {
-    /// Where the step to come crosses surfaces that spoil it, as far as place, velocity and acceleration at its start
-    /// tell: the first time, and the next one.
-    pub(super) fn foresee<P: Pair, S: System<N>>(
-        &mut self,
-        course: &Course<'_, S, N>,
-    ) -> [Option<Landing>; 2] {
-        self.crossing.foreseen = None;
-        let often = self.start - self.crossing.latest < SELDOM * self.next_size;
-        if !often || !course.system.is_second_order() {
-            return [None; 2];
+impl ExplicitStepper {
+    /// Plans landings where the step to come crosses surfaces that spoil it, as far as displacement, velocity and
+    /// acceleration at its start tell.
+    pub(super) fn foresee(&mut self, problem: &Problem<'_>) {
+        self.crossing.is_foreseen = false;
+        let often = self.start - self.crossing.landed < SELDOM * self.next_size;
+        if !often || !problem.system.is_second_order() {
+            return;
         }
-        let aim = self.aim(None);
-        let end = self.carried(aim.end);
-        let state = course.state(&end);
-        if self
-            .crossing
-            .looked
-            .is_clear(course.system, aim.end, &state)
-        {
-            return [None; 2];
+        let (system, plan) = (problem.system, self.plan(None));
+        let mut deviation = std::mem::take(&mut self.argument);
+        self.carry_on(plan.end, &mut deviation);
+        let crossing = &mut self.crossing;
+        problem.write_state(&deviation, &mut crossing.state);
+        self.argument = deviation;
+        if crossing.checked.is_clear(system, plan.end, &crossing.state) {
+            return;
         }
-        let ahead = Look::around(course.system, aim.end, state);
-        self.crossing.foreseen = Some(ahead);
-        let changed = ahead.sides ^ self.crossing.sides;
-        if changed == 0 {
-            return [None; 2];
+        crossing
+            .foreseen
+            .evaluate(system, plan.end, &crossing.state);
+        crossing.is_foreseen = true;
+        if !crossing.compare(true) {
+            return;
         }
-        let stride = self.stride_to(course, &aim, &end);
-        if !each(changed).any(|surface| stride.spoils(surface, P::CROSSED)) {
-            return [None; 2];
+        let [start, end] = &mut crossing.ends;
+        problem.write_state(&self.from, &mut crossing.state);
+        let checked = &crossing.checked;
+        checked.values_at(system, self.start, &crossing.state, start);
+        end.copy_from_slice(&crossing.foreseen.values);
+        if self.does_any_count(problem, &plan) {
+            self.plan_landings(problem, plan.size, |stepper, time, deviation| {
+                stepper.carry_on(time, deviation);
+            });
         }
-        stride.landings(changed, ahead.sides, |time| self.carried(time))
     }
 
     /// Deviation at a time after the start of the step to come, as if its acceleration went on as of late; velocities
     /// as if it stayed.
-    fn carried(&self, time: f64) -> [f64; N] {
-        let (after, rate) = (time - self.start, &self.stages[0]);
-        std::array::from_fn(|i| {
-            if i >= N / 2 {
-                return self.from[i] + after * rate[i];
-            }
-            let [velocity, acceleration] = [self.from[N / 2 + i], rate[N / 2 + i]];
-            let before = self.rate_before[N / 2 + i];
+    fn carry_on(&self, time: f64, deviation: &mut [f64]) {
+        let (after, dofs) = (time - self.start, self.from.len() / 2);
+        for dof in 0..dofs {
+            let velocity = self.from[dofs + dof];
+            let acceleration = self.start_rate[dofs + dof];
+            let before = self.rate_before[dofs + dof];
             let jerk = if before.is_finite() {
                 (acceleration - before) / self.size_before
             } else {
                 0.0
             };
             let curved = acceleration + after * jerk / 3.0;
-            self.from[i] + after * (velocity + 0.5 * after * curved)
-        })
+            deviation[dof] = self.from[dof] + after * (velocity + 0.5 * after * curved);
+            deviation[dofs + dof] = velocity + after * acceleration;
+        }
     }
 }
 
@@ -71,31 +68,33 @@ impl<const N: usize> Walk<N> {
 mod tests {
     use std::sync::atomic::AtomicBool;
 
+    use super::super::landing::Landing;
     use super::*;
-    use crate::integrate::explicit::Verner76;
-    use crate::integrate::{Counters, Method, Scaling, Settings, Surroundings};
+    use crate::integrate::{Counters, Method, Scaling, Settings, System};
 
     /// A ball that falls on elastic ground.
     struct Falling;
 
-    impl System<2> for Falling {
-        fn derivative(&self, _time: f64, [place, speed]: &[f64; 2], rate: &mut [f64; 2]) {
-            *rate = [*speed, 1e3 * (-place).max(0.0).powf(1.5) - 1.0];
+    impl System for Falling {
+        fn states(&self) -> usize {
+            2
         }
 
-        fn surroundings(&self, _time: f64, [place, _]: &[f64; 2]) -> Surroundings {
-            Surroundings {
-                sides: u128::from(*place <= 0.0),
-                nearest: place.abs(),
-            }
+        fn derivative(&self, _time: f64, state: &[f64], rate: &mut [f64]) {
+            rate[0] = state[1];
+            rate[1] = 1e3 * (-state[0]).max(0.0).powf(1.5) - 1.0;
         }
 
-        fn past(&self, _surface: u32, _time: f64, [place, _]: &[f64; 2]) -> f64 {
-            -place
+        fn event_count(&self) -> usize {
+            1
         }
 
-        fn added(&self, _surface: u32, _time: f64, distance: f64) -> [f64; 2] {
-            [0.0, 1e3 * distance.powf(1.5)]
+        fn events(&self, _time: f64, state: &[f64], values: &mut [f64]) {
+            values[0] = -state[0];
+        }
+
+        fn force_jump(&self, _event: usize, _time: f64, distance: f64, rate: &mut [f64]) {
+            rate.copy_from_slice(&[0.0, 1e3 * distance.powf(1.5)]);
         }
 
         fn is_second_order(&self) -> bool {
@@ -104,14 +103,14 @@ mod tests {
     }
 
     /// The landing that is foreseen from a height of one, at rest, by a step of a size.
-    fn foreseen(size: f64, latest_crossing: f64) -> Option<Landing> {
-        let (stop, scaling) = (AtomicBool::new(false), Scaling::IDENTITY);
+    fn foreseen(size: f64, latest_landing: f64) -> Option<Landing> {
+        let (stop, scaling) = (AtomicBool::new(false), Scaling::identity(2));
         let settings = Settings {
             method: Method::Verner76,
             tolerance: 1e-6,
             step_limit: u64::MAX,
         };
-        let course = Course {
+        let problem = Problem {
             system: &Falling,
             scaling: &scaling,
             settings: &settings,
@@ -119,10 +118,12 @@ mod tests {
             end: 100.0,
             slack: 1e-9,
         };
-        let mut walk = Walk::new(0.0, [1.0, 0.0], size, Counters::default());
-        walk.begin::<Verner76, _>(&course);
-        walk.crossing.latest = latest_crossing;
-        walk.foresee::<Verner76, _>(&course)[0]
+        let counters = Counters::default();
+        let mut stepper = ExplicitStepper::new(&problem, 0.0, &[1.0, 0.0], size, counters);
+        stepper.begin(&problem);
+        stepper.crossing.landed = latest_landing;
+        stepper.foresee(&problem);
+        stepper.crossing.next_landing()
     }
 
     /// y = 1 − t²/2 comes to the ground at √2.
@@ -130,7 +131,7 @@ mod tests {
     fn a_fall_is_foreseen_where_one_was_of_late_and_the_step_reaches_the_ground() {
         let landing = foreseen(1.6, 0.0).expect("a landing");
         let off = landing.time - std::f64::consts::SQRT_2;
-        assert!(off.abs() < 1e-8 && landing.sides == 1, "{landing:?}");
+        assert!(off.abs() < 1e-8 && !landing.ends, "{landing:?}");
         assert_eq!(foreseen(1.4, 0.0), None);
         assert_eq!(foreseen(1.6, -100.0), None);
     }

@@ -1,19 +1,17 @@
-//! Explicit Runge–Kutta pairs on states of fixed size: no allocation, no time carried as a state,
-//! and steps that end at breaks of the system and nowhere else.
+//! An explicit Runge–Kutta pair whose steps end at breaks of the system, on event surfaces where crossing them
+//! would spoil a step, and nowhere else.
 
-mod aim;
 #[cfg(test)]
-mod conditions;
+mod conditions_tests;
 mod crossing;
 mod dense;
 mod foresight;
 mod landing;
+mod plan;
 mod quintic;
+mod stepper;
 mod substitution;
-mod tableau;
 mod verner76;
-mod walk;
 
-pub(super) use tableau::Pair;
-pub(super) use verner76::Verner76;
-pub(super) use walk::Walk;
+pub(super) use stepper::ExplicitStepper;
+pub(super) use verner76::STABILITY;

@@ -155,12 +155,12 @@ impl<'a> Acting<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::columns::balanced_units;
+    use super::super::balance::balanced_units;
     use super::*;
 
     fn basis<const N: usize>(columns: &[[f64; N]; N]) -> Option<Basis> {
-        let jacobian = DMatrix::from_fn(N, N, |row, column| columns[column][row]);
-        Basis::new(&jacobian, &balanced_units(columns))
+        let jacobian = DMatrix::from_column_slice(N, N, columns.as_flattened());
+        Basis::new(&jacobian, &balanced_units(&jacobian))
     }
 
     /// Displacements and velocities under stiff damping that couples them, with two works and a state that

@@ -1,74 +1,322 @@
-//! The linear part of a system, and the coordinates in which it is easiest: those of its modes.
+//! A linear part in the coordinates of its modes.
 //!
-//! What knows nothing but the number of states stands out of line: it is compiled once for all systems.
+//! ```text
+//! y = V z,   J V = V Λ,   z′ = Λ z + V⁻¹ g
+//! ```
+//!
+//! A real eigenvalue has one coordinate; of a conjugate pair the real and the imaginary part of the vector have
+//! one each, which stand side by side and turn into one another.
 
 use fearless_simd::Level;
+use nalgebra::{Complex, DMatrix};
 
-use super::columns::{Columns, balanced_units, norm_in};
-use super::modes::Modes;
+use super::balance::{balanced_units, norm_in};
+use super::basis::Basis;
+use crate::integrate::chunks::{Chunk, Padded, add_product, add_scaled, chunks_of};
 
-/// The linear part of a system: `∂f/∂y` at one place, or a matrix next to it whose modes are a sound basis.
+/// Damping that parts modes that are nearly the same, over the norm of the Jacobian: the root of it is how far
+/// apart they then are.
+const PARTING: f64 = 1e-3;
+
+/// A function of a linear part for a chunk of its modes: a factor for each coordinate, and one for what it adds to its
+/// partner. Pairs stand at even places, so that none is divided between chunks.
+pub(super) type Diagonal = [Chunk; 2];
+
+/// The linear part of a system: `∂f/∂y` in one state, or a matrix next to it whose modes are a sound basis.
 #[derive(Debug, Clone)]
-pub(super) struct LinearPart<const N: usize> {
-    /// Its norm in the units that make it smallest, 1/s.
+pub(super) struct LinearPart {
+    /// Norm of the Jacobian in the units that make it smallest, 1/s.
     pub norm: f64,
     /// The fastest damping that a component has of itself, 1/s.
     pub damping: f64,
     /// What the processor has.
     pub level: Level,
-    pub modes: Modes<N>,
+    /// Eigenvalue of each coordinate, 1/s: of a pair both, the one with positive imaginary part first.
+    pub eigenvalues: Vec<Complex<f64>>,
+    /// −Λ.
+    against: Vec<Diagonal>,
+    /// V and V⁻¹.
+    shapes: ChunkMatrix,
+    parts: ChunkMatrix,
 }
 
-/// A state as its deviation from the origin, and the coordinates of that.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Place<const N: usize> {
-    pub coordinates: [f64; N],
-    pub deviation: [f64; N],
+/// A state as its deviation from the origin, and the modal coordinates of that.
+#[derive(Debug, Clone)]
+pub(super) struct ModalState {
+    pub coordinates: Padded,
+    pub deviation: Padded,
 }
 
-impl<const N: usize> LinearPart<N> {
-    /// No linear part.
-    pub fn none() -> Self {
+impl ModalState {
+    /// So many zeros.
+    pub fn zeros(states: usize) -> Self {
+        Self {
+            coordinates: Padded::zeros(states),
+            deviation: Padded::zeros(states),
+        }
+    }
+
+    /// Takes the numbers of another one.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.coordinates.copy_from(&other.coordinates);
+        self.deviation.copy_from(&other.deviation);
+    }
+}
+
+impl LinearPart {
+    /// No linear part of so many states: every component by itself.
+    pub fn none(states: usize) -> Self {
+        let unity = ChunkMatrix::of(&DMatrix::identity(states, states));
         Self {
             norm: 0.0,
             damping: 0.0,
             level: Level::new(),
-            modes: Modes::none(),
+            eigenvalues: vec![Complex::ZERO; states],
+            against: vec![[[0.0; 4]; 2]; chunks_of(states)],
+            shapes: unity.clone(),
+            parts: unity,
         }
     }
 
-    /// That of a Jacobian.
-    #[inline(never)]
-    pub fn new(jacobian: Columns<N>, level: Level) -> Self {
-        let units = balanced_units(&jacobian);
-        let norm = norm_in(&units, &jacobian);
-        let columns = jacobian.iter().enumerate();
+    /// That of a Jacobian, or of a matrix next to it: the frozen linear part of the method may be any, and what it
+    /// lacks is in the remainder. Where the modes are no sound basis, as at critical damping, every component gets a
+    /// little damping of its own, which parts them, and what acts on nothing that acts back only decays; where that does
+    /// not help either, there is no linear part.
+    pub fn near(jacobian: &DMatrix<f64>) -> Self {
+        let units = balanced_units(jacobian);
+        let norm = norm_in(&units, jacobian);
+        let apart = || {
+            let (mut jacobian, mut units) = (jacobian.clone(), units.clone());
+            let states = units.len() as f64;
+            for (place, unit) in units.iter_mut().enumerate() {
+                if unit.is_finite() {
+                    jacobian[(place, place)] -= PARTING * norm * (1.0 + place as f64 / states);
+                    continue;
+                }
+                *unit = 1.0;
+                // nothing comes back of what it acts on, and it has no time scale of its own
+                if jacobian[(place, place)] == 0.0 {
+                    jacobian.column_mut(place).fill(0.0);
+                }
+            }
+            Self::of(&jacobian, &units)
+        };
+        let own = Self::of(jacobian, &units).or_else(apart);
+        let own = own.unwrap_or_else(|| Self::none(units.len()));
+        let most = |most: f64, entry: &f64| most.max(-entry);
         Self {
             norm,
-            damping: columns.fold(0.0, |most: f64, (place, column)| most.max(-column[place])),
-            level,
-            modes: Modes::near(&jacobian, &units, norm),
+            damping: jacobian.diagonal().iter().fold(0.0, most),
+            ..own
         }
     }
 
-    /// The place of a deviation.
-    #[inline(never)]
-    pub fn place(&self, deviation: [f64; N]) -> Place<N> {
-        Place {
-            coordinates: self.modes.coordinates(&deviation, self.level),
+    /// By the modes of a Jacobian with the units in which it is smallest; none where they are no sound basis.
+    fn of(jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
+        let basis = Basis::new(jacobian, units)?;
+        let mut part = Self::none(units.len());
+        for (coordinate, eigenvalue) in basis.eigenvalues.iter().enumerate() {
+            let [own, given] = &mut part.against[coordinate / 4];
+            own[coordinate % 4] = -eigenvalue.re;
+            given[coordinate % 4] = eigenvalue.im;
+        }
+        part.shapes = ChunkMatrix::of(&basis.shapes);
+        part.parts = ChunkMatrix::of(&basis.parts);
+        part.eigenvalues = basis.eigenvalues;
+        Some(part)
+    }
+
+    /// Finds the coordinates of a deviation.
+    pub fn to_coordinates(&self, state: &mut ModalState) {
+        let ModalState {
+            coordinates,
             deviation,
+        } = state;
+        self.parts
+            .multiply::<false>(deviation, coordinates.chunks_mut());
+    }
+
+    /// Finds the deviation of coordinates, within code for wide registers.
+    #[inline(always)]
+    pub fn find_deviation(&self, coordinates: &Padded, deviation: &mut Padded) {
+        self.shapes
+            .multiply::<false>(coordinates, deviation.chunks_mut());
+    }
+
+    /// V⁻¹ f − Λ z, the coordinates of the nonlinear remainder f − J y where the derivative f is known, within code for
+    /// wide registers.
+    #[inline(always)]
+    pub fn find_remainder(&self, rate: &Padded, coordinates: &Padded, remainder: &mut Padded) {
+        let chunks = coordinates.chunks().iter().zip(&self.against);
+        for (remainder, (coordinates, against)) in remainder.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            add(against, coordinates, &mut sums);
+            *remainder = joined(&sums);
+        }
+        self.parts.multiply::<true>(rate, remainder.chunks_mut());
+    }
+}
+
+/// A square matrix: column after column in chunks.
+#[derive(Debug, Clone)]
+struct ChunkMatrix {
+    entries: Vec<Chunk>,
+}
+
+impl ChunkMatrix {
+    fn of(matrix: &DMatrix<f64>) -> Self {
+        let columns = matrix.as_slice().chunks_exact(matrix.nrows());
+        Self {
+            entries: columns
+                .flat_map(|column| Padded::of(column).chunks().to_vec())
+                .collect(),
         }
     }
 
-    /// The deviation of coordinates.
-    #[inline(never)]
-    pub fn deviation(&self, coordinates: &[f64; N]) -> [f64; N] {
-        self.modes.deviation(coordinates, self.level)
+    /// Finds the product with a vector, or adds it.
+    #[inline(always)]
+    fn multiply<const ADD: bool>(&self, vector: &[f64], sums: &mut [Chunk]) {
+        // with the sums in registers
+        match sums.len() {
+            1 => self.multiply_rows::<ADD, 1>(vector, sums, 0),
+            2 => self.multiply_rows::<ADD, 2>(vector, sums, 0),
+            3 => self.multiply_rows::<ADD, 3>(vector, sums, 0),
+            chunks => {
+                for chunk in 0..chunks {
+                    self.multiply_rows::<ADD, 1>(vector, sums, chunk);
+                }
+            }
+        }
     }
 
-    /// Coordinates of the nonlinear remainder g = f − J y where the derivative f is known.
-    #[inline(never)]
-    pub fn slow(&self, rate: &[f64; N], place: &Place<N>) -> [f64; N] {
-        self.modes.slow(rate, &place.coordinates, self.level)
+    /// That of some chunks of rows.
+    #[inline(always)]
+    fn multiply_rows<const ADD: bool, const CHUNKS: usize>(
+        &self,
+        vector: &[f64],
+        sums: &mut [Chunk],
+        first: usize,
+    ) {
+        let width = sums.len();
+        let sums = &mut sums[first..first + CHUNKS];
+        let mut own = [[0.0; 4]; CHUNKS];
+        if ADD {
+            own.copy_from_slice(sums);
+        }
+        for (column, value) in self.entries.chunks_exact(width).zip(vector) {
+            for (own, entries) in own.iter_mut().zip(&column[first..first + CHUNKS]) {
+                add_scaled(own, *value, entries);
+            }
+        }
+        sums.copy_from_slice(&own);
+    }
+}
+
+/// Adds a function of the linear part times a vector to the sums that [`joined`] puts together.
+#[inline(always)]
+pub(super) fn add(function: &Diagonal, vector: &Chunk, sums: &mut Diagonal) {
+    for (factors, sum) in function.iter().zip(sums) {
+        add_product(sum, factors, vector);
+    }
+}
+
+/// What each coordinate has of its own and from its partner.
+#[inline(always)]
+pub(super) fn joined([own, given]: &Diagonal) -> Chunk {
+    [
+        own[0] + given[1],
+        own[1] + given[0],
+        own[2] + given[3],
+        own[3] + given[2],
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn coordinates(part: &LinearPart, deviation: &[f64]) -> Padded {
+        let mut state = ModalState::zeros(deviation.len());
+        state.deviation.copy_from_slice(deviation);
+        part.to_coordinates(&mut state);
+        state.coordinates
+    }
+
+    fn deviation(part: &LinearPart, coordinates: &Padded) -> Padded {
+        let mut deviation = coordinates.clone();
+        part.find_deviation(coordinates, &mut deviation);
+        deviation
+    }
+
+    /// f − J y at a rate and a deviation.
+    fn remainder(part: &LinearPart, rate: &[f64], at: &[f64]) -> Padded {
+        let (rate, coordinates) = (Padded::of(rate), coordinates(part, at));
+        let mut remainder = rate.clone();
+        part.find_remainder(&rate, &coordinates, &mut remainder);
+        deviation(part, &remainder)
+    }
+
+    /// V⁻¹ f − Λ z is what f − J y is, with an oscillation among decays: the velocities last.
+    #[test]
+    fn the_remainder_is_the_rate_less_the_linear_part() {
+        let columns = [
+            [0.0, 0.0, -1e8, 2e7],
+            [0.0, 0.0, 1e7, -1e8],
+            [1.0, 0.0, -9e5, 300.0],
+            [0.0, 1.0, -300.0, -400.0],
+        ];
+        let jacobian = DMatrix::from_column_slice(4, 4, columns.as_flattened());
+        let part = LinearPart::of(&jacobian, &balanced_units(&jacobian)).expect("a sound basis");
+        assert!(part.eigenvalues[0].im > 0.0 && part.eigenvalues[3].im == 0.0);
+        let (deviation, rate) = ([1e-6, -2e-6, 3e-3, 4e-3], [3e-3, 4e-3, 70.0, -50.0]);
+        let found = remainder(&part, &rate, &deviation);
+        let linear = jacobian * DMatrix::from_column_slice(4, 1, &deviation);
+        for row in 0..4 {
+            let error = (found[row] - (rate[row] - linear[row])).abs();
+            assert!(
+                error < 1e-11 * (1.0 + linear[row].abs()),
+                "{row}: {error:e}"
+            );
+        }
+    }
+
+    /// V Λ V⁻¹ is next to J: at critical damping, of a body that nothing holds, and of what hangs on it.
+    #[test]
+    fn where_modes_are_no_basis_those_of_a_matrix_next_to_it_are() {
+        let held = [[0.0, -1e8, 0.0], [1.0, -2e4, 3e3], [0.0; 3]];
+        let free = [[0.0, 0.0, 5.0], [1.0, -10.0, 3e3], [0.0; 3]];
+        for columns in [held, free] {
+            let jacobian = DMatrix::from_column_slice(3, 3, columns.as_flattened());
+            let units = balanced_units(&jacobian);
+            assert!(LinearPart::of(&jacobian, &units).is_none());
+            let part = LinearPart::near(&jacobian);
+            assert!(part.eigenvalues.iter().any(|value| value.norm() > 0.0));
+            for place in 0..3 {
+                let mut one = [0.0; 3];
+                one[place] = 1.0;
+                let back = deviation(&part, &coordinates(&part, &one));
+                // −Λ z is the remainder at no rate
+                let rate = remainder(&part, &[0.0; 3], &one);
+                for row in 0..3 {
+                    assert!((back[row] - one[row]).abs() < 1e-9, "{place}, {row}");
+                    let acting = units[row].is_finite() && units[place].is_finite();
+                    if row == place || acting {
+                        let unit = if acting {
+                            units[place] / units[row]
+                        } else {
+                            1.0
+                        };
+                        let off = (rate[row] + jacobian[(row, place)]) * unit;
+                        assert!(
+                            off.abs() < 3.0 * PARTING * part.norm,
+                            "{place}, {row}: {off:e}"
+                        );
+                    }
+                }
+            }
+        }
+        let part = LinearPart::near(&DMatrix::zeros(2, 2));
+        assert_eq!(part.eigenvalues, [Complex::ZERO; 2]);
+        assert_eq!(coordinates(&part, &[3.0, -4.0])[..], [3.0, -4.0]);
     }
 }

@@ -1,4 +1,4 @@
-//! Exponential collocation: the linear part of a system exactly, the slow rest by a polynomial.
+//! Exponential collocation: the linear part of a system exactly, the nonlinear remainder by a polynomial.
 //!
 //! ```text
 //! y′ = J y + g(t, y),    g(t, y) = f(t, y) − J y
@@ -16,21 +16,17 @@
 //! Sources: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2.1
 //! (exponential collocation); Buvoli, *SIAM J. Sci. Comput.* 42 (2020) B1–B27 (its solution by sweeps).
 
+mod balance;
 mod basis;
-mod columns;
 mod dense;
-mod kept;
 mod linear;
-mod mean;
-mod modes;
 mod nodes;
 mod phi;
 mod plan;
 mod propagator;
-mod renewal;
-mod smooth;
+mod relinearisation;
 mod spectrum;
+mod stepper;
 mod sweeps;
-mod walk;
 
-pub(super) use walk::Walk as ExponentialWalk;
+pub(super) use stepper::ExponentialStepper;

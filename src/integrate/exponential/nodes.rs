@@ -1,30 +1,44 @@
-//! The points of a step at which the slow part is known, and what a polynomial through them yields.
+//! The points of a step at which the nonlinear remainder is known, and what a polynomial through them yields.
 
 use std::sync::LazyLock;
+
+use crate::integrate::chunks::{Chunk, add_scaled, chunks_of};
 
 /// Points of a step, its start and its end among them.
 pub(super) const POINTS: usize = 7;
 /// The point whose omission gives the polynomial of next lower degree.
 pub(super) const SPARE: usize = POINTS / 2;
 
-/// A vector at every point.
-pub(super) type Points<const N: usize> = [[f64; N]; POINTS];
+/// A vector at every point, chunk by chunk.
+pub(super) type Points = Vec<PointsOfChunk>;
+
+/// A chunk of a vector at every point.
+pub(super) type PointsOfChunk = [Chunk; POINTS];
+
+/// Zeros at every point of a vector of so many numbers.
+pub(super) fn no_points(numbers: usize) -> Points {
+    vec![[[0.0; 4]; POINTS]; chunks_of(numbers)]
+}
 
 /// Weighted sum of the vectors at the points.
 #[inline(always)]
-pub(super) fn combined<const N: usize>(weights: &[f64; POINTS], points: &Points<N>) -> [f64; N] {
-    let mut sum = [0.0; N];
+pub(super) fn combined(weights: &[f64; POINTS], points: &PointsOfChunk) -> Chunk {
+    let mut sum = [0.0; 4];
     for (weight, point) in weights.iter().zip(points) {
-        for i in 0..N {
-            sum[i] += weight * point[i];
-        }
+        add_scaled(&mut sum, *weight, point);
     }
     sum
 }
 
 /// Weights of the values at the points in their polynomial at a part of the step.
 pub(super) fn weights(part: f64) -> [f64; POINTS] {
-    std::array::from_fn(|j| product_of(&NODES.part, part, j, |k| k != j))
+    let mut weights = [0.0; POINTS];
+    for (weight, row) in weights.iter_mut().zip(&NODES.power) {
+        for term in row.iter().rev() {
+            *weight = *weight * part + term;
+        }
+    }
+    weights
 }
 
 /// Numbers that the points alone decide; parts of a step count from its start.
@@ -197,7 +211,7 @@ mod tests {
     /// A polynomial of the points' degree is met everywhere, and its next lower one is not.
     #[test]
     fn polynomials_through_the_points_are_exact_up_to_their_degree() {
-        let value = |x: f64, degree: i32| [(x - 0.3).powi(degree)];
+        let value = |x: f64, degree: i32| [(x - 0.3).powi(degree); 4];
         let points = |degree| NODES.part.map(|part| value(part, degree));
         for degree in 0..POINTS as i32 {
             let ahead = combined(&weights(1.7), &points(degree))[0] - value(1.7, degree)[0];

@@ -29,12 +29,12 @@ impl Leg {
         intervals: 0.0,
     };
 
-    /// A leg from a time on in steps no longer than a wish, on a grid of samples, up to a limit.
-    pub fn new(time: f64, wish: f64, interval: f64, limit: f64) -> Self {
+    /// A leg from a time on in steps no longer than a requested size, on a grid of samples, up to a limit.
+    pub fn new(time: f64, requested: f64, interval: f64, limit: f64) -> Self {
         let index = (time / interval).round();
         if index * interval == time {
             let free = ((limit - time) / interval + SLACK).floor();
-            let intervals = round_below((wish / interval * (1.0 + SLACK)).min(free));
+            let intervals = round_below((requested / interval * (1.0 + SLACK)).min(free));
             if intervals >= 1.0 {
                 return Self {
                     end: (index + intervals) * interval,
@@ -44,9 +44,9 @@ impl Leg {
                 };
             }
             if free >= 1.0 {
-                return Self::divided((index + 1.0) * interval, interval, wish);
+                return Self::divided((index + 1.0) * interval, interval, requested);
             }
-            return Self::divided(limit, limit - time, wish);
+            return Self::divided(limit, limit - time, requested);
         }
         let next = ((time / interval).floor() + 1.0) * interval;
         let end = if next < limit + SLACK * interval {
@@ -54,40 +54,40 @@ impl Leg {
         } else {
             limit
         };
-        Self::divided(end, end - time, wish)
+        Self::divided(end, end - time, requested)
     }
 
-    fn divided(end: f64, length: f64, wish: f64) -> Self {
+    fn divided(end: f64, length: f64, requested: f64) -> Self {
         let mut leg = Self {
             end,
             left: 1.0,
             size: length,
             intervals: 0.0,
         };
-        while leg.size > wish * (1.0 + SLACK) {
+        while leg.size > requested * (1.0 + SLACK) {
             leg.left *= 2.0;
             leg.size *= 0.5;
         }
         leg
     }
 
-    /// The rest of the leg in steps no longer than a wish.
-    pub fn adapted(self, wish: f64) -> Self {
+    /// The rest of the leg in steps no longer than a requested size.
+    pub fn adapted(self, requested: f64) -> Self {
         let mut leg = Self {
             intervals: 0.0,
             ..self
         };
-        while leg.size > wish * (1.0 + SLACK) {
+        while leg.size > requested * (1.0 + SLACK) {
             leg.left *= 2.0;
             leg.size *= 0.5;
         }
-        while leg.left % 2.0 == 0.0 && 2.0 * leg.size <= wish * (1.0 + SLACK) {
+        while leg.left % 2.0 == 0.0 && 2.0 * leg.size <= requested * (1.0 + SLACK) {
             leg.left *= 0.5;
             leg.size *= 2.0;
         }
-        if MUCH * leg.size <= wish {
+        if MUCH * leg.size <= requested {
             // steps grow faster than halves of the whole leg allow
-            leg = Self::divided(self.end, self.left * self.size, wish);
+            leg = Self::divided(self.end, self.left * self.size, requested);
         }
         leg
     }
@@ -113,14 +113,14 @@ mod tests {
     /// From a thousandth of an interval on in steps that may grow eightfold: as many of them as that takes.
     #[test]
     fn steps_on_the_way_to_a_sample_grow_as_fast_as_they_may() {
-        let (mut wish, mut time, mut steps) = (1e-3, 0.0, 0);
-        let mut leg = Leg::new(time, wish, 1.0, f64::INFINITY);
+        let (mut requested, mut time, mut steps) = (1e-3, 0.0, 0);
+        let mut leg = Leg::new(time, requested, 1.0, f64::INFINITY);
         while leg.left > 0.0 {
-            assert!(leg.size <= wish * (1.0 + SLACK));
+            assert!(leg.size <= requested * (1.0 + SLACK));
             (time, steps) = (time + leg.size, steps + 1);
-            (leg.left, wish) = (leg.left - 1.0, 8.0 * leg.size);
+            (leg.left, requested) = (leg.left - 1.0, 8.0 * leg.size);
             if leg.left > 0.0 {
-                leg = leg.adapted(wish);
+                leg = leg.adapted(requested);
             }
         }
         assert!((time - 1.0).abs() < 1e-12 && steps <= 6, "{time}, {steps}");

@@ -1,25 +1,26 @@
-//! State-transition operator over a step of one size, in the coordinates of modes.
+//! State-transition operators over steps of some sizes, in the coordinates of modes.
 
-use fearless_simd::Level;
 use nalgebra::Complex;
 
-use super::modes::{Diagonal, Modes, add, joined};
+use super::linear::{Diagonal, LinearPart, add, joined};
 use super::nodes::{NODES, POINTS, Points};
 use super::phi::{self, HIGHEST};
+use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
 use crate::registers::in_wide_registers;
 
-/// φ_0 … φ_HIGHEST of all modes.
-pub(super) type Functions<const N: usize> = [Diagonal<N>; HIGHEST + 1];
+/// Step sizes whose operators are kept.
+const KEPT: usize = 12;
 
-/// The functions over an interval, s.
-#[inline(never)]
-pub(super) fn functions<const N: usize>(
-    eigenvalues: &[Complex<f64>; N],
-    interval: f64,
-) -> Functions<N> {
-    let mut functions = [[[0.0; N]; 2]; HIGHEST + 1];
+/// φ_0 … φ_HIGHEST of a chunk of modes.
+pub(super) type Functions = [Diagonal; HIGHEST + 1];
+
+const NO_FUNCTIONS: Functions = [[[0.0; 4]; 2]; HIGHEST + 1];
+
+/// Finds the functions of all modes over an interval, s.
+fn find_functions(eigenvalues: &[Complex<f64>], interval: f64, functions: &mut [Functions]) {
+    functions.fill(NO_FUNCTIONS);
     let mut coordinate = 0;
-    while coordinate < N {
+    while coordinate < eigenvalues.len() {
         let exponent = eigenvalues[coordinate] * interval;
         let paired = exponent.im > 0.0;
         let values = if paired {
@@ -27,61 +28,43 @@ pub(super) fn functions<const N: usize>(
         } else {
             phi::functions(exponent.re).map(Complex::from)
         };
-        for ([own, given], value) in functions.iter_mut().zip(values) {
-            own[coordinate] = value.re;
-            given[coordinate] = -value.im;
+        let (chunk, lane) = (coordinate / 4, coordinate % 4);
+        for ([own, given], value) in functions[chunk].iter_mut().zip(values) {
+            own[lane] = value.re;
+            given[lane] = -value.im;
             if paired {
-                own[coordinate + 1] = value.re;
-                given[coordinate + 1] = value.im;
+                own[lane + 1] = value.re;
+                given[lane + 1] = value.im;
             }
         }
         coordinate += 1 + usize::from(paired);
     }
-    functions
 }
 
 /// `z(t + c_i h) = E_i z(t) + Σ_j A_ij g(t + c_j h)`, exact where g is a polynomial of the points' degree: E_i and
-/// A_ij of the points after the first.
+/// A_ij of the points after the first, for a chunk of modes.
 #[derive(Debug, Clone)]
-pub(super) struct Propagator<const N: usize> {
-    level: Level,
-    free: [Diagonal<N>; POINTS - 1],
-    forced: [[Diagonal<N>; POINTS]; POINTS - 1],
+struct ChunkPropagator {
+    free: [Diagonal; POINTS - 1],
+    forced: [[Diagonal; POINTS]; POINTS - 1],
 }
 
-impl<const N: usize> Propagator<N> {
-    /// Over a step of a size, s.
-    #[inline(never)]
-    pub fn new(modes: &Modes<N>, size: f64, level: Level) -> Self {
-        let mut propagator = Self {
-            level,
-            free: [[[0.0; N]; 2]; POINTS - 1],
-            forced: [[[[0.0; N]; 2]; POINTS]; POINTS - 1],
-        };
-        // intervals lie symmetrically about the middle of the step
-        for interval in 0..POINTS / 2 {
-            let length = (NODES.part[interval + 1] - NODES.part[interval]) * size;
-            let functions = functions(&modes.eigenvalues, length);
-            for mirror in [interval, POINTS - 2 - interval] {
-                propagator.free[mirror] = functions[0];
-                in_wide_registers!(level, propagator.integrate(mirror, length, &functions));
-            }
-        }
-        in_wide_registers!(level, propagator.go_from_point_to_point());
-        propagator
-    }
+impl ChunkPropagator {
+    const NONE: Self = Self {
+        free: [[[0.0; 4]; 2]; POINTS - 1],
+        forced: [[[[0.0; 4]; 2]; POINTS]; POINTS - 1],
+    };
 
-    /// What each of the points' polynomials adds over an interval.
+    /// What each of the points' polynomials adds over an interval between two points.
     #[inline(always)]
-    fn integrate(&mut self, interval: usize, length: f64, functions: &Functions<N>) {
+    fn integrate(&mut self, interval: usize, length: f64, functions: &Functions) {
+        self.free[interval] = functions[0];
         for (local, forced) in NODES.local[interval].iter().zip(&mut self.forced[interval]) {
-            let mut sums = [[0.0; N]; 2];
+            let mut sums = [[0.0; 4]; 2];
             for (coefficient, function) in local.iter().zip(&functions[1..]) {
                 let factor = length * coefficient;
                 for (part, sum) in function.iter().zip(&mut sums) {
-                    for i in 0..N {
-                        sum[i] += factor * part[i];
-                    }
+                    add_scaled(sum, factor, part);
                 }
             }
             *forced = sums;
@@ -96,60 +79,186 @@ impl<const N: usize> Propagator<N> {
             for of in 0..POINTS {
                 let mut carried = product(&on, &self.forced[point - 1][of]);
                 for (carried, forced) in carried.iter_mut().zip(&self.forced[point][of]) {
-                    for i in 0..N {
-                        carried[i] += forced[i];
-                    }
+                    add_scaled(carried, 1.0, forced);
                 }
                 self.forced[point][of] = carried;
             }
             self.free[point] = product(&on, &self.free[point - 1]);
         }
     }
+}
 
-    /// Coordinates at a point after the first.
-    #[inline(never)]
-    pub fn coordinates(&self, point: usize, from: &[f64; N], slow: &Points<N>) -> [f64; N] {
-        in_wide_registers!(self.level, {
-            let mut sums = [[0.0; N]; 2];
-            add(&self.free[point - 1], from, &mut sums);
-            self.add_slow(point, slow, &mut sums);
-            joined(&sums)
-        })
+/// Finds the operator over a step of a size, s; `functions` is room for those of its intervals.
+fn find_propagator(
+    linear: &LinearPart,
+    size: f64,
+    functions: &mut [Functions],
+    chunks: &mut [ChunkPropagator],
+) {
+    // intervals lie symmetrically about the middle of the step
+    for interval in 0..POINTS / 2 {
+        let length = (NODES.part[interval + 1] - NODES.part[interval]) * size;
+        find_functions(&linear.eigenvalues, length, functions);
+        in_wide_registers!(linear.level, {
+            for (chunk, functions) in chunks.iter_mut().zip(&*functions) {
+                for mirror in [interval, POINTS - 2 - interval] {
+                    chunk.integrate(mirror, length, functions);
+                }
+            }
+        });
     }
+    in_wide_registers!(linear.level, {
+        for chunk in chunks {
+            chunk.go_from_point_to_point();
+        }
+    });
+}
 
-    /// What a slow part that vanishes at the start does to the coordinates at a point.
-    #[inline(never)]
-    pub fn moved(&self, point: usize, slow: &Points<N>) -> [f64; N] {
-        in_wide_registers!(self.level, {
-            let mut sums = [[0.0; N]; 2];
-            self.add_slow(point, slow, &mut sums);
-            joined(&sums)
-        })
-    }
+/// State-transition operator over a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Propagator<'a> {
+    chunks: &'a [ChunkPropagator],
+}
 
+impl Propagator<'_> {
+    /// Finds the coordinates at a point after the first, within code for wide registers.
     #[inline(always)]
-    fn add_slow(&self, point: usize, slow: &Points<N>, sums: &mut Diagonal<N>) {
-        for (forced, slow) in self.forced[point - 1].iter().zip(slow) {
-            add(forced, slow, sums);
+    pub fn find_coordinates(
+        &self,
+        point: usize,
+        from: &Padded,
+        remainder: &Points,
+        to: &mut Padded,
+    ) {
+        let chunks = self.chunks.iter().zip(from.chunks()).zip(remainder);
+        for (to, ((chunk, from), remainder)) in to.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            add(&chunk.free[point - 1], from, &mut sums);
+            for (forced, remainder) in chunk.forced[point - 1].iter().zip(remainder) {
+                add(forced, remainder, &mut sums);
+            }
+            *to = joined(&sums);
         }
     }
 
-    /// What the slow part at one point alone does to the coordinates at another.
-    #[inline(never)]
-    pub fn effect(&self, point: usize, of: usize, slow: &[f64; N]) -> [f64; N] {
-        let mut sums = [[0.0; N]; 2];
-        add(&self.forced[point - 1][of], slow, &mut sums);
-        joined(&sums)
+    /// Finds what a remainder that vanishes at the start does to the coordinates at the end.
+    #[inline(always)]
+    pub fn find_shift(&self, remainder: &Points, shift: &mut Padded) {
+        let chunks = self.chunks.iter().zip(remainder);
+        for (shift, (chunk, remainder)) in shift.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            for (forced, remainder) in chunk.forced[POINTS - 2].iter().zip(remainder) {
+                add(forced, remainder, &mut sums);
+            }
+            *shift = joined(&sums);
+        }
+    }
+
+    /// Finds what the remainder at one point alone does to the coordinates at another.
+    #[inline(always)]
+    pub fn find_effect(&self, point: usize, of: usize, remainder: &Padded, effect: &mut Padded) {
+        let chunks = self.chunks.iter().zip(remainder.chunks());
+        for (effect, (chunk, remainder)) in effect.chunks_mut().iter_mut().zip(chunks) {
+            let mut sums = [[0.0; 4]; 2];
+            add(&chunk.forced[point - 1][of], remainder, &mut sums);
+            *effect = joined(&sums);
+        }
     }
 }
 
 /// One function after the other, each as the complex numbers that its factors are the parts of.
 #[inline(always)]
-fn product<const N: usize>(left: &Diagonal<N>, right: &Diagonal<N>) -> Diagonal<N> {
-    let mut product = [[0.0; N]; 2];
-    for i in 0..N {
+fn product(left: &Diagonal, right: &Diagonal) -> Diagonal {
+    let mut product = [[0.0; 4]; 2];
+    for i in 0..4 {
         product[0][i] = left[0][i] * right[0][i] - left[1][i] * right[1][i];
         product[1][i] = left[0][i] * right[1][i] + left[1][i] * right[0][i];
     }
     product
+}
+
+/// A step size whose operator is kept.
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    /// s; zero where there is none.
+    size: f64,
+    /// When it was asked for last.
+    used: u64,
+}
+
+/// Operators of one linear part over steps of the sizes of late, and the functions over a sample interval.
+#[derive(Debug, Clone)]
+pub(super) struct Propagators {
+    sizes: Vec<Size>,
+    /// The operators of all sizes, one after the other.
+    operators: Vec<ChunkPropagator>,
+    clock: u64,
+    samples: Vec<Functions>,
+    are_samples_known: bool,
+    /// Room for the functions over an interval.
+    functions: Vec<Functions>,
+}
+
+impl Propagators {
+    /// Room for those of so many states.
+    pub fn new(states: usize) -> Self {
+        let chunks = chunks_of(states);
+        Self {
+            sizes: Vec::with_capacity(KEPT),
+            operators: Vec::with_capacity(KEPT * chunks),
+            clock: 0,
+            samples: vec![NO_FUNCTIONS; chunks],
+            are_samples_known: false,
+            functions: vec![NO_FUNCTIONS; chunks],
+        }
+    }
+
+    /// Forgets all: the linear part is another.
+    pub fn clear(&mut self) {
+        self.sizes.clear();
+        self.operators.clear();
+        self.are_samples_known = false;
+    }
+
+    /// The operator over a step.
+    pub fn of(&mut self, linear: &LinearPart, size: f64) -> Propagator<'_> {
+        self.clock += 1;
+        let chunks = self.functions.len();
+        let known = self.sizes.iter().position(|kept| kept.size == size);
+        let index = known.unwrap_or_else(|| self.place());
+        let operator = chunks * index..chunks * (index + 1);
+        if known.is_none() {
+            let room = &mut self.operators[operator.clone()];
+            find_propagator(linear, size, &mut self.functions, room);
+        }
+        self.sizes[index] = Size {
+            size,
+            used: self.clock,
+        };
+        Propagator {
+            chunks: &self.operators[operator],
+        }
+    }
+
+    /// A place for a further operator: a new one or that of the one that was not used for longest.
+    fn place(&mut self) -> usize {
+        let kept = self.sizes.len();
+        if kept < KEPT {
+            self.sizes.push(Size { size: 0.0, used: 0 });
+            let chunks = self.operators.len() + self.functions.len();
+            self.operators.resize(chunks, ChunkPropagator::NONE);
+            return kept;
+        }
+        let longest = (0..KEPT).min_by_key(|&index| self.sizes[index].used);
+        longest.unwrap_or(0)
+    }
+
+    /// The functions over an interval of samples.
+    pub fn samples(&mut self, linear: &LinearPart, interval: f64) -> &[Functions] {
+        if !self.are_samples_known {
+            find_functions(&linear.eigenvalues, interval, &mut self.samples);
+            self.are_samples_known = true;
+        }
+        &self.samples
+    }
 }

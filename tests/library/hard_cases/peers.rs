@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 
-use jeffcott::integrate::{Grid, Integration, Linearised, Scaling, System};
-use nalgebra::{SMatrix, Vector2, matrix};
+use jeffcott::integrate::{Grid, Integration, Scaling, States, System};
+use nalgebra::{DMatrix, Vector2};
 use ode_solvers::dop_shared::{IntegrationError, Stats};
 
 use crate::support::settings;
@@ -38,16 +38,25 @@ impl ode_solvers::System<f64, Vector2<f64>> for Jeffcott {
     }
 }
 
-impl System<2> for Jeffcott {
-    fn derivative(&self, time: f64, state: &[f64; 2], slope: &mut [f64; 2]) {
-        *slope = rate(time, *state);
+impl System for Jeffcott {
+    fn states(&self) -> usize {
+        2
     }
-}
 
-impl Linearised<2> for Jeffcott {
-    fn linearisation(&self, time: f64, _state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+    fn derivative(&self, time: f64, state: &[f64], slope: &mut [f64]) {
+        slope.copy_from_slice(&rate(time, [state[0], state[1]]));
+    }
+
+    fn linearisation(
+        &self,
+        time: f64,
+        _state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
         let change = -SPEED * SPEED * SPEED * (SPEED * time).sin();
-        (matrix![0.0, 1.0; -1.0, -2.0 * RATIO], [0.0, change])
+        jacobian.copy_from_slice(&[0.0, -1.0, 1.0, -2.0 * RATIO]);
+        by_time.copy_from_slice(&[0.0, change]);
     }
 }
 
@@ -64,12 +73,11 @@ fn our_error(tolerance: f64) -> f64 {
         count: 2,
     };
     // a quarter of the tolerance is allowed in a step
-    let (scaling, settings) = (Scaling::IDENTITY, settings(4.0 * tolerance));
-    let mut integration =
-        Integration::<_, 2, 3>::new(&Jeffcott, scaling, grid, settings, &stop, &exact(0.0));
-    let mut states = Vec::new();
+    let (scaling, settings) = (Scaling::identity(2), settings(4.0 * tolerance));
+    let mut integration = Integration::new(&Jeffcott, scaling, grid, settings, &stop, &exact(0.0));
+    let mut states = States::new(2);
     integration.advance(2, &mut states).expect("smooth");
-    (states[1][0] - exact(END)[0]).abs()
+    (states.last().expect("two states")[0] - exact(END)[0]).abs()
 }
 
 /// ode_solvers 0.6 evaluates the last stage of Dop853 at the start of a step instead of its end. Where

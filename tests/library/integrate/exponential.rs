@@ -2,12 +2,10 @@
 
 use std::sync::atomic::AtomicBool;
 
-use jeffcott::integrate::{
-    Counters, Grid, Integration, Linearised, Method, Scaling, Settings, System,
-};
+use jeffcott::integrate::{Counters, Grid, Integration, Method, Scaling, Settings, States, System};
 use jeffcott::rotor::{Freedoms, Rotor, RotorDefinition, Sample};
 use jeffcott::simulate::Model;
-use nalgebra::{SMatrix, matrix};
+use nalgebra::DMatrix;
 
 use crate::support::{model, samples, settings, shaft, thrust_rotor};
 
@@ -18,25 +16,35 @@ struct Oscillator {
     drive: f64,
 }
 
-impl System<2> for Oscillator {
-    fn derivative(&self, time: f64, [place, speed]: &[f64; 2], rate: &mut [f64; 2]) {
+impl System for Oscillator {
+    fn states(&self) -> usize {
+        2
+    }
+
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         let push = 1.0 + (self.drive * time).sin();
         let square = self.natural * self.natural;
-        let brake = 2.0 * self.damping_ratio * self.natural * speed;
-        *rate = [*speed, square * (push - place) - brake];
+        let brake = 2.0 * self.damping_ratio * self.natural * state[1];
+        rate[0] = state[1];
+        rate[1] = square * (push - state[0]) - brake;
+    }
+
+    fn linearisation(
+        &self,
+        time: f64,
+        _state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        let square = self.natural * self.natural;
+        let change = square * self.drive * (self.drive * time).cos();
+        let brake = -2.0 * self.damping_ratio * self.natural;
+        jacobian.copy_from_slice(&[0.0, -square, 1.0, brake]);
+        by_time.copy_from_slice(&[0.0, change]);
     }
 
     fn is_second_order(&self) -> bool {
         true
-    }
-}
-
-impl Linearised<2> for Oscillator {
-    fn linearisation(&self, time: f64, _state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
-        let square = self.natural * self.natural;
-        let change = square * self.drive * (self.drive * time).cos();
-        let by_state = matrix![0.0, 1.0; -square, -2.0 * self.damping_ratio * self.natural];
-        (by_state, [0.0, change])
     }
 }
 
@@ -70,8 +78,8 @@ impl Oscillator {
     /// Largest error of the place over the samples, and the work, from a place at rest.
     fn error(&self, start: f64, grid: Grid, tolerance: f64) -> (f64, Counters) {
         let scaling = Scaling {
-            origin: [0.0; 2],
-            scale: [1.0, self.natural],
+            origin: vec![0.0; 2],
+            scale: vec![1.0, self.natural],
             time: 1.0 / self.natural,
         };
         let (stop, settings) = (
@@ -82,13 +90,12 @@ impl Oscillator {
                 step_limit: 1_000_000,
             },
         );
-        let mut integration =
-            Integration::<_, 2, 3>::new(self, scaling, grid, settings, &stop, &[start, 0.0]);
-        let mut states = Vec::new();
+        let mut integration = Integration::new(self, scaling, grid, settings, &stop, &[start, 0.0]);
+        let mut states = States::new(2);
         while integration.done() < grid.count {
             integration.advance(100, &mut states).expect("no trouble");
         }
-        let off = |(index, state): (usize, &[f64; 2])| {
+        let off = |(index, state): (usize, &[f64])| {
             (state[0] - self.place(start, grid.time(index as u64))).abs()
         };
         let error = states.iter().enumerate().map(off).fold(0.0, f64::max);

@@ -3,10 +3,8 @@
 
 use std::sync::atomic::AtomicBool;
 
-use jeffcott::integrate::{
-    Counters, Grid, Integration, Linearised, Method, Scaling, Settings, Surroundings, System,
-};
-use nalgebra::{SMatrix, matrix};
+use jeffcott::integrate::{Counters, Grid, Integration, Method, Scaling, Settings, States, System};
+use nalgebra::DMatrix;
 
 /// y″ = −1 + K max(−y, 0)^(3/2), as (y, y′).
 struct Bouncing {
@@ -21,46 +19,51 @@ fn load(depth: f64) -> f64 {
 }
 
 /// ½ v² + y + 2/5 K max(−y, 0)^(5/2)
-fn energy([place, speed]: &[f64; 2]) -> f64 {
+fn energy(state: &[f64]) -> f64 {
+    let [place, speed] = [state[0], state[1]];
     0.5 * speed * speed + place + 0.4 * STIFFNESS * (-place).max(0.0).powf(2.5)
 }
 
-impl System<2> for Bouncing {
-    fn derivative(&self, _time: f64, [place, speed]: &[f64; 2], rate: &mut [f64; 2]) {
-        *rate = [*speed, load(-place) - 1.0];
+impl System for Bouncing {
+    fn states(&self) -> usize {
+        2
     }
 
-    fn surroundings(&self, _time: f64, [place, _]: &[f64; 2]) -> Surroundings {
-        if !self.told {
-            return Surroundings::SMOOTH;
-        }
-        Surroundings {
-            sides: u128::from(*place <= 0.0),
-            nearest: place.abs(),
-        }
+    fn derivative(&self, _time: f64, state: &[f64], rate: &mut [f64]) {
+        rate[0] = state[1];
+        rate[1] = load(-state[0]) - 1.0;
     }
 
-    fn past(&self, _surface: u32, _time: f64, [place, _]: &[f64; 2]) -> f64 {
-        -place
+    fn linearisation(
+        &self,
+        _time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        let stiffness = -1.5 * STIFFNESS * (-state[0]).max(0.0).sqrt();
+        jacobian.copy_from_slice(&[0.0, stiffness, 1.0, 0.0]);
+        by_time.fill(0.0);
     }
 
-    fn approach(&self, _times: [f64; 2], [from, to]: [&[f64; 2]; 2]) -> f64 {
+    fn event_count(&self) -> usize {
+        usize::from(self.told)
+    }
+
+    fn events(&self, _time: f64, state: &[f64], values: &mut [f64]) {
+        values.fill(-state[0]);
+    }
+
+    fn event_change(&self, _times: [f64; 2], [from, to]: [&[f64]; 2]) -> f64 {
         (to[0] - from[0]).abs()
     }
 
-    fn added(&self, _surface: u32, _time: f64, distance: f64) -> [f64; 2] {
-        [0.0, load(distance)]
+    fn force_jump(&self, _event: usize, _time: f64, distance: f64, rate: &mut [f64]) {
+        rate.copy_from_slice(&[0.0, load(distance)]);
     }
 
     fn is_second_order(&self) -> bool {
         true
-    }
-}
-
-impl Linearised<2> for Bouncing {
-    fn linearisation(&self, _time: f64, [place, _]: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
-        let stiffness = -1.5 * STIFFNESS * (-place).max(0.0).sqrt();
-        (matrix![0.0, 1.0; stiffness, 0.0], [0.0; 2])
     }
 }
 
@@ -77,25 +80,20 @@ fn integration<'a>(
     method: Method,
     tolerance: f64,
     stop: &'a AtomicBool,
-) -> Integration<'a, Bouncing, 2, 3> {
+) -> Integration<'a> {
     let settings = Settings {
         method,
         tolerance,
         step_limit: 1_000_000,
     };
-    Integration::new(system, Scaling::IDENTITY, GRID, settings, stop, &START)
+    Integration::new(system, Scaling::identity(2), GRID, settings, stop, &START)
 }
 
 /// States and work, in blocks of so many points.
-fn run(
-    system: &Bouncing,
-    method: Method,
-    tolerance: f64,
-    points: usize,
-) -> (Vec<[f64; 2]>, Counters) {
+fn run(system: &Bouncing, method: Method, tolerance: f64, points: usize) -> (States, Counters) {
     let stop = AtomicBool::new(false);
     let mut integration = integration(system, method, tolerance, &stop);
-    let mut states = Vec::new();
+    let mut states = States::new(2);
     while integration.done() < GRID.count {
         integration
             .advance(points, &mut states)
@@ -104,8 +102,8 @@ fn run(
     (states, integration.counters())
 }
 
-fn energy_error(states: &[[f64; 2]]) -> f64 {
-    let drift = |state| (energy(state) / energy(&START) - 1.0).abs();
+fn energy_error(states: &States) -> f64 {
+    let drift = |state: &[f64]| (energy(state) / energy(&START) - 1.0).abs();
     states.iter().map(drift).fold(0.0, f64::max)
 }
 

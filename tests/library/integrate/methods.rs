@@ -3,23 +3,32 @@
 use std::sync::atomic::AtomicBool;
 
 use jeffcott::integrate::{
-    Checkpoint, Counters, Grid, IntegrateError, Integration, Linearised, Method, SEGMENT, Scaling,
-    Settings, System,
+    Checkpoint, Counters, Grid, IntegrateError, Integration, Method, SEGMENT, Scaling, Settings,
+    States, System,
 };
-use nalgebra::{SMatrix, matrix};
+use nalgebra::DMatrix;
 
 /// y' = cos(t) y, y(0) = 1: y = exp(sin t). The time enters, so a wrong node shows.
 struct Swelling;
 
-impl System<1> for Swelling {
-    fn derivative(&self, time: f64, state: &[f64; 1], rate: &mut [f64; 1]) {
+impl System for Swelling {
+    fn states(&self) -> usize {
+        1
+    }
+
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         rate[0] = time.cos() * state[0];
     }
-}
 
-impl Linearised<1> for Swelling {
-    fn linearisation(&self, time: f64, state: &[f64; 1]) -> (SMatrix<f64, 1, 1>, [f64; 1]) {
-        (matrix![time.cos()], [-time.sin() * state[0]])
+    fn linearisation(
+        &self,
+        time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        jacobian.fill(time.cos());
+        by_time.fill(-time.sin() * state[0]);
     }
 }
 
@@ -38,15 +47,15 @@ fn error_and_steps(method: Method, tolerance: f64) -> (f64, u64) {
         count: 401,
     };
     let stop = AtomicBool::new(false);
-    let mut integration = Integration::<_, 1, 2>::new(
+    let mut integration = Integration::new(
         &Swelling,
-        Scaling::IDENTITY,
+        Scaling::identity(1),
         grid,
         settings(method, tolerance),
         &stop,
         &[1.0],
     );
-    let mut states = Vec::new();
+    let mut states = States::new(1);
     while integration.done() < grid.count {
         integration
             .advance(100, &mut states)
@@ -109,16 +118,27 @@ struct Kaps;
 
 const STEEP: f64 = 1e6;
 
-impl System<2> for Kaps {
-    fn derivative(&self, _time: f64, [y, z]: &[f64; 2], rate: &mut [f64; 2]) {
-        *rate = [-(STEEP + 2.0) * y + STEEP * z * z, y - z - z * z];
+impl System for Kaps {
+    fn states(&self) -> usize {
+        2
     }
-}
 
-impl Linearised<2> for Kaps {
-    fn linearisation(&self, _time: f64, [_, z]: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
-        let by_state = matrix![-(STEEP + 2.0), 2.0 * STEEP * z; 1.0, -1.0 - 2.0 * z];
-        (by_state, [0.0; 2])
+    fn derivative(&self, _time: f64, state: &[f64], rate: &mut [f64]) {
+        let [y, z] = [state[0], state[1]];
+        rate[0] = -(STEEP + 2.0) * y + STEEP * z * z;
+        rate[1] = y - z - z * z;
+    }
+
+    fn linearisation(
+        &self,
+        _time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        let z = state[1];
+        jacobian.copy_from_slice(&[-(STEEP + 2.0), 1.0, 2.0 * STEEP * z, -1.0 - 2.0 * z]);
+        by_time.fill(0.0);
     }
 }
 
@@ -131,12 +151,13 @@ fn rodas_steps_over_a_stiff_slope() {
     let (stop, settings) = (AtomicBool::new(false), settings(Method::Rodas, 1e-7));
     let start = [1.0, 1.0];
     let mut integration =
-        Integration::<_, 2, 3>::new(&Kaps, Scaling::IDENTITY, grid, settings, &stop, &start);
-    let mut states = Vec::new();
+        Integration::new(&Kaps, Scaling::identity(2), grid, settings, &stop, &start);
+    let mut states = States::new(2);
     while integration.done() < grid.count {
         integration.advance(301, &mut states).expect("no trouble");
     }
-    for (index, [y, z]) in states.iter().enumerate() {
+    for (index, state) in states.iter().enumerate() {
+        let [y, z] = [state[0], state[1]];
         let time = grid.time(index as u64);
         let slow = (z - (-time).exp()).abs();
         assert!(slow < 1e-7, "t = {time}: {slow:e}");
@@ -153,7 +174,7 @@ fn rodas_steps_over_a_stiff_slope() {
 fn kaps(
     method: Method,
     step_limit: u64,
-    look: impl FnOnce(&Integration<'_, Kaps, 2, 3>, Result<(), IntegrateError>),
+    check: impl FnOnce(&Integration<'_>, Result<(), IntegrateError>),
 ) {
     let grid = Grid {
         interval: 0.01,
@@ -165,12 +186,12 @@ fn kaps(
         ..settings(method, 1e-7)
     };
     let mut integration =
-        Integration::<_, 2, 3>::new(&Kaps, Scaling::IDENTITY, grid, settings, &stop, &start);
+        Integration::new(&Kaps, Scaling::identity(2), grid, settings, &stop, &start);
     let mut result = Ok(());
     while result.is_ok() && integration.done() < grid.count {
-        result = integration.advance(50, &mut Vec::new());
+        result = integration.advance(50, &mut States::new(2));
     }
-    look(&integration, result);
+    check(&integration, result);
 }
 
 /// Longest step that stability leaves; Dopri5 takes about half of it.
@@ -225,18 +246,28 @@ struct Swing {
     fault_from: f64,
 }
 
-impl System<2> for Swing {
-    fn derivative(&self, time: f64, state: &[f64; 2], rate: &mut [f64; 2]) {
-        *rate = [state[1], -state[0]];
+impl System for Swing {
+    fn states(&self) -> usize {
+        2
+    }
+
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        rate[0] = state[1];
+        rate[1] = -state[0];
         if time >= self.fault_from {
             rate[1] = f64::NAN;
         }
     }
-}
 
-impl Linearised<2> for Swing {
-    fn linearisation(&self, _time: f64, _state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
-        (matrix![0.0, 1.0; -1.0, 0.0], [0.0; 2])
+    fn linearisation(
+        &self,
+        _time: f64,
+        _state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        jacobian.copy_from_slice(&[0.0, -1.0, 1.0, 0.0]);
+        by_time.fill(0.0);
     }
 }
 
@@ -255,11 +286,10 @@ fn integrate(
     settings: Settings,
     points: usize,
     stop: &AtomicBool,
-) -> (Vec<[f64; 2]>, Counters, Result<(), IntegrateError>) {
-    let (scaling, start) = (Scaling::IDENTITY, [1.0, 0.0]);
-    let mut integration =
-        Integration::<_, 2, 3>::new(system, scaling, TWENTY_SECONDS, settings, stop, &start);
-    let mut states = Vec::new();
+) -> (States, Counters, Result<(), IntegrateError>) {
+    let (scaling, start) = (Scaling::identity(2), [1.0, 0.0]);
+    let mut integration = Integration::new(system, scaling, TWENTY_SECONDS, settings, stop, &start);
+    let mut states = States::new(2);
     let mut result = Ok(());
     while result.is_ok() && integration.done() < TWENTY_SECONDS.count {
         result = integration.advance(points, &mut states);
@@ -302,7 +332,8 @@ fn blocks_end_where_one_long_block_passes() {
             let (states, _, result) = integrate(&SOUND, settings(method, 1e-10), points, &stop);
             result.expect("a smooth problem");
             assert_eq!(states.len(), 2001);
-            for (index, [place, speed]) in states.into_iter().enumerate() {
+            for (index, state) in states.iter().enumerate() {
+                let [place, speed] = [state[0], state[1]];
                 let time = TWENTY_SECONDS.time(index as u64);
                 let error = (place - time.cos()).abs().max((speed + time.sin()).abs());
                 // the error aimed at over each of the twenty seconds
@@ -354,22 +385,31 @@ fn a_derivative_that_is_not_a_number_ends_the_integration_at_its_time() {
             last <= time + 1e-12 && time - last < 1.0,
             "{method:?}: {last} s of {time} s"
         );
-        assert!(states.iter().flatten().all(|value| value.is_finite()));
+        assert!(states.as_slice().iter().all(|value| value.is_finite()));
     }
 }
 
 /// y′ = y² from 1, which grows beyond all bounds as t comes to 1.
 struct Exploding;
 
-impl System<1> for Exploding {
-    fn derivative(&self, _time: f64, state: &[f64; 1], rate: &mut [f64; 1]) {
+impl System for Exploding {
+    fn states(&self) -> usize {
+        1
+    }
+
+    fn derivative(&self, _time: f64, state: &[f64], rate: &mut [f64]) {
         rate[0] = state[0] * state[0];
     }
-}
 
-impl Linearised<1> for Exploding {
-    fn linearisation(&self, _time: f64, state: &[f64; 1]) -> (SMatrix<f64, 1, 1>, [f64; 1]) {
-        (matrix![2.0 * state[0]], [0.0])
+    fn linearisation(
+        &self,
+        _time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        jacobian.fill(2.0 * state[0]);
+        by_time.fill(0.0);
     }
 }
 
@@ -378,15 +418,15 @@ impl Linearised<1> for Exploding {
 fn a_step_too_small_to_move_time_is_an_error_at_once() {
     let stop = AtomicBool::new(false);
     for method in METHODS {
-        let mut integration = Integration::<_, 1, 2>::new(
+        let mut integration = Integration::new(
             &Exploding,
-            Scaling::IDENTITY,
+            Scaling::identity(1),
             TWENTY_SECONDS,
             settings(method, 1e-8),
             &stop,
             &[1.0],
         );
-        let mut states = Vec::new();
+        let mut states = States::new(1);
         let error = integration.advance(2001, &mut states).unwrap_err();
         println!("{method:?}: {error}, {:?}", integration.counters());
         assert!((error.time() - 1.0).abs() < 1e-6, "{method:?}: {error}");
@@ -453,10 +493,10 @@ fn an_integration_goes_on_from_the_end_of_a_segment_to_the_same_bits() {
     let segment = usize::try_from(SEGMENT).unwrap();
     for method in METHODS {
         let new = || {
-            let (scaling, settings) = (Scaling::IDENTITY, settings(method, 1e-9));
-            Integration::<_, 2, 3>::new(&SOUND, scaling, SEGMENTS, settings, &stop, &[1.0, 0.0])
+            let (scaling, settings) = (Scaling::identity(2), settings(method, 1e-9));
+            Integration::new(&SOUND, scaling, SEGMENTS, settings, &stop, &[1.0, 0.0])
         };
-        let (mut whole, mut states) = (new(), Vec::new());
+        let (mut whole, mut states) = (new(), States::new(2));
         let mut checkpoints = Vec::new();
         while whole.done() < SEGMENTS.count {
             checkpoints.push(whole.checkpoint().clone());
@@ -470,19 +510,23 @@ fn an_integration_goes_on_from_the_end_of_a_segment_to_the_same_bits() {
             .collect();
         assert_eq!(ends, [0, SEGMENT, 2 * SEGMENT], "{method:?}");
         for checkpoint in &checkpoints[1..] {
-            let (mut later, mut others) = (new(), Vec::new());
+            let (mut later, mut others) = (new(), States::new(2));
             later.go_on_from(checkpoint).expect("the same system");
             while later.done() < SEGMENTS.count {
                 later
                     .advance(segment, &mut others)
                     .expect("a smooth problem");
             }
-            assert!(others == states[checkpoint.next as usize..], "{method:?}");
+            let before = 2 * checkpoint.next as usize;
+            assert!(
+                others.as_slice() == &states.as_slice()[before..],
+                "{method:?}"
+            );
             assert_eq!(later.counters(), whole.counters(), "{method:?}");
             assert_eq!(later.method_use(), whole.method_use(), "{method:?}");
         }
-        for (index, [place, _]) in states.into_iter().enumerate() {
-            let error = (place - SEGMENTS.time(index as u64).cos()).abs();
+        for (index, state) in states.iter().enumerate() {
+            let error = (state[0] - SEGMENTS.time(index as u64).cos()).abs();
             assert!(error < 2e-8, "{method:?}, {index}: {error:e}");
         }
     }
@@ -491,8 +535,8 @@ fn an_integration_goes_on_from_the_end_of_a_segment_to_the_same_bits() {
 #[test]
 fn a_checkpoint_of_another_system_or_grid_is_refused() {
     let stop = AtomicBool::new(false);
-    let (scaling, settings) = (Scaling::IDENTITY, settings(Method::Dop853, 1e-8));
-    let mut integration = Integration::<_, 2, 3>::new(
+    let (scaling, settings) = (Scaling::identity(2), settings(Method::Dop853, 1e-8));
+    let mut integration = Integration::new(
         &SOUND,
         scaling,
         TWENTY_SECONDS,
@@ -524,21 +568,31 @@ struct Pushed;
 
 const PUSH: [f64; 2] = [std::f64::consts::PI / 10.0, 1.0];
 
-impl System<2> for Pushed {
-    fn derivative(&self, time: f64, state: &[f64; 2], rate: &mut [f64; 2]) {
+impl System for Pushed {
+    fn states(&self) -> usize {
+        2
+    }
+
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
         let pushed = (PUSH[0]..PUSH[1]).contains(&time);
-        *rate = [state[1], f64::from(u8::from(pushed)) - state[0]];
+        rate[0] = state[1];
+        rate[1] = f64::from(u8::from(pushed)) - state[0];
+    }
+
+    fn linearisation(
+        &self,
+        _time: f64,
+        _state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        jacobian.copy_from_slice(&[0.0, -1.0, 1.0, 0.0]);
+        by_time.fill(0.0);
     }
 
     fn next_break(&self, after: f64) -> f64 {
         let later = PUSH.into_iter().find(|time| *time > after);
         later.unwrap_or(f64::INFINITY)
-    }
-}
-
-impl Linearised<2> for Pushed {
-    fn linearisation(&self, _time: f64, _state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
-        (matrix![0.0, 1.0; -1.0, 0.0], [0.0; 2])
     }
 }
 
@@ -558,17 +612,18 @@ fn a_force_that_jumps_at_a_break_costs_no_rejected_step() {
         }
     };
     for method in STEPPERS {
-        let mut integration = Integration::<_, 2, 3>::new(
+        let mut integration = Integration::new(
             &Pushed,
-            Scaling::IDENTITY,
+            Scaling::identity(2),
             grid,
             settings(method, 1e-9),
             &stop,
             &[0.0; 2],
         );
-        let mut states = Vec::new();
+        let mut states = States::new(2);
         integration.advance(61, &mut states).expect("no trouble");
-        for (index, [place, _]) in states.iter().enumerate() {
+        for (index, state) in states.iter().enumerate() {
+            let place = state[0];
             let time = grid.time(index as u64);
             let error = place - answer(time, PUSH[0]) + answer(time, PUSH[1]);
             assert!(error.abs() < 5e-9, "{method:?}, t = {time}: {error:e}");

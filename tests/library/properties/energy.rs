@@ -3,11 +3,11 @@
 use std::sync::atomic::AtomicBool;
 
 use jeffcott::bearing::{Ball, ForceLaw, HertzLaw};
-use jeffcott::integrate::{Grid, Integration, Linearised, Scaling, System};
+use jeffcott::integrate::{Grid, Integration, Scaling, States, System};
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialState, Rotor, RotorDefinition, Sample,
 };
-use nalgebra::{SMatrix, matrix};
+use nalgebra::DMatrix;
 
 use crate::support::{
     AT_EQUILIBRIUM, assert_near, bearing, law, model, mounted, rotor, samples, settings, shaft,
@@ -35,22 +35,22 @@ impl OneBall {
     }
 
     /// ½ m v² + (2/5) K δ^(5/2) − W x, J.
-    fn energy(&self, [place, speed]: [f64; 2]) -> f64 {
+    fn energy(&self, state: &[f64]) -> f64 {
+        let [place, speed] = [state[0], state[1]];
         let contact = 0.4 * self.stiffness() * place.max(0.0).powf(2.5);
         0.5 * MASS * speed * speed + contact - self.load * place
     }
 
     /// States on a uniform grid; lengths and speeds are given to scale them.
-    fn states(&self, start: [f64; 2], grid: Grid, [length, time]: [f64; 2]) -> Vec<[f64; 2]> {
+    fn motion(&self, start: [f64; 2], grid: Grid, [length, time]: [f64; 2]) -> States {
         let scaling = Scaling {
-            origin: [0.0; 2],
-            scale: [length, length / time],
+            origin: vec![0.0; 2],
+            scale: vec![length, length / time],
             time,
         };
         let stop = AtomicBool::new(false);
-        let mut integration =
-            Integration::<_, 2, 3>::new(self, scaling, grid, settings(1e-13), &stop, &start);
-        let mut states = Vec::new();
+        let mut integration = Integration::new(self, scaling, grid, settings(1e-13), &stop, &start);
+        let mut states = States::new(2);
         while integration.done() < grid.count {
             integration
                 .advance(1000, &mut states)
@@ -60,21 +60,31 @@ impl OneBall {
     }
 }
 
-impl System<2> for OneBall {
-    fn derivative(&self, _time: f64, state: &[f64; 2], rate: &mut [f64; 2]) {
+impl System for OneBall {
+    fn states(&self) -> usize {
+        2
+    }
+
+    fn derivative(&self, _time: f64, state: &[f64], rate: &mut [f64]) {
         let force = self
             .law
             .force(&Ball::at(0.0, self.law.distance() + state[0]), 0.0)
             .radial;
-        *rate = [state[1], (self.load - force) / MASS];
+        rate[0] = state[1];
+        rate[1] = (self.load - force) / MASS;
     }
-}
 
-impl Linearised<2> for OneBall {
-    fn linearisation(&self, _time: f64, state: &[f64; 2]) -> (SMatrix<f64, 2, 2>, [f64; 2]) {
+    fn linearisation(
+        &self,
+        _time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
         let place = self.law.distance() + state[0];
         let (_, tangent) = self.law.force_and_tangent(0.0, place, 0.0);
-        (matrix![0.0, 1.0; -tangent[1][1] / MASS, 0.0], [0.0; 2])
+        jacobian.copy_from_slice(&[0.0, -tangent[1][1] / MASS, 1.0, 0.0]);
+        by_time.fill(0.0);
     }
 }
 
@@ -90,11 +100,11 @@ fn an_undamped_hertz_contact_keeps_its_energy_over_ten_thousand_periods() {
         count: 10_001,
     };
     let start = [0.5 * still, 0.0];
-    let states = system.states(start, grid, [still, period / std::f64::consts::TAU]);
-    let swing = system.energy(start) - system.energy([still, 0.0]);
+    let states = system.motion(start, grid, [still, period / std::f64::consts::TAU]);
+    let swing = system.energy(&start) - system.energy(&[still, 0.0]);
     let drift = states
         .iter()
-        .map(|state| (system.energy(*state) - system.energy(start)).abs() / swing)
+        .map(|state| (system.energy(state) - system.energy(&start)).abs() / swing)
         .fold(0.0, f64::max);
     println!("energy drift over 1e4 periods: {drift:e}");
     // the position is known to ε A/δ = 1e-13 of the approach: that, times the 1e5 steps
@@ -113,10 +123,9 @@ fn an_impact_turns_all_kinetic_energy_into_contact_energy_and_back() {
         count: 500,
     };
     let start = [-expected, speed];
-    let states = system.states(start, grid, [expected, expected / speed]);
+    let states = system.motion(start, grid, [expected, expected / speed]);
     let turning = states
         .iter()
-        .copied()
         .min_by(|a, b| a[1].abs().total_cmp(&b[1].abs()))
         .expect("states");
     // beside the turning point by v²/2a
@@ -124,8 +133,9 @@ fn an_impact_turns_all_kinetic_energy_into_contact_energy_and_back() {
     let deepest = turning[0] + turning[1] * turning[1] / (2.0 * deceleration);
     // the sample nearest to the turning point leaves a remainder of the fourth order in 0.005
     assert_near("δ_max", deepest, expected, 1e-9 * expected);
-    let [place, rebound] = *states.last().expect("states");
-    assert!(place < 0.0);
+    let last = states.last().expect("states");
+    let rebound = last[1];
+    assert!(last[0] < 0.0);
     assert_near("rebound", rebound, -speed, 1e-9 * speed);
 }
 

@@ -1,12 +1,12 @@
 //! The slopes that implicit methods use are those of the equations of motion.
 
 use jeffcott::bearing::{ContactDamping, ContactLaw, MountedBearing, Oil};
-use jeffcott::integrate::{Linearised, System};
+use jeffcott::integrate::System;
 use jeffcott::physics::RaceControl;
 use jeffcott::rotor::load::{Harmonic, Load, LoadKind, Pace};
 use jeffcott::rotor::{Damping, Freedoms, Rotor, RotorDefinition, SpeedPoint};
 
-use crate::support::{back_to_back_pair, rotor, shaft};
+use crate::support::{back_to_back_pair, linearisation, rotor, shaft};
 
 const N: usize = 10;
 
@@ -57,7 +57,7 @@ fn check(rotor: &Rotor, words: &str) {
         }
     });
     let time = 0.0123;
-    let (jacobian, by_time) = rotor.linearisation(time, &state);
+    let (jacobian, by_time) = linearisation(rotor, time, &state);
     for index in 0..=N {
         // steps well inside the contacts, and large against round-off
         let step = [

@@ -155,7 +155,7 @@ fn followed(from: f64, to: f64) -> Vec<Response> {
     let question = ResponseQuestion {
         model: &model,
         family: &|speed| Ok(tiwari_6204(speed)),
-        stretch: [from, to],
+        range: [from, to],
         multiple: 1,
         points: 500,
         doubled: true,

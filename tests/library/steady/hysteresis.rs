@@ -58,7 +58,7 @@ fn followed(from: f64, to: f64) -> Response {
     let question = ResponseQuestion {
         model: &model,
         family: &|speed| Ok(definition(speed)),
-        stretch: [from, to],
+        range: [from, to],
         multiple: 1,
         points: 1000,
         doubled: false,

@@ -11,7 +11,7 @@ use jeffcott::bearing::{
     FreePosition, Geometry, HertzLaw, Matrix5, MountedBearing, Preload, Ring, Support, Vector5,
     catalogue,
 };
-use jeffcott::integrate::{Method, Settings};
+use jeffcott::integrate::{Method, Settings, System};
 use jeffcott::physics::Material;
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, RotorDefinition, Sample, Shaft,
@@ -19,6 +19,7 @@ use jeffcott::rotor::{
 use jeffcott::simulate::{
     Analyses, Model, Monitor, Run, Sampling, SimulateError, TraceSink, simulate,
 };
+use nalgebra::DMatrix;
 
 /// Micrometre in m.
 pub const MICROMETRE: f64 = 1e-6;
@@ -322,4 +323,12 @@ pub fn half_last_digit(printed: &str) -> f64 {
     let decimals = digits.split_once('.').map_or(0, |(_, part)| part.len());
     let exponent: i32 = exponent.parse().expect("an exponent");
     0.500_001 * 10f64.powi(exponent - decimals as i32)
+}
+
+/// `∂f/∂y` and `∂f/∂t` of a system.
+pub fn linearisation(system: &dyn System, time: f64, state: &[f64]) -> (DMatrix<f64>, Vec<f64>) {
+    let mut jacobian = DMatrix::zeros(state.len(), state.len());
+    let mut by_time = vec![0.0; state.len()];
+    system.linearisation(time, state, &mut jacobian, &mut by_time);
+    (jacobian, by_time)
 }

@@ -1,4 +1,5 @@
-//! What all walks have in common: where steps end, when a walk gives up, and how long a first step is.
+//! What the steppers of all methods have in common: where steps end, when a run is given up, and how long a first
+//! step is.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -6,13 +7,14 @@ use super::{Counters, Grid, IntegrateError, Scaling, Settings, System};
 
 /// Least first guess of a step size, in units of the scaling's time.
 const LEAST_GUESS: f64 = 1e-6;
-/// Part of a step that the end of a stretch may lengthen it by.
+/// Factor by which a step may be longer, so as to end at a break, a landing or the end of the run.
 pub(super) const STRETCH: f64 = 1.01;
 
-/// What a walk goes by.
-pub(super) struct Course<'a, S, const N: usize> {
-    pub system: &'a S,
-    pub scaling: &'a Scaling<N>,
+/// A system with the settings of its integration.
+#[derive(Clone, Copy)]
+pub(super) struct Problem<'a> {
+    pub system: &'a dyn System,
+    pub scaling: &'a Scaling,
     pub settings: &'a Settings,
     pub stop: &'a AtomicBool,
     /// No step ends after this, s.
@@ -21,12 +23,12 @@ pub(super) struct Course<'a, S, const N: usize> {
     pub slack: f64,
 }
 
-impl<'a, S, const N: usize> Course<'a, S, N> {
+impl<'a> Problem<'a> {
     /// Over a grid of times.
     pub fn over(
         grid: &Grid,
-        system: &'a S,
-        scaling: &'a Scaling<N>,
+        system: &'a dyn System,
+        scaling: &'a Scaling,
         settings: &'a Settings,
         stop: &'a AtomicBool,
     ) -> Self {
@@ -83,23 +85,25 @@ impl<'a, S, const N: usize> Course<'a, S, N> {
         })
     }
 
-    /// The state at a deviation from the origin.
-    #[inline(always)]
-    pub fn state(&self, deviation: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| self.scaling.origin[i] + deviation[i])
+    /// Writes the state at a deviation from the origin.
+    #[inline]
+    pub fn write_state(&self, deviation: &[f64], state: &mut [f64]) {
+        let parts = self.scaling.origin.iter().zip(deviation);
+        for (state, (origin, deviation)) in state.iter_mut().zip(parts) {
+            *state = origin + deviation;
+        }
     }
 
     /// Root mean square over what is allowed at a deviation.
-    pub fn norm(&self, deviation: &[f64; N], vector: &[f64; N]) -> f64 {
-        let squares = (0..N).map(|i| {
-            let unit = self.scaling.scale[i] + deviation[i].abs();
-            (vector[i] / (self.settings.tolerance * unit)).powi(2)
+    pub fn norm(&self, deviation: &[f64], vector: &[f64]) -> f64 {
+        let units = self.scaling.scale.iter().zip(deviation);
+        let squares = vector.iter().zip(units).map(|(value, (scale, deviation))| {
+            let unit = scale + deviation.abs();
+            (value / (self.settings.tolerance * unit)).powi(2)
         });
-        (squares.sum::<f64>() / N as f64).sqrt()
+        (squares.sum::<f64>() / vector.len() as f64).sqrt()
     }
-}
 
-impl<S: System<N>, const N: usize> Course<'_, S, N> {
     /// The time that no step from a time on may reach over, s.
     pub fn limit_after(&self, time: f64) -> f64 {
         let next = self.system.next_break(time + self.slack);
@@ -117,8 +121,8 @@ impl<S: System<N>, const N: usize> Course<'_, S, N> {
     pub fn first_size(
         &self,
         [start, limit]: [f64; 2],
-        deviation: &[f64; N],
-        slope: &[f64; N],
+        deviation: &[f64],
+        slope: &[f64],
         order: i32,
     ) -> f64 {
         let state_size = self.norm(deviation, deviation);
@@ -127,11 +131,14 @@ impl<S: System<N>, const N: usize> Course<'_, S, N> {
         let most = (limit - start).max(least);
         // no number where nothing moves
         let guess = (0.01 * state_size / slope_size).max(least).min(most);
-        let origin = &self.scaling.origin;
-        let ahead = std::array::from_fn(|i| origin[i] + (deviation[i] + guess * slope[i]));
-        let mut rate = [0.0; N];
-        self.system.derivative(start + guess, &ahead, &mut rate);
-        let change = std::array::from_fn(|i| rate[i] - slope[i]);
+        let moved = deviation.iter().zip(slope);
+        let moved: Vec<f64> = moved.map(|(from, slope)| from + guess * slope).collect();
+        let [mut ahead, mut change] = [moved.clone(), moved.clone()];
+        self.write_state(&moved, &mut ahead);
+        self.system.derivative(start + guess, &ahead, &mut change);
+        for (change, slope) in change.iter_mut().zip(slope) {
+            *change -= slope;
+        }
         let bend_size = self.norm(deviation, &change) / guess;
         let fastest = slope_size.max(bend_size);
         (0.01 / fastest)

@@ -1,12 +1,13 @@
-//! The pairs fulfil the order conditions: all of them, tree by tree.
+//! The pair fulfils the order conditions: all of them, tree by tree.
 //!
 //! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sec. II.2: a method
 //! has order p where Σ_i b_i Φ_i(t) = 1/γ(t) for all rooted trees t of order up to p; an interpolant
 //! where Σ_i b_i(θ) Φ_i(t) = θ^r/γ(t) for the trees of order r.
 
-use super::Verner76;
-use super::tableau::{MOST, Pair};
-use crate::integrate::stride::error_over_a_kink;
+use super::verner76::{
+    CROSSED, DENSE, ERROR, FACTORS, LAST, NODES, ORDER, STABILITY, STAGES, dense_weights,
+};
+use crate::integrate::event_check::error_over_a_kink;
 
 /// A rooted tree: the subtrees at its root, as places in the list of all trees.
 struct Tree {
@@ -58,13 +59,13 @@ fn collect(
 }
 
 /// Φ_i of every tree.
-fn elementary<P: Pair>(trees: &[Tree]) -> Vec<[f64; MOST]> {
-    let mut all: Vec<[f64; MOST]> = Vec::new();
+fn elementary(trees: &[Tree]) -> Vec<[f64; STAGES]> {
+    let mut all: Vec<[f64; STAGES]> = Vec::new();
     for tree in trees {
-        let mut weights = [1.0; MOST];
+        let mut weights = [1.0; STAGES];
         for &subtree in &tree.subtrees {
             for (stage, weight) in weights.iter_mut().enumerate() {
-                *weight *= dot(&P::ARGUMENTS[stage], &all[subtree]);
+                *weight *= dot(&FACTORS[stage], &all[subtree]);
             }
         }
         all.push(weights);
@@ -72,25 +73,21 @@ fn elementary<P: Pair>(trees: &[Tree]) -> Vec<[f64; MOST]> {
     all
 }
 
-fn dot(left: &[f64; MOST], right: &[f64; MOST]) -> f64 {
+fn dot(left: &[f64; STAGES], right: &[f64; STAGES]) -> f64 {
     left.iter().zip(right).map(|(a, b)| a * b).sum()
 }
 
 /// Largest deviation of weights b_i(θ) from the conditions up to an order.
-fn deviation<P: Pair>(weights: &[f64; MOST], part: f64, order: usize) -> f64 {
+fn deviation(weights: &[f64; STAGES], part: f64, order: usize) -> f64 {
     let trees = trees(order);
-    let conditions = elementary::<P>(&trees);
-    let off = |(tree, phi): (&Tree, &[f64; MOST])| {
+    let conditions = elementary(&trees);
+    let off = |(tree, phi): (&Tree, &[f64; STAGES])| {
         (dot(weights, phi) - part.powi(tree.order as i32) / tree.gamma).abs()
     };
     trees.iter().zip(&conditions).map(off).fold(0.0, f64::max)
 }
 
-fn dense<P: Pair>(part: f64) -> [f64; MOST] {
-    P::DENSE.map(|row| part * row.iter().rev().fold(0.0, |sum, term| sum * part + term))
-}
-
-fn difference(left: &[f64; MOST], right: &[f64; MOST]) -> [f64; MOST] {
+fn difference(left: &[f64; STAGES], right: &[f64; STAGES]) -> [f64; STAGES] {
     std::array::from_fn(|stage| left[stage] - right[stage])
 }
 
@@ -101,19 +98,19 @@ const ROUND_OFF_DENSE: f64 = 2e-12;
 const BROKEN: f64 = 1e-9;
 
 /// The weights have an order and not the next one.
-fn has_order<P: Pair>(weights: &[f64; MOST], part: f64, order: usize, round_off: f64) {
-    let holds = deviation::<P>(weights, part, order);
+fn has_order(weights: &[f64; STAGES], part: f64, order: usize, round_off: f64) {
+    let holds = deviation(weights, part, order);
     assert!(holds < round_off, "order {order} at {part}: {holds:e}");
-    let broken = deviation::<P>(weights, part, order + 1);
+    let broken = deviation(weights, part, order + 1);
     assert!(broken > BROKEN, "order {} at {part}: {broken:e}", order + 1);
 }
 
-fn nodes_are_row_sums<P: Pair>() {
-    for stage in 0..P::STAGES {
-        let row = &P::ARGUMENTS[stage];
+fn nodes_are_row_sums() {
+    for stage in 0..STAGES {
+        let row = &FACTORS[stage];
         let sum: f64 = row.iter().sum();
         assert!(
-            (sum - P::NODES[stage]).abs() < ROUND_OFF,
+            (sum - NODES[stage]).abs() < ROUND_OFF,
             "stage {stage}: {sum}"
         );
         assert!(
@@ -123,14 +120,14 @@ fn nodes_are_row_sums<P: Pair>() {
     }
 }
 
-fn interpolant_meets_the_ends<P: Pair>() {
-    let end = difference(&dense::<P>(1.0), &P::ARGUMENTS[P::LAST]);
+fn interpolant_meets_the_ends() {
+    let end = difference(&dense_weights(1.0), &FACTORS[LAST]);
     assert!(
         end.iter().all(|weight| weight.abs() < ROUND_OFF_DENSE),
         "{end:?}"
     );
     // it leaves along the first stage
-    for (stage, row) in P::DENSE.iter().enumerate() {
+    for (stage, row) in DENSE.iter().enumerate() {
         let expected = if stage == 0 { 1.0 } else { 0.0 };
         assert!(
             (row[0] - expected).abs() < ROUND_OFF,
@@ -139,34 +136,35 @@ fn interpolant_meets_the_ends<P: Pair>() {
     }
 }
 
-fn check<P: Pair>(embedded: usize, interpolant: usize) {
-    nodes_are_row_sums::<P>();
-    interpolant_meets_the_ends::<P>();
-    let weights = P::ARGUMENTS[P::LAST];
-    has_order::<P>(&weights, 1.0, P::ORDER as usize, ROUND_OFF);
-    has_order::<P>(&difference(&weights, &P::ERROR), 1.0, embedded, ROUND_OFF);
+fn check(embedded: usize, interpolant: usize) {
+    nodes_are_row_sums();
+    interpolant_meets_the_ends();
+    let weights = FACTORS[LAST];
+    has_order(&weights, 1.0, ORDER as usize, ROUND_OFF);
+    has_order(
+        &difference(&weights, &FACTORS[ERROR]),
+        1.0,
+        embedded,
+        ROUND_OFF,
+    );
     for part in [0.1, 0.37, 0.6, 0.83] {
-        has_order::<P>(&dense::<P>(part), part, interpolant, ROUND_OFF_DENSE);
+        has_order(&dense_weights(part), part, interpolant, ROUND_OFF_DENSE);
     }
 }
 
 /// |R(−z)|, R the factor by which a step multiplies a decaying motion.
-fn decay<P: Pair>(z: f64) -> f64 {
-    let mut slopes = [0.0; MOST];
-    for stage in 0..=P::LAST {
-        slopes[stage] = -z * (1.0 + dot(&P::ARGUMENTS[stage], &slopes));
+fn decay(z: f64) -> f64 {
+    let mut slopes = [0.0; STAGES];
+    for stage in 0..=LAST {
+        slopes[stage] = -z * (1.0 + dot(&FACTORS[stage], &slopes));
     }
-    (1.0 + dot(&P::ARGUMENTS[P::LAST], &slopes)).abs()
-}
-
-fn check_stability<P: Pair>() {
-    assert!(decay::<P>(0.98 * P::STABILITY) < 1.0);
-    assert!(decay::<P>(1.02 * P::STABILITY) > 1.0);
+    (1.0 + dot(&FACTORS[LAST], &slopes)).abs()
 }
 
 #[test]
 fn limits_of_stability_are_those_of_the_coefficients() {
-    check_stability::<Verner76>();
+    assert!(decay(0.98 * STABILITY) < 1.0);
+    assert!(decay(1.02 * STABILITY) > 1.0);
 }
 
 #[test]
@@ -180,15 +178,11 @@ fn there_are_as_many_trees_as_known() {
 
 #[test]
 fn verner76_has_orders_seven_and_six_and_its_interpolant_six() {
-    check::<Verner76>(6, 6);
-}
-
-fn check_error_over_a_kink<P: Pair>() {
-    let found = error_over_a_kink(&P::ARGUMENTS[P::LAST], &P::NODES);
-    assert!((found / P::CROSSED - 1.0).abs() < 0.02, "{found}");
+    check(6, 6);
 }
 
 #[test]
 fn the_error_over_a_kink_is_as_stated() {
-    check_error_over_a_kink::<Verner76>();
+    let found = error_over_a_kink(&FACTORS[LAST], &NODES);
+    assert!((found / CROSSED - 1.0).abs() < 0.02, "{found}");
 }

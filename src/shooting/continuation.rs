@@ -1,4 +1,4 @@
-//! The walk along a branch, point by point.
+//! Predictor and corrector of the continuation along a branch, point by point.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -23,7 +23,7 @@ const FEW_CORRECTIONS: usize = 4;
 const GROW: f64 = 1.5;
 /// Least cosine between the tangents of neighbouring points.
 const STRAIGHT: f64 = 0.85;
-/// Difference of the parameter over which the map is looked at, as a part of the whole stretch.
+/// Difference of the parameter over which the map is differenced, as a part of the whole range.
 const PARAMETER_STEP: f64 = 1e-5;
 
 /// Where a branch begins.
@@ -56,13 +56,13 @@ impl Node {
     }
 }
 
-/// A walk along a branch of a family.
-pub(super) struct Walk<'a> {
+/// What follows a branch of a family.
+pub(super) struct Continuer<'a> {
     pub family: &'a mut dyn Family,
     pub plan: &'a Continuation,
 }
 
-impl Walk<'_> {
+impl Continuer<'_> {
     pub fn first(&mut self, start: Start<'_>) -> Result<Node, ShootingError> {
         match start {
             Start::AtFrom(guess) => {

@@ -1,10 +1,10 @@
 //! How far a trial step goes, and what its error says of the next one.
 
 use super::landing::Landing;
+use super::stepper::ExplicitStepper;
 use super::substitution::Substitution;
-use super::tableau::Pair;
-use super::walk::Walk;
-use crate::integrate::course::STRETCH;
+use super::verner76::ERROR_POWER;
+use crate::integrate::problem::STRETCH;
 
 /// Error of a step from or to a surface, over its estimate: measured. Such steps stand alone, and one whose
 /// estimate is too good has no neighbours to make up for it.
@@ -14,7 +14,7 @@ const AFTER_SURFACE: f64 = 4.0;
 
 /// Where a trial step ends.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Aim {
+pub(super) struct Plan {
     /// Its size, s.
     pub size: f64,
     /// Time, s.
@@ -25,9 +25,16 @@ pub(super) struct Aim {
     pub landing: Option<Landing>,
 }
 
-impl<const N: usize> Walk<N> {
-    /// The next trial: up to the next surface, break or end, or as far as the error allows.
-    pub(super) fn aim(&self, landing: Option<Landing>) -> Aim {
+impl Plan {
+    /// Whether a landing that is due at a time is the one of this step.
+    pub fn lands_on(&self, due: f64) -> bool {
+        self.landing.is_some_and(|landing| landing.time == due)
+    }
+}
+
+impl ExplicitStepper {
+    /// The next trial: up to the next landing, break or end, or as far as the error allows.
+    pub(super) fn plan(&self, landing: Option<Landing>) -> Plan {
         let [from_surface, to_surface] = self.crossing.sizes;
         let most = if self.crossing.fresh {
             self.next_size.min(from_surface)
@@ -35,12 +42,12 @@ impl<const N: usize> Walk<N> {
             self.next_size
         };
         let last = match landing {
-            Some(landing) if landing.ends() => to_surface.min(most),
+            Some(landing) if landing.ends => to_surface.min(most),
             _ => most,
         };
         let target = landing.map_or(self.limit, |landing| landing.time);
         if self.start + STRETCH * last >= target {
-            return Aim {
+            return Plan {
                 size: target - self.start,
                 end: target,
                 short: true,
@@ -51,7 +58,7 @@ impl<const N: usize> Walk<N> {
         let room = target - self.start - last;
         let short = last < most && room < most;
         let size = if short { room } else { most };
-        Aim {
+        Plan {
             size,
             end: self.start + size,
             short,
@@ -59,22 +66,19 @@ impl<const N: usize> Walk<N> {
         }
     }
 
-    /// Chooses the variable of the step; `rate` is the derivative at its start.
-    pub(super) fn substitute(&mut self, aim: &Aim, rate: &[f64; N]) {
+    /// Chooses the variable of the step.
+    pub(super) fn substitute(&mut self, plan: &Plan) {
         self.substitution = Substitution {
             start: self.crossing.fresh,
-            end: aim.landing.is_some_and(|landing| landing.ends()),
+            end: plan.landing.is_some_and(|landing| landing.ends),
         };
-        self.stages[0] = if self.substitution.is_none() {
-            *rate
-        } else {
-            let [_, slope] = self.substitution.at(0.0);
-            rate.map(|rate| slope * rate)
-        };
+        let [_, slope] = self.substitution.at(0.0);
+        for (stages, rate) in self.stages.iter_mut().zip(self.start_rate.chunks()) {
+            stages[0] = rate.map(|rate| slope * rate);
+        }
     }
 
     /// Factor of the error estimate.
-    #[inline(always)]
     pub(super) fn doubt(&self) -> f64 {
         if self.substitution.is_none() {
             1.0
@@ -84,37 +88,37 @@ impl<const N: usize> Walk<N> {
     }
 
     /// Power of the step size that the error falls with: in the variable that is squared it has half.
-    fn error_power<P: Pair>(&self) -> i32 {
+    fn error_power(&self) -> i32 {
         if self.substitution.is_none() {
-            P::ERROR_POWER
+            ERROR_POWER
         } else {
-            (P::ERROR_POWER + 1) / 2
+            (ERROR_POWER + 1) / 2
         }
     }
 
     /// Moves to the end of a good step.
-    pub(super) fn accept<P: Pair>(&mut self, aim: &Aim, error: f64) {
-        let growth = self.control.accepted(error, self.error_power::<P>());
+    pub(super) fn accept(&mut self, plan: &Plan, error: f64) {
+        let growth = self.control.accepted(error, self.error_power());
         let proposed = self.size * growth;
         if !self.substitution.is_none() {
-            self.resize(proposed, !aim.short);
-            if self.substitution.start && !aim.short {
+            self.resize(proposed, !plan.short);
+            if self.substitution.start && !plan.short {
                 self.next_size = self.next_size.min(AFTER_SURFACE * self.size);
             }
-        } else if aim.short {
+        } else if plan.short {
             // a step that was cut tells little of how long the next may be
             self.next_size = proposed.max(self.next_size);
         } else {
             self.next_size = proposed;
         }
-        self.time = aim.end;
+        self.time = plan.end;
     }
 
     /// Shortens the next trial.
-    pub(super) fn reject<P: Pair>(&mut self, error: f64) {
+    pub(super) fn reject(&mut self, error: f64) {
         self.counters.rejected += 1;
         self.fault |= !error.is_finite();
-        let factor = self.control.rejected(error, self.error_power::<P>());
+        let factor = self.control.rejected(error, self.error_power());
         if self.substitution.is_none() {
             self.next_size = self.size * factor;
         } else {

@@ -1,0 +1,149 @@
+//! Where a state lies between the event surfaces, and the error of a step over one.
+
+use super::System;
+use super::problem::Problem;
+
+/// Part of the distance of the nearest event surface within which no further check is made: within a step
+/// the state moves farther than between its ends.
+const SAFE: f64 = 0.7;
+/// Error of a step over its size and the force jump over a short part at its end, over that part:
+/// ∫ x^(3/2), for none of it need be seen.
+const CROSSED_AT_END: f64 = 0.4;
+
+/// The event functions in a state.
+#[derive(Debug, Clone)]
+pub(super) struct EventCheck {
+    time: f64,
+    state: Vec<f64>,
+    /// How far the state is past each surface.
+    pub values: Vec<f64>,
+    /// Least distance of a surface; zero where nothing is known.
+    pub nearest: f64,
+}
+
+impl EventCheck {
+    /// Nothing known yet.
+    pub fn none(system: &dyn System) -> Self {
+        let events = system.event_count();
+        Self {
+            time: 0.0,
+            state: vec![0.0; system.states()],
+            values: vec![0.0; events],
+            nearest: if events == 0 { f64::INFINITY } else { 0.0 },
+        }
+    }
+
+    /// Evaluates the event functions in a state at a time, s.
+    pub fn evaluate(&mut self, system: &dyn System, time: f64, state: &[f64]) {
+        if self.values.is_empty() {
+            return;
+        }
+        self.time = time;
+        self.state.copy_from_slice(state);
+        system.events(time, state, &mut self.values);
+        let distances = self.values.iter().map(|value| value.abs());
+        self.nearest = distances.fold(f64::INFINITY, f64::min);
+    }
+
+    /// Whether it is certain that no surface lies between the state of the check and another one.
+    pub fn is_clear(&self, system: &dyn System, time: f64, state: &[f64]) -> bool {
+        if self.nearest == f64::INFINITY {
+            return true;
+        }
+        if self.nearest <= 0.0 {
+            return false;
+        }
+        system.event_change([self.time, time], [&self.state, state]) < SAFE * self.nearest
+    }
+
+    /// Whether it was made in a state at a time.
+    pub fn is_of(&self, time: f64, state: &[f64]) -> bool {
+        self.time == time && self.state == state
+    }
+
+    /// The event functions in a state at a time: those of the check where it was made there.
+    pub fn values_at(&self, system: &dyn System, time: f64, state: &[f64], values: &mut [f64]) {
+        if self.is_of(time, state) {
+            values.copy_from_slice(&self.values);
+        } else {
+            system.events(time, state, values);
+        }
+    }
+
+    /// Whether the state is past a surface.
+    pub fn is_past(&self, event: usize) -> bool {
+        self.values[event].is_sign_positive()
+    }
+
+    /// Whether any surface lies between two states.
+    pub fn differs_from(&self, other: &Self) -> bool {
+        (0..self.values.len()).any(|event| self.is_past(event) != other.is_past(event))
+    }
+
+    /// Takes the numbers of another check.
+    pub fn copy_from(&mut self, other: &Self) {
+        self.time = other.time;
+        self.state.copy_from_slice(&other.state);
+        self.values.copy_from_slice(&other.values);
+        self.nearest = other.nearest;
+    }
+}
+
+/// A step over event surfaces, or to one.
+pub(super) struct EventStep<'a> {
+    pub problem: &'a Problem<'a>,
+    /// Deviation at its start.
+    pub from: &'a [f64],
+    /// Its end and its size, s.
+    pub end: f64,
+    pub size: f64,
+    /// Event functions at its start and at its end.
+    pub ends: [&'a [f64]; 2],
+}
+
+impl EventStep<'_> {
+    /// How far both ends are past a surface.
+    pub fn ends_past(&self, event: usize) -> [f64; 2] {
+        self.ends.map(|values| values[event])
+    }
+
+    /// Error of crossing a surface somewhere, over the tolerance, by a method whose error is a part `crossed` of its
+    /// size and the force jump over all of it.
+    pub fn error_over(&self, event: usize, crossed: f64, rate: &mut [f64]) -> f64 {
+        let [from, to] = self.ends_past(event);
+        let (past, apart) = (from.max(to), (from - to).abs());
+        let anywhere = crossed * self.weight(event, apart, rate);
+        let at_end = CROSSED_AT_END * past / apart * self.weight(event, past, rate);
+        anywhere.min(at_end)
+    }
+
+    /// Error of a step that was to end on a surface, over the tolerance.
+    pub fn error_beside(&self, event: usize, rate: &mut [f64]) -> f64 {
+        let [from, to] = self.ends_past(event);
+        let part = to.abs() / (from - to).abs();
+        CROSSED_AT_END * part * self.weight(event, to.abs(), rate)
+    }
+
+    /// Change of the state over the step by the force jump at a distance, over the tolerance.
+    fn weight(&self, event: usize, distance: f64, rate: &mut [f64]) -> f64 {
+        let system = self.problem.system;
+        system.force_jump(event, self.end, distance, rate);
+        self.problem.norm(self.from, rate) * self.size
+    }
+}
+
+/// Error of a quadrature by weights at nodes of 0 … 1, root mean square over the places where a power 3/2 begins.
+#[cfg(test)]
+pub(super) fn error_over_a_kink(weights: &[f64], nodes: &[f64]) -> f64 {
+    const PLACES: u32 = 2000;
+    let error = |place: f64| {
+        let value = |node: &f64| (node - place).max(0.0).powf(1.5);
+        let terms = weights.iter().zip(nodes);
+        let sum: f64 = terms.map(|(weight, node)| weight * value(node)).sum();
+        // ∫ x^(3/2) = 2/5 x^(5/2)
+        0.4 * (1.0 - place).powf(2.5) - sum
+    };
+    let places = (0..=PLACES).map(|place| f64::from(place) / f64::from(PLACES));
+    let squares: f64 = places.map(|place| error(place).powi(2)).sum();
+    (squares / f64::from(PLACES + 1)).sqrt()
+}

@@ -1,0 +1,291 @@
+//! Steps of the explicit pair, one after the other.
+
+use fearless_simd::Level;
+
+use super::crossing::Crossings;
+use super::substitution::Substitution;
+use super::verner76::{ERROR, LAST, NODES, ORDER, STAGES, sum};
+use crate::integrate::chunks::{Chunk, Padded, chunks_of};
+use crate::integrate::control::{Control, SAFETY};
+use crate::integrate::problem::Problem;
+use crate::integrate::{Counters, IntegrateError};
+use crate::registers::in_wide_registers;
+
+/// Times that a step looks for a better place to land on.
+const MOST_SEARCHES: u32 = 5;
+
+/// The latest step, and how to go on. States are kept as deviations from the scaling's origin: sums
+/// of them lose less to round-off.
+#[derive(Debug, Clone)]
+pub(in crate::integrate) struct ExplicitStepper {
+    /// What the processor has.
+    pub(super) level: Level,
+    /// Start and end of the latest step, s.
+    pub(super) start: f64,
+    pub(super) time: f64,
+    /// Size of the latest step and of the next one, s.
+    pub(super) size: f64,
+    pub(super) next_size: f64,
+    /// Time that the next step must not reach over, s.
+    pub(super) limit: f64,
+    origin: Padded,
+    scale: Padded,
+    /// Deviations at the start and at the end of the latest step.
+    pub(super) from: Padded,
+    pub(super) to: Padded,
+    /// The state that the derivative is evaluated in, and that derivative.
+    pub(super) argument: Padded,
+    rate: Padded,
+    /// Derivatives at the start and at the end of the latest step, and at the start of the one before: infinite where
+    /// there was none.
+    pub(super) start_rate: Padded,
+    pub(super) end_rate: Padded,
+    pub(super) rate_before: Padded,
+    /// Slopes by the variable of the step, chunk by chunk of the state.
+    pub(super) stages: Vec<[Chunk; STAGES]>,
+    pub(super) substitution: Substitution,
+    pub(super) crossing: Crossings,
+    /// Whether the derivative at the end of the trial is there.
+    pub(super) ended: bool,
+    /// Whether the stages for dense output are there.
+    pub(super) extended: bool,
+    /// Whether the quintic is exact enough.
+    pub(super) quintic: bool,
+    /// q‴ at the end of the step before, by its polynomial; infinite where there was none.
+    pub(super) jerk: Vec<f64>,
+    pub(super) size_before: f64,
+    pub(super) control: Control,
+    /// Whether a trial since the latest good step was not finite.
+    pub(super) fault: bool,
+    /// Whether the event functions at the start are known.
+    events_known: bool,
+    pub(super) counters: Counters,
+}
+
+impl ExplicitStepper {
+    /// At a time, s, in a deviation from the origin, after so much work; a size of zero lets the first step find its
+    /// own.
+    pub fn new(
+        problem: &Problem<'_>,
+        time: f64,
+        deviation: &[f64],
+        size: f64,
+        counters: Counters,
+    ) -> Self {
+        let states = deviation.len();
+        let zeros = || Padded::zeros(states);
+        Self {
+            level: Level::new(),
+            start: time,
+            time,
+            size: 0.0,
+            next_size: size,
+            limit: time,
+            origin: Padded::of(&problem.scaling.origin),
+            // what is zero has no error
+            scale: Padded::padded_with(&problem.scaling.scale, 1.0),
+            from: Padded::of(deviation),
+            to: Padded::of(deviation),
+            argument: zeros(),
+            rate: zeros(),
+            start_rate: zeros(),
+            end_rate: zeros(),
+            rate_before: zeros(),
+            stages: vec![[[0.0; 4]; STAGES]; chunks_of(states)],
+            substitution: Substitution::NONE,
+            crossing: Crossings::new(problem.system),
+            ended: false,
+            extended: false,
+            quintic: false,
+            jerk: vec![f64::INFINITY; states / 2],
+            size_before: 0.0,
+            control: Control::new(SAFETY),
+            fault: false,
+            events_known: false,
+            counters,
+        }
+    }
+
+    /// End of the latest step, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Size of the latest step, s, or, where a break or the end cut it, of the one to come; zero
+    /// before the first.
+    pub fn step_size(&self) -> f64 {
+        if self.time >= self.limit {
+            self.next_size
+        } else {
+            self.size
+        }
+    }
+
+    /// Deviation at the end of the latest step.
+    pub fn deviation(&self) -> &[f64] {
+        &self.to
+    }
+
+    /// Work done so far.
+    pub fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    /// Takes a step.
+    ///
+    /// # Errors
+    /// Why the run ends here.
+    pub fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
+        self.begin(problem);
+        if self.crossing.next_landing().is_none() {
+            self.foresee(problem);
+        }
+        let mut searches = 0;
+        loop {
+            let size = self.next_size.min(self.crossing.sizes[0]);
+            problem.check(self.start, size, &self.counters, self.fault)?;
+            let plan = self.plan(self.crossing.next_landing());
+            problem.check_progress([self.start, plan.end], plan.size, self.fault)?;
+            self.size = plan.size;
+            self.substitute(&plan);
+            let error = self.trial(problem);
+            if searches < MOST_SEARCHES && self.is_spoiled(problem, &plan, error) {
+                self.counters.rejected += 1;
+                searches += 1;
+            } else if error <= 1.0 {
+                self.accept(&plan, error);
+                self.finish(problem);
+                self.arrive(problem, &plan);
+                return Ok(());
+            } else {
+                self.reject(error);
+            }
+        }
+    }
+
+    /// Makes the end of the latest step the start of the next.
+    pub(super) fn begin(&mut self, problem: &Problem<'_>) {
+        self.start = self.time;
+        self.size_before = self.size;
+        self.from.copy_from(&self.to);
+        std::mem::swap(&mut self.rate_before, &mut self.start_rate);
+        std::mem::swap(&mut self.start_rate, &mut self.end_rate);
+        if self.time >= self.limit {
+            problem.write_state(&self.from, &mut self.argument);
+            if !self.events_known {
+                self.crossing.begin(problem, self.time, &self.argument);
+                self.events_known = true;
+            }
+            self.crossing.forget_landings();
+            self.limit = problem.limit_after(self.time);
+            // the derivative after a break, or the very first
+            let rate = &mut self.start_rate;
+            problem.system.derivative(self.time, &self.argument, rate);
+            self.counters.evaluations += 1;
+            self.jerk.fill(f64::INFINITY);
+            self.rate_before.fill(f64::INFINITY);
+        }
+        if self.next_size <= 0.0 {
+            self.counters.evaluations += 1;
+            let span = [self.start, self.limit];
+            self.next_size = problem.first_size(span, &self.from, &self.start_rate, ORDER);
+        }
+    }
+
+    /// Evaluates the derivative in the argument as a stage.
+    #[inline(always)]
+    fn evaluate<const STAGE: usize>(&mut self, problem: &Problem<'_>) {
+        let [part, slope] = self.substitution.at(const { NODES[STAGE] });
+        // what begins at a break is no part of a step that ends there
+        let time = (self.start + part * self.size).min(self.limit.next_down());
+        let rate = if const { STAGE == LAST } {
+            &mut self.end_rate
+        } else {
+            &mut self.rate
+        };
+        problem.system.derivative(time, &self.argument, rate);
+        self.counters.evaluations += 1;
+        for (stages, rate) in self.stages.iter_mut().zip(rate.chunks()) {
+            stages[STAGE] = rate.map(|rate| slope * rate);
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn stage<const STAGE: usize>(&mut self, problem: &Problem<'_>) {
+        let chunks = self.origin.chunks().iter().zip(self.from.chunks());
+        let chunks = chunks.zip(&self.stages);
+        for (argument, ((origin, from), stages)) in
+            self.argument.chunks_mut().iter_mut().zip(chunks)
+        {
+            let sum = sum::<STAGE>(stages);
+            for i in 0..4 {
+                argument[i] = origin[i] + (from[i] + self.size * sum[i]);
+            }
+        }
+        self.evaluate::<STAGE>(problem);
+    }
+
+    /// Tries a step; its error over what is allowed, or no number.
+    pub(super) fn trial(&mut self, problem: &Problem<'_>) -> f64 {
+        let error = in_wide_registers!(self.level, self.tried(problem)) * self.size;
+        error * self.doubt() / problem.settings.tolerance
+    }
+
+    /// Tries a step; the error per time, relative to one unit and the deviation.
+    #[inline(always)]
+    fn tried(&mut self, problem: &Problem<'_>) -> f64 {
+        self.ended = false;
+        self.stage::<1>(problem);
+        self.stage::<2>(problem);
+        self.stage::<3>(problem);
+        self.stage::<4>(problem);
+        self.stage::<5>(problem);
+        self.stage::<6>(problem);
+        self.stage::<7>(problem);
+        self.stage::<8>(problem);
+        self.stage::<9>(problem);
+        let chunks = self.scale.chunks().iter().zip(self.from.chunks());
+        let chunks = chunks.zip(&self.stages);
+        let mut squares = 0.0;
+        for (to, ((scale, from), stages)) in self.to.chunks_mut().iter_mut().zip(chunks) {
+            let [moved, error] = [sum::<LAST>(stages), sum::<ERROR>(stages)];
+            let mut parts = [0.0; 4];
+            for i in 0..4 {
+                to[i] = from[i] + self.size * moved[i];
+                parts[i] = error[i] * (scale[i] + from[i].abs().max(to[i].abs())).recip();
+            }
+            for part in parts {
+                squares += part * part;
+            }
+        }
+        (squares / self.from.len() as f64).sqrt()
+    }
+
+    /// Evaluates the derivative at the end of the step, where the trial did not.
+    pub(super) fn evaluate_end(&mut self, problem: &Problem<'_>) {
+        if !self.ended {
+            self.ended = true;
+            problem.write_state(&self.to, &mut self.argument);
+            self.evaluate::<LAST>(problem);
+        }
+    }
+
+    /// Completes a good step.
+    pub(super) fn finish(&mut self, problem: &Problem<'_>) {
+        self.evaluate_end(problem);
+        self.counters.steps += 1;
+        self.fault = false;
+        self.extended = false;
+        if self.substitution.is_none() {
+            self.quintic = problem.system.is_second_order() && self.is_quintic_exact(problem);
+        } else {
+            // the variable of the quintic is the time
+            self.quintic = false;
+            self.jerk.fill(f64::INFINITY);
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "stepper_tests.rs"]
+mod tests;

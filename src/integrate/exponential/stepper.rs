@@ -1,0 +1,360 @@
+//! Steps of the method, one after the other, and the states at samples within them.
+
+use nalgebra::DMatrix;
+
+use super::dense::Cursor;
+use super::linear::{LinearPart, ModalState};
+use super::nodes::{NODES, POINTS, Points, combined, no_points, weights};
+use super::plan::Leg;
+use super::propagator::Propagators;
+use super::relinearisation::{Mean, Relinearisation, USUAL_SWEEPS};
+use super::sweeps::{self, Ending, Sweeps, Trial};
+use crate::integrate::chunks::Padded;
+use crate::integrate::control::{Control, SAFETY};
+use crate::integrate::problem::Problem;
+use crate::integrate::{Counters, IntegrateError};
+
+/// Power of the size that the error estimate falls with.
+const ERROR_POWER: i32 = POINTS as i32;
+/// Ratio of a step to the one before up to which the polynomial of that one is carried on into it: beyond, as
+/// behind a step that was cut next to a sample, it is round-off by powers of the ratio, and sweeps that begin
+/// so far off seem to meet faster than they do.
+const MOST_AHEAD: f64 = 16.0;
+/// Steps after which the fall of the change from sweep to sweep is measured again.
+const RATE_HOLDS: f64 = 8.0;
+
+/// The latest step, and how to go on. States are kept as deviations from the scaling's origin.
+#[derive(Debug, Clone)]
+pub(in crate::integrate) struct ExponentialStepper {
+    /// Interval of the samples, s.
+    interval: f64,
+    /// Start and end of the latest step, s.
+    start: f64,
+    time: f64,
+    /// Size of the latest step, s, and how many intervals of samples it lasted, zero if no whole number.
+    size: f64,
+    intervals: f64,
+    /// Size that the error would allow the next step, s.
+    requested: f64,
+    /// Next break, s: no step reaches over it.
+    limit: f64,
+    leg: Leg,
+    /// The start and the end of the latest step.
+    from: ModalState,
+    to: ModalState,
+    /// The mean of the ends of the latest steps.
+    mean: Mean,
+    /// Coordinates of the nonlinear remainder at the points of the latest step, and that step's size; with a size of
+    /// zero only its value at the end is known.
+    remainder: Points,
+    remainder_size: f64,
+    linear: LinearPart,
+    /// Whether the linear part is that of the start of the step.
+    fresh: bool,
+    /// Fall of the change from sweep to sweep, steps since it was measured, and the size of that step, s.
+    rate: f64,
+    since_rate: f64,
+    rate_size: f64,
+    relinearisation: Relinearisation,
+    control: Control,
+    /// Whether a trial since the latest good step was not finite.
+    fault: bool,
+    counters: Counters,
+    propagators: Propagators,
+    /// Weights that carry the polynomial on into a step whose size is in a ratio to the latest one's.
+    ahead: [[f64; POINTS]; POINTS],
+    ahead_ratio: f64,
+    sweeps: Sweeps,
+    /// The latest sample within the step.
+    cursor: Cursor,
+    /// Room for a state, for `∂f/∂y` and for `∂f/∂t`.
+    state: Padded,
+    jacobian: DMatrix<f64>,
+    by_time: Vec<f64>,
+}
+
+impl ExponentialStepper {
+    /// At a time, s, in a deviation from the origin, on a grid of samples, after so much work; a size of zero lets the
+    /// first step find its own.
+    pub fn new(
+        problem: &Problem<'_>,
+        [time, interval]: [f64; 2],
+        deviation: &[f64],
+        size: f64,
+        counters: Counters,
+    ) -> Self {
+        let states = deviation.len();
+        let linear = LinearPart::none(states);
+        let mut to = ModalState::zeros(states);
+        to.deviation.copy_from_slice(deviation);
+        linear.to_coordinates(&mut to);
+        Self {
+            interval,
+            start: time,
+            time,
+            size: 0.0,
+            intervals: 0.0,
+            requested: size,
+            limit: time,
+            leg: Leg::ENDED,
+            from: to.clone(),
+            to,
+            mean: Mean::of(deviation),
+            remainder: no_points(states),
+            remainder_size: 0.0,
+            propagators: Propagators::new(states),
+            linear,
+            fresh: false,
+            rate: 1.0,
+            since_rate: 0.0,
+            rate_size: 0.0,
+            // the first step takes a linear part
+            relinearisation: Relinearisation::NONE,
+            control: Control::new(SAFETY),
+            fault: false,
+            counters,
+            ahead: [[0.0; POINTS]; POINTS],
+            ahead_ratio: 0.0,
+            sweeps: Sweeps::new(problem),
+            cursor: Cursor::new(states),
+            state: Padded::zeros(states),
+            jacobian: DMatrix::zeros(states, states),
+            by_time: vec![0.0; states],
+        }
+    }
+
+    /// Deviation at the end of the latest step.
+    pub fn deviation(&self) -> &[f64] {
+        &self.to.deviation
+    }
+
+    /// End of the latest step, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Size that the error would allow the next step, s; zero before the first.
+    pub fn step_size(&self) -> f64 {
+        self.requested
+    }
+
+    /// Work done so far.
+    pub fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    /// Whether the latest step crossed event surfaces.
+    pub fn crossed(&self) -> bool {
+        self.sweeps.crossed
+    }
+
+    /// Writes the state at a sample that is neither before the start of the latest step nor after its end.
+    pub fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
+        if time >= self.time {
+            problem.write_state(&self.to.deviation, state);
+            return;
+        }
+        let index = ((time - self.start) / self.interval).round();
+        let phi = self.propagators.samples(&self.linear, self.interval);
+        let (cursor, linear) = (&mut self.cursor, &self.linear);
+        if cursor.index() > index {
+            let intervals = [self.interval, self.intervals];
+            cursor.begin(
+                &self.from.coordinates,
+                &self.remainder,
+                intervals,
+                phi,
+                linear,
+            );
+        }
+        cursor.go_to(index, phi, linear, &mut self.state);
+        problem.write_state(&self.state, state);
+    }
+
+    /// Takes a step.
+    ///
+    /// # Errors
+    /// Why the run ends here.
+    pub fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
+        self.begin(problem);
+        loop {
+            problem.check(self.start, self.requested, &self.counters, self.fault)?;
+            self.plan();
+            let ends = [self.start, self.start + self.size];
+            problem.check_progress(ends, self.size, self.fault)?;
+            let ending = self.trial(problem);
+            let sweeps = self.sweeps.count;
+            match ending {
+                Ending::Met(error) if error <= 1.0 => {
+                    self.accept(error);
+                    return Ok(());
+                }
+                Ending::Met(error) => {
+                    self.relinearisation.count_rejected(sweeps, 1);
+                    self.reject(error);
+                }
+                Ending::Apart => {
+                    self.relinearisation.count_rejected(sweeps, sweeps::MOST);
+                    self.bring_together(problem);
+                }
+                Ending::NotFinite => {
+                    self.relinearisation.count_rejected(sweeps, 1);
+                    self.fault = true;
+                    self.reject(f64::INFINITY);
+                }
+            }
+        }
+    }
+
+    /// Makes the end of the latest step the start of the next.
+    fn begin(&mut self, problem: &Problem<'_>) {
+        self.start = self.time;
+        self.from.copy_from(&self.to);
+        self.cursor.leave();
+        let behind_break = self.time >= self.limit;
+        if behind_break {
+            self.limit = problem.system.next_break(self.time + problem.slack);
+            self.mean.begin(&self.from.deviation);
+        }
+        if self.relinearisation.pays() {
+            self.linearise(problem);
+        } else if behind_break {
+            self.forget(problem);
+        }
+        if self.requested <= 0.0 {
+            // a moment that changes its sign as the shaft starts is over at once: nothing is missed
+            self.requested = problem.scaling.time.min(1.0 / self.linear.norm);
+        }
+    }
+
+    /// Takes the linear part anew, about the mean of the motion of late.
+    fn linearise(&mut self, problem: &Problem<'_>) {
+        problem.write_state(&self.mean.deviation, &mut self.state);
+        let (jacobian, by_time) = (&mut self.jacobian, &mut self.by_time);
+        problem
+            .system
+            .linearisation(self.start, &self.state, jacobian, by_time);
+        self.linear = LinearPart::near(jacobian);
+        self.linear.to_coordinates(&mut self.from);
+        (self.fresh, self.rate) = (true, 1.0);
+        self.relinearisation.taken();
+        self.propagators.clear();
+        self.forget(problem);
+    }
+
+    /// Forgets the remainder before the start, which is no guess of what follows.
+    fn forget(&mut self, problem: &Problem<'_>) {
+        self.remainder_size = 0.0;
+        let evaluation = &mut self.sweeps.evaluation;
+        evaluation.evaluate(&self.linear, problem.system, self.start, &self.from);
+        for (points, now) in self.remainder.iter_mut().zip(evaluation.remainder.chunks()) {
+            points[POINTS - 1] = *now;
+        }
+        self.counters.evaluations += 1;
+    }
+
+    /// Chooses the size of the step to come.
+    fn plan(&mut self) {
+        self.leg = if self.leg.left == 0.0 || self.leg.intervals > 0.0 {
+            Leg::new(self.start, self.requested, self.interval, self.limit)
+        } else {
+            self.leg.adapted(self.requested)
+        };
+        (self.size, self.intervals) = (self.leg.size, self.leg.intervals);
+    }
+
+    /// Tries a step; how its sweeps ended.
+    fn trial(&mut self, problem: &Problem<'_>) -> Ending {
+        self.guess();
+        // a longer step's sweeps fall more slowly: by how much it has to find out by itself
+        let rate = if self.since_rate < RATE_HOLDS && self.size <= self.rate_size {
+            self.rate
+        } else {
+            1.0
+        };
+        let trial = Trial {
+            problem,
+            linear: &self.linear,
+            operator: self.propagators.of(&self.linear, self.size),
+            start: self.start,
+            size: self.size,
+            limit: self.limit.next_down(),
+            from: &self.from,
+        };
+        self.sweeps.begin(&trial, rate);
+        let ending = self.sweeps.run(&trial);
+        self.counters.evaluations += u64::from(self.sweeps.count) * (POINTS as u64 - 1);
+        if self.sweeps.count > 1 {
+            (self.rate, self.rate_size, self.since_rate) = (self.sweeps.rate, self.size, 0.0);
+        }
+        ending
+    }
+
+    /// Guesses the remainder at the points of the step to come by the polynomial of the latest one.
+    fn guess(&mut self) {
+        let ratio = self.size / self.remainder_size;
+        let is_known = self.remainder_size > 0.0 && ratio <= MOST_AHEAD;
+        if is_known && ratio != self.ahead_ratio {
+            self.ahead_ratio = ratio;
+            self.ahead = NODES.part.map(|part| weights(1.0 + ratio * part));
+        }
+        for (guess, known) in self.sweeps.remainder.iter_mut().zip(&self.remainder) {
+            *guess = [known[POINTS - 1]; POINTS];
+            if is_known {
+                for (guess, ahead) in guess.iter_mut().zip(&self.ahead).skip(1) {
+                    *guess = combined(ahead, known);
+                }
+            }
+        }
+    }
+
+    fn accept(&mut self, error: f64) {
+        std::mem::swap(&mut self.to, &mut self.sweeps.to);
+        std::mem::swap(&mut self.remainder, &mut self.sweeps.remainder);
+        self.remainder_size = self.size;
+        let growth = self.control.accepted(error, ERROR_POWER);
+        // sweeps that hardly met would not meet over a longer step
+        let proposed = match self.sweeps.count {
+            count if count > USUAL_SWEEPS + 1 => self.size * growth.min(1.0),
+            _ => self.size * growth,
+        };
+        // a size far below the requested one was cut by a break or a sample, and tells little
+        self.requested = if self.size < 0.5 * self.requested {
+            proposed.max(self.requested)
+        } else {
+            proposed
+        };
+        self.mean.take_in(&self.to.deviation);
+        self.relinearisation
+            .count_step(self.size, self.sweeps.count);
+        self.since_rate += 1.0;
+        (self.fault, self.fresh) = (false, false);
+        self.counters.steps += 1;
+        self.leg.left -= 1.0;
+        self.time = if self.leg.left == 0.0 {
+            self.leg.end
+        } else {
+            self.start + self.size
+        };
+    }
+
+    fn reject(&mut self, error: f64) {
+        self.counters.rejected += 1;
+        self.requested = self.size * self.control.rejected(error, ERROR_POWER);
+    }
+
+    /// After sweeps that did not meet: a new linear part once it pays, else a shorter step.
+    fn bring_together(&mut self, problem: &Problem<'_>) {
+        self.counters.rejected += 1;
+        self.control.note_rejected();
+        if self.fresh || !self.relinearisation.pays() {
+            self.requested = 0.5 * self.size;
+        } else {
+            self.linearise(problem);
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "stepper_tests.rs"]
+mod tests;
