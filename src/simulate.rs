@@ -31,9 +31,9 @@ pub use tables::TableUse;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, MethodUse, SEGMENT, States, Stiffness,
+    Counters, Grid, IntegrateError, Integration, MethodUse, SEGMENT, States, Stiffness, System,
 };
-use crate::rotor::{AccountedRotor, MotionScale, Moving, Rotor, check_loose};
+use crate::rotor::{MotionScale, Rotor, check_loose};
 use observers::Observers;
 use reference::{Reference, reference_settings};
 use tables::TableAudit;
@@ -72,15 +72,12 @@ pub fn simulate_part(
     } else {
         Vec::new()
     });
-    let accounted = AccountedRotor::new(&rotor);
-    let system: &dyn Moving = if model.energy || rotor.is_driven() {
-        &accounted
-    } else {
-        &rotor
-    };
+    if model.energy {
+        rotor.account_for_energy();
+    }
     let loose = check_loose(&model.rotor, &rotor)?;
     let grid = sampling::grid(model, &rotor)?;
-    let mut passes = Passes::start(model, system, grid, monitor.stop);
+    let mut passes = Passes::start(model, &rotor, grid, monitor.stop);
     let mut observers = Observers::new(model, &rotor, grid, sink, tables);
     part.go_on(&mut passes.main, passes.reference.as_mut())?;
     replay(&passes, &mut observers, monitor, part)?;
@@ -111,7 +108,7 @@ fn replay(
     monitor: &mut Monitor<'_>,
     part: &mut Part<'_>,
 ) -> Result<(), SimulateError> {
-    let mut states = States::new(passes.system.states());
+    let mut states = States::new(passes.rotor.states());
     let mut replayed = 0;
     while replayed < passes.main.done() {
         if monitor.stop.load(Ordering::Relaxed) {
@@ -119,7 +116,7 @@ fn replay(
             return Err(IntegrateError::Interrupted { time }.into());
         }
         part.replay(replayed, BLOCK, &mut states)?;
-        observers.take(passes.system, replayed, &states)?;
+        observers.take(passes.rotor, replayed, &states)?;
         replayed += states.len() as u64;
         (monitor.progress)(replayed as f64 / passes.grid.count as f64);
     }
@@ -134,7 +131,7 @@ fn integrate(
     part: &mut Part<'_>,
 ) -> Result<(), SimulateError> {
     let grid = passes.grid;
-    let mut states = States::with_capacity(passes.system.states(), BLOCK);
+    let mut states = States::with_capacity(passes.rotor.states(), BLOCK);
     while passes.main.done() < grid.count {
         let first = passes.main.done();
         part.stand(grid.time(first), &passes.main, passes.reference.as_ref())?;
@@ -142,9 +139,9 @@ fn integrate(
         let result = passes.main.advance(BLOCK, &mut states);
         part.counters = passes.main.counters();
         if let Some(reference) = &mut passes.reference {
-            reference.compare(&states, passes.system.rotor(), &passes.scale)?;
+            reference.compare(&states, passes.rotor, &passes.scale)?;
         }
-        observers.take(passes.system, first, &states)?;
+        observers.take(passes.rotor, first, &states)?;
         result?;
         part.keep(&states)?;
         (monitor.progress)(passes.main.done() as f64 / grid.count as f64);
@@ -215,7 +212,7 @@ fn answer(
 
 /// The run and the second pass that measures its error.
 struct Passes<'a> {
-    system: &'a dyn Moving,
+    rotor: &'a Rotor,
     scale: MotionScale,
     grid: Grid,
     main: Integration<'a>,
@@ -223,21 +220,19 @@ struct Passes<'a> {
 }
 
 impl<'a> Passes<'a> {
-    fn start(model: &Model, system: &'a dyn Moving, grid: Grid, stop: &'a AtomicBool) -> Self {
-        let scale = system
-            .rotor()
-            .motion_scale(reference_settings(model).tolerance);
+    fn start(model: &Model, rotor: &'a Rotor, grid: Grid, stop: &'a AtomicBool) -> Self {
+        let scale = rotor.motion_scale(reference_settings(model).tolerance);
         let pass = |settings| {
-            let (scaling, state) = (system.scaling(&scale), system.start());
-            Integration::new(system, scaling, grid, settings, stop, &state)
+            let (scaling, state) = (rotor.scaling(&scale), rotor.start());
+            Integration::new(rotor, scaling, grid, settings, stop, &state)
         };
         Self {
-            system,
+            rotor,
             grid,
             main: pass(model.integrator),
             reference: model
                 .verify
-                .then(|| Reference::new(pass(reference_settings(model)), system.states())),
+                .then(|| Reference::new(pass(reference_settings(model)), rotor.states())),
             scale,
         }
     }

@@ -1,6 +1,5 @@
 //! What acts on a shaft in a state, by what it comes from, and at which power.
 
-use super::accounted::AccountedRotor;
 use super::energy::Works;
 use super::{Drive, DriveMoments, FREEDOMS, Rotation, Rotor};
 use crate::bearing::{Vector5, quarter_turn};
@@ -41,10 +40,8 @@ impl Action {
                 powers.rotation = -bearings.cage_moment * speed;
             }
             Some(moments) => {
-                // the centre of mass moves by e ω (−sin ψ, cos ψ) besides
-                let (sin, cos) = self.rotation.angle.sin_cos();
-                let around = rotor.imbalance * rotor.inverse_mass[0] * speed;
-                loads += around * (self.on_mass[1] * cos - self.on_mass[0] * sin);
+                let [x, y, ..] = self.on_mass;
+                loads += rotor.unbalance.power([x, y], &self.rotation);
                 powers.loads = loads;
                 powers.drive = moments.drive * speed;
                 powers.load_torque = moments.load * speed;
@@ -70,15 +67,14 @@ struct Bearings {
     friction: f64,
 }
 
-impl AccountedRotor<'_> {
+impl Rotor {
     fn bearings(&self, place: &Vector5, velocity: &Vector5, rotation: &Rotation) -> Bearings {
-        let rotor = self.rotor;
-        let friction = rotor.drive.is_some_and(|drive| drive.friction);
+        let friction = self.drive.is_some_and(|drive| drive.friction);
         let turn = quarter_turn(place);
         let mut sum = Bearings::default();
-        rotor.for_each_support(rotation, &rotor.phases(rotation), |support, rotation| {
+        self.for_each_support(rotation, &self.phases(rotation), |support, rotation| {
             let ratio = if support.follows_cage() {
-                rotor.cage_ratio(support)
+                self.cage_ratio(support)
             } else {
                 0.0
             };
@@ -109,8 +105,6 @@ impl AccountedRotor<'_> {
         rotation: &Rotation,
         at_centre: &Vector5,
     ) -> DriveMoments {
-        let eccentricity = self.rotor.imbalance * self.rotor.inverse_mass[0];
-        let (sin, cos) = rotation.angle.sin_cos();
         let resistance = Drive::resistance(rotation.speed);
         let friction = resistance * bearings.friction;
         DriveMoments {
@@ -118,7 +112,9 @@ impl AccountedRotor<'_> {
             load: resistance * drive.load_torque,
             friction,
             // e (f_x sin ψ − f_y cos ψ) + Σ (ω_c/ω) F·Sq
-            vibration: eccentricity * (at_centre[0] * sin - at_centre[1] * cos)
+            vibration: self
+                .unbalance
+                .moment_of([at_centre[0], at_centre[1]], rotation)
                 + bearings.cage_moment,
             twist: friction * drive.compliance,
         }
@@ -126,24 +122,23 @@ impl AccountedRotor<'_> {
 
     /// Everything that acts in a state.
     pub(super) fn act(&self, time: f64, state: &[f64]) -> Action {
-        let rotor = self.rotor;
         let [place, velocity] = self.motion(state);
         let mut rotation = self.rotation(time, state);
         let bearings = self.bearings(&place, &velocity, &rotation);
-        let [on_mass, on_centre] = rotor.loads_apart(time, rotation.angle);
-        let viscous = rotor.damping.force(&velocity[..rotor.kept]);
+        let [on_mass, on_centre] = self.loads_apart(time, rotation.angle);
+        let viscous = self.damping.force(&velocity[..self.kept]);
         let at_centre: Vector5 = std::array::from_fn(|axis| {
             on_centre[axis] - viscous[axis] - bearings.force[axis] - bearings.damping[axis]
         });
-        let moments = rotor.drive.as_ref().map(|drive| {
+        let moments = self.drive.as_ref().map(|drive| {
             let moments = self.moments(drive, &bearings, &rotation, &at_centre);
-            rotation.acceleration = moments.total() / rotor.inertia_polar;
+            rotation.acceleration = moments.total() / self.inertia_polar;
             moments
         });
         Action {
             velocity,
             rotation,
-            unbalance: rotor.unbalance(&rotation, &rotor.phases(&rotation)),
+            unbalance: self.unbalance_force(&rotation, &self.phases(&rotation)),
             bearings,
             on_mass,
             on_centre,

@@ -3,6 +3,7 @@
 use fearless_simd::Level;
 
 use super::damping::DampingMatrix;
+use super::unbalance::Unbalance;
 use super::{
     Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
     SpeedProfile,
@@ -83,7 +84,8 @@ impl Rotor {
             speed,
             drive: definition.drive,
             cage: definition.cage,
-            imbalance: shaft.mass * shaft.eccentricity,
+            unbalance: Unbalance::new(shaft.mass, shaft.eccentricity),
+            energy: false,
             load: definition.constant_load(),
             weight: definition.weight(),
             loads: definition.loads.clone(),

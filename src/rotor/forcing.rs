@@ -90,7 +90,7 @@ impl Rotor {
                 });
             }
         };
-        if self.imbalance != 0.0 {
+        if self.unbalance.is_some() {
             add(ForcingCause::Unbalance, speed, 0.0);
         }
         for (bearing, support) in self.supports.iter().enumerate() {

@@ -138,17 +138,8 @@ impl Rotor {
     /// Time derivative of the forces on the shaft that do not come from bearings: unbalance exactly,
     /// varying loads by a difference over a time that is short against all that they do.
     fn push_rate(&self, time: f64, rotation: &Rotation) -> Vector5 {
-        let (sin, cos) = rotation.angle.sin_cos();
-        let Rotation {
-            speed,
-            acceleration,
-            ..
-        } = *rotation;
-        // d/dt of m e (ω² cos ψ + ω̇ sin ψ) and m e (ω² sin ψ − ω̇ cos ψ) with ω̈ = 0
-        let (along, inward) = (3.0 * speed * acceleration, speed * speed * speed);
-        let mut rate = [0.0; FREEDOMS];
-        rate[0] = self.imbalance * (along * cos - inward * sin);
-        rate[1] = self.imbalance * (along * sin + inward * cos);
+        let [x, y] = self.unbalance.force_rate(rotation);
+        let mut rate = [x, y, 0.0, 0.0, 0.0];
         for (rate, change) in rate.iter_mut().zip(self.load_rate(time)) {
             *rate += change;
         }

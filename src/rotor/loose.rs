@@ -205,7 +205,7 @@ impl Rotor {
 
     /// Which freedoms unbalance, varying loads and passing balls drive.
     fn driven(&self, contact: f64) -> [bool; FREEDOMS] {
-        let unbalance = self.imbalance > 0.0 && self.speed.highest() > 0.0;
+        let unbalance = self.unbalance.is_some() && self.speed.highest() > 0.0;
         let mut driven = [unbalance, unbalance, false, false, false];
         for load in &self.loads {
             for (driven, part) in driven.iter_mut().zip(load.swing(self.mass[0]).amplitude) {

@@ -3,10 +3,9 @@
 //! A [`RotorDefinition`] is plain data; [`Rotor::assemble`] finds its static equilibrium and makes
 //! of it a [`Rotor`], whose derivative is a pure function of time and state.
 
-mod accounted;
-mod accounted_slopes;
 mod action;
 mod assembly;
+mod augmentation;
 mod ball_contacts;
 mod damping;
 mod definition;
@@ -20,14 +19,14 @@ mod loose;
 mod modes;
 mod motion;
 mod motion_scale;
-mod moving;
 mod observation;
 mod phases;
 mod sample;
 mod speed_profile;
+mod system;
 mod tabulation;
+mod unbalance;
 
-pub use accounted::AccountedRotor;
 pub use assembly::RotorError;
 pub(crate) use assembly::{build_supports, static_start};
 pub use ball_contacts::BallContacts;
@@ -43,7 +42,6 @@ pub use loose::{LooseError, Looseness, check_loose};
 pub use modes::{Mode, NaturalFrequency, Whirl};
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;
-pub use moving::Moving;
 pub use sample::Sample;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use tabulation::Tabulation;

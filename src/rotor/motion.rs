@@ -1,14 +1,14 @@
 //! The shaft in motion: the right-hand side of its equations.
 
-use fearless_simd::{Level, Simd, dispatch};
-use nalgebra::DMatrix;
+use fearless_simd::{Level, Simd};
 
 use super::damping::DampingMatrix;
 use super::phases::Phases;
+use super::unbalance::Unbalance;
 use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, SpeedProfile};
 use crate::bearing::equilibrium::Equilibrium;
 use crate::bearing::{Angle, BearingRotation, Support, Vector5, in_registers};
-use crate::integrate::System;
+use crate::registers::in_wide_registers;
 
 /// A concentrated mass on its bearings, assembled and ready to move.
 ///
@@ -39,8 +39,9 @@ pub struct Rotor {
     /// Decides the speed in place of the profile, which then holds that of the start.
     pub(super) drive: Option<Drive>,
     pub(super) cage: CageMotion,
-    /// m e, kg m.
-    pub(super) imbalance: f64,
+    pub(super) unbalance: Unbalance,
+    /// Whether energy is accounted for.
+    pub(super) energy: bool,
     /// Constant loads and the weight.
     pub(super) load: Vector5,
     /// The part of it that is weight, N.
@@ -219,7 +220,7 @@ impl Rotor {
     /// Loads, weight and unbalance on the shaft, N and N m.
     #[inline(always)]
     fn outer_force(&self, time: f64, rotation: &Rotation, phases: &Phases) -> Vector5 {
-        let [x, y, ..] = self.unbalance(rotation, phases);
+        let [x, y] = self.unbalance.force(rotation, phases.shaft);
         let [f_x, f_y, f_z, m_x, m_y] = self.load;
         let push = [f_x + x, f_y + y, f_z, m_x, m_y];
         if self.loads.is_empty() {
@@ -231,12 +232,8 @@ impl Rotor {
 
     /// Force of the unbalance, N.
     #[inline(always)]
-    pub(super) fn unbalance(&self, rotation: &Rotation, phases: &Phases) -> Vector5 {
-        let Angle { cos, sin } = phases.shaft;
-        // m e (ω² cos ψ + ω̇ sin ψ), m e (ω² sin ψ − ω̇ cos ψ)
-        let inward = self.imbalance * rotation.speed * rotation.speed;
-        let along = self.imbalance * rotation.acceleration;
-        let [x, y] = [inward * cos + along * sin, inward * sin - along * cos];
+    pub(super) fn unbalance_force(&self, rotation: &Rotation, phases: &Phases) -> Vector5 {
+        let [x, y] = self.unbalance.force(rotation, phases.shaft);
         [x, y, 0.0, 0.0, 0.0]
     }
 
@@ -285,59 +282,14 @@ impl Rotor {
     }
 }
 
-impl System for Rotor {
-    fn states(&self) -> usize {
-        2 * self.kept
-    }
-
-    #[inline]
-    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
-        dispatch!(self.level, simd => self.derivative_by(simd, time, state, rate));
-    }
-
-    fn linearisation(
-        &self,
-        time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
-        self.linearise(time, state, jacobian, by_time);
-    }
-
-    fn next_break(&self, after: f64) -> f64 {
-        self.next_break_after(after)
-    }
-
-    fn event_count(&self) -> usize {
-        self.lift_off_count()
-    }
-
-    fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
-        self.lift_off_distances(&self.speed.at(time), &state[..self.kept], values);
-    }
-
-    fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
-        let rotations = times.map(|time| self.speed.at(time));
-        let places = states.map(|state| &state[..self.kept]);
-        self.lift_off_change(rotations.each_ref(), places)
-    }
-
-    fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
-        self.lift_off_jump(event, self.speed.at(time).speed, distance, rate);
-    }
-
-    fn is_second_order(&self) -> bool {
-        true
-    }
-
-    fn expects_crossings(&self) -> bool {
-        self.balls_may_part()
-    }
-}
-
 impl Rotor {
-    /// The derivative, for the processor's level `S`.
+    /// Derivative of (q, q̇).
+    #[inline(always)]
+    pub(super) fn motion_derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        in_wide_registers!(self.level, simd => self.derivative_by(simd, time, state, rate));
+    }
+
+    /// The same for the processor's level `S`.
     #[inline(always)]
     fn derivative_by<S: Simd>(&self, simd: S, time: f64, state: &[f64], rate: &mut [f64]) {
         // known to the compiler in the loops over them

@@ -55,13 +55,6 @@ impl Rotor {
         }
     }
 
-    /// Scales of the state (q, q̇) of the kept freedoms.
-    pub fn state_scale(&self, scale: &MotionScale) -> Vec<f64> {
-        let displacements = (0..self.kept).map(|axis| scale.length / lever(axis, scale.arm));
-        let velocities = displacements.clone().map(|length| length * scale.frequency);
-        displacements.chain(velocities).collect()
-    }
-
     /// Highest natural frequency of a freedom by itself, rad/s, or the speed where that is higher;
     /// where nothing resists at the equilibrium, as in the middle of a clearance, that of the shaft on one
     /// contact.
@@ -114,11 +107,8 @@ impl Rotor {
 
     /// Force of the unbalance at a speed as complex amplitudes, N.
     fn unbalance_phasor(&self, speed: f64) -> [Complex<f64>; FREEDOMS] {
-        let inward = self.imbalance * speed * speed;
-        let mut force = [Complex::new(0.0, 0.0); FREEDOMS];
-        force[0] = Complex::new(inward, 0.0);
-        force[1] = Complex::new(0.0, -inward);
-        force
+        let [x, y] = self.unbalance.phasor(speed);
+        [x, y, Complex::ZERO, Complex::ZERO, Complex::ZERO]
     }
 
     /// Largest amplitude under the unbalance at the speeds of the profile.

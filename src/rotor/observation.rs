@@ -23,14 +23,20 @@ impl Rotor {
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
     /// own [`Rotor::ball_contacts`].
     pub fn sample(&self, time: f64, state: &[f64], contacts: &mut BallContacts) -> Sample {
-        let displacement = self.full(&self.equilibrium.displacement, &state[..self.kept]);
-        let velocity = self.full(&[0.0; FREEDOMS], &state[self.kept..]);
-        self.observe(
-            time,
-            &self.speed.at(time),
-            [displacement, velocity],
-            contacts,
-        )
+        let motion = self.motion(state);
+        if !self.is_augmented() {
+            return self.observe(time, &self.speed.at(time), motion, contacts);
+        }
+        let action = self.drive.map(|_| self.act(time, state));
+        let rotation = match &action {
+            Some(action) => action.rotation,
+            None => self.rotation(time, state),
+        };
+        Sample {
+            energy: Some(self.energy_balance(time, state)),
+            drive: action.and_then(|action| action.moments),
+            ..self.observe(time, &rotation, motion, contacts)
+        }
     }
 
     /// Of what [`Rotor::sample`] observes the balls and the bearings' axial forces alone.

@@ -4,8 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use super::reference::reference_settings;
 use super::{BLOCK, Model, SimulateError, sampling};
-use crate::integrate::{Counters, Integration, States};
-use crate::rotor::{AccountedRotor, Moving, Rotor};
+use crate::integrate::{Counters, Integration, States, System};
+use crate::rotor::Rotor;
 
 /// The integration of a model, assembled and ready to be run as often as one likes.
 #[derive(Debug, Clone)]
@@ -20,7 +20,10 @@ impl<'a> BareRun<'a> {
     /// # Errors
     /// [`SimulateError::Rotor`] where it cannot be assembled.
     pub fn new(model: &'a Model) -> Result<Self, SimulateError> {
-        let rotor = Rotor::assemble(&model.rotor)?;
+        let mut rotor = Rotor::assemble(&model.rotor)?;
+        if model.energy {
+            rotor.account_for_energy();
+        }
         Ok(Self { model, rotor })
     }
 
@@ -49,19 +52,13 @@ impl<'a> BareRun<'a> {
         stop: &AtomicBool,
     ) -> Result<[Counters; 2], SimulateError> {
         let rotor = &self.rotor;
-        let accounted = AccountedRotor::new(rotor);
-        let system: &dyn Moving = if self.model.energy || rotor.is_driven() {
-            &accounted
-        } else {
-            rotor
-        };
         let model = self.model;
         let scale = self.rotor.motion_scale(reference_settings(model).tolerance);
         let grid = sampling::grid(model, &self.rotor)?;
-        let (scaling, state) = (system.scaling(&scale), system.start());
+        let (scaling, state) = (rotor.scaling(&scale), rotor.start());
         let mut integration =
-            Integration::new(system, scaling, grid, model.integrator, stop, &state);
-        let mut states = States::with_capacity(system.states(), BLOCK);
+            Integration::new(rotor, scaling, grid, model.integrator, stop, &state);
+        let mut states = States::with_capacity(rotor.states(), BLOCK);
         let mut up_to = |end: u64| {
             while integration.done() < end {
                 states.clear();

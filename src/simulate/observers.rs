@@ -7,7 +7,7 @@ use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
 use crate::analysis::{Recorder, Recording};
 use crate::integrate::{Grid, States};
-use crate::rotor::{Moving, Rotor, Sample};
+use crate::rotor::{Rotor, Sample};
 
 /// The sink, and what the answer of the run is made of.
 pub(super) struct Observers<'a> {
@@ -71,11 +71,10 @@ impl<'a> Observers<'a> {
     /// Shows everybody the samples of states from grid time number `first` on.
     pub fn take(
         &mut self,
-        system: &dyn Moving,
+        rotor: &Rotor,
         first: u64,
         states: &States,
     ) -> Result<(), SimulateError> {
-        let rotor = system.rotor();
         for (index, state) in states.iter().enumerate() {
             let time = self.grid.time(first + index as u64);
             if time < self.start {
@@ -86,16 +85,16 @@ impl<'a> Observers<'a> {
                     .take_contacts(rotor, time, state, self.sink)?;
                 continue;
             }
-            let sample = system.sample(time, state, self.observation.contacts());
+            let sample = rotor.sample(time, state, self.observation.contacts());
             self.sink.sample(&sample)?;
             self.observation.take(&sample, self.sink)?;
-            self.record(system, &sample, state);
+            self.record(rotor, &sample, state);
         }
         Ok(())
     }
 
     /// Shows a sample and its state to those who know nothing of the balls.
-    fn record(&mut self, system: &dyn Moving, sample: &Sample, state: &[f64]) {
+    fn record(&mut self, rotor: &Rotor, sample: &Sample, state: &[f64]) {
         if sample.time >= self.settle {
             self.largest_ball_load = self.largest_ball_load.max(sample.largest_ball_load);
         }
@@ -104,13 +103,13 @@ impl<'a> Observers<'a> {
         }
         self.recorders.record(sample);
         self.audit.sample(sample);
-        self.tables.sample(system.rotor(), sample);
+        self.tables.sample(rotor, sample);
         if let Some(recording) = &mut self.recording
             && recording.takes(sample.time)
         {
             let acceleration = recording
                 .needs_acceleration()
-                .then(|| system.acceleration(sample.time, state, &mut self.rate));
+                .then(|| rotor.acceleration(sample.time, state, &mut self.rate));
             recording.record(sample, acceleration.as_ref());
         }
     }

@@ -10,7 +10,7 @@ use crate::integrate::{
     Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, States,
     System, variation,
 };
-use crate::rotor::{MotionScale, Moving, Rotor, RotorDefinition};
+use crate::rotor::{MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
 
 /// Step of a state, in sizes of the motion, over which slopes are looked at where the method gives none.

@@ -1,0 +1,163 @@
+//! The shaft as a system of equations: what its states are, and what an integration asks of them.
+
+use nalgebra::DMatrix;
+
+use super::energy::Works;
+use super::{FREEDOMS, MotionScale, Rotation, Rotor};
+use crate::bearing::Vector5;
+use crate::integrate::{Scaling, System};
+
+/// The states are
+///
+/// ```text
+/// (q, q̇, [ψ, ω], [W_1 … W_9])
+/// ```
+///
+/// with the angle and the speed of the shaft where a drive turns it, and the works of [`Works`] where a drive does or
+/// [`Rotor::account_for_energy`] asked for them: integrals that are kept as exactly as the motion itself.
+impl System for Rotor {
+    fn states(&self) -> usize {
+        let works = if self.is_augmented() { Works::COUNT } else { 0 };
+        self.first_work() + works
+    }
+
+    #[inline]
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        if self.is_augmented() {
+            self.augmented_derivative(time, state, rate);
+        } else {
+            self.motion_derivative(time, state, rate);
+        }
+    }
+
+    fn linearisation(
+        &self,
+        time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        if self.is_augmented() {
+            self.linearise_by_differences(time, state, jacobian, by_time);
+        } else {
+            self.linearise(time, state, jacobian, by_time);
+        }
+    }
+
+    fn next_break(&self, after: f64) -> f64 {
+        self.next_break_after(after)
+    }
+
+    fn event_count(&self) -> usize {
+        self.lift_off_count()
+    }
+
+    fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        self.lift_off_distances(&self.rotation(time, state), &state[..self.kept], values);
+    }
+
+    fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
+        let rotations = [0, 1].map(|end| self.rotation(times[end], states[end]));
+        let places = states.map(|state| &state[..self.kept]);
+        self.lift_off_change(rotations.each_ref(), places)
+    }
+
+    fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
+        // the speed that a drive is meant for: a bound does not ask for more
+        let speed = match self.drive {
+            None => self.speed.at(time).speed,
+            Some(_) => self.highest_speed(),
+        };
+        self.lift_off_jump(event, speed, distance, rate);
+    }
+
+    fn is_second_order(&self) -> bool {
+        !self.is_augmented()
+    }
+
+    fn expects_crossings(&self) -> bool {
+        self.balls_may_part()
+    }
+}
+
+impl Rotor {
+    /// Has the works integrated beside the motion, so that samples tell of energy.
+    pub fn account_for_energy(&mut self) {
+        self.energy = true;
+    }
+
+    /// Whether more than the motion is integrated.
+    pub(super) fn is_augmented(&self) -> bool {
+        self.energy || self.drive.is_some()
+    }
+
+    /// Index of the first work among the states.
+    pub(super) fn first_work(&self) -> usize {
+        2 * self.kept + if self.drive.is_some() { 2 } else { 0 }
+    }
+
+    /// Angle and speed in a state at a time; the acceleration of a driven shaft is not known before its moments are.
+    #[inline(always)]
+    pub(super) fn rotation(&self, time: f64, state: &[f64]) -> Rotation {
+        match self.drive {
+            None => self.speed.at(time),
+            Some(_) => Rotation {
+                angle: state[2 * self.kept],
+                speed: state[2 * self.kept + 1],
+                acceleration: 0.0,
+            },
+        }
+    }
+
+    /// Displacement and velocity in a state.
+    pub(super) fn motion(&self, state: &[f64]) -> [Vector5; 2] {
+        let kept = self.kept;
+        [
+            self.full(&self.equilibrium.displacement, &state[..kept]),
+            self.full(&[0.0; FREEDOMS], &state[kept..2 * kept]),
+        ]
+    }
+
+    /// State at t = 0.
+    pub fn start(&self) -> Vec<f64> {
+        let (kept, mut state) = (self.kept, vec![0.0; self.states()]);
+        let [displacement, velocity] = &self.initial;
+        state[..kept].copy_from_slice(&displacement[..kept]);
+        state[kept..2 * kept].copy_from_slice(&velocity[..kept]);
+        if self.drive.is_some() {
+            state[2 * kept + 1] = self.speed();
+        }
+        state
+    }
+
+    /// Scaling under which deviations from the static equilibrium are numbers of order one.
+    pub fn scaling(&self, scale: &MotionScale) -> Scaling {
+        let (kept, states) = (self.kept, self.states());
+        // works: kinetic energy of the motion
+        let energy = self.mass[0] * (scale.length * scale.frequency).powi(2);
+        let mut scaling = Scaling {
+            origin: vec![0.0; states],
+            scale: vec![energy; states],
+            time: 1.0 / scale.frequency,
+        };
+        scaling.origin[..kept].copy_from_slice(&self.equilibrium.displacement[..kept]);
+        for axis in 0..kept {
+            let length = scale.length / scale.lever(axis);
+            scaling.scale[axis] = length;
+            scaling.scale[kept + axis] = length * scale.frequency;
+        }
+        if self.drive.is_some() {
+            scaling.scale[2 * kept] = 1.0;
+            scaling.scale[2 * kept + 1] = scale.frequency;
+        }
+        scaling
+    }
+
+    /// Second time derivatives of x, y, z, θx, θy in a state at a time: those of the equations
+    /// themselves. One evaluation of them, for whoever asks; `rate` is room for the derivative.
+    pub fn acceleration(&self, time: f64, state: &[f64], rate: &mut Vec<f64>) -> Vector5 {
+        rate.resize(state.len(), 0.0);
+        self.derivative(time, state, rate);
+        self.full(&[0.0; FREEDOMS], &rate[self.kept..2 * self.kept])
+    }
+}
