@@ -11,8 +11,6 @@ pub const FREEDOM_NAMES: [&str; 5] = ["x", "y", "z", "tilt_x", "tilt_y"];
 const ACCEPTED_RESIDUAL: f64 = 1e-9;
 /// Residual that is round-off: nothing is left to gain.
 const CONVERGED: f64 = 1e-14;
-/// Residual of the coarse laws at which the exact ones take over.
-const GOOD_START: f64 = 1e-3;
 /// Round-off of a position between the races, in groove centre distances.
 const POSITION_ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Newton steps before giving up.
@@ -64,15 +62,6 @@ pub struct StaticProblem<'a> {
     pub speed: f64,
 }
 
-/// Which ball laws a search goes by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Fidelity {
-    /// Plain Hertz contacts in place of costly laws.
-    Coarse,
-    /// The laws that were asked for.
-    Full,
-}
-
 /// A static equilibrium.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Equilibrium {
@@ -101,41 +90,24 @@ impl StaticProblem<'_> {
     /// [`EquilibriumError`] names the freedom that nothing carries.
     pub fn solve(&self) -> Result<Equilibrium, EquilibriumError> {
         self.check_finite()?;
-        let start = if self.supports.iter().any(Support::has_coarse_law) {
-            self.newton(self.start, Fidelity::Coarse, GOOD_START)
-                .map_or(self.start, |(state, _)| state.displacement)
-        } else {
-            self.start
-        };
-        let (state, newton_steps) = self
-            .newton(start, Fidelity::Full, CONVERGED)
-            .or_else(|lost| {
-                let retried = self.newton(self.start, Fidelity::Full, CONVERGED);
-                retried.map_err(|_| lost)
-            })
-            .map_err(|lost| self.not_carried(&lost))?;
+        let (state, newton_steps) = self.newton().map_err(|lost| self.not_carried(&lost))?;
         Ok(state.into_equilibrium(newton_steps))
     }
 
     /// Newton from a start until the imbalance is below `enough` or at its round-off; the state and
     /// the number of steps, or where it got lost.
-    fn newton(
-        &self,
-        start: Vector5,
-        fidelity: Fidelity,
-        enough: f64,
-    ) -> Result<(State, usize), Box<State>> {
+    fn newton(&self) -> Result<(State, usize), Box<State>> {
         let mut reach = 0.5 * self.groove_centre_distance();
-        let mut state = self.evaluate(start, fidelity);
+        let mut state = self.evaluate(self.start);
         for newton_steps in 0..STEP_LIMIT {
-            if state.imbalance() <= enough {
+            if state.imbalance() <= CONVERGED {
                 return Ok((state, newton_steps));
             }
             let (step, shortened) = state.step(reach);
             if shortened {
                 reach *= 2.0;
             }
-            let next = self.search(&state, &step, fidelity);
+            let next = self.search(&state, &step);
             let gained = next.imbalance() < 0.5 * state.imbalance();
             if state.imbalance() <= ACCEPTED_RESIDUAL && !gained {
                 let next_is_better = next.imbalance() < state.imbalance();
@@ -179,16 +151,13 @@ impl StaticProblem<'_> {
         Support::largest(self.supports, Geometry::groove_centre_distance)
     }
 
-    fn evaluate(&self, displacement: Vector5, fidelity: Fidelity) -> State {
+    fn evaluate(&self, displacement: Vector5) -> State {
         let lengths = lengths(self.arm());
         let (mut force, mut stiffness) = ([0.0; 5], Matrix5::zeros());
         let mut scale: f64 = 0.0;
         let rotation = BearingRotation::at_start(self.speed);
         for support in self.supports {
-            let (share, tangent) = match fidelity {
-                Fidelity::Full => support.force_and_stiffness(&displacement, &rotation),
-                Fidelity::Coarse => support.coarse_force_and_stiffness(&displacement, &rotation),
-            };
+            let (share, tangent) = support.force_and_stiffness(&displacement, &rotation);
             stiffness += tangent;
             for axis in 0..5 {
                 force[axis] += share[axis];
@@ -225,10 +194,10 @@ impl StaticProblem<'_> {
     }
 
     /// The state a step further, or nearer where the force along the step overshoots.
-    fn search(&self, state: &State, step: &Scaled, fidelity: Fidelity) -> State {
+    fn search(&self, state: &State, step: &Scaled) -> State {
         let start_slope = state.excess.dot(step);
         let acceptable = 0.5 * start_slope.abs();
-        let mut trial = self.evaluate(state.moved(step, 1.0), fidelity);
+        let mut trial = self.evaluate(state.moved(step, 1.0));
         let mut slope = trial.excess.dot(step);
         let (mut low, mut low_slope) = (0.0, start_slope);
         let (mut high, mut high_slope) = (1.0, slope);
@@ -240,7 +209,7 @@ impl StaticProblem<'_> {
             let secant = (high_slope * low - low_slope * high) / (high_slope - low_slope);
             let margin = 0.1 * (high - low);
             let part = secant.clamp(low + margin, high - margin);
-            trial = self.evaluate(state.moved(step, part), fidelity);
+            trial = self.evaluate(state.moved(step, part));
             slope = trial.excess.dot(step);
             if slope > 0.0 {
                 (high, high_slope) = (part, slope);

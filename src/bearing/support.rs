@@ -29,8 +29,6 @@ pub struct Support {
     pub(super) law: Law,
     /// Stands for the law where a motion asks for forces, once compiled.
     pub(super) table: Option<Box<BallTable>>,
-    /// A cheap neighbour of the law, where there is one.
-    pub(super) coarse: Option<Law>,
     pub(super) seat: Seat,
     /// Hertz contacts of the geometry, inner race first.
     pub(super) contacts: [HertzContact; 2],
@@ -62,7 +60,6 @@ impl Support {
             damped: definition.contact_damping.coefficients()?,
             friction: BearingFriction::new(definition, &contacts),
             seat: Seat::new(definition, &law)?,
-            coarse: law.coarse(definition, &contacts),
             law,
             table: None,
             cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma()),
@@ -112,7 +109,7 @@ impl Support {
     pub fn freeze(&mut self, displacement: &Vector5, speed: f64) {
         if self.definition.law == ContactLaw::Linear {
             let (origin, rotation) = (self.imposed(displacement), BearingRotation::at_start(speed));
-            let (force, stiffness) = self.local_tangent(&self.law, &origin, &rotation);
+            let (force, stiffness) = self.local_tangent(&origin, &rotation);
             self.frozen = Some(LinearForce {
                 origin,
                 force,
@@ -134,17 +131,12 @@ impl Support {
 
     /// Displacement of the inner ring from the outer one, in the bearing's own orientation.
     pub fn ring_displacement(&self, displacement: &Vector5, rotation: &BearingRotation) -> Vector5 {
-        self.settled(&self.law, &self.imposed(displacement), rotation)
+        self.settled(&self.imposed(displacement), rotation)
     }
 
-    /// The same of what the shaft imposes, under a law.
-    pub(super) fn settled(
-        &self,
-        law: &Law,
-        imposed: &Vector5,
-        rotation: &BearingRotation,
-    ) -> Vector5 {
-        let tangent = |place: &Vector5| with_law!(law, law => self.ring.force_and_stiffness(law, place, rotation));
+    /// The same of what the shaft imposes.
+    pub(super) fn settled(&self, imposed: &Vector5, rotation: &BearingRotation) -> Vector5 {
+        let tangent = |place: &Vector5| with_law!(&self.law, law => self.ring.force_and_stiffness(law, place, rotation));
         self.seat.settle(imposed, tangent)
     }
 
@@ -236,7 +228,7 @@ impl Support {
         if let Some(linear) = &self.frozen {
             return linear.energy(&imposed);
         }
-        let place = self.settled(&self.law, &imposed, rotation);
+        let place = self.settled(&imposed, rotation);
         let contacts = with_law!(&self.law, law => self.ring.stored_energy(law, &place, rotation));
         contacts + self.seat.stored_energy(&imposed, &place)
     }

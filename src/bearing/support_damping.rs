@@ -68,7 +68,7 @@ impl Support {
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
         let (ring, law) = (&self.ring, &self.law);
-        let place = self.settled(law, imposed, rotation);
+        let place = self.settled(imposed, rotation);
         let follows = self
             .seat
             .follows(|| with_law!(law, law => ring.force_and_stiffness(law, &place, rotation).1));

@@ -53,7 +53,16 @@ impl Support {
         displacement: &Vector5,
         rotation: &BearingRotation,
     ) -> (Vector5, Matrix5) {
-        self.tangent_on_shaft(&self.law, displacement, rotation)
+        let imposed = self.imposed(displacement);
+        let (force, stiffness) = match &self.frozen {
+            Some(linear) => (linear.force(imposed), linear.stiffness),
+            None => self.local_tangent(&imposed, rotation),
+        };
+        let transform = self.transform();
+        (
+            self.on_shaft(&force),
+            transform.transpose() * stiffness * transform,
+        )
     }
 
     /// K, and the derivative of the force by the angle of the cage.
@@ -68,7 +77,7 @@ impl Support {
             None => {
                 let (force, stiffness) = self
                     .table_tangent(displacement, rotation)
-                    .unwrap_or_else(|| self.local_tangent(&self.law, &imposed, rotation));
+                    .unwrap_or_else(|| self.local_tangent(&imposed, rotation));
                 let turned = stiffness * nalgebra::SVector::from(quarter_turn(&imposed));
                 let force = quarter_turn(&force);
                 (
@@ -94,48 +103,14 @@ impl Support {
         Some(self.ring.force_and_stiffness(table, &place, rotation))
     }
 
-    /// Whether [`Support::coarse_force_and_stiffness`] is cheaper than the exact one.
-    pub(super) fn has_coarse_law(&self) -> bool {
-        self.coarse.is_some()
-    }
-
-    /// As [`Support::force_and_stiffness`], of plain Hertz contacts.
-    pub(super) fn coarse_force_and_stiffness(
-        &self,
-        displacement: &Vector5,
-        rotation: &BearingRotation,
-    ) -> (Vector5, Matrix5) {
-        let law = self.coarse.as_ref().unwrap_or(&self.law);
-        self.tangent_on_shaft(law, displacement, rotation)
-    }
-
-    fn tangent_on_shaft(
-        &self,
-        law: &Law,
-        displacement: &Vector5,
-        rotation: &BearingRotation,
-    ) -> (Vector5, Matrix5) {
-        let imposed = self.imposed(displacement);
-        let (force, stiffness) = match &self.frozen {
-            Some(linear) => (linear.force(imposed), linear.stiffness),
-            None => self.local_tangent(law, &imposed, rotation),
-        };
-        let transform = self.transform();
-        (
-            self.on_shaft(&force),
-            transform.transpose() * stiffness * transform,
-        )
-    }
-
     pub(super) fn local_tangent(
         &self,
-        law: &Law,
         imposed: &Vector5,
         rotation: &BearingRotation,
     ) -> (Vector5, Matrix5) {
-        let place = self.settled(law, imposed, rotation);
+        let place = self.settled(imposed, rotation);
         let (force, stiffness) =
-            with_law!(law, law => self.ring.force_and_stiffness(law, &place, rotation));
+            with_law!(&self.law, law => self.ring.force_and_stiffness(law, &place, rotation));
         (force, self.seat.condense(stiffness))
     }
 }

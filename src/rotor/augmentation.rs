@@ -1,20 +1,8 @@
 //! What is integrated beside the motion: the rotation of a driven shaft, and the works of all that acts.
 
-use nalgebra::DMatrix;
-
 use super::energy::{EnergyBalance, Works};
 use super::{Rotation, Rotor};
-use crate::bearing::{Geometry, Support, Vector5};
-use crate::integrate::System;
-
-/// Relative step of the differences that stand for slopes: the cube root of round-off.
-const STEP: f64 = 6e-6;
-/// Time over which the change of the right-hand side is looked at, s.
-const TIME_STEP: f64 = 1e-8;
-/// A usual approach of a contact, m.
-const APPROACH: f64 = 1e-5;
-/// A usual angular frequency, rad/s.
-const RATE: f64 = 1e3;
+use crate::bearing::Vector5;
 
 impl Rotor {
     /// Derivative of all states.
@@ -36,52 +24,6 @@ impl Rotor {
             rate[2 * kept + 1] = action.rotation.acceleration;
         }
         rate[self.first_work()..].copy_from_slice(&action.powers(self).values());
-    }
-
-    /// Slopes of all states by central differences: exact slopes of powers are not worth their code.
-    pub(super) fn linearise_by_differences(
-        &self,
-        time: f64,
-        state: &[f64],
-        jacobian: &mut DMatrix<f64>,
-        by_time: &mut [f64],
-    ) {
-        let rate_at = |time: f64, state: &[f64]| {
-            let mut rate = vec![0.0; state.len()];
-            self.derivative(time, state, &mut rate);
-            rate
-        };
-        jacobian.fill(0.0);
-        // no rate depends on the works
-        for column in 0..self.first_work() {
-            let step = self.difference_step(column);
-            let moved = |step: f64| {
-                let mut moved = state.to_vec();
-                moved[column] += step;
-                rate_at(time, &moved)
-            };
-            let (up, down) = (moved(step), moved(-step));
-            for row in 0..state.len() {
-                jacobian[(row, column)] = (up[row] - down[row]) / (2.0 * step);
-            }
-        }
-        let later = |part: f64| rate_at(time + part * TIME_STEP, state);
-        let (now, half, full) = (later(0.0), later(0.5), later(1.0));
-        for (row, by_time) in by_time.iter_mut().enumerate() {
-            *by_time = (4.0 * half[row] - 3.0 * now[row] - full[row]) / TIME_STEP;
-        }
-    }
-
-    /// Step of the difference by a state that moves: short against what the contacts yield.
-    fn difference_step(&self, state: usize) -> f64 {
-        let kept = self.kept;
-        if state >= 2 * kept {
-            return STEP;
-        }
-        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
-        let lever = if state % kept < 3 { 1.0 } else { arm };
-        let unit = if state < kept { 1.0 } else { RATE };
-        STEP * APPROACH * unit / lever
     }
 
     /// Kinetic energy, J.

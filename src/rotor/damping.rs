@@ -18,6 +18,16 @@ impl Rotor {
         std::array::from_fn(row)
     }
 
+    /// Entry of C + ωG at a speed in rad/s: what resists, and the gyroscopic coupling of the tilts.
+    pub(super) fn rate_entry(&self, row: usize, column: usize, speed: f64) -> f64 {
+        let gyroscopic = match (row, column) {
+            (3, 4) => self.inertia_polar * speed,
+            (4, 3) => -self.inertia_polar * speed,
+            _ => 0.0,
+        };
+        self.damping.entry(row, column) + gyroscopic
+    }
+
     /// Force of the shaft against the damping of all contacts, N and N m.
     pub(super) fn contact_damping(
         &self,

@@ -180,7 +180,7 @@ impl Rotor {
     fn shapes(&self, eigenvalue: Complex<f64>, count: usize) -> DMatrix<Complex<f64>> {
         let dynamic = DMatrix::from_fn(self.kept, self.kept, |row, column| {
             let weight = (self.inverse_mass[row] * self.inverse_mass[column]).sqrt();
-            let rate = self.damping.entry(row, column) + self.gyroscopic_entry(row, column);
+            let rate = self.rate_entry(row, column, self.speed());
             let inertia = if row == column {
                 eigenvalue * eigenvalue
             } else {
@@ -210,16 +210,6 @@ impl Rotor {
         form
     }
 
-    /// Entry of the gyroscopic coupling ωG of the tilts, N m s/rad.
-    fn gyroscopic_entry(&self, row: usize, column: usize) -> f64 {
-        let coupling = self.inertia_polar * self.speed();
-        match (row, column) {
-            (3, 4) => coupling,
-            (4, 3) => -coupling,
-            _ => 0.0,
-        }
-    }
-
     /// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = M^½ q: in these units, ω₀ the highest frequency of a freedom
     /// by itself, its entries are of one size, and its eigenvalues lose no digits.
     fn state_matrix(&self) -> DMatrix<f64> {
@@ -228,7 +218,7 @@ impl Rotor {
             let weight = (self.inverse_mass[row] * self.inverse_mass[column]).sqrt();
             [
                 self.equilibrium.stiffness[(row, column)] * weight,
-                (self.damping.entry(row, column) + self.gyroscopic_entry(row, column)) * weight,
+                self.rate_entry(row, column, self.speed()) * weight,
             ]
         };
         let largest = (0..kept).map(|axis| entry(axis, axis)[0].abs());

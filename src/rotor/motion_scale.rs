@@ -140,11 +140,6 @@ impl Rotor {
     /// `|(K − ω²M + iω(C + ΩG))⁻¹ F|`; none at an undamped resonance.
     fn amplitudes(&self, force: &[Complex<f64>; FREEDOMS], omega: f64, speed: f64) -> Vec<f64> {
         let kept = self.kept;
-        let gyroscopic = |row: usize, column: usize| match (row, column) {
-            (3, 4) => self.inertia_polar * speed,
-            (4, 3) => -self.inertia_polar * speed,
-            _ => 0.0,
-        };
         let stiffness = &self.equilibrium.stiffness;
         let dynamic = DMatrix::from_fn(kept, kept, |row, column| {
             let inertia = if row == column {
@@ -152,8 +147,8 @@ impl Rotor {
             } else {
                 0.0
             };
-            let resisting = self.damping.entry(row, column) + gyroscopic(row, column);
-            Complex::new(stiffness[(row, column)] - inertia, omega * resisting)
+            let rate = self.rate_entry(row, column, speed);
+            Complex::new(stiffness[(row, column)] - inertia, omega * rate)
         });
         let force = DVector::from_column_slice(&force[..kept]);
         let response = dynamic.lu().solve(&force);

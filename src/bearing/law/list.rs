@@ -49,16 +49,6 @@ impl Law {
         })
     }
 
-    /// Plain Hertz contacts of the same bearing: a cheap neighbour of the costly laws; none of themselves.
-    pub fn coarse(
-        &self,
-        definition: &MountedBearing,
-        contacts: &[HertzContact; 2],
-    ) -> Option<Self> {
-        let dry = || Self::Hertz(HertzLaw::between(&definition.bearing, contacts));
-        (!matches!(self, Self::Hertz(_))).then(dry)
-    }
-
     /// Whether it costs so little that a table of it would gain nothing.
     pub fn is_cheap(&self) -> bool {
         matches!(self, Self::Hertz(_))
