@@ -3,9 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ContactDamping, Geometry, GeometryError, Oil};
+use super::{ContactDamping, ContactLaw, Geometry, GeometryError, Oil};
 use crate::physics::{
-    HertzContact, HertzError, Material, RaceControl, contact_modulus, inner_race_curvature,
+    HertzContact, HertzError, Material, contact_modulus, inner_race_curvature,
     outer_race_curvature, series_stiffness,
 };
 
@@ -167,17 +167,6 @@ impl Bearing {
     fn modulus(&self) -> f64 {
         contact_modulus(&self.ball_material, &self.ring_material)
     }
-}
-
-/// Force law between the rings.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ContactLaw {
-    /// F = F0 + K (q − q0): the law `Hertz`, frozen at the static equilibrium.
-    Linear,
-    /// Hertz contact of each ball with both races in series, ball inertia neglected.
-    Hertz,
-    /// Jones's ball equilibrium with centrifugal force and gyroscopic moment.
-    Jones(RaceControl),
 }
 
 /// Which way along Z the inner ring must move to load the bearing.

@@ -37,14 +37,14 @@ pub(crate) use assessment::LOADED_SHARE;
 pub use contact_band::ContactBand;
 pub use contact_damping::ContactDamping;
 pub use definition::{
-    Bearing, BearingError, ContactLaw, Facing, LIMITING_SPEED_FACTOR, MountedBearing, Preload,
+    Bearing, BearingError, Facing, LIMITING_SPEED_FACTOR, MountedBearing, Preload,
 };
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use law::{
     Ball, BallContact, BallForce, BallLaw, BallRegion, BallResponse, BallState, BallTable,
-    BallTangent, ContactSpring, DryRaces, FilmSpring, FilmThickness, ForceLaw, HertzFilmLaw,
-    HertzLaw, HertzSpring, JonesFilmLaw, JonesLaw, LubricatedRaces, RaceFilms, Races, TableError,
-    TableReport,
+    BallTangent, ContactLaw, ContactSpring, DryRaces, FilmSpring, FilmThickness, ForceLaw,
+    HertzFilmLaw, HertzLaw, HertzSpring, JonesFilmLaw, JonesLaw, LubricatedRaces, RaceFilms, Races,
+    TableError, TableReport,
 };
 pub use life::{RatingLife, reference_rating_life};
 pub use oil::Oil;

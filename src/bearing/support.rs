@@ -236,11 +236,7 @@ impl Support {
     /// Whether the force is the derivative of [`Support::stored_energy`], the speed being steady or
     /// not.
     pub fn has_potential(&self, steady: bool) -> bool {
-        match self.definition().law {
-            ContactLaw::Linear => true,
-            ContactLaw::Hertz => steady || self.definition().oil.is_none(),
-            ContactLaw::Jones(_) => false,
-        }
+        self.frozen.is_some() || self.law.has_potential(steady)
     }
 
     /// Nominal speed of the cage over that of the shaft.

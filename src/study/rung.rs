@@ -65,8 +65,9 @@ impl From<&MountedBearing> for Rung {
             (ContactLaw::Linear, _) => Self::Linear,
             (ContactLaw::Hertz, false) => Self::Hertz,
             (ContactLaw::Hertz, true) => Self::HertzFilm,
-            (ContactLaw::Jones(_), false) => Self::Jones,
-            (ContactLaw::Jones(_), true) => Self::JonesFilm,
+            // what is none of the cheaper ones counts as exact
+            (_, false) => Self::Jones,
+            (_, true) => Self::JonesFilm,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The laws of one ball: from the position of the inner groove centre to loads and forces.
 //!
-//! [`BallLaw`] is what a law is; each law is a file or a folder here and a line in `list`. Outside this folder
-//! nothing knows how a contact bears.
+//! [`BallLaw`] is what a law is; each law is a file or a folder here, a variant of [`ContactLaw`] and of the one list
+//! of laws below. Outside this folder nothing knows how a contact bears.
 
 mod film_shares;
 mod film_spring;
@@ -9,7 +9,6 @@ mod hertz;
 mod hertz_film;
 mod jones;
 mod law;
-mod list;
 mod races;
 mod spring;
 mod table;
@@ -20,7 +19,103 @@ pub use hertz::HertzLaw;
 pub use hertz_film::HertzFilmLaw;
 pub use jones::{BallState, JonesFilmLaw, JonesLaw};
 pub use law::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ForceLaw};
-pub(super) use list::{Law, with_law};
 pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
 pub use spring::{ContactSpring, HertzSpring};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
+
+use super::{BearingError, MountedBearing, Thrust};
+use crate::physics::{HertzContact, RaceControl};
+
+/// Force law between the rings.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContactLaw {
+    /// F = F0 + K (q − q0): the law `Hertz`, frozen at the static equilibrium.
+    Linear,
+    /// Hertz contact of each ball with both races in series, ball inertia neglected.
+    Hertz,
+    /// Jones's ball equilibrium with centrifugal force and gyroscopic moment.
+    Jones(RaceControl),
+}
+
+/// The law is chosen once a call; the loop over the balls is compiled for each.
+#[derive(Debug, Clone)]
+pub(in crate::bearing) enum Law {
+    Hertz(HertzLaw),
+    HertzFilm(HertzFilmLaw),
+    Jones(JonesLaw<DryRaces>),
+    JonesFilm(JonesLaw<LubricatedRaces>),
+}
+
+/// Evaluates an expression for the law inside.
+macro_rules! with_law {
+    ($any:expr, $law:ident => $value:expr) => {
+        match $any {
+            $crate::bearing::law::Law::Hertz($law) => $value,
+            $crate::bearing::law::Law::HertzFilm($law) => $value,
+            $crate::bearing::law::Law::Jones($law) => $value,
+            $crate::bearing::law::Law::JonesFilm($law) => $value,
+        }
+    };
+}
+pub(in crate::bearing) use with_law;
+
+impl Law {
+    /// The law of a mounted bearing with its [`crate::bearing::Bearing::contacts`], fastest at `speed` in rad/s. A
+    /// linear bearing is one of Hertz contacts until it is frozen.
+    pub fn new(
+        definition: &MountedBearing,
+        contacts: &[HertzContact; 2],
+        speed: f64,
+    ) -> Result<Self, BearingError> {
+        let bearing = &definition.bearing;
+        Ok(match (definition.law, definition.oil) {
+            (ContactLaw::Linear | ContactLaw::Hertz, None) => {
+                Self::Hertz(HertzLaw::between(bearing, contacts))
+            }
+            (ContactLaw::Linear | ContactLaw::Hertz, Some(oil)) => {
+                Self::HertzFilm(HertzFilmLaw::new(bearing, oil, speed)?)
+            }
+            (ContactLaw::Jones(control), None) => Self::Jones(JonesLaw::new(bearing, control)?),
+            (ContactLaw::Jones(control), Some(oil)) => {
+                Self::JonesFilm(JonesFilmLaw::with_film(bearing, control, oil, speed)?)
+            }
+        })
+    }
+
+    /// Whether it costs so little that a table of it would gain nothing.
+    pub fn is_cheap(&self) -> bool {
+        matches!(self, Self::Hertz(_))
+    }
+
+    /// Whether the force of its balls is not smooth where they lift off.
+    pub fn lifts_off(&self) -> bool {
+        fn of<L: BallLaw>(_: &L) -> bool {
+            L::LIFTS_OFF
+        }
+        with_law!(self, law => of(law))
+    }
+
+    /// Whether the force of its balls has a potential, at a steady speed or one that changes.
+    pub fn has_potential(&self, steady: bool) -> bool {
+        !self.has_inertia() && (steady || with_law!(self, law => law.films()).is_none())
+    }
+
+    /// Whether its balls have inertia: where they lift off then depends on the speed.
+    pub fn has_inertia(&self) -> bool {
+        fn of<L: BallLaw>(_: &L) -> bool {
+            L::HAS_INERTIA
+        }
+        with_law!(self, law => of(law))
+    }
+
+    /// Axial displacement under a centred thrust at a speed.
+    pub fn thrust_displacement(
+        &self,
+        definition: &MountedBearing,
+        thrust: f64,
+        speed: f64,
+    ) -> Result<f64, BearingError> {
+        let geometry = &definition.bearing.geometry;
+        with_law!(self, law => Thrust::new(geometry, law).displacement(thrust, speed))
+    }
+}
