@@ -12,9 +12,9 @@
 //! | [`report`] | results → CSV, JSON, SVG |
 //! | [`scenario`] | text → checked, typed model; units; every message |
 //! | [`study`] | many static questions in a row; speed against error; the law that a scene needs |
-//! | [`mod@simulate`] | the stair: a model in, a run out |
-//! | [`mod@steady`] | the stair past the wait: a model in, the motion that it settles to out |
-//! | [`mod@quasi_static`] | the other stair: a static question in, an answer out; no time passes |
+//! | [`mod@simulate`] | a model in, a run out |
+//! | [`mod@steady`] | a model in, the motion that it settles to out |
+//! | [`mod@quasi_static`] | a static question in, an answer out; no time passes |
 //! | [`analysis`] | samples → spectra, peaks and their causes, kinds of motion, maps of run-ups |
 //! | [`rotor`] | shaft, loads, speed, supports → derivative |
 //! | [`shooting`] | the map over a period → motions that repeat, their stability, their branches |
@@ -22,9 +22,10 @@
 //! | [`bearing`] | geometry, catalogue, ball laws, ring sum, equilibrium, stiffness |
 //! | [`physics`] | closed-form laws: material, curvature, Hertz contact, kinematics |
 //!
-//! The seam that carries the design is [`bearing::BallLaw`]: a pure function from the place of a
-//! ball's inner groove centre to the force there and its exact derivative. A [`bearing::Ring`] sums
-//! it over the balls; the [`rotor::Rotor`] never knows which law runs.
+//! The seam that carries the design is [`bearing::BallLaw`]: a pure function from the position of a
+//! ball's inner groove centre to the force there, written once for plain numbers, for balls side by side and for
+//! numbers with slopes. A [`bearing::Ring`] places the balls and sums over them; the [`rotor::Rotor`], one
+//! [`integrate::System`], never knows which law runs.
 //!
 //! [`seed_paper`] holds no code: it says figure by figure where the paper that the crate started from
 //! and this crate agree, and where they cannot.

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 use std::fmt;
 
-use super::load::{BaseAcceleration, Harmonic, Pace, Shock};
-use super::{Load, LoadKind, Rotor};
+use super::{LoadKind, Rotor};
 
 /// What repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,8 +100,9 @@ impl Rotor {
             }
         }
         for (number, load) in self.loads.iter().enumerate() {
-            let repeated =
-                repetition(load, speed).map_err(|what| Unrepeated::Load { number, what })?;
+            let repeated = load
+                .repetition(speed)
+                .map_err(|what| Unrepeated::Load { number, what })?;
             if let Some((frequency, from)) = repeated {
                 add(ForcingCause::Load { number }, frequency, from);
             }
@@ -133,38 +133,4 @@ impl Rotor {
         });
         sprockets.map(|order| order * speed / TAU).collect()
     }
-}
-
-/// Angular frequency and begin of a load that repeats; none where it does not act.
-fn repetition(load: &Load, speed: f64) -> Result<Option<(f64, f64)>, &'static str> {
-    match &load.kind {
-        LoadKind::Harmonic(harmonic) | LoadKind::Base(BaseAcceleration::Harmonic(harmonic)) => {
-            Ok(of_harmonic(harmonic, speed))
-        }
-        LoadKind::Shock(shock) | LoadKind::Base(BaseAcceleration::Shock(shock)) => of_shock(shock),
-        LoadKind::Sprocket(sprocket) => {
-            let swing = sprocket.swing();
-            Ok(Some((swing.order * speed, 0.0)))
-        }
-        LoadKind::RandomShocks(_) => Err("a series of random shocks"),
-        LoadKind::Noise(_) => Err("noise"),
-        LoadKind::Series(_) => Err("a series of values"),
-    }
-}
-
-fn of_harmonic(harmonic: &Harmonic, speed: f64) -> Option<(f64, f64)> {
-    let frequency = match harmonic.pace {
-        Pace::Frequency(frequency) => TAU * frequency,
-        Pace::Order(order) => order * speed,
-    };
-    let acts = harmonic.amplitude.iter().any(|part| *part != 0.0);
-    acts.then_some((frequency, 0.0))
-}
-
-fn of_shock(shock: &Shock) -> Result<Option<(f64, f64)>, &'static str> {
-    if shock.peak.iter().all(|part| *part == 0.0) {
-        return Ok(None);
-    }
-    let every = shock.every.ok_or("a single shock")?;
-    Ok(Some((TAU / every, shock.start)))
 }

@@ -51,7 +51,16 @@ impl Harmonic {
         self.amplitude.map(|amplitude| amplitude * cos)
     }
 
-    /// Its amplitude and pace.
+    /// Angular frequency in rad/s and begin in s at a speed of the shaft in rad/s; none where it does not act.
+    pub(super) fn repetition(&self, speed: f64) -> Option<(f64, f64)> {
+        let Swing {
+            frequency, order, ..
+        } = self.swing();
+        let acts = self.amplitude.iter().any(|part| *part != 0.0);
+        acts.then_some((frequency + order * speed, 0.0))
+    }
+
+    /// Its amplitude and frequency.
     pub fn swing(&self) -> Swing {
         let (frequency, order) = match self.pace {
             Pace::Frequency(frequency) => (TAU * frequency, 0.0),

@@ -115,6 +115,26 @@ impl Load {
         }
     }
 
+    /// Angular frequency in rad/s and begin in s of a load that repeats, at a speed of the shaft in rad/s; none where it
+    /// does not act.
+    ///
+    /// # Errors
+    /// What it is, where it does not repeat.
+    pub(super) fn repetition(&self, speed: f64) -> Result<Option<(f64, f64)>, &'static str> {
+        match &self.kind {
+            LoadKind::Harmonic(harmonic) | LoadKind::Base(BaseAcceleration::Harmonic(harmonic)) => {
+                Ok(harmonic.repetition(speed))
+            }
+            LoadKind::Shock(shock) | LoadKind::Base(BaseAcceleration::Shock(shock)) => {
+                shock.repetition()
+            }
+            LoadKind::Sprocket(sprocket) => Ok(Some((sprocket.swing().order * speed, 0.0))),
+            LoadKind::RandomShocks(_) => Err("a series of random shocks"),
+            LoadKind::Noise(_) => Err("noise"),
+            LoadKind::Series(_) => Err("a series of values"),
+        }
+    }
+
     /// The first time after `after` at which the load or its slope jumps, s.
     pub fn next_break(&self, after: f64) -> f64 {
         match &self.kind {

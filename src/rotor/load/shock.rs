@@ -1,6 +1,6 @@
 //! Half-sine shocks.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use super::{Swing, earliest};
 use crate::bearing::Vector5;
@@ -59,6 +59,18 @@ impl Shock {
             }
             _ => self.start,
         }
+    }
+
+    /// Angular frequency in rad/s and begin in s; none where it does not act.
+    ///
+    /// # Errors
+    /// What it is, where it does not repeat.
+    pub(super) fn repetition(&self) -> Result<Option<(f64, f64)>, &'static str> {
+        if self.peak.iter().all(|part| *part == 0.0) {
+            return Ok(None);
+        }
+        let every = self.every.ok_or("a single shock")?;
+        Ok(Some((TAU / every, self.start)))
     }
 
     /// A steady vibration of the same peak and half period.
