@@ -1,6 +1,6 @@
 //! Slopes of the shaft's equations of motion, for implicit methods.
 
-use nalgebra::DMatrix;
+use nalgebra::{ArrayStorage, DMatrix};
 
 use super::{FREEDOMS, Rotation, Rotor};
 use crate::bearing::{Geometry, Matrix5, Support, Vector5};
@@ -8,6 +8,11 @@ use crate::integrate::System;
 
 /// Time over which the change of a load is looked at, s.
 const LOAD_RATE_STEP: f64 = 1e-8;
+/// Steps over which the damping of the contacts is looked at, m and m/s: short against the approach
+/// of a contact and its rate, long against round-off.
+const PLACE_STEP: f64 = 1e-10;
+const RATE_STEP: f64 = 1e-7;
+
 /// Relative step of the differences that stand for slopes: the cube root of round-off.
 const STEP: f64 = 6e-6;
 /// Time over which the change of the right-hand side is looked at, s.
@@ -17,8 +22,18 @@ const APPROACH: f64 = 1e-5;
 /// A usual angular frequency, rad/s.
 const RATE: f64 = 1e3;
 
+/// Slopes of the force against the damping of the contacts.
+struct DampingSlopes {
+    /// ∂F/∂q at a fixed velocity.
+    by_place: Matrix5,
+    /// ∂F/∂q̇.
+    by_rate: Matrix5,
+    /// ∂F/∂t at a fixed place and velocity: the cage turns.
+    by_time: Vector5,
+}
+
 impl Rotor {
-    /// Writes the slopes of the derivative by the state and by the time where no contact is damped.
+    /// Writes the slopes of the derivative by the state and by the time.
     pub(super) fn linearise(
         &self,
         time: f64,
@@ -48,10 +63,22 @@ impl Rotor {
             by_time[kept + 3] -= change * state[kept + 4];
             by_time[kept + 4] += change * state[kept + 3];
         }
+        if self.contacts_damped {
+            let velocity = self.full(&[0.0; FREEDOMS], &state[kept..]);
+            let slopes = self.contact_damping_slopes(time, &displacement, &velocity);
+            for row in 0..kept {
+                let inverse_mass = self.inverse_mass[row];
+                for column in 0..kept {
+                    jacobian[(kept + row, column)] -= slopes.by_place[(row, column)] * inverse_mass;
+                    jacobian[(kept + row, kept + column)] -=
+                        slopes.by_rate[(row, column)] * inverse_mass;
+                }
+                by_time[kept + row] -= slopes.by_time[row] * inverse_mass;
+            }
+        }
     }
 
-    /// Slopes of all states by central differences: exact slopes of powers, and of the damping of contacts, are not worth
-    /// their code.
+    /// Slopes of all states by central differences: exact slopes of powers are not worth their code.
     pub(super) fn linearise_by_differences(
         &self,
         time: f64,
@@ -109,6 +136,56 @@ impl Rotor {
             }
         });
         (stiffness, rate)
+    }
+
+    /// Slopes of the force against the damping of all contacts, by central differences: the force is smooth and, until
+    /// a contact parts, linear in the rate.
+    fn contact_damping_slopes(
+        &self,
+        time: f64,
+        displacement: &Vector5,
+        velocity: &Vector5,
+    ) -> DampingSlopes {
+        let rotation = self.speed.at(time);
+        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
+        let lever = |axis: usize| if axis < 3 { 1.0 } else { arm };
+        let moved = |vector: &Vector5, axis: usize, step: f64| {
+            let mut moved = *vector;
+            moved[axis] += step;
+            moved
+        };
+        let slope = |up: Vector5, down: Vector5, step: f64| -> Vector5 {
+            std::array::from_fn(|row| (up[row] - down[row]) / (2.0 * step))
+        };
+        let by_place = |axis: usize| {
+            let step = PLACE_STEP / lever(axis);
+            let at =
+                |step| self.contact_damping(&moved(displacement, axis, step), velocity, &rotation);
+            slope(at(step), at(-step), step)
+        };
+        let by_rate = |axis: usize| {
+            let step = RATE_STEP / lever(axis);
+            let at =
+                |step| self.contact_damping(displacement, &moved(velocity, axis, step), &rotation);
+            slope(at(step), at(-step), step)
+        };
+        let later =
+            |step: f64| self.contact_damping(displacement, velocity, &self.speed.at(time + step));
+        let (now, half, full) = (
+            later(0.0),
+            later(0.5 * LOAD_RATE_STEP),
+            later(LOAD_RATE_STEP),
+        );
+        let columns = |column: &dyn Fn(usize) -> Vector5| {
+            Matrix5::from_array_storage(ArrayStorage(std::array::from_fn(column)))
+        };
+        DampingSlopes {
+            by_place: columns(&by_place),
+            by_rate: columns(&by_rate),
+            by_time: std::array::from_fn(|axis| {
+                (4.0 * half[axis] - 3.0 * now[axis] - full[axis]) / LOAD_RATE_STEP
+            }),
+        }
     }
 
     /// Time derivative of the forces on the shaft that do not come from bearings: unbalance exactly,

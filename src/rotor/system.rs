@@ -37,7 +37,7 @@ impl System for Rotor {
         jacobian: &mut DMatrix<f64>,
         by_time: &mut [f64],
     ) {
-        if self.is_augmented() || self.contacts_damped {
+        if self.is_augmented() {
             self.linearise_by_differences(time, state, jacobian, by_time);
         } else {
             self.linearise(time, state, jacobian, by_time);
