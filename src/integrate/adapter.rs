@@ -18,7 +18,8 @@ use ode_solvers::dop_shared::{IntegrationError, OutputType, Stats};
 use ode_solvers::{DVector, Dop853, Dopri5, System as LibrarySystem};
 
 use super::block::{Block, Outcome};
-use super::stiffness::stiffness;
+use super::rosenbrock::LOCAL_PART;
+use super::stiffness::{is_check_due, stiffness};
 use super::{Counters, IntegrateError, Method, States};
 
 /// Evaluations after an accepted step's own that dense output may add, and that one itself.
@@ -67,7 +68,7 @@ pub(super) fn integrate(method: LibraryMethod, block: &Block<'_>, start: &[f64])
     };
     let dx = block.interval / time_scale;
     let end = dx * block.intervals as f64;
-    let tolerance = block.local_tolerance();
+    let tolerance = LOCAL_PART * block.problem.settings.tolerance;
     let step_limit = u32::try_from(block.steps_left).unwrap_or(u32::MAX);
     let first_step = (block.first_step / time_scale).min(end);
     macro_rules! solve {
@@ -102,12 +103,6 @@ pub(super) fn integrate(method: LibraryMethod, block: &Block<'_>, start: &[f64])
 
 /// Accepted steps between two of the library's own tests: none comes so far.
 const NO_TEST_FOR_STIFFNESS: u32 = u32::MAX;
-/// Accepted steps between two checks of whether the run comes to its end.
-const CHECK_EVERY: u64 = 1000;
-/// Part of the limit on steps that is used before a run is called hopeless: a short stiff part
-/// passes.
-const PATIENCE: f64 = 0.01;
-
 fn outcome(
     method: LibraryMethod,
     block: &Block<'_>,
@@ -161,38 +156,15 @@ fn outcome(
     }
 }
 
-/// The error that ends a run that stability keeps from its end: none where steps are as long as
-/// accuracy allows.
+/// The error that ends a run that stability keeps from its end within the limit on steps; none where steps are as long
+/// as accuracy allows.
 fn stiff(method: LibraryMethod, block: &Block<'_>, recorder: &Recorder) -> Option<IntegrateError> {
     let step = recorder.longest_late_step() * block.problem.scaling.time;
-    if step <= 0.0 {
-        return None;
-    }
-    let time = recorder.time(block);
-    let end = recorder.end.borrow();
-    let found = stiffness(
-        block,
-        method.stability_limit(),
-        time,
-        without_time(&end),
-        step,
-    )?;
-    Some(IntegrateError::Stiff {
-        needed: needed(block, recorder, time, step),
-        limit: block.problem.settings.step_limit,
-        stiffness: found,
-    })
-}
-
-/// Steps of the whole run that goes on with steps of a size.
-fn needed(block: &Block<'_>, recorder: &Recorder, time: f64, step: f64) -> f64 {
-    used(block, recorder) + (block.problem.end - time).max(0.0) / step
-}
-
-/// Steps of the whole run so far.
-fn used(block: &Block<'_>, recorder: &Recorder) -> f64 {
-    let before = block.problem.settings.step_limit - block.steps_left;
-    (before + recorder.accepted.get()) as f64
+    let (time, end) = (recorder.time(block), recorder.end.borrow());
+    let limit = method.stability_limit();
+    let deviation = block.problem.scaling.deviation(without_time(&end));
+    stiffness(&block.problem, limit, time, &deviation, step)?
+        .ending(&block.problem, recorder.steps(block))
 }
 
 fn without_time(state: &DVector<f64>) -> &[f64] {
@@ -267,6 +239,11 @@ impl Recorder {
         block.start + self.end_x.get() * block.problem.scaling.time
     }
 
+    /// Accepted steps of the whole run.
+    fn steps(&self, block: &Block<'_>) -> u64 {
+        block.problem.settings.step_limit - block.steps_left + self.accepted.get()
+    }
+
     /// The last step may be cut short by the end of the block; one of those before was not.
     fn longest_late_step(&self) -> f64 {
         self.steps.get().into_iter().fold(0.0, f64::max)
@@ -282,34 +259,17 @@ struct Bridge<'a> {
     state: RefCell<Vec<f64>>,
 }
 
-impl Bridge<'_> {
-    /// Whether stability keeps the run from ending within its limit on steps; checked now and then.
-    fn is_hopeless(&self) -> bool {
-        let (block, recorder) = (self.block, self.recorder);
-        if !recorder.accepted.get().is_multiple_of(CHECK_EVERY) {
-            return false;
-        }
-        let limit = block.problem.settings.step_limit as f64;
-        let step = recorder.longest_late_step() * block.problem.scaling.time;
-        let needed = needed(block, recorder, recorder.time(block), step);
-        if used(block, recorder) < PATIENCE * limit || needed < limit {
-            return false;
-        }
-        *recorder.hopeless.borrow_mut() = stiff(self.method, block, recorder);
-        recorder.hopeless.borrow().is_some()
-    }
-}
-
 impl LibrarySystem<f64, DVector<f64>> for Bridge<'_> {
     fn system(&self, x: f64, state: &DVector<f64>, rate: &mut DVector<f64>) {
         let own = state.len() - 1;
         let time = self.block.start + state[own] * self.block.problem.scaling.time;
-        let (rates, room) = (
-            &mut rate.as_mut_slice()[..own],
-            &mut self.state.borrow_mut(),
-        );
-        self.block
-            .scaled_derivative(time, without_time(state), room, rates);
+        let (problem, rates) = (&self.block.problem, &mut rate.as_mut_slice()[..own]);
+        let room = &mut self.state.borrow_mut();
+        problem.scaling.write_state(without_time(state), room);
+        problem.system.derivative(time, room, rates);
+        for (rate, scale) in rates.iter_mut().zip(&problem.scaling.scale) {
+            *rate *= problem.scaling.time / scale;
+        }
         let sum: f64 = rates.iter().sum();
         rate[own] = 1.0;
         self.recorder.evaluated(x, state, sum.is_finite());
@@ -317,8 +277,13 @@ impl LibrarySystem<f64, DVector<f64>> for Bridge<'_> {
 
     fn solout(&mut self, x: f64, _stale: &DVector<f64>, _rate: &DVector<f64>) -> bool {
         let accepted = self.recorder.announced(x);
-        let stop = self.block.problem.stop.load(Ordering::Relaxed);
-        self.recorder.stopped.set(stop);
-        stop || (accepted && self.is_hopeless())
+        let (block, recorder) = (self.block, self.recorder);
+        let stop = block.problem.stop.load(Ordering::Relaxed);
+        recorder.stopped.set(stop);
+        let steps = recorder.steps(block);
+        if accepted && is_check_due(&block.problem, steps - 1, steps) {
+            *recorder.hopeless.borrow_mut() = stiff(self.method, block, recorder);
+        }
+        stop || recorder.hopeless.borrow().is_some()
     }
 }

@@ -1,10 +1,8 @@
-//! Integration block by block, cut at breaks: for methods whose steps end with a block of samples.
+//! Integration block by block, cut at breaks: for the library's methods, whose steps end with a block of samples.
 
+use super::adapter::{self, LibraryMethod};
 use super::problem::Problem;
-use super::{Counters, IntegrateError, Integration, Method, SEGMENT, States, adapter, rosenbrock};
-
-/// Error allowed in one step, as a part of the error aimed at over the run: local errors add up.
-const LOCAL_PART: f64 = 0.25;
+use super::{Counters, IntegrateError, Integration, SEGMENT, States};
 
 /// A block of the grid to integrate over.
 #[derive(Clone, Copy)]
@@ -34,33 +32,11 @@ pub(super) struct Outcome {
     pub error: Option<IntegrateError>,
 }
 
-impl Block<'_> {
-    /// Error allowed in one step, relative to one plus the scaled state.
-    pub fn local_tolerance(&self) -> f64 {
-        LOCAL_PART * self.problem.settings.tolerance
-    }
-
-    /// Writes the derivative of a scaled state by scaled time, at a time in s; `state` is room for the state.
-    pub fn scaled_derivative(
-        &self,
-        time: f64,
-        scaled: &[f64],
-        state: &mut [f64],
-        rate: &mut [f64],
-    ) {
-        let scaling = self.problem.scaling;
-        scaling.write_state(scaled, state);
-        self.problem.system.derivative(time, state, rate);
-        for (rate, scale) in rate.iter_mut().zip(&scaling.scale) {
-            *rate *= scaling.time / scale;
-        }
-    }
-}
-
 impl Integration<'_> {
     /// Integrates block by block over so many grid times.
     pub(super) fn by_blocks(
         &mut self,
+        method: LibraryMethod,
         mut points: usize,
         states: &mut States,
     ) -> Result<(), IntegrateError> {
@@ -70,10 +46,10 @@ impl Integration<'_> {
             let whole = self.intervals_before_break(points.min(left));
             let before = states.len();
             let result = match whole {
-                0 => self.cut_interval(states),
+                0 => self.cut_interval(method, states),
                 _ => {
                     let start = self.grid.time(self.next);
-                    self.integrate_block(start, self.grid.interval, whole, states)
+                    self.integrate_block(method, [start, self.grid.interval], whole, states)
                 }
             };
             self.next += (states.len() - before) as u64;
@@ -86,18 +62,6 @@ impl Integration<'_> {
         Ok(())
     }
 
-    pub(super) fn block(&self, start: f64, interval: f64, intervals: usize) -> Block<'_> {
-        let used = self.counters.steps + self.counters.rejected;
-        Block {
-            problem: self.problem(),
-            start,
-            interval,
-            intervals,
-            first_step: self.step,
-            steps_left: self.settings.step_limit.saturating_sub(used),
-        }
-    }
-
     /// Number of the next intervals, up to `most`, that no break cuts.
     fn intervals_before_break(&self, most: usize) -> usize {
         let start = self.grid.time(self.next);
@@ -108,7 +72,11 @@ impl Integration<'_> {
     }
 
     /// Integrates over one interval from break to break.
-    fn cut_interval(&mut self, states: &mut States) -> Result<(), IntegrateError> {
+    fn cut_interval(
+        &mut self,
+        method: LibraryMethod,
+        states: &mut States,
+    ) -> Result<(), IntegrateError> {
         let (mut start, end) = (self.grid.time(self.next), self.grid.time(self.next + 1));
         let kept = states.len() + 1;
         while start < end {
@@ -118,7 +86,7 @@ impl Integration<'_> {
             } else {
                 end
             };
-            let result = self.integrate_block(start, stop - start, 1, states);
+            let result = self.integrate_block(method, [start, stop - start], 1, states);
             // the states at the breaks stand on no grid time
             states.resize(states.len().min(kept));
             result?;
@@ -130,16 +98,21 @@ impl Integration<'_> {
     /// Integrates over equal intervals and appends the states at their starts.
     fn integrate_block(
         &mut self,
-        start: f64,
-        interval: f64,
+        method: LibraryMethod,
+        [start, interval]: [f64; 2],
         intervals: usize,
         states: &mut States,
     ) -> Result<(), IntegrateError> {
-        let block = self.block(start, interval, intervals);
-        let outcome = match adapter::LibraryMethod::of(self.settings.method) {
-            Some(method) => adapter::integrate(method, &block, &self.scaled),
-            None => rosenbrock::integrate(&block, &self.scaled),
+        let used = self.counters.steps + self.counters.rejected;
+        let block = Block {
+            problem: self.problem(),
+            start,
+            interval,
+            intervals,
+            first_step: self.step,
+            steps_left: self.settings.step_limit.saturating_sub(used),
         };
+        let outcome = adapter::integrate(method, &block, &self.scaled);
         for scaled in outcome.states.iter() {
             self.scaling.write_state(scaled, &mut self.state);
             states.push(&self.state);
@@ -151,13 +124,5 @@ impl Integration<'_> {
         self.scaled = outcome.end;
         self.step = outcome.last_step;
         Ok(())
-    }
-
-    /// Whether the method integrates block by block.
-    pub(super) fn is_by_blocks(&self) -> bool {
-        matches!(
-            self.settings.method,
-            Method::Dopri5 | Method::Dop853 | Method::Rodas
-        )
     }
 }

@@ -88,11 +88,15 @@ impl DerefMut for Padded {
 /// Adds a factor times a chunk.
 #[inline(always)]
 pub(super) fn add_scaled(sum: &mut Chunk, factor: f64, chunk: &Chunk) {
-    *sum = std::array::from_fn(|i| sum[i] + factor * chunk[i]);
+    for (sum, value) in sum.iter_mut().zip(chunk) {
+        *sum += factor * value;
+    }
 }
 
 /// Adds a product, entry by entry.
 #[inline(always)]
 pub(super) fn add_product(sum: &mut Chunk, left: &Chunk, right: &Chunk) {
-    *sum = std::array::from_fn(|i| sum[i] + left[i] * right[i]);
+    for i in 0..WIDTH {
+        sum[i] += left[i] * right[i];
+    }
 }

@@ -3,9 +3,8 @@
 /// Part of the step that the error estimate would allow: where balls lose contact, larger ones are
 /// rejected too often.
 pub(super) const SAFETY: f64 = 0.8;
-/// Least and largest change of the size from one trial to the next.
+/// Least change of the size from one trial to the next.
 const SHRINK: f64 = 0.2;
-const GROW: f64 = 6.0;
 /// Least error that counts: growth is limited anyway.
 const LEAST_ERROR: f64 = 1e-12;
 
@@ -19,15 +18,18 @@ const LEAST_ERROR: f64 = 1e-12;
 pub(super) struct Control {
     /// Part of the step that the error estimate would allow.
     safety: f64,
+    /// Largest change of the size from one trial to the next.
+    grow: f64,
     /// Whether the latest trial was rejected.
     rejected: bool,
 }
 
 impl Control {
-    /// With a part of the step that the error estimate would allow.
-    pub fn new(safety: f64) -> Self {
+    /// With a part of the step that the error estimate would allow, and the largest change of the size.
+    pub fn new(safety: f64, grow: f64) -> Self {
         Self {
             safety,
+            grow,
             rejected: false,
         }
     }
@@ -35,7 +37,7 @@ impl Control {
     /// Factor after a good step; none above one directly after a bad one.
     pub fn accepted(&mut self, error: f64, power: i32) -> f64 {
         let growth = self.growth(error.max(LEAST_ERROR), power);
-        let most = if self.rejected { 1.0 } else { GROW };
+        let most = if self.rejected { 1.0 } else { self.grow };
         self.rejected = false;
         growth.clamp(SHRINK, most)
     }

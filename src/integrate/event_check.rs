@@ -1,6 +1,7 @@
 //! Where a state lies between the event surfaces, and the error of a step over one.
 
 use super::System;
+use super::chunks::Padded;
 use super::problem::Problem;
 
 /// Part of the distance of the nearest event surface within which no further check is made: within a step
@@ -14,7 +15,7 @@ const CROSSED_AT_END: f64 = 0.4;
 #[derive(Debug, Clone)]
 pub(super) struct EventCheck {
     time: f64,
-    state: Vec<f64>,
+    pub state: Padded,
     /// How far the state is past each surface.
     pub values: Vec<f64>,
     /// Least distance of a surface; zero where nothing is known.
@@ -27,7 +28,7 @@ impl EventCheck {
         let events = system.event_count();
         Self {
             time: 0.0,
-            state: vec![0.0; system.states()],
+            state: Padded::zeros(system.states()),
             values: vec![0.0; events],
             nearest: if events == 0 { f64::INFINITY } else { 0.0 },
         }
@@ -56,20 +57,6 @@ impl EventCheck {
         system.event_change([self.time, time], [&self.state, state]) < SAFE * self.nearest
     }
 
-    /// Whether it was made in a state at a time.
-    pub fn is_of(&self, time: f64, state: &[f64]) -> bool {
-        self.time == time && self.state == state
-    }
-
-    /// The event functions in a state at a time: those of the check where it was made there.
-    pub fn values_at(&self, system: &dyn System, time: f64, state: &[f64], values: &mut [f64]) {
-        if self.is_of(time, state) {
-            values.copy_from_slice(&self.values);
-        } else {
-            system.events(time, state, values);
-        }
-    }
-
     /// Whether the state is past a surface.
     pub fn is_past(&self, event: usize) -> bool {
         self.values[event].is_sign_positive()
@@ -78,14 +65,6 @@ impl EventCheck {
     /// Whether any surface lies between two states.
     pub fn differs_from(&self, other: &Self) -> bool {
         (0..self.values.len()).any(|event| self.is_past(event) != other.is_past(event))
-    }
-
-    /// Takes the numbers of another check.
-    pub fn copy_from(&mut self, other: &Self) {
-        self.time = other.time;
-        self.state.copy_from_slice(&other.state);
-        self.values.copy_from_slice(&other.values);
-        self.nearest = other.nearest;
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use super::adapter::LibraryMethod;
 use super::problem::Problem;
 use super::stepper::{Start, Stepper};
-use super::stiffness::stiffness;
+use super::stiffness::{is_check_due, stiffness};
 use super::{
     Checkpoint, CheckpointMismatch, Counters, Grid, IntegrateError, Method, MethodUse, SEGMENT,
     Scaling, Settings, States, Stiffness, System,
@@ -13,10 +13,6 @@ use super::{
 
 /// Steps between two checks for stiffness: the implicit method's trial then costs a few per cent of them.
 const CHECK_EVERY: u64 = 2000;
-/// Part of the limit on steps after which a run is checked for stiffness that keeps it from its end,
-/// time and again.
-const EARLY: f64 = 0.01;
-
 /// An integration under way: it knows its state at a grid time and how to go on.
 pub struct Integration<'a> {
     pub(super) system: &'a dyn System,
@@ -121,10 +117,9 @@ impl<'a> Integration<'a> {
         self.scaled.clone_from(&self.checkpoint.scaled);
         self.step = self.checkpoint.step;
         if self.next > 0 {
-            let deviation = self.scaling.scale.iter().zip(&self.scaled);
             let start = Start {
                 time: self.grid.time(self.next),
-                deviation: deviation.map(|(scale, scaled)| scale * scaled).collect(),
+                deviation: self.scaling.deviation(&self.scaled),
                 step: self.step,
                 counters: self.counters,
                 method_use: self.checkpoint.method_use,
@@ -179,10 +174,9 @@ impl<'a> Integration<'a> {
         let left = self.grid.count - self.next;
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
         let checks_before = self.counters.steps / CHECK_EVERY;
-        if self.is_by_blocks() {
-            self.by_blocks(points, states)?;
-        } else {
-            self.by_steps(points, states)?;
+        match LibraryMethod::of(self.settings.method) {
+            Some(method) => self.by_blocks(method, points, states)?,
+            None => self.by_steps(points, states)?,
         }
         let due = self.counters.steps / CHECK_EVERY != checks_before;
         if due && self.stiffness.is_none() && self.step < self.grid.interval {
@@ -197,14 +191,13 @@ impl<'a> Integration<'a> {
 
     /// Integrates by steps of this crate's own, which a block's end does not cut.
     fn by_steps(&mut self, points: usize, states: &mut States) -> Result<(), IntegrateError> {
-        let part = ((EARLY * self.settings.step_limit as f64) as u64).max(1);
         for _ in 0..points {
             let steps_before = self.counters.steps;
             match self.next_state() {
                 Ok(()) => {
                     states.push(&self.state);
                     self.next += 1;
-                    if steps_before / part != self.counters.steps / part {
+                    if is_check_due(&self.problem(), steps_before, self.counters.steps) {
                         self.give_up_where_stiff()?;
                     }
                 }
@@ -246,43 +239,23 @@ impl<'a> Integration<'a> {
     /// Ends a run that stability keeps from its end.
     fn give_up_where_stiff(&self) -> Result<(), IntegrateError> {
         let time = self.stepper.time();
-        let Some(stiffness) = self.find_stiffness(time) else {
-            return Ok(());
-        };
-        let left = (self.grid.time(self.grid.count) - time).max(0.0);
-        let needed = self.counters.steps as f64 + left / stiffness.step;
-        let limit = self.settings.step_limit;
-        if needed <= limit as f64 {
-            return Ok(());
-        }
-        Err(IntegrateError::Stiff {
-            stiffness,
-            needed,
-            limit,
-        })
+        let stiffness = self.find_stiffness(time);
+        let ending = |found: Stiffness| found.ending(&self.problem(), self.counters.steps);
+        stiffness.and_then(ending).map_or(Ok(()), Err)
     }
 
     fn find_stiffness(&self, time: f64) -> Option<Stiffness> {
-        let limit = self.stability_limit()?;
-        if self.step <= 0.0 {
-            return None;
-        }
-        let here = self.block(time, self.grid.interval, 1);
-        if self.is_by_blocks() {
-            return stiffness(&here, limit, time, &self.scaled, self.step);
-        }
-        let deviation = self.stepper.deviation().iter().zip(&self.scaling.scale);
-        let scaled: Vec<f64> = deviation.map(|(part, scale)| part / scale).collect();
-        stiffness(&here, limit, time, &scaled, self.step)
-    }
-
-    /// Product of step and largest eigenvalue at which the method ceases to be stable; none where it
-    /// never does.
-    fn stability_limit(&self) -> Option<f64> {
+        let (problem, step) = (self.problem(), self.step);
         match LibraryMethod::of(self.settings.method) {
-            Some(method) => Some(method.stability_limit()),
-            None if self.settings.method == Method::Rodas => None,
-            None => self.stepper.stability_limit(),
+            Some(method) => {
+                let deviation = self.scaling.deviation(&self.scaled);
+                stiffness(&problem, method.stability_limit(), time, &deviation, step)
+            }
+            None => {
+                let (limit, deviation) =
+                    (self.stepper.stability_limit()?, self.stepper.deviation());
+                stiffness(&problem, limit, time, deviation, step)
+            }
         }
     }
 }

@@ -8,13 +8,11 @@
 //! with the exact Jacobian J. Source: Hairer & Wanner, *Solving Ordinary Differential Equations II*,
 //! 2nd ed. (1996), sec. IV.7 and the code RODAS, method 1.
 
-use std::sync::atomic::Ordering;
-
 use nalgebra::{DMatrix, DVector};
 
-use super::block::{Block, Outcome};
 use super::control::Control;
-use super::{Counters, IntegrateError, States};
+use super::problem::{Problem, STRETCH};
+use super::{Counters, IntegrateError};
 
 const GAMMA: f64 = 0.25;
 const STAGES: usize = 6;
@@ -94,177 +92,182 @@ const DENSE: [[f64; 5]; 2] = [
     ],
 ];
 
+/// Error allowed in one step, as a part of the error aimed at over the run: local errors add up.
+pub(super) const LOCAL_PART: f64 = 0.25;
 /// Power of the step size that the error estimate falls with.
 const ERROR_POWER: i32 = 4;
 /// Part of the step that the error estimate would allow.
 const SAFETY: f64 = 0.9;
+/// Largest growth from step to step.
+const GROW: f64 = 6.0;
 /// First step in units of the scaling's time, where none is known.
 const FIRST_STEP: f64 = 1e-3;
 
-/// Integrates a block from a scaled state.
-pub(super) fn integrate(block: &Block<'_>, start: &[f64]) -> Outcome {
-    let mut stepper = Stepper::new(block, start);
-    let error = stepper.run().err();
-    Outcome {
-        states: stepper.states,
-        end: stepper.state.as_slice().to_vec(),
-        last_step: stepper.full_step * block.problem.scaling.time,
-        counters: stepper.counters,
-        error,
-    }
-}
-
-/// A block under way, in scaled states and scaled time from the block's start.
-struct Stepper<'a> {
-    block: &'a Block<'a>,
+/// The latest step, and how to go on, in scaled states.
+#[derive(Debug, Clone)]
+pub(super) struct RosenbrockStepper {
+    /// Start and end of the latest step, s.
+    start: f64,
     time: f64,
-    state: DVector<f64>,
-    /// Size of the next step, and of the latest one that the end of the block did not cut.
-    step: f64,
-    full_step: f64,
+    /// Size of the latest step and of the next one, s.
+    size: f64,
+    next_size: f64,
+    /// Time that no step reaches over, s.
+    limit: f64,
+    /// Scaled states at the start and at the end of the latest step, and the deviation there.
+    from: DVector<f64>,
+    to: DVector<f64>,
+    deviation: Vec<f64>,
     control: Control,
-    counters: Counters,
     /// Whether a trial since the latest good step was not finite.
     fault: bool,
-    states: States,
+    counters: Counters,
     jacobian: DMatrix<f64>,
     by_time: DVector<f64>,
     /// Stages k_i of the latest trial.
     stages: [DVector<f64>; STAGES],
     /// Room for a state.
-    room: Vec<f64>,
+    state: Vec<f64>,
 }
 
-/// An attempted step.
-struct Trial {
-    end: DVector<f64>,
-    /// Error over tolerance; a step is good at 1 or less.
-    error: f64,
-    dense: [DVector<f64>; 2],
-}
-
-impl<'a> Stepper<'a> {
-    fn new(block: &'a Block<'a>, start: &[f64]) -> Self {
-        let known = block.first_step / block.problem.scaling.time;
-        let step = if known > 0.0 { known } else { FIRST_STEP };
-        let states = start.len();
+impl RosenbrockStepper {
+    /// At a time, s, in a deviation from the origin, after so much work; a size of zero lets the first step find its
+    /// own.
+    pub fn new(
+        problem: &Problem<'_>,
+        time: f64,
+        deviation: &[f64],
+        size: f64,
+        counters: Counters,
+    ) -> Self {
+        let states = deviation.len();
+        let scaled = DVector::from_column_slice(deviation);
+        let scaled = scaled.component_div(&DVector::from_column_slice(&problem.scaling.scale));
+        let first = FIRST_STEP * problem.scaling.time;
         Self {
-            block,
-            time: 0.0,
-            state: DVector::from_column_slice(start),
-            step,
-            full_step: step,
-            control: Control::new(SAFETY),
-            counters: Counters::default(),
+            start: time,
+            time,
+            size: 0.0,
+            next_size: if size > 0.0 { size } else { first },
+            limit: time,
+            from: scaled.clone(),
+            to: scaled,
+            deviation: deviation.to_vec(),
+            control: Control::new(SAFETY, GROW),
             fault: false,
-            states: States::with_capacity(states, block.intervals),
+            counters,
             jacobian: DMatrix::zeros(states, states),
             by_time: DVector::zeros(states),
             stages: std::array::from_fn(|_| DVector::zeros(states)),
-            room: start.to_vec(),
+            state: deviation.to_vec(),
         }
     }
 
-    fn run(&mut self) -> Result<(), IntegrateError> {
-        let interval = self.block.interval / self.block.problem.scaling.time;
-        let end = interval * self.block.intervals as f64;
-        while self.time < end {
-            self.check_limits()?;
-            let cut = self.time + 1.01 * self.step >= end;
-            let size = if cut { end - self.time } else { self.step };
-            let trial = self.attempt(size);
-            if trial.error <= 1.0 {
+    /// End of the latest step, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Size of the step to come, s.
+    pub fn step_size(&self) -> f64 {
+        self.next_size
+    }
+
+    /// Deviation at the end of the latest step.
+    pub fn deviation(&self) -> &[f64] {
+        &self.deviation
+    }
+
+    /// Work done so far.
+    pub fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    /// Writes the state at a time that is neither before the start of the latest step nor after its end.
+    pub fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
+        if time >= self.time {
+            problem.write_state(&self.deviation, state);
+            return;
+        }
+        let theta = (time - self.start) / self.size;
+        let rest = 1.0 - theta;
+        let [second, third] = DENSE.map(|row| combine(&row, &self.stages));
+        let bent = (second + third * theta) * rest;
+        let scaled = &self.from * rest + (&self.to + bent) * theta;
+        problem.scaling.write_state(scaled.as_slice(), state);
+    }
+
+    /// Takes a step.
+    ///
+    /// # Errors
+    /// Why the run ends here.
+    pub fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
+        self.start = self.time;
+        self.from.copy_from(&self.to);
+        if self.time >= self.limit {
+            self.limit = problem.limit_after(self.time);
+        }
+        self.linearise(problem);
+        loop {
+            problem.check(self.start, self.next_size, &self.counters, self.fault)?;
+            let cut = self.start + STRETCH * self.next_size >= self.limit;
+            let end = if cut {
+                self.limit
+            } else {
+                self.start + self.next_size
+            };
+            self.size = end - self.start;
+            problem.check_progress([self.start, end], self.size, self.fault)?;
+            let error = self.trial(problem);
+            if error <= 1.0 {
+                let growth = self.control.accepted(error, ERROR_POWER);
+                if !cut {
+                    self.next_size = self.size * growth;
+                }
+                self.time = end;
+                self.deviation = problem.scaling.deviation(self.to.as_slice());
                 self.counters.steps += 1;
                 self.fault = false;
-                let growth = self.control.accepted(trial.error, ERROR_POWER);
-                let reached = if cut { end } else { self.time + size };
-                self.hand_out(&trial, size, reached, interval);
-                (self.time, self.state) = (reached, trial.end);
-                if !cut {
-                    self.step = size * growth;
-                    self.full_step = self.step;
-                }
-            } else {
-                self.counters.rejected += 1;
-                self.fault |= trial.error == f64::INFINITY;
-                self.step = size * self.control.rejected(trial.error, ERROR_POWER);
+                return Ok(());
             }
-        }
-        Ok(())
-    }
-
-    fn check_limits(&self) -> Result<(), IntegrateError> {
-        let problem = &self.block.problem;
-        let time = self.seconds(self.time);
-        if problem.stop.load(Ordering::Relaxed) {
-            return Err(IntegrateError::Interrupted { time });
-        }
-        if self.counters.steps + self.counters.rejected >= self.block.steps_left {
-            let limit = problem.settings.step_limit;
-            return Err(IntegrateError::StepLimit { time, limit });
-        }
-        if self.step <= 10.0 * f64::EPSILON * self.time.max(FIRST_STEP) {
-            return Err(if self.fault {
-                IntegrateError::NotFinite { time }
-            } else {
-                let step = self.step * problem.scaling.time;
-                IntegrateError::StepUnderflow { time, step }
-            });
-        }
-        Ok(())
-    }
-
-    /// Time in s at a scaled time from the block's start.
-    fn seconds(&self, time: f64) -> f64 {
-        self.block.start + time * self.block.problem.scaling.time
-    }
-
-    /// Hands out the grid points within the step that ends at `reached`.
-    fn hand_out(&mut self, trial: &Trial, size: f64, reached: f64, interval: f64) {
-        while self.states.len() < self.block.intervals {
-            let point = interval * self.states.len() as f64;
-            if point >= reached {
-                return;
-            }
-            let theta = (point - self.time) / size;
-            let rest = 1.0 - theta;
-            let bent = (&trial.dense[0] + &trial.dense[1] * theta) * rest;
-            let state = &self.state * rest + (&trial.end + bent) * theta;
-            self.states.push(state.as_slice());
+            self.counters.rejected += 1;
+            self.fault |= error == f64::INFINITY;
+            self.next_size = self.size * self.control.rejected(error, ERROR_POWER);
         }
     }
 
-    /// Takes `∂f/∂y` and `∂f/∂t` in scaled quantities.
-    fn linearise(&mut self) {
-        let (time, problem) = (self.seconds(self.time), &self.block.problem);
-        let scaling = problem.scaling;
-        scaling.write_state(self.state.as_slice(), &mut self.room);
-        let by_time = self.by_time.as_mut_slice();
-        problem
-            .system
-            .linearisation(time, &self.room, &mut self.jacobian, by_time);
+    /// Takes `∂f/∂y` and `∂f/∂t` at the start of the step, in scaled states.
+    fn linearise(&mut self, problem: &Problem<'_>) {
+        let (scaling, by_time) = (problem.scaling, self.by_time.as_mut_slice());
+        scaling.write_state(self.from.as_slice(), &mut self.state);
+        let system = problem.system;
+        system.linearisation(self.start, &self.state, &mut self.jacobian, by_time);
         scaling.scale_jacobian(&mut self.jacobian);
         for (rate, scale) in by_time.iter_mut().zip(&scaling.scale) {
-            *rate = *rate * scaling.time * scaling.time / scale;
+            *rate /= scale;
         }
     }
 
-    fn attempt(&mut self, size: f64) -> Trial {
-        self.linearise();
-        let states = self.state.len();
+    /// Tries a step; its error over what is allowed.
+    fn trial(&mut self, problem: &Problem<'_>) -> f64 {
+        let (states, size) = (self.from.len(), self.size);
         let unity = DMatrix::<f64>::identity(states, states);
         let factors = (unity / (size * GAMMA) - &self.jacobian).lu();
-        let mut argument = self.state.clone();
+        let mut argument = self.from.clone();
         for stage in 0..STAGES {
             match stage {
                 5 => argument += &self.stages[4],
-                _ => argument = &self.state + combine(&ARGUMENT[stage], &self.stages),
+                _ => argument = &self.from + combine(&ARGUMENT[stage], &self.stages),
             }
-            let time = self.seconds(self.time + NODE[stage] * size);
+            // what begins at a break is no part of a step that ends there
+            let time = (self.start + NODE[stage] * size).min(self.limit.next_down());
             let mut right = combine(&COUPLING[stage], &self.stages) / size;
-            let rate = self.stages[stage].as_mut_slice();
-            self.block
-                .scaled_derivative(time, argument.as_slice(), &mut self.room, rate);
+            let (scaling, rate) = (problem.scaling, self.stages[stage].as_mut_slice());
+            scaling.write_state(argument.as_slice(), &mut self.state);
+            problem.system.derivative(time, &self.state, rate);
+            for (rate, scale) in rate.iter_mut().zip(&scaling.scale) {
+                *rate /= scale;
+            }
             right += &self.stages[stage];
             right += &self.by_time * (size * TIME[stage]);
             // a singular matrix gives no step: the trial counts as infinitely wrong
@@ -274,18 +277,13 @@ impl<'a> Stepper<'a> {
             self.stages[stage] = right;
         }
         self.counters.evaluations += STAGES as u64;
-        let end = argument + &self.stages[5];
-        Trial {
-            error: self.error(&end),
-            dense: DENSE.map(|row| combine(&row, &self.stages)),
-            end,
-        }
+        self.to = argument + &self.stages[5];
+        self.error(LOCAL_PART * problem.settings.tolerance)
     }
 
     /// Root mean square of the error, which is the last stage, over what is allowed.
-    fn error(&self, end: &DVector<f64>) -> f64 {
-        let tolerance = self.block.local_tolerance();
-        let sizes = self.state.iter().zip(end.iter());
+    fn error(&self, tolerance: f64) -> f64 {
+        let sizes = self.from.iter().zip(self.to.iter());
         let errors = self.stages[STAGES - 1].iter().zip(sizes);
         let sum: f64 = errors
             .map(|(error, (from, to))| {
@@ -293,7 +291,7 @@ impl<'a> Stepper<'a> {
                 (error / (tolerance * (1.0 + size))).powi(2)
             })
             .sum();
-        let norm = (sum / end.len() as f64).sqrt();
+        let norm = (sum / self.to.len() as f64).sqrt();
         if norm.is_nan() { f64::INFINITY } else { norm }
     }
 }

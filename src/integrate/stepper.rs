@@ -4,6 +4,7 @@ use super::auto::{Choice, MethodUse};
 use super::explicit::{ExplicitStepper, STABILITY};
 use super::exponential::ExponentialStepper;
 use super::problem::Problem;
+use super::rosenbrock::RosenbrockStepper;
 use super::{Counters, IntegrateError, Method};
 
 /// The stepper of a method of this crate, whose steps do not end with a block of samples.
@@ -20,14 +21,16 @@ pub(super) struct Stepper {
 enum Of {
     Explicit(Box<ExplicitStepper>),
     Exponential(Box<ExponentialStepper>),
+    Rosenbrock(Box<RosenbrockStepper>),
 }
 
-/// The same of either.
-macro_rules! either {
+/// The same of each.
+macro_rules! each {
     ($of:expr, $stepper:ident => $value:expr) => {
         match $of {
             Of::Explicit($stepper) => $value,
             Of::Exponential($stepper) => $value,
+            Of::Rosenbrock($stepper) => $value,
         }
     };
 }
@@ -56,13 +59,21 @@ impl Of {
             counters,
             ..
         } = *start;
-        if method == Method::Exponential {
-            let times = [time, interval];
-            let stepper = ExponentialStepper::new(problem, times, deviation, step, counters);
-            return Self::Exponential(Box::new(stepper));
+        match method {
+            Method::Exponential => {
+                let times = [time, interval];
+                let stepper = ExponentialStepper::new(problem, times, deviation, step, counters);
+                Self::Exponential(Box::new(stepper))
+            }
+            Method::Rodas => {
+                let stepper = RosenbrockStepper::new(problem, time, deviation, step, counters);
+                Self::Rosenbrock(Box::new(stepper))
+            }
+            _ => {
+                let stepper = ExplicitStepper::new(problem, time, deviation, step, counters);
+                Self::Explicit(Box::new(stepper))
+            }
         }
-        let stepper = ExplicitStepper::new(problem, time, deviation, step, counters);
-        Self::Explicit(Box::new(stepper))
     }
 }
 
@@ -90,17 +101,13 @@ impl Stepper {
         while self.time() < time {
             self.step(problem)?;
         }
-        either!(&mut self.of, stepper => stepper.state_within(problem, time, state));
+        each!(&mut self.of, stepper => stepper.state_within(problem, time, state));
         Ok(())
     }
 
     fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
-        let stepper = match &mut self.of {
-            Of::Explicit(stepper) => return stepper.step(problem),
-            Of::Exponential(stepper) => stepper,
-        };
-        let Some(choice) = &mut self.choice else {
-            return stepper.step(problem);
+        let (Of::Exponential(stepper), Some(choice)) = (&mut self.of, &mut self.choice) else {
+            return each!(&mut self.of, stepper => stepper.step(problem));
         };
         let ending = stepper.step(problem);
         if choice.is_over(ending, stepper.time(), stepper.crossed())? {
@@ -119,10 +126,7 @@ impl Stepper {
 
     /// Product of step and largest eigenvalue at which the method ceases to be stable; none where nothing holds it.
     pub fn stability_limit(&self) -> Option<f64> {
-        match self.of {
-            Of::Explicit(_) => Some(STABILITY),
-            Of::Exponential(_) => None,
-        }
+        matches!(self.of, Of::Explicit(_)).then_some(STABILITY)
     }
 
     /// Which method carried the run, where the choice is left open.
@@ -132,16 +136,16 @@ impl Stepper {
 
     /// End of the latest step, s.
     pub fn time(&self) -> f64 {
-        either!(&self.of, stepper => stepper.time())
+        each!(&self.of, stepper => stepper.time())
     }
 
     /// Deviation at the end of the latest step.
     pub fn deviation(&self) -> &[f64] {
-        either!(&self.of, stepper => stepper.deviation())
+        each!(&self.of, stepper => stepper.deviation())
     }
 
     /// Work done so far, and the size of the latest step or of the one to come, s.
     pub fn progress(&self) -> (Counters, f64) {
-        either!(&self.of, stepper => (stepper.counters(), stepper.step_size()))
+        each!(&self.of, stepper => (stepper.counters(), stepper.step_size()))
     }
 }

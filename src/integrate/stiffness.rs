@@ -7,10 +7,9 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::DMatrix;
 use nalgebra::linalg::Schur;
 
-use super::block::Block;
 use super::problem::Problem;
-use super::rosenbrock;
-use super::{Method, Settings};
+use super::rosenbrock::RosenbrockStepper;
+use super::{Counters, IntegrateError, Settings};
 
 /// Part of the stability limit from which on a step counts as held by it: step sizes swing below it.
 const NEAR: f64 = 0.5;
@@ -40,26 +39,48 @@ pub struct Stiffness {
     pub implicit_step: f64,
 }
 
-/// Checks for stiffness in a scaled state at a time, where an explicit method that is stable up to
+/// Part of the limit on steps after which a run is checked for stiffness that keeps it from its end, time and again.
+const EARLY: f64 = 0.01;
+
+/// Whether a run that went from so many steps to so many is to be checked for stiffness that keeps it from its end.
+pub(super) fn is_check_due(problem: &Problem<'_>, before: u64, now: u64) -> bool {
+    let part = ((EARLY * problem.settings.step_limit as f64) as u64).max(1);
+    before / part != now / part
+}
+
+impl Stiffness {
+    /// The error that ends a run after so many steps: none where the limit on them lets it come to its end.
+    pub(super) fn ending(self, problem: &Problem<'_>, steps: u64) -> Option<IntegrateError> {
+        let left = (problem.end - self.time).max(0.0);
+        let (needed, limit) = (steps as f64 + left / self.step, problem.settings.step_limit);
+        (needed > limit as f64).then_some(IntegrateError::Stiff {
+            stiffness: self,
+            needed,
+            limit,
+        })
+    }
+}
+
+/// Checks for stiffness in a deviation from the origin at a time, where an explicit method that is stable up to
 /// `limit` = step × eigenvalue takes steps of size `step`.
 ///
 /// The eigenvalue alone does not tell: a fine tolerance may need the same short steps for accuracy.
 /// So the implicit method is tried from here, and it is stiffness only where its steps are longer.
 pub(super) fn stiffness(
-    block: &Block<'_>,
+    problem: &Problem<'_>,
     limit: f64,
     time: f64,
-    scaled: &[f64],
+    deviation: &[f64],
     step: f64,
 ) -> Option<Stiffness> {
-    let Problem {
-        system, scaling, ..
-    } = block.problem;
-    let mut jacobian = DMatrix::zeros(scaled.len(), scaled.len());
-    let mut by_time = vec![0.0; scaled.len()];
-    system.linearisation(time, &scaling.state(scaled), &mut jacobian, &mut by_time);
-    scaling.scale_jacobian(&mut jacobian);
-    let held = NEAR * limit * scaling.time / step;
+    let states = deviation.len();
+    let (mut jacobian, mut by_time) = (DMatrix::zeros(states, states), vec![0.0; states]);
+    let mut state = by_time.clone();
+    problem.write_state(deviation, &mut state);
+    let system = problem.system;
+    system.linearisation(time, &state, &mut jacobian, &mut by_time);
+    problem.scaling.scale_jacobian(&mut jacobian);
+    let held = NEAR * limit / step;
     // no eigenvalue exceeds the norm, which costs nothing
     let norm = jacobian.norm();
     if !norm.is_finite() || norm < held {
@@ -69,11 +90,11 @@ pub(super) fn stiffness(
     if eigenvalue < held {
         return None;
     }
-    let implicit_step = implicit_step(block, time, scaled, step);
-    (implicit_step >= WORTH * step).then(|| Stiffness {
+    let implicit_step = implicit_step(problem, time, deviation, step);
+    (implicit_step >= WORTH * step).then_some(Stiffness {
         time,
         step,
-        eigenvalue: eigenvalue / scaling.time,
+        eigenvalue,
         implicit_step,
     })
 }
@@ -88,23 +109,19 @@ fn largest_eigenvalue(matrix: DMatrix<f64>) -> Option<f64> {
 }
 
 /// Step size, s, that the implicit method settles at when it goes on from here for a while.
-fn implicit_step(block: &Block<'_>, time: f64, scaled: &[f64], step: f64) -> f64 {
-    let smooth = block.problem.system.next_break(time + step) - time;
+fn implicit_step(problem: &Problem<'_>, time: f64, deviation: &[f64], step: f64) -> f64 {
     let settings = Settings {
-        method: Method::Rodas,
-        ..*block.problem.settings
+        step_limit: TRIAL_STEPS,
+        ..*problem.settings
     };
-    let trial = Block {
-        problem: Problem {
-            settings: &settings,
-            stop: &GOES_ON,
-            ..block.problem
-        },
-        start: time,
-        interval: (TRIAL * step).min(smooth),
-        intervals: 1,
-        first_step: step,
-        steps_left: TRIAL_STEPS,
+    let trial = Problem {
+        settings: &settings,
+        stop: &GOES_ON,
+        end: (time + TRIAL * step).min(problem.system.next_break(time + step)),
+        ..*problem
     };
-    rosenbrock::integrate(&trial, scaled).last_step
+    let counters = Counters::default();
+    let mut stepper = RosenbrockStepper::new(&trial, time, deviation, step, counters);
+    while stepper.time() < trial.end && stepper.step(&trial).is_ok() {}
+    stepper.step_size()
 }

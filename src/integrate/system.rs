@@ -54,8 +54,8 @@ pub trait System {
         rate.fill(0.0);
     }
 
-    /// Whether the state is (q, q̇), displacements first and as many velocities after them: the motion
-    /// between two steps then follows from both ends at no cost.
+    /// Whether the state is (q, q̇), displacements first and as many velocities after them: the motion of the next step
+    /// then follows from its start.
     fn is_second_order(&self) -> bool {
         false
     }
@@ -112,11 +112,17 @@ impl Scaling {
         state.iter().zip(units).map(scaled).collect()
     }
 
-    /// `∂f/∂y` in scaled quantities, in place.
+    /// Deviation from the origin that scaled numbers stand for.
+    pub(super) fn deviation(&self, scaled: &[f64]) -> Vec<f64> {
+        let units = self.scale.iter().zip(scaled);
+        units.map(|(scale, scaled)| scale * scaled).collect()
+    }
+
+    /// `∂f/∂y` in scaled states, in place.
     pub(super) fn scale_jacobian(&self, jacobian: &mut DMatrix<f64>) {
         for (column, mut entries) in jacobian.column_iter_mut().enumerate() {
             for (row, entry) in entries.iter_mut().enumerate() {
-                *entry = *entry * self.time * self.scale[column] / self.scale[row];
+                *entry *= self.scale[column] / self.scale[row];
             }
         }
     }

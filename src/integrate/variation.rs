@@ -5,13 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use nalgebra::DMatrix;
 
-use super::explicit::ExplicitStepper;
-use super::problem::Problem;
-use super::{Counters, IntegrateError, Scaling, Settings, System};
-
-/// Distance of a break from either end of the motion, as a part of its duration, below which it counts
-/// as standing there.
-const BREAK_SLACK: f64 = 1e-9;
+use super::{
+    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, States, System,
+};
 
 /// The end of a motion and its slopes by the start.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,44 +81,40 @@ pub fn variation(
         system,
         slopes: RefCell::new((DMatrix::zeros(states, states), vec![0.0; states])),
     };
-    let scaling = augmented_scaling(scaling);
-    let problem = Problem {
-        system: &augmented,
-        scaling: &scaling,
-        settings,
-        stop,
-        end: duration,
-        slack: BREAK_SLACK * duration,
+    let grid = Grid {
+        interval: duration,
+        count: 2,
     };
-    let own = start.iter().zip(&scaling.origin);
-    let mut deviation: Vec<f64> = own.map(|(state, origin)| state - origin).collect();
-    deviation.extend_from_slice(DMatrix::<f64>::identity(states, states).as_slice());
-    let mut stepper = ExplicitStepper::new(&problem, 0.0, &deviation, 0.0, Counters::default());
-    let mut end = deviation;
-    stepper.state_at(&problem, duration, &mut end)?;
+    let settings = Settings {
+        method: Method::Verner76,
+        ..*settings
+    };
+    let mut start = start.to_vec();
+    start.extend_from_slice(DMatrix::<f64>::identity(states, states).as_slice());
+    let scaling = augmented_scaling(scaling);
+    let mut integration = Integration::new(&augmented, scaling, grid, settings, stop, &start);
+    let mut ends = States::with_capacity(start.len(), 2);
+    integration.advance(2, &mut ends)?;
+    let (end, slopes) = ends.as_slice()[start.len()..].split_at(states);
     Ok(Variation {
-        slopes: DMatrix::from_column_slice(states, states, &end[states..]),
-        end: end[..states].to_vec(),
-        counters: stepper.counters(),
+        end: end.to_vec(),
+        slopes: DMatrix::from_column_slice(states, states, slopes),
+        counters: integration.counters(),
     })
 }
 
 /// Units of the state, and of its slopes as they follow from them.
 fn augmented_scaling(scaling: &Scaling) -> Scaling {
-    let Scaling {
-        origin,
-        scale,
-        time,
-    } = scaling;
+    let scale = &scaling.scale;
     let slopes = scale
         .iter()
         .flat_map(|column| scale.iter().map(move |row| row / column));
     let states = scale.len();
-    let mut all_origins = origin.clone();
-    all_origins.resize(states + states * states, 0.0);
+    let mut origin = scaling.origin.clone();
+    origin.resize(states + states * states, 0.0);
     Scaling {
-        origin: all_origins,
+        origin,
         scale: scale.iter().copied().chain(slopes).collect(),
-        time: *time,
+        time: scaling.time,
     }
 }

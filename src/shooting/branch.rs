@@ -97,6 +97,18 @@ pub struct Branch {
     pub end: BranchEnd,
 }
 
+impl Branch {
+    /// One that ended before its first point.
+    pub fn without_points(end: BranchEnd) -> Self {
+        Self {
+            points: Vec::new(),
+            specials: Vec::new(),
+            unrefined: Vec::new(),
+            end,
+        }
+    }
+}
+
 /// Follows the branch of motions that begins near `guess` at the parameter 0.
 ///
 /// `watch` sees every point and says whether to go on.
@@ -154,16 +166,9 @@ fn follow_from(
 ) -> Result<Branch, ShootingError> {
     let mut continuer = Continuer { family, plan };
     let first = continuer.first(start)?;
-    let mut branch = Branch {
-        points: Vec::new(),
-        specials: Vec::new(),
-        unrefined: Vec::new(),
-        end: BranchEnd::Points,
-    };
-    branch.end = match continuer.along(first, &mut branch, watch) {
-        Ok(end) => end,
-        Err(error) => BranchEnd::Lost(error),
-    };
+    let mut branch = Branch::without_points(BranchEnd::Points);
+    let end = continuer.along(first, &mut branch, watch);
+    branch.end = end.unwrap_or_else(BranchEnd::Lost);
     Ok(branch)
 }
 

@@ -61,8 +61,7 @@ impl Circle {
         let strobes = places(rotation, 2 * harmonics + 1)?;
         let angles: Vec<f64> = strobes.iter().map(|j| phase(rotation, *j)).collect();
         let coefficients = basis(&angles, harmonics).try_inverse()?;
-        let moved: Vec<f64> = angles.iter().map(|angle| angle + rotation).collect();
-        let shift = basis(&moved, harmonics) * &coefficients;
+        let shift = basis(&turned(&angles, rotation), harmonics) * &coefficients;
         Some(Self {
             period,
             rotation,
@@ -116,6 +115,11 @@ impl Circle {
         &self.shift
     }
 
+    /// What takes values at the places to those a period before.
+    pub fn back(&self) -> DMatrix<f64> {
+        self.values_at(&turned(&self.angles, -self.rotation))
+    }
+
     /// Mean, and cosine and sine of every harmonic in turn, from values at the places: a matrix.
     pub fn coefficients(&self) -> &DMatrix<f64> {
         &self.coefficients
@@ -130,6 +134,10 @@ impl Circle {
     pub fn phase(&self, strobe: u64) -> f64 {
         phase(self.rotation, strobe)
     }
+}
+
+fn turned(angles: &[f64], by: f64) -> Vec<f64> {
+    angles.iter().map(|angle| angle + by).collect()
 }
 
 /// 1, cos φ, sin φ, cos 2φ, …, a row an angle.

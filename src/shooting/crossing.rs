@@ -35,61 +35,33 @@ impl fmt::Display for SpecialKind {
     }
 }
 
-/// Numbers that change their sign where a motion changes its kind.
+/// Numbers that change their sign where a motion changes its kind, in the order of the kinds: the change of the
+/// parameter along the branch, one less the largest real multiplier, one more than the least one, one less the largest
+/// magnitude of a pair, and one less the largest magnitude on a torus.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Crossing {
-    /// Change of the parameter along the branch.
-    pub turning: f64,
-    /// One less the largest real multiplier.
-    pub plus_one: f64,
-    /// One more than the least real multiplier.
-    pub minus_one: f64,
-    /// One less the largest magnitude of a pair.
-    pub pair: f64,
-    /// One less the largest magnitude on a torus.
-    pub torus: f64,
-}
+pub struct Crossing([f64; 5]);
 
 impl Crossing {
     /// The numbers of a motion whose branch changes the parameter by `turning`.
     pub fn of(multipliers: &Multipliers, turning: f64) -> Self {
-        let none = Self {
-            turning,
-            plus_one: 1.0,
-            minus_one: 1.0,
-            pair: 1.0,
-            torus: 1.0,
+        let Multipliers::Periodic(all) = multipliers else {
+            return Self([turning, 1.0, 1.0, 1.0, 1.0 - multipliers.largest()]);
         };
-        let all = match multipliers {
-            Multipliers::Torus(_) => {
-                return Self {
-                    torus: 1.0 - multipliers.largest(),
-                    ..none
-                };
-            }
-            Multipliers::Periodic(all) => all,
-        };
-        let mut found = none;
+        let (mut plus_one, mut minus_one, mut pair) = (1.0_f64, 1.0_f64, 1.0_f64);
         for value in all {
             if value.im.abs() <= REAL * value.norm() {
-                found.plus_one = found.plus_one.min(1.0 - value.re);
-                found.minus_one = found.minus_one.min(1.0 + value.re);
+                plus_one = plus_one.min(1.0 - value.re);
+                minus_one = minus_one.min(1.0 + value.re);
             } else {
-                found.pair = found.pair.min(1.0 - value.norm());
+                pair = pair.min(1.0 - value.norm());
             }
         }
-        found
+        Self([turning, plus_one, minus_one, pair, 1.0])
     }
 
     /// The number that belongs to a kind.
     pub fn of_kind(&self, kind: SpecialKind) -> f64 {
-        match kind {
-            SpecialKind::Fold => self.turning,
-            SpecialKind::Branching => self.plus_one,
-            SpecialKind::PeriodDoubling => self.minus_one,
-            SpecialKind::NeimarkSacker => self.pair,
-            SpecialKind::TorusStability => self.torus,
-        }
+        self.0[kind as usize]
     }
 
     /// What may happen between two motions of a branch.

@@ -76,17 +76,15 @@ pub(super) fn residual(
     states: &DVector<f64>,
     end: &DVector<f64>,
 ) -> DVector<f64> {
-    end - shifted(map, states)
+    end - mixed(map.circle().shift(), states, map.size())
 }
 
-/// The states where the period takes their places.
-fn shifted(map: &dyn ReturnMap, states: &DVector<f64>) -> DVector<f64> {
-    let (size, shift) = (map.size(), map.circle().shift());
-    let count = shift.nrows();
-    DVector::from_fn(size * count, |row, _| {
+/// States of so many numbers each, mixed by a matrix over the places of a closed curve.
+pub fn mixed(matrix: &DMatrix<f64>, states: &DVector<f64>, size: usize) -> DVector<f64> {
+    DVector::from_fn(size * matrix.nrows(), |row, _| {
         let (place, part) = (row / size, row % size);
-        (0..count)
-            .map(|from| shift[(place, from)] * states[size * from + part])
+        (0..matrix.ncols())
+            .map(|from| matrix[(place, from)] * states[size * from + part])
             .sum()
     })
 }

@@ -25,6 +25,6 @@ pub use branch::{
 };
 pub use circle::Circle;
 pub use crossing::{Crossing, SpecialKind};
-pub use map::{Family, Image, MapError, ReturnMap, Slopes};
+pub use map::{Family, Image, MapError, ReturnMap, Slopes, mixed};
 pub use multipliers::{Multipliers, multipliers};
 pub use newton::{Returned, ShootingError, refine, solve};

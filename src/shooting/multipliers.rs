@@ -62,12 +62,7 @@ fn sorted(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
 
 fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
     let (count, size) = (slopes.len(), slopes[0].nrows());
-    let back: Vec<f64> = circle
-        .angles()
-        .iter()
-        .map(|angle| angle - circle.rotation())
-        .collect();
-    let back = circle.values_at(&back);
+    let back = circle.back();
     let whole = DMatrix::from_fn(size * count, size * count, |row, column| {
         let (place, from) = (row / size, column / size);
         back[(place, from)] * slopes[from][(row % size, column % size)]

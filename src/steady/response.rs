@@ -162,15 +162,8 @@ fn branches(
         let mut twice = map.clone();
         twice.places = map.places.times(multiple);
         twice.counters = Counters::default();
-        let branch = match follow_doubled(&mut twice, &point, &plan, &mut watch) {
-            Ok(branch) => branch,
-            Err(error) => Branch {
-                points: Vec::new(),
-                specials: Vec::new(),
-                unrefined: Vec::new(),
-                end: BranchEnd::Lost(error),
-            },
-        };
+        let branch = follow_doubled(&mut twice, &point, &plan, &mut watch)
+            .unwrap_or_else(|error| Branch::without_points(BranchEnd::Lost(error)));
         stopped(&branch)?;
         found.push(answer(&mut twice, &branch, question)?);
         if doubled < MOST_DOUBLINGS {

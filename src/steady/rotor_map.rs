@@ -73,15 +73,6 @@ impl<'a> RotorMap<'a> {
         states.map(|state| self.unit.state(state)).collect()
     }
 
-    /// Begin of the period of every state, s.
-    fn starts(&self) -> Vec<f64> {
-        let strobes = self.places.circle.strobes();
-        strobes
-            .iter()
-            .map(|strobe| self.places.time(*strobe))
-            .collect()
-    }
-
     fn scaling(&self) -> Scaling {
         self.rotor.scaling(&self.scale)
     }
@@ -189,8 +180,8 @@ impl ReturnMap for RotorMap<'_> {
     fn image(&mut self, states: &DVector<f64>, slopes: Slopes) -> Result<Image, MapError> {
         let mut end = DVector::zeros(states.len());
         let mut found = Vec::new();
-        let starts = self.starts();
-        for (place, (state, start)) in self.states(states).iter().zip(starts).enumerate() {
+        for (place, state) in self.states(states).iter().enumerate() {
+            let start = self.places.time(self.places.circle.strobes()[place]);
             let wanted = match slopes {
                 Slopes::None => false,
                 Slopes::First => place == 0,

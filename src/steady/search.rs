@@ -5,7 +5,8 @@ use nalgebra::{DMatrix, DVector};
 use super::SteadyError;
 use super::rotor_map::RotorMap;
 use crate::shooting::{
-    Circle, MapError, Multipliers, ReturnMap, Returned, ShootingError, Slopes, multipliers, solve,
+    Circle, MapError, Multipliers, ReturnMap, Returned, ShootingError, Slopes, mixed, multipliers,
+    solve,
 };
 
 /// Periods waited for before the search is tried again.
@@ -49,7 +50,7 @@ pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
         let before = map.places.circle.clone();
         map.places = map.places.with_harmonics(harmonics)?;
         let start = match &guess {
-            Some(states) => between(&before, states, map.circle(), map.size()),
+            Some(states) => mixed(&before.values_at(map.circle().angles()), states, map.size()),
             None => DVector::zeros(map.size() * map.circle().places()),
         };
         let (returned, waited) = returned_from(map, start, tolerance)?;
@@ -117,27 +118,7 @@ fn is_final(error: &MapError) -> bool {
 /// The states a period later.
 fn later(map: &mut dyn ReturnMap, states: &DVector<f64>) -> Result<DVector<f64>, SteadyError> {
     let end = map.image(states, Slopes::None)?.end;
-    let circle = map.circle();
-    let back: Vec<f64> = circle
-        .angles()
-        .iter()
-        .map(|angle| angle - circle.rotation())
-        .collect();
-    Ok(mixed(&circle.values_at(&back), &end, map.size()))
-}
-
-/// States at other phases from those at the places of a circle.
-fn between(circle: &Circle, states: &DVector<f64>, other: &Circle, size: usize) -> DVector<f64> {
-    mixed(&circle.values_at(other.angles()), states, size)
-}
-
-fn mixed(matrix: &DMatrix<f64>, states: &DVector<f64>, size: usize) -> DVector<f64> {
-    DVector::from_fn(size * matrix.nrows(), |row, _| {
-        let (place, part) = (row / size, row % size);
-        (0..matrix.ncols())
-            .map(|from| matrix[(place, from)] * states[size * from + part])
-            .sum()
-    })
+    Ok(mixed(&map.circle().back(), &end, map.size()))
 }
 
 /// Largest component of every harmonic of the closed curve, the mean first.

@@ -34,14 +34,10 @@ pub(super) struct Crossings {
     pub due: Vec<f64>,
     /// Sizes that steps from a surface, and those to one, may have, s.
     pub sizes: [f64; 2],
-    /// The latest check at the end of a step, the one at the end of the trial, and the one where the trial was expected
-    /// to end.
+    /// The latest check at the end of a step, and the one at the end of the trial, if it is there.
     pub checked: EventCheck,
-    ahead: EventCheck,
-    pub foreseen: EventCheck,
-    /// Whether the latter two are there.
+    pub ahead: EventCheck,
     is_ahead_known: bool,
-    pub is_foreseen: bool,
     /// Which surfaces the trial crosses, and the event functions at its ends.
     pub changed: Vec<bool>,
     pub ends: [Vec<f64>; 2],
@@ -63,10 +59,8 @@ impl Crossings {
             due: vec![f64::INFINITY; events],
             sizes: [f64::INFINITY; 2],
             checked: check.clone(),
-            ahead: check.clone(),
-            foreseen: check,
+            ahead: check,
             is_ahead_known: false,
-            is_foreseen: false,
             changed: vec![false; events],
             ends: [vec![0.0; events], vec![0.0; events]],
             found: vec![f64::INFINITY; events],
@@ -83,16 +77,16 @@ impl Crossings {
         }
     }
 
-    /// Finds the surfaces on the other side of which a check is; whether there are any.
-    pub fn compare(&mut self, is_foreseen: bool) -> bool {
-        let check = if is_foreseen {
-            &self.foreseen
-        } else {
-            &self.ahead
-        };
+    /// Checks the events in the state where a trial ends; whether it is on the other side of any surface.
+    pub fn looks_ahead(&mut self, system: &dyn System, time: f64) -> bool {
+        if self.checked.is_clear(system, time, &self.state) {
+            return false;
+        }
+        self.ahead.evaluate(system, time, &self.state);
+        self.is_ahead_known = true;
         let mut any = false;
         for (event, changed) in self.changed.iter_mut().enumerate() {
-            *changed = check.is_past(event) != self.past[event];
+            *changed = self.ahead.is_past(event) != self.past[event];
             any |= *changed;
         }
         any
@@ -110,23 +104,16 @@ impl ExplicitStepper {
         }
         let (system, crossing) = (problem.system, &mut self.crossing);
         problem.write_state(&self.to, &mut crossing.state);
-        if crossing.is_foreseen
-            && crossing
-                .foreseen
-                .is_clear(system, plan.end, &crossing.state)
-        {
-            crossing.ahead.copy_from(&crossing.foreseen);
-        } else if crossing.checked.is_clear(system, plan.end, &crossing.state) {
-            return false;
-        } else {
-            crossing.ahead.evaluate(system, plan.end, &crossing.state);
-        }
-        crossing.is_ahead_known = true;
-        if !crossing.compare(false) {
+        if !crossing.looks_ahead(system, plan.end) {
             return false;
         }
         self.evaluate_events_at_ends(problem, plan.end);
-        self.does_any_count(problem, plan) && self.locate(problem, plan)
+        if !self.does_any_count(problem, plan) {
+            return false;
+        }
+        self.evaluate_end(problem);
+        self.extend(problem);
+        self.plan_landings(problem, plan.size, Self::by_stages)
     }
 
     /// Evaluates the event functions at both ends of the trial.
@@ -134,14 +121,12 @@ impl ExplicitStepper {
         let Crossings {
             ends: [at_start, at_end],
             state,
-            checked,
-            ahead,
             ..
         } = &mut self.crossing;
         problem.write_state(&self.from, state);
-        checked.values_at(problem.system, self.start, state, at_start);
+        problem.system.events(self.start, state, at_start);
         problem.write_state(&self.to, state);
-        ahead.values_at(problem.system, end, state, at_end);
+        problem.system.events(end, state, at_end);
     }
 
     /// Whether the error of crossing any surface counts.
@@ -172,19 +157,6 @@ impl ExplicitStepper {
             size: plan.size,
             ends: [start, end],
         }
-    }
-
-    /// Plans landings where the trial crosses surfaces; whether it does within.
-    fn locate(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
-        self.evaluate_end(problem);
-        if problem.system.is_second_order() && self.substitution.is_none() {
-            return self.plan_landings(problem, plan.size, |stepper, time, deviation| {
-                stepper.by_quintic(time, deviation);
-            });
-        }
-        self.extended = false;
-        self.extend(problem);
-        self.plan_landings(problem, plan.size, Self::by_stages)
     }
 
     /// Takes note of the sides after a good step.

@@ -1,6 +1,7 @@
 //! Event surfaces that a step is about to cross, seen before it is tried: a landing then costs no trial.
 
 use super::stepper::ExplicitStepper;
+use crate::integrate::chunks::Padded;
 use crate::integrate::problem::Problem;
 
 /// Steps without a landing after which none is looked out for: a trial finds it. Where crossings are let pass, to look
@@ -11,42 +12,32 @@ impl ExplicitStepper {
     /// Plans landings where the step to come crosses surfaces that spoil it, as far as displacement, velocity and
     /// acceleration at its start tell.
     pub(super) fn foresee(&mut self, problem: &Problem<'_>) {
-        self.crossing.is_foreseen = false;
         let often = self.start - self.crossing.landed < SELDOM * self.next_size;
-        if !often || !problem.system.is_second_order() {
+        let system = problem.system;
+        if !often || !system.is_second_order() || self.crossing.next_landing().is_some() {
             return;
         }
-        let (system, plan) = (problem.system, self.plan(None));
+        let plan = self.plan(None);
         let mut deviation = std::mem::take(&mut self.argument);
         self.carry_on(plan.end, &mut deviation);
         let crossing = &mut self.crossing;
         problem.write_state(&deviation, &mut crossing.state);
         self.argument = deviation;
-        if crossing.checked.is_clear(system, plan.end, &crossing.state) {
-            return;
-        }
-        crossing
-            .foreseen
-            .evaluate(system, plan.end, &crossing.state);
-        crossing.is_foreseen = true;
-        if !crossing.compare(true) {
+        if !crossing.looks_ahead(system, plan.end) {
             return;
         }
         let [start, end] = &mut crossing.ends;
         problem.write_state(&self.from, &mut crossing.state);
-        let checked = &crossing.checked;
-        checked.values_at(system, self.start, &crossing.state, start);
-        end.copy_from_slice(&crossing.foreseen.values);
+        system.events(self.start, &crossing.state, start);
+        end.copy_from_slice(&crossing.ahead.values);
         if self.does_any_count(problem, &plan) {
-            self.plan_landings(problem, plan.size, |stepper, time, deviation| {
-                stepper.carry_on(time, deviation);
-            });
+            self.plan_landings(problem, plan.size, Self::carry_on);
         }
     }
 
     /// Deviation at a time after the start of the step to come, as if its acceleration went on as of late; velocities
     /// as if it stayed.
-    fn carry_on(&self, time: f64, deviation: &mut [f64]) {
+    fn carry_on(&self, time: f64, deviation: &mut Padded) {
         let (after, dofs) = (time - self.start, self.from.len() / 2);
         for dof in 0..dofs {
             let velocity = self.from[dofs + dof];

@@ -45,7 +45,7 @@ impl ExplicitStepper {
         &mut self,
         problem: &Problem<'_>,
         size: f64,
-        motion: impl Fn(&Self, f64, &mut Padded),
+        motion: fn(&Self, f64, &mut Padded),
     ) -> bool {
         let mut found = std::mem::take(&mut self.crossing.found);
         let mut state = std::mem::take(&mut self.crossing.state);

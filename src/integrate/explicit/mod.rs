@@ -8,7 +8,6 @@ mod dense;
 mod foresight;
 mod landing;
 mod plan;
-mod quintic;
 mod stepper;
 mod substitution;
 mod verner76;

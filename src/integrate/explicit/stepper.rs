@@ -11,6 +11,8 @@ use crate::integrate::problem::Problem;
 use crate::integrate::{Counters, IntegrateError};
 use crate::registers::in_wide_registers;
 
+/// Largest growth from step to step.
+const GROW: f64 = 6.0;
 /// Times that a step looks for a better place to land on.
 const MOST_SEARCHES: u32 = 5;
 
@@ -36,11 +38,12 @@ pub(in crate::integrate) struct ExplicitStepper {
     /// The state that the derivative is evaluated in, and that derivative.
     pub(super) argument: Padded,
     rate: Padded,
-    /// Derivatives at the start and at the end of the latest step, and at the start of the one before: infinite where
-    /// there was none.
+    /// Derivatives at the start and at the end of the latest step, and at the start of the one before, whose size is
+    /// in s: infinite where there was none.
     pub(super) start_rate: Padded,
     pub(super) end_rate: Padded,
     pub(super) rate_before: Padded,
+    pub(super) size_before: f64,
     /// Slopes by the variable of the step, chunk by chunk of the state.
     pub(super) stages: Vec<[Chunk; STAGES]>,
     pub(super) substitution: Substitution,
@@ -49,11 +52,6 @@ pub(in crate::integrate) struct ExplicitStepper {
     pub(super) ended: bool,
     /// Whether the stages for dense output are there.
     pub(super) extended: bool,
-    /// Whether the quintic is exact enough.
-    pub(super) quintic: bool,
-    /// q‴ at the end of the step before, by its polynomial; infinite where there was none.
-    pub(super) jerk: Vec<f64>,
-    pub(super) size_before: f64,
     pub(super) control: Control,
     /// Whether a trial since the latest good step was not finite.
     pub(super) fault: bool,
@@ -91,15 +89,13 @@ impl ExplicitStepper {
             start_rate: zeros(),
             end_rate: zeros(),
             rate_before: zeros(),
+            size_before: 0.0,
             stages: vec![[[0.0; 4]; STAGES]; chunks_of(states)],
             substitution: Substitution::NONE,
             crossing: Crossings::new(problem.system),
             ended: false,
             extended: false,
-            quintic: false,
-            jerk: vec![f64::INFINITY; states / 2],
-            size_before: 0.0,
-            control: Control::new(SAFETY),
+            control: Control::new(SAFETY, GROW),
             fault: false,
             events_known: false,
             counters,
@@ -137,9 +133,7 @@ impl ExplicitStepper {
     /// Why the run ends here.
     pub fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
         self.begin(problem);
-        if self.crossing.next_landing().is_none() {
-            self.foresee(problem);
-        }
+        self.foresee(problem);
         let mut searches = 0;
         loop {
             let size = self.next_size.min(self.crossing.sizes[0]);
@@ -182,7 +176,6 @@ impl ExplicitStepper {
             let rate = &mut self.start_rate;
             problem.system.derivative(self.time, &self.argument, rate);
             self.counters.evaluations += 1;
-            self.jerk.fill(f64::INFINITY);
             self.rate_before.fill(f64::INFINITY);
         }
         if self.next_size <= 0.0 {
@@ -234,7 +227,7 @@ impl ExplicitStepper {
     /// Tries a step; the error per time, relative to one unit and the deviation.
     #[inline(always)]
     fn tried(&mut self, problem: &Problem<'_>) -> f64 {
-        self.ended = false;
+        (self.ended, self.extended) = (false, false);
         self.stage::<1>(problem);
         self.stage::<2>(problem);
         self.stage::<3>(problem);
@@ -275,14 +268,6 @@ impl ExplicitStepper {
         self.evaluate_end(problem);
         self.counters.steps += 1;
         self.fault = false;
-        self.extended = false;
-        if self.substitution.is_none() {
-            self.quintic = problem.system.is_second_order() && self.is_quintic_exact(problem);
-        } else {
-            // the variable of the quintic is the time
-            self.quintic = false;
-            self.jerk.fill(f64::INFINITY);
-        }
     }
 }
 

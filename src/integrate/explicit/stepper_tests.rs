@@ -1,9 +1,8 @@
-//! Steps of equal size show the orders of the pair, of its interpolant and of the quintic.
+//! Steps of equal size show the orders of the pair and of its interpolant.
 
 use std::sync::atomic::AtomicBool;
 
 use super::*;
-use crate::integrate::explicit::quintic::{self, Quintic};
 use crate::integrate::{Method, Scaling, Settings, System};
 
 /// q″ = −(1 + sin(t)/2) q³ + cos 2t, as (q, q′): time enters, and it is not linear.
@@ -18,10 +17,6 @@ impl System for Duffing {
         let stiffness = 1.0 + 0.5 * time.sin();
         rate[0] = state[1];
         rate[1] = (2.0 * time).cos() - stiffness * state[0].powi(3);
-    }
-
-    fn is_second_order(&self) -> bool {
-        true
     }
 }
 
@@ -65,17 +60,11 @@ fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper {
     stepper
 }
 
-/// Deviation at a time within the latest step by the interpolant of the pair, and by the quintic.
+/// Deviation at a time within the latest step by the interpolant of the pair.
 fn by_stages(stepper: &ExplicitStepper, time: f64) -> [f64; 2] {
     let mut deviation = Padded::zeros(2);
     stepper.by_stages(time, &mut deviation);
     [deviation[0], deviation[1]]
-}
-
-fn by_quintic(stepper: &ExplicitStepper, time: f64) -> [f64; 2] {
-    let mut deviation = [0.0; 2];
-    stepper.by_quintic(time, &mut deviation);
-    deviation
 }
 
 fn distance(left: &[f64], right: &[f64]) -> f64 {
@@ -124,31 +113,4 @@ fn states_within_a_step_have_the_order_of_the_interpolant() {
     let own = order_within(0.3, |size| by_stages(&stepped(1, size), 0.4 * size));
     let excess = own - 7.0;
     assert!((-0.6..1.6).contains(&excess), "{excess}");
-}
-
-#[test]
-fn the_velocity_of_the_quintic_has_order_four_and_gains_one_within_a_step() {
-    let observed = order_within(0.2, |size| by_quintic(&stepped(1, size), 0.4 * size));
-    assert!((observed - 5.0).abs() < 0.8, "{observed}");
-}
-
-/// Its error shows in the jump of q‴ from step to step.
-#[test]
-fn the_quintic_knows_its_error() {
-    const STEEPEST: f64 = 0.276_393_2;
-    for steps in [40, 80] {
-        let size = 4.0 / f64::from(steps);
-        let before = stepped(steps - 1, 4.0 - size);
-        let stepper = stepped(steps, 4.0);
-        let [start, end] = stepper.ends(0);
-        let jerk = Quintic::new(size, start, end).jerks()[0] / size.powi(3);
-        let [place, velocity] = quintic::errors(jerk - before.jerk[0], size, size);
-        let off = |part: f64, index: usize| {
-            let time = stepper.start + part * size;
-            (by_quintic(&stepper, time)[index] - by_stages(&stepper, time)[index]).abs()
-        };
-        for ratio in [place / off(0.5, 0), velocity / off(STEEPEST, 1)] {
-            assert!((0.5..2.0).contains(&ratio), "{steps} steps: {ratio}");
-        }
-    }
 }

@@ -27,8 +27,6 @@ pub(super) type Diagonal = [Chunk; 2];
 pub(super) struct LinearPart {
     /// Norm of the Jacobian in the units that make it smallest, 1/s.
     pub norm: f64,
-    /// The fastest damping that a component has of itself, 1/s.
-    pub damping: f64,
     /// What the processor has.
     pub level: Level,
     /// Eigenvalue of each coordinate, 1/s: of a pair both, the one with positive imaginary part first.
@@ -69,7 +67,6 @@ impl LinearPart {
         let unity = ChunkMatrix::of(&DMatrix::identity(states, states));
         Self {
             norm: 0.0,
-            damping: 0.0,
             level: Level::new(),
             eigenvalues: vec![Complex::ZERO; states],
             against: vec![[[0.0; 4]; 2]; chunks_of(states)],
@@ -103,12 +100,7 @@ impl LinearPart {
         };
         let own = Self::of(jacobian, &units).or_else(apart);
         let own = own.unwrap_or_else(|| Self::none(units.len()));
-        let most = |most: f64, entry: &f64| most.max(-entry);
-        Self {
-            norm,
-            damping: jacobian.diagonal().iter().fold(0.0, most),
-            ..own
-        }
+        Self { norm, ..own }
     }
 
     /// By the modes of a Jacobian with the units in which it is smallest; none where they are no sound basis.

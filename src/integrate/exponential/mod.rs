@@ -24,7 +24,6 @@ mod nodes;
 mod phi;
 mod plan;
 mod propagator;
-mod relinearisation;
 mod spectrum;
 mod stepper;
 mod sweeps;

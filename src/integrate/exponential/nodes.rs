@@ -66,13 +66,13 @@ impl Nodes {
         let power: [[f64; POINTS]; POINTS] = std::array::from_fn(|j| lagrange(&part, j));
         let local = std::array::from_fn(|r| {
             let length = part[r + 1] - part[r];
-            std::array::from_fn(|j| factorials(&stretched(&shifted(&power[j], part[r]), length)))
+            power.map(|power| derivatives(&power, part[r], length))
         });
         Self {
             part,
             power,
             local,
-            spare: left_out(&part, SPARE),
+            spare: left_out(&part, &power),
             modes: std::array::from_fn(|index| mode(&part, POINTS - 3 + index)),
         }
     }
@@ -87,17 +87,12 @@ fn lobatto() -> [f64; POINTS] {
         }
         let mut x = -(std::f64::consts::PI * index as f64 / degree).cos();
         for _ in 0..50 {
-            let (value, before) = legendre(x);
+            let (value, before) = legendre(POINTS - 1, x);
             // zeros of (1 − x²) P′ = n (P_{n−1} − x P_n), whose slope is −n (n + 1) P_n
             x += (before - x * value) / ((degree + 1.0) * value);
         }
         0.5 * (1.0 + x)
     })
-}
-
-/// P_n and P_{n−1} of the degree of the points.
-fn legendre(x: f64) -> (f64, f64) {
-    legendre_of(POINTS - 1, x)
 }
 
 /// Factors of the values in the coefficient of a Legendre polynomial, by Lobatto's quadrature.
@@ -111,13 +106,13 @@ fn mode(part: &[f64; POINTS], degree: usize) -> [f64; POINTS] {
     };
     part.map(|part| {
         let x = 2.0 * part - 1.0;
-        let weight = 2.0 / (highest * (highest + 1.0) * legendre(x).0.powi(2));
-        weight * legendre_of(degree, x).0 / square
+        let weight = 2.0 / (highest * (highest + 1.0) * legendre(POINTS - 1, x).0.powi(2));
+        weight * legendre(degree, x).0 / square
     })
 }
 
-/// P_n and P_{n−1}.
-fn legendre_of(highest: usize, x: f64) -> (f64, f64) {
+/// P_n and P_{n−1} of the highest degree n.
+fn legendre(highest: usize, x: f64) -> (f64, f64) {
     let (mut before, mut value) = (1.0, x);
     for degree in 2..=highest {
         let n = degree as f64;
@@ -146,53 +141,28 @@ fn lagrange(part: &[f64; POINTS], one: usize) -> [f64; POINTS] {
     product
 }
 
-/// Coefficients by powers of τ − `origin`.
-fn shifted(power: &[f64; POINTS], origin: f64) -> [f64; POINTS] {
-    let mut shifted = *power;
+/// Derivatives, at an origin, of a polynomial by its coefficients, where `unit` is one.
+fn derivatives(power: &[f64; POINTS], origin: f64, unit: f64) -> [f64; POINTS] {
+    let mut derivatives = *power;
     for low in 0..POINTS {
         for index in (low..POINTS - 1).rev() {
-            shifted[index] += origin * shifted[index + 1];
+            derivatives[index] += origin * derivatives[index + 1];
         }
     }
-    shifted
-}
-
-/// Coefficients by powers of τ/`unit`.
-fn stretched(power: &[f64; POINTS], unit: f64) -> [f64; POINTS] {
     let mut factor = 1.0;
-    power.map(|coefficient| {
-        let stretched = coefficient * factor;
-        factor *= unit;
-        stretched
-    })
+    for (index, derivative) in derivatives.iter_mut().enumerate() {
+        *derivative *= factor;
+        factor *= (index + 1) as f64 * unit;
+    }
+    derivatives
 }
 
-/// Coefficients times the factorials of their powers.
-fn factorials(power: &[f64; POINTS]) -> [f64; POINTS] {
-    let mut factorial = 1.0;
-    std::array::from_fn(|index| {
-        factorial *= index.max(1) as f64;
-        power[index] * factorial
-    })
-}
-
-/// Factors of the values in: value at `point` less that of the polynomial through the other points.
-fn left_out(part: &[f64; POINTS], point: usize) -> [f64; POINTS] {
-    std::array::from_fn(|j| {
-        if j == point {
-            1.0
-        } else {
-            -product_of(part, part[point], j, |k| k != j && k != point)
-        }
-    })
-}
-
-/// Π (x − c_k)/(c_j − c_k) over some points.
-fn product_of(part: &[f64; POINTS], x: f64, j: usize, some: impl Fn(usize) -> bool) -> f64 {
-    let chosen = (0..POINTS).filter(|&k| some(k));
-    chosen
-        .map(|k| (x - part[k]) / (part[j] - part[k]))
-        .product()
+/// Factors of the values in: value at the spare point less that of the polynomial through the others, which is the
+/// highest coefficient times a product of distances.
+fn left_out(part: &[f64; POINTS], power: &[[f64; POINTS]; POINTS]) -> [f64; POINTS] {
+    let others = (0..POINTS).filter(|&point| point != SPARE);
+    let product: f64 = others.map(|point| part[SPARE] - part[point]).product();
+    power.map(|row| row[POINTS - 1] * product)
 }
 
 #[cfg(test)]

@@ -58,29 +58,28 @@ impl Leg {
     }
 
     fn divided(end: f64, length: f64, requested: f64) -> Self {
-        let mut leg = Self {
+        let whole = Self {
             end,
             left: 1.0,
             size: length,
             intervals: 0.0,
         };
-        while leg.size > requested * (1.0 + SLACK) {
-            leg.left *= 2.0;
-            leg.size *= 0.5;
+        whole.halved(requested)
+    }
+
+    /// The same in equal parts no longer than a requested size.
+    fn halved(mut self, requested: f64) -> Self {
+        while self.size > requested * (1.0 + SLACK) {
+            self.left *= 2.0;
+            self.size *= 0.5;
         }
-        leg
+        self
     }
 
     /// The rest of the leg in steps no longer than a requested size.
     pub fn adapted(self, requested: f64) -> Self {
-        let mut leg = Self {
-            intervals: 0.0,
-            ..self
-        };
-        while leg.size > requested * (1.0 + SLACK) {
-            leg.left *= 2.0;
-            leg.size *= 0.5;
-        }
+        let mut leg = self.halved(requested);
+        leg.intervals = 0.0;
         while leg.left % 2.0 == 0.0 && 2.0 * leg.size <= requested * (1.0 + SLACK) {
             leg.left *= 0.5;
             leg.size *= 2.0;

@@ -177,22 +177,19 @@ fn product(left: &Diagonal, right: &Diagonal) -> Diagonal {
     product
 }
 
-/// A step size whose operator is kept.
-#[derive(Debug, Clone, Copy)]
-struct Size {
-    /// s; zero where there is none.
+/// The operator over a step of a size, s.
+#[derive(Debug, Clone)]
+struct Kept {
+    /// Zero where there is none.
     size: f64,
-    /// When it was asked for last.
-    used: u64,
+    chunks: Vec<ChunkPropagator>,
 }
 
 /// Operators of one linear part over steps of the sizes of late, and the functions over a sample interval.
 #[derive(Debug, Clone)]
 pub(super) struct Propagators {
-    sizes: Vec<Size>,
-    /// The operators of all sizes, one after the other.
-    operators: Vec<ChunkPropagator>,
-    clock: u64,
+    /// The one that was asked for last first.
+    kept: Vec<Kept>,
     samples: Vec<Functions>,
     are_samples_known: bool,
     /// Room for the functions over an interval.
@@ -203,10 +200,12 @@ impl Propagators {
     /// Room for those of so many states.
     pub fn new(states: usize) -> Self {
         let chunks = chunks_of(states);
+        let none = Kept {
+            size: 0.0,
+            chunks: vec![ChunkPropagator::NONE; chunks],
+        };
         Self {
-            sizes: Vec::with_capacity(KEPT),
-            operators: Vec::with_capacity(KEPT * chunks),
-            clock: 0,
+            kept: vec![none; KEPT],
             samples: vec![NO_FUNCTIONS; chunks],
             are_samples_known: false,
             functions: vec![NO_FUNCTIONS; chunks],
@@ -215,42 +214,24 @@ impl Propagators {
 
     /// Forgets all: the linear part is another.
     pub fn clear(&mut self) {
-        self.sizes.clear();
-        self.operators.clear();
+        for kept in &mut self.kept {
+            kept.size = 0.0;
+        }
         self.are_samples_known = false;
     }
 
     /// The operator over a step.
     pub fn of(&mut self, linear: &LinearPart, size: f64) -> Propagator<'_> {
-        self.clock += 1;
-        let chunks = self.functions.len();
-        let known = self.sizes.iter().position(|kept| kept.size == size);
-        let index = known.unwrap_or_else(|| self.place());
-        let operator = chunks * index..chunks * (index + 1);
+        let known = self.kept.iter().position(|kept| kept.size == size);
+        // the one that was not asked for longest gives its place
+        let place = known.unwrap_or(KEPT - 1);
+        self.kept[..=place].rotate_right(1);
+        let Kept { size: kept, chunks } = &mut self.kept[0];
         if known.is_none() {
-            let room = &mut self.operators[operator.clone()];
-            find_propagator(linear, size, &mut self.functions, room);
+            *kept = size;
+            find_propagator(linear, size, &mut self.functions, chunks);
         }
-        self.sizes[index] = Size {
-            size,
-            used: self.clock,
-        };
-        Propagator {
-            chunks: &self.operators[operator],
-        }
-    }
-
-    /// A place for a further operator: a new one or that of the one that was not used for longest.
-    fn place(&mut self) -> usize {
-        let kept = self.sizes.len();
-        if kept < KEPT {
-            self.sizes.push(Size { size: 0.0, used: 0 });
-            let chunks = self.operators.len() + self.functions.len();
-            self.operators.resize(chunks, ChunkPropagator::NONE);
-            return kept;
-        }
-        let longest = (0..KEPT).min_by_key(|&index| self.sizes[index].used);
-        longest.unwrap_or(0)
+        Propagator { chunks }
     }
 
     /// The functions over an interval of samples.

@@ -7,7 +7,6 @@ use super::linear::{LinearPart, ModalState};
 use super::nodes::{NODES, POINTS, Points, combined, no_points, weights};
 use super::plan::Leg;
 use super::propagator::Propagators;
-use super::relinearisation::{Mean, Relinearisation, USUAL_SWEEPS};
 use super::sweeps::{self, Ending, Sweeps, Trial};
 use crate::integrate::chunks::Padded;
 use crate::integrate::control::{Control, SAFETY};
@@ -16,12 +15,16 @@ use crate::integrate::{Counters, IntegrateError};
 
 /// Power of the size that the error estimate falls with.
 const ERROR_POWER: i32 = POINTS as i32;
+/// Largest growth from step to step: sizes are powers of two of the samples' interval, with halves between.
+const GROW: f64 = 8.0;
 /// Ratio of a step to the one before up to which the polynomial of that one is carried on into it: beyond, as
 /// behind a step that was cut next to a sample, it is round-off by powers of the ratio, and sweeps that begin
 /// so far off seem to meet faster than they do.
 const MOST_AHEAD: f64 = 16.0;
-/// Steps after which the fall of the change from sweep to sweep is measured again.
-const RATE_HOLDS: f64 = 8.0;
+/// Sweeps that a step may take without a better linear part saving any.
+const USUAL_SWEEPS: u32 = 2;
+/// Sweeps that a new linear part and its propagators cost, about.
+const COST: u32 = 34;
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin.
 #[derive(Debug, Clone)]
@@ -42,8 +45,6 @@ pub(in crate::integrate) struct ExponentialStepper {
     /// The start and the end of the latest step.
     from: ModalState,
     to: ModalState,
-    /// The mean of the ends of the latest steps.
-    mean: Mean,
     /// Coordinates of the nonlinear remainder at the points of the latest step, and that step's size; with a size of
     /// zero only its value at the end is known.
     remainder: Points,
@@ -51,11 +52,8 @@ pub(in crate::integrate) struct ExponentialStepper {
     linear: LinearPart,
     /// Whether the linear part is that of the start of the step.
     fresh: bool,
-    /// Fall of the change from sweep to sweep, steps since it was measured, and the size of that step, s.
-    rate: f64,
-    since_rate: f64,
-    rate_size: f64,
-    relinearisation: Relinearisation,
+    /// Sweeps that a better linear part might have saved since the latest one.
+    waste: u32,
     control: Control,
     /// Whether a trial since the latest good step was not finite.
     fault: bool,
@@ -99,18 +97,14 @@ impl ExponentialStepper {
             leg: Leg::ENDED,
             from: to.clone(),
             to,
-            mean: Mean::of(deviation),
             remainder: no_points(states),
             remainder_size: 0.0,
             propagators: Propagators::new(states),
             linear,
             fresh: false,
-            rate: 1.0,
-            since_rate: 0.0,
-            rate_size: 0.0,
             // the first step takes a linear part
-            relinearisation: Relinearisation::NONE,
-            control: Control::new(SAFETY),
+            waste: COST,
+            control: Control::new(SAFETY, GROW),
             fault: false,
             counters,
             ahead: [[0.0; POINTS]; POINTS],
@@ -183,22 +177,21 @@ impl ExponentialStepper {
             let ends = [self.start, self.start + self.size];
             problem.check_progress(ends, self.size, self.fault)?;
             let ending = self.trial(problem);
-            let sweeps = self.sweeps.count;
             match ending {
                 Ending::Met(error) if error <= 1.0 => {
                     self.accept(error);
                     return Ok(());
                 }
                 Ending::Met(error) => {
-                    self.relinearisation.count_rejected(sweeps, 1);
+                    self.waste += 1;
                     self.reject(error);
                 }
                 Ending::Apart => {
-                    self.relinearisation.count_rejected(sweeps, sweeps::MOST);
+                    self.waste += sweeps::MOST;
                     self.bring_together(problem);
                 }
                 Ending::NotFinite => {
-                    self.relinearisation.count_rejected(sweeps, 1);
+                    self.waste += 1;
                     self.fault = true;
                     self.reject(f64::INFINITY);
                 }
@@ -214,9 +207,8 @@ impl ExponentialStepper {
         let behind_break = self.time >= self.limit;
         if behind_break {
             self.limit = problem.system.next_break(self.time + problem.slack);
-            self.mean.begin(&self.from.deviation);
         }
-        if self.relinearisation.pays() {
+        if self.waste >= COST {
             self.linearise(problem);
         } else if behind_break {
             self.forget(problem);
@@ -227,17 +219,16 @@ impl ExponentialStepper {
         }
     }
 
-    /// Takes the linear part anew, about the mean of the motion of late.
+    /// Takes the linear part anew.
     fn linearise(&mut self, problem: &Problem<'_>) {
-        problem.write_state(&self.mean.deviation, &mut self.state);
+        problem.write_state(&self.from.deviation, &mut self.state);
         let (jacobian, by_time) = (&mut self.jacobian, &mut self.by_time);
         problem
             .system
             .linearisation(self.start, &self.state, jacobian, by_time);
         self.linear = LinearPart::near(jacobian);
         self.linear.to_coordinates(&mut self.from);
-        (self.fresh, self.rate) = (true, 1.0);
-        self.relinearisation.taken();
+        (self.fresh, self.waste) = (true, 0);
         self.propagators.clear();
         self.forget(problem);
     }
@@ -266,12 +257,6 @@ impl ExponentialStepper {
     /// Tries a step; how its sweeps ended.
     fn trial(&mut self, problem: &Problem<'_>) -> Ending {
         self.guess();
-        // a longer step's sweeps fall more slowly: by how much it has to find out by itself
-        let rate = if self.since_rate < RATE_HOLDS && self.size <= self.rate_size {
-            self.rate
-        } else {
-            1.0
-        };
         let trial = Trial {
             problem,
             linear: &self.linear,
@@ -281,12 +266,9 @@ impl ExponentialStepper {
             limit: self.limit.next_down(),
             from: &self.from,
         };
-        self.sweeps.begin(&trial, rate);
+        self.sweeps.begin(&trial);
         let ending = self.sweeps.run(&trial);
         self.counters.evaluations += u64::from(self.sweeps.count) * (POINTS as u64 - 1);
-        if self.sweeps.count > 1 {
-            (self.rate, self.rate_size, self.since_rate) = (self.sweeps.rate, self.size, 0.0);
-        }
         ending
     }
 
@@ -324,10 +306,7 @@ impl ExponentialStepper {
         } else {
             proposed
         };
-        self.mean.take_in(&self.to.deviation);
-        self.relinearisation
-            .count_step(self.size, self.sweeps.count);
-        self.since_rate += 1.0;
+        self.waste += self.sweeps.count.saturating_sub(USUAL_SWEEPS);
         (self.fault, self.fresh) = (false, false);
         self.counters.steps += 1;
         self.leg.left -= 1.0;
@@ -347,7 +326,7 @@ impl ExponentialStepper {
     fn bring_together(&mut self, problem: &Problem<'_>) {
         self.counters.rejected += 1;
         self.control.note_rejected();
-        if self.fresh || !self.relinearisation.pays() {
+        if self.fresh || self.waste < COST {
             self.requested = 0.5 * self.size;
         } else {
             self.linearise(problem);

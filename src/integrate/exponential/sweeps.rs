@@ -11,10 +11,6 @@ use crate::registers::in_wide_registers;
 
 /// Error allowed in one step, as a part of the error aimed at over the run: measured.
 const LOCAL_PART: f64 = 0.05;
-/// The same where damping is over long before the step is: what the polynomial misses is then followed at once.
-const STIFF_PART: f64 = 0.03;
-/// Product of a step's size and the fastest damping from which on it is.
-const STIFF: f64 = 10.0;
 /// The loosest tolerance that is gone by. Beyond it sweeps under strong damping of the contacts meet where
 /// the motion is not, and what follows costs more than it saves.
 const LOOSEST: f64 = 1e-2;
@@ -24,12 +20,11 @@ const REST: f64 = 0.03;
 pub(super) const MOST: u32 = 6;
 /// Fall of the change from sweep to sweep that is not worth another.
 const SLOWEST: f64 = 0.7;
-/// Least fall that is believed, and factor of the caution where it is an earlier step's.
+/// Least fall that is believed.
 const LEAST_RATE: f64 = 1e-3;
 /// Part of the fall so far below which it is not believed: what falls fast goes first, and what is left
 /// falls more slowly.
 const LASTING: f64 = 0.7;
-const CAUTION: f64 = 3.0;
 /// Factor of what the fall of the Legendre coefficients promises: measured.
 const SMOOTH_CAUTION: f64 = 2.0;
 
@@ -59,9 +54,8 @@ pub(super) struct Sweeps {
     change: Points,
     /// Reciprocals of the errors allowed.
     inverse: Vec<f64>,
-    /// Fall of the change from sweep to sweep: of an earlier step, then of this one; one where none is
-    /// known.
-    pub rate: f64,
+    /// Fall of the change from sweep to sweep; zero where none is known.
+    rate: f64,
     pub count: u32,
     /// Whether event surfaces lie between the points.
     pub crossed: bool,
@@ -112,7 +106,9 @@ impl Evaluation {
     fn find_state(&mut self, deviation: &Padded) {
         let parts = self.origin.chunks().iter().zip(deviation.chunks());
         for (state, (origin, deviation)) in self.state.chunks_mut().iter_mut().zip(parts) {
-            *state = std::array::from_fn(|i| origin[i] + deviation[i]);
+            for i in 0..4 {
+                state[i] = origin[i] + deviation[i];
+            }
         }
     }
 }
@@ -128,7 +124,7 @@ impl Sweeps {
             deviations: vec![zeros.clone(); POINTS],
             change: no_points(states),
             inverse: vec![0.0; states],
-            rate: 1.0,
+            rate: 0.0,
             count: 0,
             crossed: false,
             evaluation: Evaluation {
@@ -143,8 +139,8 @@ impl Sweeps {
     }
 
     /// Begins with a guess of the remainder.
-    pub fn begin(&mut self, trial: &Trial<'_>, rate: f64) {
-        (self.rate, self.count) = (rate, 0);
+    pub fn begin(&mut self, trial: &Trial<'_>) {
+        (self.rate, self.count) = (0.0, 0);
         let (linear, from) = (trial.linear, trial.from);
         let (to, remainder) = (&mut self.to, &self.remainder);
         in_wide_registers!(linear.level, {
@@ -154,13 +150,8 @@ impl Sweeps {
                 .find_coordinates(point, start, remainder, &mut to.coordinates);
             linear.find_deviation(&to.coordinates, &mut to.deviation);
         });
-        let part = if linear.damping * trial.size > STIFF {
-            STIFF_PART
-        } else {
-            LOCAL_PART
-        };
         let problem = trial.problem;
-        let allowed = part * problem.settings.tolerance.min(LOOSEST);
+        let allowed = LOCAL_PART * problem.settings.tolerance.min(LOOSEST);
         for (i, inverse) in self.inverse.iter_mut().enumerate() {
             let most = from.deviation[i].abs().max(self.to.deviation[i].abs());
             *inverse = (allowed * (problem.scaling.scale[i] + most)).recip();
@@ -175,22 +166,16 @@ impl Sweeps {
             if !change.is_finite() {
                 return Ending::NotFinite;
             }
-            let rest = if self.count == 1 {
-                rest(change, CAUTION * self.rate)
-            } else {
-                let lasting = if self.rate < 1.0 {
-                    LASTING * self.rate
-                } else {
-                    LEAST_RATE
-                };
-                self.rate = (change / before).max(LEAST_RATE).max(lasting);
-                rest(change, self.rate)
-            };
-            if rest <= REST {
-                return Ending::Met(rest + self.error(trial));
-            }
-            if self.count > 1 && self.rate > SLOWEST {
-                return Ending::Apart;
+            if self.count > 1 {
+                let least = LEAST_RATE.max(LASTING * self.rate);
+                self.rate = (change / before).max(least);
+                let rest = rest(change, self.rate);
+                if rest <= REST {
+                    return Ending::Met(rest + self.error(trial));
+                }
+                if self.rate > SLOWEST {
+                    return Ending::Apart;
+                }
             }
             before = change;
         }
@@ -225,7 +210,9 @@ impl Sweeps {
             let points = self.remainder.iter_mut().zip(&mut self.change);
             for ((known, change), found) in points.zip(evaluation.remainder.chunks()) {
                 let before = known[point];
-                change[point] = std::array::from_fn(|i| found[i] - before[i]);
+                for i in 0..4 {
+                    change[point][i] = found[i] - before[i];
+                }
                 known[point] = *found;
             }
         }
@@ -309,7 +296,9 @@ impl Sweeps {
             return false;
         }
         // a check of long ago may say enough
-        if self.is_clear(trial) {
+        self.find_farthest();
+        let (farthest, end) = (&self.evaluation.state, trial.time_of(POINTS - 1));
+        if self.checks[0].is_clear(system, end, farthest) {
             return false;
         }
         let state = &mut self.evaluation.state;
@@ -326,13 +315,24 @@ impl Sweeps {
         })
     }
 
-    /// Whether it is certain that no event surface lies between the latest check and the points of the step.
-    fn is_clear(&mut self, trial: &Trial<'_>) -> bool {
-        (1..POINTS).all(|point| {
-            self.find_state_at(point);
-            let (system, state) = (trial.problem.system, &self.evaluation.state);
-            self.checks[0].is_clear(system, trial.time_of(point), state)
-        })
+    /// Finds the state whose components are each as far from the latest check as at any point of the step.
+    #[inline(always)]
+    fn find_farthest(&mut self) {
+        self.find_state_at(POINTS - 1);
+        let Evaluation { origin, state, .. } = &mut self.evaluation;
+        let origin = origin.chunks();
+        let checked = self.checks[0].state.chunks();
+        for (chunk, farthest) in state.chunks_mut().iter_mut().enumerate() {
+            for deviation in &self.deviations[1..POINTS - 1] {
+                for i in 0..4 {
+                    let state = origin[chunk][i] + deviation.chunks()[chunk][i];
+                    let from = checked[chunk][i];
+                    if (state - from).abs() > (farthest[i] - from).abs() {
+                        farthest[i] = state;
+                    }
+                }
+            }
+        }
     }
 
     /// The state at a point after the first, as the latest sweep had it.
@@ -445,7 +445,7 @@ mod tests {
                 limit: f64::INFINITY,
                 from: &from,
             };
-            sweeps.begin(&trial, 1.0);
+            sweeps.begin(&trial);
             for _ in 0..40 {
                 sweeps.sweep(&trial);
             }
