@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{ContactDamping, ContactLaw, Geometry, GeometryError, Oil};
 use crate::physics::{
-    HertzContact, HertzError, Material, contact_modulus, inner_race_curvature,
+    Curvature, HertzContact, HertzError, Material, contact_modulus, inner_race_curvature,
     outer_race_curvature, series_stiffness,
 };
 
@@ -104,15 +104,11 @@ impl Bearing {
     /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
     pub fn inner_contact(&self) -> Result<HertzContact, BearingError> {
         let geometry = &self.geometry;
-        let curvature = inner_race_curvature(
-            geometry.ball_diameter(),
+        self.contact(
+            "inner",
+            inner_race_curvature,
             geometry.groove_factor_inner(),
-            geometry.gamma(),
-        );
-        HertzContact::new(curvature, self.modulus()).map_err(|source| BearingError::Contact {
-            race: "inner",
-            source,
-        })
+        )
     }
 
     /// Hertz contact of ball and outer race, curvature at the free contact angle.
@@ -121,15 +117,23 @@ impl Bearing {
     /// [`BearingError::Contact`] where the curvatures do not meet in an ellipse.
     pub fn outer_contact(&self) -> Result<HertzContact, BearingError> {
         let geometry = &self.geometry;
-        let curvature = outer_race_curvature(
-            geometry.ball_diameter(),
+        self.contact(
+            "outer",
+            outer_race_curvature,
             geometry.groove_factor_outer(),
-            geometry.gamma(),
-        );
-        HertzContact::new(curvature, self.modulus()).map_err(|source| BearingError::Contact {
-            race: "outer",
-            source,
-        })
+        )
+    }
+
+    fn contact(
+        &self,
+        race: &'static str,
+        curvature: fn(f64, f64, f64) -> Curvature,
+        groove_factor: f64,
+    ) -> Result<HertzContact, BearingError> {
+        let geometry = &self.geometry;
+        let curvature = curvature(geometry.ball_diameter(), groove_factor, geometry.gamma());
+        HertzContact::new(curvature, self.modulus())
+            .map_err(|source| BearingError::Contact { race, source })
     }
 
     /// Load–deflection constant K_n of a ball between both races, N/m^1.5.

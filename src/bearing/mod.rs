@@ -57,4 +57,3 @@ pub use state::{
 };
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub use support::Support;
-pub use thrust::Thrust;

@@ -1,6 +1,6 @@
 //! Numbers that a ball law computes with: plain, side by side in a register, or with slopes.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use std::ops::{Add, Div, Mul, Sub};
 
 use fearless_simd::{Simd, SimdBase, SimdFloat};
 
@@ -15,7 +15,6 @@ pub const LANES: usize = 4;
 /// What a law computes with: `f64`, [`Lanes`], or a [`Dual`] of either, which carries slopes along.
 pub trait Number:
     Copy
-    + Neg<Output = Self>
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
@@ -352,16 +351,6 @@ impl<T: Plain, const D: usize> Div for Dual<T, D> {
             quotient.slopes[d] = (self.slopes[d] - quotient.value * other.slopes[d]) * inverse;
         }
         quotient
-    }
-}
-
-impl<T: Plain, const D: usize> Neg for Dual<T, D> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        let minus = self.value.constant(-1.0);
-        self.chained(-self.value, minus)
     }
 }
 

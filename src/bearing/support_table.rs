@@ -53,22 +53,18 @@ impl Support {
         offset: f64,
         rotation: &BearingRotation,
     ) -> Option<&BallTable> {
-        let table = self.table.as_deref()?;
+        // looked at first: most bearings have none
+        self.table.as_deref()?;
         let [x, y, z, tilt_x, tilt_y] = self.imposed(displacement);
-        let place = [x, y, z + offset, tilt_x, tilt_y];
-        self.covers(table, &place, rotation.speed).then_some(table)
+        self.table_at(&[x, y, z + offset, tilt_x, tilt_y], rotation.speed)
     }
 
     /// The same with the inner ring at `place`.
+    #[inline(always)]
     pub(super) fn table_at(&self, place: &Vector5, speed: f64) -> Option<&BallTable> {
         let table = self.table.as_deref()?;
-        self.covers(table, place, speed).then_some(table)
-    }
-
-    #[inline(always)]
-    fn covers(&self, table: &BallTable, place: &Vector5, speed: f64) -> bool {
         let [axial, radial] = self.ring.swings(place);
-        table.covers_around(axial, radial, speed)
+        table.covers_around(axial, radial, speed).then_some(table)
     }
 
     /// Whether the forces with the shaft at `displacement` come from a table; so they do where

@@ -204,7 +204,8 @@ impl RotorDefinition {
 
     /// Unbalance force m e ω² at t = 0, N.
     pub fn unbalance_force(&self) -> f64 {
-        self.shaft.mass * self.shaft.eccentricity * self.speed * self.speed
+        let [x, _] = Unbalance::new(self.shaft.mass, self.shaft.eccentricity).phasor(self.speed);
+        x.re
     }
 }
 

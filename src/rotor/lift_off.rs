@@ -25,11 +25,6 @@ impl Rotor {
             })
     }
 
-    /// Number of balls whose force is not smooth where they lift off.
-    pub(super) fn lift_off_count(&self) -> usize {
-        self.balls_that_lift_off
-    }
-
     /// Writes how far every ball is pressed past its lift-off, m.
     pub(super) fn lift_off_distances(
         &self,

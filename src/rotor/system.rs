@@ -49,7 +49,7 @@ impl System for Rotor {
     }
 
     fn event_count(&self) -> usize {
-        self.lift_off_count()
+        self.balls_that_lift_off
     }
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {

@@ -38,38 +38,17 @@ impl<'a> BareRun<'a> {
     /// # Errors
     /// [`SimulateError`] as a run.
     pub fn integrate(&self, stop: &AtomicBool) -> Result<Counters, SimulateError> {
-        let [_, whole] = self.integrate_in_parts(1.0, stop)?;
-        Ok(whole)
-    }
-
-    /// As [`BareRun::integrate`]; the work over the first `part` of the samples, and over all.
-    ///
-    /// # Errors
-    /// [`SimulateError`] as a run.
-    pub fn integrate_in_parts(
-        &self,
-        part: f64,
-        stop: &AtomicBool,
-    ) -> Result<[Counters; 2], SimulateError> {
-        let rotor = &self.rotor;
-        let model = self.model;
-        let scale = self.rotor.motion_scale(reference_settings(model).tolerance);
-        let grid = sampling::grid(model, &self.rotor)?;
+        let (model, rotor) = (self.model, &self.rotor);
+        let scale = rotor.motion_scale(reference_settings(model).tolerance);
+        let grid = sampling::grid(model, rotor)?;
         let (scaling, state) = (rotor.scaling(&scale), rotor.start());
         let mut integration =
             Integration::new(rotor, scaling, grid, model.integrator, stop, &state);
         let mut states = States::with_capacity(rotor.states(), BLOCK);
-        let mut up_to = |end: u64| {
-            while integration.done() < end {
-                states.clear();
-                let left = usize::try_from(end - integration.done()).unwrap_or(BLOCK);
-                integration.advance(BLOCK.min(left), &mut states)?;
-            }
-            Ok::<_, SimulateError>(integration.counters())
-        };
-        Ok([
-            up_to((part * grid.count as f64) as u64)?,
-            up_to(grid.count)?,
-        ])
+        while integration.done() < grid.count {
+            states.clear();
+            integration.advance(BLOCK, &mut states)?;
+        }
+        Ok(integration.counters())
     }
 }

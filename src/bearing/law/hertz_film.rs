@@ -6,7 +6,7 @@ use super::hertz::without_inertia;
 use super::races::RaceFilms;
 use super::spring::{ContactSpring, HertzSpring, race_springs};
 use super::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent};
-use crate::bearing::number::{Number, Plain};
+use crate::bearing::number::Number;
 use crate::bearing::{Bearing, BearingError, Oil};
 
 /// Law of a ball between two lubricated races, its inertia neglected.
@@ -111,10 +111,6 @@ impl BallLaw for HertzFilmLaw {
         }
     }
 
-    fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
-        ball.axial.constant(f64::INFINITY)
-    }
-
     fn contact(&self, ball: &Ball, speed: f64) -> BallContact {
         without_inertia(&self.response(ball, speed), ball)
     }
@@ -127,10 +123,6 @@ impl BallLaw for HertzFilmLaw {
 
     fn approach_under(&self, load: f64, speed: f64) -> f64 {
         self.spring(speed).approach(load)
-    }
-
-    fn load_past_lift_off(&self, _distance: f64, _speed: f64) -> f64 {
-        0.0
     }
 
     fn films(&self) -> Option<&RaceFilms> {

@@ -127,7 +127,9 @@ pub trait BallLaw {
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T>;
 
     /// How far a ball is pressed past its lift-off, m; asked where [`BallLaw::LIFTS_OFF`] only.
-    fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T;
+    fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        ball.axial.constant(f64::INFINITY)
+    }
 
     /// Loads and angles of both contacts.
     fn contact(&self, ball: &Ball, speed: f64) -> BallContact;
@@ -139,7 +141,9 @@ pub trait BallLaw {
     fn approach_under(&self, load: f64, speed: f64) -> f64;
 
     /// Largest load, N, of a ball so far past its lift-off in m; zero where the law is smooth there.
-    fn load_past_lift_off(&self, distance: f64, speed: f64) -> f64;
+    fn load_past_lift_off(&self, _distance: f64, _speed: f64) -> f64 {
+        0.0
+    }
 
     /// Oil films of both races, where the law has them.
     fn films(&self) -> Option<&RaceFilms> {

@@ -23,7 +23,8 @@ pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
 pub use spring::{ContactSpring, HertzSpring};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
 
-use super::{BearingError, MountedBearing, Thrust};
+use super::thrust::thrust_displacement;
+use super::{BearingError, MountedBearing};
 use crate::physics::{HertzContact, RaceControl};
 
 /// Force law between the rings.
@@ -116,6 +117,6 @@ impl Law {
         speed: f64,
     ) -> Result<f64, BearingError> {
         let geometry = &definition.bearing.geometry;
-        with_law!(self, law => Thrust::new(geometry, law).displacement(thrust, speed))
+        with_law!(self, law => thrust_displacement(geometry, law, thrust, speed))
     }
 }

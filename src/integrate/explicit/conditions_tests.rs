@@ -7,7 +7,6 @@
 use super::verner76::{
     CROSSED, DENSE, ERROR, FACTORS, LAST, NODES, ORDER, STABILITY, STAGES, dense_weights,
 };
-use crate::integrate::event_check::error_over_a_kink;
 
 /// A rooted tree: the subtrees at its root, as places in the list of all trees.
 struct Tree {
@@ -179,6 +178,21 @@ fn there_are_as_many_trees_as_known() {
 #[test]
 fn verner76_has_orders_seven_and_six_and_its_interpolant_six() {
     check(6, 6);
+}
+
+/// Error of a quadrature by weights at nodes of 0 … 1, root mean square over the places where a power 3/2 begins.
+fn error_over_a_kink(weights: &[f64], nodes: &[f64]) -> f64 {
+    const PLACES: u32 = 2000;
+    let error = |place: f64| {
+        let value = |node: &f64| (node - place).max(0.0).powf(1.5);
+        let terms = weights.iter().zip(nodes);
+        let sum: f64 = terms.map(|(weight, node)| weight * value(node)).sum();
+        // ∫ x^(3/2) = 2/5 x^(5/2)
+        0.4 * (1.0 - place).powf(2.5) - sum
+    };
+    let places = (0..=PLACES).map(|place| f64::from(place) / f64::from(PLACES));
+    let squares: f64 = places.map(|place| error(place).powi(2)).sum();
+    (squares / f64::from(PLACES + 1)).sqrt()
 }
 
 #[test]

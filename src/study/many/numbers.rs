@@ -71,12 +71,13 @@ pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
     }
     for channel in Channel::of_freedoms(freedoms) {
         let unit = unit(channel);
-        add(format!("{channel}_mean_{unit}"), NumberKind::Mean(channel));
-        add(format!("{channel}_rms_{unit}"), NumberKind::Rms(channel));
-        add(
-            format!("{channel}_peak_to_peak_{unit}"),
-            NumberKind::PeakToPeak(channel),
-        );
+        for (name, kind) in [
+            ("mean", NumberKind::Mean(channel)),
+            ("rms", NumberKind::Rms(channel)),
+            ("peak_to_peak", NumberKind::PeakToPeak(channel)),
+        ] {
+            add(format!("{channel}_{name}_{unit}"), kind);
+        }
     }
     for freedom in 0..freedoms {
         let channel = Channel::Displacement(freedom);
@@ -100,18 +101,13 @@ pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
     );
     for bearing in 0..bearings {
         let number = bearing + 1;
-        add(
-            format!("bearing_{number}_fewest_loaded"),
-            NumberKind::FewestLoaded(bearing),
-        );
-        add(
-            format!("bearing_{number}_contact_lost"),
-            NumberKind::ContactLost(bearing),
-        );
-        add(
-            format!("bearing_{number}_life_h"),
-            NumberKind::Life(bearing),
-        );
+        for (name, kind) in [
+            ("fewest_loaded", NumberKind::FewestLoaded(bearing)),
+            ("contact_lost", NumberKind::ContactLost(bearing)),
+            ("life_h", NumberKind::Life(bearing)),
+        ] {
+            add(format!("bearing_{number}_{name}"), kind);
+        }
     }
     add("measured_error".to_owned(), NumberKind::MeasuredError);
     add("evaluations".to_owned(), NumberKind::Evaluations);

@@ -87,11 +87,6 @@ pub struct Point {
 }
 
 impl RunRecord {
-    /// Whether the run came to its end.
-    pub fn is_done(&self) -> bool {
-        self.outcome.is_ok()
-    }
-
     /// Which way it was come to.
     pub fn direction(&self) -> Direction {
         self.turn.direction

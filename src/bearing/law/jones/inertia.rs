@@ -90,7 +90,7 @@ impl InertiaLaw {
         force_scale: f64,
     ) -> [T; 2] {
         // ω_m/ω = (1 − γ' cos α_i)/(1 + c)
-        let orbit = (-inner.cos * self.diameter_ratio + 1.0) * share(inner, outer);
+        let orbit = (inner.cos * -self.diameter_ratio + 1.0) * share(inner, outer);
         // F_c = F_0 (ω_m/ω)²
         let centrifugal = orbit * orbit * force_scale;
         // 2 M_g/D = (2/5) F_c sin α_o, for here p = (ω_m/ω) sin α_o
@@ -107,7 +107,7 @@ impl InertiaLaw {
     ) -> [T; 2] {
         // ω_m/ω = (c − γ' cos α_o)/(1 + c) = 1 − (1 + γ' cos α_o)/(1 + c)
         let rest = (outer.cos * self.diameter_ratio + 1.0) * share(inner, outer);
-        let orbit = -rest + 1.0;
+        let orbit = rest * -1.0 + 1.0;
         // 2 M_g/D = (2/5) F_0 (ω_m/ω) p,  p = sin α_i (1 + γ' cos α_o)/(1 + c)
         let friction = inner.sin * orbit * rest * (0.4 * force_scale);
         [orbit * orbit * force_scale, friction]
@@ -128,7 +128,7 @@ impl InertiaLaw {
             return [centrifugal, friction];
         }
         // ω_m/ω = (1 − γ' cos α_o)/2
-        let orbit = (-outer.cos * self.diameter_ratio + 1.0) * 0.5;
+        let orbit = (outer.cos * -self.diameter_ratio + 1.0) * 0.5;
         let carried = orbit * orbit * force_scale;
         let near = smooth_step(inner.length / near);
         [
