@@ -35,7 +35,7 @@ pub struct Stiffness {
     /// Largest eigenvalue of the Jacobian there, 1/s: its product with the step is near the limit of
     /// the method's stability.
     pub eigenvalue: f64,
-    /// Step size that [`Method::Rodas`] takes there for the same tolerance, s.
+    /// Step size that [`Method::Rodas`](super::Method::Rodas) takes there for the same tolerance, s.
     pub implicit_step: f64,
 }
 
