@@ -60,7 +60,13 @@ impl Ring {
                 slopes: [[Lanes::splat(simd, 0.0); 5]; 5],
             };
             self.visit(simd, &side_by_side(simd, displacement), rotation, &mut stiffness);
-            stiffness.finish()
+            let mut matrix = Matrix5::zeros();
+            for row in 0..5 {
+                for column in 0..5 {
+                    matrix[(row, column)] = total(&stiffness.slopes[row][column]);
+                }
+            }
+            (stiffness.sums.force(self.arm), matrix)
         })
     }
 
@@ -203,19 +209,6 @@ impl<L: ForceLaw, S: Simd> Consumer<S> for Stiffness<'_, L, S> {
                     by_axial * axial_slopes[column] + by_radial * radial_slopes[column];
             }
         }
-    }
-}
-
-impl<L, S: Simd> Stiffness<'_, L, S> {
-    #[inline(always)]
-    fn finish(&self) -> (Vector5, Matrix5) {
-        let mut stiffness = Matrix5::zeros();
-        for row in 0..5 {
-            for column in 0..5 {
-                stiffness[(row, column)] = total(&self.slopes[row][column]);
-            }
-        }
-        (self.sums.force(self.arm), stiffness)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::energy::Works;
 use super::{Drive, DriveMoments, FREEDOMS, Rotation, Rotor};
-use crate::bearing::{Vector5, quarter_turn};
+use crate::bearing::{Angle, Vector5, quarter_turn};
 
 /// What acts on the shaft in a state.
 pub(super) struct Action {
@@ -135,10 +135,11 @@ impl Rotor {
             rotation.acceleration = moments.total() / self.inertia_polar;
             moments
         });
+        let [x, y] = self.unbalance.force(&rotation, Angle::new(rotation.angle));
         Action {
             velocity,
             rotation,
-            unbalance: self.unbalance_force(&rotation, &self.phases(&rotation)),
+            unbalance: [x, y, 0.0, 0.0, 0.0],
             bearings,
             on_mass,
             on_centre,

@@ -230,13 +230,6 @@ impl Rotor {
         }
     }
 
-    /// Force of the unbalance, N.
-    #[inline(always)]
-    pub(super) fn unbalance_force(&self, rotation: &Rotation, phases: &Phases) -> Vector5 {
-        let [x, y] = self.unbalance.force(rotation, phases.shaft);
-        [x, y, 0.0, 0.0, 0.0]
-    }
-
     /// Gyroscopic moments, N m.
     #[inline(always)]
     pub(super) fn gyroscopic(&self, velocity: &Vector5, speed: f64) -> Vector5 {
