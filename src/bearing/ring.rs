@@ -21,7 +21,7 @@ pub(super) type LaneVector<S> = [Lanes<S>; 5];
 /// A1_j = A sin α0 + z + R_i (θx sin φ_j − θy cos φ_j)   A2_j = A cos α0 + x cos φ_j + y sin φ_j
 /// ```
 ///
-/// [`Ring::visit`] hands these positions to a [`Consumer`], four balls at a time, with the drops of the surfaces
+/// `Ring::visit` hands these positions to a `Consumer`, four balls at a time, with the drops of the surfaces
 /// under them: forces, stiffness, damping, lift-off, loads and life are consumers.
 ///
 /// The balls never move in the tables: cosines and sines of their azimuths are constants, turned with
@@ -207,7 +207,7 @@ impl Ring {
 }
 
 impl Azimuths {
-    /// Of at most [`LANES`] azimuths in rad.
+    /// Of at most `LANES` azimuths in rad.
     fn new(azimuths: &[f64]) -> Self {
         let [mut cos, mut sin, mut weight] = [[0.0; LANES]; 3];
         for (lane, azimuth) in azimuths.iter().enumerate() {

@@ -166,8 +166,8 @@ impl<L: BallLaw, S: Simd> Consumer<S> for Loads<'_, L, S> {
         let response = self.law.response(&at.ball, self.speed);
         self.sums.add_force(at, self.law, &response.force, self.arm);
         let powers = self.law.life_powers(&response);
-        for race in 0..2 {
-            self.powers[race] += powers[race] * at.weight;
+        for (race, power) in powers.into_iter().enumerate() {
+            self.powers[race] += power * at.weight;
             self.largest[race] = (response.load[race] * at.weight).max(self.largest[race]);
             store(response.load[race], at.first, &mut self.loads.load[race]);
         }

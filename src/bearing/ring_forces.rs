@@ -201,8 +201,7 @@ impl<L: ForceLaw, S: Simd> Consumer<S> for Stiffness<'_, L, S> {
             (at.sin, moment),
             (-at.cos, moment),
         ];
-        for row in 0..5 {
-            let (factor, force) = rows[row];
+        for (row, (factor, force)) in rows.into_iter().enumerate() {
             let [by_axial, by_radial] = [factor * force.slopes[0], factor * force.slopes[1]];
             for column in 0..5 {
                 self.slopes[row][column] +=
@@ -234,9 +233,9 @@ impl<L: BallLaw, S: Simd> Consumer<S> for DampedForce<'_, L, S> {
         let [axial_rate, radial_rate] = self.ring.components([0.0; 2], self.rate, [at.cos, at.sin]);
         let zero = Lanes::splat(at.cos.witness(), 0.0);
         let [mut axial, mut radial] = [zero; 2];
-        for race in 0..2 {
+        for (race, approach) in approaches.into_iter().enumerate() {
             // F_d = Σ Q max(c δ̇, −1) ∂δ/∂A
-            let [by_axial, by_radial] = approaches[race].slopes;
+            let [by_axial, by_radial] = approach.slopes;
             let rate = by_axial * axial_rate + by_radial * radial_rate;
             let limit = Lanes::splat(at.cos.witness(), -1.0);
             let damped = response.load[race].value * (self.coefficients[race] * rate).max(limit);

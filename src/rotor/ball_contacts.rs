@@ -70,8 +70,8 @@ impl BallContacts {
     pub(super) fn sum_up(&mut self) {
         let mut largest = [0.0_f64; 2];
         for bearing in &self.bearings {
-            for race in 0..2 {
-                largest[race] = largest[race].max(bearing.largest[race]);
+            for (largest, of_bearing) in largest.iter_mut().zip(bearing.largest) {
+                *largest = largest.max(of_bearing);
             }
         }
         self.largest = largest[0].max(largest[1]);

@@ -3,22 +3,22 @@
 //! [`BallLaw`] is what a law is; each law is a file or a folder here, a variant of [`ContactLaw`] and of the one list
 //! of laws below. Outside this folder nothing knows how a contact bears.
 
+mod ball_law;
 mod film_shares;
 mod film_spring;
 mod hertz;
 mod hertz_film;
 mod jones;
-mod law;
 mod races;
 mod spring;
 mod table;
 
+pub use ball_law::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ForceLaw};
 pub(super) use film_shares::Share;
 pub use film_spring::FilmSpring;
 pub use hertz::HertzLaw;
 pub use hertz_film::HertzFilmLaw;
 pub use jones::{BallState, JonesFilmLaw, JonesLaw};
-pub use law::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ForceLaw};
 pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
 pub use spring::{ContactSpring, HertzSpring};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
