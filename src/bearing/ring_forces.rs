@@ -70,8 +70,8 @@ impl Ring {
         })
     }
 
-    /// Force as by [`Ring::force`], and the force against the damping of the contacts that moves the ring at a rate,
-    /// seen by one who turns with the cage.
+    /// Force as by [`Ring::force`], and the force that moves the ring at a rate against the damping of the contacts,
+    /// given in the frame that turns with the cage.
     #[inline(always)]
     pub(super) fn damped_force_by<S: Simd>(
         &self,

@@ -33,7 +33,7 @@ impl Support {
                 (linear.damping * nalgebra::SVector::from(rate)).into(),
             ],
             None => {
-                // seen by one who turns with the cage
+                // in the frame that turns with the cage
                 let turn = quarter_turn(&imposed);
                 let rate =
                     std::array::from_fn(|axis| rate[axis] - rotation.cage_speed * turn[axis]);

@@ -80,7 +80,7 @@ impl Rotor {
             };
             let cage_speed = ratio * rotation.speed;
             let [force, damping] = support.damped_force(place, velocity, rotation);
-            // seen by one who turns with the cage
+            // in the frame that turns with the cage
             let rate: Vector5 =
                 std::array::from_fn(|axis| velocity[axis] - cage_speed * turn[axis]);
             sum.power += dot(&force, &rate);

@@ -13,8 +13,8 @@ use crate::physics::HertzContact;
 /// ```
 ///
 /// `A1`, `A2` place of the inner groove centre from the outer one in m, `A` their unloaded
-/// distance in m, `h` drops of the surfaces under the ball in m, `K_n` in N/m^1.5. Holds at speeds where centrifugal force is small against the
-/// ball load. A separated ball (δ ≤ 0) carries nothing.
+/// distance in m, `h` drops of the surfaces under the ball in m, `K_n` in N/m^1.5. Holds at speeds where
+/// centrifugal force is small against the ball load. A separated ball (δ ≤ 0) carries nothing.
 ///
 /// Source: Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), eqs. 7.5 and 7.20–7.24.
 ///
@@ -40,9 +40,6 @@ pub struct HertzLaw {
     /// K_n^(10/3).
     life_factor: f64,
 }
-
-/// Keeps the direction of the line of centres defined where the two centres meet (no contact there).
-const SMALLEST_DISTANCE: f64 = f64::MIN_POSITIVE;
 
 impl HertzLaw {
     /// From the load–deflection constant K_n of both races in series in N/m^1.5 and the unloaded distance A of the
@@ -79,18 +76,39 @@ impl HertzLaw {
         }
     }
 
-    /// Distance d of the groove centres, and δ, negative where ball and races are apart.
-    #[inline(always)]
-    fn distance_and_approach<T: Number>(&self, ball: &Ball<T>) -> (T, T) {
-        let distance = (ball.axial * ball.axial + ball.radial * ball.radial).sqrt();
-        let [inner, outer] = ball.drop;
-        (distance, (distance - self.distance) - (inner + outer))
-    }
-
     fn spring(&self) -> HertzSpring {
         HertzSpring {
             stiffness: self.load_deflection_constant,
         }
+    }
+}
+
+/// Distance d of the groove centres, whose unloaded distance is given, and δ, negative where ball and races are apart.
+#[inline(always)]
+pub(super) fn distance_and_approach<T: Number>(ball: &Ball<T>, unloaded: f64) -> (T, T) {
+    let distance = (ball.axial * ball.axial + ball.radial * ball.radial).sqrt();
+    let [inner, outer] = ball.drop;
+    (distance, (distance - unloaded) - (inner + outer))
+}
+
+/// Response of a ball without inertia, both of whose loads lie on the line of the groove centres.
+#[inline(always)]
+pub(super) fn on_line_of_centres<T: Number>(
+    ball: &Ball<T>,
+    distance: T,
+    load: T,
+    approach: T,
+) -> BallResponse<T> {
+    // centres that meet have no line; any serves, for they press on nothing
+    let lateral = load / (distance + f64::MIN_POSITIVE);
+    BallResponse {
+        force: BallForce {
+            axial: lateral * ball.axial,
+            radial: lateral * ball.radial,
+            couple: load.constant(0.0),
+        },
+        load: [load; 2],
+        approach,
     }
 }
 
@@ -99,25 +117,16 @@ impl BallLaw for HertzLaw {
 
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallResponse<T> {
-        let (distance, approach) = self.distance_and_approach(ball);
+        let (distance, approach) = distance_and_approach(ball, self.distance);
         let pressed = approach.positive();
         // Q = K_n δ^(3/2)
         let load = pressed * self.load_deflection_constant * pressed.sqrt();
-        let lateral = load / (distance + SMALLEST_DISTANCE);
-        BallResponse {
-            force: BallForce {
-                axial: lateral * ball.axial,
-                radial: lateral * ball.radial,
-                couple: load.constant(0.0),
-            },
-            load: [load; 2],
-            approach,
-        }
+        on_line_of_centres(ball, distance, load, approach)
     }
 
     #[inline(always)]
     fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
-        self.distance_and_approach(ball).1
+        distance_and_approach(ball, self.distance).1
     }
 
     fn contact(&self, ball: &Ball, speed: f64) -> BallContact {

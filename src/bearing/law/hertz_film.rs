@@ -2,10 +2,10 @@
 
 use super::film_shares::{film_tangent, spring_tangent};
 use super::film_spring::{FilmSpring, LubricatedContact};
-use super::hertz::without_inertia;
+use super::hertz::{distance_and_approach, on_line_of_centres, without_inertia};
 use super::races::RaceFilms;
 use super::spring::{ContactSpring, HertzSpring, race_springs};
-use super::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent};
+use super::{Ball, BallContact, BallLaw, BallResponse, BallTangent};
 use crate::bearing::number::Number;
 use crate::bearing::{Bearing, BearingError, Oil};
 
@@ -94,21 +94,9 @@ impl BallLaw for HertzFilmLaw {
 
     #[inline(always)]
     fn response<T: Number>(&self, ball: &Ball<T>, speed: f64) -> BallResponse<T> {
-        let distance = (ball.axial * ball.axial + ball.radial * ball.radial).sqrt();
-        let [inner, outer] = ball.drop;
-        let approach = (distance - self.free_distance) - (inner + outer);
+        let (distance, approach) = distance_and_approach(ball, self.free_distance);
         let [load] = T::apply(&self.spring(speed), [approach]);
-        // coinciding centres have no line of centres; any serves, for they press on nothing
-        let lateral = load / (distance + f64::MIN_POSITIVE);
-        BallResponse {
-            force: BallForce {
-                axial: lateral * ball.axial,
-                radial: lateral * ball.radial,
-                couple: load.constant(0.0),
-            },
-            load: [load; 2],
-            approach,
-        }
+        on_line_of_centres(ball, distance, load, approach)
     }
 
     fn contact(&self, ball: &Ball, speed: f64) -> BallContact {

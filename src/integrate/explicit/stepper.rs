@@ -61,7 +61,7 @@ pub(in crate::integrate) struct ExplicitStepper {
 }
 
 impl ExplicitStepper {
-    /// At a time, s, in a deviation from the origin, after so much work; a size of zero lets the first step find its
+    /// At a time, s, in a deviation from the origin, with what was counted before; a size of zero lets the first step find its
     /// own.
     pub fn new(
         problem: &Problem<'_>,

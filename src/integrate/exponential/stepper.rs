@@ -72,8 +72,8 @@ pub(in crate::integrate) struct ExponentialStepper {
 }
 
 impl ExponentialStepper {
-    /// At a time, s, in a deviation from the origin, on a grid of samples, after so much work; a size of zero lets the
-    /// first step find its own.
+    /// At a time, s, in a deviation from the origin, on a grid of samples, with what was counted before; a size of
+    /// zero lets the first step find its own.
     pub fn new(
         problem: &Problem<'_>,
         [time, interval]: [f64; 2],
