@@ -3,11 +3,11 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use jeffcott::bearing::equilibrium::StaticProblem;
 use jeffcott::bearing::{
     ContactDamping, ContactLaw, Facing, MountedBearing, Oil, Preload, Support, catalogue,
 };
 use jeffcott::physics::RaceControl;
+use jeffcott::rotor::StaticProblem;
 
 const OIL: Oil = Oil {
     viscosity: 0.04,

@@ -2,9 +2,10 @@
 
 use nalgebra::DMatrix;
 
-use crate::bearing::equilibrium::{Equilibrium, FREEDOM_NAMES, StaticProblem};
 use crate::bearing::{BearingState, Geometry, Matrix5, Support, Vector5};
-use crate::rotor::{FREEDOMS, RotorDefinition, RotorError, build_supports, static_start};
+use crate::rotor::{
+    FREEDOM_NAMES, FREEDOMS, RotorDefinition, RotorError, build_supports, static_place,
+};
 
 /// Twist of the shaft's middle segment, `θz = M_z L/(G I_p)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,12 +94,13 @@ pub(crate) fn answer_on(
     supports: &[Support],
 ) -> Result<QuasiStatic, RotorError> {
     let rotor = &question.rotor;
-    let equilibrium = equilibrium(question, supports)?;
-    let bearings: Vec<BearingState> = supports
-        .iter()
-        .map(|support| support.state(&equilibrium.1.displacement, rotor.speed))
-        .collect();
-    let (free, equilibrium) = equilibrium;
+    let mut load = rotor.static_load();
+    if question.unbalance {
+        load[0] += rotor.unbalance_force();
+    }
+    let place = static_place(rotor, supports, load, &question.displacement)?;
+    let bearings = place.bearing_states(supports, rotor.speed);
+    let (free, equilibrium) = (place.free, place.equilibrium);
     let friction = bearings
         .iter()
         .map(|bearing| bearing.friction_moment.total())
@@ -122,33 +124,6 @@ pub(crate) fn answer_on(
             .collect(),
         bearings,
     })
-}
-
-/// The free freedoms and the equilibrium.
-fn equilibrium(
-    question: &StaticQuestion,
-    supports: &[Support],
-) -> Result<([bool; FREEDOMS], Equilibrium), RotorError> {
-    let rotor = &question.rotor;
-    let mut load = rotor.static_load();
-    if question.unbalance {
-        load[0] += rotor.unbalance_force();
-    }
-    let (mut free, mut start) = static_start(rotor, supports, load[2]);
-    for (axis, given) in question.displacement.iter().enumerate() {
-        if let Some(place) = *given {
-            free[axis] = false;
-            start[axis] = place;
-        }
-    }
-    let problem = StaticProblem {
-        supports,
-        load,
-        free,
-        start,
-        speed: rotor.speed,
-    };
-    Ok((free, problem.solve()?))
 }
 
 /// Largest over smallest singular value of K of the free freedoms.

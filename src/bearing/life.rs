@@ -27,7 +27,7 @@ use super::Geometry;
 /// Source: ISO/TS 16281:2008, eqs. for radial ball bearings; ISO 281.
 ///
 /// ```
-/// use jeffcott::bearing::equilibrium::StaticProblem;
+/// use jeffcott::rotor::StaticProblem;
 /// use jeffcott::bearing::{
 ///     ContactDamping, ContactLaw, Facing, MountedBearing, Preload, Support, catalogue,
 /// };

@@ -1,8 +1,8 @@
-//! The ball bearing as a nonlinear spring: geometry, ball laws, ring sum, equilibrium.
+//! The ball bearing as a nonlinear spring: geometry, ball laws, ring sum.
 //!
 //! Data climbs from a [`Bearing`] (dimensions, materials) over a [`BallLaw`] (force of one ball) and
 //! a [`Ring`] (the positions of the balls, and sums over them) to a [`Support`] (the bearing at its place on the
-//! shaft) and the [`equilibrium`] of any number of them under a load.
+//! shaft).
 
 mod assessment;
 mod ball_line;
@@ -11,7 +11,6 @@ pub mod catalogue;
 mod contact_band;
 mod contact_damping;
 mod definition;
-pub mod equilibrium;
 mod geometry;
 mod law;
 mod life;

@@ -1,22 +1,22 @@
 //! What acts on a shaft in a state, by what it comes from, and at which power.
 
 use super::energy::Works;
-use super::{Drive, DriveMoments, FREEDOMS, Rotation, Rotor};
+use super::{Drive, DriveMoments, Rotation, Rotor};
 use crate::bearing::{Angle, Vector5, quarter_turn};
 
 /// What acts on the shaft in a state.
 pub(super) struct Action {
-    pub velocity: Vector5,
     pub rotation: Rotation,
-    pub unbalance: Vector5,
+    /// Velocity of the centre of mass and tilting rates.
+    velocity: Vector5,
+    unbalance: Vector5,
     bearings: Bearings,
     /// Loads at the centre of mass.
-    pub on_mass: Vector5,
+    on_mass: Vector5,
     /// Loads on the shaft's axis.
-    on_centre: Vector5,
-    viscous: Vector5,
-    /// All forces that act on the shaft's axis.
-    pub at_centre: Vector5,
+    on_axis: Vector5,
+    /// Power that viscous damping takes, W.
+    viscous: f64,
     pub moments: Option<DriveMoments>,
 }
 
@@ -24,12 +24,12 @@ impl Action {
     /// Powers in the order of [`Works`], W.
     pub fn powers(&self, rotor: &Rotor) -> Works {
         let velocity = &self.velocity;
-        let mut loads = dot(&self.on_mass, velocity) + dot(&self.on_centre, velocity);
+        let mut loads = dot(&self.on_mass, velocity) + dot(&self.on_axis, velocity);
         let bearings = &self.bearings;
         let speed = self.rotation.speed;
         let mut powers = Works {
             loads,
-            viscous: dot(&self.viscous, velocity),
+            viscous: self.viscous,
             contact: bearings.damping_power,
             bearings: bearings.power,
             ..Works::default()
@@ -52,11 +52,9 @@ impl Action {
     }
 }
 
-/// Forces on the shaft, by what they come from, and the powers of some.
+/// What the bearings do besides exerting their forces.
 #[derive(Default)]
 struct Bearings {
-    force: Vector5,
-    damping: Vector5,
     /// Work per time on the contacts, W.
     power: f64,
     /// Work per time against the damping of the contacts, W.
@@ -68,42 +66,49 @@ struct Bearings {
 }
 
 impl Rotor {
-    fn bearings(&self, place: &Vector5, velocity: &Vector5, rotation: &Rotation) -> Bearings {
+    /// Adds the forces of the bearings.
+    fn bearings_act(
+        &self,
+        place: &[f64],
+        velocity: &[f64],
+        rotation: &Rotation,
+        sum: &mut [f64],
+    ) -> Bearings {
         let friction = self.drive.is_some_and(|drive| drive.friction);
-        let turn = quarter_turn(place);
-        let mut sum = Bearings::default();
-        self.for_each_support(rotation, &self.phases(rotation), |support, rotation| {
+        let mut total = Bearings::default();
+        self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
+            let support = bearing.support;
             let ratio = if support.follows_cage() {
                 self.cage_ratio(support)
             } else {
                 0.0
             };
             let cage_speed = ratio * rotation.speed;
-            let [force, damping] = support.damped_force(place, velocity, rotation);
+            let [place, velocity] = bearing.motion(place, velocity);
+            let turn = quarter_turn(&place);
+            let [force, damping] = support.damped_force(&place, &velocity, rotation);
             // in the frame that turns with the cage
             let rate: Vector5 =
                 std::array::from_fn(|axis| velocity[axis] - cage_speed * turn[axis]);
-            sum.power += dot(&force, &rate);
-            sum.damping_power += dot(&damping, &rate);
-            sum.cage_moment += ratio * (dot(&force, &turn) + dot(&damping, &turn));
+            total.power += dot(&force, &rate);
+            total.damping_power += dot(&damping, &rate);
+            total.cage_moment += ratio * (dot(&force, &turn) + dot(&damping, &turn));
             if friction {
-                sum.friction += support.friction_moment(&force, rotation.speed).total();
+                total.friction += support.friction_moment(&force, rotation.speed).total();
             }
-            for axis in 0..FREEDOMS {
-                sum.force[axis] += force[axis];
-                sum.damping[axis] += damping[axis];
-            }
+            let both = std::array::from_fn(|axis| force[axis] + damping[axis]);
+            bearing.attachment.add_force(-1.0, &both, sum);
         });
-        sum
+        total
     }
 
-    /// Moments on a driven shaft; `at_centre` are the forces that do not act at the centre of mass.
+    /// Moments on a driven shaft; `on_axis` is the force in x and y that does not act at the centre of mass.
     fn moments(
         &self,
         drive: &Drive,
         bearings: &Bearings,
         rotation: &Rotation,
-        at_centre: &Vector5,
+        on_axis: [f64; 2],
     ) -> DriveMoments {
         let resistance = Drive::resistance(rotation.speed);
         let friction = resistance * bearings.friction;
@@ -112,39 +117,44 @@ impl Rotor {
             load: resistance * drive.load_torque,
             friction,
             // e (f_x sin ψ − f_y cos ψ) + Σ (ω_c/ω) F·Sq
-            vibration: self
-                .unbalance
-                .moment_of([at_centre[0], at_centre[1]], rotation)
-                + bearings.cage_moment,
+            vibration: self.unbalance.moment_of(on_axis, rotation) + bearings.cage_moment,
             twist: friction * drive.compliance,
         }
     }
 
-    /// Everything that acts in a state.
-    pub(super) fn act(&self, time: f64, state: &[f64]) -> Action {
-        let [place, velocity] = self.motion(state);
+    /// Everything that acts in a state; leaves the accelerations of the degrees of freedom in `sum`.
+    pub(super) fn act(&self, time: f64, state: &[f64], sum: &mut [f64]) -> Action {
+        let dofs = self.dofs();
+        let (place, velocity) = state[..2 * dofs].split_at(dofs);
+        let shaft = &self.structure.shaft;
         let mut rotation = self.rotation(time, state);
-        let bearings = self.bearings(&place, &velocity, &rotation);
-        let [on_mass, on_centre] = self.loads_apart(time, rotation.angle);
-        let viscous = self.damping.force(&velocity[..self.kept]);
-        let at_centre: Vector5 = std::array::from_fn(|axis| {
-            on_centre[axis] - viscous[axis] - bearings.force[axis] - bearings.damping[axis]
-        });
+        let [on_mass, on_axis] = self.loads_apart(time, rotation.angle);
+        sum.fill(0.0);
+        // first, so that bearings that balance each other leave nothing
+        let bearings = self.bearings_act(place, velocity, &rotation, sum);
+        shaft.add_force(1.0, &on_axis, sum);
+        self.damping.add_product(-1.0, velocity, sum);
+        self.structure.stiffness.add_product(-1.0, place, sum);
         let moments = self.drive.as_ref().map(|drive| {
-            let moments = self.moments(drive, &bearings, &rotation, &at_centre);
+            let [x, y, ..] = shaft.rate(sum);
+            let moments = self.moments(drive, &bearings, &rotation, [x, y]);
             rotation.acceleration = moments.total() / self.inertia_polar;
             moments
         });
         let [x, y] = self.unbalance.force(&rotation, Angle::new(rotation.angle));
+        let unbalance = [x, y, 0.0, 0.0, 0.0];
+        shaft.add_force(1.0, &on_mass, sum);
+        shaft.add_force(1.0, &unbalance, sum);
+        self.gyroscopic.add_product(-rotation.speed, velocity, sum);
+        self.mass.accelerate(sum);
         Action {
-            velocity,
             rotation,
-            unbalance: [x, y, 0.0, 0.0, 0.0],
+            velocity: shaft.rate(velocity),
+            unbalance,
             bearings,
             on_mass,
-            on_centre,
-            viscous,
-            at_centre,
+            on_axis,
+            viscous: 2.0 * self.damping.half_square(velocity),
             moments,
         }
     }

@@ -1,15 +1,17 @@
 //! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
 
 use fearless_simd::Level;
+use nalgebra::DMatrix;
 
-use super::damping::DampingMatrix;
+use super::coefficients::{Coefficients, Mass};
+use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_place_of};
+use super::structure::Structure;
 use super::unbalance::Unbalance;
 use super::{
     Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
     SpeedProfile,
 };
-use crate::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
-use crate::bearing::{BearingError, Facing, Support, Vector5};
+use crate::bearing::{BearingError, Support, Vector5};
 
 /// Why a rotor cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -45,6 +47,9 @@ pub enum RotorError {
         /// Time of the point before it, s.
         before: f64,
     },
+    /// Some motion has no inertia.
+    #[error("the mass matrix is not positive definite: give every part that moves a mass")]
+    Mass,
     /// No bearing was given.
     #[error("the shaft has no bearing; give at least one")]
     NoBearing,
@@ -57,29 +62,43 @@ impl Rotor {
     /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
     /// outside its range.
     pub fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
+        Self::of_structure(Structure::of(definition), definition)
+    }
+
+    /// The same of a structure with that shaft.
+    pub(super) fn of_structure(
+        structure: Structure,
+        definition: &RotorDefinition,
+    ) -> Result<Self, RotorError> {
         check_inertia(definition)?;
         let mut supports = build_supports(definition)?;
         let speed = definition.speed_profile()?;
-        let equilibrium = find_equilibrium(definition, &supports, definition.static_load())?;
-        for support in &mut supports {
-            support.freeze(&equilibrium.displacement, definition.speed);
+        let load = definition.static_load();
+        let StaticPlace {
+            structure,
+            coordinates: rest,
+            stiffness: tangent,
+            equilibrium,
+            ..
+        } = static_place_of(structure, definition, &supports, load, &[None; FREEDOMS])?;
+        for (support, attachment) in supports.iter_mut().zip(&structure.attachments) {
+            support.freeze(&attachment.displacement(&rest, &[]), definition.speed);
         }
         let shaft = &definition.shaft;
-        let mass = [
-            shaft.mass,
-            shaft.mass,
-            shaft.mass,
-            shaft.inertia_transverse,
-            shaft.inertia_transverse,
-        ];
-        let kept = shaft.freedoms.count();
+        let (dofs, size) = (structure.dofs, structure.coordinates.len());
+        let mass = structure.mass.view((0, 0), (dofs, dofs)).into_owned();
+        let damping = &structure.damping + definition.damping.matrix(&structure, &tangent);
+        let mut gyroscopic = DMatrix::zeros(size, size);
+        let [.., tilt_x, tilt_y] = structure.shaft.coordinates();
+        gyroscopic[(tilt_x, tilt_y)] = shaft.inertia_polar;
+        gyroscopic[(tilt_y, tilt_x)] = -shaft.inertia_polar;
         Ok(Self {
             level: Level::new(),
-            kept,
-            mass,
-            inverse_mass: std::array::from_fn(
-                |axis| if axis < kept { 1.0 / mass[axis] } else { 0.0 },
-            ),
+            mass: Mass::new(mass).ok_or(RotorError::Mass)?,
+            damping: Coefficients::new(damping, dofs),
+            gyroscopic: Coefficients::new(gyroscopic, dofs),
+            structure,
+            shaft_mass: shaft.mass,
             inertia_polar: shaft.inertia_polar,
             speed,
             drive: definition.drive,
@@ -89,13 +108,14 @@ impl Rotor {
             load: definition.constant_load(),
             weight: definition.weight(),
             loads: definition.loads.clone(),
-            damping: DampingMatrix::new(&definition.damping, &equilibrium.stiffness, &mass),
             contacts_damped: supports.iter().any(Support::is_damped),
             balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
             leading_ratio: definition.cage.ratio(&supports[0]),
             supports,
             initial: initial_state(definition, &equilibrium),
             equilibrium,
+            rest,
+            tangent,
         })
     }
 }
@@ -207,64 +227,6 @@ impl RotorDefinition {
         let [x, _] = Unbalance::new(self.shaft.mass, self.shaft.eccentricity).phasor(self.speed);
         x.re
     }
-}
-
-/// The static equilibrium under the constant loads, without unbalance.
-fn find_equilibrium(
-    definition: &RotorDefinition,
-    supports: &[Support],
-    load: Vector5,
-) -> Result<Equilibrium, EquilibriumError> {
-    let (free, start) = static_start(definition, supports, load[2]);
-    let speed = definition.speed;
-    StaticProblem {
-        supports,
-        load,
-        free,
-        start,
-        speed,
-    }
-    .solve()
-}
-
-/// Which freedoms find their place, and where the search starts and the others stay.
-pub(crate) fn static_start(
-    definition: &RotorDefinition,
-    supports: &[Support],
-    axial_load: f64,
-) -> ([bool; FREEDOMS], Vector5) {
-    let kept = definition.shaft.freedoms.count();
-    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < kept);
-    let mut start = [0.0; FREEDOMS];
-    for axis in (3..FREEDOMS).filter(|&axis| !free[axis]) {
-        start[axis] = definition.shaft.held_tilt[axis - 3];
-    }
-    if !free[2] {
-        match held_axial(supports, axial_load) {
-            Some(place) => start[2] = place,
-            None => free[2] = true,
-        }
-    }
-    (free, start)
-}
-
-/// Where a radial scene holds the axial displacement; `None`: where the equilibrium puts it.
-///
-/// An axial load or two bearings that face each other fix it by equilibrium. A preset offset fixes
-/// it by itself, at z = 0. A bearing with neither stands axially centred.
-fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
-    let faces = |facing| {
-        supports
-            .iter()
-            .any(|support| support.definition().facing == facing)
-    };
-    if axial_load != 0.0 || (faces(Facing::PlusZ) && faces(Facing::MinusZ)) {
-        return None;
-    }
-    if supports.iter().any(Support::is_preloaded) {
-        return Some(0.0);
-    }
-    supports.first().map(Support::centred_axial)
 }
 
 /// Displacement and velocity at t = 0.

@@ -2,6 +2,7 @@
 //! is how far it is pressed past its lift-off, m; balls count bearing by bearing from ball 0 on, and those of a bearing
 //! whose law is smooth across lift-off do not.
 
+use super::motion::AttachedBearing;
 use super::{CageMotion, Rotation, Rotor};
 use crate::bearing::Support;
 
@@ -11,17 +12,19 @@ impl Rotor {
     /// the lift-off of any ball at any position of the cage; at the start's speed, at those of the profile and at the
     /// highest.
     pub(super) fn balls_may_part(&self) -> bool {
-        let place = self.equilibrium.displacement;
         let speeds = self.speed.points().map(|point| point.speed);
         let mut speeds = speeds.chain([self.highest_speed()]);
+        let cage_turns = self.cage == CageMotion::Rolling;
         self.balls_that_lift_off > 0
             && speeds.any(|speed| {
-                let amplitude = self.amplitude_estimate(speed);
-                let reached = std::array::from_fn(|axis| place[axis] + amplitude[axis]);
-                let cage_turns = self.cage == CageMotion::Rolling;
-                let may_part =
-                    |support: &Support| support.may_part([&place, &reached], speed, cage_turns);
-                self.supports.iter().any(may_part)
+                let amplitudes = self.amplitude_estimate(speed);
+                self.bearings().any(|bearing| {
+                    let place = bearing.displacement(&self.rest[..self.dofs()]);
+                    let reach = bearing.attachment.reach(&amplitudes);
+                    let reached = std::array::from_fn(|axis| place[axis] + reach[axis]);
+                    let support = bearing.support;
+                    support.may_part([&place, &reached], speed, cage_turns)
+                })
             })
     }
 
@@ -32,9 +35,9 @@ impl Rotor {
         place: &[f64],
         values: &mut [f64],
     ) {
-        let displacement = self.full(&self.equilibrium.displacement, place);
         let mut first = 0;
-        self.for_each_support(rotation, &self.phases(rotation), |support, rotation| {
+        self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
+            let (support, displacement) = (bearing.support, bearing.displacement(place));
             let last = (first + support.balls_that_lift_off()).min(values.len());
             if first < last {
                 support.past_lift_offs(&displacement, rotation, &mut values[first..last]);
@@ -46,13 +49,14 @@ impl Rotor {
     /// No ball comes nearer to its lift-off by more than this from one place of the shaft to another.
     pub(super) fn lift_off_change(&self, rotations: [&Rotation; 2], places: [&[f64]; 2]) -> f64 {
         let [from, to] = rotations;
-        let ends = places.map(|place| self.full(&self.equilibrium.displacement, place));
         let (speeds, turn) = ([from.speed, to.speed], to.angle - from.angle);
-        let change = |support: &Support| {
-            let turn = self.cage_ratio(support) * turn;
+        let change = |bearing: AttachedBearing<'_>| {
+            let ends = places.map(|place| bearing.displacement(place));
+            let turn = self.cage_ratio(bearing.support) * turn;
+            let support = bearing.support;
             support.approach_to_lift_off(ends.each_ref(), speeds, turn)
         };
-        self.supports.iter().map(change).fold(0.0, f64::max)
+        self.bearings().map(change).fold(0.0, f64::max)
     }
 
     /// Writes the accelerations that a ball so far past its lift-off gives the kept freedoms at most, m/s² and
@@ -60,15 +64,16 @@ impl Rotor {
     pub(super) fn lift_off_jump(&self, ball: usize, speed: f64, distance: f64, rate: &mut [f64]) {
         rate.fill(0.0);
         let mut first = 0;
-        for support in &self.supports {
+        for bearing in self.bearings() {
+            let support = bearing.support;
             let count = support.balls_that_lift_off();
             if (first..first + count).contains(&ball) {
                 let load = support.load_past_lift_off(distance, speed);
-                let arm = tilting_arm(support);
-                for axis in 0..self.kept {
-                    let lever = if axis < 3 { 1.0 } else { arm };
-                    rate[self.kept + axis] = load * lever * self.inverse_mass[axis];
-                }
+                let moment = load * tilting_arm(support);
+                let bound = [load, load, load, moment, moment];
+                let accelerations = &mut rate[self.dofs()..2 * self.dofs()];
+                bearing.attachment.add_force(1.0, &bound, accelerations);
+                self.mass.accelerate(accelerations);
             }
             first += count;
         }

@@ -13,8 +13,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use super::{CageMotion, Damping, FREEDOMS, InitialPosition, Rotor, RotorDefinition};
-use crate::bearing::equilibrium::FREEDOM_NAMES;
+use super::{CageMotion, Damping, InitialPosition, Rotor, RotorDefinition};
 use crate::bearing::{ContactLaw, Geometry, Support};
 
 /// Stiffness, as a part of that of a loaded contact, below which nothing holds the shaft: the force
@@ -77,7 +76,9 @@ pub fn check_loose(definition: &RotorDefinition, rotor: &Rotor) -> Result<Vec<St
     let contact = rotor.contact_stiffness();
     let loose = Loose::find(rotor, contact);
     let along = |axes: Vec<usize>| {
-        let names: Vec<&str> = axes.into_iter().map(|axis| FREEDOM_NAMES[axis]).collect();
+        let coordinates = &rotor.structure.coordinates;
+        let names = axes.into_iter().map(|dof| coordinates[dof].name.as_str());
+        let names: Vec<&str> = names.collect();
         (!names.is_empty()).then(|| Looseness {
             freedoms: names.join(", "),
             stiffness: loose.stiffness,
@@ -94,8 +95,7 @@ pub fn check_loose(definition: &RotorDefinition, rotor: &Rotor) -> Result<Vec<St
     if let Some(undamped) = along(loose.undamped(&definition.damping)) {
         return Err(LooseError::Damping(undamped));
     }
-    let driven = rotor.driven(contact);
-    if let Some(lost) = along(loose.without_start(definition, &driven)) {
+    if let Some(lost) = along(loose.without_start(definition, rotor, contact)) {
         return Err(LooseError::Start(lost));
     }
     Ok(vec![format!(
@@ -116,15 +116,15 @@ struct Loose {
 impl Loose {
     /// Eigenvectors of the symmetric part of K whose eigenvalue is next to nothing, or negative.
     fn find(rotor: &Rotor, contact: f64) -> Self {
-        let kept = rotor.kept;
+        let dofs = rotor.dofs();
         let arm = Support::largest(&rotor.supports, Geometry::inner_groove_radius);
-        let lengths = [1.0, 1.0, 1.0, arm, arm];
-        let stiffness = &rotor.equilibrium.stiffness;
-        let scaled = DMatrix::from_fn(kept, kept, |row, column| {
+        let lengths = rotor.structure.lengths(arm);
+        let stiffness = &rotor.tangent;
+        let scaled = DMatrix::from_fn(dofs, dofs, |row, column| {
             let both = stiffness[(row, column)] + stiffness[(column, row)];
             0.5 * both / (lengths[row] * lengths[column])
         });
-        let mut share = [0.0; FREEDOMS];
+        let mut share = vec![0.0; dofs];
         let mut least = f64::INFINITY;
         if let Some(modes) = SymmetricEigen::try_new(scaled, f64::EPSILON, SWEEPS) {
             for (value, vector) in modes
@@ -141,7 +141,7 @@ impl Loose {
             }
         }
         let within = |low: f64, high: f64| {
-            let axes = (0..kept).filter(|&axis| share[axis] > low && share[axis] <= high);
+            let axes = (0..dofs).filter(|&axis| share[axis] > low && share[axis] <= high);
             axes.collect::<Vec<_>>()
         };
         Self {
@@ -169,13 +169,21 @@ impl Loose {
 
     /// Freedoms in which neither the scene says where the motion starts nor anything drives it. A
     /// combination is driven, and starts, by any of its freedoms.
-    fn without_start(&self, definition: &RotorDefinition, driven: &[bool; FREEDOMS]) -> Vec<usize> {
-        let initial = &definition.initial;
-        let known = |axis: &usize| {
-            driven[*axis]
+    fn without_start(
+        &self,
+        definition: &RotorDefinition,
+        rotor: &Rotor,
+        contact: f64,
+    ) -> Vec<usize> {
+        let (initial, driven) = (&definition.initial, rotor.driven(contact));
+        let given = |axis: usize| {
+            initial.displacement[axis].is_some()
+                || initial.velocity[axis].is_some_and(|velocity| velocity != 0.0)
+        };
+        let known = |dof: &usize| {
+            driven[*dof]
                 || initial.from == InitialPosition::Origin
-                || initial.displacement[*axis].is_some()
-                || initial.velocity[*axis].is_some_and(|velocity| velocity != 0.0)
+                || rotor.structure.shaft.axis_of(*dof).is_some_and(given)
         };
         let mut lost: Vec<usize> = self
             .whole
@@ -203,24 +211,30 @@ impl Rotor {
         self.supports.iter().map(of).fold(0.0, f64::max)
     }
 
-    /// Which freedoms unbalance, varying loads and passing balls drive.
-    fn driven(&self, contact: f64) -> [bool; FREEDOMS] {
+    /// Which degrees of freedom unbalance, varying loads and passing balls drive.
+    fn driven(&self, contact: f64) -> Vec<bool> {
         let unbalance = self.unbalance.is_some() && self.speed.highest() > 0.0;
-        let mut driven = [unbalance, unbalance, false, false, false];
+        let mut on_shaft = [unbalance, unbalance, false, false, false];
         for load in &self.loads {
-            for (driven, part) in driven.iter_mut().zip(load.swing(self.mass[0]).amplitude) {
+            let amplitude = load.swing(self.shaft_mass).amplitude;
+            for (driven, part) in on_shaft.iter_mut().zip(amplitude) {
                 *driven |= part != 0.0;
             }
         }
+        let shaft = self.structure.shaft;
+        let loaded = |dof| shaft.axis_of(dof).is_some_and(|axis| on_shaft[axis]);
+        let mut driven: Vec<bool> = (0..self.dofs()).map(loaded).collect();
         if self.cage == CageMotion::Rolling && self.speed.highest() > 0.0 {
             let nothing = NOTHING * contact * SMALL_DISPLACEMENT;
-            for (driven, change) in driven.iter_mut().zip(self.passing_force()) {
-                *driven |= change > nothing;
+            for (driven, change) in driven.iter_mut().zip(self.passing_force().iter()) {
+                *driven |= *change > nothing;
             }
         }
         // gyroscopic moments turn one tilt into the other
-        if self.inertia_polar > 0.0 && (driven[3] || driven[4]) {
-            (driven[3], driven[4]) = (true, true);
+        let [.., tilt_x, tilt_y] = shaft.coordinates();
+        if self.inertia_polar > 0.0 && tilt_x.max(tilt_y) < self.dofs() {
+            let either = driven[tilt_x] || driven[tilt_y];
+            (driven[tilt_x], driven[tilt_y]) = (either, either);
         }
         driven
     }

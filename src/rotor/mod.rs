@@ -1,16 +1,19 @@
-//! The shaft as a concentrated mass: freedoms, unbalance, loads, damping, supports.
+//! A shaft on its bearings: degrees of freedom, unbalance, loads, damping, static equilibrium, motion.
 //!
-//! A [`RotorDefinition`] is plain data; [`Rotor::assemble`] finds its static equilibrium and makes
+//! A [`RotorDefinition`] is plain data. [`Structure`](structure::Structure) says which coordinates it has and between
+//! which points its bearings sit; [`Rotor::assemble`] finds its static equilibrium and makes
 //! of it a [`Rotor`], whose derivative is a pure function of time and state.
 
 mod action;
 mod assembly;
 mod augmentation;
 mod ball_contacts;
+mod coefficients;
 mod damping;
 mod definition;
 mod drive;
 mod energy;
+mod equilibrium;
 mod forcing;
 mod lift_off;
 mod linearisation;
@@ -21,14 +24,17 @@ mod motion;
 mod motion_scale;
 mod observation;
 mod phases;
+mod point;
 mod sample;
 mod speed_profile;
+mod static_search;
+mod structure;
 mod system;
 mod tabulation;
 mod unbalance;
 
 pub use assembly::RotorError;
-pub(crate) use assembly::{build_supports, static_start};
+pub(crate) use assembly::build_supports;
 pub use ball_contacts::BallContacts;
 pub use definition::{
     CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
@@ -36,6 +42,8 @@ pub use definition::{
 };
 pub use drive::{Drive, DriveMoments};
 pub use energy::{EnergyBalance, Works};
+pub(crate) use equilibrium::static_place;
+pub use equilibrium::{Equilibrium, EquilibriumError, FREEDOM_NAMES, StaticProblem};
 pub use forcing::{Forcing, ForcingCause, Unrepeated};
 pub use load::{Load, LoadKind};
 pub use loose::{LooseError, Looseness, check_loose};

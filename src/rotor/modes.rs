@@ -5,7 +5,7 @@ use std::fmt;
 
 use nalgebra::{Complex, DMatrix};
 
-use super::Rotor;
+use super::{FREEDOMS, Rotor};
 
 /// Part of the kinetic energy along z above which a mode is axial.
 const AXIAL: f64 = 0.5;
@@ -57,9 +57,11 @@ pub struct NaturalFrequency {
 pub struct Mode {
     /// Eigenvalue λ of positive imaginary part, 1/s.
     pub eigenvalue: Complex<f64>,
-    /// Displacements of the kept freedoms times the root of their mass or moment of inertia, of unit
-    /// length.
+    /// Displacements of the degrees of freedom times the root of their mass or moment of inertia, of unit
+    /// length: `M^½ q`.
     pub shape: Vec<Complex<f64>>,
+    /// Of those, x, y, z, θx and θy of the shaft; zero of what is held.
+    shaft: [Complex<f64>; FREEDOMS],
 }
 
 impl Mode {
@@ -97,11 +99,10 @@ impl Mode {
     pub fn forward_share(&self) -> f64 {
         let (mut forward, mut backward) = (0.0, 0.0);
         for pair in [0, 3] {
-            if let [x, y, ..] = self.shape[pair.min(self.shape.len())..] {
-                let turned = Complex::<f64>::I * y;
-                forward += (x + turned).norm_sqr();
-                backward += (x - turned).norm_sqr();
-            }
+            let [x, y] = [self.shaft[pair], self.shaft[pair + 1]];
+            let turned = Complex::<f64>::I * y;
+            forward += (x + turned).norm_sqr();
+            backward += (x - turned).norm_sqr();
         }
         let both = forward + backward;
         if both > 0.0 {
@@ -114,8 +115,7 @@ impl Mode {
     /// How the shaft goes round.
     pub fn whirl(&self) -> Whirl {
         let all: f64 = self.shape.iter().map(Complex::norm_sqr).sum();
-        let along = self.shape.get(2).map_or(0.0, Complex::norm_sqr);
-        if along > AXIAL * all {
+        if self.shaft[2].norm_sqr() > AXIAL * all {
             return Whirl::Axial;
         }
         match self.forward_share() {
@@ -164,12 +164,14 @@ impl Rotor {
 
     /// Modes of an eigenvalue, or of several that are the same.
     fn modes_of(&self, group: &[Complex<f64>]) -> Vec<Mode> {
-        let shapes = self.shapes(group[0], group.len().min(self.kept));
+        let shapes = self.shapes(group[0], group.len().min(self.dofs()));
+        let shaft = self.structure.shaft.coordinates();
         let pairs = group.iter().zip(shapes.column_iter());
         pairs
             .map(|(eigenvalue, shape)| Mode {
                 eigenvalue: *eigenvalue,
                 shape: shape.iter().copied().collect(),
+                shaft: shaft.map(|index| shape.get(index).copied().unwrap_or(Complex::ZERO)),
             })
             .collect()
     }
@@ -178,21 +180,21 @@ impl Rotor {
     /// there are modes of this eigenvalue: of modes that share one any mixture is a mode, and here they
     /// are those that go round as clearly as can be.
     fn shapes(&self, eigenvalue: Complex<f64>, count: usize) -> DMatrix<Complex<f64>> {
-        let dynamic = DMatrix::from_fn(self.kept, self.kept, |row, column| {
-            let weight = (self.inverse_mass[row] * self.inverse_mass[column]).sqrt();
-            let rate = self.rate_entry(row, column, self.speed());
+        let dofs = self.dofs();
+        let [stiffness, rate] = self.normalised();
+        let dynamic = DMatrix::from_fn(dofs, dofs, |row, column| {
             let inertia = if row == column {
                 eigenvalue * eigenvalue
             } else {
                 Complex::ZERO
             };
-            inertia + (eigenvalue * rate + self.equilibrium.stiffness[(row, column)]) * weight
+            inertia + eigenvalue * rate[(row, column)] + stiffness[(row, column)]
         });
         let decomposed = (dynamic / Complex::from(eigenvalue.norm_sqr())).svd(false, true);
         let Some(directions) = decomposed.v_t else {
-            return DMatrix::zeros(self.kept, 0);
+            return DMatrix::zeros(dofs, 0);
         };
-        let shapes = directions.rows(self.kept - count, count).adjoint();
+        let shapes = directions.rows(dofs - count, count).adjoint();
         if count == 1 {
             return shapes;
         }
@@ -202,39 +204,41 @@ impl Rotor {
 
     /// The Hermitian form of [`Mode::forward_share`]'s F − B.
     fn whirl(&self) -> DMatrix<Complex<f64>> {
-        let mut form = DMatrix::zeros(self.kept, self.kept);
-        for pair in [0, 3].into_iter().filter(|pair| pair + 1 < self.kept) {
-            form[(pair, pair + 1)] = Complex::new(0.0, 2.0);
-            form[(pair + 1, pair)] = Complex::new(0.0, -2.0);
+        let dofs = self.dofs();
+        let mut form = DMatrix::zeros(dofs, dofs);
+        let [x, y, _, tilt_x, tilt_y] = self.structure.shaft.coordinates();
+        for (first, second) in [(x, y), (tilt_x, tilt_y)] {
+            if first.max(second) < dofs {
+                form[(first, second)] = Complex::new(0.0, 2.0);
+                form[(second, first)] = Complex::new(0.0, -2.0);
+            }
         }
         form
+    }
+
+    /// K at the static equilibrium and C + ωG in coordinates in which the mass is one.
+    fn normalised(&self) -> [DMatrix<f64>; 2] {
+        let rate = self.damping.entries() + self.gyroscopic.entries() * self.speed();
+        [&self.tangent, &rate].map(|matrix| self.mass.normalised(matrix))
     }
 
     /// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = M^½ q: in these units, ω₀ the highest frequency of a freedom
     /// by itself, its entries are of one size, and its eigenvalues lose no digits.
     fn state_matrix(&self) -> DMatrix<f64> {
-        let kept = self.kept;
-        let entry = |row: usize, column: usize| {
-            let weight = (self.inverse_mass[row] * self.inverse_mass[column]).sqrt();
-            [
-                self.equilibrium.stiffness[(row, column)] * weight,
-                self.rate_entry(row, column, self.speed()) * weight,
-            ]
-        };
-        let largest = (0..kept).map(|axis| entry(axis, axis)[0].abs());
-        let unit = match largest.fold(0.0, f64::max).sqrt() {
+        let dofs = self.dofs();
+        let [stiffness, rate] = self.normalised();
+        let unit = match stiffness.diagonal().amax().sqrt() {
             0.0 => 1.0,
             highest => highest,
         };
-        let mut matrix = DMatrix::zeros(2 * kept, 2 * kept);
-        for row in 0..kept {
-            matrix[(row, kept + row)] = unit;
-            for column in 0..kept {
-                let [stiffness, rate] = entry(row, column);
-                matrix[(kept + row, column)] = -stiffness / unit;
-                matrix[(kept + row, kept + column)] = -rate;
-            }
-        }
+        let mut matrix = DMatrix::zeros(2 * dofs, 2 * dofs);
+        matrix.view_mut((0, dofs), (dofs, dofs)).fill_diagonal(unit);
+        matrix
+            .view_mut((dofs, 0), (dofs, dofs))
+            .copy_from(&(stiffness / -unit));
+        matrix
+            .view_mut((dofs, dofs), (dofs, dofs))
+            .copy_from(&-rate);
         matrix
     }
 }

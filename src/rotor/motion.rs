@@ -1,16 +1,28 @@
 //! The shaft in motion: the right-hand side of its equations.
 
 use fearless_simd::{Level, Simd};
+use nalgebra::DMatrix;
 
-use super::damping::DampingMatrix;
+use super::coefficients::{Coefficients, Mass};
+use super::equilibrium::Equilibrium;
 use super::phases::Phases;
+use super::point::{Attachment, Point};
+use super::structure::Structure;
 use super::unbalance::Unbalance;
 use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, SpeedProfile};
-use crate::bearing::equilibrium::Equilibrium;
-use crate::bearing::{Angle, BearingRotation, Support, Vector5, in_registers};
+use crate::bearing::{Angle, BearingRotation, BearingState, Support, Vector5, in_registers};
 use crate::registers::in_wide_registers;
 
-/// A concentrated mass on its bearings, assembled and ready to move.
+/// A shaft on its bearings, assembled and ready to move.
+///
+/// ```text
+/// M q̈ + (C + ω G) q̇ + K q + Σ_b B_bᵀ F_b(B_b q, B_b q̇, ψ_b, ω) = f(t, ψ)
+/// ```
+///
+/// q are its degrees of freedom, B_b takes from them the displacement between the points that the rings of bearing b
+/// sit at, F_b is the force that moves its inner ring there against the damping of the contacts, and f are the
+/// unbalance, the weight and the loads at the centre of mass of the shaft. Of a rigid shaft on bearings that stand on the
+/// ground, K = 0 and
 ///
 /// ```text
 /// m ẍ  + (C q̇)_x = −F_x + m e (ω² cos ψ + ω̇ sin ψ) + P_x
@@ -20,10 +32,9 @@ use crate::registers::in_wide_registers;
 /// I_t θ̈y + (C q̇)_θy − I_p ω θ̇x = −M_y + P_θy
 /// ```
 ///
-/// with F the force that holds the inner rings at q and moves them against the damping of their
-/// contacts, and ψ, ω and ω̇ those of the speed profile. The
-/// cage of a bearing turns by its constant ratio of ψ, at any profile. Freedoms that the scene does
-/// not keep stay where the static equilibrium has them.
+/// with ψ, ω and ω̇ those of the speed profile. The
+/// cage of a bearing turns by its constant ratio of ψ, at any profile. Coordinates that the scene holds stay where the
+/// static equilibrium has them.
 ///
 /// Source: the equations of a Jeffcott rotor with gyroscopic tilt, e.g. Krämer, *Dynamics of Rotors
 /// and Foundations* (1993), ch. 1 and 5.
@@ -31,9 +42,16 @@ use crate::registers::in_wide_registers;
 pub struct Rotor {
     /// What the processor has.
     pub(super) level: Level,
-    pub(super) kept: usize,
-    pub(super) mass: Vector5,
-    pub(super) inverse_mass: Vector5,
+    /// Coordinates, K, and the points where forces act.
+    pub(super) structure: Structure,
+    /// M.
+    pub(super) mass: Mass,
+    /// C.
+    pub(super) damping: Coefficients,
+    /// G.
+    pub(super) gyroscopic: Coefficients,
+    /// Mass of the shaft, kg.
+    pub(super) shaft_mass: f64,
     pub(super) inertia_polar: f64,
     pub(super) speed: SpeedProfile,
     /// Decides the speed in place of the profile, which then holds that of the start.
@@ -48,7 +66,6 @@ pub struct Rotor {
     pub(super) weight: f64,
     /// Varying loads.
     pub(super) loads: Vec<Load>,
-    pub(super) damping: DampingMatrix,
     /// Whether the contacts of any bearing are damped.
     pub(super) contacts_damped: bool,
     pub(super) supports: Vec<Support>,
@@ -57,14 +74,47 @@ pub struct Rotor {
     /// Speed of the first bearing's cage over that of the shaft.
     pub(super) leading_ratio: f64,
     pub(super) equilibrium: Equilibrium,
-    /// Displacement and velocity at t = 0.
+    /// Place of all coordinates at the static equilibrium.
+    pub(super) rest: Vec<f64>,
+    /// K and the stiffness of the bearings there, of all coordinates.
+    pub(super) tangent: DMatrix<f64>,
+    /// Displacement and velocity of the shaft at t = 0.
     pub(super) initial: [Vector5; 2],
 }
 
+/// A bearing between the points of its rings.
+#[derive(Clone, Copy)]
+pub(super) struct AttachedBearing<'a> {
+    pub support: &'a Support,
+    pub attachment: &'a Attachment,
+    rest: &'a [f64],
+}
+
+impl AttachedBearing<'_> {
+    /// Displacement of the inner ring's point from the outer one's.
+    #[inline(always)]
+    pub fn displacement(&self, dofs: &[f64]) -> Vector5 {
+        self.attachment.displacement(dofs, self.rest)
+    }
+
+    /// The same and its rate.
+    pub fn motion(&self, dofs: &[f64], velocity: &[f64]) -> [Vector5; 2] {
+        [self.displacement(dofs), self.attachment.rate(velocity)]
+    }
+}
+
 impl Rotor {
-    /// Number of freedoms that move: the first so many of x, y, z, θx, θy.
+    /// Number of freedoms of the shaft that move: the first so many of x, y, z, θx, θy.
     pub fn kept(&self) -> usize {
-        self.kept
+        let dofs = self.dofs();
+        let indices = self.structure.shaft.coordinates().into_iter();
+        indices.take_while(|index| *index < dofs).count()
+    }
+
+    /// Number of degrees of freedom.
+    #[inline(always)]
+    pub(super) fn dofs(&self) -> usize {
+        self.structure.dofs
     }
 
     /// Angular speed of the shaft at t = 0, rad/s.
@@ -106,69 +156,18 @@ impl Rotor {
         &self.supports
     }
 
+    /// What is known of every bearing at the static equilibrium and a speed of the shaft in rad/s.
+    pub fn bearing_states(&self, speed: f64) -> Vec<BearingState> {
+        let state = |bearing: AttachedBearing<'_>| {
+            let place = bearing.displacement(&self.rest[..self.dofs()]);
+            bearing.support.state(&place, speed)
+        };
+        self.bearings().map(state).collect()
+    }
+
     /// Displacement and velocity at t = 0.
     pub fn initial_state(&self) -> [Vector5; 2] {
         self.initial
-    }
-
-    /// Force of the shaft onto all bearings at a displacement, N and N m.
-    #[inline(always)]
-    fn force_on_bearings<S: Simd>(
-        &self,
-        simd: S,
-        displacement: &Vector5,
-        rotation: &Rotation,
-        phases: &Phases,
-    ) -> Vector5 {
-        match &self.supports[..] {
-            // by itself, so that no sum has to be kept in memory from bearing to bearing
-            [support] => {
-                support.force_by(simd, displacement, &self.seen_by(support, rotation, phases))
-            }
-            _ => in_registers(simd.vectorize(
-                #[inline(always)]
-                || self.force_on_several(simd, in_registers(*displacement), rotation, phases),
-            )),
-        }
-    }
-
-    #[inline(always)]
-    fn force_on_several<S: Simd>(
-        &self,
-        simd: S,
-        displacement: Vector5,
-        rotation: &Rotation,
-        phases: &Phases,
-    ) -> Vector5 {
-        let mut total = [0.0; FREEDOMS];
-        for support in &self.supports {
-            let rotation = self.seen_by(support, rotation, phases);
-            let force = support.force_by(simd, &displacement, &rotation);
-            for axis in 0..FREEDOMS {
-                total[axis] += force[axis];
-            }
-        }
-        total
-    }
-
-    /// As [`Rotor::force_on_bearings`], and against the damping of the contacts; apart from the rest, which
-    /// stays small where no contact is damped.
-    #[inline(never)]
-    fn damped_force_on_bearings(
-        &self,
-        displacement: &Vector5,
-        velocity: &Vector5,
-        rotation: &Rotation,
-        phases: &Phases,
-    ) -> Vector5 {
-        let mut total = [0.0; FREEDOMS];
-        self.for_each_support(rotation, phases, |support, rotation| {
-            let [elastic, damping] = support.damped_force(displacement, velocity, rotation);
-            for axis in 0..FREEDOMS {
-                total[axis] += elastic[axis] + damping[axis];
-            }
-        });
-        total
     }
 
     /// Speed of the cage of a bearing over that of the shaft.
@@ -183,16 +182,27 @@ impl Rotor {
         Phases::new(rotation, self.leading_ratio)
     }
 
+    /// The bearings between their points.
+    #[inline(always)]
+    pub(super) fn bearings(&self) -> impl Iterator<Item = AttachedBearing<'_>> {
+        let pairs = self.supports.iter().zip(&self.structure.attachments);
+        pairs.map(|(support, attachment)| AttachedBearing {
+            support,
+            attachment,
+            rest: &self.rest,
+        })
+    }
+
     /// Visits every bearing with the rotation that it sees.
     #[inline]
-    pub(super) fn for_each_support(
+    pub(super) fn for_each_bearing(
         &self,
         rotation: &Rotation,
         phases: &Phases,
-        mut visit: impl FnMut(&Support, &BearingRotation),
+        mut visit: impl FnMut(AttachedBearing<'_>, &BearingRotation),
     ) {
-        for support in &self.supports {
-            visit(support, &self.seen_by(support, rotation, phases));
+        for bearing in self.bearings() {
+            visit(bearing, &self.seen_by(bearing.support, rotation, phases));
         }
     }
 
@@ -230,13 +240,6 @@ impl Rotor {
         }
     }
 
-    /// Gyroscopic moments, N m.
-    #[inline(always)]
-    pub(super) fn gyroscopic(&self, velocity: &Vector5, speed: f64) -> Vector5 {
-        let inertia = self.inertia_polar * speed;
-        [0.0, 0.0, 0.0, -inertia * velocity[4], inertia * velocity[3]]
-    }
-
     /// Loads that act at the centre of mass, and those that act on the shaft's axis, N and N m.
     pub(super) fn loads_apart(&self, time: f64, angle: f64) -> [Vector5; 2] {
         let mut on_mass = [0.0, -self.weight, 0.0, 0.0, 0.0];
@@ -248,7 +251,7 @@ impl Rotor {
             } else {
                 &mut on_axis
             };
-            load.add(time, angle, self.mass[0], sum);
+            load.add(time, angle, self.shaft_mass, sum);
         }
         [on_mass, on_axis]
     }
@@ -257,7 +260,7 @@ impl Rotor {
     #[inline(never)]
     fn with_loads(&self, time: f64, angle: f64, mut push: Vector5) -> Vector5 {
         for load in &self.loads {
-            load.add(time, angle, self.mass[0], &mut push);
+            load.add(time, angle, self.shaft_mass, &mut push);
         }
         push
     }
@@ -266,12 +269,6 @@ impl Rotor {
     pub(super) fn next_break_after(&self, after: f64) -> f64 {
         let breaks = self.loads.iter().map(|load| load.next_break(after));
         breaks.fold(self.speed.next_break(after), f64::min)
-    }
-
-    /// Five components, the kept ones from a state, the others from `held`.
-    #[inline(always)]
-    pub(super) fn full(&self, held: &Vector5, kept: &[f64]) -> Vector5 {
-        std::array::from_fn(|axis| kept.get(axis).copied().unwrap_or(held[axis]))
     }
 }
 
@@ -285,53 +282,100 @@ impl Rotor {
     /// The same for the processor's level `S`.
     #[inline(always)]
     fn derivative_by<S: Simd>(&self, simd: S, time: f64, state: &[f64], rate: &mut [f64]) {
-        // known to the compiler in the loops over them
-        match self.kept {
-            2 => self.derivative_of::<S, 2>(simd, time, state, rate),
-            3 => self.derivative_of::<S, 3>(simd, time, state, rate),
-            _ => self.derivative_of::<S, FREEDOMS>(simd, time, state, rate),
+        // what a rigid shaft on the ground asks for is known to the compiler: a third of the time with two freedoms
+        match self.dofs() {
+            2 if self.structure.rigid => self.derivative_of::<S, true>(simd, 2, time, state, rate),
+            3 if self.structure.rigid => self.derivative_of::<S, true>(simd, 3, time, state, rate),
+            5 if self.structure.rigid => self.derivative_of::<S, true>(simd, 5, time, state, rate),
+            dofs => self.derivative_of::<S, false>(simd, dofs, time, state, rate),
         }
     }
 
     #[inline(always)]
-    fn derivative_of<S: Simd, const KEPT: usize>(
+    fn derivative_of<S: Simd, const RIGID: bool>(
         &self,
         simd: S,
+        dofs: usize,
         time: f64,
         state: &[f64],
         rate: &mut [f64],
     ) {
-        let kept = KEPT;
-        let (state, rate) = (&state[..2 * kept], &mut rate[..2 * kept]);
-        let velocity = &state[kept..];
+        let (place, velocity) = state[..2 * dofs].split_at(dofs);
+        let (displacement_rate, force) = rate[..2 * dofs].split_at_mut(dofs);
+        displacement_rate.copy_from_slice(velocity);
+        force.fill(0.0);
         let rotation = self.speed.at(time);
         let phases = self.phases(&rotation);
-        let displacement = self.full(&self.equilibrium.displacement, &state[..kept]);
-        let force = if self.contacts_damped {
-            let velocity = self.full(&[0.0; FREEDOMS], velocity);
-            let displacement = in_registers(displacement);
-            in_registers(self.damped_force_on_bearings(
-                &displacement,
-                &velocity,
-                &rotation,
-                &phases,
-            ))
+        let shaft = if RIGID {
+            Point::RIGID_SHAFT
         } else {
-            self.force_on_bearings(simd, &displacement, &rotation, &phases)
+            self.structure.shaft
         };
-        let mut push = self.outer_force(time, &rotation, &phases);
-        if kept == FREEDOMS {
-            let gyroscopic = self.inertia_polar * rotation.speed;
-            push[3] -= gyroscopic * velocity[4];
-            push[4] += gyroscopic * velocity[3];
+        shaft.add_force(1.0, &self.outer_force(time, &rotation, &phases), force);
+        self.gyroscopic
+            .add_product(-rotation.speed, velocity, force);
+        self.damping.add_product(-1.0, velocity, force);
+        if !RIGID {
+            self.structure.stiffness.add_product(-1.0, place, force);
         }
-        let braking = self.damping.force(velocity);
-        for axis in 0..kept {
-            push[axis] -= braking[axis];
+        if self.contacts_damped {
+            self.add_damped_bearings(place, velocity, &rotation, &phases, force);
+        } else if RIGID {
+            let displacement = shaft.displacement(place, &self.rest);
+            let held = self.force_on_grounded(simd, &displacement, &rotation, &phases);
+            shaft.add_force(-1.0, &held, force);
+        } else {
+            for bearing in self.bearings() {
+                let displacement = bearing.displacement(place);
+                let seen = self.seen_by(bearing.support, &rotation, &phases);
+                let held = bearing.support.force_by(simd, &displacement, &seen);
+                bearing.attachment.add_force(-1.0, &held, force);
+            }
         }
-        for axis in 0..kept {
-            rate[axis] = velocity[axis];
-            rate[kept + axis] = (push[axis] - force[axis]) * self.inverse_mass[axis];
+        self.mass.accelerate(force);
+    }
+
+    /// Force of a rigid shaft onto all its bearings, N and N m.
+    #[inline(always)]
+    fn force_on_grounded<S: Simd>(
+        &self,
+        simd: S,
+        displacement: &Vector5,
+        rotation: &Rotation,
+        phases: &Phases,
+    ) -> Vector5 {
+        // one by itself, so that no sum has to be kept in memory from bearing to bearing
+        if let [support] = &self.supports[..] {
+            let seen = self.seen_by(support, rotation, phases);
+            return support.force_by(simd, displacement, &seen);
         }
+        let mut sum = [0.0; FREEDOMS];
+        for support in &self.supports {
+            let seen = self.seen_by(support, rotation, phases);
+            let force = support.force_by(simd, displacement, &seen);
+            for axis in 0..FREEDOMS {
+                sum[axis] += force[axis];
+            }
+        }
+        sum
+    }
+
+    /// Adds the forces of the bearings with the damping of their contacts; apart from the rest, which
+    /// stays small where no contact is damped.
+    #[inline(never)]
+    fn add_damped_bearings(
+        &self,
+        place: &[f64],
+        velocity: &[f64],
+        rotation: &Rotation,
+        phases: &Phases,
+        sum: &mut [f64],
+    ) {
+        self.for_each_bearing(rotation, phases, |bearing, rotation| {
+            let [place, rate] = bearing.motion(place, velocity);
+            let [elastic, damping] = bearing.support.damped_force(&place, &rate, rotation);
+            let force = std::array::from_fn(|axis| elastic[axis] + damping[axis]);
+            bearing.attachment.add_force(-1.0, &force, sum);
+        });
     }
 }

@@ -1,5 +1,7 @@
 //! How large the motion will be: what a tolerance is relative to.
 
+use std::f64::consts::TAU;
+
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::loose::NOTHING;
@@ -26,7 +28,7 @@ pub struct MotionScale {
 impl MotionScale {
     /// Length that turns component `axis` of x, y, z, θx, θy into a displacement.
     pub fn lever(&self, axis: usize) -> f64 {
-        lever(axis, self.arm)
+        if axis < 3 { 1.0 } else { self.arm }
     }
 }
 
@@ -59,12 +61,11 @@ impl Rotor {
     /// where nothing resists at the equilibrium, as in the middle of a clearance, that of the shaft on one
     /// contact.
     fn highest_frequency(&self) -> f64 {
-        let stiffness = &self.equilibrium.stiffness;
-        let highest = (0..self.kept)
-            .map(|axis| (stiffness[(axis, axis)].max(0.0) * self.inverse_mass[axis]).sqrt())
+        let highest = (0..self.dofs())
+            .map(|dof| (self.tangent[(dof, dof)].max(0.0) / self.mass.entry(dof, dof)).sqrt())
             .fold(0.0, f64::max);
         let natural = match highest {
-            0.0 => (self.contact_stiffness() * self.inverse_mass[0]).sqrt(),
+            0.0 => (self.contact_stiffness() / self.shaft_mass).sqrt(),
             highest => highest,
         };
         natural.max(self.highest_speed())
@@ -74,35 +75,47 @@ impl Rotor {
         Support::largest(&self.supports, Geometry::groove_centre_distance)
     }
 
-    /// Estimated amplitudes of the kept freedoms about the static equilibrium at a speed of the shaft in rad/s, m and
+    /// Estimated amplitudes of the degrees of freedom about the static equilibrium at a speed of the shaft in rad/s, m and
     /// rad: the sum of what [`Rotor::motion_scale`] takes the largest of.
-    pub(super) fn amplitude_estimate(&self, speed: f64) -> [f64; FREEDOMS] {
-        let mut swing = [0.0; FREEDOMS];
-        let mut add = |part: &mut dyn Iterator<Item = f64>| {
-            for (swing, part) in swing.iter_mut().zip(part) {
-                *swing += part.abs();
+    pub(super) fn amplitude_estimate(&self, speed: f64) -> Vec<f64> {
+        let mut sum = vec![0.0; self.dofs()];
+        let mut add = |part: Vec<f64>| {
+            for (sum, part) in sum.iter_mut().zip(part) {
+                *sum += part.abs();
             }
         };
-        add(&mut self
-            .amplitudes(&self.unbalance_phasor(speed), speed, speed)
-            .into_iter());
+        add(self.amplitudes(&self.unbalance_phasor(speed), speed, speed));
         for load in &self.loads {
-            let load = load.swing(self.mass[0]);
-            let force = load.amplitude.map(|force| Complex::new(force, 0.0));
+            let load = load.swing(self.shaft_mass);
             let frequency = load.frequency + load.order * speed;
-            add(&mut self.amplitudes(&force, frequency, speed).into_iter());
+            add(self.amplitudes(&load.amplitude.map(Complex::from), frequency, speed));
         }
-        let mut passing = [0.0_f64; FREEDOMS];
+        let mut passing = vec![0.0_f64; self.dofs()];
         for shift in self.passing_shifts() {
             for (passing, shift) in passing.iter_mut().zip(shift.iter()) {
                 *passing = passing.max(shift.abs());
             }
         }
-        add(&mut passing.into_iter());
-        let ([place, velocity], frequency) = (&self.initial, self.highest_frequency());
-        add(&mut (0..self.kept).map(|axis| place[axis] - self.equilibrium.displacement[axis]));
-        add(&mut velocity.iter().map(|velocity| velocity / frequency));
-        swing
+        add(passing);
+        let [shift, velocity] = self.initial_deviation();
+        let frequency = self.highest_frequency();
+        add(shift);
+        add(velocity
+            .iter()
+            .map(|velocity| velocity / frequency)
+            .collect());
+        sum
+    }
+
+    /// Displacement from the static equilibrium and velocity of the degrees of freedom at t = 0.
+    fn initial_deviation(&self) -> [Vec<f64>; 2] {
+        let start = self.start();
+        let (place, rest) = start.split_at(self.dofs());
+        let shift = place
+            .iter()
+            .zip(&self.rest)
+            .map(|(place, rest)| place - rest);
+        [shift.collect(), rest[..self.dofs()].to_vec()]
     }
 
     /// Force of the unbalance at a speed as complex amplitudes, N.
@@ -115,7 +128,7 @@ impl Rotor {
     fn unbalance_response(&self, arm: f64) -> f64 {
         let response = |speed: f64| {
             let force = self.unbalance_phasor(speed);
-            largest(self.amplitudes(&force, speed, speed).into_iter(), arm)
+            self.largest(&self.amplitudes(&force, speed, speed), arm)
         };
         let speeds = self.speed.points().map(|point| point.speed);
         speeds
@@ -127,31 +140,31 @@ impl Rotor {
     /// Largest amplitude under each of the varying loads by itself.
     fn load_response(&self, arm: f64) -> f64 {
         let response = |load: &Load| {
-            let swing = load.swing(self.mass[0]);
-            let force = swing.amplitude.map(|force| Complex::new(force, 0.0));
+            let swing = load.swing(self.shaft_mass);
             let speed = self.highest_speed();
             let frequency = swing.frequency + swing.order * speed;
-            largest(self.amplitudes(&force, frequency, speed).into_iter(), arm)
+            let force = swing.amplitude.map(Complex::from);
+            self.largest(&self.amplitudes(&force, frequency, speed), arm)
         };
         self.loads.iter().map(response).fold(0.0, f64::max)
     }
 
-    /// Amplitudes of the kept freedoms under a force of angular frequency ω while the shaft turns at Ω,
+    /// Amplitudes of the degrees of freedom under a force on the shaft of angular frequency ω while it turns at Ω,
     /// `|(K − ω²M + iω(C + ΩG))⁻¹ F|`; none at an undamped resonance.
     fn amplitudes(&self, force: &[Complex<f64>; FREEDOMS], omega: f64, speed: f64) -> Vec<f64> {
-        let kept = self.kept;
-        let stiffness = &self.equilibrium.stiffness;
-        let dynamic = DMatrix::from_fn(kept, kept, |row, column| {
-            let inertia = if row == column {
-                omega * omega * self.mass[row]
-            } else {
-                0.0
-            };
+        let dofs = self.dofs();
+        let dynamic = DMatrix::from_fn(dofs, dofs, |row, column| {
+            let inertia = omega * omega * self.mass.entry(row, column);
             let rate = self.rate_entry(row, column, speed);
-            Complex::new(stiffness[(row, column)] - inertia, omega * rate)
+            Complex::new(self.tangent[(row, column)] - inertia, omega * rate)
         });
-        let force = DVector::from_column_slice(&force[..kept]);
-        let response = dynamic.lu().solve(&force);
+        let of = |dof| match self.structure.shaft.axis_of(dof) {
+            Some(axis) => force[axis],
+            None => Complex::ZERO,
+        };
+        let response = dynamic
+            .lu()
+            .solve(&DVector::from_fn(dofs, |dof, _| of(dof)));
         response.map_or_else(Vec::new, |response| {
             response.iter().map(|part| part.norm()).collect()
         })
@@ -161,79 +174,77 @@ impl Rotor {
     fn varying_compliance(&self, arm: f64) -> f64 {
         self.passing_shifts()
             .iter()
-            .map(|shift| largest(shift.iter().copied(), arm))
+            .map(|shift| self.largest(shift.as_slice(), arm))
             .fold(0.0, f64::max)
     }
 
-    /// These displacements of the kept freedoms at some positions of the cage; none in a direction that nothing holds.
+    /// These displacements of the degrees of freedom at some positions of the cage; none in a direction that nothing
+    /// holds.
     fn passing_shifts(&self) -> Vec<DVector<f64>> {
         if self.cage == CageMotion::Frozen || self.highest_speed() == 0.0 {
             return Vec::new();
         }
-        let kept = self.kept;
-        let stiffness = self
-            .equilibrium
-            .stiffness
-            .view((0, 0), (kept, kept))
-            .into_owned();
+        let dofs = self.dofs();
+        let stiffness = self.tangent.view((0, 0), (dofs, dofs)).into_owned();
         let least = NOTHING * self.contact_stiffness();
         let factors = stiffness.svd(true, true);
         (1..CAGE_POSITIONS)
             .filter_map(|position| {
                 let part = position as f64 / CAGE_POSITIONS as f64;
-                let change = DVector::from_vec(self.force_change(part)[..kept].to_vec());
-                factors.solve(&change, least).ok()
+                factors.solve(&self.force_change(part), least).ok()
             })
             .collect()
     }
 
-    /// Change of force at the equilibrium when every cage has turned by a part of its ball spacing.
-    fn force_change(&self, part: f64) -> [f64; FREEDOMS] {
-        let place = &self.equilibrium.displacement;
-        let mut change = [0.0; FREEDOMS];
-        for support in &self.supports {
-            let spacing =
-                std::f64::consts::TAU / support.definition().bearing.geometry.balls() as f64;
+    /// Change of the forces on the degrees of freedom at the equilibrium when every cage has turned by a part of its ball
+    /// spacing.
+    fn force_change(&self, part: f64) -> DVector<f64> {
+        let dofs = self.dofs();
+        let mut sum = DVector::zeros(dofs);
+        for bearing in self.bearings() {
+            let place = bearing.displacement(&self.rest[..dofs]);
+            let spacing = TAU / bearing.support.definition().bearing.geometry.balls() as f64;
             let start = BearingRotation::at_start(self.speed());
-            let turned = support.force(place, &start.with_cage_at(part * spacing));
-            let still = support.force(place, &start);
-            for axis in 0..FREEDOMS {
-                change[axis] += turned[axis] - still[axis];
-            }
+            let turned = bearing
+                .support
+                .force(&place, &start.with_cage_at(part * spacing));
+            let still = bearing.support.force(&place, &start);
+            let change = std::array::from_fn(|axis| turned[axis] - still[axis]);
+            bearing
+                .attachment
+                .add_force(1.0, &change, sum.as_mut_slice());
         }
-        change
+        sum
     }
 
-    /// Largest of these changes in every component.
-    pub(super) fn passing_force(&self) -> [f64; FREEDOMS] {
-        let mut largest = [0.0_f64; FREEDOMS];
-        for position in 1..CAGE_POSITIONS {
-            let change = self.force_change(position as f64 / CAGE_POSITIONS as f64);
-            for (largest, change) in largest.iter_mut().zip(change) {
-                *largest = largest.max(change.abs());
-            }
-        }
-        largest
+    /// Largest of these changes in every degree of freedom.
+    pub(super) fn passing_force(&self) -> DVector<f64> {
+        let changes = (1..CAGE_POSITIONS).map(|position| {
+            self.force_change(position as f64 / CAGE_POSITIONS as f64)
+                .abs()
+        });
+        changes.fold(DVector::zeros(self.dofs()), |largest, change| {
+            largest.sup(&change)
+        })
     }
 
     fn initial_distance(&self, arm: f64, frequency: f64) -> f64 {
-        let [displacement, velocity] = &self.initial;
-        let shift =
-            (0..self.kept).map(|axis| displacement[axis] - self.equilibrium.displacement[axis]);
-        let swing = velocity.iter().map(|velocity| velocity / frequency);
-        largest(shift, arm).max(largest(swing, arm))
+        let [shift, velocity] = self.initial_deviation();
+        let swing: Vec<f64> = velocity
+            .iter()
+            .map(|velocity| velocity / frequency)
+            .collect();
+        self.largest(&shift, arm).max(self.largest(&swing, arm))
     }
-}
 
-fn lever(axis: usize, arm: f64) -> f64 {
-    if axis < 3 { 1.0 } else { arm }
-}
-
-/// Largest component as a displacement; what is not a number does not count.
-fn largest(components: impl Iterator<Item = f64>, arm: f64) -> f64 {
-    components
-        .enumerate()
-        .map(|(axis, value)| value.abs() * lever(axis, arm))
-        .filter(|value| value.is_finite())
-        .fold(0.0, f64::max)
+    /// Largest component as a displacement; what is not a number does not count.
+    fn largest(&self, components: &[f64], arm: f64) -> f64 {
+        let coordinates = self.structure.coordinates.iter();
+        components
+            .iter()
+            .zip(coordinates)
+            .map(|(value, coordinate)| value.abs() * coordinate.length(arm))
+            .filter(|value| value.is_finite())
+            .fold(0.0, f64::max)
+    }
 }

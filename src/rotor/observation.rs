@@ -23,11 +23,13 @@ impl Rotor {
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
     /// own [`Rotor::ball_contacts`].
     pub fn sample(&self, time: f64, state: &[f64], contacts: &mut BallContacts) -> Sample {
-        let motion = self.motion(state);
         if !self.is_augmented() {
-            return self.observe(time, &self.speed.at(time), motion, contacts);
+            return self.observe(time, &self.speed.at(time), state, contacts);
         }
-        let action = self.drive.map(|_| self.act(time, state));
+        let mut accelerations = vec![0.0; self.dofs()];
+        let action = self
+            .drive
+            .map(|_| self.act(time, state, &mut accelerations));
         let rotation = match &action {
             Some(action) => action.rotation,
             None => self.rotation(time, state),
@@ -35,31 +37,32 @@ impl Rotor {
         Sample {
             energy: Some(self.energy_balance(time, state)),
             drive: action.and_then(|action| action.moments),
-            ..self.observe(time, &rotation, motion, contacts)
+            ..self.observe(time, &rotation, state, contacts)
         }
     }
 
     /// Of what [`Rotor::sample`] observes the balls and the bearings' axial forces alone.
     pub(crate) fn observe_contacts(&self, time: f64, state: &[f64], contacts: &mut BallContacts) {
-        let displacement = self.full(&self.equilibrium.displacement, &state[..self.kept]);
-        self.observe_bearings(&displacement, &self.speed.at(time), contacts);
+        self.observe_bearings(&state[..self.dofs()], &self.speed.at(time), contacts);
     }
 
-    /// What is observed of a motion, displacement first.
+    /// What is observed of the motion in a state.
     pub(super) fn observe(
         &self,
         time: f64,
         rotation: &Rotation,
-        [displacement, velocity]: [Vector5; 2],
+        state: &[f64],
         contacts: &mut BallContacts,
     ) -> Sample {
+        let dofs = self.dofs();
+        let (place, velocity) = state[..2 * dofs].split_at(dofs);
         let mut force = if contacts.forces {
-            self.observe_bearings(&displacement, rotation, contacts)
+            self.observe_bearings(place, rotation, contacts)
         } else {
             [0.0; FREEDOMS]
         };
         if contacts.forces && self.contacts_damped {
-            let damping = self.contact_damping(&displacement, &velocity, rotation);
+            let damping = self.contact_damping(place, velocity, rotation);
             for axis in 0..FREEDOMS {
                 force[axis] += damping[axis];
             }
@@ -69,8 +72,8 @@ impl Rotor {
             time,
             angle: rotation.angle,
             speed: rotation.speed,
-            displacement,
-            velocity,
+            displacement: self.structure.shaft.displacement(place, &self.rest),
+            velocity: self.structure.shaft.rate(velocity),
             force_on_shaft: force.map(|force| -force),
             largest_ball_load: contacts.largest_load(),
             balls_loaded: contacts.loaded(),
@@ -82,19 +85,20 @@ impl Rotor {
     /// Force of the shaft onto all bearings, N and N m; axial forces and balls go to `contacts`.
     fn observe_bearings(
         &self,
-        displacement: &Vector5,
+        place: &[f64],
         rotation: &Rotation,
         contacts: &mut BallContacts,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
         let observed = contacts.bearings.iter_mut().zip(&mut contacts.axial_forces);
         let phases = self.phases(rotation);
-        for (support, (loads, axial)) in self.supports.iter().zip(observed) {
+        for (bearing, (loads, axial)) in self.bearings().zip(observed) {
+            let (support, displacement) = (bearing.support, bearing.displacement(place));
             let rotation = self.seen_by(support, rotation, &phases);
             let force = if loads.balls() > 0 {
-                support.force_and_loads(displacement, &rotation, loads)
+                support.force_and_loads(&displacement, &rotation, loads)
             } else {
-                support.force(displacement, &rotation)
+                support.force(&displacement, &rotation)
             };
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];

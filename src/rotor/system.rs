@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::energy::Works;
-use super::{FREEDOMS, MotionScale, Rotation, Rotor};
+use super::{MotionScale, Rotation, Rotor};
 use crate::bearing::Vector5;
 use crate::integrate::{Scaling, System};
 
@@ -53,12 +53,12 @@ impl System for Rotor {
     }
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
-        self.lift_off_distances(&self.rotation(time, state), &state[..self.kept], values);
+        self.lift_off_distances(&self.rotation(time, state), &state[..self.dofs()], values);
     }
 
     fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
         let rotations = [0, 1].map(|end| self.rotation(times[end], states[end]));
-        let places = states.map(|state| &state[..self.kept]);
+        let places = states.map(|state| &state[..self.dofs()]);
         self.lift_off_change(rotations.each_ref(), places)
     }
 
@@ -93,7 +93,7 @@ impl Rotor {
 
     /// Index of the first work among the states.
     pub(super) fn first_work(&self) -> usize {
-        2 * self.kept + if self.drive.is_some() { 2 } else { 0 }
+        2 * self.dofs() + if self.drive.is_some() { 2 } else { 0 }
     }
 
     /// Angle and speed in a state at a time; the acceleration of a driven shaft is not known before its moments are.
@@ -102,62 +102,57 @@ impl Rotor {
         match self.drive {
             None => self.speed.at(time),
             Some(_) => Rotation {
-                angle: state[2 * self.kept],
-                speed: state[2 * self.kept + 1],
+                angle: state[2 * self.dofs()],
+                speed: state[2 * self.dofs() + 1],
                 acceleration: 0.0,
             },
         }
     }
 
-    /// Displacement and velocity in a state.
-    pub(super) fn motion(&self, state: &[f64]) -> [Vector5; 2] {
-        let kept = self.kept;
-        [
-            self.full(&self.equilibrium.displacement, &state[..kept]),
-            self.full(&[0.0; FREEDOMS], &state[kept..2 * kept]),
-        ]
-    }
-
-    /// State at t = 0.
+    /// State at t = 0: coordinates that do not belong to the shaft start at rest.
     pub fn start(&self) -> Vec<f64> {
-        let (kept, mut state) = (self.kept, vec![0.0; self.states()]);
+        let (dofs, mut state) = (self.dofs(), vec![0.0; self.states()]);
         let [displacement, velocity] = &self.initial;
-        state[..kept].copy_from_slice(&displacement[..kept]);
-        state[kept..2 * kept].copy_from_slice(&velocity[..kept]);
+        for dof in 0..dofs {
+            let axis = self.structure.shaft.axis_of(dof);
+            state[dof] = axis.map_or(self.rest[dof], |axis| displacement[axis]);
+            state[dofs + dof] = axis.map_or(0.0, |axis| velocity[axis]);
+        }
         if self.drive.is_some() {
-            state[2 * kept + 1] = self.speed();
+            state[2 * dofs + 1] = self.speed();
         }
         state
     }
 
     /// Scaling under which deviations from the static equilibrium are numbers of order one.
     pub fn scaling(&self, scale: &MotionScale) -> Scaling {
-        let (kept, states) = (self.kept, self.states());
+        let (dofs, states) = (self.dofs(), self.states());
         // works: kinetic energy of the motion
-        let energy = self.mass[0] * (scale.length * scale.frequency).powi(2);
+        let energy = self.shaft_mass * (scale.length * scale.frequency).powi(2);
         let mut scaling = Scaling {
             origin: vec![0.0; states],
             scale: vec![energy; states],
             time: 1.0 / scale.frequency,
         };
-        scaling.origin[..kept].copy_from_slice(&self.equilibrium.displacement[..kept]);
-        for axis in 0..kept {
-            let length = scale.length / scale.lever(axis);
-            scaling.scale[axis] = length;
-            scaling.scale[kept + axis] = length * scale.frequency;
+        scaling.origin[..dofs].copy_from_slice(&self.rest[..dofs]);
+        for dof in 0..dofs {
+            let length = scale.length / self.structure.coordinates[dof].length(scale.arm);
+            scaling.scale[dof] = length;
+            scaling.scale[dofs + dof] = length * scale.frequency;
         }
         if self.drive.is_some() {
-            scaling.scale[2 * kept] = 1.0;
-            scaling.scale[2 * kept + 1] = scale.frequency;
+            scaling.scale[2 * dofs] = 1.0;
+            scaling.scale[2 * dofs + 1] = scale.frequency;
         }
         scaling
     }
 
-    /// Second time derivatives of x, y, z, θx, θy in a state at a time: those of the equations
+    /// Second time derivatives of x, y, z, θx, θy of the shaft in a state at a time: those of the equations
     /// themselves. One evaluation of them, for whoever asks; `rate` is room for the derivative.
     pub fn acceleration(&self, time: f64, state: &[f64], rate: &mut Vec<f64>) -> Vector5 {
         rate.resize(state.len(), 0.0);
         self.derivative(time, state, rate);
-        self.full(&[0.0; FREEDOMS], &rate[self.kept..2 * self.kept])
+        let dofs = self.dofs();
+        self.structure.shaft.rate(&rate[dofs..2 * dofs])
     }
 }

@@ -1,7 +1,8 @@
 //! Ball laws compiled into tables for the motion of a rotor.
 
-use super::{FREEDOMS, Rotor, Sample};
-use crate::bearing::{Geometry, Support, TableError, TableReport};
+use super::Rotor;
+use super::point::Attachment;
+use crate::bearing::{Support, TableError, TableReport, Vector5};
 
 /// Error of a table over the largest static ball load.
 const TABLE_TOLERANCE: f64 = 1e-9;
@@ -24,9 +25,12 @@ impl Rotor {
         let Some(speed) = self.steady_from(0.0) else {
             return vec![None; self.supports.len()];
         };
-        let swing = self.swing();
-        let place = self.equilibrium.displacement;
-        let compile = |support: &mut Support| {
+        let amplitudes = self.amplitude_estimate(speed);
+        let dofs = self.dofs();
+        let pairs = self.supports.iter_mut().zip(&self.structure.attachments);
+        let compile = |(support, attachment): (&mut Support, &Attachment)| {
+            let place = attachment.displacement(&self.rest[..dofs], &self.rest);
+            let swing = swing(support, &attachment.reach(&amplitudes));
             let mut tabulation = None;
             for part in PARTS {
                 let swing = swing.map(|swing| part * swing);
@@ -37,34 +41,34 @@ impl Rotor {
             }
             tabulation
         };
-        self.supports.iter_mut().map(compile).collect()
-    }
-
-    /// How far from the static equilibrium the kept freedoms may come, m and rad.
-    fn swing(&self) -> [f64; FREEDOMS] {
-        let distance = Support::largest(&self.supports, Geometry::groove_centre_distance);
-        let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
-        let expected = self.amplitude_estimate(self.speed());
-        std::array::from_fn(|axis| {
-            let lever = if axis < 3 { 1.0 } else { arm };
-            let largest = LARGEST[usize::from(axis >= 2)] * distance / lever;
-            if axis < self.kept {
-                (MARGIN * expected[axis]).min(largest)
-            } else {
-                0.0
-            }
-        })
+        pairs.map(compile).collect()
     }
 
     /// Counts, for every bearing, whether a ball is outside its table in an observed state.
-    pub fn count_outside_tables(&self, sample: &Sample, counts: &mut [u64]) {
-        let rotation = self.speed.at(sample.time);
+    pub fn count_outside_tables(&self, time: f64, state: &[f64], counts: &mut [u64]) {
+        let rotation = self.speed.at(time);
         let mut counts = counts.iter_mut();
-        self.for_each_support(&rotation, &self.phases(&rotation), |support, rotation| {
-            let inside = support.is_inside_table(&sample.displacement, rotation);
+        self.for_each_bearing(&rotation, &self.phases(&rotation), |bearing, rotation| {
+            let displacement = bearing.displacement(&state[..self.dofs()]);
+            let inside = bearing.support.is_inside_table(&displacement, rotation);
             if let Some(count) = counts.next() {
                 *count += u64::from(!inside);
             }
         });
     }
+}
+
+/// How far the rings of a bearing may come from their static places, m and rad, where they are expected to move by an
+/// amplitude.
+fn swing(support: &Support, expected: &Vector5) -> Vector5 {
+    let geometry = &support.definition().bearing.geometry;
+    let (distance, arm) = (
+        geometry.groove_centre_distance(),
+        geometry.inner_groove_radius(),
+    );
+    std::array::from_fn(|axis| {
+        let lever = if axis < 3 { 1.0 } else { arm };
+        let largest = LARGEST[usize::from(axis >= 2)] * distance / lever;
+        (MARGIN * expected[axis]).min(largest)
+    })
 }

@@ -103,7 +103,7 @@ impl<'a> Observers<'a> {
         }
         self.recorders.record(sample);
         self.audit.sample(sample);
-        self.tables.sample(rotor, sample);
+        self.tables.sample(rotor, sample.time, state);
         if let Some(recording) = &mut self.recording
             && recording.takes(sample.time)
         {

@@ -5,7 +5,7 @@ use super::EnergyReport;
 use super::Maps;
 use super::TableUse;
 use crate::analysis::{EstimatedSpectrum, Motion, Peak, Spectrum};
-use crate::bearing::{BearingState, Vector5};
+use crate::bearing::BearingState;
 use crate::integrate::{Counters, MethodUse};
 use crate::physics::BallPass;
 use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
@@ -100,7 +100,6 @@ impl StaticState {
     pub(crate) fn of(rotor: &Rotor) -> Self {
         let equilibrium = rotor.equilibrium();
         let stiffness = &equilibrium.stiffness;
-        let place = Vector5::from(equilibrium.displacement);
         Self {
             displacement: equilibrium.displacement,
             stiffness: std::array::from_fn(|row| {
@@ -113,9 +112,8 @@ impl StaticState {
             bearings: rotor
                 .supports()
                 .iter()
-                .map(|support| {
-                    (support.known_balls() > 0).then(|| support.state(&place, rotor.speed()))
-                })
+                .zip(rotor.bearing_states(rotor.speed()))
+                .map(|(support, state)| (support.known_balls() > 0).then_some(state))
                 .collect(),
         }
     }

@@ -101,11 +101,8 @@ pub(super) fn operating_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass>
 
 /// At the operating contact angles of a rotor's own equilibrium.
 fn operating_at(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
-    let place = &rotor.equilibrium().displacement;
-    let supports = rotor.supports().iter();
-    supports
-        .map(|support| support.state(place, speed).ball_pass)
-        .collect()
+    let states = rotor.bearing_states(speed).into_iter();
+    states.map(|state| state.ball_pass).collect()
 }
 
 /// The rotor in the equilibrium of another speed than that of its start, where it has one.

@@ -1,7 +1,7 @@
 //! Which ball laws a run took from tables, and how often it left them.
 
 use crate::bearing::{TableError, TableReport};
-use crate::rotor::{Rotor, Sample, Tabulation};
+use crate::rotor::{Rotor, Tabulation};
 
 /// The table of one bearing in a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,9 +33,9 @@ impl TableAudit {
         self.tabulations.iter().any(Option::is_some)
     }
 
-    pub fn sample(&mut self, rotor: &Rotor, sample: &Sample) {
+    pub fn sample(&mut self, rotor: &Rotor, time: f64, state: &[f64]) {
         if self.is_due() {
-            rotor.count_outside_tables(sample, &mut self.outside);
+            rotor.count_outside_tables(time, state, &mut self.outside);
         }
     }
 

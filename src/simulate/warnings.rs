@@ -2,7 +2,6 @@
 
 use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Kind, Motion};
-use crate::bearing::Vector5;
 use crate::integrate::{Method, Stiffness};
 use crate::rotor::Rotor;
 
@@ -66,11 +65,10 @@ pub(super) fn warnings(
 
 /// What the bearings say of themselves at the static equilibrium and the highest speed.
 fn bearings(rotor: &Rotor) -> Vec<String> {
-    let place = Vector5::from(rotor.equilibrium().displacement);
-    let supports = rotor.supports().iter().enumerate();
-    let known = supports.filter(|(_, support)| support.known_balls() > 0);
-    let told = known.flat_map(|(index, support)| {
-        let state = support.state(&place, rotor.highest_speed());
+    let states = rotor.bearing_states(rotor.highest_speed());
+    let bearings = rotor.supports().iter().zip(states).enumerate();
+    let known = bearings.filter(|(_, (support, _))| support.known_balls() > 0);
+    let told = known.flat_map(|(index, (_, state))| {
         let number = index + 1;
         let say = move |text| format!("bearing {number}, at the static equilibrium: {text}");
         state.warnings.into_iter().map(say)

@@ -1,12 +1,12 @@
 //! Equilibrium from anywhere: random loads over five orders of magnitude, all laws, all freedoms.
 
-use jeffcott::bearing::equilibrium::StaticProblem;
 use jeffcott::bearing::{
     Bearing, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, MountedBearing, Oil,
     Preload, Support, catalogue,
 };
 use jeffcott::physics::RaceControl;
 use jeffcott::quasi_static::quasi_static;
+use jeffcott::rotor::StaticProblem;
 use jeffcott::scenario::{self, Format};
 
 /// Cases over all laws together.

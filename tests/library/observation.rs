@@ -472,7 +472,7 @@ fn thrust_life(thrust: f64, speed: f64, law: ContactLaw) -> f64 {
         ..mounted(bearing("7205C"))
     };
     let supports = [Support::new(&mounted, speed).expect("a support")];
-    let problem = jeffcott::bearing::equilibrium::StaticProblem {
+    let problem = jeffcott::rotor::StaticProblem {
         supports: &supports,
         load: [0.0, 0.0, thrust, 0.0, 0.0],
         free: [false, false, true, false, false],

@@ -1,9 +1,8 @@
 //! Where the laws are compared: the speeds of a scene, and the places of the shaft at each.
 
 use super::{ContactQuestion, largest, lever};
-use crate::bearing::equilibrium::StaticProblem;
 use crate::bearing::{BearingRotation, Geometry, Matrix5, Support, Vector5};
-use crate::rotor::{FREEDOMS, Rotor, RotorDefinition, RotorError, build_supports, static_start};
+use crate::rotor::{FREEDOMS, Rotor, RotorDefinition, RotorError, build_supports, static_place};
 
 /// Largest motion that is looked at, in groove centre distances: beyond it the estimate is a resonance
 /// without damping rather than a motion.
@@ -123,14 +122,6 @@ pub(super) fn equilibrium(
     supports: &[Support],
 ) -> Result<Vector5, RotorError> {
     let load = rotor.static_load();
-    let (free, start) = static_start(rotor, supports, load[2]);
-    let speed = rotor.speed;
-    let problem = StaticProblem {
-        supports,
-        load,
-        free,
-        start,
-        speed,
-    };
-    Ok(problem.solve()?.displacement)
+    let place = static_place(rotor, supports, load, &[None; FREEDOMS])?;
+    Ok(place.equilibrium.displacement)
 }

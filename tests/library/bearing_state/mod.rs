@@ -7,9 +7,9 @@ mod life;
 mod motion;
 mod warnings;
 
-use jeffcott::bearing::equilibrium::StaticProblem;
 use jeffcott::bearing::{BearingState, ContactLaw, MountedBearing, Oil, Support, Vector5};
 use jeffcott::physics::RaceControl;
+use jeffcott::rotor::StaticProblem;
 
 /// The oil of the reference rows: η0 = 0.04 Pa s, α_p = 22 1/GPa.
 const OIL: Oil = Oil {

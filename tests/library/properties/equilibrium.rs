@@ -2,8 +2,8 @@
 
 use std::cell::Cell;
 
-use jeffcott::bearing::equilibrium::EquilibriumError;
 use jeffcott::bearing::{Bearing, FreePosition, Geometry, MountedBearing, Vector5};
+use jeffcott::rotor::EquilibriumError;
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
 
@@ -96,7 +96,7 @@ fn a_thrust_that_no_ball_can_carry_is_refused_by_the_name_of_its_freedom() {
     let EquilibriumError::NotCarried { freedom, load, .. } = error else {
         panic!("{error}");
     };
-    assert_eq!((freedom, load), ("z", 1e9));
+    assert_eq!((freedom.as_str(), load), ("z", 1e9));
 }
 
 /// Once a panic: an unbalanced force of 1e-182 N, whose square is rounded to zero.
@@ -124,7 +124,7 @@ fn a_load_that_is_not_a_number_is_refused_by_the_name_of_its_freedom() {
     let load = [0.0, f64::NAN, 0.0, 0.0, 0.0];
     let error = equilibrium(&[mounted(bearing("7205C"))], load, [true; 5]).expect_err("NaN");
     assert!(
-        matches!(error, EquilibriumError::NotFinite { freedom: "y", .. }),
+        matches!(&error, EquilibriumError::NotFinite { freedom, .. } if freedom == "y"),
         "{error}"
     );
 }
@@ -141,7 +141,7 @@ fn a_bearing_with_clearance_stands_where_its_lowest_balls_carry_the_load() {
     };
     let centred = -bearing.geometry.free_axial();
     let supports = crate::support::supports(&[mounted]);
-    let found = jeffcott::bearing::equilibrium::StaticProblem {
+    let found = jeffcott::rotor::StaticProblem {
         supports: &supports,
         load: [0.0, -1.0, 0.0, 0.0, 0.0],
         free: [true, true, false, false, false],

@@ -4,9 +4,9 @@
 //! Hamrock–Dowson films as a force law), which agree to the digits printed. E = 207 GPa, ν = 0.3,
 //! ρ = 7800 kg/m³, race constants at the nominal contact angle; F_z = 1000 N.
 
-use jeffcott::bearing::equilibrium::{Equilibrium, StaticProblem};
 use jeffcott::bearing::{BallContact, ContactLaw, MountedBearing, Oil, Support};
 use jeffcott::physics::RaceControl;
+use jeffcott::rotor::{Equilibrium, StaticProblem};
 
 use crate::support::{bearing, contacts, mounted};
 

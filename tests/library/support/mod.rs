@@ -5,7 +5,6 @@ use std::f64::consts::FRAC_PI_2;
 use std::io;
 use std::sync::atomic::AtomicBool;
 
-use jeffcott::bearing::equilibrium::{Equilibrium, EquilibriumError, StaticProblem};
 use jeffcott::bearing::{
     BallContact, BallLoads, Bearing, BearingRotation, ContactDamping, ContactLaw, Facing,
     FreePosition, Geometry, HertzLaw, Matrix5, MountedBearing, Preload, Ring, Support, Vector5,
@@ -16,6 +15,7 @@ use jeffcott::physics::Material;
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, RotorDefinition, Sample, Shaft,
 };
+use jeffcott::rotor::{Equilibrium, EquilibriumError, StaticProblem};
 use jeffcott::simulate::{
     Analyses, Model, Monitor, Run, Sampling, SimulateError, TraceSink, simulate,
 };

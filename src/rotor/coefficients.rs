@@ -1,0 +1,165 @@
+//! The matrices of the equation of motion: mass, and what is linear in displacement and velocity.
+
+use nalgebra::{DMatrix, DVectorView, DVectorViewMut};
+
+/// A matrix of linear forces on the degrees of freedom, stored the way that its products are cheapest.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Coefficients {
+    entries: DMatrix<f64>,
+    form: Form,
+}
+
+/// The entries that a product needs.
+#[derive(Debug, Clone, PartialEq)]
+enum Form {
+    Diagonal(Vec<f64>),
+    /// Row, column, value of the few that are not zero.
+    Sparse(Vec<(usize, usize, f64)>),
+    Full,
+}
+
+impl Coefficients {
+    /// Of the first `dofs` of all coordinates; the whole matrix is kept to be read.
+    pub fn new(entries: DMatrix<f64>, dofs: usize) -> Self {
+        let block = (0..dofs).flat_map(|row| (0..dofs).map(move |column| (row, column)));
+        let sparse: Vec<_> = block
+            .map(|(row, column)| (row, column, entries[(row, column)]))
+            .filter(|(_, _, value)| *value != 0.0)
+            .collect();
+        let form = if 2 * sparse.len() < dofs {
+            Form::Sparse(sparse)
+        } else if sparse.iter().all(|(row, column, _)| row == column) {
+            Form::Diagonal((0..dofs).map(|row| entries[(row, row)]).collect())
+        } else if 3 * sparse.len() < dofs * dofs {
+            Form::Sparse(sparse)
+        } else {
+            Form::Full
+        };
+        Self { entries, form }
+    }
+
+    /// All entries, of degrees of freedom and of held coordinates.
+    pub fn entries(&self) -> &DMatrix<f64> {
+        &self.entries
+    }
+
+    /// Adds `factor` times the product with a vector of the degrees of freedom.
+    #[inline(always)]
+    pub fn add_product(&self, factor: f64, vector: &[f64], sum: &mut [f64]) {
+        match &self.form {
+            Form::Diagonal(diagonal) => {
+                let diagonal = &diagonal[..sum.len()];
+                for (sum, (entry, value)) in sum.iter_mut().zip(diagonal.iter().zip(vector)) {
+                    *sum += factor * entry * value;
+                }
+            }
+            Form::Sparse(entries) => {
+                for (row, column, entry) in entries {
+                    sum[*row] += factor * entry * vector[*column];
+                }
+            }
+            Form::Full => add_full_product(&self.entries, factor, vector, sum),
+        }
+    }
+
+    /// `½ vᵀ A v`.
+    pub fn half_square(&self, vector: &[f64]) -> f64 {
+        let mut product = vec![0.0; vector.len()];
+        self.add_product(0.5, vector, &mut product);
+        product.iter().zip(vector).map(|(a, b)| a * b).sum()
+    }
+}
+
+/// Out of line: most matrices are diagonal.
+#[inline(never)]
+fn add_full_product(entries: &DMatrix<f64>, factor: f64, vector: &[f64], sum: &mut [f64]) {
+    for (row, sum) in sum.iter_mut().enumerate() {
+        let products = vector.iter().enumerate();
+        *sum += factor
+            * products
+                .map(|(column, value)| entries[(row, column)] * value)
+                .sum::<f64>();
+    }
+}
+
+/// The mass matrix of the degrees of freedom, positive definite.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Mass {
+    entries: DMatrix<f64>,
+    inverse: Inverse,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Inverse {
+    Diagonal(Vec<f64>),
+    /// L of M = L Lᵀ.
+    Factor(DMatrix<f64>),
+}
+
+impl Mass {
+    /// None where the matrix is not positive definite.
+    pub fn new(entries: DMatrix<f64>) -> Option<Self> {
+        let diagonal = entries.diagonal();
+        let inverse = if entries == DMatrix::from_diagonal(&diagonal) {
+            let positive = diagonal.iter().all(|mass| *mass > 0.0);
+            positive.then(|| Inverse::Diagonal(diagonal.iter().map(|mass| 1.0 / mass).collect()))
+        } else {
+            let factors = entries.clone().cholesky();
+            factors.map(|factors| Inverse::Factor(factors.l()))
+        };
+        inverse.map(|inverse| Self { entries, inverse })
+    }
+
+    /// One entry, kg, kg m or kg m².
+    pub fn entry(&self, row: usize, column: usize) -> f64 {
+        self.entries[(row, column)]
+    }
+
+    /// Makes accelerations of forces, in place.
+    #[inline(always)]
+    pub fn accelerate(&self, forces: &mut [f64]) {
+        match &self.inverse {
+            Inverse::Diagonal(inverse) => {
+                let inverse = &inverse[..forces.len()];
+                for (force, inverse) in forces.iter_mut().zip(inverse) {
+                    *force *= inverse;
+                }
+            }
+            Inverse::Factor(factor) => solve(factor, forces),
+        }
+    }
+
+    /// Kinetic energy at velocities of the degrees of freedom, J.
+    pub fn kinetic_energy(&self, velocity: &[f64]) -> f64 {
+        let velocity = DVectorView::from_slice(velocity, velocity.len());
+        0.5 * velocity.dot(&(&self.entries * velocity))
+    }
+
+    /// `M^(−½) A M^(−½)`: a matrix in coordinates in which the mass is one.
+    pub fn normalised(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
+        match &self.inverse {
+            Inverse::Diagonal(inverse) => {
+                DMatrix::from_fn(inverse.len(), inverse.len(), |row, column| {
+                    matrix[(row, column)] * (inverse[row] * inverse[column]).sqrt()
+                })
+            }
+            Inverse::Factor(factor) => {
+                let size = factor.nrows();
+                let modes = self.entries.clone().symmetric_eigen();
+                let roots =
+                    DMatrix::from_diagonal(&modes.eigenvalues.map(|mass| 1.0 / mass.sqrt()));
+                let root = &modes.eigenvectors * roots * modes.eigenvectors.transpose();
+                &root * matrix.view((0, 0), (size, size)) * &root
+            }
+        }
+    }
+}
+
+/// M⁻¹ f by forward and backward substitution.
+#[inline(never)]
+fn solve(factor: &DMatrix<f64>, forces: &mut [f64]) {
+    let size = forces.len();
+    let mut forces = DVectorViewMut::from_slice(forces, size);
+    factor.solve_lower_triangular_mut(&mut forces);
+    factor.tr_solve_lower_triangular_mut(&mut forces);
+}

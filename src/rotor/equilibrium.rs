@@ -1,0 +1,235 @@
+//! Static equilibrium of a shaft on its bearings.
+
+use nalgebra::DMatrix;
+
+use super::point::Attachment;
+use super::static_search::{Balance, StaticCoordinate, StaticSearch};
+use super::structure::Structure;
+use super::{FREEDOMS, RotorDefinition};
+use crate::bearing::{BearingState, Facing, Geometry, Matrix5, Support, Vector5};
+
+/// Names of the five freedoms, as they appear in messages and column headers.
+pub const FREEDOM_NAMES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
+
+/// Why a load has no static equilibrium.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum EquilibriumError {
+    /// The shaft moves away without meeting resistance.
+    #[error(
+        "no static equilibrium: the shaft gives way along {freedom} by {displacement:.3e} (m or rad) \
+         and {residual:.3e} (N or N m) stay unbalanced; nothing carries the load {load:.3e} there: \
+         hold this freedom, add a bearing or a preload, or change the load"
+    )]
+    NotCarried {
+        /// Freedom with the largest unbalanced force.
+        freedom: String,
+        /// Where it went, m or rad.
+        displacement: f64,
+        /// Unbalanced force, N or N m.
+        residual: f64,
+        /// External load along this freedom, N or N m.
+        load: f64,
+    },
+    /// A load or a displacement that is not a number.
+    #[error("the load or the start of the search is not finite: {value} along {freedom}")]
+    NotFinite {
+        /// Freedom.
+        freedom: String,
+        /// The value.
+        value: f64,
+    },
+}
+
+/// A static problem: what is given of load and displacement.
+#[derive(Debug, Clone, Copy)]
+pub struct StaticProblem<'a> {
+    /// Bearings that carry the shaft.
+    pub supports: &'a [Support],
+    /// External load, N and N m; of held freedoms it does not matter.
+    pub load: Vector5,
+    /// Which freedoms find their own place; the others stay at `start`.
+    pub free: [bool; 5],
+    /// Where the search starts, and where held freedoms stay.
+    pub start: Vector5,
+    /// Shaft speed, rad/s.
+    pub speed: f64,
+}
+
+/// A static equilibrium.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Equilibrium {
+    /// Displacement, m and rad.
+    pub displacement: Vector5,
+    /// Force of the shaft onto the bearings, N and N m.
+    pub force: Vector5,
+    /// K = ∂F/∂q, 5×5.
+    pub stiffness: Matrix5,
+    /// Largest unbalanced force relative to the forces in play, moments by their arm.
+    pub residual: f64,
+    /// Newton steps taken.
+    pub newton_steps: usize,
+}
+
+impl StaticProblem<'_> {
+    /// Finds the displacement whose force is the load: `F(q) = load` in the free freedoms, to round-off.
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] names the freedom that nothing carries.
+    pub fn solve(&self) -> Result<Equilibrium, EquilibriumError> {
+        let structure = Structure::rigid([0.0; FREEDOMS], FREEDOMS, self.supports.len());
+        Ok(self.on(&structure)?.equilibrium(&structure))
+    }
+
+    /// The same of a structure with more coordinates than those of its shaft: the others are free and without load.
+    pub(super) fn on(&self, structure: &Structure) -> Result<Balance, EquilibriumError> {
+        let arm = self.arm();
+        let coordinates = structure.coordinates.iter().enumerate();
+        let coordinates = coordinates.map(|(index, coordinate)| {
+            let axis = structure.shaft.axis_of(index);
+            StaticCoordinate {
+                name: coordinate.name.clone(),
+                length: coordinate.length(arm),
+                load: axis.map_or(0.0, |axis| self.load[axis]),
+                free: axis.is_none_or(|axis| self.free[axis]),
+                start: axis.map_or(0.0, |axis| self.start[axis]),
+            }
+        });
+        StaticSearch {
+            coordinates: coordinates.collect(),
+            groove_centre_distance: Support::largest(
+                self.supports,
+                Geometry::groove_centre_distance,
+            ),
+            restoring: &|place| structure.restoring(self.supports, place, self.speed, arm),
+        }
+        .solve()
+    }
+
+    /// Length that makes tilts comparable to displacements: the farthest groove from the centre.
+    fn arm(&self) -> f64 {
+        let reach = |support: &Support| {
+            let definition = support.definition();
+            definition.bearing.geometry.inner_groove_radius() + definition.position.abs()
+        };
+        self.supports.iter().map(reach).fold(0.0, f64::max)
+    }
+}
+
+impl Balance {
+    /// What of it concerns the shaft.
+    pub(super) fn equilibrium(&self, structure: &Structure) -> Equilibrium {
+        let indices = structure.shaft.coordinates();
+        let stiffness = &self.restoring.stiffness;
+        Equilibrium {
+            displacement: indices.map(|index| self.displacement[index]),
+            force: indices.map(|index| self.restoring.force[index]),
+            stiffness: Matrix5::from_fn(|row, column| stiffness[(indices[row], indices[column])]),
+            residual: self.residual,
+            newton_steps: self.newton_steps,
+        }
+    }
+}
+
+/// Where a shaft stands.
+pub(crate) struct StaticPlace {
+    /// Which of its freedoms found their own place.
+    pub free: [bool; FREEDOMS],
+    pub(super) structure: Structure,
+    /// Place of all its coordinates, m and rad.
+    pub(super) coordinates: Vec<f64>,
+    /// K of all its coordinates.
+    pub(super) stiffness: DMatrix<f64>,
+    pub equilibrium: Equilibrium,
+}
+
+impl StaticPlace {
+    /// What is known of every bearing there at a speed of the shaft in rad/s.
+    pub fn bearing_states(&self, supports: &[Support], speed: f64) -> Vec<BearingState> {
+        let pairs = supports.iter().zip(&self.structure.attachments);
+        let state = |(support, attachment): (&Support, &Attachment)| {
+            support.state(&attachment.displacement(&self.coordinates, &[]), speed)
+        };
+        pairs.map(state).collect()
+    }
+}
+
+/// The equilibrium of a shaft under `load` in N and N m, with the freedoms held whose displacement is given.
+pub(crate) fn static_place(
+    definition: &RotorDefinition,
+    supports: &[Support],
+    load: Vector5,
+    given: &[Option<f64>; FREEDOMS],
+) -> Result<StaticPlace, EquilibriumError> {
+    static_place_of(Structure::of(definition), definition, supports, load, given)
+}
+
+/// The same of a structure with that shaft.
+pub(super) fn static_place_of(
+    structure: Structure,
+    definition: &RotorDefinition,
+    supports: &[Support],
+    load: Vector5,
+    given: &[Option<f64>; FREEDOMS],
+) -> Result<StaticPlace, EquilibriumError> {
+    let (mut free, mut start) = static_start(definition, supports, load[2]);
+    for (axis, given) in given.iter().enumerate() {
+        if let Some(place) = *given {
+            (free[axis], start[axis]) = (false, place);
+        }
+    }
+    let problem = StaticProblem {
+        supports,
+        load,
+        free,
+        start,
+        speed: definition.speed,
+    };
+    let balance = problem.on(&structure)?;
+    Ok(StaticPlace {
+        free,
+        equilibrium: balance.equilibrium(&structure),
+        coordinates: balance.displacement.as_slice().to_vec(),
+        stiffness: balance.restoring.stiffness,
+        structure,
+    })
+}
+
+/// Which freedoms find their place, and where the search starts and the others stay.
+fn static_start(
+    definition: &RotorDefinition,
+    supports: &[Support],
+    axial_load: f64,
+) -> ([bool; FREEDOMS], Vector5) {
+    let kept = definition.shaft.freedoms.count();
+    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < kept);
+    let mut start = [0.0; FREEDOMS];
+    for axis in (3..FREEDOMS).filter(|&axis| !free[axis]) {
+        start[axis] = definition.shaft.held_tilt[axis - 3];
+    }
+    if !free[2] {
+        match held_axial(supports, axial_load) {
+            Some(place) => start[2] = place,
+            None => free[2] = true,
+        }
+    }
+    (free, start)
+}
+
+/// Where a radial scene holds the axial displacement; `None`: where the equilibrium puts it.
+///
+/// An axial load or two bearings that face each other fix it by equilibrium. A preset offset fixes
+/// it by itself, at z = 0. A bearing with neither stands axially centred.
+fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
+    let faces = |facing| {
+        supports
+            .iter()
+            .any(|support| support.definition().facing == facing)
+    };
+    if axial_load != 0.0 || (faces(Facing::PlusZ) && faces(Facing::MinusZ)) {
+        return None;
+    }
+    if supports.iter().any(Support::is_preloaded) {
+        return Some(0.0);
+    }
+    supports.first().map(Support::centred_axial)
+}

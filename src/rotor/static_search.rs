@@ -1,0 +1,277 @@
+//! Damped Newton for the place at which what holds a structure balances its load.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::equilibrium::EquilibriumError;
+
+/// Residual that is accepted as equilibrium, relative to the forces in play.
+const ACCEPTED_RESIDUAL: f64 = 1e-9;
+/// Residual that is round-off: nothing is left to gain.
+const CONVERGED: f64 = 1e-14;
+/// Round-off of a position between the races, in groove centre distances.
+const POSITION_ROUND_OFF: f64 = 16.0 * f64::EPSILON;
+/// Newton steps before giving up.
+const STEP_LIMIT: usize = 200;
+/// Displacement, in groove centre distances, beyond which no ball bearing is in one piece.
+const RUNAWAY: f64 = 20.0;
+
+/// What holds a structure at a displacement of its coordinates.
+#[derive(Debug, Clone)]
+pub(super) struct Restoring {
+    /// Force F of the structure onto what holds it, N and N m.
+    pub force: DVector<f64>,
+    /// K = ∂F/∂q.
+    pub stiffness: DMatrix<f64>,
+    /// Largest share of one bearing in the force, moments by the coordinate's length, N.
+    pub largest_share: f64,
+}
+
+/// A coordinate of a structure in a static search.
+#[derive(Debug, Clone)]
+pub(super) struct StaticCoordinate {
+    /// Name in messages.
+    pub name: String,
+    /// Length that turns it into a displacement, m; 1 of what is one.
+    pub length: f64,
+    /// External load, N or N m; of held coordinates it does not matter.
+    pub load: f64,
+    /// Whether it finds its own place; otherwise it stays at `start`.
+    pub free: bool,
+    /// Where the search starts, m or rad.
+    pub start: f64,
+}
+
+/// The search for `F(q) = load` in the free coordinates.
+pub(super) struct StaticSearch<'a> {
+    pub coordinates: Vec<StaticCoordinate>,
+    /// Distance of the groove centres of the bearings, m: the unit of their displacements.
+    pub groove_centre_distance: f64,
+    pub restoring: &'a dyn Fn(&[f64]) -> Restoring,
+}
+
+/// Where a search ended.
+#[derive(Debug, Clone)]
+pub(super) struct Balance {
+    /// Displacement, m and rad.
+    pub displacement: DVector<f64>,
+    /// What holds the structure there.
+    pub restoring: Restoring,
+    /// Largest unbalanced force relative to the forces in play, moments by their length.
+    pub residual: f64,
+    /// Newton steps taken.
+    pub newton_steps: usize,
+}
+
+impl StaticSearch<'_> {
+    /// Finds the displacement whose force is the load.
+    ///
+    /// Newton's step with the exact K is shortened where the force along it overshoots, and turned
+    /// towards steepest descent where K is singular (no ball in contact yet). For conservative ball
+    /// laws F is the gradient of a convex energy, so this finds the equilibrium from anywhere, if
+    /// there is one; it goes on to round-off.
+    ///
+    /// # Errors
+    /// [`EquilibriumError`] names the coordinate that nothing carries.
+    pub fn solve(&self) -> Result<Balance, EquilibriumError> {
+        self.check_finite()?;
+        let (state, newton_steps) = self.newton().map_err(|lost| self.not_carried(&lost))?;
+        Ok(Balance {
+            residual: state.imbalance(),
+            displacement: state.displacement,
+            restoring: state.restoring,
+            newton_steps,
+        })
+    }
+
+    /// Newton from a start until the imbalance is below what is accepted and at its round-off; the state and
+    /// the number of steps, or where it got lost.
+    fn newton(&self) -> Result<(State, usize), Box<State>> {
+        let mut reach = 0.5 * self.groove_centre_distance;
+        let start = self.coordinates.iter().map(|coordinate| coordinate.start);
+        let mut state = self.evaluate(DVector::from_iterator(self.coordinates.len(), start));
+        for newton_steps in 0..STEP_LIMIT {
+            if state.imbalance() <= CONVERGED {
+                return Ok((state, newton_steps));
+            }
+            let (step, shortened) = state.step(reach);
+            if shortened {
+                reach *= 2.0;
+            }
+            let next = self.search(&state, &step);
+            let gained = next.imbalance() < 0.5 * state.imbalance();
+            if state.imbalance() <= ACCEPTED_RESIDUAL && !gained {
+                let next_is_better = next.imbalance() < state.imbalance();
+                let best = if next_is_better { next } else { state };
+                return Ok((best, newton_steps + 1));
+            }
+            state = next;
+            if self.has_run_away(&state) {
+                break;
+            }
+        }
+        Err(Box::new(state))
+    }
+
+    fn check_finite(&self) -> Result<(), EquilibriumError> {
+        for coordinate in &self.coordinates {
+            let load = if coordinate.free {
+                coordinate.load
+            } else {
+                0.0
+            };
+            for value in [load, coordinate.start] {
+                if !value.is_finite() {
+                    return Err(EquilibriumError::NotFinite {
+                        freedom: coordinate.name.clone(),
+                        value,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn evaluate(&self, displacement: DVector<f64>) -> State {
+        let restoring = (self.restoring)(displacement.as_slice());
+        let size = displacement.len();
+        let mut scale = restoring.largest_share;
+        let mut excess = DVector::zeros(size);
+        let mut jacobian = DMatrix::identity(size, size);
+        let mut stiffest: f64 = 0.0;
+        let free = || {
+            self.coordinates
+                .iter()
+                .enumerate()
+                .filter(|(_, own)| own.free)
+        };
+        for (row, own) in free() {
+            excess[row] = (restoring.force[row] - own.load) / own.length;
+            scale = scale.max((own.load / own.length).abs());
+            for (column, other) in free() {
+                let lengths = own.length * other.length;
+                jacobian[(row, column)] = restoring.stiffness[(row, column)] / lengths;
+            }
+            stiffest = stiffest.max(jacobian[(row, row)].abs());
+        }
+        // no residual can be told from zero below what round-off of a position makes of it
+        let round_off = POSITION_ROUND_OFF * self.groove_centre_distance * stiffest;
+        State {
+            displacement,
+            restoring,
+            excess,
+            jacobian,
+            stiffest,
+            scale: scale.max(round_off / ACCEPTED_RESIDUAL),
+        }
+    }
+
+    /// The state a part of a step further.
+    fn moved(&self, state: &State, step: &DVector<f64>, part: f64) -> State {
+        let mut displacement = state.displacement.clone();
+        for (axis, coordinate) in self.coordinates.iter().enumerate() {
+            displacement[axis] += part * step[axis] / coordinate.length;
+        }
+        self.evaluate(displacement)
+    }
+
+    /// The state a step further, or nearer where the force along the step overshoots.
+    fn search(&self, state: &State, step: &DVector<f64>) -> State {
+        let start_slope = state.excess.dot(step);
+        let acceptable = 0.5 * start_slope.abs();
+        let mut trial = self.moved(state, step, 1.0);
+        let mut slope = trial.excess.dot(step);
+        let (mut low, mut low_slope) = (0.0, start_slope);
+        let (mut high, mut high_slope) = (1.0, slope);
+        for _ in 0..60 {
+            // Short of the minimum along the step is progress; beyond it, only a little is.
+            if slope <= acceptable && (high == 1.0 || slope >= -acceptable) {
+                break;
+            }
+            let secant = (high_slope * low - low_slope * high) / (high_slope - low_slope);
+            let margin = 0.1 * (high - low);
+            let part = secant.clamp(low + margin, high - margin);
+            trial = self.moved(state, step, part);
+            slope = trial.excess.dot(step);
+            if slope > 0.0 {
+                (high, high_slope) = (part, slope);
+            } else {
+                (low, low_slope) = (part, slope);
+            }
+        }
+        trial
+    }
+
+    fn has_run_away(&self, state: &State) -> bool {
+        let limit = RUNAWAY * self.groove_centre_distance;
+        let mut travels = self.coordinates.iter().zip(state.displacement.iter());
+        travels.any(|(coordinate, place)| {
+            let travel = (place - coordinate.start) * coordinate.length;
+            travel.is_nan() || travel.abs() > limit
+        })
+    }
+
+    fn not_carried(&self, state: &State) -> EquilibriumError {
+        let worst = state.excess.iamax();
+        let coordinate = &self.coordinates[worst];
+        EquilibriumError::NotCarried {
+            freedom: coordinate.name.clone(),
+            displacement: state.displacement[worst],
+            residual: state.restoring.force[worst] - coordinate.load,
+            load: coordinate.load,
+        }
+    }
+}
+
+/// One point of the search; forces and displacements in comparable units, N and m, held coordinates at zero.
+struct State {
+    displacement: DVector<f64>,
+    restoring: Restoring,
+    excess: DVector<f64>,
+    jacobian: DMatrix<f64>,
+    /// Largest diagonal entry of the free coordinates.
+    stiffest: f64,
+    /// Forces in play.
+    scale: f64,
+}
+
+impl State {
+    /// Largest unbalanced force relative to the forces in play.
+    fn imbalance(&self) -> f64 {
+        let largest = self.excess.amax();
+        if largest == 0.0 {
+            0.0
+        } else {
+            largest / self.scale
+        }
+    }
+
+    /// Newton's step, no longer than `reach`, and whether that shortened it.
+    fn step(&self, reach: f64) -> (DVector<f64>, bool) {
+        let mut damping = 0.0;
+        for _ in 0..40 {
+            let mut matrix = self.jacobian.clone();
+            for axis in 0..self.excess.len() {
+                matrix[(axis, axis)] += damping;
+            }
+            if let Some(step) = matrix.lu().solve(&-&self.excess)
+                && step.iter().all(|part| part.is_finite())
+                && step.dot(&self.excess) < 0.0
+            {
+                let length = step.norm();
+                return if length > reach {
+                    (step * (reach / length), true)
+                } else {
+                    (step, false)
+                };
+            }
+            damping = f64::max(10.0 * damping, 1e-12 * self.stiffest);
+            if self.stiffest == 0.0 {
+                break;
+            }
+        }
+        // unit first: the norm of a tiny excess would be rounded to zero
+        let direction = &self.excess / self.excess.amax();
+        let length = direction.norm();
+        (direction * (-reach / length), true)
+    }
+}

@@ -1,0 +1,307 @@
+//! Structures with more than a rigid shaft: bearings on a housing that moves on springs of its own.
+
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::*;
+use crate::bearing::{ContactDamping, ContactLaw, Facing, MountedBearing, Preload, catalogue};
+use crate::integrate::{Grid, Integration, Method, Settings, States, System};
+use crate::rotor::{
+    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Rotor, RotorDefinition, Shaft,
+};
+
+/// Mass of the shaft and of the housing, kg.
+const MASSES: [f64; 2] = [5.0, 12.0];
+/// Springs of the housing to the ground along x, y and z, N/m.
+const SPRINGS: [f64; 3] = [3e8, 2e8, 1e8];
+
+/// A shaft on 7205C bearings at two places of it, facing each other, thrust and weight on it.
+fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
+    let entry = catalogue::find("7205C").expect("a designation of the catalogue");
+    let mounted = |position, facing| MountedBearing {
+        bearing: entry.bearing().expect("a bearing"),
+        law,
+        oil: None,
+        position,
+        facing,
+        preload: Preload::AxialOffset(20e-6),
+        contact_damping: ContactDamping::default(),
+        first_ball: 0.3,
+    };
+    RotorDefinition {
+        shaft: Shaft {
+            mass: MASSES[0],
+            inertia_transverse: 0.01,
+            inertia_polar: 0.004,
+            eccentricity: 2e-6,
+            freedoms,
+            gravity: true,
+            held_tilt: [0.0; 2],
+        },
+        speed: 700.0,
+        speed_points: Vec::new(),
+        drive: None,
+        cage: CageMotion::Rolling,
+        damping: Damping::Undamped,
+        load: [0.0, 0.0, 300.0, 0.0, 0.0],
+        loads: Vec::new(),
+        initial: InitialState {
+            from: InitialPosition::Equilibrium,
+            displacement: [None; 5],
+            velocity: [None; 5],
+        },
+        bearings: vec![mounted(-0.03, Facing::PlusZ), mounted(0.04, Facing::MinusZ)],
+    }
+}
+
+/// The structure of a definition with all bearings on one housing, which moves along x, y and z.
+fn on_housing(definition: &RotorDefinition) -> Structure {
+    let kept = definition.shaft.freedoms.count();
+    let housing = [kept, kept + 1, kept + 2];
+    let mut shaft: [usize; 5] = std::array::from_fn(|axis| axis);
+    for index in &mut shaft[kept..] {
+        *index += housing.len();
+    }
+    let grounded = Structure::of(definition);
+    let mut structure = Structure {
+        coordinates: vec![grounded.coordinates[0].clone(); 8],
+        dofs: kept + housing.len(),
+        mass: DMatrix::zeros(8, 8),
+        damping: DMatrix::zeros(8, 8),
+        shaft: Point::new(shaft),
+        rigid: false,
+        ..grounded.clone()
+    };
+    for (axis, index) in shaft.into_iter().enumerate() {
+        structure.coordinates[index] = grounded.coordinates[axis].clone();
+        structure.mass[(index, index)] = grounded.mass[(axis, axis)];
+    }
+    let mut stiffness = DMatrix::zeros(8, 8);
+    for (axis, index) in housing.into_iter().enumerate() {
+        structure.coordinates[index].name = format!("{} of the housing", FREEDOM_NAMES[axis]);
+        structure.mass[(index, index)] = MASSES[1];
+        stiffness[(index, index)] = SPRINGS[axis];
+    }
+    structure.stiffness = Coefficients::new(stiffness, structure.dofs);
+    let [x, y, z] = housing;
+    let attachment = Attachment {
+        inner: structure.shaft,
+        outer: Some(Point::new([x, y, z, usize::MAX, usize::MAX])),
+    };
+    structure.attachments = vec![attachment; definition.bearings.len()];
+    structure
+}
+
+fn housed(law: ContactLaw, freedoms: Freedoms) -> (Rotor, Rotor) {
+    let definition = definition(law, freedoms);
+    let grounded = Rotor::assemble(&definition).expect("a rotor");
+    let housed = Rotor::of_structure(on_housing(&definition), &definition).expect("a rotor");
+    (grounded, housed)
+}
+
+fn near(found: f64, expected: f64, relative: f64) {
+    let apart = (found - expected).abs();
+    assert!(
+        apart <= relative * expected.abs(),
+        "{found:e}, not {expected:e}"
+    );
+}
+
+#[test]
+fn a_housing_yields_by_the_load_over_its_springs_and_carries_the_bearings_along() {
+    for freedoms in [Freedoms::Radial, Freedoms::All] {
+        let (grounded, housed) = housed(ContactLaw::Hertz, freedoms);
+        let kept = freedoms.count();
+        let weight = 9.806_65 * MASSES[0];
+        let yielding = [0.0, -weight / SPRINGS[1]];
+        for (axis, expected) in yielding.into_iter().enumerate() {
+            let (own, whole) = (
+                housed.rest[kept + axis],
+                housed.equilibrium.displacement[axis],
+            );
+            assert!((own - expected).abs() < 1e-18, "{own:e}");
+            let relative = grounded.equilibrium.displacement[axis];
+            assert!((whole - own - relative).abs() < 1e-17, "{whole:e}");
+        }
+        assert_eq!(housed.states(), 2 * (kept + 3));
+    }
+}
+
+/// ω of two masses in a row: m – k – M – K – ground, rad/s, lower first.
+fn in_a_row([m, big_m]: [f64; 2], [k, big_k]: [f64; 2]) -> [f64; 2] {
+    // ω⁴ m M − ω² (m (k + K) + M k) + k K = 0
+    let (a, b, c) = (m * big_m, m * (k + big_k) + big_m * k, k * big_k);
+    let root = (b * b - 4.0 * a * c).sqrt();
+    [2.0 * c / (b + root), (b + root) / (2.0 * a)].map(f64::sqrt)
+}
+
+#[test]
+fn natural_frequencies_are_those_of_two_masses_in_a_row() {
+    let mut definition = definition(ContactLaw::Linear, Freedoms::Translational);
+    // one bearing under thrust: x, y and z do not know of each other
+    definition.bearings.truncate(1);
+    (definition.shaft.gravity, definition.bearings[0].position) = (false, 0.0);
+    let rotor = Rotor::of_structure(on_housing(&definition), &definition).expect("a rotor");
+    let stiffness = &rotor.equilibrium.stiffness;
+    let mut expected: Vec<f64> = (0..3)
+        .flat_map(|axis| in_a_row(MASSES, [stiffness[(axis, axis)], SPRINGS[axis]]))
+        .collect();
+    expected.sort_by(f64::total_cmp);
+    let modes = rotor.modes();
+    assert_eq!(modes.len(), expected.len());
+    for (mode, expected) in modes.iter().zip(expected) {
+        near(mode.eigenvalue.norm(), expected, 1e-9);
+    }
+}
+
+#[test]
+fn masses_that_are_coupled_have_the_frequencies_of_the_whole_matrix() {
+    let mut definition = definition(ContactLaw::Linear, Freedoms::Radial);
+    definition.bearings.truncate(1);
+    (definition.shaft.gravity, definition.bearings[0].position) = (false, 0.0);
+    let mut structure = on_housing(&definition);
+    let coupling = 2.5;
+    (structure.mass[(0, 2)], structure.mass[(2, 0)]) = (coupling, coupling);
+    let rotor = Rotor::of_structure(structure, &definition).expect("a rotor");
+    // along x: det(K − ω² M) = 0
+    let (k, [m, big_m]) = (rotor.equilibrium.stiffness[(0, 0)], MASSES);
+    let a = m * big_m - coupling * coupling;
+    let b = m * (k + SPRINGS[0]) + big_m * k + 2.0 * coupling * k;
+    let c = k * SPRINGS[0];
+    let root = (b * b - 4.0 * a * c).sqrt();
+    let frequencies: Vec<f64> = rotor
+        .modes()
+        .iter()
+        .map(|mode| mode.eigenvalue.norm())
+        .collect();
+    for expected in [(b - root) / (2.0 * a), (b + root) / (2.0 * a)].map(f64::sqrt) {
+        let apart = frequencies
+            .iter()
+            .map(|found| (found / expected - 1.0).abs());
+        assert!(
+            apart.fold(1.0, f64::min) < 1e-9,
+            "{expected}: {frequencies:?}"
+        );
+    }
+    // and M q̈ is the force
+    let mut state = rotor.start();
+    (state[0], state[2]) = (1e-6, -2e-6);
+    let mut rate = vec![0.0; state.len()];
+    rotor.derivative(0.0, &state, &mut rate);
+    let accelerations = DVector::from_column_slice(&rate[5..]);
+    let force = rotor.structure.mass.view((0, 0), (5, 5)) * accelerations;
+    near(force[2], k * 3e-6 + SPRINGS[0] * 2e-6, 1e-6);
+}
+
+/// A state away from rest.
+fn somewhere(rotor: &Rotor) -> Vec<f64> {
+    let mut state = rotor.start();
+    let dofs = rotor.dofs();
+    for (index, state) in state.iter_mut().enumerate() {
+        let size = if index < dofs { 2e-6 } else { 1e-3 };
+        *state += size * (1.7 * index as f64 + 0.4).sin();
+    }
+    state
+}
+
+#[test]
+fn what_the_bearings_do_to_the_shaft_they_do_back_to_the_housing() {
+    let (_, rotor) = housed(ContactLaw::Hertz, Freedoms::All);
+    let (state, mut rate) = (somewhere(&rotor), vec![0.0; rotor.states()]);
+    rotor.derivative(0.01, &state, &mut rate);
+    let rotation = rotor.speed.at(0.01);
+    let unbalance = rotor
+        .unbalance
+        .force(&rotation, crate::bearing::Angle::new(rotation.angle));
+    let external = [unbalance[0], unbalance[1] - 9.806_65 * MASSES[0], 300.0];
+    for axis in 0..3 {
+        let momentum = MASSES[0] * rate[8 + axis] + MASSES[1] * rate[13 + axis];
+        near(
+            momentum,
+            external[axis] - SPRINGS[axis] * state[5 + axis],
+            1e-9,
+        );
+    }
+}
+
+#[test]
+fn slopes_are_those_of_the_derivative() {
+    let (_, rotor) = housed(ContactLaw::Hertz, Freedoms::All);
+    let (state, states) = (somewhere(&rotor), rotor.states());
+    let mut jacobian = DMatrix::zeros(states, states);
+    rotor.linearisation(0.01, &state, &mut jacobian, &mut vec![0.0; states]);
+    let at = |column: usize, step: f64| {
+        let (mut moved, mut rate) = (state.clone(), vec![0.0; states]);
+        moved[column] += step;
+        rotor.derivative(0.01, &moved, &mut rate);
+        rate
+    };
+    for column in 0..states {
+        let step = if column < rotor.dofs() { 1e-9 } else { 1e-4 };
+        let (up, down) = (at(column, step), at(column, -step));
+        let largest = jacobian.column(column).amax();
+        for row in 0..states {
+            let expected = (up[row] - down[row]) / (2.0 * step);
+            let apart = (jacobian[(row, column)] - expected).abs();
+            assert!(
+                apart < 1e-6 * largest,
+                "{row}, {column}: {apart:e} of {largest:e}"
+            );
+        }
+    }
+}
+
+/// The motion from a state, 20 ms long.
+fn integrated(rotor: &Rotor, method: Method, state: &[f64]) -> (Grid, States) {
+    let (stop, scale) = (AtomicBool::new(false), rotor.motion_scale(1e-10));
+    let grid = Grid {
+        interval: 1e-3,
+        count: 21,
+    };
+    let settings = Settings {
+        method,
+        tolerance: 1e-10,
+        step_limit: 1_000_000,
+    };
+    let scaling = rotor.scaling(&scale);
+    let mut integration = Integration::new(rotor, scaling, grid, settings, &stop, state);
+    let mut states = States::with_capacity(state.len(), 21);
+    integration.advance(21, &mut states).expect("a motion");
+    (grid, states)
+}
+
+#[test]
+fn methods_of_different_kinds_find_the_same_motion() {
+    let (_, rotor) = housed(ContactLaw::Hertz, Freedoms::All);
+    let state = somewhere(&rotor);
+    let [explicit, exponential] =
+        [Method::Verner76, Method::Exponential].map(|method| integrated(&rotor, method, &state).1);
+    for (first, second) in explicit.iter().zip(exponential.iter()) {
+        for (first, second) in first.iter().zip(second).take(rotor.dofs()) {
+            assert!((first - second).abs() < 1e-14, "{first:e} {second:e}");
+        }
+    }
+}
+
+#[test]
+fn the_energy_of_shaft_housing_and_bearings_is_accounted_for() {
+    let (_, mut rotor) = housed(ContactLaw::Hertz, Freedoms::All);
+    rotor.account_for_energy();
+    let state = somewhere(&rotor);
+    let (grid, states) = integrated(&rotor, Method::Verner76, &state);
+    let balance = |time: f64, state: &[f64]| {
+        let energy = rotor.energy_balance(time, state);
+        let works = energy.works;
+        let held = energy.kinetic + energy.stored;
+        [held, held - works.loads - works.unbalance - works.rotation]
+    };
+    let [held, whole] = balance(0.0, &state);
+    let mut exchanged = 0.0_f64;
+    for (sample, state) in states.iter().enumerate() {
+        let [held_now, now] = balance(grid.time(sample as u64), state);
+        exchanged = exchanged.max((held_now - held).abs());
+        assert!((now - whole).abs() < 1e-8 * whole, "{now:e} of {whole:e}");
+    }
+    assert!(exchanged > 1e-4 * whole, "{exchanged:e} of {whole:e}");
+}
