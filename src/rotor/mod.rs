@@ -1,6 +1,6 @@
 //! A shaft on its bearings: degrees of freedom, unbalance, loads, damping, static equilibrium, motion.
 //!
-//! A [`RotorDefinition`] is plain data. [`Structure`](structure::Structure) says which coordinates it has and between
+//! A [`RotorDefinition`] is plain data. A `Structure` says which coordinates it has and between
 //! which points its bearings sit; [`Rotor::assemble`] finds its static equilibrium and makes
 //! of it a [`Rotor`], whose derivative is a pure function of time and state.
 
