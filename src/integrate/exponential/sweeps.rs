@@ -240,15 +240,17 @@ impl Sweeps {
         self.combine(&NODES.spare);
         let spare = &mut self.evaluation.remainder;
         spare.copy_from(&self.shift.coordinates);
-        let shift = &mut self.shift;
-        let [end, middle] = [POINTS - 1, SPARE + 1].map(|point| {
-            let effect = &mut shift.coordinates;
-            trial.operator.find_effect(point, SPARE, spare, effect);
-            let deviation = &mut shift.deviation;
-            trial.linear.find_deviation(effect, deviation);
-            norm(deviation, &self.inverse)
-        });
-        smoothness * end.max(middle)
+        let ModalState {
+            coordinates,
+            deviation,
+        } = &mut self.shift;
+        let mut sizes = [0.0; 2];
+        for (size, point) in sizes.iter_mut().zip([POINTS - 1, SPARE + 1]) {
+            trial.operator.find_effect(point, SPARE, spare, coordinates);
+            trial.linear.find_deviation(coordinates, deviation);
+            *size = norm(deviation, &self.inverse);
+        }
+        smoothness * sizes[0].max(sizes[1])
     }
 
     /// Finds a weighted sum of the remainders at the points.
@@ -268,17 +270,18 @@ impl Sweeps {
     /// odd about the middle of the step has next to no even coefficients: there the fall is not seen.
     #[inline(always)]
     fn smoothness(&mut self, trial: &Trial<'_>) -> f64 {
-        let [before, middle, highest] = NODES.modes.map(|mode| {
-            self.combine(&mode);
-            let ModalState {
-                coordinates,
-                deviation,
-            } = &mut self.shift;
-            trial.linear.find_deviation(coordinates, deviation);
-            norm(deviation, &self.inverse)
-        });
-        let squares = [before, middle, highest].map(|mode| mode * mode);
-        let fall = (squares[1] + squares[2]) / (squares[0] + squares[1]);
+        let mut sizes = [0.0; 3];
+        for (size, mode) in sizes.iter_mut().zip(&NODES.modes) {
+            self.combine(mode);
+            let shift = &mut self.shift;
+            trial
+                .linear
+                .find_deviation(&shift.coordinates, &mut shift.deviation);
+            *size = norm(&shift.deviation, &self.inverse);
+        }
+        let [before, middle, highest] = sizes;
+        let square = middle * middle;
+        let fall = (square + highest * highest) / (before * before + square);
         let factor = SMOOTH_CAUTION * fall.max(highest / before.max(middle));
         // no number where the remainder is constant
         self.crossed = self.crosses(trial);
@@ -355,10 +358,11 @@ impl Trial<'_> {
 /// Root mean square over what is allowed.
 #[inline(always)]
 fn norm(vector: &[f64], inverse: &[f64]) -> f64 {
-    let squares = vector.iter().zip(inverse);
-    let sum: f64 = squares
-        .map(|(value, inverse)| (value * inverse).powi(2))
-        .sum();
+    let mut sum = 0.0;
+    for (value, inverse) in vector.iter().zip(inverse) {
+        let part = value * inverse;
+        sum += part * part;
+    }
     (sum / vector.len() as f64).sqrt()
 }
 
