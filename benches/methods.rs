@@ -84,7 +84,7 @@ fn times(models: &[Model]) -> Vec<f64> {
 struct Truth {
     trace: Trace,
     scale: MotionScale,
-    kept: usize,
+    active: usize,
     motion: f64,
 }
 
@@ -97,7 +97,7 @@ impl Truth {
         let mut truth = Self {
             trace: exact(Method::Dop853)?,
             scale: rotor.motion_scale(EXACT),
-            kept: rotor.kept(),
+            active: rotor.active_freedoms(),
             motion: 1.0,
         };
         let place = rotor.equilibrium().displacement;
@@ -109,7 +109,7 @@ impl Truth {
     fn error(&self, trace: &Trace) -> f64 {
         let distance = |(a, b): (&[f64; 5], &[f64; 5])| {
             let of = |axis: usize| self.scale.lever(axis) * (a[axis] - b[axis]).abs();
-            (0..self.kept).map(of).fold(0.0, f64::max)
+            (0..self.active).map(of).fold(0.0, f64::max)
         };
         let pairs = trace.0.iter().zip(&self.trace.0);
         pairs.map(distance).fold(0.0, f64::max) / self.motion

@@ -179,9 +179,9 @@ const RUNGS: [Rung; 15] = {
 
 /// Benches one right-hand side at a state near equilibrium, at a new time in every call.
 fn right_hand_side(criterion: &mut Criterion, name: &str, rotor: &Rotor) {
-    let kept = rotor.kept();
-    let mut state = rotor.equilibrium().displacement[..kept].to_vec();
-    state.resize(2 * kept, 1e-4);
+    let active = rotor.active_freedoms();
+    let mut state = rotor.equilibrium().displacement[..active].to_vec();
+    state.resize(2 * active, 1e-4);
     let (mut time, mut rate) = (0.0, state.clone());
     criterion.bench_function(&format!("right-hand side: {name}"), |bencher| {
         bencher.iter(|| {

@@ -34,7 +34,7 @@ pub enum TorsionCause {
 /// A static question about a shaft on its bearings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticQuestion {
-    /// Shaft, bearings, loads and speed; the kept freedoms find their place, the others are held.
+    /// Shaft, bearings, loads and speed; the active freedoms find their place, the others are held.
     pub rotor: RotorDefinition,
     /// Displacements that are given instead of loads: those freedoms are held there.
     pub displacement: [Option<f64>; FREEDOMS],
@@ -118,7 +118,7 @@ pub(crate) fn answer_on(
         residual: equilibrium.residual,
         newton_steps: equilibrium.newton_steps,
         twist: question.torsion.map(|torsion| torsion.twist(friction)),
-        warnings: loose(&equilibrium.stiffness, &free)
+        warnings: unconstrained(&equilibrium.stiffness, &free)
             .into_iter()
             .chain(warnings(supports, &bearings))
             .collect(),
@@ -146,7 +146,7 @@ fn condition(stiffness: &Matrix5, free: &[bool; FREEDOMS], arm: f64) -> f64 {
 }
 
 /// Free freedoms that meet no resistance.
-fn loose(stiffness: &Matrix5, free: &[bool; FREEDOMS]) -> Option<String> {
+fn unconstrained(stiffness: &Matrix5, free: &[bool; FREEDOMS]) -> Option<String> {
     let names: Vec<&str> = (0..FREEDOMS)
         .filter(|&axis| free[axis] && stiffness[(axis, axis)] == 0.0)
         .map(|axis| FREEDOM_NAMES[axis])

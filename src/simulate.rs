@@ -33,7 +33,7 @@ pub use watch::{Monitor, SimulateError, TraceSink};
 use crate::integrate::{
     Counters, Grid, IntegrateError, Integration, MethodUse, SEGMENT, States, Stiffness, System,
 };
-use crate::rotor::{MotionScale, Rotor, check_loose};
+use crate::rotor::{MotionScale, Rotor, check_constraints};
 use observers::Observers;
 use reference::{Reference, reference_settings};
 use tables::TableAudit;
@@ -75,7 +75,7 @@ pub fn simulate_part(
     if model.energy {
         rotor.account_for_energy();
     }
-    let loose = check_loose(&model.rotor, &rotor)?;
+    let unconstrained = check_constraints(&model.rotor, &rotor)?;
     let grid = sampling::grid(model, &rotor)?;
     let mut passes = Passes::start(model, &rotor, grid, monitor.stop);
     let mut observers = Observers::new(model, &rotor, grid, sink, tables);
@@ -98,7 +98,7 @@ pub fn simulate_part(
         measured_error: reference.and_then(|reference| reference.measured(model, scale)),
         error_unknown: reference.and_then(Reference::failure),
     };
-    Ok(answer(model, &rotor, work, observers, loose))
+    Ok(answer(model, &rotor, work, observers, unconstrained))
 }
 
 /// Shows the observers what an earlier part of the run has integrated.
@@ -165,7 +165,7 @@ fn answer(
     rotor: &Rotor,
     work: Work<'_>,
     observers: Observers<'_>,
-    loose: Vec<String>,
+    unconstrained: Vec<String>,
 ) -> Run {
     let named = model.integrator.method;
     let outcome = Outcome {
@@ -173,7 +173,7 @@ fn answer(
         error: work.measured_error.as_ref(),
         error_unknown: work.error_unknown,
         stiffness: work.stiffness,
-        loose,
+        unconstrained,
     };
     let analysis = sampling::analyse(model, rotor, observers.recorder);
     let (motion, maps) = observers.recorders.finish();

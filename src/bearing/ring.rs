@@ -196,7 +196,7 @@ impl Ring {
     /// Middles of A1 and A2 of all balls, wherever the cage stands, each with the square of how far they swing, in m
     /// and m².
     #[inline(always)]
-    pub(super) fn swings(&self, displacement: &Vector5) -> [[f64; 2]; 2] {
+    pub(super) fn amplitudes(&self, displacement: &Vector5) -> [[f64; 2]; 2] {
         let [x, y, z, tilt_x, tilt_y] = *displacement;
         let tilt = self.arm * self.arm * (tilt_x * tilt_x + tilt_y * tilt_y);
         [

@@ -39,7 +39,7 @@ impl Support {
         }
     }
 
-    /// Whether any ball comes to its lift-off as the shaft swings by the distance of two displacements about the first
+    /// Whether any ball comes to its lift-off as the shaft moves by the distance of two displacements about the first
     /// of them, at a speed in rad/s: at the start's position of the cage, or, where the cage turns, at any.
     ///
     /// A bound for a bearing that is held; one on a spring is taken to follow the shaft along its axis.
@@ -56,7 +56,7 @@ impl Support {
         if matches!(self.seat, Seat::Spring { .. }) {
             (from[2], to[2]) = (0.0, 0.0);
         }
-        let swing = LIFT_OFF_SLOPE * self.shift_of_centres(&from, &to, 0.0);
+        let reach = LIFT_OFF_SLOPE * self.shift_of_centres(&from, &to, 0.0);
         let positions = if cage_turns { CAGE_POSITIONS } else { 1 };
         let spacing = TAU / self.definition.bearing.geometry.balls() as f64;
         let mut past = vec![0.0; self.balls_that_lift_off()];
@@ -64,7 +64,7 @@ impl Support {
             let part = f64::from(position) / f64::from(CAGE_POSITIONS);
             let rotation = BearingRotation::at_start(speed).with_cage_at(part * spacing);
             self.past_lift_offs(place, &rotation, &mut past);
-            past.iter().any(|past| past.abs() <= swing)
+            past.iter().any(|past| past.abs() <= reach)
         })
     }
 

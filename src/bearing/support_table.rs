@@ -5,14 +5,14 @@ use super::seat::Seat;
 use super::support::Support;
 use super::{BearingRotation, Vector5};
 
-/// Least swing that a table allows for, over the distance of the groove centres.
-const LEAST_SWING: f64 = 1e-3;
+/// Least amplitude that a table allows for, over the distance of the groove centres.
+const LEAST_AMPLITUDE: f64 = 1e-3;
 /// Azimuths at which the largest ball load is looked for.
 const AZIMUTHS: usize = 72;
 
 impl Support {
     /// Compiles the law of the balls into a table for motions at `speed` in rad/s that stay within
-    /// `swing` of `displacement`, both in m and rad of the shaft. The forces of [`Support::force`]
+    /// `amplitude` of `displacement`, both in m and rad of the shaft. The forces of [`Support::force`]
     /// then differ by no more than `tolerance` times the largest ball load at `displacement` a
     /// ball; further out and at other speeds they are exact, and slow.
     ///
@@ -24,7 +24,7 @@ impl Support {
     pub fn tabulate(
         &mut self,
         displacement: &Vector5,
-        swing: &Vector5,
+        amplitude: &Vector5,
         speed: f64,
         tolerance: f64,
     ) -> Option<Result<TableReport, TableError>> {
@@ -33,7 +33,7 @@ impl Support {
             return None;
         }
         let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
-        let region = self.ball_region(&place, swing);
+        let region = self.ball_region(&place, amplitude);
         let load = self.largest_load_around(&place, speed);
         let compiled = with_law!(&self.law, law => {
             BallTable::compile(law, region, speed, load, tolerance)
@@ -63,7 +63,7 @@ impl Support {
     #[inline(always)]
     pub(super) fn table_at(&self, place: &Vector5, speed: f64) -> Option<&BallTable> {
         let table = self.table.as_deref()?;
-        let [axial, radial] = self.ring.swings(place);
+        let [axial, radial] = self.ring.amplitudes(place);
         table.covers_around(axial, radial, speed).then_some(table)
     }
 
@@ -74,15 +74,15 @@ impl Support {
         self.table.is_none() || self.table_over(displacement, offset, rotation).is_some()
     }
 
-    /// Where balls come, whatever their azimuth, with the shaft within `swing` of the ring's `place`.
-    fn ball_region(&self, place: &Vector5, swing: &Vector5) -> BallRegion {
+    /// Where balls come, whatever their azimuth, with the shaft within `amplitude` of the ring's `place`.
+    fn ball_region(&self, place: &Vector5, amplitude: &Vector5) -> BallRegion {
         let geometry = &self.definition.bearing.geometry;
         let [x, y, z, tilt_x, tilt_y] = *place;
-        let tilting = swing[3].hypot(swing[4]);
+        let tilting = amplitude[3].hypot(amplitude[4]);
         let arm = geometry.inner_groove_radius();
-        let least = LEAST_SWING * geometry.groove_centre_distance();
-        let axial = arm * (tilt_x.hypot(tilt_y) + tilting) + swing[2].max(least);
-        let lateral = swing[0].hypot(swing[1]) + self.definition.position.abs() * tilting;
+        let least = LEAST_AMPLITUDE * geometry.groove_centre_distance();
+        let axial = arm * (tilt_x.hypot(tilt_y) + tilting) + amplitude[2].max(least);
+        let lateral = amplitude[0].hypot(amplitude[1]) + self.definition.position.abs() * tilting;
         let radial = x.hypot(y) + lateral.max(least);
         let around = |middle: f64, half: f64| [middle - half, middle + half];
         BallRegion {

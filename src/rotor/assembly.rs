@@ -231,21 +231,21 @@ impl RotorDefinition {
 
 /// Displacement and velocity at t = 0.
 fn initial_state(definition: &RotorDefinition, equilibrium: &Equilibrium) -> [Vector5; 2] {
-    let kept = definition.shaft.freedoms.count();
+    let active = definition.shaft.freedoms.count();
     let initial = &definition.initial;
     let displacement = std::array::from_fn(|axis| {
         let from = match initial.from {
-            InitialPosition::Origin if axis < kept => 0.0,
+            InitialPosition::Origin if axis < active => 0.0,
             _ => equilibrium.displacement[axis],
         };
-        if axis < kept {
+        if axis < active {
             initial.displacement[axis].unwrap_or(from)
         } else {
             from
         }
     });
     let velocity = std::array::from_fn(|axis| {
-        if axis < kept {
+        if axis < active {
             initial.velocity[axis].unwrap_or(0.0)
         } else {
             0.0

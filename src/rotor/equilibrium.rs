@@ -200,8 +200,8 @@ fn static_start(
     supports: &[Support],
     axial_load: f64,
 ) -> ([bool; FREEDOMS], Vector5) {
-    let kept = definition.shaft.freedoms.count();
-    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < kept);
+    let active = definition.shaft.freedoms.count();
+    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < active);
     let mut start = [0.0; FREEDOMS];
     for axis in (3..FREEDOMS).filter(|&axis| !free[axis]) {
         start[axis] = definition.shaft.held_tilt[axis - 3];

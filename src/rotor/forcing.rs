@@ -128,7 +128,7 @@ impl Rotor {
     /// Meshing frequency z ω/2π of every sprocket at a speed in rad/s, Hz.
     pub fn meshing_frequencies(&self, speed: f64) -> Vec<f64> {
         let sprockets = self.loads.iter().filter_map(|load| match &load.kind {
-            LoadKind::Sprocket(sprocket) => Some(sprocket.swing().order),
+            LoadKind::Sprocket(sprocket) => Some(sprocket.main_vibration().order),
             _ => None,
         });
         sprockets.map(|order| order * speed / TAU).collect()

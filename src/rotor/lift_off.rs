@@ -59,7 +59,7 @@ impl Rotor {
         self.bearings().map(change).fold(0.0, f64::max)
     }
 
-    /// Writes the accelerations that a ball so far past its lift-off gives the kept freedoms at most, m/s² and
+    /// Writes the accelerations that a ball so far past its lift-off gives the degrees of freedom at most, m/s² and
     /// rad/s², as the rates of their velocities.
     pub(super) fn lift_off_jump(&self, ball: usize, speed: f64, distance: f64, rate: &mut [f64]) {
         rate.fill(0.0);

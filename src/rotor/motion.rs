@@ -105,7 +105,7 @@ impl AttachedBearing<'_> {
 
 impl Rotor {
     /// Number of freedoms of the shaft that move: the first so many of x, y, z, θx, θy.
-    pub fn kept(&self) -> usize {
+    pub fn active_freedoms(&self) -> usize {
         let dofs = self.dofs();
         let indices = self.structure.shaft.coordinates().into_iter();
         indices.take_while(|index| *index < dofs).count()

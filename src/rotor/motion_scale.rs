@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-use super::loose::NOTHING;
+use super::unconstrained::NOTHING;
 use super::{CageMotion, FREEDOMS, Load, Rotor};
 use crate::bearing::{BearingRotation, Geometry, Support};
 
@@ -86,7 +86,7 @@ impl Rotor {
         };
         add(self.amplitudes(&self.unbalance_phasor(speed), speed, speed));
         for load in &self.loads {
-            let load = load.swing(self.shaft_mass);
+            let load = load.main_vibration(self.shaft_mass);
             let frequency = load.frequency + load.order * speed;
             add(self.amplitudes(&load.amplitude.map(Complex::from), frequency, speed));
         }
@@ -140,10 +140,10 @@ impl Rotor {
     /// Largest amplitude under each of the varying loads by itself.
     fn load_response(&self, arm: f64) -> f64 {
         let response = |load: &Load| {
-            let swing = load.swing(self.shaft_mass);
+            let vibration = load.main_vibration(self.shaft_mass);
             let speed = self.highest_speed();
-            let frequency = swing.frequency + swing.order * speed;
-            let force = swing.amplitude.map(Complex::from);
+            let frequency = vibration.frequency + vibration.order * speed;
+            let force = vibration.amplitude.map(Complex::from);
             self.largest(&self.amplitudes(&force, frequency, speed), arm)
         };
         self.loads.iter().map(response).fold(0.0, f64::max)
@@ -230,11 +230,11 @@ impl Rotor {
 
     fn initial_distance(&self, arm: f64, frequency: f64) -> f64 {
         let [shift, velocity] = self.initial_deviation();
-        let swing: Vec<f64> = velocity
+        let reach: Vec<f64> = velocity
             .iter()
             .map(|velocity| velocity / frequency)
             .collect();
-        self.largest(&shift, arm).max(self.largest(&swing, arm))
+        self.largest(&shift, arm).max(self.largest(&reach, arm))
     }
 
     /// Largest component as a displacement; what is not a number does not count.

@@ -57,16 +57,16 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
 
 /// The structure of a definition with all bearings on one housing, which moves along x, y and z.
 fn on_housing(definition: &RotorDefinition) -> Structure {
-    let kept = definition.shaft.freedoms.count();
-    let housing = [kept, kept + 1, kept + 2];
+    let active = definition.shaft.freedoms.count();
+    let housing = [active, active + 1, active + 2];
     let mut shaft: [usize; 5] = std::array::from_fn(|axis| axis);
-    for index in &mut shaft[kept..] {
+    for index in &mut shaft[active..] {
         *index += housing.len();
     }
     let grounded = Structure::of(definition);
     let mut structure = Structure {
         coordinates: vec![grounded.coordinates[0].clone(); 8],
-        dofs: kept + housing.len(),
+        dofs: active + housing.len(),
         mass: DMatrix::zeros(8, 8),
         damping: DMatrix::zeros(8, 8),
         shaft: Point::new(shaft),
@@ -112,19 +112,19 @@ fn near(found: f64, expected: f64, relative: f64) {
 fn a_housing_yields_by_the_load_over_its_springs_and_carries_the_bearings_along() {
     for freedoms in [Freedoms::Radial, Freedoms::All] {
         let (grounded, housed) = housed(ContactLaw::Hertz, freedoms);
-        let kept = freedoms.count();
+        let active = freedoms.count();
         let weight = 9.806_65 * MASSES[0];
         let yielding = [0.0, -weight / SPRINGS[1]];
         for (axis, expected) in yielding.into_iter().enumerate() {
             let (own, whole) = (
-                housed.rest[kept + axis],
+                housed.rest[active + axis],
                 housed.equilibrium.displacement[axis],
             );
             assert!((own - expected).abs() < 1e-18, "{own:e}");
             let relative = grounded.equilibrium.displacement[axis];
             assert!((whole - own - relative).abs() < 1e-17, "{whole:e}");
         }
-        assert_eq!(housed.states(), 2 * (kept + 3));
+        assert_eq!(housed.states(), 2 * (active + 3));
     }
 }
 

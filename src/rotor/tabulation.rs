@@ -6,12 +6,12 @@ use crate::bearing::{Support, TableError, TableReport, Vector5};
 
 /// Error of a table over the largest static ball load.
 const TABLE_TOLERANCE: f64 = 1e-9;
-/// Swing that a table allows for, over the motion that is expected.
+/// Amplitude that a table allows for, over the motion that is expected.
 const MARGIN: f64 = 4.0;
-/// Largest swings of x and y and of z and the tilts, over the distance of the groove centres: what
+/// Largest amplitudes of x and y and of z and the tilts, over the distance of the groove centres: what
 /// is expected of a rotor whose bearings hardly hold it at rest is far too much.
 const LARGEST: [f64; 2] = [0.06, 0.04];
-/// Parts of that swing, the widest of which for which the law has a table is taken.
+/// Parts of that amplitude, the widest of which for which the law has a table is taken.
 const PARTS: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// What became of the table of one bearing.
@@ -30,11 +30,11 @@ impl Rotor {
         let pairs = self.supports.iter_mut().zip(&self.structure.attachments);
         let compile = |(support, attachment): (&mut Support, &Attachment)| {
             let place = attachment.displacement(&self.rest[..dofs], &self.rest);
-            let swing = swing(support, &attachment.reach(&amplitudes));
+            let amplitude = largest_amplitude(support, &attachment.reach(&amplitudes));
             let mut tabulation = None;
             for part in PARTS {
-                let swing = swing.map(|swing| part * swing);
-                tabulation = support.tabulate(&place, &swing, speed, TABLE_TOLERANCE);
+                let amplitude = amplitude.map(|amplitude| part * amplitude);
+                tabulation = support.tabulate(&place, &amplitude, speed, TABLE_TOLERANCE);
                 if !matches!(tabulation, Some(Err(_))) {
                     break;
                 }
@@ -60,7 +60,7 @@ impl Rotor {
 
 /// How far the rings of a bearing may come from their static places, m and rad, where they are expected to move by an
 /// amplitude.
-fn swing(support: &Support, expected: &Vector5) -> Vector5 {
+fn largest_amplitude(support: &Support, expected: &Vector5) -> Vector5 {
     let geometry = &support.definition().bearing.geometry;
     let (distance, arm) = (
         geometry.groove_centre_distance(),

@@ -166,7 +166,7 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
     }
     let end = grid.time(grid.count - 1);
     MotionSettings {
-        freedoms: rotor.kept(),
+        freedoms: rotor.active_freedoms(),
         start: whole_revolutions(model.settle, end, speed, grid.interval),
         end,
         rate: 1.0 / grid.interval,
@@ -187,7 +187,7 @@ fn whole_revolutions(settle: f64, end: f64, speed: f64, interval: f64) -> f64 {
 }
 
 fn maps_of(model: &Model, rotor: &Rotor, rate: f64) -> (WaterfallRecorder, TrackRecorder) {
-    let lengths = 0..rotor.kept().min(LENGTHS);
+    let lengths = 0..rotor.active_freedoms().min(LENGTHS);
     let channels: Vec<Channel> = lengths.map(Channel::Displacement).collect();
     let passes = rotor.ball_pass_orders();
     let shaft = rotor.highest_speed() / TAU;

@@ -105,7 +105,7 @@ impl<'a> Reference<'a> {
         }
         let place = &rotor.equilibrium().displacement;
         for (state, reference) in states.iter().zip(self.states.iter()) {
-            for axis in 0..rotor.kept() {
+            for axis in 0..rotor.active_freedoms() {
                 let lever = scale.lever(axis);
                 self.difference = self
                     .difference

@@ -29,15 +29,15 @@ pub(super) fn grid(model: &Model, rotor: &Rotor) -> Result<Grid, SimulateError> 
 }
 
 pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
-    let (kept, settle) = (rotor.kept(), model.settle);
+    let (active, settle) = (rotor.active_freedoms(), model.settle);
     let SampleGrid {
         rate,
         shaft_frequency: shaft,
         per_revolution,
     } = sample_grid(model, rotor);
     let recorder = match per_revolution {
-        Some(samples) => Recorder::on_angle_grid(kept, settle, shaft, samples),
-        None => Recorder::on_time_grid(kept, settle, shaft, rate),
+        Some(samples) => Recorder::on_angle_grid(active, settle, shaft, samples),
+        None => Recorder::on_time_grid(active, settle, shaft, rate),
     };
     let recorder = match model.analyses.lines {
         SpectrumLines::All => recorder,

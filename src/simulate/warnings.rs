@@ -17,7 +17,7 @@ pub(super) struct Outcome<'a> {
     pub error_unknown: Option<&'a str>,
     pub stiffness: Option<Stiffness>,
     /// What is to say about freedoms that nothing holds.
-    pub loose: Vec<String>,
+    pub unconstrained: Vec<String>,
 }
 
 pub(super) fn warnings(
@@ -26,7 +26,7 @@ pub(super) fn warnings(
     outcome: &Outcome<'_>,
     motion: Option<&Motion>,
 ) -> Vec<String> {
-    let mut warnings = outcome.loose.clone();
+    let mut warnings = outcome.unconstrained.clone();
     if model.spectrum.is_some() && rotor.steady_from(model.settle).is_none() {
         warnings.push(format!(
             "the speed changes after the settle time of {} s: lines of shaft and bearings smear in \

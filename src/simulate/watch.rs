@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::Event;
 use crate::integrate::{CheckpointMismatch, IntegrateError};
-use crate::rotor::{BallContacts, LooseError, RotorError, Sample};
+use crate::rotor::{BallContacts, RotorError, Sample, UnconstrainedError};
 
 /// Takes the samples of a run one by one, in the order of time.
 pub trait TraceSink {
@@ -54,7 +54,7 @@ pub enum SimulateError {
     Rotor(#[from] RotorError),
     /// Nothing holds the shaft in a freedom, and the scene rests on what does.
     #[error(transparent)]
-    Loose(#[from] LooseError),
+    Unconstrained(#[from] UnconstrainedError),
     /// The integration cannot go on.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),

@@ -1,7 +1,7 @@
 //! Why there is no steady motion to tell of.
 
 use crate::integrate::IntegrateError;
-use crate::rotor::{LooseError, RotorError, Unrepeated};
+use crate::rotor::{RotorError, UnconstrainedError, Unrepeated};
 use crate::shooting::{MapError, ShootingError};
 
 /// Why no motion that repeats was found.
@@ -12,7 +12,7 @@ pub enum SteadyError {
     Rotor(#[from] RotorError),
     /// Nothing holds the shaft in a freedom, and the scene rests on what does.
     #[error(transparent)]
-    Loose(#[from] LooseError),
+    Unconstrained(#[from] UnconstrainedError),
     /// The forcing does not repeat.
     #[error("there is no steady motion: {0}")]
     Unrepeated(#[from] Unrepeated),

@@ -12,7 +12,7 @@ use super::swing::swings;
 use super::{Base, SteadyError, SteadyLines, Swing};
 use crate::analysis::Channel;
 use crate::integrate::{Counters, Settings};
-use crate::rotor::{Rotor, Sample, check_loose};
+use crate::rotor::{Rotor, Sample, check_constraints};
 use crate::shooting::{Circle, Crossing, Multipliers, ReturnMap, SpecialKind, refine};
 use crate::simulate::{Model, StaticState};
 
@@ -135,7 +135,7 @@ impl Steady {
 pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
     let model = question.model;
     let mut rotor = Rotor::assemble(&model.rotor)?;
-    let loose = check_loose(&model.rotor, &rotor)?;
+    let unconstrained = check_constraints(&model.rotor, &rotor)?;
     let places = Places::new(&rotor, question.multiple.unwrap_or(1))?;
     if places.is_torus() && places.multiple > 1 {
         return Err(SteadyError::NoPeriod {
@@ -147,7 +147,7 @@ pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
         rotor.tabulate();
     }
     let mut answer = answer(question, rotor, places)?;
-    answer.warnings.splice(0..0, loose);
+    answer.warnings.splice(0..0, unconstrained);
     Ok(answer)
 }
 
@@ -169,7 +169,7 @@ fn answer(
         false => None,
     };
     let trace = trace(&map, &flights, &sampled, question.model);
-    let channels = Channel::of_freedoms(map.rotor.kept());
+    let channels = Channel::of_freedoms(map.rotor.active_freedoms());
     let error = measured.map_or(0.0, |error| error.relative);
     let noise = error.max(NOISE * solver.settings.tolerance);
     let instability = Crossing::cause(&found.multipliers);

@@ -279,7 +279,7 @@ fn told(
     let [from, to] = question.range;
     map.set(point.parameter)?;
     let sampled = sampled(map, &point.states, question.model, true)?;
-    let channels = Channel::of_freedoms(map.rotor.kept());
+    let channels = Channel::of_freedoms(map.rotor.active_freedoms());
     Ok(ResponsePoint {
         value: from + (to - from) * point.parameter,
         period: map.places.circle.period(),

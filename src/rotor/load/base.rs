@@ -1,6 +1,6 @@
 //! Acceleration of the housing.
 
-use super::{Harmonic, Shock, Swing};
+use super::{Harmonic, MainVibration, Shock};
 use crate::bearing::Vector5;
 
 /// The housing is shaken: in its frame an inertial force acts on the mass.
@@ -32,14 +32,14 @@ impl BaseAcceleration {
     }
 
     /// Its force as a vibration.
-    pub fn swing(&self, mass: f64) -> Swing {
-        let swing = match self {
-            Self::Harmonic(harmonic) => harmonic.swing(),
-            Self::Shock(shock) => shock.swing(),
+    pub fn main_vibration(&self, mass: f64) -> MainVibration {
+        let vibration = match self {
+            Self::Harmonic(harmonic) => harmonic.main_vibration(),
+            Self::Shock(shock) => shock.main_vibration(),
         };
-        Swing {
-            amplitude: inertial(mass, &swing.amplitude),
-            ..swing
+        MainVibration {
+            amplitude: inertial(mass, &vibration.amplitude),
+            ..vibration
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::Swing;
+use super::MainVibration;
 use crate::bearing::Vector5;
 
 /// What the phase of a harmonic load runs with.
@@ -53,20 +53,20 @@ impl Harmonic {
 
     /// Angular frequency in rad/s and begin in s at a speed of the shaft in rad/s; none where it does not act.
     pub(super) fn repetition(&self, speed: f64) -> Option<(f64, f64)> {
-        let Swing {
+        let MainVibration {
             frequency, order, ..
-        } = self.swing();
+        } = self.main_vibration();
         let acts = self.amplitude.iter().any(|part| *part != 0.0);
         acts.then_some((frequency + order * speed, 0.0))
     }
 
     /// Its amplitude and frequency.
-    pub fn swing(&self) -> Swing {
+    pub fn main_vibration(&self) -> MainVibration {
         let (frequency, order) = match self.pace {
             Pace::Frequency(frequency) => (TAU * frequency, 0.0),
             Pace::Order(order) => (0.0, order),
         };
-        Swing {
+        MainVibration {
             amplitude: self.amplitude,
             frequency,
             order,

@@ -54,7 +54,7 @@ pub enum LoadKind {
 
 /// The main vibration of a load: what the size of the motion is estimated from.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Swing {
+pub struct MainVibration {
     /// Amplitudes, N and N m.
     pub amplitude: Vector5,
     /// Part of the angular frequency that does not depend on the shaft's speed, rad/s.
@@ -99,19 +99,19 @@ impl Load {
     }
 
     /// Its main vibration; `mass` in kg is that of the shaft.
-    pub fn swing(&self, mass: f64) -> Swing {
-        let swing = match &self.kind {
-            LoadKind::Harmonic(harmonic) => harmonic.swing(),
-            LoadKind::Shock(shock) => shock.swing(),
-            LoadKind::RandomShocks(shocks) => shocks.swing(),
-            LoadKind::Sprocket(sprocket) => sprocket.swing(),
-            LoadKind::Noise(noise) => noise.swing(),
-            LoadKind::Series(series) => series.swing(),
-            LoadKind::Base(base) => base.swing(mass),
+    pub fn main_vibration(&self, mass: f64) -> MainVibration {
+        let vibration = match &self.kind {
+            LoadKind::Harmonic(harmonic) => harmonic.main_vibration(),
+            LoadKind::Shock(shock) => shock.main_vibration(),
+            LoadKind::RandomShocks(shocks) => shocks.main_vibration(),
+            LoadKind::Sprocket(sprocket) => sprocket.main_vibration(),
+            LoadKind::Noise(noise) => noise.main_vibration(),
+            LoadKind::Series(series) => series.main_vibration(),
+            LoadKind::Base(base) => base.main_vibration(mass),
         };
-        Swing {
-            amplitude: self.about_centre(&swing.amplitude),
-            ..swing
+        MainVibration {
+            amplitude: self.about_centre(&vibration.amplitude),
+            ..vibration
         }
     }
 
@@ -128,7 +128,9 @@ impl Load {
             LoadKind::Shock(shock) | LoadKind::Base(BaseAcceleration::Shock(shock)) => {
                 shock.repetition()
             }
-            LoadKind::Sprocket(sprocket) => Ok(Some((sprocket.swing().order * speed, 0.0))),
+            LoadKind::Sprocket(sprocket) => {
+                Ok(Some((sprocket.main_vibration().order * speed, 0.0)))
+            }
             LoadKind::RandomShocks(_) => Err("a series of random shocks"),
             LoadKind::Noise(_) => Err("noise"),
             LoadKind::Series(_) => Err("a series of values"),

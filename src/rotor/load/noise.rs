@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{SplitMix64, Swing};
+use super::{MainVibration, SplitMix64};
 use crate::bearing::Vector5;
 
 /// What noise is asked for.
@@ -92,8 +92,8 @@ impl Noise {
     }
 
     /// Its root mean square at its lowest frequency.
-    pub fn swing(&self) -> Swing {
-        Swing {
+    pub fn main_vibration(&self) -> MainVibration {
+        MainVibration {
             amplitude: self.rms,
             frequency: self.lowest,
             order: 0.0,

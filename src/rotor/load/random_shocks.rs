@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{SplitMix64, Swing};
+use super::{MainVibration, SplitMix64};
 use crate::bearing::Vector5;
 
 /// How random shocks are distributed.
@@ -78,8 +78,8 @@ impl RandomShocks {
     }
 
     /// A steady vibration of the largest peak and the half period of a shock.
-    pub fn swing(&self) -> Swing {
-        Swing {
+    pub fn main_vibration(&self) -> MainVibration {
+        MainVibration {
             amplitude: self.peak,
             frequency: PI / self.duration,
             order: 0.0,

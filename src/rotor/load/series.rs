@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Swing, earliest};
+use super::{MainVibration, earliest};
 use crate::bearing::Vector5;
 
 /// How a series is read between its rows.
@@ -136,14 +136,14 @@ impl Series {
     }
 
     /// Its largest distance from the first row, as a load that stands.
-    pub fn swing(&self) -> Swing {
+    pub fn main_vibration(&self) -> MainVibration {
         let mut amplitude = [0.0; 5];
         for column in &self.columns {
             let start = column.values[0];
             let distances = column.values.iter().map(|value| (value - start).abs());
             amplitude[column.axis] = distances.fold(amplitude[column.axis], f64::max);
         }
-        Swing {
+        MainVibration {
             amplitude,
             frequency: 0.0,
             order: 0.0,

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Swing, earliest};
+use super::{MainVibration, earliest};
 use crate::bearing::Vector5;
 
 /// A half-sine shock, once or again and again.
@@ -74,8 +74,8 @@ impl Shock {
     }
 
     /// A steady vibration of the same peak and half period.
-    pub fn swing(&self) -> Swing {
-        Swing {
+    pub fn main_vibration(&self) -> MainVibration {
+        MainVibration {
             amplitude: self.peak,
             frequency: PI / self.duration,
             order: 0.0,

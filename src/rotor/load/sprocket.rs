@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::Swing;
+use super::MainVibration;
 use crate::bearing::Vector5;
 
 /// A chain strand that pulls at a driving sprocket.
@@ -99,9 +99,9 @@ impl Sprocket {
     }
 
     /// Its first harmonic, at the meshing frequency.
-    pub fn swing(&self) -> Swing {
+    pub fn main_vibration(&self) -> MainVibration {
         let [along, across] = self.harmonics.first().copied().unwrap_or_default();
-        Swing {
+        MainVibration {
             amplitude: self.directed(along, across),
             frequency: 0.0,
             order: self.teeth,

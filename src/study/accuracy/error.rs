@@ -23,7 +23,7 @@ impl Scale {
             equilibrium.force.map(|force| -force),
         ];
         let [displacement, force] = trial.trace.excursion(&rest);
-        let stiffest = (0..rotor.kept())
+        let stiffest = (0..rotor.active_freedoms())
             .map(|axis| equilibrium.stiffness[(axis, axis)] / scale.lever(axis).powi(2))
             .fold(0.0, f64::max);
         Self {

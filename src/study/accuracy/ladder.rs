@@ -12,7 +12,7 @@ use super::is_interrupted;
 use super::trace::View;
 use super::trial::{Cost, Trial, measure as measure_cost, observe, with};
 use crate::bearing::Oil;
-use crate::rotor::{CageMotion, Freedoms, Rotor, RotorDefinition, check_loose};
+use crate::rotor::{CageMotion, Freedoms, Rotor, RotorDefinition, check_constraints};
 use crate::simulate::{Model, SimulateError};
 use crate::study::Rung;
 
@@ -163,7 +163,7 @@ fn build(
     }
     let model = configuration.apply(model, oils);
     let rotor = Rotor::assemble(&model.rotor).map_err(|error| error.to_string())?;
-    check_loose(&model.rotor, &rotor).map_err(|error| error.to_string())?;
+    check_constraints(&model.rotor, &rotor).map_err(|error| error.to_string())?;
     Ok(model)
 }
 

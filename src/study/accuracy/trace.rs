@@ -95,7 +95,7 @@ impl Sums {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct View {
     /// Number of freedoms that count: the first so many of x, y, z, θx, θy.
-    pub kept: usize,
+    pub active: usize,
     /// Length that turns tilts into displacements and moments into forces, m.
     pub arm: f64,
     /// Time from which statistics count, s.
@@ -108,7 +108,7 @@ impl View {
     /// The view of a rotor's motion of so many samples.
     pub fn new(rotor: &Rotor, scale: &MotionScale, settle: f64, samples: f64) -> Self {
         Self {
-            kept: rotor.kept(),
+            active: rotor.active_freedoms(),
             arm: scale.arm,
             settle,
             stride: (samples / MOST_POINTS as f64).ceil().max(1.0) as u64,
@@ -161,7 +161,7 @@ impl Trace {
     fn channels(&self) -> impl Iterator<Item = (usize, usize, f64)> + use<> {
         let view = self.view;
         (0..2).flat_map(move |quantity| {
-            (0..view.kept).map(move |axis| (quantity, axis, view.lever(quantity, axis)))
+            (0..view.active).map(move |axis| (quantity, axis, view.lever(quantity, axis)))
         })
     }
 
@@ -205,7 +205,7 @@ impl Trace {
     pub fn growth(&self, other: &Self, parts: usize) -> Vec<f64> {
         let length = self.points.len().div_ceil(parts).max(1);
         let apart = |(left, right): (&Point, &Point)| {
-            (0..self.view.kept)
+            (0..self.view.active)
                 .map(|axis| self.view.lever(0, axis) * (left[0][axis] - right[0][axis]).abs())
                 .fold(0.0, f64::max)
         };

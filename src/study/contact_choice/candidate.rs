@@ -57,7 +57,7 @@ impl Candidate {
 struct Pair<'a> {
     own: &'a Candidate,
     top: &'a Candidate,
-    kept: usize,
+    active: usize,
     arm: f64,
 }
 
@@ -71,12 +71,13 @@ impl Pair<'_> {
             self.stiffest(&(own_stiffness - true_stiffness)),
             self.stiffest(&true_stiffness),
         );
-        ((0..self.kept).map(force).collect(), stiffness)
+        ((0..self.active).map(force).collect(), stiffness)
     }
 
-    /// Largest entry of the kept freedoms as that of a force by a displacement, N/m.
+    /// Largest entry of the active freedoms as that of a force by a displacement, N/m.
     fn stiffest(&self, matrix: &Matrix5) -> f64 {
-        let all = (0..self.kept).flat_map(|row| (0..self.kept).map(move |column| (row, column)));
+        let all =
+            (0..self.active).flat_map(|row| (0..self.active).map(move |column| (row, column)));
         let levers = |(row, column)| lever(row, self.arm) * lever(column, self.arm);
         largest(all.map(|entry| matrix[entry] / levers(entry)))
     }
@@ -111,7 +112,7 @@ pub(super) fn difference(
     let pair = Pair {
         own: candidate,
         top,
-        kept: rotor.shaft.freedoms.count(),
+        active: rotor.shaft.freedoms.count(),
         arm: Support::largest(&top.supports, Geometry::inner_groove_radius),
     };
     let mut found = Difference::default();

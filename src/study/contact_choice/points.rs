@@ -56,8 +56,8 @@ impl Point {
         let middle = equilibrium(&steady, &supports)?;
         let reach = reach(&steady, &supports, question)?;
         let arm = Support::largest(&supports, Geometry::inner_groove_radius);
-        let kept = steady.shaft.freedoms.count();
-        let change = reach * stiffest_freedom(&supports, &middle, speed, kept, arm);
+        let active = steady.shaft.freedoms.count();
+        let change = reach * stiffest_freedom(&supports, &middle, speed, active, arm);
         let bears = |support: &Support| {
             let force = support.force(&middle, &BearingRotation::at_start(speed));
             largest((0..FREEDOMS).map(|axis| force[axis] / lever(axis, arm)))
@@ -66,7 +66,7 @@ impl Point {
             speed,
             force: largest(supports.iter().map(bears)).max(change),
             change,
-            places: around(middle, reach, kept, arm),
+            places: around(middle, reach, active, arm),
             reach,
         })
     }
@@ -87,10 +87,10 @@ fn reach(
 }
 
 /// A place and those on either side of it along every freedom that moves.
-fn around(middle: Vector5, reach: f64, kept: usize, arm: f64) -> Vec<Vector5> {
+fn around(middle: Vector5, reach: f64, active: usize, arm: f64) -> Vec<Vector5> {
     let mut places = vec![middle];
     if reach > 0.0 {
-        for axis in 0..kept {
+        for axis in 0..active {
             for step in [reach, -reach] {
                 let mut place = middle;
                 place[axis] += step / lever(axis, arm);
@@ -101,19 +101,19 @@ fn around(middle: Vector5, reach: f64, kept: usize, arm: f64) -> Vec<Vector5> {
     places
 }
 
-/// Largest diagonal term of K of the kept freedoms as that of a force by a displacement, N/m.
+/// Largest diagonal term of K of the active freedoms as that of a force by a displacement, N/m.
 fn stiffest_freedom(
     supports: &[Support],
     place: &Vector5,
     speed: f64,
-    kept: usize,
+    active: usize,
     arm: f64,
 ) -> f64 {
     let stiffness = supports.iter().fold(Matrix5::zeros(), |sum, support| {
         let (_, own) = support.force_and_stiffness(place, &BearingRotation::at_start(speed));
         sum + own
     });
-    largest((0..kept).map(|axis| stiffness[(axis, axis)] / lever(axis, arm).powi(2)))
+    largest((0..active).map(|axis| stiffness[(axis, axis)] / lever(axis, arm).powi(2)))
 }
 
 /// Where the shaft stands under its static load.

@@ -37,16 +37,16 @@ fn shipped() -> Vec<PathBuf> {
     files
 }
 
-/// Largest distance of two traces over the kept freedoms, tilts by an arm of 20 mm, m.
+/// Largest distance of two traces over the active freedoms, tilts by an arm of 20 mm, m.
 fn apart(model: &Model, left: &[Sample], right: &[Sample]) -> f64 {
     assert_eq!(left.len(), right.len());
-    let kept = model.rotor.shaft.freedoms.count();
+    let active = model.rotor.shaft.freedoms.count();
     let distance = |(a, b): (&Sample, &Sample)| {
         let of = |axis: usize| {
             let arm = if axis < 3 { 1.0 } else { 0.02 };
             arm * (a.displacement[axis] - b.displacement[axis]).abs()
         };
-        (0..kept).map(of).fold(0.0, f64::max)
+        (0..active).map(of).fold(0.0, f64::max)
     };
     left.iter().zip(right).map(distance).fold(0.0, f64::max)
 }

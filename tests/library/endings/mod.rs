@@ -1,4 +1,4 @@
 //! Runs that cannot go on: what is said of them, and that they end.
 
-mod loose;
 mod stiff;
+mod unconstrained;

@@ -15,11 +15,11 @@ const BESIDE: [f64; 5] = [3e-6, -2e-6, 4e-6, 1e-4, -2e-4];
 fn miss(mut definition: RotorDefinition) -> f64 {
     let resting = Rotor::assemble(&definition).expect("a rotor");
     let place = resting.equilibrium().displacement;
-    let kept = resting.kept();
+    let active = resting.active_freedoms();
     let start =
-        std::array::from_fn(|axis| place[axis] + if axis < kept { BESIDE[axis] } else { 0.0 });
+        std::array::from_fn(|axis| place[axis] + if axis < active { BESIDE[axis] } else { 0.0 });
     definition.initial = InitialState {
-        displacement: std::array::from_fn(|axis| (axis < kept).then_some(start[axis])),
+        displacement: std::array::from_fn(|axis| (axis < active).then_some(start[axis])),
         ..AT_EQUILIBRIUM
     };
     let modes = resting.natural_frequencies();

@@ -47,8 +47,8 @@ impl BallTable {
         speed == self.speed && self.region.contains(axial, radial)
     }
 
-    /// Whether it does at all places whose A1 and A2 are within their swings of the middle; each is the middle and the
-    /// square of the swing, in m and m².
+    /// Whether it does at all places whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
+    /// square of the amplitude, in m and m².
     #[inline(always)]
     pub(in crate::bearing) fn covers_around(
         &self,

@@ -31,8 +31,8 @@ impl BallRegion {
         within(axial.abs(), self.axial) && within(radial, self.radial)
     }
 
-    /// Whether all places are inside a folded region whose A1 and A2 are within their swings of the middle; each is the
-    /// middle and the square of the swing, in m and m².
+    /// Whether all places are inside a folded region whose A1 and A2 are within their amplitudes of the middle; each is the
+    /// middle and the square of the amplitude, in m and m².
     #[inline(always)]
     pub(super) fn contains_around(&self, axial: [f64; 2], radial: [f64; 2]) -> bool {
         // squares in place of a root, which takes long

@@ -4,8 +4,8 @@
 use jeffcott::bearing::ContactLaw;
 use jeffcott::rotor::load::{Harmonic, Pace};
 use jeffcott::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, LoadKind, LooseError,
-    RotorDefinition, Sample,
+    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, LoadKind, RotorDefinition,
+    Sample, UnconstrainedError,
 };
 use jeffcott::simulate::{Run, SimulateError};
 
@@ -34,23 +34,23 @@ fn run(definition: RotorDefinition) -> (Result<Run, SimulateError>, Vec<Sample>)
 
 /// The error of a scene that must be refused before the first sample.
 #[track_caller]
-fn refusal(definition: RotorDefinition) -> LooseError {
+fn refusal(definition: RotorDefinition) -> UnconstrainedError {
     let (result, samples) = run(definition);
     assert!(samples.is_empty(), "{} samples", samples.len());
     match result {
-        Err(SimulateError::Loose(error)) => error,
-        other => panic!("not refused as loose: {other:?}"),
+        Err(SimulateError::Unconstrained(error)) => error,
+        other => panic!("not refused as unconstrained: {other:?}"),
     }
 }
 
-/// The warning of a scene that runs although something is loose.
+/// The warning of a scene that runs although something is unconstrained.
 #[track_caller]
 fn warning(definition: RotorDefinition) -> String {
     let (result, samples) = run(definition);
     let warnings = result.expect("the scene runs").warnings;
     assert_eq!(samples.len(), 201);
-    let loose = warnings.iter().find(|text| text.contains("nothing holds"));
-    loose
+    let unconstrained = warnings.iter().find(|text| text.contains("nothing holds"));
+    unconstrained
         .unwrap_or_else(|| panic!("no warning: {warnings:?}"))
         .clone()
 }
@@ -71,10 +71,13 @@ fn a_ratio_of_no_critical_damping_is_refused() {
         damping: Damping::Ratio(0.02),
         ..floating()
     });
-    let LooseError::Damping(loose) = &error else {
+    let UnconstrainedError::Damping(unconstrained) = &error else {
         panic!("{error}");
     };
-    assert_eq!((loose.freedoms.as_str(), loose.stiffness), ("x, y", 0.0));
+    assert_eq!(
+        (unconstrained.freedoms.as_str(), unconstrained.stiffness),
+        ("x, y", 0.0)
+    );
     let text = error.to_string();
     for remedy in [
         "damping.coefficients",
@@ -96,7 +99,7 @@ fn damping_in_proportion_to_no_stiffness_is_refused() {
         damping: Damping::StiffnessTime(1e-5),
         ..floating()
     });
-    assert!(matches!(error, LooseError::Damping(_)), "{error}");
+    assert!(matches!(error, UnconstrainedError::Damping(_)), "{error}");
 }
 
 #[test]
@@ -104,7 +107,7 @@ fn a_linear_bearing_that_holds_nothing_is_refused() {
     let mut definition = floating();
     definition.bearings[0].law = ContactLaw::Linear;
     let error = refusal(definition);
-    assert!(matches!(error, LooseError::Linear(_)), "{error}");
+    assert!(matches!(error, UnconstrainedError::Linear(_)), "{error}");
     assert!(error.to_string().contains("contact = \"hertz\""), "{error}");
 }
 
@@ -116,7 +119,7 @@ fn a_start_that_is_one_of_many_and_that_nothing_drives_is_refused() {
         definition
     };
     let error = refusal(still());
-    assert!(matches!(error, LooseError::Start(_)), "{error}");
+    assert!(matches!(error, UnconstrainedError::Start(_)), "{error}");
     assert!(
         error.to_string().contains("initial.displacement"),
         "{error}"
@@ -162,10 +165,10 @@ fn the_axial_freedom_alone_is_named() {
         ..floating()
     };
     let error = refusal(definition);
-    let LooseError::Start(loose) = &error else {
+    let UnconstrainedError::Start(unconstrained) = &error else {
         panic!("{error}");
     };
-    assert_eq!(loose.freedoms, "z");
+    assert_eq!(unconstrained.freedoms, "z");
 }
 
 /// A shaft that hangs on one of three balls, which stands at −45°: held along the contact, free across.
@@ -183,23 +186,23 @@ fn on_one_ball() -> RotorDefinition {
 #[test]
 fn a_combination_is_found_where_no_freedom_is_loose_by_itself() {
     let error = refusal(on_one_ball());
-    let LooseError::Start(loose) = &error else {
+    let UnconstrainedError::Start(unconstrained) = &error else {
         panic!("{error}");
     };
-    assert_eq!(loose.freedoms, "x, y");
-    assert!(loose.stiffness.abs() < 1e-2, "{error}");
+    assert_eq!(unconstrained.freedoms, "x, y");
+    assert!(unconstrained.stiffness.abs() < 1e-2, "{error}");
     // each of x and y by itself has its stiffness, so a ratio damps both, and the start is all that
     // is missing
     let error = refusal(RotorDefinition {
         damping: Damping::Ratio(0.02),
         ..on_one_ball()
     });
-    assert!(matches!(error, LooseError::Start(_)), "{error}");
+    assert!(matches!(error, UnconstrainedError::Start(_)), "{error}");
     let error = refusal(RotorDefinition {
         damping: Damping::StiffnessTime(1e-5),
         ..on_one_ball()
     });
-    assert!(matches!(error, LooseError::Damping(_)), "{error}");
+    assert!(matches!(error, UnconstrainedError::Damping(_)), "{error}");
     // balls that pass drive it
     warning(RotorDefinition {
         speed: 150.0,

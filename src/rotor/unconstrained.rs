@@ -21,9 +21,9 @@ use crate::bearing::{ContactLaw, Geometry, Support};
 pub(super) const NOTHING: f64 = 1e-9;
 /// A displacement that is small in a bearing, m: a force that `NOTHING` would answer it with is none.
 const SMALL_DISPLACEMENT: f64 = 1e-6;
-/// Part of a freedom's direction that must be loose to call the freedom by itself loose.
+/// Part of a freedom's direction that must be unconstrained to call the freedom itself unconstrained.
 const WHOLLY: f64 = 0.999;
-/// Part from which on a freedom has a share in a loose combination.
+/// Part from which on a freedom has a share in an unconstrained combination.
 const PARTLY: f64 = 0.05;
 /// Sweeps after which the search for eigenvalues gives up.
 const SWEEPS: usize = 1000;
@@ -34,7 +34,7 @@ const SWEEPS: usize = 1000;
     "nothing holds the shaft along {freedoms} at the static equilibrium: the stiffness there is \
      {stiffness:.1e} N/m, where a loaded contact of these bearings has {contact:.0e} N/m"
 )]
-pub struct Looseness {
+pub struct Unconstrained {
     /// Names of the freedoms.
     pub freedoms: String,
     /// Least stiffness, tilts by their arm, N/m; negative where the equilibrium is not stable.
@@ -45,58 +45,61 @@ pub struct Looseness {
 
 /// A scene that rests on a stiffness that is not there.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum LooseError {
+pub enum UnconstrainedError {
     /// A linear bearing without stiffness.
     #[error(
         "{0}; a linear bearing keeps this for good: add a load or a preload, set contact = \"hertz\", \
          or hold the freedom by shaft.freedoms"
     )]
-    Linear(Looseness),
+    Linear(Unconstrained),
     /// Damping that is derived from no stiffness.
     #[error(
         "{0}; damping that is derived from it is none: give damping.coefficients, add a load or a \
          preload, or hold the freedom by shaft.freedoms"
     )]
-    Damping(Looseness),
+    Damping(Unconstrained),
     /// A start at an equilibrium that is one of many.
     #[error(
         "{0}; so the equilibrium is one of many places to start from, and no load drives the shaft \
          from it: give initial.displacement, add a load or a preload, or hold the freedom by \
          shaft.freedoms"
     )]
-    Start(Looseness),
+    Start(Unconstrained),
 }
 
-/// Refuses a scene that rests on a stiffness which its kept freedoms do not have at the static
+/// Refuses a scene that rests on a stiffness which its active freedoms do not have at the static
 /// equilibrium; says what the reader should know where such a scene can be run.
 ///
 /// # Errors
-/// [`LooseError`] names the freedoms, the stiffness and what to change.
-pub fn check_loose(definition: &RotorDefinition, rotor: &Rotor) -> Result<Vec<String>, LooseError> {
+/// [`UnconstrainedError`] names the freedoms, the stiffness and what to change.
+pub fn check_constraints(
+    definition: &RotorDefinition,
+    rotor: &Rotor,
+) -> Result<Vec<String>, UnconstrainedError> {
     let contact = rotor.contact_stiffness();
-    let loose = Loose::find(rotor, contact);
+    let free = FreeDirections::find(rotor, contact);
     let along = |axes: Vec<usize>| {
         let coordinates = &rotor.structure.coordinates;
         let names = axes.into_iter().map(|dof| coordinates[dof].name.as_str());
         let names: Vec<&str> = names.collect();
-        (!names.is_empty()).then(|| Looseness {
+        (!names.is_empty()).then(|| Unconstrained {
             freedoms: names.join(", "),
-            stiffness: loose.stiffness,
+            stiffness: free.stiffness,
             contact,
         })
     };
-    let Some(all) = along(loose.axes()) else {
+    let Some(all) = along(free.axes()) else {
         return Ok(Vec::new());
     };
     let mut bearings = definition.bearings.iter();
     if bearings.any(|bearing| bearing.law == ContactLaw::Linear) {
-        return Err(LooseError::Linear(all));
+        return Err(UnconstrainedError::Linear(all));
     }
-    if let Some(undamped) = along(loose.undamped(&definition.damping)) {
-        return Err(LooseError::Damping(undamped));
+    if let Some(undamped) = along(free.undamped(&definition.damping)) {
+        return Err(UnconstrainedError::Damping(undamped));
     }
-    if let Some(lost) = along(loose.without_start(definition, rotor, contact)) {
-        return Err(LooseError::Start(lost));
+    if let Some(lost) = along(free.without_start(definition, rotor, contact)) {
+        return Err(UnconstrainedError::Start(lost));
     }
     Ok(vec![format!(
         "{all}; its place there is one of many, and the natural frequencies leave it out"
@@ -104,16 +107,16 @@ pub fn check_loose(definition: &RotorDefinition, rotor: &Rotor) -> Result<Vec<St
 }
 
 /// What nothing holds at the static equilibrium.
-struct Loose {
-    /// Freedoms that are loose by themselves.
+struct FreeDirections {
+    /// Freedoms that are unconstrained by themselves.
     whole: Vec<usize>,
-    /// Freedoms that share in a loose combination.
+    /// Freedoms that share in an unconstrained combination.
     combined: Vec<usize>,
     /// Least stiffness, tilts by their arm, N/m.
     stiffness: f64,
 }
 
-impl Loose {
+impl FreeDirections {
     /// Eigenvectors of the symmetric part of K whose eigenvalue is next to nothing, or negative.
     fn find(rotor: &Rotor, contact: f64) -> Self {
         let dofs = rotor.dofs();
@@ -216,7 +219,7 @@ impl Rotor {
         let unbalance = self.unbalance.is_some() && self.speed.highest() > 0.0;
         let mut on_shaft = [unbalance, unbalance, false, false, false];
         for load in &self.loads {
-            let amplitude = load.swing(self.shaft_mass).amplitude;
+            let amplitude = load.main_vibration(self.shaft_mass).amplitude;
             for (driven, part) in on_shaft.iter_mut().zip(amplitude) {
                 *driven |= part != 0.0;
             }
