@@ -97,6 +97,7 @@ impl Rotor {
             mass: Mass::new(mass).ok_or(RotorError::Mass)?,
             damping: Coefficients::new(damping, dofs),
             gyroscopic: Coefficients::new(gyroscopic, dofs),
+            rigid: structure.is_rigid(),
             structure,
             shaft_mass: shaft.mass,
             inertia_polar: shaft.inertia_polar,

@@ -1,6 +1,6 @@
 //! The matrices of the equation of motion: mass, and what is linear in displacement and velocity.
 
-use nalgebra::{DMatrix, DVectorView, DVectorViewMut};
+use nalgebra::{DMatrix, DVectorViewMut};
 
 /// A matrix of linear forces on the degrees of freedom, stored the way that its products are cheapest.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,11 +26,10 @@ impl Coefficients {
             .map(|(row, column)| (row, column, entries[(row, column)]))
             .filter(|(_, _, value)| *value != 0.0)
             .collect();
-        let form = if 2 * sparse.len() < dofs {
-            Form::Sparse(sparse)
-        } else if sparse.iter().all(|(row, column, _)| row == column) {
+        let diagonal = sparse.iter().all(|(row, column, _)| row == column);
+        let form = if diagonal && !sparse.is_empty() {
             Form::Diagonal((0..dofs).map(|row| entries[(row, row)]).collect())
-        } else if 3 * sparse.len() < dofs * dofs {
+        } else if 2 * sparse.len() < dofs * dofs {
             Form::Sparse(sparse)
         } else {
             Form::Full
@@ -64,10 +63,19 @@ impl Coefficients {
 
     /// `½ vᵀ A v`.
     pub fn half_square(&self, vector: &[f64]) -> f64 {
-        let mut product = vec![0.0; vector.len()];
-        self.add_product(0.5, vector, &mut product);
-        product.iter().zip(vector).map(|(a, b)| a * b).sum()
+        half_square(&self.entries, vector)
     }
+}
+
+/// `½ vᵀ A v` with the first rows and columns of A.
+fn half_square(entries: &DMatrix<f64>, vector: &[f64]) -> f64 {
+    let mut sum = 0.0;
+    for (row, left) in vector.iter().enumerate() {
+        for (column, right) in vector.iter().enumerate() {
+            sum += left * entries[(row, column)] * right;
+        }
+    }
+    0.5 * sum
 }
 
 /// Out of line: most matrices are diagonal.
@@ -131,8 +139,7 @@ impl Mass {
 
     /// Kinetic energy at velocities of the degrees of freedom, J.
     pub fn kinetic_energy(&self, velocity: &[f64]) -> f64 {
-        let velocity = DVectorView::from_slice(velocity, velocity.len());
-        0.5 * velocity.dot(&(&self.entries * velocity))
+        half_square(&self.entries, velocity)
     }
 
     /// `M^(−½) A M^(−½)`: a matrix in coordinates in which the mass is one.

@@ -150,7 +150,8 @@ impl Rotor {
     /// static equilibrium, G the gyroscopic coupling of the tilts and ω the speed at t = 0; damping of
     /// the contacts is left out.
     pub fn modes(&self) -> Vec<Mode> {
-        let eigenvalues = self.state_matrix().complex_eigenvalues();
+        let matrices = self.normalised();
+        let eigenvalues = state_matrix(&matrices).complex_eigenvalues();
         let mut eigenvalues: Vec<Complex<f64>> = eigenvalues
             .iter()
             .filter(|eigenvalue| eigenvalue.im > 1e-9 * eigenvalue.re.abs())
@@ -159,12 +160,14 @@ impl Rotor {
         eigenvalues.sort_by(|a, b| a.norm().total_cmp(&b.norm()));
         let alike = |a: &Complex<f64>, b: &Complex<f64>| (a - b).norm() < REPEATED * a.norm();
         let groups = eigenvalues.chunk_by(alike);
-        groups.flat_map(|group| self.modes_of(group)).collect()
+        groups
+            .flat_map(|group| self.modes_of(&matrices, group))
+            .collect()
     }
 
     /// Modes of an eigenvalue, or of several that are the same.
-    fn modes_of(&self, group: &[Complex<f64>]) -> Vec<Mode> {
-        let shapes = self.shapes(group[0], group.len().min(self.dofs()));
+    fn modes_of(&self, matrices: &[DMatrix<f64>; 2], group: &[Complex<f64>]) -> Vec<Mode> {
+        let shapes = self.shapes(matrices, group[0], group.len().min(self.dofs()));
         let shaft = self.structure.shaft.coordinates();
         let pairs = group.iter().zip(shapes.column_iter());
         pairs
@@ -179,9 +182,13 @@ impl Rotor {
     /// The directions that `λ² + λ M^(−½)(C + ωG)M^(−½) + M^(−½) K M^(−½)` shrinks most, as many as
     /// there are modes of this eigenvalue: of modes that share one any mixture is a mode, and here they
     /// are those that go round as clearly as can be.
-    fn shapes(&self, eigenvalue: Complex<f64>, count: usize) -> DMatrix<Complex<f64>> {
+    fn shapes(
+        &self,
+        [stiffness, rate]: &[DMatrix<f64>; 2],
+        eigenvalue: Complex<f64>,
+        count: usize,
+    ) -> DMatrix<Complex<f64>> {
         let dofs = self.dofs();
-        let [stiffness, rate] = self.normalised();
         let dynamic = DMatrix::from_fn(dofs, dofs, |row, column| {
             let inertia = if row == column {
                 eigenvalue * eigenvalue
@@ -221,24 +228,23 @@ impl Rotor {
         let rate = self.damping.entries() + self.gyroscopic.entries() * self.speed();
         [&self.tangent, &rate].map(|matrix| self.mass.normalised(matrix))
     }
+}
 
-    /// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = M^½ q: in these units, ω₀ the highest frequency of a freedom
-    /// by itself, its entries are of one size, and its eigenvalues lose no digits.
-    fn state_matrix(&self) -> DMatrix<f64> {
-        let dofs = self.dofs();
-        let [stiffness, rate] = self.normalised();
-        let unit = match stiffness.diagonal().amax().sqrt() {
-            0.0 => 1.0,
-            highest => highest,
-        };
-        let mut matrix = DMatrix::zeros(2 * dofs, 2 * dofs);
-        matrix.view_mut((0, dofs), (dofs, dofs)).fill_diagonal(unit);
-        matrix
-            .view_mut((dofs, 0), (dofs, dofs))
-            .copy_from(&(stiffness / -unit));
-        matrix
-            .view_mut((dofs, dofs), (dofs, dofs))
-            .copy_from(&-rate);
-        matrix
-    }
+/// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = M^½ q: in these units, ω₀ the highest frequency of a freedom
+/// by itself, its entries are of one size, and its eigenvalues lose no digits.
+fn state_matrix([stiffness, rate]: &[DMatrix<f64>; 2]) -> DMatrix<f64> {
+    let dofs = rate.nrows();
+    let unit = match stiffness.diagonal().amax().sqrt() {
+        0.0 => 1.0,
+        highest => highest,
+    };
+    let mut matrix = DMatrix::zeros(2 * dofs, 2 * dofs);
+    matrix.view_mut((0, dofs), (dofs, dofs)).fill_diagonal(unit);
+    matrix
+        .view_mut((dofs, 0), (dofs, dofs))
+        .copy_from(&(stiffness / -unit));
+    matrix
+        .view_mut((dofs, dofs), (dofs, dofs))
+        .copy_from(&-rate);
+    matrix
 }

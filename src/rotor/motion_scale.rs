@@ -109,13 +109,12 @@ impl Rotor {
 
     /// Displacement from the static equilibrium and velocity of the degrees of freedom at t = 0.
     fn initial_deviation(&self) -> [Vec<f64>; 2] {
-        let start = self.start();
-        let (place, rest) = start.split_at(self.dofs());
-        let shift = place
-            .iter()
-            .zip(&self.rest)
-            .map(|(place, rest)| place - rest);
-        [shift.collect(), rest[..self.dofs()].to_vec()]
+        let (start, dofs) = (self.start(), self.dofs());
+        let places = start[..dofs].iter().zip(&self.rest);
+        [
+            places.map(|(place, rest)| place - rest).collect(),
+            start[dofs..2 * dofs].to_vec(),
+        ]
     }
 
     /// Force of the unbalance at a speed as complex amplitudes, N.

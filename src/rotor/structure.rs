@@ -42,8 +42,6 @@ pub(super) struct Structure {
     pub shaft: Point,
     /// One of every bearing.
     pub attachments: Vec<Attachment>,
-    /// Whether it is nothing but a rigid shaft on bearings that stand on the ground.
-    pub rigid: bool,
 }
 
 impl Structure {
@@ -63,7 +61,6 @@ impl Structure {
             stiffness: Coefficients::new(nothing, dofs),
             shaft: Point::RIGID_SHAFT,
             attachments: vec![Attachment::GROUNDED; bearings],
-            rigid: true,
         }
     }
 
@@ -76,6 +73,14 @@ impl Structure {
             shaft.freedoms.count(),
             definition.bearings.len(),
         )
+    }
+
+    /// Whether it is nothing but a rigid shaft on bearings that stand on the ground.
+    pub fn is_rigid(&self) -> bool {
+        let grounded = |attachment: &Attachment| *attachment == Attachment::GROUNDED;
+        self.coordinates.len() == FREEDOMS
+            && self.attachments.iter().all(grounded)
+            && self.stiffness.entries().iter().all(|entry| *entry == 0.0)
     }
 
     /// Lengths that make displacements of all coordinates, m.

@@ -70,7 +70,6 @@ fn on_housing(definition: &RotorDefinition) -> Structure {
         mass: DMatrix::zeros(8, 8),
         damping: DMatrix::zeros(8, 8),
         shaft: Point::new(shaft),
-        rigid: false,
         ..grounded.clone()
     };
     for (axis, index) in shaft.into_iter().enumerate() {

@@ -67,7 +67,7 @@ impl Load {
     /// Adds the load at a time (s) and angle of the shaft (rad) to the forces and moments on it;
     /// `mass` in kg is that of the shaft.
     #[inline]
-    pub fn add(&self, time: f64, angle: f64, mass: f64, push: &mut Vector5) {
+    pub fn add(&self, time: f64, angle: f64, mass: f64, sum: &mut Vector5) {
         let force = match &self.kind {
             LoadKind::Harmonic(harmonic) => harmonic.at(time, angle),
             LoadKind::Shock(shock) => shock.at(time),
@@ -77,8 +77,8 @@ impl Load {
             LoadKind::Series(series) => series.at(time),
             LoadKind::Base(base) => base.force(mass, time, angle),
         };
-        for (push, part) in push.iter_mut().zip(self.about_centre(&force)) {
-            *push += part;
+        for (sum, part) in sum.iter_mut().zip(self.about_centre(&force)) {
+            *sum += part;
         }
     }
 
