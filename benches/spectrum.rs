@@ -23,12 +23,9 @@ fn sample(n: u32) -> Sample {
         angle,
         speed: TAU,
         displacement: [motion; 5],
-        velocity: [0.0; 5],
-        force_on_shaft: [motion; 5],
-        largest_ball_load: 0.0,
-        balls_loaded: 0,
-        energy: None,
-        drive: None,
+        acceleration: Some([0.0; 5]),
+        force_on_shaft: Some([motion; 5]),
+        ..Sample::default()
     }
 }
 
@@ -125,7 +122,7 @@ fn recording(request: &SpectrumRequest, per_revolution: Option<u32>) -> Recordin
     };
     let mut recording = Recording::new(grid, 0.0, std::slice::from_ref(request));
     for n in 0..10 * PER_REVOLUTION * REVOLUTIONS {
-        recording.record(&sample(n), Some(&[0.0; 5]));
+        recording.record(&sample(n));
     }
     recording
 }

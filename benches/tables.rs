@@ -5,13 +5,13 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use jeffcott::report::{Column, ColumnKind, CsvTable, MatTable, Origin, TRACE_COLUMNS};
+use jeffcott::report::{CsvTable, MatTable, Origin, trace_columns};
 
 /// Samples of the trace.
 const ROWS: usize = 100_000;
 
 /// Numbers with all their digits, as a run gives them.
-fn rows() -> Vec<[f64; TRACE_COLUMNS.len()]> {
+fn rows() -> Vec<[f64; 20]> {
     let row = |n: usize| {
         let t = n as f64 / 48_000.0;
         std::array::from_fn(|column| match column {
@@ -23,21 +23,12 @@ fn rows() -> Vec<[f64; TRACE_COLUMNS.len()]> {
     (0..ROWS).map(row).collect()
 }
 
-fn columns() -> Vec<Column> {
-    let names = TRACE_COLUMNS.into_iter();
-    let column = |name| match name {
-        "balls_loaded" => Column::of(name, ColumnKind::Count),
-        _ => Column::number(name),
-    };
-    names.map(column).collect()
-}
-
 fn buffered(path: &Path) -> BufWriter<File> {
     BufWriter::with_capacity(1 << 16, File::create(path).expect("a file"))
 }
 
 fn write_csv(path: &Path, rows: &[[f64; 20]]) {
-    let mut table = CsvTable::new(buffered(path), &columns()).expect("a header");
+    let mut table = CsvTable::new(buffered(path), &trace_columns()).expect("a header");
     for row in rows {
         table.row(row).expect("a row");
     }
@@ -49,7 +40,9 @@ fn write_csv_serialized(path: &Path, rows: &[[f64; 20]]) {
     let mut writer = csv::WriterBuilder::new()
         .has_headers(false)
         .from_writer(buffered(path));
-    writer.write_record(TRACE_COLUMNS).expect("a header");
+    let names = trace_columns();
+    let names = names.iter().map(|column| column.name.as_ref());
+    writer.write_record(names).expect("a header");
     for row in rows {
         writer.serialize(row).expect("a row");
     }
@@ -58,7 +51,8 @@ fn write_csv_serialized(path: &Path, rows: &[[f64; 20]]) {
 
 fn write_mat(path: &Path, rows: &[[f64; 20]]) {
     let (origin, scratch) = (origin(), path.with_extension("rows"));
-    let mut table = MatTable::new(buffered(path), &columns(), &origin, &scratch).expect("a table");
+    let mut table =
+        MatTable::new(buffered(path), &trace_columns(), &origin, &scratch).expect("a table");
     for row in rows {
         table.row(row).expect("a row");
     }
@@ -67,7 +61,7 @@ fn write_mat(path: &Path, rows: &[[f64; 20]]) {
 
 #[cfg(feature = "parquet")]
 fn write_parquet(path: &Path, rows: &[[f64; 20]]) {
-    let table = jeffcott::report::ParquetTable::new(buffered(path), &columns(), &origin());
+    let table = jeffcott::report::ParquetTable::new(buffered(path), &trace_columns(), &origin());
     let mut table = table.expect("a table");
     for row in rows {
         table.row(row).expect("a row");

@@ -68,7 +68,7 @@
 //! struct Highest(f64);
 //! impl TraceSink for Highest {
 //!     fn sample(&mut self, sample: &Sample) -> std::io::Result<()> {
-//!         self.0 = self.0.max(sample.largest_ball_load);
+//!         self.0 = self.0.max(sample.largest_ball_load.unwrap_or(0.0));
 //!         Ok(())
 //!     }
 //! }

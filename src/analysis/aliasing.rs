@@ -13,8 +13,8 @@ const TOP: f64 = 0.9;
 /// accelerations, of their SI unit.
 pub fn rest_amplitude(channel: Channel, mean: f64) -> f64 {
     let reference = match channel {
-        Channel::Displacement(_) | Channel::Force(_) => mean.abs(),
         Channel::Velocity(_) | Channel::Acceleration(_) => 1.0,
+        _ => mean.abs(),
     };
     NOISE * reference
 }

@@ -19,7 +19,7 @@ pub use aliasing::{TopPower, rest_amplitude};
 pub use causes::{
     BearingFrequencies, Line, Sources, TOLERANCE_BINS, causes, nearest_cause, other_causes,
 };
-pub use channel::Channel;
+pub use channel::{Channel, column_unit};
 pub use estimation::{
     Axis, CrossPower, Detrend, EstimateError, EstimatedSpectrum, Recording, Resampling, SampleGrid,
     Scaling, Segment, SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch,

@@ -39,12 +39,8 @@ pub struct Analysis {
 ///         angle,
 ///         speed: 314.16,
 ///         displacement: [1e-6 * angle.cos(), 0.0, 0.0, 0.0, 0.0],
-///         velocity: [0.0; 5],
-///         force_on_shaft: [0.0; 5],
-///         largest_ball_load: 0.0,
-///         balls_loaded: 0,
-///         energy: None,
-///         drive: None,
+///         force_on_shaft: Some([0.0; 5]),
+///         ..Sample::default()
 ///     });
 /// }
 /// let analysis = recorder.finish(Window::Rectangular, &[]).unwrap();

@@ -7,7 +7,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::de::DeserializeOwned;
 use serde_json::json;
 
-use crate::scenario::{Scenario, TableFormat, TraceChannel};
+use crate::analysis::Channel;
+use crate::scenario::{Scenario, TableFormat};
 
 /// What of a run is written.
 #[derive(Debug, clap::Args)]
@@ -20,7 +21,7 @@ pub struct Written {
     every: Option<NonZeroU64>,
     /// What the written trace shows beside the time, instead of `[output] channels`
     #[arg(long, value_name = "NAME", value_delimiter = ',', value_parser = channel_parser())]
-    channels: Vec<TraceChannel>,
+    channels: Vec<Channel>,
 }
 
 fn format_parser() -> impl TypedValueParser<Value = TableFormat> {
@@ -28,8 +29,8 @@ fn format_parser() -> impl TypedValueParser<Value = TableFormat> {
     named(built.map(TableFormat::extension).collect())
 }
 
-fn channel_parser() -> impl TypedValueParser<Value = TraceChannel> {
-    named(TraceChannel::ALL.map(|(_, name)| name).to_vec())
+fn channel_parser() -> impl TypedValueParser<Value = Channel> {
+    named(Channel::selectable().map(Channel::name).collect())
 }
 
 /// Parses one of some names, as a scenario has them.

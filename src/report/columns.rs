@@ -3,24 +3,14 @@
 
 use serde_json::{Value, json};
 
-use crate::analysis::Channel;
+use crate::analysis::{Channel, column_unit};
 use crate::bearing::Matrix5;
 use crate::physics::BallPass;
 use crate::rotor::FREEDOMS;
 
-/// Unit as the end of a column name: `m`, `rad`, `N` or `N_m`.
-fn unit_suffix(channel: Channel) -> String {
-    channel.unit().replace(' ', "_")
-}
-
-/// `x_m`, `tilt_x_rad`, `force_x_N`, `moment_x_N_m`.
-pub(super) fn value_column(channel: Channel) -> String {
-    format!("{channel}_{}", unit_suffix(channel))
-}
-
 /// `x_amplitude_m`, `force_x_amplitude_N`.
 pub(super) fn amplitude_column(channel: Channel) -> String {
-    format!("{channel}_amplitude_{}", unit_suffix(channel))
+    format!("{channel}_amplitude_{}", column_unit(channel.unit()))
 }
 
 /// `x_phase_rad`, `force_x_phase_rad`.
@@ -28,15 +18,10 @@ pub(super) fn phase_column(channel: Channel) -> String {
     format!("{channel}_phase_rad")
 }
 
-/// A unit such as `rad/s` or `kg m^2` as the end of a column name: `rad_s`, `kg_m2`.
-pub(super) fn unit_name(unit: &str) -> String {
-    unit.replace('^', "").replace([' ', '/', '.'], "_")
-}
-
 /// K with the names of its rows and columns.
 pub(super) fn matrix(stiffness: &Matrix5) -> Value {
     let names = |channel: fn(usize) -> Channel| -> Value {
-        (0..FREEDOMS).map(channel).map(value_column).collect()
+        (0..FREEDOMS).map(channel).map(Channel::column).collect()
     };
     let row = |row: usize| -> Value { stiffness.row(row).iter().copied().collect() };
     json!({

@@ -24,7 +24,7 @@ pub fn event_columns() -> [Column; 4] {
         Column::number(time),
         Column::of(event, ColumnKind::Word(&KINDS)),
         Column::of(bearing, ColumnKind::Count),
-        Column::of(ball, ColumnKind::OptionalCount),
+        Column::of(ball, ColumnKind::Count),
     ]
 }
 

@@ -37,7 +37,6 @@ mod summary;
 mod table;
 mod table_use;
 mod text;
-mod trace_table;
 mod wrapped;
 
 pub use accuracy::{accuracy_json, accuracy_text, write_accuracy};
@@ -54,6 +53,7 @@ pub use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 pub use peaks_csv::write_peaks;
 pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub use run_report::{KeptFiles, Outputs, RunReport};
+pub use sample_table::{TraceCsv, trace_columns};
 pub use spectrum_csv::write_spectrum;
 pub use statics::{answer_json, answer_text, write_answer};
 pub use steady::{
@@ -65,5 +65,4 @@ pub use summary::summary;
 pub use table::ParquetTable;
 pub use table::{Column, ColumnKind, CsvTable, MatTable, Origin};
 pub use text::text;
-pub use trace_table::{TRACE_COLUMNS, TraceCsv};
 pub use wrapped::wrapped;

@@ -15,17 +15,17 @@ use super::figure_spectrum::frequency_limit_of;
 use super::motion::{orbit_figure, write_poincare};
 use super::page::Page;
 use super::run_up::write_maps;
-use super::sample_table::TableKind;
+use super::sample_table::SampleTable;
 use super::spectra::{estimated_figure, table_name, write_estimated};
 use super::spectrum_csv::{spectrum_columns, spectrum_rows};
 use super::table::{Column, Origin, TableFiles, TableTarget};
-use super::trace_table::TraceTable;
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
     TraceFigure, WholeFile, contact_choice_json, spectrum_figure, summary, write_peaks,
 };
+use crate::analysis::Channel;
 use crate::rotor::{BallContacts, Sample};
-use crate::scenario::{TableFormat, TraceChannel};
+use crate::scenario::TableFormat;
 use crate::simulate::{Event, Model, Run, TraceSink};
 use crate::study::ContactChoice;
 use crate::study::campbell::Campbell;
@@ -54,7 +54,7 @@ pub struct Outputs {
     /// Of how many samples one is written to the tables, the first; spectra and figures rest on all.
     pub every: NonZeroU64,
     /// What the trace shows beside the time; none: everything.
-    pub channels: Option<Vec<TraceChannel>>,
+    pub channels: Option<Vec<Channel>>,
 }
 
 impl Default for Outputs {
@@ -87,8 +87,9 @@ pub struct RunReport {
     scenario: Value,
     origin: Origin,
     outputs: Outputs,
-    trace: Option<(TraceTable, TableFiles)>,
-    tables: Vec<(TableKind, TableFiles)>,
+    trace: Option<(SampleTable, TableFiles)>,
+    /// Energy and drive.
+    tables: Vec<(SampleTable, TableFiles)>,
     /// Begun with the first sample, which knows the balls.
     balls: Option<TableFiles>,
     events: Option<TableFiles>,
@@ -141,23 +142,35 @@ impl RunReport {
     /// Begins the tables whose columns are known before the run.
     fn open_tables(&mut self) -> Result<(), ReportError> {
         if self.outputs.trace {
-            let table = TraceTable::new(self.outputs.channels.as_deref());
-            let files = self.open_table("trace", &table.columns())?;
-            self.trace = Some((table, files));
+            let table = match &self.outputs.channels {
+                Some(channels) => {
+                    SampleTable::new([Channel::Time].into_iter().chain(channels.iter().copied()))
+                }
+                None => SampleTable::new(Channel::of_trace()),
+            };
+            self.trace = Some(self.open_samples("trace", table)?);
+        }
+        if self.outputs.energy {
+            let table = self.open_samples("energy", SampleTable::new(Channel::of_energy()))?;
+            self.tables.push(table);
+        }
+        if self.outputs.drive {
+            let table = self.open_samples("drive", SampleTable::new(Channel::of_drive()))?;
+            self.tables.push(table);
         }
         if self.outputs.events {
             self.events = Some(self.open_table("events", &event_columns())?);
         }
-        for (asked, kind) in [
-            (self.outputs.energy, TableKind::ENERGY),
-            (self.outputs.drive, TableKind::DRIVE),
-        ] {
-            if asked {
-                let files = self.open_table(kind.stem, &kind.columns())?;
-                self.tables.push((kind, files));
-            }
-        }
         Ok(())
+    }
+
+    fn open_samples(
+        &self,
+        stem: &str,
+        table: SampleTable,
+    ) -> Result<(SampleTable, TableFiles), ReportError> {
+        let files = self.open_table(stem, &table.columns())?;
+        Ok((table, files))
     }
 
     fn open_table(&self, stem: &str, columns: &[Column]) -> Result<TableFiles, ReportError> {
@@ -334,6 +347,11 @@ pub struct KeptFiles {
 }
 
 impl TraceSink for RunReport {
+    fn needs_acceleration(&self) -> bool {
+        let trace = self.trace.as_ref();
+        trace.is_some_and(|(table, _)| table.needs_acceleration())
+    }
+
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         self.samples += 1;
         if let Some(figure) = &mut self.figure {
@@ -345,17 +363,10 @@ impl TraceSink for RunReport {
         if !self.keeps_sample() {
             return Ok(());
         }
-        for (kind, files) in &mut self.tables {
-            self.row.clear();
-            (kind.row)(sample, &mut self.row);
-            if !self.row.is_empty() {
-                files.row(&self.row)?;
-            }
+        for (table, files) in self.trace.iter_mut().chain(&mut self.tables) {
+            files.row(table.row(sample))?;
         }
-        match &mut self.trace {
-            None => Ok(()),
-            Some((table, files)) => files.row(table.row(sample)),
-        }
+        Ok(())
     }
 
     fn balls(&mut self, sample: &Sample, balls: &BallContacts) -> io::Result<()> {

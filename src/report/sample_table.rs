@@ -1,66 +1,94 @@
-//! Tables beside the trace, one row a sample.
+//! Tables with one row a sample: trace, energy, drive.
 
-use super::table::Column;
+use std::io::{self, Write};
+
+use super::table::{Column, ColumnKind, CsvTable};
+use crate::analysis::Channel;
 use crate::rotor::Sample;
+use crate::simulate::TraceSink;
 
 /// What a table shows of the samples.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct TableKind {
-    /// Name of the file without its ending.
-    pub stem: &'static str,
-    /// Names of the columns, each with its unit.
-    pub columns: &'static [&'static str],
-    /// Appends the values of a row; none where the sample has nothing to show.
-    pub row: fn(&Sample, &mut Vec<f64>),
+#[derive(Debug, Clone)]
+pub(super) struct SampleTable {
+    channels: Vec<Channel>,
+    /// Kept from row to row for its room.
+    row: Vec<f64>,
 }
 
-impl TableKind {
-    /// Where the energy is: `energy.csv`.
-    pub const ENERGY: Self = Self {
-        stem: "energy",
-        columns: &[
-            "t_s",
-            "kinetic_J",
-            "stored_J",
-            "loads_J",
-            "unbalance_J",
-            "rotation_J",
-            "viscous_damping_J",
-            "contact_damping_J",
-            "bearings_J",
-            "drive_J",
-            "load_torque_J",
-            "bearing_friction_J",
-        ],
-        row: |sample, row| {
-            if let Some(energy) = &sample.energy {
-                row.extend([sample.time, energy.kinetic, energy.stored]);
-                row.extend(energy.works.values());
-            }
-        },
-    };
-    /// Moments on a driven shaft: `drive.csv`.
-    pub const DRIVE: Self = Self {
-        stem: "drive",
-        columns: &[
-            "t_s",
-            "speed_rad_s",
-            "drive_torque_N_m",
-            "load_torque_N_m",
-            "friction_moment_N_m",
-            "vibration_torque_N_m",
-            "twist_rad",
-        ],
-        row: |sample, row| {
-            if let Some(moments) = &sample.drive {
-                row.extend([sample.time, sample.speed, moments.drive, moments.load]);
-                row.extend([moments.friction, moments.vibration, moments.twist]);
-            }
-        },
-    };
+impl SampleTable {
+    /// Some channels, in their order.
+    pub fn new(channels: impl IntoIterator<Item = Channel>) -> Self {
+        Self {
+            channels: channels.into_iter().collect(),
+            row: Vec::new(),
+        }
+    }
 
     /// Its columns.
     pub fn columns(&self) -> Vec<Column> {
-        self.columns.iter().copied().map(Column::number).collect()
+        self.channels.iter().copied().map(column).collect()
+    }
+
+    /// Whether it shows accelerations.
+    pub fn needs_acceleration(&self) -> bool {
+        let mut channels = self.channels.iter();
+        channels.any(|channel| matches!(channel, Channel::Acceleration(_)))
+    }
+
+    /// The row of a sample; NaN where a value was not observed.
+    pub fn row(&mut self, sample: &Sample) -> &[f64] {
+        self.row.clear();
+        let values = self.channels.iter().map(|channel| channel.of(sample));
+        self.row
+            .extend(values.map(|value| value.unwrap_or(f64::NAN)));
+        &self.row
+    }
+}
+
+fn column(channel: Channel) -> Column {
+    let kind = match channel.is_count() {
+        true => ColumnKind::Count,
+        false => ColumnKind::Number,
+    };
+    Column::of(channel.column(), kind)
+}
+
+/// Columns of the trace, where no others are asked for. Forces are those of all bearings on the shaft.
+pub fn trace_columns() -> Vec<Column> {
+    Channel::of_trace().map(column).collect()
+}
+
+/// Writes samples as rows of CSV, all columns of the trace.
+#[derive(Debug)]
+pub struct TraceCsv<W: Write> {
+    table: SampleTable,
+    csv: CsvTable<W>,
+}
+
+impl<W: Write> TraceCsv<W> {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// What the writer answers.
+    pub fn new(writer: W) -> io::Result<Self> {
+        let table = SampleTable::new(Channel::of_trace());
+        Ok(Self {
+            csv: CsvTable::new(writer, &table.columns())?,
+            table,
+        })
+    }
+
+    /// Gives the writer back, with everything written.
+    ///
+    /// # Errors
+    /// What the writer answers.
+    pub fn finish(self) -> io::Result<W> {
+        self.csv.finish()
+    }
+}
+
+impl<W: Write> TraceSink for TraceCsv<W> {
+    fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        self.csv.row(self.table.row(sample))
     }
 }

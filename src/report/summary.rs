@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::columns::{ball_pass, matrix, value_column};
+use super::columns::{ball_pass, matrix};
 use super::histories::histories_json;
 use super::method_use::method_use_json;
 use super::motion::motion_json;
@@ -63,7 +63,7 @@ fn equilibrium(state: &StaticState) -> Value {
     let mut entries: Map<String, Value> = (0..FREEDOMS)
         .map(Channel::Displacement)
         .zip(state.displacement)
-        .map(|(channel, value)| (value_column(channel), value.into()))
+        .map(|(channel, value)| (channel.column(), value.into()))
         .collect();
     entries.insert("residual".into(), state.residual.into());
     entries.insert("newton_steps".into(), state.newton_steps.into());

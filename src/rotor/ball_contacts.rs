@@ -44,6 +44,11 @@ impl BallContacts {
         &self.bearings
     }
 
+    /// Whether any ball is observed.
+    pub(super) fn has_balls(&self) -> bool {
+        self.bearings.iter().any(|bearing| bearing.balls() > 0)
+    }
+
     /// Axial force that the inner ring presses onto each bearing, positive the way its facing loads
     /// it, N.
     pub fn axial_forces(&self) -> &[f64] {

@@ -15,13 +15,13 @@ impl Rotor {
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls, and of the forces of the bearings
-    /// only where asked for: what they leave out is zero there.
+    /// only where asked for.
     pub fn unwatched_balls(&self, forces: bool) -> BallContacts {
         BallContacts::unwatched(&self.supports, forces)
     }
 
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
-    /// own [`Rotor::ball_contacts`].
+    /// own [`Rotor::ball_contacts`]. Accelerations are [`Rotor::acceleration`]'s.
     pub fn sample(&self, time: f64, state: &[f64], contacts: &mut BallContacts) -> Sample {
         if !self.is_augmented() {
             return self.observe(time, &self.speed.at(time), state, contacts);
@@ -56,27 +56,28 @@ impl Rotor {
     ) -> Sample {
         let dofs = self.dofs();
         let (place, velocity) = state[..2 * dofs].split_at(dofs);
-        let mut force = if contacts.forces {
-            self.observe_bearings(place, rotation, contacts)
-        } else {
-            [0.0; FREEDOMS]
-        };
-        if contacts.forces && self.contacts_damped {
-            let damping = self.contact_damping(place, velocity, rotation);
-            for axis in 0..FREEDOMS {
-                force[axis] += damping[axis];
+        let force = contacts.forces.then(|| {
+            let mut force = self.observe_bearings(place, rotation, contacts);
+            if self.contacts_damped {
+                let damping = self.contact_damping(place, velocity, rotation);
+                for axis in 0..FREEDOMS {
+                    force[axis] += damping[axis];
+                }
             }
-        }
+            force.map(|force| -force)
+        });
         contacts.sum_up();
+        let has_balls = contacts.has_balls();
         Sample {
             time,
             angle: rotation.angle,
             speed: rotation.speed,
             displacement: self.structure.shaft.displacement(place, &self.rest),
             velocity: self.structure.shaft.rate(velocity),
-            force_on_shaft: force.map(|force| -force),
-            largest_ball_load: contacts.largest_load(),
-            balls_loaded: contacts.loaded(),
+            acceleration: None,
+            force_on_shaft: force,
+            largest_ball_load: has_balls.then_some(contacts.largest_load()),
+            balls_loaded: has_balls.then_some(contacts.loaded()),
             energy: None,
             drive: None,
         }

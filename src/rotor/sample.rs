@@ -2,8 +2,8 @@
 
 use super::{DriveMoments, EnergyBalance, FREEDOMS};
 
-/// State of the shaft and of its bearings at one instant, SI units.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// State of the shaft and of its bearings at one instant, SI units. What was not observed is none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sample {
     /// Time, s.
     pub time: f64,
@@ -15,12 +15,15 @@ pub struct Sample {
     pub displacement: [f64; FREEDOMS],
     /// Time derivatives of `displacement`.
     pub velocity: [f64; FREEDOMS],
-    /// Force of all bearings on the shaft: x, y, z in N, moments about X and Y in N m.
-    pub force_on_shaft: [f64; FREEDOMS],
-    /// Largest load on a ball of any bearing, N; zero where no bearing has balls (linear law).
-    pub largest_ball_load: f64,
-    /// Number of balls in contact, all bearings together.
-    pub balls_loaded: u32,
+    /// Second time derivatives of `displacement`, where asked for.
+    pub acceleration: Option<[f64; FREEDOMS]>,
+    /// Force of all bearings on the shaft: x, y, z in N, moments about X and Y in N m; none where it is not
+    /// observed.
+    pub force_on_shaft: Option<[f64; FREEDOMS]>,
+    /// Largest load on a ball of any bearing, N; none where no ball is observed, as of a linear bearing.
+    pub largest_ball_load: Option<f64>,
+    /// Number of balls in contact, all bearings together; likewise.
+    pub balls_loaded: Option<u32>,
     /// Energy, where it is accounted for.
     pub energy: Option<EnergyBalance>,
     /// Moments on the shaft, where it is driven.

@@ -40,7 +40,7 @@ pub use argument::{ArgumentError, method, methods, speed, time, tolerance};
 pub use error::ScenarioError;
 pub use issue::Issue;
 pub use schema::schema;
-pub use spec::{OutputSpec, TableFormat, TraceChannel};
+pub use spec::{OutputSpec, TableFormat};
 pub use study_file::{RunError, StudyFile, load_study, study_schema};
 pub use tolerance_file::ToleranceFile;
 pub use varied::{Varied, VariedError};

@@ -18,14 +18,16 @@ pub(super) struct Observers<'a> {
     whole_from: f64,
     sink: &'a mut dyn TraceSink,
     settle: f64,
-    /// After the settle time, N.
-    pub largest_ball_load: f64,
+    /// After the settle time, N; none where no ball is observed.
+    pub largest_ball_load: Option<f64>,
     pub recorder: Option<Recorder>,
     pub recorders: Recorders,
     pub recording: Option<Recording>,
     pub observation: Observation<'a>,
     pub audit: EnergyAudit,
     pub tables: TableAudit,
+    /// Whether somebody asks for accelerations.
+    accelerations: bool,
     /// Room for a derivative.
     rate: Vec<f64>,
 }
@@ -48,6 +50,10 @@ impl<'a> Observers<'a> {
             true => 0.0,
             false => sink.starts_at().min(model.settle),
         };
+        let recording = sampling::recording(model, rotor);
+        let recorded = recording.as_ref();
+        let accelerations =
+            sink.needs_acceleration() || recorded.is_some_and(Recording::needs_acceleration);
         Self {
             grid,
             start: match observation.is_of_contacts() {
@@ -57,10 +63,11 @@ impl<'a> Observers<'a> {
             whole_from,
             sink,
             settle: model.settle,
-            largest_ball_load: 0.0,
+            largest_ball_load: None,
             recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
             recorders: Recorders::new(model, rotor, &grid),
-            recording: sampling::recording(model, rotor),
+            recording,
+            accelerations,
             observation,
             audit: EnergyAudit::default(),
             tables,
@@ -85,7 +92,10 @@ impl<'a> Observers<'a> {
                     .take_contacts(rotor, time, state, self.sink)?;
                 continue;
             }
-            let sample = rotor.sample(time, state, self.observation.contacts());
+            let mut sample = rotor.sample(time, state, self.observation.contacts());
+            if self.accelerations {
+                sample.acceleration = Some(rotor.acceleration(time, state, &mut self.rate));
+            }
             self.sink.sample(&sample)?;
             self.observation.take(&sample, self.sink)?;
             self.record(rotor, &sample, state);
@@ -96,7 +106,8 @@ impl<'a> Observers<'a> {
     /// Shows a sample and its state to those who know nothing of the balls.
     fn record(&mut self, rotor: &Rotor, sample: &Sample, state: &[f64]) {
         if sample.time >= self.settle {
-            self.largest_ball_load = self.largest_ball_load.max(sample.largest_ball_load);
+            let largest = [self.largest_ball_load, sample.largest_ball_load];
+            self.largest_ball_load = largest.into_iter().flatten().reduce(f64::max);
         }
         if let Some(recorder) = &mut self.recorder {
             recorder.record(sample);
@@ -104,13 +115,8 @@ impl<'a> Observers<'a> {
         self.recorders.record(sample);
         self.audit.sample(sample);
         self.tables.sample(rotor, sample.time, state);
-        if let Some(recording) = &mut self.recording
-            && recording.takes(sample.time)
-        {
-            let acceleration = recording
-                .needs_acceleration()
-                .then(|| rotor.acceleration(sample.time, state, &mut self.rate));
-            recording.record(sample, acceleration.as_ref());
+        if let Some(recording) = &mut self.recording {
+            recording.record(sample);
         }
     }
 }

@@ -72,8 +72,8 @@ pub struct Run {
     pub samples: u64,
     /// What was observed of each bearing, in the order of the scenario.
     pub bearings: Vec<BearingHistory>,
-    /// Largest load on a ball of any bearing after the settle time, N; zero where no balls are watched.
-    pub largest_ball_load: f64,
+    /// Largest load on a ball of any bearing after the settle time, N; none where no ball is observed.
+    pub largest_ball_load: Option<f64>,
     /// Tables of the ball laws of each bearing, in the order of the scenario, where asked for.
     pub tables: Vec<Option<TableUse>>,
     /// Measured error, where asked for.

@@ -13,6 +13,11 @@ pub trait TraceSink {
         0.0
     }
 
+    /// Whether the samples must come with accelerations, which cost an evaluation of the equations of motion each.
+    fn needs_acceleration(&self) -> bool {
+        false
+    }
+
     /// Takes one sample.
     ///
     /// # Errors

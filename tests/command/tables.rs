@@ -140,6 +140,48 @@ fn chosen_channels_stand_behind_the_time_in_their_order() {
 }
 
 #[test]
+fn accelerations_stand_in_the_trace_where_asked_for() {
+    let folder = scene("");
+    run(&folder, &["--channels", "x_velocity,x_acceleration"]);
+    let rows = rows(&result(&folder, "trace.csv"));
+    assert_eq!(rows[0], ["t_s", "x_velocity_m_s", "x_acceleration_m_s2"]);
+    let values = |column: usize| -> Vec<f64> {
+        let cells = rows[1..].iter().map(|row| row[column].parse());
+        cells.map(|cell| cell.expect("a number")).collect()
+    };
+    let [time, velocity, acceleration] = [0, 1, 2].map(values);
+    let largest = acceleration.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    // the trapezoid of the one is the change of the other
+    for n in 1..time.len() {
+        let interval = time[n] - time[n - 1];
+        let mean = 0.5 * (acceleration[n] + acceleration[n - 1]);
+        let change = velocity[n] - velocity[n - 1];
+        assert!(
+            (mean * interval - change).abs() < 0.02 * interval * largest,
+            "row {n}"
+        );
+    }
+}
+
+#[test]
+fn what_a_linear_bearing_does_not_know_is_missing() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = fs::read_to_string(shipped("linear-7205c")).unwrap();
+    fs::write(folder.path().join("scene.toml"), text).unwrap();
+    run(&folder, &["--channels", "x,largest_ball_load,balls_loaded"]);
+    let rows = rows(&result(&folder, "trace.csv"));
+    assert!(rows.len() > 100);
+    for row in &rows[1..] {
+        assert!(row[1].parse::<f64>().is_ok());
+        assert_eq!(row[2..], ["", ""]);
+    }
+    done(jeffcott(
+        &folder,
+        &["compare", "output/scene", "output/scene"],
+    ));
+}
+
+#[test]
 fn tables_of_another_format_do_not_outlive_a_run() {
     let folder = scene("");
     run(&folder, &["--format", "mat"]);

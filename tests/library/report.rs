@@ -12,9 +12,9 @@ use jeffcott::bearing::{ContactLaw, MountedBearing, catalogue};
 use jeffcott::integrate::{Counters, Method, Settings};
 use jeffcott::physics::ball_pass_frequencies;
 use jeffcott::report::{
-    CsvTable, Decimator, FileAction, FileSet, Outputs, ReportError, RunFolder, RunReport,
-    TRACE_COLUMNS, TraceCsv, TraceFigure, ball_columns, ball_row, event_columns, event_row,
-    spectrum_figure, text, write_spectrum,
+    CsvTable, Decimator, FileAction, FileSet, Outputs, ReportError, RunFolder, RunReport, TraceCsv,
+    TraceFigure, ball_columns, ball_row, event_columns, event_row, spectrum_figure, text,
+    trace_columns, write_spectrum,
 };
 use jeffcott::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency, Rotor,
@@ -94,12 +94,10 @@ fn samples() -> Vec<Sample> {
             angle,
             speed: SPEED,
             displacement: [1e-6 * angle.cos(), 1e-6 * angle.sin(), 1.7e-5, 0.0, 0.0],
-            velocity: [0.0; 5],
-            force_on_shaft: [angle.cos(), 49.0, -1000.0, 0.0, 0.0],
-            largest_ball_load: 180.0,
-            balls_loaded: 12,
-            energy: None,
-            drive: None,
+            force_on_shaft: Some([angle.cos(), 49.0, -1000.0, 0.0, 0.0]),
+            largest_ball_load: Some(180.0),
+            balls_loaded: Some(12),
+            ..Sample::default()
         }
     };
     (0..=8 * PER_REVOLUTION).map(sample).collect()
@@ -187,7 +185,7 @@ fn run() -> Run {
         method_use: None,
         samples: 257,
         bearings: vec![history()],
-        largest_ball_load: 310.0,
+        largest_ball_load: Some(310.0),
         tables: Vec::new(),
         measured_error: Some(MeasuredError {
             displacement: 1e-14,
@@ -333,15 +331,21 @@ fn the_trace_has_its_columns_and_reads_back_bit_by_bit() {
     csv.sample(&sample).unwrap();
     let text = String::from_utf8(csv.finish().unwrap()).unwrap();
     let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(lines[0], TRACE_COLUMNS.join(","));
+    let columns = trace_columns();
+    let names: Vec<&str> = columns.iter().map(|column| &*column.name).collect();
+    assert_eq!(lines[0], names.join(","));
+    assert_eq!(
+        names[3..8],
+        ["x_m", "y_m", "z_m", "tilt_x_rad", "tilt_y_rad"]
+    );
     let row: Vec<f64> = lines[1]
         .split(',')
         .map(|field| field.parse().unwrap())
         .collect();
-    assert_eq!(row.len(), TRACE_COLUMNS.len());
+    assert_eq!(row.len(), columns.len());
     assert_eq!(row[0], sample.time);
     assert_eq!(row[3..8], sample.displacement);
-    assert_eq!(row[13..18], sample.force_on_shaft);
+    assert_eq!(row[13..18], sample.force_on_shaft.unwrap());
     assert_eq!(row[18..], [180.0, 12.0]);
 }
 

@@ -202,19 +202,16 @@ impl<'a> Record<'a> {
 
 /// How a recorded channel runs between its samples.
 fn between_samples(recording: &Recording, channel: Channel) -> Interpolation<'_> {
-    let freedom = channel.freedom();
-    let motion = || Motion {
+    let motion = |freedom| Motion {
         displacement: recording.channel(Channel::Displacement(freedom)),
         velocity: recording.channel(Channel::Velocity(freedom)),
         acceleration: recording.channel(Channel::Acceleration(freedom)),
         interval: 1.0 / recording.grid.rate,
     };
     match channel {
-        Channel::Displacement(_) => Interpolation::Quintic(motion()),
-        Channel::Velocity(_) => Interpolation::QuinticRate(motion()),
-        Channel::Acceleration(_) | Channel::Force(_) => {
-            Interpolation::Values(recording.channel(channel))
-        }
+        Channel::Displacement(freedom) => Interpolation::Quintic(motion(freedom)),
+        Channel::Velocity(freedom) => Interpolation::QuinticRate(motion(freedom)),
+        _ => Interpolation::Values(recording.channel(channel)),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::angle_grid::Turning;
 use super::{Axis, SpectrumRequest};
 use crate::analysis::Channel;
-use crate::rotor::{FREEDOMS, Sample};
+use crate::rotor::Sample;
 
 /// How the samples of a run follow each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,16 +59,10 @@ impl Recording {
         channels.any(|(channel, _)| matches!(channel, Channel::Acceleration(_)))
     }
 
-    /// Whether a sample at this time is taken.
-    pub fn takes(&self, time: f64) -> bool {
-        time >= self.settle
-    }
-
-    /// Takes one sample; those before the settle time are dropped.
-    ///
-    /// `acceleration` is that of the five freedoms, needed where [`Recording::needs_acceleration`].
-    pub fn record(&mut self, sample: &Sample, acceleration: Option<&[f64; FREEDOMS]>) {
-        if !self.takes(sample.time) {
+    /// Takes one sample, with accelerations where [`Recording::needs_acceleration`]; those before the settle time
+    /// are dropped.
+    pub fn record(&mut self, sample: &Sample) {
+        if sample.time < self.settle {
             return;
         }
         self.start.get_or_insert(sample.time);
@@ -77,10 +71,7 @@ impl Recording {
             turning.speed.push(sample.speed);
         }
         for (channel, values) in &mut self.channels {
-            values.extend(match *channel {
-                Channel::Acceleration(freedom) => acceleration.map(|values| values[freedom]),
-                carried => carried.of(sample),
-            });
+            values.extend(channel.of(sample));
         }
     }
 

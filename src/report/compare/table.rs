@@ -130,13 +130,17 @@ impl FileRows {
             return Ok(false);
         }
         for (text, column) in self.record.iter().zip(columns) {
-            let number = text.parse().map_err(|_| CompareError::Number {
+            // an empty cell is a value that is missing
+            let number = match text {
+                "" => Ok(f64::NAN),
+                text => text.parse(),
+            };
+            row.push(number.map_err(|_| CompareError::Number {
                 path: path.to_owned(),
                 line: self.record.position().map_or(0, csv::Position::line),
                 column: column.clone(),
                 text: text.to_owned(),
-            })?;
-            row.push(number);
+            })?);
         }
         Ok(true)
     }

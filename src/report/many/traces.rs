@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::part::MergeError;
 use crate::report::bytes::FileSum;
-use crate::report::trace_table::TraceCsv;
+use crate::report::sample_table::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;
 use crate::simulate::TraceSink;

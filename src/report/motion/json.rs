@@ -2,7 +2,6 @@
 
 use serde_json::{Value, json};
 
-use super::super::columns::value_column;
 use crate::analysis::{
     Channel, ChannelStatistics, ClosedCurve, Drift, Kind, Motion, Recognition, Section,
     VelocityLevel,
@@ -96,7 +95,7 @@ fn drift(drift: &Drift, motion: &Motion) -> Value {
 fn statistics(each: &ChannelStatistics) -> Value {
     let moments = &each.moments;
     json!({
-        "channel": value_column(each.channel),
+        "channel": each.channel.column(),
         "mean": moments.mean(),
         "rms": moments.rms(),
         "peak": moments.peak(),

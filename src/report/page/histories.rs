@@ -5,43 +5,26 @@ use serde_json::Value;
 use super::curve::{BUCKETS, Panel, curve};
 use crate::analysis::Channel;
 use crate::report::{Bucket, Decimator};
-use crate::rotor::{FREEDOMS, Sample};
+use crate::rotor::Sample;
 
 /// m → µm, rad → µrad.
 const MICRO: f64 = 1e6;
 
-/// A quantity of a sample over time; none where the sample does not know it.
+/// A column of the samples over time.
 #[derive(Debug, Clone)]
 struct History {
-    name: &'static str,
-    unit: &'static str,
-    value: Quantity,
+    channel: Channel,
     envelope: Decimator,
 }
 
-#[derive(Debug, Clone, Copy)]
-enum Quantity {
-    Of(Channel),
-    Speed,
-    LargestBallLoad,
-    Loaded,
-    Kinetic,
-    Stored,
-}
-
-impl Quantity {
-    fn of(self, sample: &Sample) -> Option<f64> {
-        Some(match self {
-            Self::Of(channel @ Channel::Displacement(_)) => MICRO * channel.of(sample)?,
-            Self::Of(channel) => channel.of(sample)?,
-            Self::Speed => sample.speed,
-            Self::LargestBallLoad => sample.largest_ball_load,
-            Self::Loaded => f64::from(sample.balls_loaded),
-            Self::Kinetic => sample.energy?.kinetic,
-            Self::Stored => sample.energy?.stored,
-        })
-    }
-}
+/// What is drawn beside displacements and forces, with its name on the page.
+const FURTHER: [(Channel, &str); 5] = [
+    (Channel::LargestBallLoad, "largest ball load"),
+    (Channel::BallsLoaded, "loaded balls"),
+    (Channel::Speed, "speed"),
+    (Channel::Energy(0), "kinetic energy"),
+    (Channel::Energy(1), "stored energy"),
+];
 
 /// Every quantity that the page draws over time.
 #[derive(Debug, Clone)]
@@ -52,32 +35,21 @@ pub(super) struct Histories {
 impl Histories {
     /// For the first `freedoms` of x, y, z, θx, θy.
     pub fn new(freedoms: usize) -> Self {
-        let channels = Channel::of_freedoms(freedoms.min(FREEDOMS));
-        let moving = channels
-            .into_iter()
-            .map(|channel| (channel.name(), unit(channel), Quantity::Of(channel)));
-        let others = [
-            ("largest ball load", "N", Quantity::LargestBallLoad),
-            ("loaded balls", "", Quantity::Loaded),
-            ("speed", "rad/s", Quantity::Speed),
-            ("kinetic energy", "J", Quantity::Kinetic),
-            ("stored energy", "J", Quantity::Stored),
-        ];
-        let history = |(name, unit, value)| History {
-            name,
-            unit,
-            value,
+        let moving = Channel::of_freedoms(freedoms).into_iter();
+        let further = FURTHER.iter().map(|(channel, _)| *channel);
+        let history = |channel| History {
+            channel,
             envelope: Decimator::new(BUCKETS),
         };
         Self {
-            histories: moving.chain(others).map(history).collect(),
+            histories: moving.chain(further).map(history).collect(),
         }
     }
 
     /// Takes one sample.
     pub fn sample(&mut self, sample: &Sample) {
         for history in &mut self.histories {
-            if let Some(value) = history.value.of(sample) {
+            if let Some(value) = history.channel.of(sample) {
                 history.envelope.push(sample.time, value);
             }
         }
@@ -98,31 +70,31 @@ impl History {
             return false;
         };
         let constant = |bucket: Bucket| bucket.low() == first.low() && bucket.high() == first.low();
-        matches!(self.value, Quantity::Of(_)) || !(constant(first) && values.all(constant))
+        self.channel.freedom().is_some() || !(constant(first) && values.all(constant))
     }
 
     fn panel(&self) -> Value {
+        let named = FURTHER.iter().find(|(channel, _)| *channel == self.channel);
+        let name = named.map_or(self.channel.name(), |(_, name)| name);
+        let (scale, unit) = match self.channel.unit() {
+            "m" => (MICRO, "µm"),
+            "rad" => (MICRO, "µrad"),
+            unit => (1.0, unit),
+        };
         let panel = Panel {
-            name: self.name,
-            unit: self.unit,
+            name,
+            unit,
             over: ["time", "s"],
             shown: None,
             logarithmic: false,
         };
         let points = self.envelope.buckets().flat_map(distinct);
-        panel.json(vec![curve(self.name, points)], Vec::new())
+        let points = points.map(|(time, value)| (time, scale * value));
+        panel.json(vec![curve(name, points)], Vec::new())
     }
 }
 
 /// The extremes of a bucket, once where it holds a single value.
 fn distinct(Bucket { first, last }: Bucket) -> impl Iterator<Item = (f64, f64)> {
     std::iter::once(first).chain((first != last).then_some(last))
-}
-
-fn unit(channel: Channel) -> &'static str {
-    match channel.unit() {
-        "m" => "µm",
-        "rad" => "µrad",
-        other => other,
-    }
 }

@@ -1,7 +1,7 @@
 //! Column names of a spectrum: quantity, scaling and unit.
 
+use crate::analysis::column_unit;
 use crate::analysis::{EstimatedSpectrum, Scaling, SpectrumQuantity};
-use crate::report::columns::unit_name;
 
 /// `x_peak_m`, `x_velocity_rms_m_s`, `force_x_density_N2_per_Hz`, `x_iy_peak_m`,
 /// `force_x_to_x_power_N_m`, `force_x_to_x_phase_rad`, `force_x_to_x_coherence` ….
@@ -26,7 +26,7 @@ pub(super) fn column(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -
 
 fn scaled(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity, name: &str) -> String {
     let scaling = spectrum.request.scaling.name();
-    let unit = unit_name(&spectrum.unit(quantity));
+    let unit = column_unit(&spectrum.unit(quantity));
     format!("{name}_{scaling}_{unit}{}", per_axis(spectrum, "_per_"))
 }
 

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::super::columns::{ball_pass, matrix, value_column};
+use super::super::columns::{ball_pass, matrix};
 use super::csv::race_name;
 use crate::analysis::Channel;
 use crate::bearing::{
@@ -62,7 +62,7 @@ fn equilibrium(answer: &QuasiStatic) -> Value {
 }
 
 fn components(channel: fn(usize) -> Channel, values: &Vector5) -> Value {
-    let names = (0..FREEDOMS).map(channel).map(value_column);
+    let names = (0..FREEDOMS).map(channel).map(Channel::column);
     let values = values.iter().map(|value| Value::from(*value));
     Value::Object(names.zip(values).collect::<Map<_, _>>())
 }

@@ -4,7 +4,6 @@ use std::f64::consts::TAU;
 
 use serde_json::{Value, json};
 
-use super::super::columns::value_column;
 use crate::integrate::Counters;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
@@ -118,7 +117,7 @@ fn multipliers(multipliers: &Multipliers) -> Value {
 }
 
 fn swing(swing: &Swing) -> Value {
-    let unit = value_column(swing.channel);
+    let unit = swing.channel.column();
     json!({
         "channel": unit,
         "mean": swing.mean,

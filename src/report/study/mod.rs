@@ -61,7 +61,7 @@ pub(super) fn column_name(variable: &Variable) -> String {
     if variable.unit.is_empty() {
         name
     } else {
-        format!("{name}_{}", super::columns::unit_name(variable.unit))
+        format!("{name}_{}", crate::analysis::column_unit(variable.unit))
     }
 }
 

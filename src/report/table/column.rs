@@ -5,12 +5,10 @@ use std::borrow::Cow;
 /// What the numbers of a column stand for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ColumnKind {
-    /// A real number.
+    /// A real number, or nothing where it is NaN.
     Number,
-    /// A whole number, exact below 2^53.
+    /// A whole number, exact below 2^53, or nothing where it is NaN.
     Count,
-    /// A whole number, or nothing where it is NaN.
-    OptionalCount,
     /// The word at this index.
     Word(&'static [&'static str]),
 }

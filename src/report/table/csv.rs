@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::{Column, ColumnKind};
 
-/// Writes rows of numbers in the shortest form that reads back to the same value.
+/// Writes rows of numbers in the shortest form that reads back to the same value; a cell is empty where there is none.
 ///
 /// ```
 /// use jeffcott::report::{Column, ColumnKind, CsvTable};
@@ -65,12 +65,12 @@ impl<W: Write> CsvTable<W> {
 
 fn cell(value: f64, kind: ColumnKind, line: &mut Vec<u8>) {
     match kind {
+        ColumnKind::Number | ColumnKind::Count if value.is_nan() => {}
         ColumnKind::Number => {
             let mut digits = ryu::Buffer::new();
             line.extend_from_slice(digits.format(value).as_bytes());
         }
-        ColumnKind::OptionalCount if value.is_nan() => {}
-        ColumnKind::Count | ColumnKind::OptionalCount => {
+        ColumnKind::Count => {
             // writing to a vector cannot fail
             let _ = write!(line, "{}", value as i64);
         }

@@ -19,7 +19,7 @@ const GROUP: usize = 1 << 20;
 /// Writes a table in row groups of about 8 MiB, plainly encoded; `jeffcott_version` and `scenario_json`
 /// stand in the metadata of the file.
 ///
-/// Real numbers are of type DOUBLE, whole numbers INT32, words UTF-8.
+/// Real numbers are of type DOUBLE, NaN where there is none; whole numbers are INT32, null where there is none; words UTF-8.
 pub struct ParquetTable<W: Write + Send> {
     writer: SerializedFileWriter<W>,
     kinds: Vec<ColumnKind>,
@@ -118,12 +118,6 @@ fn write_column(
                 .write_batch(values, None, None)?;
         }
         ColumnKind::Count => {
-            let whole = whole(values);
-            writer
-                .typed::<Int32Type>()
-                .write_batch(&whole, None, None)?;
-        }
-        ColumnKind::OptionalCount => {
             let there: Vec<i16> = values
                 .iter()
                 .map(|value| i16::from(!value.is_nan()))
@@ -158,11 +152,11 @@ fn schema(columns: &[Column]) -> Result<TypePtr, ParquetError> {
 fn field(column: &Column) -> Result<TypePtr, ParquetError> {
     let physical = match column.kind {
         ColumnKind::Number => PhysicalType::DOUBLE,
-        ColumnKind::Count | ColumnKind::OptionalCount => PhysicalType::INT32,
+        ColumnKind::Count => PhysicalType::INT32,
         ColumnKind::Word(_) => PhysicalType::BYTE_ARRAY,
     };
     let repetition = match column.kind {
-        ColumnKind::OptionalCount => Repetition::OPTIONAL,
+        ColumnKind::Count => Repetition::OPTIONAL,
         _ => Repetition::REQUIRED,
     };
     let text = matches!(column.kind, ColumnKind::Word(_)).then_some(LogicalType::String);

@@ -27,4 +27,4 @@ mod written;
 pub use output::OutputSpec;
 pub use scenario::{Questions, ScenarioSpec};
 pub use study::StudySpec;
-pub use written::{TableFormat, TraceChannel};
+pub use written::TableFormat;

@@ -7,7 +7,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::time::TimeSpec;
-use super::written::{TableFormat, TraceChannel};
+use super::written::TableFormat;
+use crate::analysis::Channel;
 use crate::analysis::Window;
 use crate::scenario::Issue;
 use crate::scenario::dimension::significant;
@@ -75,7 +76,7 @@ pub struct OutputSpec {
     pub every: NonZeroU64,
     /// What the written trace shows beside the time, in this order. Default: everything.
     #[schemars(extend("minItems" = 1))]
-    pub channels: Option<Vec<TraceChannel>>,
+    pub channels: Option<Vec<Channel>>,
 }
 
 /// How the shaft turns, as far as sampling asks.

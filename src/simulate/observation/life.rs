@@ -143,13 +143,7 @@ mod tests {
             time,
             angle,
             speed: 100.0,
-            displacement: [0.0; 5],
-            velocity: [0.0; 5],
-            force_on_shaft: [0.0; 5],
-            largest_ball_load: 0.0,
-            balls_loaded: 0,
-            energy: None,
-            drive: None,
+            ..Sample::default()
         }
     }
 

@@ -239,7 +239,10 @@ impl Trace {
 
 impl TraceSink for Trace {
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        let point = [sample.displacement, sample.force_on_shaft];
+        let point = [
+            sample.displacement,
+            sample.force_on_shaft.unwrap_or_default(),
+        ];
         if self.samples.is_multiple_of(self.view.stride) {
             self.times.push(sample.time);
             self.points.push(point);

@@ -230,7 +230,7 @@ impl NumberColumn {
                 .map(|level| level.rms),
             NumberKind::Period => motion.map(period),
             NumberKind::Drift => motion?.drift.map(|drift| drift.largest()),
-            NumberKind::LargestBallLoad => Some(run.largest_ball_load),
+            NumberKind::LargestBallLoad => run.largest_ball_load,
             NumberKind::FewestLoaded(bearing) => {
                 let zone = run.bearings.get(bearing)?.load_zone?;
                 Some(zone.balls.smallest)

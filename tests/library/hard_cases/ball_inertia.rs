@@ -53,7 +53,10 @@ fn the_inner_ring_leaves_all_balls_at_high_speed() {
         );
         let (result, samples) = try_run(&model(&text), 0.0);
         let run = result.expect("a run");
-        let flying: Vec<_> = samples.iter().filter(|s| s.balls_loaded == 0).collect();
+        let flying: Vec<_> = samples
+            .iter()
+            .filter(|s| s.balls_loaded == Some(0))
+            .collect();
         println!(
             "{control}: {:e}, {:?}, {} flying",
             error(&run),
@@ -63,12 +66,17 @@ fn the_inner_ring_leaves_all_balls_at_high_speed() {
         assert!(flying.len() > 100, "{}", flying.len());
         for sample in flying {
             // no ball bears more than another, and the shaft bears nothing
-            assert_near("F_c", sample.largest_ball_load, thrown, 1e-6 * thrown);
-            assert_eq!(sample.force_on_shaft, [0.0; 5]);
+            assert_near(
+                "F_c",
+                sample.largest_ball_load.unwrap(),
+                thrown,
+                1e-6 * thrown,
+            );
+            assert_eq!(sample.force_on_shaft, Some([0.0; 5]));
         }
         let heaviest = samples
             .iter()
-            .map(|s| s.largest_ball_load)
+            .filter_map(|s| s.largest_ball_load)
             .fold(0.0, f64::max);
         assert!((3000.0..5000.0).contains(&heaviest), "{heaviest}");
         assert!(

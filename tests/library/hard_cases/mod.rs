@@ -59,12 +59,15 @@ impl TraceSink for Extremes {
         for (reach, value) in self.reach.iter_mut().zip(sample.displacement) {
             *reach = reach.max(value.abs());
         }
-        let (balls, load) = (sample.balls_loaded, sample.largest_ball_load);
+        let balls = sample.balls_loaded.unwrap_or(0);
+        let load = sample.largest_ball_load.unwrap_or(0.0);
         self.largest_ball_load = self.largest_ball_load.max(load);
         self.lightest_ball_load = self.lightest_ball_load.min(load);
         self.fewest_balls = self.fewest_balls.min(balls);
         self.most_balls = self.most_balls.max(balls);
-        let changed = self.last.is_some_and(|last| last.balls_loaded != balls);
+        let changed = self
+            .last
+            .is_some_and(|last| last.balls_loaded != sample.balls_loaded);
         self.contact_changes += u32::from(changed);
         self.last = Some(*sample);
         self.samples += 1;

@@ -129,7 +129,7 @@ fn a_mirrored_shaft_moves_as_the_mirror_image_bit_by_bit() {
         for (sample, image) in shaft.iter().zip(&image) {
             assert_eq!(mirrored(sample.displacement), image.displacement, "{law:?}");
             assert_eq!(
-                mirrored(sample.force_on_shaft),
+                sample.force_on_shaft.map(mirrored),
                 image.force_on_shaft,
                 "{law:?}"
             );

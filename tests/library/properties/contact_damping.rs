@@ -43,7 +43,7 @@ fn rebound(loss: f64, speed: f64) -> f64 {
     let back = samples.iter().position(|sample| sample.velocity[0] < 0.0);
     let free = samples[back.expect("a rebound")..]
         .iter()
-        .find(|sample| sample.balls_loaded == 0);
+        .find(|sample| sample.balls_loaded == Some(0));
     -free.expect("a free flight").velocity[0]
 }
 

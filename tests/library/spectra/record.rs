@@ -72,15 +72,11 @@ pub fn estimated(
             speed: now.turning[1],
             displacement: five(now.displacement),
             velocity: five(now.velocity),
-            force_on_shaft: five(now.displacement.map(|x| -x)),
-            largest_ball_load: 0.0,
-            balls_loaded: 0,
-            energy: None,
-            drive: None,
+            acceleration: Some(five(now.acceleration)),
+            force_on_shaft: Some(five(now.displacement.map(|x| -x))),
+            ..Sample::default()
         };
-        let acceleration = five(now.acceleration);
-        let asked = recording.needs_acceleration();
-        recording.record(&sample, asked.then_some(&acceleration));
+        recording.record(&sample);
     }
     estimate(&recording, request)
 }

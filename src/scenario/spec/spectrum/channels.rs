@@ -54,7 +54,7 @@ fn every_channel() -> impl Iterator<Item = Channel> {
 }
 
 /// Freedoms of a whirl: what turns with the shaft runs from the first to the second.
-const WHIRLS: [[usize; 2]; 2] = [[0, 1], [3, 4]];
+const WHIRLS: [(usize, usize); 2] = [(0, 1), (3, 4)];
 
 impl SpectrumSpec {
     /// The channels, each once, in the order of the table.
@@ -104,7 +104,10 @@ impl SpectrumSpec {
 /// Refuses the motion of a freedom that is held; its force is as good as any.
 fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut Problems<'_>) {
     let is_force = matches!(channel, Channel::Force(_));
-    if channel.freedom() >= freedoms.count() && !is_force {
+    let is_held = channel
+        .freedom()
+        .is_some_and(|freedom| freedom >= freedoms.count());
+    if is_held && !is_force {
         let message = format!("`{channel}` does not move: the shaft's `freedoms` hold it");
         let issue =
             Issue::new(path, message).help("leave it out, or set more freedoms in `[shaft]`");
@@ -116,9 +119,9 @@ fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut 
 fn refuse_single(path: &str, channels: &[Channel], problems: &mut Problems<'_>) {
     let is_pair = |pair: &[Channel]| match pair {
         [x, y] => {
-            let freedoms = [x.freedom(), y.freedom()];
+            let freedoms = x.freedom().zip(y.freedom());
             let same = std::mem::discriminant(x) == std::mem::discriminant(y);
-            same && WHIRLS.contains(&freedoms)
+            same && freedoms.is_some_and(|freedoms| WHIRLS.contains(&freedoms))
         }
         _ => false,
     };
