@@ -57,15 +57,14 @@ pub enum SpectrumLines {
     Orders(u32),
 }
 
-/// What is looked at of the bearings at every sample; what is not is zero in the samples.
+/// What is looked at of the bearings at every sample; what is not is missing in the samples. By default
+/// everything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Watched {
-    /// Loads of every ball, and what rests on them.
-    Balls(BallParts),
-    /// The force on the shaft, but no ball.
-    Forces,
-    /// Nothing.
-    Nothing,
+pub struct Watched {
+    /// The force on the shaft; known in any case where balls are looked at.
+    pub forces: bool,
+    /// Loads of every ball, and what rests on them; none: no ball is looked at.
+    pub balls: Option<BallParts>,
 }
 
 /// What is made of the loads of the balls; by default everything.
@@ -106,7 +105,10 @@ impl BallParts {
 /// Everything.
 impl Default for Watched {
     fn default() -> Self {
-        Self::Balls(BallParts::ALL)
+        Self {
+            forces: true,
+            balls: Some(BallParts::ALL),
+        }
     }
 }
 

@@ -12,7 +12,7 @@ use jeffcott::rotor::{
     BallContacts, CageMotion, Damping, Freedoms, Load, LoadKind, RotorDefinition, Sample,
     SpeedPoint,
 };
-use jeffcott::simulate::{BallParts, BearingHistory, Event, EventKind, Model, TraceSink, Watched};
+use jeffcott::simulate::{BallParts, BearingHistory, Event, EventKind, Model, TraceSink};
 
 use crate::support::{
     assert_near, back_to_back_pair, bearing, literature_bearing, model, mounted, rotor, shaft,
@@ -258,7 +258,7 @@ fn samples_that_nobody_needs_are_left_out() {
         let mut model = chatter();
         model.settle = 0.8 * model.duration;
         model.spectrum = None;
-        model.analyses.watched = Watched::Balls(BallParts {
+        model.analyses.watched.balls = Some(BallParts {
             events,
             load_zone: true,
             ..BallParts::LOADS
@@ -280,7 +280,7 @@ fn contacts_part_and_meet_whether_samples_are_looked_at_or_not() {
     for (mut model, sometimes_certain) in [(chatter(), false), (struck(|bearing| bearing), true)] {
         model.settle = 0.8 * model.duration;
         model.spectrum = None;
-        model.analyses.watched = Watched::Balls(BallParts {
+        model.analyses.watched.balls = Some(BallParts {
             events: true,
             ..BallParts::LOADS
         });

@@ -46,12 +46,13 @@ struct BearingObserver<'a> {
 
 impl<'a> Observation<'a> {
     pub fn new(model: &Model, rotor: &'a Rotor) -> Self {
-        let (contacts, parts) = match model.analyses.watched {
-            Watched::Balls(parts) if parts.angles => (rotor.ball_contacts(), parts),
-            Watched::Balls(parts) => (rotor.ball_loads(), parts),
-            Watched::Forces => (rotor.unwatched_balls(true), BallParts::LOADS),
-            Watched::Nothing => (rotor.unwatched_balls(false), BallParts::LOADS),
+        let Watched { forces, balls } = model.analyses.watched;
+        let contacts = match balls {
+            Some(parts) if parts.angles => rotor.ball_contacts(),
+            Some(_) => rotor.ball_loads(),
+            None => rotor.unwatched_balls(forces),
         };
+        let parts = balls.unwrap_or(BallParts::LOADS);
         let observer = |(index, support)| {
             let speed = rotor.speed();
             BearingObserver::new(index, support, speed, model.settle, parts)

@@ -10,8 +10,8 @@ use super::{Keep, Schedule, Turn};
 use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
-    BallParts, Model, Monitor, Run, SimulateError, SpectrumLines, StaticState, TraceSink, Watched,
-    simulate,
+    Analyses, BallParts, Model, Monitor, Run, SimulateError, SpectrumLines, StaticState, TraceSink,
+    Watched, simulate,
 };
 use crate::study::plan::Plan;
 
@@ -91,23 +91,24 @@ impl Maker<'_> {
 
     /// Leaves out all that nothing of what is kept rests on.
     pub(super) fn reduce(&self, model: &mut Model) {
-        let needs = |rests: fn(&NumberColumn) -> bool| self.columns.iter().any(rests);
         model.spectra.clear();
         let lines = self.lines();
         model.spectrum = model.spectrum.filter(|_| lines.is_some());
         let analyses = &mut model.analyses;
-        analyses.lines = lines.unwrap_or_default();
-        // the other runs have the other processors
-        analyses.parts = MotionParts {
-            forces: needs(NumberColumn::rests_on_forces),
-            velocity: needs(NumberColumn::rests_on_velocity),
-            drift: needs(NumberColumn::rests_on_drift),
-            kind: needs(NumberColumn::rests_on_kind),
-            section: self.keep.section,
-            orbit: false,
+        *analyses = Analyses {
+            motion: self.keep.section.is_some(),
+            parts: MotionParts {
+                section: self.keep.section,
+                ..MotionParts::DISPLACEMENTS
+            },
+            maps: false,
+            watched: Watched {
+                forces: false,
+                balls: self.traces.map(|_| BallParts::LOADS),
+            },
+            lines: lines.unwrap_or_default(),
         };
-        analyses.motion = self.keep.section.is_some() || needs(NumberColumn::rests_on_motion);
-        analyses.watched = self.watched();
+        self.columns.iter().for_each(|column| column.ask(analyses));
     }
 
     /// Lines of the spectra; none where nothing rests on them.
@@ -119,24 +120,6 @@ impl Maker<'_> {
                 highest.map_or(kept, |order| kept.max(f64::from(order))) * (1.0 + 1e-9),
             )),
             (None, highest) => highest.map(SpectrumLines::Orders),
-        }
-    }
-
-    /// What is looked at of the bearings.
-    fn watched(&self) -> Watched {
-        let needs = |rests: fn(&NumberColumn) -> bool| self.columns.iter().any(rests);
-        if self.traces.is_some() || needs(NumberColumn::rests_on_balls) {
-            Watched::Balls(BallParts {
-                angles: false,
-                events: needs(NumberColumn::rests_on_events),
-                load_zone: needs(NumberColumn::rests_on_load_zone),
-                life: needs(NumberColumn::rests_on_life),
-                early_life: false,
-            })
-        } else if needs(NumberColumn::rests_on_forces) {
-            Watched::Forces
-        } else {
-            Watched::Nothing
         }
     }
 

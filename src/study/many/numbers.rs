@@ -1,13 +1,15 @@
 //! The numbers that are kept of every run.
 
-use crate::analysis::{Channel, Kind, Motion, Spectrum};
+use crate::analysis::{Channel, Kind, Motion, Spectrum, column_unit};
 use crate::rotor::FREEDOMS;
-use crate::simulate::{EventKind, Run};
+use crate::simulate::{Analyses, BallParts, EventKind, Run, Watched};
 
 /// Multiples of the shaft frequency whose lines are kept.
 const ORDERS: [u32; 3] = [1, 2, 3];
+/// Number of freedoms that are lengths.
+const LENGTHS: usize = 3;
 
-/// A number of a run: what it is, its unit, and how it is found.
+/// A number of a run: what it is called, what it rests on, and how it is found.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NumberColumn {
     /// Name with its unit as a column of a table: `x_rms_m`.
@@ -42,76 +44,63 @@ pub type Numbers = Vec<f64>;
 
 /// Columns for scenes of so many freedoms and bearings.
 pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
+    use NumberKind::{
+        ContactLost, DampingRatio, Drift, Equilibrium, Evaluations, FewestLoaded, LargestBallLoad,
+        Life, Mean, MeasuredError, NaturalFrequency, Order, PeakToPeak, Period, Rms, Stiffness,
+        Velocity,
+    };
     let freedoms = freedoms.min(FREEDOMS);
-    let mut columns = Vec::new();
-    let mut add = |name: String, kind| columns.push(NumberColumn { name, kind });
-    let unit = |channel: Channel| channel.unit().replace(' ', "_");
-    for freedom in 0..freedoms {
-        let channel = Channel::Displacement(freedom);
-        add(
-            format!("{channel}_equilibrium_{}", unit(channel)),
-            NumberKind::Equilibrium(freedom),
-        );
-    }
-    for freedom in 0..freedoms {
-        let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
-        let name = format!("stiffness_{channel}_{}_{}", unit(force), unit(channel));
-        add(name, NumberKind::Stiffness(freedom));
-    }
-    for mode in 0..freedoms {
-        let number = mode + 1;
-        add(
-            format!("natural_frequency_{number}_Hz"),
-            NumberKind::NaturalFrequency(mode),
-        );
-        add(
-            format!("damping_ratio_{number}"),
-            NumberKind::DampingRatio(mode),
-        );
-    }
-    for channel in Channel::of_freedoms(freedoms) {
-        let unit = unit(channel);
-        for (name, kind) in [
-            ("mean", NumberKind::Mean(channel)),
-            ("rms", NumberKind::Rms(channel)),
-            ("peak_to_peak", NumberKind::PeakToPeak(channel)),
-        ] {
-            add(format!("{channel}_{name}_{unit}"), kind);
+    let mut kinds: Vec<NumberKind> = (0..freedoms).map(Equilibrium).collect();
+    kinds.extend((0..freedoms).map(Stiffness));
+    kinds.extend((0..freedoms).flat_map(|mode| [NaturalFrequency(mode), DampingRatio(mode)]));
+    let channels = Channel::of_freedoms(freedoms).into_iter();
+    kinds.extend(channels.flat_map(|channel| [Mean(channel), Rms(channel), PeakToPeak(channel)]));
+    let lines = |freedom| ORDERS.map(|order| Order(freedom, order));
+    kinds.extend((0..freedoms).flat_map(lines));
+    kinds.extend((0..freedoms.min(LENGTHS)).map(Velocity));
+    kinds.extend([Period, Drift, LargestBallLoad]);
+    let observed = |bearing| [FewestLoaded(bearing), ContactLost(bearing), Life(bearing)];
+    kinds.extend((0..bearings).flat_map(observed));
+    kinds.extend([MeasuredError, Evaluations]);
+    let column = |kind: NumberKind| NumberColumn {
+        name: kind.name(),
+        kind,
+    };
+    kinds.into_iter().map(column).collect()
+}
+
+impl NumberKind {
+    /// Name with the unit.
+    fn name(self) -> String {
+        let of = |channel: Channel, what: &str| {
+            format!("{channel}_{what}_{}", column_unit(channel.unit()))
+        };
+        match self {
+            Self::Equilibrium(freedom) => of(Channel::Displacement(freedom), "equilibrium"),
+            Self::Stiffness(freedom) => {
+                let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
+                let units = [force, channel].map(|channel| column_unit(channel.unit()));
+                format!("stiffness_{channel}_{}", units.join("_"))
+            }
+            Self::NaturalFrequency(mode) => format!("natural_frequency_{}_Hz", mode + 1),
+            Self::DampingRatio(mode) => format!("damping_ratio_{}", mode + 1),
+            Self::Mean(channel) => of(channel, "mean"),
+            Self::Rms(channel) => of(channel, "rms"),
+            Self::PeakToPeak(channel) => of(channel, "peak_to_peak"),
+            Self::Order(freedom, order) => {
+                of(Channel::Displacement(freedom), &format!("order_{order}"))
+            }
+            Self::Velocity(freedom) => of(Channel::Velocity(freedom), "rms"),
+            Self::Period => "period_cycles".to_owned(),
+            Self::Drift => "drift".to_owned(),
+            Self::LargestBallLoad => "largest_ball_load_N".to_owned(),
+            Self::FewestLoaded(bearing) => format!("bearing_{}_fewest_loaded", bearing + 1),
+            Self::ContactLost(bearing) => format!("bearing_{}_contact_lost", bearing + 1),
+            Self::Life(bearing) => format!("bearing_{}_life_h", bearing + 1),
+            Self::MeasuredError => "measured_error".to_owned(),
+            Self::Evaluations => "evaluations".to_owned(),
         }
     }
-    for freedom in 0..freedoms {
-        let channel = Channel::Displacement(freedom);
-        for order in ORDERS {
-            let name = format!("{channel}_order_{order}_{}", unit(channel));
-            add(name, NumberKind::Order(freedom, order));
-        }
-    }
-    for freedom in 0..freedoms.min(3) {
-        let channel = Channel::Displacement(freedom);
-        add(
-            format!("{channel}_velocity_rms_m_s"),
-            NumberKind::Velocity(freedom),
-        );
-    }
-    add("period_cycles".to_owned(), NumberKind::Period);
-    add("drift".to_owned(), NumberKind::Drift);
-    add(
-        "largest_ball_load_N".to_owned(),
-        NumberKind::LargestBallLoad,
-    );
-    for bearing in 0..bearings {
-        let number = bearing + 1;
-        for (name, kind) in [
-            ("fewest_loaded", NumberKind::FewestLoaded(bearing)),
-            ("contact_lost", NumberKind::ContactLost(bearing)),
-            ("life_h", NumberKind::Life(bearing)),
-        ] {
-            add(format!("bearing_{number}_{name}"), kind);
-        }
-    }
-    add("measured_error".to_owned(), NumberKind::MeasuredError);
-    add("evaluations".to_owned(), NumberKind::Evaluations);
-    columns
 }
 
 impl NumberColumn {
@@ -123,69 +112,37 @@ impl NumberColumn {
         }
     }
 
-    /// Whether the motion after the settle time tells it.
-    pub fn rests_on_motion(&self) -> bool {
-        matches!(
-            self.kind,
-            NumberKind::Mean(_)
-                | NumberKind::Rms(_)
-                | NumberKind::PeakToPeak(_)
-                | NumberKind::Velocity(_)
-                | NumberKind::Period
-                | NumberKind::Drift
-        )
-    }
-
-    /// Whether the velocities in the band of the standards tell it.
-    pub fn rests_on_velocity(&self) -> bool {
-        matches!(self.kind, NumberKind::Velocity(_))
-    }
-
-    /// Whether it says how the motion settles.
-    pub fn rests_on_drift(&self) -> bool {
-        self.kind == NumberKind::Drift
-    }
-
-    /// Whether the kind of the motion tells it.
-    pub fn rests_on_kind(&self) -> bool {
-        self.kind == NumberKind::Period
-    }
-
-    /// Whether contacts that part and meet tell it.
-    pub fn rests_on_events(&self) -> bool {
-        matches!(self.kind, NumberKind::ContactLost(_))
-    }
-
-    /// Whether the balls that are loaded tell it.
-    pub fn rests_on_load_zone(&self) -> bool {
-        matches!(self.kind, NumberKind::FewestLoaded(_))
-    }
-
-    /// Whether the life that the loads consume tells it.
-    pub fn rests_on_life(&self) -> bool {
-        matches!(self.kind, NumberKind::Life(_))
-    }
-
-    /// Whether the forces of the bearings tell it.
-    pub fn rests_on_forces(&self) -> bool {
-        let channel = match self.kind {
+    /// Asks for what it rests on, beside lines of spectra.
+    pub(super) fn ask(&self, analyses: &mut Analyses) {
+        let (motion, parts) = (&mut analyses.motion, &mut analyses.parts);
+        let watched = &mut analyses.watched;
+        match self.kind {
             NumberKind::Mean(channel)
             | NumberKind::Rms(channel)
-            | NumberKind::PeakToPeak(channel) => channel,
-            _ => return false,
-        };
-        matches!(channel, Channel::Force(_))
-    }
-
-    /// Whether the balls tell it.
-    pub fn rests_on_balls(&self) -> bool {
-        matches!(
-            self.kind,
-            NumberKind::LargestBallLoad
-                | NumberKind::FewestLoaded(_)
-                | NumberKind::ContactLost(_)
-                | NumberKind::Life(_)
-        )
+            | NumberKind::PeakToPeak(channel) => {
+                *motion = true;
+                if let Channel::Force(_) = channel {
+                    parts.forces = true;
+                    watched.forces = true;
+                }
+            }
+            NumberKind::Velocity(_) => (*motion, parts.velocity) = (true, true),
+            NumberKind::Period => (*motion, parts.kind) = (true, true),
+            NumberKind::Drift => (*motion, parts.drift) = (true, true),
+            NumberKind::LargestBallLoad => {
+                loads(watched);
+            }
+            NumberKind::FewestLoaded(_) => loads(watched).load_zone = true,
+            NumberKind::ContactLost(_) => loads(watched).events = true,
+            NumberKind::Life(_) => loads(watched).life = true,
+            NumberKind::Equilibrium(_)
+            | NumberKind::Stiffness(_)
+            | NumberKind::NaturalFrequency(_)
+            | NumberKind::DampingRatio(_)
+            | NumberKind::Order(..)
+            | NumberKind::MeasuredError
+            | NumberKind::Evaluations => {}
+        }
     }
 
     /// Whether it is the measured error of a run.
@@ -244,6 +201,11 @@ impl NumberColumn {
             NumberKind::Evaluations => Some(run.counters.evaluations as f64),
         }
     }
+}
+
+/// What is made of the loads of the balls, which are looked at from now on.
+fn loads(watched: &mut Watched) -> &mut BallParts {
+    watched.balls.get_or_insert(BallParts::LOADS)
 }
 
 /// Amplitude at a multiple of the shaft frequency, where that is a bin.
