@@ -60,18 +60,8 @@
 //! # A run from Rust
 //!
 //! ```
-//! use std::sync::atomic::AtomicBool;
-//! use jeffcott::rotor::Sample;
-//! use jeffcott::scenario::{self, Format};
-//! use jeffcott::simulate::{Monitor, TraceSink, simulate};
-//!
-//! struct Highest(f64);
-//! impl TraceSink for Highest {
-//!     fn sample(&mut self, sample: &Sample) -> std::io::Result<()> {
-//!         self.0 = self.0.max(sample.largest_ball_load.unwrap_or(0.0));
-//!         Ok(())
-//!     }
-//! }
+//! use jeffcott::bearing::Bearing;
+//! use jeffcott::scenario::Scenario;
 //!
 //! let text = r#"
 //!     [shaft]
@@ -89,17 +79,18 @@
 //!     [time]
 //!     duration = "0.1 s"
 //! "#;
-//! let scenario = scenario::parse(text, "example.toml", Format::Toml)?;
-//! let (stop, mut highest) = (AtomicBool::new(false), Highest(0.0));
-//! let run = simulate(
-//!     &scenario.model.ok_or("no [time]")?,
-//!     &mut highest,
-//!     &mut Monitor { stop: &stop, progress: &mut |_part| {} },
-//! )?;
-//! assert!((250.0..260.0).contains(&highest.0)); // N
-//! assert!(run.measured_error.is_some_and(|error| error.relative < 1e-7));
+//! let run = Scenario::from_toml(text)?.simulate()?;
+//! let heaviest = run.column("largest_ball_load")?.into_iter().fold(0.0, f64::max);
+//! assert!((250.0..260.0).contains(&heaviest)); // N
+//! assert!(run.error().is_some_and(|error| error.relative < 1e-7));
+//!
+//! let load = [0.0, 0.0, 1000.0, 0.0, 0.0]; // N
+//! let stiffness = *Bearing::catalogue("7205C")?.equilibrium(load)?.stiffness();
+//! assert!(stiffness[(0, 0)] > stiffness[(2, 2)]); // stiffer across its axis
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! [`simulate::simulate`] takes samples as they come, tells its progress and can be stopped.
 
 #![warn(clippy::panic, clippy::unwrap_used)]
 

@@ -7,6 +7,7 @@ mod model;
 mod observation;
 mod observers;
 mod part;
+mod recorded;
 mod reference;
 mod run;
 mod sampling;
@@ -25,6 +26,7 @@ pub use observation::{
     BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone, Spread,
 };
 pub use part::{Earlier, Part, Standing, StateKeeper, StateSource};
+pub use recorded::{RecordedRun, UnknownColumn};
 pub use reference::ReferenceStanding;
 pub use run::{MeasuredError, Run, StaticState};
 pub use tables::TableUse;

@@ -105,6 +105,31 @@ pub fn find(designation: &str) -> Option<&'static CatalogueEntry> {
     CATALOGUE.iter().find(|entry| entry.designation == wanted)
 }
 
+/// A designation that is in no catalogue.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("no bearing is called `{designation}`; known are {}", known.join(", "))]
+pub struct UnknownBearing {
+    /// The designation as given.
+    pub designation: String,
+    /// All designations.
+    pub known: Vec<&'static str>,
+}
+
+impl Bearing {
+    /// The bearing of a designation, in SI units, balls and rings of bearing steel; letter case and blanks do not
+    /// matter.
+    ///
+    /// # Errors
+    /// [`UnknownBearing`] names those that are known.
+    pub fn catalogue(designation: &str) -> Result<Self, UnknownBearing> {
+        let entry = find(designation).and_then(|entry| entry.bearing().ok());
+        entry.ok_or_else(|| UnknownBearing {
+            designation: designation.to_owned(),
+            known: CATALOGUE.iter().map(|entry| entry.designation).collect(),
+        })
+    }
+}
+
 impl CatalogueEntry {
     /// Where the races stand without load; a deep-groove bearing is taken without clearance.
     pub fn free_position(&self) -> FreePosition {

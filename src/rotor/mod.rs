@@ -18,6 +18,7 @@ mod forcing;
 mod lift_off;
 mod linearisation;
 pub mod load;
+mod lone_bearing;
 mod modes;
 mod motion;
 mod motion_scale;
