@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 use std::hint::black_box;
 
-use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use criterion::{Criterion, criterion_group, criterion_main};
 use jeffcott::analysis::{
-    Axis, BearingFrequencies, Channel, Detrend, Recorder, Recording, SampleGrid, Scaling, Segment,
-    Sources, SpectrumKind, SpectrumRequest, Window, causes, estimate,
+    Axis, BearingFrequencies, Channel, Detrend, Recording, SampleGrid, Scaling, Segment, Sources,
+    SpectrumKind, SpectrumRequest, Window, causes, estimate,
 };
 use jeffcott::physics::ball_pass_frequencies;
 use jeffcott::rotor::Sample;
@@ -29,16 +29,18 @@ fn sample(n: u32) -> Sample {
     }
 }
 
-fn recorded(freedoms: usize, revolutions: u32) -> Recorder {
-    let mut recorder = Recorder::on_angle_grid(freedoms, 0.0, 1.0, PER_REVOLUTION);
+fn recorded(freedoms: usize, revolutions: u32) -> Recording {
+    let mut recording = Recording::new(SampleGrid::of_angle(1.0, PER_REVOLUTION), 0.0)
+        .with(Channel::of_freedoms(freedoms));
     for n in 0..PER_REVOLUTION * revolutions {
-        recorder.record(&sample(n));
+        recording.record(&sample(n));
     }
-    recorder
+    recording
 }
 
 fn spectrum(criterion: &mut Criterion) {
-    let recorder = recorded(3, REVOLUTIONS);
+    let recording = recorded(3, REVOLUTIONS);
+    let channels = Channel::of_freedoms(3);
     let pass = ball_pass_frequencies(TAU, 12, 1.0, 5.0, 0.2);
     let lines = causes(&Sources {
         shaft: 1.0,
@@ -49,17 +51,14 @@ fn spectrum(criterion: &mut Criterion) {
         ..Sources::default()
     });
     criterion.bench_function("spectra and peaks, 1e5 samples, 6 channels", |bencher| {
-        bencher.iter_batched(
-            || recorder.clone(),
-            |recorder| black_box(recorder.finish(Window::Rectangular, &lines)),
-            BatchSize::LargeInput,
-        );
+        bencher.iter(|| black_box(recording.spectrum(&channels, Window::Rectangular, &lines)));
     });
 }
 
 /// Spectra of a long run of five freedoms: 1e6 samples of ten channels.
 fn long_spectrum(criterion: &mut Criterion) {
-    let recorder = recorded(5, 10 * REVOLUTIONS);
+    let recording = recorded(5, 10 * REVOLUTIONS);
+    let channels = Channel::of_freedoms(5);
     let pass = ball_pass_frequencies(TAU, 12, 1.0, 5.0, 0.2);
     let lines = causes(&Sources {
         shaft: 1.0,
@@ -72,11 +71,7 @@ fn long_spectrum(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("1e6 samples, 10 channels");
     group.sample_size(10);
     group.bench_function("spectra and peaks", |bencher| {
-        bencher.iter_batched(
-            || recorder.clone(),
-            |recorder| black_box(recorder.finish(Window::Rectangular, &lines)),
-            BatchSize::LargeInput,
-        );
+        bencher.iter(|| black_box(recording.spectrum(&channels, Window::Rectangular, &lines)));
     });
     for (name, segment, scaling) in [
         ("one segment, peak", Segment::Whole, Scaling::Peak),
@@ -87,13 +82,13 @@ fn long_spectrum(criterion: &mut Criterion) {
         ),
     ] {
         let request = request(segment, scaling, Axis::Frequency);
-        let recording = recording(&request, Some(PER_REVOLUTION));
+        let recording = recorded_for(&request, Some(PER_REVOLUTION));
         group.bench_function(name, |bencher| {
             bencher.iter(|| black_box(estimate(&recording, &request)));
         });
     }
     let request = request(Segment::Revolutions(64), Scaling::Peak, Axis::Order);
-    let recording = recording(&request, None);
+    let recording = recorded_for(&request, None);
     group.bench_function("resampled to angles, Welch", |bencher| {
         bencher.iter(|| black_box(estimate(&recording, &request)));
     });
@@ -114,13 +109,13 @@ fn request(segment: Segment, scaling: Scaling, axis: Axis) -> SpectrumRequest {
     }
 }
 
-fn recording(request: &SpectrumRequest, per_revolution: Option<u32>) -> Recording {
+fn recorded_for(request: &SpectrumRequest, per_revolution: Option<u32>) -> Recording {
     let grid = SampleGrid {
         rate: f64::from(PER_REVOLUTION),
         shaft_frequency: 1.0,
         per_revolution,
     };
-    let mut recording = Recording::new(grid, 0.0, std::slice::from_ref(request));
+    let mut recording = Recording::new(grid, 0.0).with_requests(std::slice::from_ref(request));
     for n in 0..10 * PER_REVOLUTION * REVOLUTIONS {
         recording.record(&sample(n));
     }

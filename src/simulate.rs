@@ -177,7 +177,7 @@ fn answer(
         stiffness: work.stiffness,
         unconstrained,
     };
-    let analysis = sampling::analyse(model, rotor, observers.recorder);
+    let analysis = sampling::analyse(model, rotor, observers.recording.as_ref());
     let (motion, maps) = observers.recorders.finish();
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)

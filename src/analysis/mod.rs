@@ -9,10 +9,11 @@ mod line_kind;
 mod motion;
 mod order_sums;
 mod peaks;
-mod recorder;
+mod recording;
 mod run_up;
 mod spectrum;
 mod transform;
+mod whole_spectrum;
 mod window;
 
 pub use aliasing::{TopPower, rest_amplitude};
@@ -21,9 +22,8 @@ pub use causes::{
 };
 pub use channel::{Channel, column_unit};
 pub use estimation::{
-    Axis, CrossPower, Detrend, EstimateError, EstimatedSpectrum, Recording, Resampling, SampleGrid,
-    Scaling, Segment, SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch,
-    envelope, estimate,
+    Axis, CrossPower, Detrend, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment,
+    SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch, envelope, estimate,
 };
 pub use leakage::{Leak, leak};
 pub use line_kind::LineKind;
@@ -33,11 +33,12 @@ pub use motion::{
     VELOCITY_BAND, VelocityLevel, closed_curve, recognise, velocity_level, zero_one_test,
 };
 pub use peaks::{MOST_PEAKS, Peak};
-pub use recorder::{Analysis, Recorder};
+pub use recording::{Recording, SampleGrid};
 pub use run_up::{
     OrderTracks, Slice, Track, TrackPoint, TrackRecorder, TrackedOrder, Waterfall,
     WaterfallRecorder,
 };
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub use transform::{Transform, fourier_coefficients};
+pub use whole_spectrum::Analysis;
 pub use window::Window;

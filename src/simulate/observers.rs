@@ -5,7 +5,7 @@ use super::energy_audit::EnergyAudit;
 use super::observation::Observation;
 use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
-use crate::analysis::{Recorder, Recording};
+use crate::analysis::Recording;
 use crate::integrate::{Grid, States};
 use crate::rotor::{Rotor, Sample};
 
@@ -20,7 +20,6 @@ pub(super) struct Observers<'a> {
     settle: f64,
     /// After the settle time, N; none where no ball is observed.
     pub largest_ball_load: Option<f64>,
-    pub recorder: Option<Recorder>,
     pub recorders: Recorders,
     pub recording: Option<Recording>,
     pub observation: Observation<'a>,
@@ -64,7 +63,6 @@ impl<'a> Observers<'a> {
             sink,
             settle: model.settle,
             largest_ball_load: None,
-            recorder: model.spectrum.map(|_| sampling::recorder(model, rotor)),
             recorders: Recorders::new(model, rotor, &grid),
             recording,
             accelerations,
@@ -108,9 +106,6 @@ impl<'a> Observers<'a> {
         if sample.time >= self.settle {
             let largest = [self.largest_ball_load, sample.largest_ball_load];
             self.largest_ball_load = largest.into_iter().flatten().reduce(f64::max);
-        }
-        if let Some(recorder) = &mut self.recorder {
-            recorder.record(sample);
         }
         self.recorders.record(sample);
         self.audit.sample(sample);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{Model, Sampling, SimulateError, SpectrumLines};
 use crate::analysis::{
-    Analysis, BearingFrequencies, Recorder, Recording, SampleGrid, Sources, causes,
+    Analysis, BearingFrequencies, Channel, Recording, SampleGrid, Sources, causes,
 };
 use crate::integrate::Grid;
 use crate::physics::BallPass;
@@ -28,29 +28,27 @@ pub(super) fn grid(model: &Model, rotor: &Rotor) -> Result<Grid, SimulateError> 
     })
 }
 
-pub(super) fn recorder(model: &Model, rotor: &Rotor) -> Recorder {
-    let (active, settle) = (rotor.active_freedoms(), model.settle);
-    let SampleGrid {
-        rate,
-        shaft_frequency: shaft,
-        per_revolution,
-    } = sample_grid(model, rotor);
-    let recorder = match per_revolution {
-        Some(samples) => Recorder::on_angle_grid(active, settle, shaft, samples),
-        None => Recorder::on_time_grid(active, settle, shaft, rate),
-    };
-    let recorder = match model.analyses.lines {
-        SpectrumLines::All => recorder,
-        SpectrumLines::UpTo(_) | SpectrumLines::Orders(_) => recorder.of_displacements(),
-    };
-    recorder.until(model.duration)
+/// Takes what all spectra that are asked for need, if there are any.
+pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
+    if model.spectrum.is_none() && model.spectra.is_empty() {
+        return None;
+    }
+    let whole = model.spectrum.map(|_| channels(model, rotor));
+    let recording = Recording::new(sample_grid(model, rotor), model.settle)
+        .with(whole.into_iter().flatten())
+        .with_requests(&model.spectra);
+    Some(recording.until(model.duration))
 }
 
-/// Takes what the spectra that are asked for need, if there are any.
-pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
-    let asked = !model.spectra.is_empty();
-    let grid = || sample_grid(model, rotor);
-    asked.then(|| Recording::new(grid(), model.settle, &model.spectra))
+/// Channels of the spectra of the whole run.
+fn channels(model: &Model, rotor: &Rotor) -> Vec<Channel> {
+    let active = rotor.active_freedoms();
+    match model.analyses.lines {
+        SpectrumLines::All => Channel::of_freedoms(active),
+        SpectrumLines::UpTo(_) | SpectrumLines::Orders(_) => {
+            (0..active).map(Channel::Displacement).collect()
+        }
+    }
 }
 
 /// On a grid of shaft angle where the speed is steady after the settle time at its highest, and so
@@ -115,13 +113,16 @@ fn standing_at(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
 pub(super) fn analyse(
     model: &Model,
     rotor: &Rotor,
-    recorder: Option<Recorder>,
+    recording: Option<&Recording>,
 ) -> Option<Analysis> {
-    let (recorder, window) = recorder.zip(model.spectrum)?;
+    let (recording, window) = recording.zip(model.spectrum)?;
+    let channels = channels(model, rotor);
     let spectrum = match model.analyses.lines {
-        SpectrumLines::All => return recorder.finish(window, &causes(&sources(model, rotor))),
-        SpectrumLines::UpTo(order) => recorder.finish_lines(window, order)?,
-        SpectrumLines::Orders(highest) => recorder.finish_orders(window, highest)?,
+        SpectrumLines::All => {
+            return recording.spectrum(&channels, window, &causes(&sources(model, rotor)));
+        }
+        SpectrumLines::UpTo(order) => recording.lines(&channels, window, order)?,
+        SpectrumLines::Orders(highest) => recording.orders(&channels, window, highest)?,
     };
     let peaks = Vec::new();
     Some(Analysis { spectrum, peaks })

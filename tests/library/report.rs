@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::support::{bearing, mounted};
 use jeffcott::analysis::{
-    Analysis, BearingFrequencies, Recorder, Sources, Spectrum, Window, causes,
+    Analysis, BearingFrequencies, Channel, Recording, SampleGrid, Sources, Spectrum, Window, causes,
 };
 use jeffcott::bearing::{ContactLaw, MountedBearing, catalogue};
 use jeffcott::integrate::{Counters, Method, Settings};
@@ -147,8 +147,10 @@ fn run() -> Run {
         geometry.pitch_diameter(),
         geometry.gamma(),
     );
-    let mut recorder = Recorder::on_angle_grid(3, 0.0, SPEED / TAU, PER_REVOLUTION);
-    samples().iter().for_each(|sample| recorder.record(sample));
+    let channels = Channel::of_freedoms(3);
+    let grid = SampleGrid::of_angle(SPEED / TAU, PER_REVOLUTION);
+    let mut recording = Recording::new(grid, 0.0).with(channels.iter().copied());
+    samples().iter().for_each(|sample| recording.record(sample));
     let natural = NaturalFrequency {
         frequency: 431.0,
         damped_frequency: 430.9,
@@ -164,7 +166,9 @@ fn run() -> Run {
         natural: vec![natural],
         meshing: Vec::new(),
     });
-    let Analysis { spectrum, peaks } = recorder.finish(Window::Rectangular, &lines).unwrap();
+    let Analysis { spectrum, peaks } = recording
+        .spectrum(&channels, Window::Rectangular, &lines)
+        .unwrap();
     Run {
         equilibrium: StaticState {
             displacement: [0.0, -3.3e-6, 1.7e-5, 0.0, 0.0],

@@ -10,10 +10,10 @@ const MOST_OVERSAMPLING: f64 = 8.0;
 const MOST_STEPS: usize = 64;
 
 /// Shaft angle and speed at every sample.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Turning {
-    pub angle: Vec<f64>,
-    pub speed: Vec<f64>,
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Turning<'a> {
+    pub angle: &'a [f64],
+    pub speed: &'a [f64],
 }
 
 /// A place between two samples.
@@ -44,7 +44,7 @@ impl AngleGrid {
     ///
     /// # Errors
     /// [`EstimateError`] where the shaft turns back, stands, or makes less than one revolution.
-    pub fn new(turning: &Turning, rate: f64, start: f64) -> Result<Self, EstimateError> {
+    pub fn new(turning: Turning<'_>, rate: f64, start: f64) -> Result<Self, EstimateError> {
         let Turning { angle, speed } = turning;
         let falls = |pair: &[f64]| pair[1] < pair[0];
         if let Some(sample) = angle.windows(2).position(falls) {
@@ -81,7 +81,7 @@ impl AngleGrid {
     }
 }
 
-impl Turning {
+impl Turning<'_> {
     /// Where rising angles stand.
     fn places(&self, rate: f64, angles: impl Iterator<Item = f64>) -> Vec<Place> {
         let last = self.angle.len().saturating_sub(2);
@@ -142,9 +142,13 @@ mod tests {
         // ψ = ½ α t² from rest
         let (rate, alpha) = (1000.0, 40.0);
         let times = (0..=2000).map(|n| f64::from(n) / rate);
-        let (angle, speed) = times.map(|t| (0.5 * alpha * t * t, alpha * t)).unzip();
-        let turning = Turning { angle, speed };
-        let grid = AngleGrid::new(&turning, rate, 0.0).expect("it turns");
+        let (angle, speed): (Vec<f64>, Vec<f64>) =
+            times.map(|t| (0.5 * alpha * t * t, alpha * t)).unzip();
+        let turning = Turning {
+            angle: &angle,
+            speed: &speed,
+        };
+        let grid = AngleGrid::new(turning, rate, 0.0).expect("it turns");
         assert_eq!(grid.per_revolution, 79); // 1000 · 2π/80
         assert_eq!(grid.oversampling, 8);
         assert!(
@@ -163,15 +167,15 @@ mod tests {
 
     #[test]
     fn what_turns_back_or_hardly_turns_has_no_grid() {
-        let record = |angle: Vec<f64>| Turning {
-            speed: vec![1.0; angle.len()],
-            angle,
+        let grid = |angle: &[f64], start| {
+            let speed = &vec![1.0; angle.len()][..];
+            AngleGrid::new(Turning { angle, speed }, 10.0, start)
         };
-        let back = AngleGrid::new(&record(vec![0.0, 4.0, 3.0, 9.0]), 10.0, 2.0);
+        let back = grid(&[0.0, 4.0, 3.0, 9.0], 2.0);
         assert!(
             matches!(back, Err(EstimateError::TurnsBack { time }) if (time - 2.1).abs() < 1e-12)
         );
-        let little = AngleGrid::new(&record(vec![0.0, 4.0]), 10.0, 2.0);
+        let little = grid(&[0.0, 4.0], 2.0);
         assert!(matches!(little, Err(EstimateError::NoRevolution { .. })));
     }
 }

@@ -2,14 +2,14 @@
 
 use std::borrow::Cow;
 
-use super::angle_grid::AngleGrid;
+use super::angle_grid::{AngleGrid, Turning};
 use super::interpolation::{Interpolation, Motion};
 use super::{
-    Axis, EstimateError, EstimatedSpectrum, Recording, Resampling, Segment, SpectrumColumn,
-    SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch, envelope,
+    Axis, EstimateError, EstimatedSpectrum, Resampling, Segment, SpectrumColumn, SpectrumKind,
+    SpectrumQuantity, SpectrumRequest, Welch, envelope,
 };
 
-use crate::analysis::{Channel, Leak, TopPower, Window, leak, rest_amplitude};
+use crate::analysis::{Channel, Leak, Recording, TopPower, Window, leak, rest_amplitude};
 
 /// A segment of fewer samples makes no spectrum: the widest window mixes nine bins.
 const FEWEST_SAMPLES: usize = 16;
@@ -86,10 +86,7 @@ impl<'a> Record<'a> {
     fn as_recorded(recording: &'a Recording, request: &SpectrumRequest) -> Self {
         let grid = recording.grid;
         let recorded = recording.length();
-        let block = grid
-            .per_revolution
-            .map_or(1, |samples| samples.max(1) as usize);
-        let skipped = recorded % block;
+        let skipped = recorded % grid.block();
         let signal = |channel: &Channel| {
             let samples = &recording.channel(*channel)[skipped..];
             match request.kind {
@@ -120,8 +117,10 @@ impl<'a> Record<'a> {
         request: &SpectrumRequest,
     ) -> Result<Self, EstimateError> {
         let rate = recording.grid.rate;
-        let turning = recording.turning.as_ref();
-        let turning = turning.ok_or(EstimateError::NoRevolution { turns: 0.0 })?;
+        let turning = Turning {
+            angle: recording.channel(Channel::Angle),
+            speed: recording.channel(Channel::Speed),
+        };
         let angles = AngleGrid::new(turning, rate, recording.start())?;
         let mut signals = Vec::new();
         let mut errors = Vec::new();

@@ -104,7 +104,7 @@ impl SpectrumRequest {
     ///
     /// A displacement is interpolated with its first two derivatives, and a velocity as the derivative
     /// of that; of an envelope, and of accelerations and forces, only values are known.
-    pub(super) fn sources(&self, channel: Channel, resampled: bool) -> Vec<Channel> {
+    pub(in crate::analysis) fn sources(&self, channel: Channel, resampled: bool) -> Vec<Channel> {
         let is_plain = !matches!(self.kind, SpectrumKind::Envelope { .. });
         match channel {
             Channel::Displacement(freedom) | Channel::Velocity(freedom)

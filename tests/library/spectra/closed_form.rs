@@ -3,8 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use jeffcott::analysis::{
-    Analysis, BearingFrequencies, Channel, Line, MOST_PEAKS, Peak, Recorder, Sources, Transform,
-    Window, causes, nearest_cause, other_causes,
+    Analysis, BearingFrequencies, Channel, Line, MOST_PEAKS, Peak, Recording, SampleGrid, Sources,
+    Transform, Window, causes, nearest_cause, other_causes,
 };
 use jeffcott::physics::BallPass;
 use jeffcott::rotor::{NaturalFrequency, Sample, Whirl};
@@ -21,11 +21,14 @@ fn cosine(length: usize, bin: f64, amplitude: f64, phase: f64) -> Vec<f64> {
 /// Spectrum and peaks of a signal in x, at a resolution of 1 Hz.
 fn analyse(signal: &[f64], window: Window) -> Analysis {
     let rate = signal.len() as f64;
-    let mut recorder = Recorder::on_time_grid(1, 0.0, 0.0, rate);
+    let channels = Channel::of_freedoms(1);
+    let mut recording =
+        Recording::new(SampleGrid::of_time(rate), 0.0).with(channels.iter().copied());
     for (n, x) in signal.iter().enumerate() {
-        recorder.record(&sample(n as f64 / rate, *x));
+        recording.record(&sample(n as f64 / rate, *x));
     }
-    recorder.finish(window, &[]).expect("enough samples")
+    let analysis = recording.spectrum(&channels, window, &[]);
+    analysis.expect("enough samples")
 }
 
 fn sample(time: f64, x: f64) -> Sample {
@@ -163,11 +166,14 @@ fn at_most_twelve_peaks_strongest_first() {
 
 #[test]
 fn the_window_holds_the_last_whole_revolutions_after_the_settle_time() {
-    let mut recorder = Recorder::on_angle_grid(3, 0.105, 10.0, 32);
+    let channels = Channel::of_freedoms(3);
+    let grid = SampleGrid::of_angle(10.0, 32);
+    let mut recording = Recording::new(grid, 0.105).with(channels.iter().copied());
     for n in 0..=100 {
-        recorder.record(&sample(f64::from(n) / 320.0, 0.0));
+        recording.record(&sample(f64::from(n) / 320.0, 0.0));
     }
-    let spectrum = recorder.finish(Window::Rectangular, &[]).unwrap().spectrum;
+    let analysis = recording.spectrum(&channels, Window::Rectangular, &[]);
+    let spectrum = analysis.unwrap().spectrum;
     // Samples 34 … 100 are recorded: two revolutions of 32, samples 37 … 100.
     assert_eq!(spectrum.length, 64);
     assert!((spectrum.start - 37.0 / 320.0).abs() < 1e-15);
@@ -178,11 +184,13 @@ fn the_window_holds_the_last_whole_revolutions_after_the_settle_time() {
 
 #[test]
 fn less_than_a_revolution_makes_no_spectrum() {
-    let mut recorder = Recorder::on_angle_grid(2, 0.0, 10.0, 32);
+    let channels = Channel::of_freedoms(2);
+    let grid = SampleGrid::of_angle(10.0, 32);
+    let mut recording = Recording::new(grid, 0.0).with(channels.iter().copied());
     for n in 0..31 {
-        recorder.record(&sample(f64::from(n) / 320.0, 0.0));
+        recording.record(&sample(f64::from(n) / 320.0, 0.0));
     }
-    assert_eq!(recorder.finish(Window::Hann, &[]), None);
+    assert_eq!(recording.spectrum(&channels, Window::Hann, &[]), None);
 }
 
 /// Lines of a shaft, of bearings whose cages follow their balls, and of natural frequencies.

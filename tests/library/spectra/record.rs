@@ -61,7 +61,7 @@ pub fn estimated(
         shaft_frequency: 0.0,
         per_revolution: None,
     };
-    let mut recording = Recording::new(grid, 0.0, std::slice::from_ref(request));
+    let mut recording = Recording::new(grid, 0.0).with_requests(std::slice::from_ref(request));
     for n in 0..count {
         let time = n as f64 / RATE;
         let now = motion(time);

@@ -1,0 +1,156 @@
+//! The columns of a run that spectra are taken of.
+
+use super::{Axis, Channel, SpectrumRequest};
+use crate::rotor::Sample;
+
+/// Most samples that room is made for before they come.
+const FORESEEN: usize = 1 << 16;
+
+/// How the samples of a run follow each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SampleGrid {
+    /// Samples a second.
+    pub rate: f64,
+    /// Frequency of a shaft of constant speed, Hz; zero where it changes or stands.
+    pub shaft_frequency: f64,
+    /// Samples a revolution, where that is a whole number at constant speed.
+    pub per_revolution: Option<u32>,
+}
+
+impl SampleGrid {
+    /// So many samples a revolution of a shaft that turns at a constant frequency in Hz.
+    pub fn of_angle(shaft_frequency: f64, per_revolution: u32) -> Self {
+        Self {
+            rate: shaft_frequency * f64::from(per_revolution),
+            shaft_frequency,
+            per_revolution: Some(per_revolution),
+        }
+    }
+
+    /// So many samples a second, whatever the shaft does.
+    pub fn of_time(rate: f64) -> Self {
+        Self {
+            rate,
+            shaft_frequency: 0.0,
+            per_revolution: None,
+        }
+    }
+
+    /// Number of samples of which a record holds a multiple, so that what turns with the shaft stands on a bin.
+    pub(super) fn block(&self) -> usize {
+        self.per_revolution
+            .map_or(1, |samples| samples.max(1) as usize)
+    }
+}
+
+/// Collects columns after the settle time, at equal steps of time.
+///
+/// ```
+/// use jeffcott::analysis::{Channel, Recording, SampleGrid, Window};
+/// use jeffcott::rotor::Sample;
+/// // 1 µm at the shaft frequency of 50 Hz, 64 samples a revolution, 0.1 s of 0.5 s left out.
+/// let mut recording = Recording::new(SampleGrid::of_angle(50.0, 64), 0.1).with([Channel::Displacement(0)]);
+/// for n in 0..=1600 {
+///     let angle = std::f64::consts::TAU * f64::from(n) / 64.0;
+///     recording.record(&Sample {
+///         time: f64::from(n) / 3200.0,
+///         displacement: [1e-6 * angle.cos(), 0.0, 0.0, 0.0, 0.0],
+///         ..Sample::default()
+///     });
+/// }
+/// let analysis = recording.spectrum(&[Channel::Displacement(0)], Window::Rectangular, &[]).unwrap();
+/// assert_eq!(analysis.spectrum.length, 20 * 64);
+/// assert_eq!(analysis.peaks.len(), 1);
+/// assert!((analysis.peaks[0].frequency - 50.0).abs() < 1e-9);
+/// assert!((analysis.peaks[0].amplitude - 1e-6).abs() < 1e-15);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Recording {
+    pub(super) grid: SampleGrid,
+    settle: f64,
+    channels: Vec<(Channel, Vec<f64>)>,
+    /// Time of the first recorded sample, s.
+    start: Option<f64>,
+}
+
+impl Recording {
+    /// Of samples on `grid`, without the first `settle` seconds; of no column so far.
+    pub fn new(grid: SampleGrid, settle: f64) -> Self {
+        Self {
+            grid,
+            settle,
+            channels: Vec::new(),
+            start: None,
+        }
+    }
+
+    /// With further columns, each once.
+    #[must_use]
+    pub fn with(mut self, channels: impl IntoIterator<Item = Channel>) -> Self {
+        for channel in channels {
+            if self.channels.iter().all(|(known, _)| *known != channel) {
+                self.channels.push((channel, Vec::new()));
+            }
+        }
+        self
+    }
+
+    /// With all columns that spectra are estimated from.
+    #[must_use]
+    pub fn with_requests(mut self, requests: &[SpectrumRequest]) -> Self {
+        for request in requests {
+            let resampled = request.axis == Axis::Order && self.grid.per_revolution.is_none();
+            if resampled {
+                self = self.with([Channel::Angle, Channel::Speed]);
+            }
+            let channels = request.channels.iter();
+            self = self.with(channels.flat_map(|channel| request.sources(*channel, resampled)));
+        }
+        self
+    }
+
+    /// With room for the samples of a run that ends at a time, s.
+    #[must_use]
+    pub fn until(mut self, end: f64) -> Self {
+        let expected = (end - self.settle) * self.grid.rate + 2.0;
+        for (_, values) in &mut self.channels {
+            values.reserve((expected as usize).min(FORESEEN));
+        }
+        self
+    }
+
+    /// Whether samples must come with their accelerations.
+    pub fn needs_acceleration(&self) -> bool {
+        let mut channels = self.channels.iter();
+        channels.any(|(channel, _)| matches!(channel, Channel::Acceleration(_)))
+    }
+
+    /// Takes one sample; those before the settle time are dropped.
+    pub fn record(&mut self, sample: &Sample) {
+        if sample.time < self.settle {
+            return;
+        }
+        self.start.get_or_insert(sample.time);
+        for (channel, values) in &mut self.channels {
+            values.extend(channel.of(sample));
+        }
+    }
+
+    /// Values of a column; none where it was not asked for.
+    pub(super) fn channel(&self, channel: Channel) -> &[f64] {
+        let mut channels = self.channels.iter();
+        let found = channels.find(|(known, _)| *known == channel);
+        found.map_or(&[], |(_, values)| values)
+    }
+
+    /// Number of samples recorded of every column.
+    pub(super) fn length(&self) -> usize {
+        let lengths = self.channels.iter().map(|(_, values)| values.len());
+        lengths.min().unwrap_or(0)
+    }
+
+    /// Time of the first one, s.
+    pub(super) fn start(&self) -> f64 {
+        self.start.unwrap_or(self.settle)
+    }
+}
