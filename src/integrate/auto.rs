@@ -72,6 +72,11 @@ impl Choice {
         }
     }
 
+    /// Whether the exponential method carries the run, which another one may still take over.
+    pub fn is_open(&self) -> bool {
+        self.method_use.latest() == Method::Exponential
+    }
+
     /// Takes note of how a step of the exponential method ended at a time, s, and whether it crossed an event surface;
     /// whether the explicit pair is to go on from there.
     ///

@@ -51,19 +51,20 @@ impl<'a> Integration<'a> {
             deviation: deviation.map(|(state, origin)| state - origin).collect(),
             step: 0.0,
             counters: Counters::default(),
-            method_use: open.then(|| MethodUse::of(system)),
+            interval: grid.interval,
         };
+        let method_use = open.then(|| MethodUse::of(system));
         let scaled = scaling.scaled(state);
         let problem = Problem::over(&grid, system, &scaling, &settings, stop);
         Self {
-            stepper: Stepper::new(settings.method, &problem, &start, grid.interval),
+            stepper: Stepper::new(settings.method, method_use, &problem, &start),
             checkpoint: Checkpoint {
                 next: 0,
                 scaled: scaled.clone(),
                 step: 0.0,
                 counters: Counters::default(),
                 stiffness: None,
-                method_use: start.method_use,
+                method_use,
             },
             system,
             scaling,
@@ -122,10 +123,10 @@ impl<'a> Integration<'a> {
                 deviation: self.scaling.deviation(&self.scaled),
                 step: self.step,
                 counters: self.counters,
-                method_use: self.checkpoint.method_use,
+                interval: self.grid.interval,
             };
-            let (method, interval) = (self.settings.method, self.grid.interval);
-            self.stepper = Stepper::new(method, &self.problem(), &start, interval);
+            let (method, method_use) = (self.settings.method, self.checkpoint.method_use);
+            self.stepper = Stepper::new(method, method_use, &self.problem(), &start);
         }
     }
 
@@ -221,7 +222,7 @@ impl<'a> Integration<'a> {
     /// Finds the state at the next grid time.
     fn next_state(&mut self) -> Result<(), IntegrateError> {
         let time = self.grid.time(self.next);
-        let is_within = self.stepper.time() >= time;
+        let is_within = self.stepper.method().time() >= time;
         let (scaling, settings) = (&self.scaling, &self.settings);
         let problem = Problem::over(&self.grid, self.system, scaling, settings, self.stop);
         let result = self.stepper.state_at(&problem, time, &mut self.state);
@@ -238,7 +239,7 @@ impl<'a> Integration<'a> {
 
     /// Ends a run that stability keeps from its end.
     fn give_up_where_stiff(&self) -> Result<(), IntegrateError> {
-        let time = self.stepper.time();
+        let time = self.stepper.method().time();
         let stiffness = self.find_stiffness(time);
         let ending = |found: Stiffness| found.ending(&self.problem(), self.counters.steps);
         stiffness.and_then(ending).map_or(Ok(()), Err)
@@ -252,9 +253,9 @@ impl<'a> Integration<'a> {
                 stiffness(&problem, method.stability_limit(), time, &deviation, step)
             }
             None => {
-                let (limit, deviation) =
-                    (self.stepper.stability_limit()?, self.stepper.deviation());
-                stiffness(&problem, limit, time, deviation, step)
+                let method = self.stepper.method();
+                let limit = method.stability_limit()?;
+                stiffness(&problem, limit, time, method.deviation(), step)
             }
         }
     }

@@ -12,6 +12,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::control::Control;
 use super::problem::{Problem, STRETCH};
+use super::stepper::{MethodStepper, Start};
 use super::{Counters, IntegrateError};
 
 const GAMMA: f64 = 0.25;
@@ -104,7 +105,6 @@ const GROW: f64 = 6.0;
 const FIRST_STEP: f64 = 1e-3;
 
 /// The latest step, and how to go on, in scaled states.
-#[derive(Debug, Clone)]
 pub(super) struct RosenbrockStepper {
     /// Start and end of the latest step, s.
     start: f64,
@@ -131,15 +131,9 @@ pub(super) struct RosenbrockStepper {
 }
 
 impl RosenbrockStepper {
-    /// At a time, s, in a deviation from the origin, with what was counted before; a size of zero lets the first step find its
-    /// own.
-    pub fn new(
-        problem: &Problem<'_>,
-        time: f64,
-        deviation: &[f64],
-        size: f64,
-        counters: Counters,
-    ) -> Self {
+    /// Before the first step.
+    pub fn new(problem: &Problem<'_>, start: &Start) -> Self {
+        let (time, deviation, size) = (start.time, &start.deviation, start.step);
         let states = deviation.len();
         let scaled = DVector::from_column_slice(deviation);
         let scaled = scaled.component_div(&DVector::from_column_slice(&problem.scaling.scale));
@@ -152,87 +146,14 @@ impl RosenbrockStepper {
             limit: time,
             from: scaled.clone(),
             to: scaled,
-            deviation: deviation.to_vec(),
+            deviation: deviation.clone(),
             control: Control::new(SAFETY, GROW),
             fault: false,
-            counters,
+            counters: start.counters,
             jacobian: DMatrix::zeros(states, states),
             by_time: DVector::zeros(states),
             stages: std::array::from_fn(|_| DVector::zeros(states)),
-            state: deviation.to_vec(),
-        }
-    }
-
-    /// End of the latest step, s.
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
-    /// Size of the step to come, s.
-    pub fn step_size(&self) -> f64 {
-        self.next_size
-    }
-
-    /// Deviation at the end of the latest step.
-    pub fn deviation(&self) -> &[f64] {
-        &self.deviation
-    }
-
-    /// Work done so far.
-    pub fn counters(&self) -> Counters {
-        self.counters
-    }
-
-    /// Writes the state at a time that is neither before the start of the latest step nor after its end.
-    pub fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
-        if time >= self.time {
-            problem.write_state(&self.deviation, state);
-            return;
-        }
-        let theta = (time - self.start) / self.size;
-        let rest = 1.0 - theta;
-        let [second, third] = DENSE.map(|row| combine(&row, &self.stages));
-        let bent = (second + third * theta) * rest;
-        let scaled = &self.from * rest + (&self.to + bent) * theta;
-        problem.scaling.write_state(scaled.as_slice(), state);
-    }
-
-    /// Takes a step.
-    ///
-    /// # Errors
-    /// Why the run ends here.
-    pub fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
-        self.start = self.time;
-        self.from.copy_from(&self.to);
-        if self.time >= self.limit {
-            self.limit = problem.limit_after(self.time);
-        }
-        self.linearise(problem);
-        loop {
-            problem.check(self.start, self.next_size, &self.counters, self.fault)?;
-            let cut = self.start + STRETCH * self.next_size >= self.limit;
-            let end = if cut {
-                self.limit
-            } else {
-                self.start + self.next_size
-            };
-            self.size = end - self.start;
-            problem.check_progress([self.start, end], self.size, self.fault)?;
-            let error = self.trial(problem);
-            if error <= 1.0 {
-                let growth = self.control.accepted(error, ERROR_POWER);
-                if !cut {
-                    self.next_size = self.size * growth;
-                }
-                self.time = end;
-                self.deviation = problem.scaling.deviation(self.to.as_slice());
-                self.counters.steps += 1;
-                self.fault = false;
-                return Ok(());
-            }
-            self.counters.rejected += 1;
-            self.fault |= error == f64::INFINITY;
-            self.next_size = self.size * self.control.rejected(error, ERROR_POWER);
+            state: deviation.clone(),
         }
     }
 
@@ -293,6 +214,72 @@ impl RosenbrockStepper {
             .sum();
         let norm = (sum / self.to.len() as f64).sqrt();
         if norm.is_nan() { f64::INFINITY } else { norm }
+    }
+}
+
+impl MethodStepper for RosenbrockStepper {
+    fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
+        self.start = self.time;
+        self.from.copy_from(&self.to);
+        if self.time >= self.limit {
+            self.limit = problem.limit_after(self.time);
+        }
+        self.linearise(problem);
+        loop {
+            problem.check(self.start, self.next_size, &self.counters, self.fault)?;
+            let cut = self.start + STRETCH * self.next_size >= self.limit;
+            let end = if cut {
+                self.limit
+            } else {
+                self.start + self.next_size
+            };
+            self.size = end - self.start;
+            problem.check_progress([self.start, end], self.size, self.fault)?;
+            let error = self.trial(problem);
+            if error <= 1.0 {
+                let growth = self.control.accepted(error, ERROR_POWER);
+                if !cut {
+                    self.next_size = self.size * growth;
+                }
+                self.time = end;
+                self.deviation = problem.scaling.deviation(self.to.as_slice());
+                self.counters.steps += 1;
+                self.fault = false;
+                return Ok(());
+            }
+            self.counters.rejected += 1;
+            self.fault |= error == f64::INFINITY;
+            self.next_size = self.size * self.control.rejected(error, ERROR_POWER);
+        }
+    }
+
+    fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
+        if time >= self.time {
+            problem.write_state(&self.deviation, state);
+            return;
+        }
+        let theta = (time - self.start) / self.size;
+        let rest = 1.0 - theta;
+        let [second, third] = DENSE.map(|row| combine(&row, &self.stages));
+        let bent = (second + third * theta) * rest;
+        let scaled = &self.from * rest + (&self.to + bent) * theta;
+        problem.scaling.write_state(scaled.as_slice(), state);
+    }
+
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn deviation(&self) -> &[f64] {
+        &self.deviation
+    }
+
+    fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    fn step_size(&self) -> f64 {
+        self.next_size
     }
 }
 

@@ -1,38 +1,43 @@
 //! The stepper of the method in use.
 
 use super::auto::{Choice, MethodUse};
-use super::explicit::{ExplicitStepper, STABILITY};
 use super::exponential::ExponentialStepper;
 use super::problem::Problem;
 use super::rosenbrock::RosenbrockStepper;
-use super::{Counters, IntegrateError, Method};
+use super::{Counters, IntegrateError, Method, explicit};
 
-/// The stepper of a method of this crate, whose steps do not end with a block of samples.
-#[derive(Debug, Clone)]
-pub(super) struct Stepper {
-    of: Of,
-    /// Where the choice of the method is left open.
-    choice: Option<Choice>,
-    /// Interval of the samples, s.
-    interval: f64,
-}
+/// A method of this crate under way: its steps do not end with a block of samples.
+pub(super) trait MethodStepper {
+    /// Takes a step.
+    ///
+    /// # Errors
+    /// Why the run ends here.
+    fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError>;
 
-#[derive(Debug, Clone)]
-enum Of {
-    Explicit(Box<ExplicitStepper>),
-    Exponential(Box<ExponentialStepper>),
-    Rosenbrock(Box<RosenbrockStepper>),
-}
+    /// Writes the state at a sample that is neither before the start of the latest step nor after its end.
+    fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]);
 
-/// The same of each.
-macro_rules! each {
-    ($of:expr, $stepper:ident => $value:expr) => {
-        match $of {
-            Of::Explicit($stepper) => $value,
-            Of::Exponential($stepper) => $value,
-            Of::Rosenbrock($stepper) => $value,
-        }
-    };
+    /// End of the latest step, s.
+    fn time(&self) -> f64;
+
+    /// Deviation from the scaling's origin at the end of the latest step.
+    fn deviation(&self) -> &[f64];
+
+    /// Work done so far.
+    fn counters(&self) -> Counters;
+
+    /// Size of the latest step or of the one to come, s; zero before the first.
+    fn step_size(&self) -> f64;
+
+    /// Product of step and largest eigenvalue at which the method ceases to be stable; none where nothing holds it.
+    fn stability_limit(&self) -> Option<f64> {
+        None
+    }
+
+    /// Whether the latest step crossed event surfaces without ending on them.
+    fn crossed(&self) -> bool {
+        false
+    }
 }
 
 /// Where a stepper begins.
@@ -46,45 +51,53 @@ pub(super) struct Start {
     pub step: f64,
     /// Work done before.
     pub counters: Counters,
-    /// Which method has carried the run, where the choice is left open.
-    pub method_use: Option<MethodUse>,
+    /// Interval of the samples, s.
+    pub interval: f64,
 }
 
-impl Of {
-    fn new(method: Method, problem: &Problem<'_>, start: &Start, interval: f64) -> Self {
-        let Start {
-            time,
-            ref deviation,
+#[cfg(test)]
+impl Start {
+    /// At time zero in a deviation, with samples a second apart.
+    pub fn in_deviation(deviation: &[f64], step: f64) -> Self {
+        Self {
+            time: 0.0,
+            deviation: deviation.to_vec(),
             step,
-            counters,
-            ..
-        } = *start;
-        match method {
-            Method::Exponential => {
-                let times = [time, interval];
-                let stepper = ExponentialStepper::new(problem, times, deviation, step, counters);
-                Self::Exponential(Box::new(stepper))
-            }
-            Method::Rodas => {
-                let stepper = RosenbrockStepper::new(problem, time, deviation, step, counters);
-                Self::Rosenbrock(Box::new(stepper))
-            }
-            _ => {
-                let stepper = ExplicitStepper::new(problem, time, deviation, step, counters);
-                Self::Explicit(Box::new(stepper))
-            }
+            counters: Counters::default(),
+            interval: 1.0,
         }
     }
 }
 
+fn stepper_of(method: Method, problem: &Problem<'_>, start: &Start) -> Box<dyn MethodStepper> {
+    match method {
+        Method::Rodas => Box::new(RosenbrockStepper::new(problem, start)),
+        _ => explicit::stepper(method, problem, start)
+            .unwrap_or_else(|| Box::new(ExponentialStepper::new(problem, start))),
+    }
+}
+
+/// The stepper of the method in use, and the rule that may change it.
+pub(super) struct Stepper {
+    method: Box<dyn MethodStepper>,
+    /// Where the choice of the method is left open.
+    choice: Option<Choice>,
+    interval: f64,
+}
+
 impl Stepper {
-    /// By a method, before samples at an interval, s.
-    pub fn new(method: Method, problem: &Problem<'_>, start: &Start, interval: f64) -> Self {
-        let method = start.method_use.map_or(method, |used| used.latest());
+    /// By a method; `method_use` says which one has carried the run, where the choice is left open.
+    pub fn new(
+        method: Method,
+        method_use: Option<MethodUse>,
+        problem: &Problem<'_>,
+        start: &Start,
+    ) -> Self {
+        let method = method_use.map_or(method, |used| used.latest());
         Self {
-            of: Of::new(method, problem, start, interval),
-            choice: start.method_use.map(Choice::new),
-            interval,
+            method: stepper_of(method, problem, start),
+            choice: method_use.map(Choice::new),
+            interval: start.interval,
         }
     }
 
@@ -98,18 +111,19 @@ impl Stepper {
         time: f64,
         state: &mut [f64],
     ) -> Result<(), IntegrateError> {
-        while self.time() < time {
+        while self.method.time() < time {
             self.step(problem)?;
         }
-        each!(&mut self.of, stepper => stepper.state_within(problem, time, state));
+        self.method.state_within(problem, time, state);
         Ok(())
     }
 
     fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
-        let (Of::Exponential(stepper), Some(choice)) = (&mut self.of, &mut self.choice) else {
-            return each!(&mut self.of, stepper => stepper.step(problem));
+        let ending = self.method.step(problem);
+        let Some(choice) = self.choice.as_mut().filter(|choice| choice.is_open()) else {
+            return ending;
         };
-        let ending = stepper.step(problem);
+        let stepper = &self.method;
         if choice.is_over(ending, stepper.time(), stepper.crossed())? {
             let start = Start {
                 time: stepper.time(),
@@ -117,16 +131,16 @@ impl Stepper {
                 // the pair finds its own first step
                 step: 0.0,
                 counters: stepper.counters(),
-                method_use: None,
+                interval: self.interval,
             };
-            self.of = Of::new(Method::Verner76, problem, &start, self.interval);
+            self.method = stepper_of(choice.method_use.latest(), problem, &start);
         }
         Ok(())
     }
 
-    /// Product of step and largest eigenvalue at which the method ceases to be stable; none where nothing holds it.
-    pub fn stability_limit(&self) -> Option<f64> {
-        matches!(self.of, Of::Explicit(_)).then_some(STABILITY)
+    /// The method.
+    pub fn method(&self) -> &dyn MethodStepper {
+        &*self.method
     }
 
     /// Which method carried the run, where the choice is left open.
@@ -134,18 +148,8 @@ impl Stepper {
         self.choice.as_ref().map(|choice| choice.method_use)
     }
 
-    /// End of the latest step, s.
-    pub fn time(&self) -> f64 {
-        each!(&self.of, stepper => stepper.time())
-    }
-
-    /// Deviation at the end of the latest step.
-    pub fn deviation(&self) -> &[f64] {
-        each!(&self.of, stepper => stepper.deviation())
-    }
-
     /// Work done so far, and the size of the latest step or of the one to come, s.
     pub fn progress(&self) -> (Counters, f64) {
-        each!(&self.of, stepper => (stepper.counters(), stepper.step_size()))
+        (self.method.counters(), self.method.step_size())
     }
 }

@@ -9,6 +9,7 @@ use nalgebra::linalg::Schur;
 
 use super::problem::Problem;
 use super::rosenbrock::RosenbrockStepper;
+use super::stepper::{MethodStepper, Start};
 use super::{Counters, IntegrateError, Settings};
 
 /// Part of the stability limit from which on a step counts as held by it: step sizes swing below it.
@@ -120,8 +121,14 @@ fn implicit_step(problem: &Problem<'_>, time: f64, deviation: &[f64], step: f64)
         end: (time + TRIAL * step).min(problem.system.next_break(time + step)),
         ..*problem
     };
-    let counters = Counters::default();
-    let mut stepper = RosenbrockStepper::new(&trial, time, deviation, step, counters);
+    let start = Start {
+        time,
+        deviation: deviation.to_vec(),
+        step,
+        counters: Counters::default(),
+        interval: step,
+    };
+    let mut stepper = RosenbrockStepper::new(&trial, &start);
     while stepper.time() < trial.end && stepper.step(&trial).is_ok() {}
     stepper.step_size()
 }

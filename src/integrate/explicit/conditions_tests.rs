@@ -1,14 +1,25 @@
-//! The pair fulfils the order conditions: all of them, tree by tree.
+//! A pair fulfils the order conditions: all of them, tree by tree.
 //!
 //! Source: Hairer, Nørsett & Wanner, *Solving Ordinary Differential Equations I*, sec. II.2: a method
 //! has order p where Σ_i b_i Φ_i(t) = 1/γ(t) for all rooted trees t of order up to p; an interpolant
 //! where Σ_i b_i(θ) Φ_i(t) = θ^r/γ(t) for the trees of order r.
 
-use super::verner76::{
-    CROSSED, DENSE, ERROR, FACTORS, LAST, NODES, ORDER, STABILITY, STAGES, dense_weights,
-};
+use super::pair::{ExplicitPair, MOST_STAGES, entry, row};
 
-/// A rooted tree: the subtrees at its root, as places in the list of all trees.
+/// A row of coefficients, a stage each.
+type Weights = [f64; MOST_STAGES];
+
+/// A row of the tableau, filled up with zeros.
+fn padded(row: &[f64]) -> Weights {
+    std::array::from_fn(|stage| entry(row, stage))
+}
+
+/// a_ij of a stage.
+fn factors<P: ExplicitPair>(stage: usize) -> Weights {
+    padded(row(P::FACTORS, stage))
+}
+
+/// A rooted tree: the subtrees at its root, as positions in the list of all trees.
 struct Tree {
     order: usize,
     subtrees: Vec<usize>,
@@ -36,7 +47,7 @@ fn trees(most: usize) -> Vec<Tree> {
     trees
 }
 
-/// Choices of trees, from a place of the list on, whose orders add up to `left`.
+/// Choices of trees, from a position of the list on, whose orders add up to `left`.
 fn collect(
     trees: &[Tree],
     left: usize,
@@ -58,13 +69,13 @@ fn collect(
 }
 
 /// Φ_i of every tree.
-fn elementary(trees: &[Tree]) -> Vec<[f64; STAGES]> {
-    let mut all: Vec<[f64; STAGES]> = Vec::new();
+fn elementary<P: ExplicitPair>(trees: &[Tree]) -> Vec<Weights> {
+    let mut all: Vec<Weights> = Vec::new();
     for tree in trees {
-        let mut weights = [1.0; STAGES];
+        let mut weights = [1.0; MOST_STAGES];
         for &subtree in &tree.subtrees {
             for (stage, weight) in weights.iter_mut().enumerate() {
-                *weight *= dot(&FACTORS[stage], &all[subtree]);
+                *weight *= dot(&factors::<P>(stage), &all[subtree]);
             }
         }
         all.push(weights);
@@ -72,21 +83,21 @@ fn elementary(trees: &[Tree]) -> Vec<[f64; STAGES]> {
     all
 }
 
-fn dot(left: &[f64; STAGES], right: &[f64; STAGES]) -> f64 {
+fn dot(left: &Weights, right: &Weights) -> f64 {
     left.iter().zip(right).map(|(a, b)| a * b).sum()
 }
 
 /// Largest deviation of weights b_i(θ) from the conditions up to an order.
-fn deviation(weights: &[f64; STAGES], part: f64, order: usize) -> f64 {
+fn deviation<P: ExplicitPair>(weights: &Weights, part: f64, order: usize) -> f64 {
     let trees = trees(order);
-    let conditions = elementary(&trees);
-    let off = |(tree, phi): (&Tree, &[f64; STAGES])| {
+    let conditions = elementary::<P>(&trees);
+    let off = |(tree, phi): (&Tree, &Weights)| {
         (dot(weights, phi) - part.powi(tree.order as i32) / tree.gamma).abs()
     };
     trees.iter().zip(&conditions).map(off).fold(0.0, f64::max)
 }
 
-fn difference(left: &[f64; STAGES], right: &[f64; STAGES]) -> [f64; STAGES] {
+fn difference(left: &Weights, right: &Weights) -> Weights {
     std::array::from_fn(|stage| left[stage] - right[stage])
 }
 
@@ -97,73 +108,86 @@ const ROUND_OFF_DENSE: f64 = 2e-12;
 const BROKEN: f64 = 1e-9;
 
 /// The weights have an order and not the next one.
-fn has_order(weights: &[f64; STAGES], part: f64, order: usize, round_off: f64) {
-    let holds = deviation(weights, part, order);
+fn has_order<P: ExplicitPair>(weights: &Weights, part: f64, order: usize, round_off: f64) {
+    let holds = deviation::<P>(weights, part, order);
     assert!(holds < round_off, "order {order} at {part}: {holds:e}");
-    let broken = deviation(weights, part, order + 1);
+    let broken = deviation::<P>(weights, part, order + 1);
     assert!(broken > BROKEN, "order {} at {part}: {broken:e}", order + 1);
 }
 
-fn nodes_are_row_sums() {
-    for stage in 0..STAGES {
-        let row = &FACTORS[stage];
+fn nodes_are_row_sums<P: ExplicitPair>() {
+    assert_eq!(P::FACTORS.len(), P::NODES.len());
+    for (stage, (row, node)) in P::FACTORS.iter().zip(P::NODES).enumerate() {
         let sum: f64 = row.iter().sum();
-        assert!(
-            (sum - NODES[stage]).abs() < ROUND_OFF,
-            "stage {stage}: {sum}"
-        );
-        assert!(
-            row[stage..].iter().all(|later| *later == 0.0),
-            "stage {stage}"
-        );
+        assert!((sum - node).abs() < ROUND_OFF, "stage {stage}: {sum}");
+        assert!(row.len() <= stage, "stage {stage}");
     }
 }
 
-fn interpolant_meets_the_ends() {
-    let end = difference(&dense_weights(1.0), &FACTORS[LAST]);
+fn interpolant_meets_the_ends<P: ExplicitPair>() {
+    let end = difference(&P::dense_weights(1.0), &factors::<P>(P::LAST));
     assert!(
         end.iter().all(|weight| weight.abs() < ROUND_OFF_DENSE),
         "{end:?}"
     );
     // it leaves along the first stage
-    for (stage, row) in DENSE.iter().enumerate() {
+    for (stage, row) in P::DENSE.iter().enumerate() {
         let expected = if stage == 0 { 1.0 } else { 0.0 };
         assert!(
-            (row[0] - expected).abs() < ROUND_OFF,
+            (entry(row, 0) - expected).abs() < ROUND_OFF,
             "stage {stage}: {row:?}"
         );
     }
 }
 
-fn check(embedded: usize, interpolant: usize) {
-    nodes_are_row_sums();
-    interpolant_meets_the_ends();
-    let weights = FACTORS[LAST];
-    has_order(&weights, 1.0, ORDER as usize, ROUND_OFF);
-    has_order(
-        &difference(&weights, &FACTORS[ERROR]),
-        1.0,
-        embedded,
-        ROUND_OFF,
-    );
-    for part in [0.1, 0.37, 0.6, 0.83] {
-        has_order(&dense_weights(part), part, interpolant, ROUND_OFF_DENSE);
-    }
-}
-
 /// |R(−z)|, R the factor by which a step multiplies a decaying motion.
-fn decay(z: f64) -> f64 {
-    let mut slopes = [0.0; STAGES];
-    for stage in 0..=LAST {
-        slopes[stage] = -z * (1.0 + dot(&FACTORS[stage], &slopes));
+fn decay<P: ExplicitPair>(z: f64) -> f64 {
+    let mut slopes = [0.0; MOST_STAGES];
+    for stage in 0..=P::LAST {
+        slopes[stage] = -z * (1.0 + dot(&factors::<P>(stage), &slopes));
     }
-    (1.0 + dot(&FACTORS[LAST], &slopes)).abs()
+    (1.0 + dot(&factors::<P>(P::LAST), &slopes)).abs()
 }
 
-#[test]
-fn limits_of_stability_are_those_of_the_coefficients() {
-    assert!(decay(0.98 * STABILITY) < 1.0);
-    assert!(decay(1.02 * STABILITY) > 1.0);
+fn limit_of_stability_is_that_of_the_coefficients<P: ExplicitPair>() {
+    assert!(decay::<P>(0.98 * P::STABILITY) < 1.0);
+    assert!(decay::<P>(1.02 * P::STABILITY) > 1.0);
+}
+
+/// Error of a quadrature by weights at nodes of 0 … 1, root mean square over the positions where a power 3/2 begins.
+fn error_over_a_kink(weights: &[f64], nodes: &[f64]) -> f64 {
+    const POSITIONS: u32 = 2000;
+    let error = |position: f64| {
+        let value = |node: &f64| (node - position).max(0.0).powf(1.5);
+        let terms = weights.iter().zip(nodes);
+        let sum: f64 = terms.map(|(weight, node)| weight * value(node)).sum();
+        // ∫ x^(3/2) = 2/5 x^(5/2)
+        0.4 * (1.0 - position).powf(2.5) - sum
+    };
+    let positions = (0..=POSITIONS).map(|position| f64::from(position) / f64::from(POSITIONS));
+    let squares: f64 = positions.map(|position| error(position).powi(2)).sum();
+    (squares / f64::from(POSITIONS + 1)).sqrt()
+}
+
+fn the_error_over_a_kink_is_as_stated<P: ExplicitPair>() {
+    let found = error_over_a_kink(P::FACTORS[P::LAST], P::NODES);
+    assert!((found / P::CROSSED - 1.0).abs() < 0.02, "{found}");
+}
+
+/// Checks all that a pair states: the orders of its embedded method and of its interpolant are given.
+pub(super) fn check<P: ExplicitPair>(embedded: usize, interpolant: usize) {
+    nodes_are_row_sums::<P>();
+    interpolant_meets_the_ends::<P>();
+    let weights = factors::<P>(P::LAST);
+    has_order::<P>(&weights, 1.0, P::ORDER as usize, ROUND_OFF);
+    let embedded_weights = difference(&weights, &padded(P::ERROR));
+    has_order::<P>(&embedded_weights, 1.0, embedded, ROUND_OFF);
+    for part in [0.1, 0.37, 0.6, 0.83] {
+        let weights = P::dense_weights(part);
+        has_order::<P>(&weights, part, interpolant, ROUND_OFF_DENSE);
+    }
+    limit_of_stability_is_that_of_the_coefficients::<P>();
+    the_error_over_a_kink_is_as_stated::<P>();
 }
 
 #[test]
@@ -173,30 +197,4 @@ fn there_are_as_many_trees_as_known() {
         .map(|order| trees.iter().filter(|tree| tree.order == order).count())
         .collect();
     assert_eq!(counts, [1, 1, 2, 4, 9, 20, 48, 115]);
-}
-
-#[test]
-fn verner76_has_orders_seven_and_six_and_its_interpolant_six() {
-    check(6, 6);
-}
-
-/// Error of a quadrature by weights at nodes of 0 … 1, root mean square over the places where a power 3/2 begins.
-fn error_over_a_kink(weights: &[f64], nodes: &[f64]) -> f64 {
-    const PLACES: u32 = 2000;
-    let error = |place: f64| {
-        let value = |node: &f64| (node - place).max(0.0).powf(1.5);
-        let terms = weights.iter().zip(nodes);
-        let sum: f64 = terms.map(|(weight, node)| weight * value(node)).sum();
-        // ∫ x^(3/2) = 2/5 x^(5/2)
-        0.4 * (1.0 - place).powf(2.5) - sum
-    };
-    let places = (0..=PLACES).map(|place| f64::from(place) / f64::from(PLACES));
-    let squares: f64 = places.map(|place| error(place).powi(2)).sum();
-    (squares / f64::from(PLACES + 1)).sqrt()
-}
-
-#[test]
-fn the_error_over_a_kink_is_as_stated() {
-    let found = error_over_a_kink(&FACTORS[LAST], &NODES);
-    assert!((found / CROSSED - 1.0).abs() < 0.02, "{found}");
 }

@@ -5,9 +5,9 @@
 //! on the surface, and the one after it begins there, each in a variable in which it is smooth.
 
 use super::landing::AT_END;
+use super::pair::ExplicitPair;
 use super::plan::Plan;
 use super::stepper::ExplicitStepper;
-use super::verner76::CROSSED;
 use crate::integrate::System;
 use crate::integrate::event_check::{EventCheck, EventStep};
 use crate::integrate::problem::Problem;
@@ -93,7 +93,7 @@ impl Crossings {
     }
 }
 
-impl ExplicitStepper {
+impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Whether crossing an event surface spoils the trial: landings are then planned.
     pub(super) fn is_spoiled(&mut self, problem: &Problem<'_>, plan: &Plan, error: f64) -> bool {
         self.crossing.is_ahead_known = false;
@@ -138,7 +138,7 @@ impl ExplicitStepper {
             if plan.lands_on(self.crossing.due[event]) {
                 step.error_beside(event, &mut rate) > BESIDE
             } else {
-                step.error_over(event, CROSSED, &mut rate) > let_pass
+                step.error_over(event, P::CROSSED, &mut rate) > let_pass
             }
         };
         let mut crossed =

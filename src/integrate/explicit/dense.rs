@@ -1,13 +1,13 @@
 //! States between the ends of a step.
 
+use super::pair::ExplicitPair;
 use super::stepper::ExplicitStepper;
-use super::verner76::dense_weights;
 use crate::integrate::chunks::{Padded, add_scaled};
 use crate::integrate::problem::Problem;
 
-impl ExplicitStepper {
+impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Writes the state at a time that is neither before the start of the latest step nor after its end.
-    pub fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
+    pub(super) fn interpolate(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
         if time >= self.time {
             problem.write_state(&self.to, state);
             return;
@@ -23,15 +23,14 @@ impl ExplicitStepper {
     pub(super) fn extend(&mut self, problem: &Problem<'_>) {
         if !self.extended {
             self.extended = true;
-            self.stage::<11>(problem);
-            self.stage::<12>(problem);
+            self.evaluate_stages::<true>(problem);
         }
     }
 
     /// Finds the deviation within the step by the pair's own interpolant.
     pub(super) fn by_stages(&self, time: f64, deviation: &mut Padded) {
         let part = self.substitution.inverse((time - self.start) / self.size);
-        let weights = dense_weights(part);
+        let weights = P::dense_weights(part);
         let chunks = self.from.chunks().iter().zip(&self.stages);
         for (deviation, (from, stages)) in deviation.chunks_mut().iter_mut().zip(chunks) {
             let mut sum = [0.0; 4];

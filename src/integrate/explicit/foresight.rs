@@ -1,5 +1,6 @@
 //! Event surfaces that a step is about to cross, seen before it is tried: a landing then costs no trial.
 
+use super::pair::ExplicitPair;
 use super::stepper::ExplicitStepper;
 use crate::integrate::chunks::Padded;
 use crate::integrate::problem::Problem;
@@ -8,7 +9,7 @@ use crate::integrate::problem::Problem;
 /// out for them costs time for nothing.
 const SELDOM: f64 = 8.0;
 
-impl ExplicitStepper {
+impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Plans landings where the step to come crosses surfaces that spoil it, as far as displacement, velocity and
     /// acceleration at its start tell.
     pub(super) fn foresee(&mut self, problem: &Problem<'_>) {
@@ -60,8 +61,10 @@ mod tests {
     use std::sync::atomic::AtomicBool;
 
     use super::super::landing::Landing;
+    use super::super::verner76::Verner76;
     use super::*;
-    use crate::integrate::{Counters, Method, Scaling, Settings, System};
+    use crate::integrate::stepper::Start;
+    use crate::integrate::{Method, Scaling, Settings, System};
 
     /// A ball that falls on elastic ground.
     struct Falling;
@@ -109,8 +112,8 @@ mod tests {
             end: 100.0,
             slack: 1e-9,
         };
-        let counters = Counters::default();
-        let mut stepper = ExplicitStepper::new(&problem, 0.0, &[1.0, 0.0], size, counters);
+        let mut stepper =
+            ExplicitStepper::<Verner76>::new(&problem, &Start::in_deviation(&[1.0, 0.0], size));
         stepper.begin(&problem);
         stepper.crossing.landed = latest_landing;
         stepper.foresee(&problem);

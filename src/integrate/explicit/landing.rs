@@ -1,6 +1,7 @@
 //! Times at which steps are to end on event surfaces.
 
 use super::crossing::Crossings;
+use super::pair::ExplicitPair;
 use super::stepper::ExplicitStepper;
 use crate::integrate::chunks::Padded;
 use crate::integrate::problem::Problem;
@@ -39,7 +40,7 @@ impl Crossings {
     }
 }
 
-impl ExplicitStepper {
+impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Plans landings on the surfaces that a motion over the trial crosses; whether it does within the trial.
     pub(super) fn plan_landings(
         &mut self,

@@ -1,9 +1,9 @@
 //! How far a trial step goes, and what its error says of the next one.
 
 use super::landing::Landing;
+use super::pair::ExplicitPair;
 use super::stepper::ExplicitStepper;
 use super::substitution::Substitution;
-use super::verner76::ERROR_POWER;
 use crate::integrate::problem::STRETCH;
 
 /// Error of a step from or to a surface, over its estimate: measured. Such steps stand alone, and one whose
@@ -32,7 +32,7 @@ impl Plan {
     }
 }
 
-impl ExplicitStepper {
+impl<P: ExplicitPair> ExplicitStepper<P> {
     /// The next trial: up to the next landing, break or end, or as far as the error allows.
     pub(super) fn plan(&self, landing: Option<Landing>) -> Plan {
         let [from_surface, to_surface] = self.crossing.sizes;
@@ -90,9 +90,9 @@ impl ExplicitStepper {
     /// Power of the step size that the error falls with: in the variable that is squared it has half.
     fn error_power(&self) -> i32 {
         if self.substitution.is_none() {
-            ERROR_POWER
+            P::ERROR_POWER
         } else {
-            (ERROR_POWER + 1) / 2
+            (P::ERROR_POWER + 1) / 2
         }
     }
 

@@ -1,13 +1,16 @@
 //! Steps of the explicit pair, one after the other.
 
+use std::marker::PhantomData;
+
 use fearless_simd::Level;
 
 use super::crossing::Crossings;
+use super::pair::{ExplicitPair, MOST_STAGES, Stages, entry, row, sum_of_stages};
 use super::substitution::Substitution;
-use super::verner76::{ERROR, LAST, NODES, ORDER, STAGES, sum};
-use crate::integrate::chunks::{Chunk, Padded, chunks_of};
+use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
 use crate::integrate::control::{Control, SAFETY};
 use crate::integrate::problem::Problem;
+use crate::integrate::stepper::{MethodStepper, Start};
 use crate::integrate::{Counters, IntegrateError};
 use crate::registers::in_wide_registers;
 
@@ -18,8 +21,8 @@ const MOST_SEARCHES: u32 = 5;
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin: sums
 /// of them lose less to round-off.
-#[derive(Debug, Clone)]
-pub(in crate::integrate) struct ExplicitStepper {
+pub(in crate::integrate) struct ExplicitStepper<P> {
+    pair: PhantomData<P>,
     /// What the processor has.
     pub(super) level: Level,
     /// Start and end of the latest step, s.
@@ -45,7 +48,7 @@ pub(in crate::integrate) struct ExplicitStepper {
     pub(super) rate_before: Padded,
     pub(super) size_before: f64,
     /// Slopes by the variable of the step, chunk by chunk of the state.
-    pub(super) stages: Vec<[Chunk; STAGES]>,
+    pub(super) stages: Vec<Stages>,
     pub(super) substitution: Substitution,
     pub(super) crossing: Crossings,
     /// Whether the derivative at the end of the trial is there.
@@ -60,24 +63,19 @@ pub(in crate::integrate) struct ExplicitStepper {
     pub(super) counters: Counters,
 }
 
-impl ExplicitStepper {
-    /// At a time, s, in a deviation from the origin, with what was counted before; a size of zero lets the first step find its
-    /// own.
-    pub fn new(
-        problem: &Problem<'_>,
-        time: f64,
-        deviation: &[f64],
-        size: f64,
-        counters: Counters,
-    ) -> Self {
+impl<P: ExplicitPair> ExplicitStepper<P> {
+    /// Before the first step.
+    pub fn new(problem: &Problem<'_>, start: &Start) -> Self {
+        let (time, deviation) = (start.time, &start.deviation);
         let states = deviation.len();
         let zeros = || Padded::zeros(states);
         Self {
+            pair: PhantomData,
             level: Level::new(),
             start: time,
             time,
             size: 0.0,
-            next_size: size,
+            next_size: start.step,
             limit: time,
             origin: Padded::of(&problem.scaling.origin),
             // what is zero has no error
@@ -90,7 +88,7 @@ impl ExplicitStepper {
             end_rate: zeros(),
             rate_before: zeros(),
             size_before: 0.0,
-            stages: vec![[[0.0; 4]; STAGES]; chunks_of(states)],
+            stages: vec![[[0.0; 4]; MOST_STAGES]; chunks_of(states)],
             substitution: Substitution::NONE,
             crossing: Crossings::new(problem.system),
             ended: false,
@@ -98,62 +96,7 @@ impl ExplicitStepper {
             control: Control::new(SAFETY, GROW),
             fault: false,
             events_known: false,
-            counters,
-        }
-    }
-
-    /// End of the latest step, s.
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
-    /// Size of the latest step, s, or, where a break or the end cut it, of the one to come; zero
-    /// before the first.
-    pub fn step_size(&self) -> f64 {
-        if self.time >= self.limit {
-            self.next_size
-        } else {
-            self.size
-        }
-    }
-
-    /// Deviation at the end of the latest step.
-    pub fn deviation(&self) -> &[f64] {
-        &self.to
-    }
-
-    /// Work done so far.
-    pub fn counters(&self) -> Counters {
-        self.counters
-    }
-
-    /// Takes a step.
-    ///
-    /// # Errors
-    /// Why the run ends here.
-    pub fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
-        self.begin(problem);
-        self.foresee(problem);
-        let mut searches = 0;
-        loop {
-            let size = self.next_size.min(self.crossing.sizes[0]);
-            problem.check(self.start, size, &self.counters, self.fault)?;
-            let plan = self.plan(self.crossing.next_landing());
-            problem.check_progress([self.start, plan.end], plan.size, self.fault)?;
-            self.size = plan.size;
-            self.substitute(&plan);
-            let error = self.trial(problem);
-            if searches < MOST_SEARCHES && self.is_spoiled(problem, &plan, error) {
-                self.counters.rejected += 1;
-                searches += 1;
-            } else if error <= 1.0 {
-                self.accept(&plan, error);
-                self.finish(problem);
-                self.arrive(problem, &plan);
-                return Ok(());
-            } else {
-                self.reject(error);
-            }
+            counters: start.counters,
         }
     }
 
@@ -181,17 +124,17 @@ impl ExplicitStepper {
         if self.next_size <= 0.0 {
             self.counters.evaluations += 1;
             let span = [self.start, self.limit];
-            self.next_size = problem.first_size(span, &self.from, &self.start_rate, ORDER);
+            self.next_size = problem.first_size(span, &self.from, &self.start_rate, P::ORDER);
         }
     }
 
     /// Evaluates the derivative in the argument as a stage.
     #[inline(always)]
-    fn evaluate<const STAGE: usize>(&mut self, problem: &Problem<'_>) {
-        let [part, slope] = self.substitution.at(const { NODES[STAGE] });
+    fn evaluate(&mut self, problem: &Problem<'_>, stage: usize) {
+        let [part, slope] = self.substitution.at(P::NODES[stage]);
         // what begins at a break is no part of a step that ends there
         let time = (self.start + part * self.size).min(self.limit.next_down());
-        let rate = if const { STAGE == LAST } {
+        let rate = if stage == P::LAST {
             &mut self.end_rate
         } else {
             &mut self.rate
@@ -199,23 +142,36 @@ impl ExplicitStepper {
         problem.system.derivative(time, &self.argument, rate);
         self.counters.evaluations += 1;
         for (stages, rate) in self.stages.iter_mut().zip(rate.chunks()) {
-            stages[STAGE] = rate.map(|rate| slope * rate);
+            stages[stage] = rate.map(|rate| slope * rate);
         }
     }
 
     #[inline(always)]
-    pub(super) fn stage<const STAGE: usize>(&mut self, problem: &Problem<'_>) {
+    fn stage<const STAGE: usize>(&mut self, problem: &Problem<'_>) {
         let chunks = self.origin.chunks().iter().zip(self.from.chunks());
         let chunks = chunks.zip(&self.stages);
         for (argument, ((origin, from), stages)) in
             self.argument.chunks_mut().iter_mut().zip(chunks)
         {
-            let sum = sum::<STAGE>(stages);
+            let sum = sum_of_stages!(row(P::FACTORS, STAGE), stages);
             for i in 0..4 {
                 argument[i] = origin[i] + (from[i] + self.size * sum[i]);
             }
         }
-        self.evaluate::<STAGE>(problem);
+        self.evaluate(problem, STAGE);
+    }
+
+    /// Evaluates the stages between the ends of the step, or those for dense output, which come after them.
+    #[inline(always)]
+    pub(super) fn evaluate_stages<const DENSE: bool>(&mut self, problem: &Problem<'_>) {
+        macro_rules! evaluate {
+            ($($stage:literal)*) => {$(
+                if const { if DENSE { $stage > P::LAST && $stage < P::NODES.len() } else { $stage < P::LAST } } {
+                    self.stage::<$stage>(problem);
+                }
+            )*};
+        }
+        evaluate!(1 2 3 4 5 6 7 8 9 10 11 12);
     }
 
     /// Tries a step; its error over what is allowed, or no number.
@@ -228,23 +184,24 @@ impl ExplicitStepper {
     #[inline(always)]
     fn tried(&mut self, problem: &Problem<'_>) -> f64 {
         (self.ended, self.extended) = (false, false);
-        self.stage::<1>(problem);
-        self.stage::<2>(problem);
-        self.stage::<3>(problem);
-        self.stage::<4>(problem);
-        self.stage::<5>(problem);
-        self.stage::<6>(problem);
-        self.stage::<7>(problem);
-        self.stage::<8>(problem);
-        self.stage::<9>(problem);
-        let chunks = self.scale.chunks().iter().zip(self.from.chunks());
-        let chunks = chunks.zip(&self.stages);
-        let mut squares = 0.0;
-        for (to, ((scale, from), stages)) in self.to.chunks_mut().iter_mut().zip(chunks) {
-            let [moved, error] = [sum::<LAST>(stages), sum::<ERROR>(stages)];
-            let mut parts = [0.0; 4];
+        self.evaluate_stages::<false>(problem);
+        let chunks = self.from.chunks().iter().zip(&self.stages);
+        for (to, (from, stages)) in self.to.chunks_mut().iter_mut().zip(chunks) {
+            let moved = sum_of_stages!(row(P::FACTORS, P::LAST), stages);
             for i in 0..4 {
                 to[i] = from[i] + self.size * moved[i];
+            }
+        }
+        if const { entry(P::ERROR, P::LAST) != 0.0 } {
+            self.evaluate_end(problem);
+        }
+        let chunks = self.scale.chunks().iter().zip(self.from.chunks());
+        let chunks = chunks.zip(self.to.chunks().iter().zip(&self.stages));
+        let mut squares = 0.0;
+        for ((scale, from), (to, stages)) in chunks {
+            let error = sum_of_stages!(P::ERROR, stages);
+            let mut parts = [0.0; 4];
+            for i in 0..4 {
                 parts[i] = error[i] * (scale[i] + from[i].abs().max(to[i].abs())).recip();
             }
             for part in parts {
@@ -259,7 +216,7 @@ impl ExplicitStepper {
         if !self.ended {
             self.ended = true;
             problem.write_state(&self.to, &mut self.argument);
-            self.evaluate::<LAST>(problem);
+            self.evaluate(problem, P::LAST);
         }
     }
 
@@ -268,6 +225,63 @@ impl ExplicitStepper {
         self.evaluate_end(problem);
         self.counters.steps += 1;
         self.fault = false;
+    }
+}
+
+impl<P: ExplicitPair> MethodStepper for ExplicitStepper<P> {
+    fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
+        self.begin(problem);
+        self.foresee(problem);
+        let mut searches = 0;
+        loop {
+            let size = self.next_size.min(self.crossing.sizes[0]);
+            problem.check(self.start, size, &self.counters, self.fault)?;
+            let plan = self.plan(self.crossing.next_landing());
+            problem.check_progress([self.start, plan.end], plan.size, self.fault)?;
+            self.size = plan.size;
+            self.substitute(&plan);
+            let error = self.trial(problem);
+            if searches < MOST_SEARCHES && self.is_spoiled(problem, &plan, error) {
+                self.counters.rejected += 1;
+                searches += 1;
+            } else if error <= 1.0 {
+                self.accept(&plan, error);
+                self.finish(problem);
+                self.arrive(problem, &plan);
+                return Ok(());
+            } else {
+                self.reject(error);
+            }
+        }
+    }
+
+    fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
+        self.interpolate(problem, time, state);
+    }
+
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn deviation(&self) -> &[f64] {
+        &self.to
+    }
+
+    fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    fn step_size(&self) -> f64 {
+        // where a break or the end cut the latest step, that to come
+        if self.time >= self.limit {
+            self.next_size
+        } else {
+            self.size
+        }
+    }
+
+    fn stability_limit(&self) -> Option<f64> {
+        Some(P::STABILITY)
     }
 }
 

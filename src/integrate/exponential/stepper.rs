@@ -11,6 +11,7 @@ use super::sweeps::{self, Ending, Sweeps, Trial};
 use crate::integrate::chunks::Padded;
 use crate::integrate::control::{Control, SAFETY};
 use crate::integrate::problem::Problem;
+use crate::integrate::stepper::{MethodStepper, Start};
 use crate::integrate::{Counters, IntegrateError};
 
 /// Power of the size that the error estimate falls with.
@@ -27,7 +28,6 @@ const USUAL_SWEEPS: u32 = 2;
 const COST: u32 = 34;
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin.
-#[derive(Debug, Clone)]
 pub(in crate::integrate) struct ExponentialStepper {
     /// Interval of the samples, s.
     interval: f64,
@@ -72,27 +72,21 @@ pub(in crate::integrate) struct ExponentialStepper {
 }
 
 impl ExponentialStepper {
-    /// At a time, s, in a deviation from the origin, on a grid of samples, with what was counted before; a size of
-    /// zero lets the first step find its own.
-    pub fn new(
-        problem: &Problem<'_>,
-        [time, interval]: [f64; 2],
-        deviation: &[f64],
-        size: f64,
-        counters: Counters,
-    ) -> Self {
+    /// Before the first step.
+    pub fn new(problem: &Problem<'_>, start: &Start) -> Self {
+        let (time, deviation) = (start.time, &start.deviation);
         let states = deviation.len();
         let linear = LinearPart::none(states);
         let mut to = ModalState::zeros(states);
         to.deviation.copy_from_slice(deviation);
         linear.to_coordinates(&mut to);
         Self {
-            interval,
+            interval: start.interval,
             start: time,
             time,
             size: 0.0,
             intervals: 0.0,
-            requested: size,
+            requested: start.step,
             limit: time,
             leg: Leg::ENDED,
             from: to.clone(),
@@ -106,7 +100,7 @@ impl ExponentialStepper {
             waste: COST,
             control: Control::new(SAFETY, GROW),
             fault: false,
-            counters,
+            counters: start.counters,
             ahead: [[0.0; POINTS]; POINTS],
             ahead_ratio: 0.0,
             sweeps: Sweeps::new(problem),
@@ -114,88 +108,6 @@ impl ExponentialStepper {
             state: Padded::zeros(states),
             jacobian: DMatrix::zeros(states, states),
             by_time: vec![0.0; states],
-        }
-    }
-
-    /// Deviation at the end of the latest step.
-    pub fn deviation(&self) -> &[f64] {
-        &self.to.deviation
-    }
-
-    /// End of the latest step, s.
-    pub fn time(&self) -> f64 {
-        self.time
-    }
-
-    /// Size that the error would allow the next step, s; zero before the first.
-    pub fn step_size(&self) -> f64 {
-        self.requested
-    }
-
-    /// Work done so far.
-    pub fn counters(&self) -> Counters {
-        self.counters
-    }
-
-    /// Whether the latest step crossed event surfaces.
-    pub fn crossed(&self) -> bool {
-        self.sweeps.crossed
-    }
-
-    /// Writes the state at a sample that is neither before the start of the latest step nor after its end.
-    pub fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
-        if time >= self.time {
-            problem.write_state(&self.to.deviation, state);
-            return;
-        }
-        let index = ((time - self.start) / self.interval).round();
-        let phi = self.propagators.samples(&self.linear, self.interval);
-        let (cursor, linear) = (&mut self.cursor, &self.linear);
-        if cursor.index() > index {
-            let intervals = [self.interval, self.intervals];
-            cursor.begin(
-                &self.from.coordinates,
-                &self.remainder,
-                intervals,
-                phi,
-                linear,
-            );
-        }
-        cursor.go_to(index, phi, linear, &mut self.state);
-        problem.write_state(&self.state, state);
-    }
-
-    /// Takes a step.
-    ///
-    /// # Errors
-    /// Why the run ends here.
-    pub fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
-        self.begin(problem);
-        loop {
-            problem.check(self.start, self.requested, &self.counters, self.fault)?;
-            self.plan();
-            let ends = [self.start, self.start + self.size];
-            problem.check_progress(ends, self.size, self.fault)?;
-            let ending = self.trial(problem);
-            match ending {
-                Ending::Met(error) if error <= 1.0 => {
-                    self.accept(error);
-                    return Ok(());
-                }
-                Ending::Met(error) => {
-                    self.waste += 1;
-                    self.reject(error);
-                }
-                Ending::Apart => {
-                    self.waste += sweeps::MOST;
-                    self.bring_together(problem);
-                }
-                Ending::NotFinite => {
-                    self.waste += 1;
-                    self.fault = true;
-                    self.reject(f64::INFINITY);
-                }
-            }
         }
     }
 
@@ -331,6 +243,80 @@ impl ExponentialStepper {
         } else {
             self.linearise(problem);
         }
+    }
+}
+
+impl MethodStepper for ExponentialStepper {
+    fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
+        self.begin(problem);
+        loop {
+            problem.check(self.start, self.requested, &self.counters, self.fault)?;
+            self.plan();
+            let ends = [self.start, self.start + self.size];
+            problem.check_progress(ends, self.size, self.fault)?;
+            let ending = self.trial(problem);
+            match ending {
+                Ending::Met(error) if error <= 1.0 => {
+                    self.accept(error);
+                    return Ok(());
+                }
+                Ending::Met(error) => {
+                    self.waste += 1;
+                    self.reject(error);
+                }
+                Ending::Apart => {
+                    self.waste += sweeps::MOST;
+                    self.bring_together(problem);
+                }
+                Ending::NotFinite => {
+                    self.waste += 1;
+                    self.fault = true;
+                    self.reject(f64::INFINITY);
+                }
+            }
+        }
+    }
+
+    fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
+        if time >= self.time {
+            problem.write_state(&self.to.deviation, state);
+            return;
+        }
+        let index = ((time - self.start) / self.interval).round();
+        let phi = self.propagators.samples(&self.linear, self.interval);
+        let (cursor, linear) = (&mut self.cursor, &self.linear);
+        if cursor.index() > index {
+            let intervals = [self.interval, self.intervals];
+            cursor.begin(
+                &self.from.coordinates,
+                &self.remainder,
+                intervals,
+                phi,
+                linear,
+            );
+        }
+        cursor.go_to(index, phi, linear, &mut self.state);
+        problem.write_state(&self.state, state);
+    }
+
+    fn time(&self) -> f64 {
+        self.time
+    }
+
+    fn deviation(&self) -> &[f64] {
+        &self.to.deviation
+    }
+
+    fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    fn step_size(&self) -> f64 {
+        self.requested
+    }
+
+    fn crossed(&self) -> bool {
+        self.sweeps.crossed
     }
 }
 

@@ -34,8 +34,7 @@ fn after_a_step() -> ExponentialStepper {
         end: 1.0,
         slack: 1e-9,
     };
-    let counters = Counters::default();
-    let mut stepper = ExponentialStepper::new(&problem, [0.0, 1.0], &[0.0], 0.0, counters);
+    let mut stepper = ExponentialStepper::new(&problem, &Start::in_deviation(&[0.0], 0.0));
     stepper.remainder_size = 1.0;
     stepper.remainder[0] = NODES.part.map(|part| [1.0 / 3.0 + part, 0.0, 0.0, 0.0]);
     stepper

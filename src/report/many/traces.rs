@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::part::MergeError;
-use crate::report::bytes::FileSum;
+use crate::report::bytes::Checksum;
 use crate::report::sample_table::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;
@@ -97,12 +97,12 @@ impl KeptTrace for TraceFile {
 #[derive(Debug)]
 struct Summed {
     file: PartialFile,
-    sum: FileSum,
+    sum: Checksum,
 }
 
 impl Summed {
     fn new(file: PartialFile) -> Self {
-        let sum = FileSum::START;
+        let sum = Checksum::START;
         Self { file, sum }
     }
 }
@@ -119,7 +119,7 @@ impl Write for Summed {
     }
 }
 
-fn seal(sum: FileSum) -> TraceSeal {
+fn seal(sum: Checksum) -> TraceSeal {
     TraceSeal {
         bytes: sum.bytes(),
         checksum: sum.value(),
@@ -159,7 +159,7 @@ pub(super) fn check(study: &Path, table: &Path) -> Result<(), MergeError> {
 /// What the file there is known by.
 fn sealed(path: &Path) -> io::Result<TraceSeal> {
     let mut file = fs::File::open(path)?;
-    let (mut sum, mut piece) = (FileSum::START, vec![0; 1 << 16]);
+    let (mut sum, mut piece) = (Checksum::START, vec![0; 1 << 16]);
     loop {
         match file.read(&mut piece)? {
             0 => return Ok(seal(sum)),

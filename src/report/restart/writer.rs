@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::PathBuf;
 
-use super::{END, FORMAT, MAGIC, RESTART, RunIdentity};
+use super::{MAGIC, RESTART, RunIdentity, Tail, VERSION};
 use crate::report::bytes::{Checksum, Put};
 use crate::report::{FileAction, PartialFile, ReportError, RunFolder};
 use crate::simulate::{Standing, StateKeeper};
@@ -14,6 +14,8 @@ pub struct RestartWriter {
     file: PartialFile,
     checksum: Checksum,
     bytes: Vec<u8>,
+    scenario: serde_json::Value,
+    fingerprint: u64,
 }
 
 impl RestartWriter {
@@ -25,13 +27,10 @@ impl RestartWriter {
         let mut writer = Self {
             file: folder.create(RESTART)?,
             checksum: Checksum::START,
-            bytes: Vec::new(),
+            bytes: MAGIC.to_vec(),
+            scenario: identity.scenario.clone(),
+            fingerprint: identity.fingerprint(),
         };
-        writer.bytes.extend(MAGIC);
-        writer.bytes.extend(FORMAT.to_le_bytes());
-        writer.bytes.put_text(env!("CARGO_PKG_VERSION"));
-        writer.bytes.put_text(&identity.scenario.to_string());
-        writer.bytes.put_u64(identity.fingerprint());
         let path = writer.file.path().to_owned();
         writer
             .write()
@@ -45,18 +44,22 @@ impl RestartWriter {
     /// [`ReportError::File`]; an earlier restart file then stands as it was.
     pub fn finish(mut self, standing: &Standing) -> Result<PathBuf, ReportError> {
         let path = self.file.path().to_owned();
-        self.write_standing(standing)
+        self.write_tail(standing)
             .map_err(ReportError::file(FileAction::Write, &path))?;
         self.file.close()?.rename()
     }
 
-    fn write_standing(&mut self, standing: &Standing) -> io::Result<()> {
-        let encoded = serde_json::to_vec(standing)?;
-        self.bytes.extend(&encoded);
-        self.bytes.put_u64(encoded.len() as u64);
+    fn write_tail(&mut self, standing: &Standing) -> io::Result<()> {
+        let tail = serde_json::to_vec(&Tail {
+            version: VERSION.to_owned(),
+            scenario: std::mem::take(&mut self.scenario),
+            fingerprint: self.fingerprint,
+            standing: standing.clone(),
+        })?;
+        self.bytes.extend(&tail);
+        self.bytes.put_u64(tail.len() as u64);
         self.write()?;
-        self.file.write_all(&self.checksum.value().to_le_bytes())?;
-        self.file.write_all(&END)
+        self.file.write_all(&self.checksum.value().to_le_bytes())
     }
 
     /// Writes what has been collected.
