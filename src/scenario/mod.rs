@@ -1,7 +1,7 @@
 //! Scenario files: text in, checked and typed model out.
 //!
 //! A file is read into one tree for both formats, the tree is checked against the schema that
-//! the structs of `spec` give, the structs are filled, and each builds its part of the model.
+//! the structs of `input` give, the structs are filled, and each builds its part of the model.
 //! Every step reports all that it finds; the messages carry the place in the text.
 //!
 //! ```
@@ -14,6 +14,7 @@
 mod argument;
 mod dimension;
 mod error;
+mod input;
 mod issue;
 mod node;
 mod passed;
@@ -24,7 +25,6 @@ mod read_toml;
 mod scalar;
 mod schema;
 mod series_file;
-mod spec;
 mod study_file;
 mod tolerance_file;
 mod varied;
@@ -38,9 +38,9 @@ use serde_json::Value;
 
 pub use argument::{ArgumentError, method, methods, speed, time, tolerance};
 pub use error::ScenarioError;
+pub use input::{Output, TableFormat, TraceChannel};
 pub use issue::Issue;
 pub use schema::schema;
-pub use spec::{OutputSpec, TableFormat, TraceChannel};
 pub use study_file::{RunError, StudyFile, load_study, study_schema};
 pub use tolerance_file::ToleranceFile;
 pub use varied::{Varied, VariedError};
@@ -49,9 +49,9 @@ use crate::bearing::Oil;
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
 use crate::study::{ContactChoice, Study};
+use input::{Questions, ScenarioInput};
 use node::Node;
 use problems::Problems;
-use spec::{Questions, ScenarioSpec};
 
 /// Language of a scenario file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,7 +78,7 @@ pub struct Scenario {
     /// The static question at many values of one number.
     pub study: Option<Study>,
     /// What to keep of the run.
-    pub output: OutputSpec,
+    pub output: Output,
     /// The scenario with its defaults written out; itself a valid scenario in JSON.
     pub echo: Value,
     /// What the user should know although the scenario can be run.
@@ -145,9 +145,9 @@ pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, Scenari
 fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
     let mut problems = Problems::new(root, Path::new(name).parent().unwrap_or(Path::new("")));
     let built = build(root, &mut problems);
-    let echo = built.as_ref().map(|(spec, _)| echo(spec));
+    let echo = built.as_ref().map(|(input, _)| echo(input));
     let study = match (&built, &echo) {
-        (Some((spec, _)), Some(echo)) if problems.is_clean() => spec
+        (Some((input, _)), Some(echo)) if problems.is_clean() => input
             .study
             .as_ref()
             .and_then(|study| vary::build(study, echo, &mut problems)),
@@ -155,14 +155,14 @@ fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
     };
     let (issues, warnings) = problems.finish();
     match (built, echo) {
-        (Some((spec, questions)), Some(echo)) if issues.is_empty() => Ok(Scenario {
-            title: spec.title.clone().unwrap_or_else(|| stem(name)),
+        (Some((input, questions)), Some(echo)) if issues.is_empty() => Ok(Scenario {
+            title: input.title.clone().unwrap_or_else(|| stem(name)),
             question: questions.question,
             model: questions.model,
             contact_choice: questions.contact_choice,
             oils: questions.oils,
             study,
-            output: spec.output,
+            output: input.output,
             echo,
             warnings,
         }),
@@ -171,15 +171,15 @@ fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
 }
 
 /// The tables of a tree and what they ask.
-fn build(root: &Node, problems: &mut Problems<'_>) -> Option<(ScenarioSpec, Questions)> {
+fn build(root: &Node, problems: &mut Problems<'_>) -> Option<(ScenarioInput, Questions)> {
     let value = walk::value(root, schema(), "", problems)?;
-    let spec = fill(value, problems)?;
-    let questions = spec.build(problems)?;
-    Some((spec, questions))
+    let input = fill(value, problems)?;
+    let questions = input.build(problems)?;
+    Some((input, questions))
 }
 
 /// The structs of a value that the schema has passed.
-fn fill(value: Value, problems: &mut Problems<'_>) -> Option<ScenarioSpec> {
+fn fill(value: Value, problems: &mut Problems<'_>) -> Option<ScenarioInput> {
     serde_json::from_value(value)
         .map_err(|error| problems.add(Issue::new("", error.to_string())))
         .ok()
@@ -194,8 +194,8 @@ fn stem(name: &str) -> String {
 }
 
 /// The scenario as JSON, without the keys that are not given and have no default.
-fn echo(spec: &impl Serialize) -> Value {
-    let mut value = serde_json::to_value(spec).unwrap_or_default();
+fn echo(input: &impl Serialize) -> Value {
+    let mut value = serde_json::to_value(input).unwrap_or_default();
     remove_null(&mut value);
     value
 }

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use serde_json::{Map, Value};
 
+use super::input::Questions;
 use super::issue::Issue;
 use super::node::{Content, Entry, Node};
 use super::problems::Problems;
-use super::spec::Questions;
 use super::vary::questions_of;
 use super::{fill, schema, walk};
 
@@ -55,8 +55,8 @@ impl Passed {
             let passed = walk::value(root.find(name)?, schema, name, &mut problems)?;
             *tables.get_mut(name)? = passed;
         }
-        let spec = fill(Value::Object(tables), &mut problems)?;
-        let questions = spec.build(&mut problems)?;
+        let input = fill(Value::Object(tables), &mut problems)?;
+        let questions = input.build(&mut problems)?;
         problems.is_clean().then_some(questions)
     }
 }

@@ -13,7 +13,7 @@ use super::{Issue, ScenarioError, read_toml, schema, walk};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 #[derive(Default)]
-struct TolerancesSpec {
+struct TolerancesInput {
     /// Allowed difference as part of the largest magnitude in the column.
     #[schemars(range(min = 0))]
     relative: Option<f64>,
@@ -21,13 +21,13 @@ struct TolerancesSpec {
     #[schemars(range(min = 0))]
     absolute: Option<f64>,
     /// Other tolerances of single columns, one `[[column]]` for each.
-    column: Vec<ColumnSpec>,
+    column: Vec<ColumnInput>,
 }
 
 /// Tolerance of one column.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct ColumnSpec {
+struct ColumnInput {
     /// Its name.
     #[schemars(extend("examples" = ["x_m"]))]
     name: String,
@@ -86,11 +86,11 @@ impl ToleranceFile {
     pub fn parse(text: &str, name: &str) -> Result<Self, ScenarioError> {
         let failed = |issues| ScenarioError::new(name, text, issues);
         let root = read_toml::read(text).map_err(failed)?;
-        let spec = check(&root).map_err(failed)?;
-        let columns = spec.column.into_iter();
+        let input = check(&root).map_err(failed)?;
+        let columns = input.column.into_iter();
         Ok(Self {
-            relative: spec.relative,
-            absolute: spec.absolute,
+            relative: input.relative,
+            absolute: input.absolute,
             columns: columns
                 .map(|column| (column.name, column.relative, column.absolute))
                 .collect(),
@@ -116,21 +116,21 @@ impl ToleranceFile {
     }
 }
 
-fn check(root: &Node) -> Result<TolerancesSpec, Vec<Issue>> {
+fn check(root: &Node) -> Result<TolerancesInput, Vec<Issue>> {
     let mut problems = Problems::new(root, Path::new("")).about("a file of tolerances");
-    let schema = schema::schema_of::<TolerancesSpec>();
+    let schema = schema::schema_of::<TolerancesInput>();
     let value = walk::value(root, &schema, "", &mut problems);
-    let spec = value.map(serde_json::from_value::<TolerancesSpec>);
-    let spec = match spec {
-        Some(Ok(spec)) => spec,
+    let input = value.map(serde_json::from_value::<TolerancesInput>);
+    let input = match input {
+        Some(Ok(input)) => input,
         Some(Err(error)) => {
             problems.add(Issue::new("", error.to_string()));
-            TolerancesSpec::default()
+            TolerancesInput::default()
         }
-        None => TolerancesSpec::default(),
+        None => TolerancesInput::default(),
     };
-    for (index, column) in spec.column.iter().enumerate() {
-        let mut earlier = spec.column[..index].iter();
+    for (index, column) in input.column.iter().enumerate() {
+        let mut earlier = input.column[..index].iter();
         if earlier.any(|other| other.name == column.name) {
             let message = format!("column {:?} has a tolerance already", column.name);
             let issue = Issue::new(format!("column[{index}].name"), message).help("keep one");
@@ -138,7 +138,7 @@ fn check(root: &Node) -> Result<TolerancesSpec, Vec<Issue>> {
         }
     }
     match problems.finish().0 {
-        issues if issues.is_empty() => Ok(spec),
+        issues if issues.is_empty() => Ok(input),
         issues => Err(issues),
     }
 }

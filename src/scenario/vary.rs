@@ -6,11 +6,11 @@ use std::path::Path;
 use serde_json::{Map, Number, Value};
 
 use super::dimension::{Dimension, Unit};
+use super::input::{Questions, StudyInput};
 use super::issue::Issue;
 use super::node::Node;
 use super::problems::Problems;
 use super::schema::schema;
-use super::spec::{Questions, StudySpec};
 use super::walk::{self, Range, nearest};
 use super::{build as build_scenario, quantity};
 use crate::study::{Study, StudyPoint, Variable};
@@ -32,12 +32,16 @@ pub(super) struct Given {
 }
 
 /// The study, as far as nothing contradicts it; `echo` is the scenario with its defaults.
-pub(super) fn build(spec: &StudySpec, echo: &Value, problems: &mut Problems<'_>) -> Option<Study> {
+pub(super) fn build(
+    input: &StudyInput,
+    echo: &Value,
+    problems: &mut Problems<'_>,
+) -> Option<Study> {
     let base = without(echo, &[&MOTION[..], &["study"]].concat());
-    let key = varied(&spec.vary, &base, problems)?;
-    let given = match &spec.values {
-        Some(values) => listed(values.len(), spec, &key, problems)?,
-        None => spaced(spec, &key, problems)?,
+    let key = varied(&input.vary, &base, problems)?;
+    let given = match &input.values {
+        Some(values) => listed(values.len(), input, &key, problems)?,
+        None => spaced(input, &key, problems)?,
     };
     let mut points = Vec::with_capacity(given.len());
     for Given { value, path } in &given {
@@ -51,7 +55,7 @@ pub(super) fn build(spec: &StudySpec, echo: &Value, problems: &mut Problems<'_>)
     Some(Study {
         variable: key.variable(&given.first()?.value),
         points,
-        positions: spec.positions.map(|positions| positions as usize),
+        positions: input.positions.map(|positions| positions as usize),
     })
 }
 
@@ -147,11 +151,11 @@ fn collect<'a>(
 /// The values of the list.
 fn listed(
     count: usize,
-    spec: &StudySpec,
+    input: &StudyInput,
     key: &Key<'_>,
     problems: &mut Problems<'_>,
 ) -> Option<Vec<Given>> {
-    for (name, value) in [("from", &spec.from), ("to", &spec.to)] {
+    for (name, value) in [("from", &input.from), ("to", &input.to)] {
         if value.is_some() {
             let message = format!("`{name}` needs `count`, not `values`");
             let issue = Issue::new(format!("study.{name}"), message).help("remove it");
@@ -165,8 +169,8 @@ fn listed(
 }
 
 /// Evenly spaced values.
-fn spaced(spec: &StudySpec, key: &Key<'_>, problems: &mut Problems<'_>) -> Option<Vec<Given>> {
-    for (name, value) in [("from", &spec.from), ("to", &spec.to)] {
+fn spaced(input: &StudyInput, key: &Key<'_>, problems: &mut Problems<'_>) -> Option<Vec<Given>> {
+    for (name, value) in [("from", &input.from), ("to", &input.to)] {
         if value.is_none() {
             let message = format!("`study` needs `{name}` where `count` is given");
             let issue = Issue::new(format!("study.{name}"), message);
@@ -174,7 +178,7 @@ fn spaced(spec: &StudySpec, key: &Key<'_>, problems: &mut Problems<'_>) -> Optio
         }
     }
     if key.is_whole() {
-        let message = format!("`{}` is a whole number: list its `values`", spec.vary);
+        let message = format!("`{}` is a whole number: list its `values`", input.vary);
         let issue = Issue::new("study.vary", message);
         problems.refuse(issue, &["study.count".to_owned()]);
         return None;
@@ -183,7 +187,7 @@ fn spaced(spec: &StudySpec, key: &Key<'_>, problems: &mut Problems<'_>) -> Optio
     let [Some(first), Some(last)] = ends else {
         return None;
     };
-    let steps = spec.count?.checked_sub(1)?;
+    let steps = input.count?.checked_sub(1)?;
     let inner = (1..steps).map(|step| {
         let part = f64::from(step) / f64::from(steps);
         let si = key.si(&first.value) * (1.0 - part) + key.si(&last.value) * part;

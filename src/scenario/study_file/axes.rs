@@ -1,6 +1,6 @@
 //! From `[[axis]]` to the values of a plan.
 
-use super::spec::{AxisSpec, DistributionKind, Spacing};
+use super::input::{AxisInput, DistributionKind, Spacing};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::scalar::Scalar;
@@ -15,7 +15,7 @@ const REACH: f64 = 8.3;
 pub(super) struct AxisBuilder<'a, 'p> {
     /// Path of the axis in the study file.
     pub path: String,
-    pub spec: &'a AxisSpec,
+    pub input: &'a AxisInput,
     pub key: &'a Key<'static>,
     pub problems: &'a mut Problems<'p>,
 }
@@ -24,7 +24,7 @@ impl AxisBuilder<'_, '_> {
     /// The axis with what varies, if nothing contradicts it.
     pub fn build(mut self) -> Option<(Axis, Variable)> {
         self.refuse_strangers();
-        let values = match (&self.spec.values, self.spec.distribution) {
+        let values = match (&self.input.values, self.input.distribution) {
             (Some(values), _) => self.listed(values.len())?,
             (None, Some(choice)) => AxisValues::Drawn(self.drawn(choice)?),
             (None, None) => self.spaced()?,
@@ -44,21 +44,21 @@ impl AxisBuilder<'_, '_> {
 
     /// Keys that are given.
     fn given(&self) -> [(&'static str, &Option<Scalar>); 7] {
-        let spec = self.spec;
+        let input = self.input;
         [
-            ("from", &spec.from),
-            ("to", &spec.to),
-            ("mean", &spec.mean),
-            ("deviation", &spec.deviation),
-            ("mode", &spec.mode),
-            ("lowest", &spec.lowest),
-            ("highest", &spec.highest),
+            ("from", &input.from),
+            ("to", &input.to),
+            ("mean", &input.mean),
+            ("deviation", &input.deviation),
+            ("mode", &input.mode),
+            ("lowest", &input.lowest),
+            ("highest", &input.highest),
         ]
     }
 
     /// Refuses keys that do not belong to the way in which the values are given.
     fn refuse_strangers(&mut self) {
-        let (way, own): (&str, &[&str]) = match (&self.spec.values, self.spec.distribution) {
+        let (way, own): (&str, &[&str]) = match (&self.input.values, self.input.distribution) {
             (Some(_), _) => ("`values`", &[]),
             (None, None) => ("`count`", &["from", "to"]),
             (None, Some(DistributionKind::Uniform)) => {
@@ -85,7 +85,7 @@ impl AxisBuilder<'_, '_> {
                 "remove it",
             );
         }
-        if self.spec.spacing.is_some() && self.spec.count.is_none() {
+        if self.input.spacing.is_some() && self.input.count.is_none() {
             let message = format!("{way} does not go with `spacing`");
             self.refuse("spacing", message, "remove it");
         }
@@ -119,7 +119,7 @@ impl AxisBuilder<'_, '_> {
         if !self.key.is_whole() {
             return Some(());
         }
-        let message = format!("`{}` is a whole number", self.spec.key);
+        let message = format!("`{}` is a whole number", self.input.key);
         self.refuse(name, message, help);
         None
     }
@@ -135,7 +135,7 @@ impl AxisBuilder<'_, '_> {
     fn spaced(&mut self) -> Option<AxisValues> {
         self.refuse_whole("count", "list its `values`")?;
         let [from, to] = self.needed(["from", "to"], "`count`")?;
-        let logarithmic = self.spec.spacing == Some(Spacing::Logarithmic);
+        let logarithmic = self.input.spacing == Some(Spacing::Logarithmic);
         if logarithmic && !(from > 0.0 && to > 0.0) {
             let message = "values of equal ratios cannot come from zero or below".to_owned();
             self.refuse("spacing", message, "let both ends be above zero");
@@ -144,7 +144,7 @@ impl AxisBuilder<'_, '_> {
         Some(AxisValues::Spaced {
             from,
             to,
-            count: self.spec.count?,
+            count: self.input.count?,
             logarithmic,
         })
     }
@@ -180,9 +180,9 @@ impl AxisBuilder<'_, '_> {
 
     fn normal(&mut self) -> Option<Distribution> {
         let [mean, deviation] = self.needed(["mean", "deviation"], "a normal distribution")?;
-        let spec = self.spec;
-        let lowest = self.bound("lowest", &spec.lowest, mean - REACH * deviation)?;
-        let highest = self.bound("highest", &spec.highest, mean + REACH * deviation)?;
+        let input = self.input;
+        let lowest = self.bound("lowest", &input.lowest, mean - REACH * deviation)?;
+        let highest = self.bound("highest", &input.highest, mean + REACH * deviation)?;
         Some(Distribution::Normal {
             mean,
             deviation,
@@ -203,7 +203,7 @@ impl AxisBuilder<'_, '_> {
         let message = format!(
             "a normal distribution needs `{name}` here: without it draws reach {reach:.4e}, which `{}` cannot \
              be",
-            self.spec.key
+            self.input.key
         );
         self.problems
             .refuse(Issue::new(self.path.clone(), message), &[]);
@@ -212,7 +212,7 @@ impl AxisBuilder<'_, '_> {
 
     /// What varies, shown in the unit of the first value given.
     fn shown(&self) -> Option<Variable> {
-        let listed = self.spec.values.as_ref().and_then(|values| values.first());
+        let listed = self.input.values.as_ref().and_then(|values| values.first());
         let others = self
             .given()
             .into_iter()

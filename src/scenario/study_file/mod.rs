@@ -1,14 +1,14 @@
 //! Study files: many runs of one scenario.
 
 mod axes;
-mod spec;
+mod input;
 
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
 use self::axes::AxisBuilder;
-use self::spec::{SamplingKind, StudyFileSpec};
+use self::input::{SamplingKind, StudyFileInput};
 use super::error::ScenarioError;
 use super::issue::Issue;
 use super::passed::Passed;
@@ -70,7 +70,7 @@ pub struct RunError {
 /// JSON Schema (draft 7) of a study file.
 pub fn study_schema() -> &'static Value {
     static SCHEMA: std::sync::LazyLock<Value> =
-        std::sync::LazyLock::new(schema_of::<StudyFileSpec>);
+        std::sync::LazyLock::new(schema_of::<StudyFileInput>);
     &SCHEMA
 }
 
@@ -82,26 +82,29 @@ pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
     let (name, text, root) = read_tree(path)?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let mut problems = Problems::new(&root, folder);
-    let spec = walk::value(&root, study_schema(), "", &mut problems).and_then(|value| {
-        let filled = serde_json::from_value::<StudyFileSpec>(value);
+    let input = walk::value(&root, study_schema(), "", &mut problems).and_then(|value| {
+        let filled = serde_json::from_value::<StudyFileInput>(value);
         filled
             .map_err(|error| problems.add(Issue::new("", error.to_string())))
             .ok()
     });
-    let base = spec
+    let base = input
         .as_ref()
         .filter(|_| !problems.distrusts("base"))
-        .map(|spec| folder.join(&spec.base));
-    let study = match (spec, base.map(|base| (super::load(&base), base))) {
-        (Some(spec), Some((Ok(scenario), base))) => {
+        .map(|input| folder.join(&input.base));
+    let study = match (input, base.map(|base| (super::load(&base), base))) {
+        (Some(input), Some((Ok(scenario), base))) => {
             let folder = base.parent().unwrap_or(Path::new("")).to_owned();
-            let title = spec.title.clone().unwrap_or_else(|| stem(&name));
-            build(&spec, &scenario, title, folder, &mut problems)
+            let title = input.title.clone().unwrap_or_else(|| stem(&name));
+            build(&input, &scenario, title, folder, &mut problems)
         }
         (_, Some((Err(error), base))) if base.exists() => return Err(error),
-        (Some(spec), Some((Err(_), base))) => {
+        (Some(input), Some((Err(_), base))) => {
             let message = format!("there is no scenario {}", base.display());
-            let help = format!("`{}` is looked for from the folder of the study", spec.base);
+            let help = format!(
+                "`{}` is looked for from the folder of the study",
+                input.base
+            );
             problems.add(Issue::new("base", message).help(help));
             None
         }
@@ -115,7 +118,7 @@ pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
 }
 
 fn build(
-    spec: &StudyFileSpec,
+    input: &StudyFileInput,
     scenario: &Scenario,
     title: String,
     folder: PathBuf,
@@ -126,19 +129,19 @@ fn build(
         problems.refuse(issue, &[]);
         return None;
     };
-    let columns = columns(spec, model, problems);
-    let (base, passed) = base_of(spec, scenario, &folder, problems)?;
+    let columns = columns(input, model, problems);
+    let (base, passed) = base_of(input, scenario, &folder, problems)?;
     let known = keys(&base, &LEFT_OUT);
     let mut axes = Vec::new();
     let mut found = Vec::new();
-    for (index, axis) in spec.axis.iter().enumerate() {
+    for (index, axis) in input.axis.iter().enumerate() {
         let path = format!("axis[{index}]");
         let Some(key) = find(&axis.key, &known, &format!("{path}.key"), problems) else {
             continue;
         };
         let builder = AxisBuilder {
             path,
-            spec: axis,
+            input: axis,
             key,
             problems,
         };
@@ -146,27 +149,27 @@ fn build(
         found.push(key.clone());
     }
     let (axes, variables): (Vec<Axis>, Vec<Variable>) = axes.into_iter().unzip();
-    let sampling = sampling(spec, &axes, problems)?;
-    let plan = Plan::new(axes, sampling, spec.seed);
-    check_count(&plan, spec, problems);
-    check_sweep(spec, problems);
-    check_cycles(spec, problems);
-    let echo = json!({ "study": echo(spec), "base": base });
+    let sampling = sampling(input, &axes, problems)?;
+    let plan = Plan::new(axes, sampling, input.seed);
+    check_count(&plan, input, problems);
+    check_sweep(input, problems);
+    check_cycles(input, problems);
+    let echo = json!({ "study": echo(input), "base": base });
     problems.is_clean().then(|| StudyFile {
         title,
         plan,
         variables,
-        sweep: spec.sweep,
-        verify_every: spec.verify_every,
-        keep: keep(spec),
+        sweep: input.sweep,
+        verify_every: input.verify_every,
+        keep: keep(input),
         columns,
         echo,
         base,
         passed,
-        changed: changed(spec),
+        changed: changed(input),
         folder,
         axes: found,
-        cycles: spec.cycles.as_ref().map(|cycles| Cycles {
+        cycles: input.cycles.as_ref().map(|cycles| Cycles {
             of: cycles.of,
             settle: cycles.settle,
             kept: cycles.kept,
@@ -176,14 +179,14 @@ fn build(
 
 /// The scenario with what all runs have otherwise.
 fn base_of(
-    spec: &StudyFileSpec,
+    input: &StudyFileInput,
     scenario: &Scenario,
     folder: &Path,
     problems: &mut Problems<'_>,
 ) -> Option<(Value, Passed)> {
     let mut base = without(&scenario.echo, &["study"]);
     let known = all_keys(&base, &LEFT_OUT);
-    for (index, set) in spec.set.iter().enumerate() {
+    for (index, set) in input.set.iter().enumerate() {
         let path = format!("set[{index}]");
         let key = find(&set.key, &known, &format!("{path}.key"), problems)?;
         let given = key.read(format!("{path}.value"), problems)?;
@@ -200,9 +203,9 @@ fn base_of(
 }
 
 /// The tables of the base in which runs differ from it.
-fn changed(spec: &StudyFileSpec) -> Vec<String> {
-    let axes = spec.axis.iter().map(|axis| axis.key.as_str());
-    let times = TIMES.iter().filter(|_| spec.cycles.is_some());
+fn changed(input: &StudyFileInput) -> Vec<String> {
+    let axes = input.axis.iter().map(|axis| axis.key.as_str());
+    let times = TIMES.iter().filter(|_| input.cycles.is_some());
     let mut tables: Vec<String> = axes
         .chain(times.copied())
         .filter_map(|key| key.split(['.', '[']).next())
@@ -233,12 +236,16 @@ fn find<'k>(
 }
 
 /// The numbers that are kept: of a scene all, or those that are named and the measured error.
-fn columns(spec: &StudyFileSpec, model: &Model, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
+fn columns(
+    input: &StudyFileInput,
+    model: &Model,
+    problems: &mut Problems<'_>,
+) -> Vec<NumberColumn> {
     let all = number_columns(
         model.rotor.shaft.freedoms.count(),
         model.rotor.bearings.len(),
     );
-    let Some(named) = &spec.keep.numbers else {
+    let Some(named) = &input.keep.numbers else {
         return all;
     };
     for (index, name) in named.iter().enumerate() {
@@ -256,19 +263,23 @@ fn columns(spec: &StudyFileSpec, model: &Model, problems: &mut Problems<'_>) -> 
     all.into_iter().filter(kept).collect()
 }
 
-fn sampling(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
-    let drawn: fn(u64) -> Sampling = match spec.sampling {
-        SamplingKind::Grid => return grid(spec, axes, problems),
+fn sampling(
+    input: &StudyFileInput,
+    axes: &[Axis],
+    problems: &mut Problems<'_>,
+) -> Option<Sampling> {
+    let drawn: fn(u64) -> Sampling = match input.sampling {
+        SamplingKind::Grid => return grid(input, axes, problems),
         SamplingKind::LatinHypercube => Sampling::LatinHypercube,
         SamplingKind::Sobol => Sampling::Sobol,
         SamplingKind::MonteCarlo => Sampling::MonteCarlo,
     };
-    if spec.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
+    if input.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
         let message = format!("Sobol's sequence has at most {MOST_SOBOL_AXES} axes");
         let issue = Issue::new("sampling", message).help("take \"latin_hypercube\"");
         problems.refuse(issue, &[]);
     }
-    match spec.runs {
+    match input.runs {
         Some(runs) => Some(drawn(runs)),
         None => {
             let issue = Issue::new("sampling", "runs that are drawn need a number of them");
@@ -278,8 +289,8 @@ fn sampling(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) ->
     }
 }
 
-fn grid(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
-    if spec.runs.is_some() {
+fn grid(input: &StudyFileInput, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
+    if input.runs.is_some() {
         let issue = Issue::new("runs", "a grid has as many runs as its axes make");
         problems.refuse(issue.help("remove it, or draw: sampling = \"sobol\""), &[]);
     }
@@ -294,48 +305,48 @@ fn grid(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Opt
     Some(Sampling::Grid)
 }
 
-fn check_count(plan: &Plan, spec: &StudyFileSpec, problems: &mut Problems<'_>) {
+fn check_count(plan: &Plan, input: &StudyFileInput, problems: &mut Problems<'_>) {
     let runs = plan.runs();
     if runs.is_none_or(|runs| runs > MOST_RUNS) {
         let shown = runs.map_or_else(|| "more than 1e19".to_owned(), |runs| runs.to_string());
         let message = format!("the axes make {shown} runs: at most {MOST_RUNS:e} in a study");
         let issue = Issue::new("axis", message).help("take fewer values, or draw the runs");
-        let others: Vec<_> = (0..spec.axis.len())
+        let others: Vec<_> = (0..input.axis.len())
             .map(|index| format!("axis[{index}].count"))
             .collect();
         problems.refuse(issue, &others);
     }
 }
 
-fn check_sweep(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
-    if spec.sweep.is_some() && spec.sampling != SamplingKind::Grid {
+fn check_sweep(input: &StudyFileInput, problems: &mut Problems<'_>) {
+    if input.sweep.is_some() && input.sampling != SamplingKind::Grid {
         let issue = Issue::new(
             "sweep",
             "runs that are drawn have no neighbours to go on from",
         );
         problems.refuse(issue.help("take a grid"), &["sampling".to_owned()]);
     }
-    if spec.keep.highest_order.is_some() && !spec.keep.spectra {
+    if input.keep.highest_order.is_some() && !input.keep.spectra {
         let issue = Issue::new("keep.highest_order", "no spectra are kept");
         problems.refuse(issue.help("set spectra = true, or remove it"), &[]);
     }
 }
 
 /// Refuses times that cycles decide.
-fn check_cycles(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
-    let axes = spec.axis.iter().map(|axis| &axis.key).enumerate();
+fn check_cycles(input: &StudyFileInput, problems: &mut Problems<'_>) {
+    let axes = input.axis.iter().map(|axis| &axis.key).enumerate();
     let axes = axes.map(|(index, key)| (format!("axis[{index}].key"), key));
-    let sets = spec.set.iter().map(|set| &set.key).enumerate();
+    let sets = input.set.iter().map(|set| &set.key).enumerate();
     let sets = sets.map(|(index, key)| (format!("set[{index}].key"), key));
-    let decided = |key: &str| TIMES.contains(&key) && spec.cycles.is_some();
+    let decided = |key: &str| TIMES.contains(&key) && input.cycles.is_some();
     for (path, key) in axes.chain(sets).filter(|(_, key)| decided(key)) {
         let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
         problems.refuse(issue.help("remove one of them"), &["cycles".to_owned()]);
     }
 }
 
-fn keep(spec: &StudyFileSpec) -> Keep {
-    let keep = &spec.keep;
+fn keep(input: &StudyFileInput) -> Keep {
+    let keep = &input.keep;
     Keep {
         highest_order: keep
             .spectra

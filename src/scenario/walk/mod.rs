@@ -1,6 +1,6 @@
 //! Checks the tree against the schema, finding every problem in one pass.
 //!
-//! What passes is a JSON value that the structs of [`super::spec`] deserialise from without
+//! What passes is a JSON value that the structs of [`super::input`] deserialise from without
 //! error. A required value that is wrong is replaced by its example, so that the checks that
 //! follow can go on; [`Problems`] keeps them from speaking about it.
 
