@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::Issue;
+use super::issue::Contradiction;
 use super::node::Node;
 
 /// Everything found so far, with the keys that later checks must not be believed about.
@@ -65,10 +66,10 @@ impl<'a> Problems<'a> {
         self.faulty.iter().any(holds)
     }
 
-    /// Adds a problem of a checked value, unless a key that it rests on has one already. The
-    /// issue's own path is the key to change; `others` are the keys it disagrees with.
-    pub fn refuse(&mut self, mut issue: Issue, others: &[String]) {
-        let mut paths = std::iter::once(&issue.path).chain(others);
+    /// Adds a problem of a checked value, unless a key that it rests on has one already.
+    pub fn refuse(&mut self, problem: impl Into<Contradiction>) {
+        let Contradiction { mut issue, others } = problem.into();
+        let mut paths = std::iter::once(&issue.path).chain(&others);
         if paths.any(|path| self.distrusts(path)) {
             return;
         }
@@ -79,6 +80,11 @@ impl<'a> Problems<'a> {
             .filter(|place| Some(place) != issue.span.as_ref())
             .collect();
         self.issues.push(issue);
+    }
+
+    /// The whole tree.
+    pub fn root(&self) -> &'a Node {
+        self.root
     }
 
     /// The value of a path as it was written.

@@ -15,9 +15,9 @@ use crate::bearing::{Bearing, BearingError, ContactDamping, Facing, MountedBeari
 use crate::physics::{Material, RaceControl};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
+use crate::scenario::nearest::nearest;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Angle, AngularSpeed, Force, Length, Quantity, si};
-use crate::scenario::walk::nearest;
 
 /// A ball bearing and its place on the shaft.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -191,7 +191,8 @@ impl BearingInput {
             let message =
                 "`race_control` needs contact = \"jones\": other laws know no ball inertia";
             let issue = Issue::new(format!("{path}.race_control"), message);
-            problems.refuse(issue.help("remove it, or set contact = \"jones\""), &law);
+            let issue = issue.help("remove it, or set contact = \"jones\"");
+            problems.refuse(issue.against_all(&law));
         }
         let given = self.geometry.as_ref();
         if jones && given.is_some_and(|input| input.contact_stiffness.is_some()) {
@@ -199,7 +200,7 @@ impl BearingInput {
                            loads them differently";
             let issue = Issue::new(format!("{path}.geometry.contact_stiffness"), message)
                 .help("remove it, or set contact = \"hertz\"");
-            problems.refuse(issue, &law);
+            problems.refuse(issue.against_all(&law));
         }
     }
 
@@ -218,7 +219,7 @@ impl BearingInput {
                 "add [bearing.oil] with viscosity = \"0.04 Pa s\" and pressure_viscosity = \
                  \"22 1/GPa\", or set film = false",
             );
-            problems.refuse(issue, &[format!("{path}.film"), "model.film".to_owned()]);
+            problems.refuse(issue.against(format!("{path}.film")).against("model.film"));
         }
         self.oil.as_ref().map(OilInput::build)
     }
@@ -242,14 +243,14 @@ impl BearingInput {
                 let message = "`spacing` needs an `arrangement`: one bearing has none";
                 let issue = Issue::new(key("spacing"), message)
                     .help("for instance: arrangement = \"back-to-back\"");
-                problems.refuse(issue, &[key("arrangement")]);
+                problems.refuse(issue.against(key("arrangement")));
                 None
             }
             (Some(_), None) => {
                 let message = "a set of bearings needs a `spacing`";
                 let issue =
                     Issue::new(key("spacing"), message).help("for instance: spacing = \"15 mm\"");
-                problems.refuse(issue, &[key("arrangement")]);
+                problems.refuse(issue.against(key("arrangement")));
                 None
             }
             (Some(arrangement), Some(spacing)) => {
@@ -257,7 +258,7 @@ impl BearingInput {
                     let message = "`facing` is for \"tandem\": the two bearings of this set face \
                                    each other or away";
                     let issue = Issue::new(key("facing"), message).help("remove it");
-                    problems.refuse(issue, &[key("arrangement")]);
+                    problems.refuse(issue.against(key("arrangement")));
                 }
                 Some(arrangement.places(centre, spacing.si(), facing).to_vec())
             }
@@ -276,7 +277,7 @@ impl BearingInput {
             if self.geometry.is_none() {
                 let message = format!("`{path}` needs `catalogue` or a table `[bearing.geometry]`");
                 let issue = Issue::new(key, message).help("for instance: catalogue = \"7205C\"");
-                problems.refuse(issue, &[format!("{path}.geometry")]);
+                problems.refuse(issue.against(format!("{path}.geometry")));
                 return None;
             }
             return Some(None);
@@ -289,7 +290,7 @@ impl BearingInput {
                 None => format!("it has {}", known.join(", ")),
             };
             let message = format!("the catalogue has no bearing \"{designation}\"");
-            problems.refuse(Issue::new(key, message).help(help), &[]);
+            problems.refuse(Issue::new(key, message).help(help));
         }
         entry.map(Some)
     }
@@ -302,6 +303,6 @@ fn check_contact(bearing: &Bearing, sources: &Sources<'_>, problems: &mut Proble
             BearingError::Contact { race: "inner", .. } => "groove_factor_inner",
             _ => "groove_factor_outer",
         };
-        problems.refuse(Issue::new(sources.key(key), error.to_string()), &[]);
+        problems.refuse(Issue::new(sources.key(key), error.to_string()));
     }
 }

@@ -73,5 +73,5 @@ pub fn refuse_held_key(path: &str, key: &str, freedoms: Freedoms, problems: &mut
     let message = format!("`{key}` has nothing to act on: freedoms = \"{name}\" holds it");
     let issue = Issue::new(format!("{path}.{key}"), message)
         .help(format!("remove it, or set freedoms = {wider}"));
-    problems.refuse(issue, &["shaft.freedoms".to_owned()]);
+    problems.refuse(issue.against("shaft.freedoms"));
 }

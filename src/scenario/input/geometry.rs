@@ -109,7 +109,7 @@ impl Sources<'_> {
                 "`{}.geometry` needs `{key}` where no catalogue bearing gives it",
                 self.path
             );
-            problems.refuse(Issue::new(self.key(key), message), &[]);
+            problems.refuse(Issue::new(self.key(key), message));
         }
         value
     }
@@ -127,7 +127,8 @@ impl Sources<'_> {
                 self.path
             );
             let others = ["diametral_clearance", "radial_clearance"].map(|key| self.key(key));
-            problems.refuse(Issue::new(self.key("contact_angle"), message), &others);
+            let issue = Issue::new(self.key("contact_angle"), message);
+            problems.refuse(issue.against_all(others));
         }
         given
     }
@@ -153,12 +154,12 @@ impl Sources<'_> {
             GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
             GeometryError::ClearanceChange { .. } => {
                 let key = format!("{}.clearance_change", self.path);
-                return problems.refuse(Issue::new(key, self.message(error)), &[]);
+                return problems.refuse(Issue::new(key, self.message(error)));
             }
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
         };
-        let others: Vec<_> = others.iter().map(|key| self.key(key)).collect();
-        problems.refuse(Issue::new(self.key(key), self.message(error)), &others);
+        let issue = Issue::new(self.key(key), self.message(error));
+        problems.refuse(issue.against_all(others.iter().map(|key| self.key(key))));
     }
 
     /// The message of the error, with lengths in the units of a drawing.

@@ -26,5 +26,4 @@ mod written;
 
 pub use output::Output;
 pub use scenario::{Questions, ScenarioInput};
-pub use study::StudyInput;
 pub use written::{TableFormat, TraceChannel};

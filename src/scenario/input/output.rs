@@ -119,16 +119,16 @@ impl Output {
             if !format.is_built() {
                 let issue = Issue::new(path, "this `jeffcott` is built without Parquet")
                     .help("take \"csv\" or \"mat\", or build it with `--features parquet`");
-                problems.refuse(issue, &[]);
+                problems.refuse(issue);
             } else if self.formats[..index].contains(format) {
-                problems.refuse(twice(path, format.extension()), &[]);
+                problems.refuse(twice(path, format.extension()));
             }
         }
         let channels = self.channels.as_deref().unwrap_or_default();
         for (index, channel) in channels.iter().enumerate() {
             if channels[..index].contains(channel) {
                 let path = format!("output.channels[{index}]");
-                problems.refuse(twice(path, channel.name()), &[]);
+                problems.refuse(twice(path, channel.name()));
             }
         }
     }
@@ -174,7 +174,7 @@ impl Output {
                 "the speed changes after `settle`: only a motion at constant speed has a period";
             let issue = Issue::new("output.motion", message)
                 .help("remove it, or set `settle` in `[time]` to where the speed is constant");
-            problems.refuse(issue, &["time.settle".to_owned()]);
+            problems.refuse(issue.against("time.settle"));
         }
         if self.maps == Some(true) && !changes {
             let issue = Issue::new(
@@ -182,7 +182,7 @@ impl Output {
                 "the speed does not change: there is nothing to map",
             )
             .help("remove it; `jeffcott campbell` follows natural frequencies over the speed");
-            problems.refuse(issue, &["speed.constant".to_owned()]);
+            problems.refuse(issue.against("speed.constant"));
         }
         Analyses {
             motion: steady && self.motion.unwrap_or(self.spectrum),
@@ -199,7 +199,7 @@ impl Output {
                 "a linear bearing knows no balls that could be traced",
             )
             .help("remove it, or set contact = \"hertz\" or \"jones\" in `[model]`");
-            problems.refuse(issue, &["model.contact".to_owned()]);
+            problems.refuse(issue.against("model.contact"));
         }
     }
 
@@ -220,7 +220,7 @@ impl Output {
         };
         let issue = Issue::new(path, message).help("for instance: sample_rate = \"20 kHz\"");
         let others = [speed, "output.sample_rate"];
-        problems.refuse(issue, &others.map(str::to_owned));
+        problems.refuse(issue.against_all(others));
     }
 
     fn check_count(&self, rate: f64, speed: &str, time: &TimeInput, problems: &mut Problems<'_>) {
@@ -234,7 +234,7 @@ impl Output {
                 format!("{count:.3e} samples are too many: at most {MOST_SAMPLES:e} in a run");
             let issue =
                 Issue::new("time.duration", message).help("shorten it or sample less often");
-            problems.refuse(issue, &[key.to_owned(), speed.to_owned()]);
+            problems.refuse(issue.against(key).against(speed));
         }
         let rows = count / self.every.get() as f64;
         if self.trace && rows > MOST_MAT_ROWS && self.formats.contains(&TableFormat::Mat) {
@@ -243,7 +243,7 @@ impl Output {
             );
             let issue = Issue::new("output.formats", message)
                 .help("write fewer of them with `every`, or another format");
-            problems.refuse(issue, &["output.every".to_owned()]);
+            problems.refuse(issue.against("output.every"));
         }
     }
 }
@@ -278,5 +278,5 @@ fn check_window(
         "make it {shortest} s or longer, or set `spectrum = false` in `[output]`"
     ));
     let others = ["time.settle", key, "output.sample_rate"];
-    problems.refuse(issue, &others.map(str::to_owned));
+    problems.refuse(issue.against_all(others));
 }

@@ -91,6 +91,14 @@ pub struct Questions {
     pub oils: Vec<Option<Oil>>,
 }
 
+impl Questions {
+    /// The motion, which a scenario may leave out.
+    pub fn motion(self) -> Result<Model, Issue> {
+        let missing = || Issue::new("time", "the scenario has no `[time]`");
+        self.model.ok_or_else(missing)
+    }
+}
+
 impl ScenarioInput {
     /// The questions, as far as nothing contradicts them.
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<Questions> {
@@ -138,14 +146,13 @@ impl ScenarioInput {
 
     /// Refuses what belongs to a choice where there is none, and what leaves none.
     fn check_auto(&self, any_open: bool, problems: &mut Problems<'_>) {
-        let contact = ["model.contact".to_owned()];
         if self.model.model_error.is_some() && !any_open {
             let issue = Issue::new(
                 "model.model_error",
                 "`model_error` needs contact = \"auto\": any other law is taken as it is",
             )
             .help("remove it, or set contact = \"auto\"");
-            problems.refuse(issue, &contact);
+            problems.refuse(issue.against("model.contact"));
         }
         if self.model.film && self.model.contact == ContactChoice::Auto {
             let issue = Issue::new(
@@ -153,7 +160,7 @@ impl ScenarioInput {
                 "contact = \"auto\" decides on oil films itself, wherever [bearing.oil] is given",
             )
             .help("remove it, or set film = true in `[[bearing]]`");
-            problems.refuse(issue, &contact);
+            problems.refuse(issue.against("model.contact"));
         }
     }
 
@@ -232,7 +239,7 @@ impl ScenarioInput {
                 "`race_control` needs contact = \"jones\": other laws know no ball inertia";
             let issue = Issue::new("model.race_control", message)
                 .help("remove it, or set contact = \"jones\"");
-            problems.refuse(issue, &["model.contact".to_owned()]);
+            problems.refuse(issue.against("model.contact"));
         }
     }
 

@@ -74,7 +74,7 @@ impl ShaftInput {
                 let issue = Issue::new(format!("shaft.{key}"), message).help(format!(
                     "to start there: [initial] displacement = {{ {key} = … }}"
                 ));
-                problems.refuse(issue, &["shaft.freedoms".to_owned()]);
+                problems.refuse(issue.against("shaft.freedoms"));
             }
         }
     }
@@ -91,7 +91,7 @@ impl ShaftInput {
                 let message = "`shaft` needs an `inertia_polar` above zero where a drive turns it";
                 let issue =
                     Issue::new(path, message).help("for instance: inertia_polar = \"0.01 kg m^2\"");
-                problems.refuse(issue, &["speed.drive".to_owned()]);
+                problems.refuse(issue.against("speed.drive"));
                 continue;
             }
             if self.freedoms != Freedoms::All && inertia.is_some() && !turned {
@@ -101,7 +101,7 @@ impl ShaftInput {
                 let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
                 let issue = Issue::new(path, message)
                     .help(format!("for instance: {key} = \"0.01 kg m^2\""));
-                problems.refuse(issue, &["shaft.freedoms".to_owned()]);
+                problems.refuse(issue.against("shaft.freedoms"));
             }
         }
         if let (Some(transverse), Some(polar)) = (&self.inertia_transverse, &self.inertia_polar)
@@ -109,7 +109,7 @@ impl ShaftInput {
         {
             let message = "no body has an `inertia_polar` above twice its `inertia_transverse`";
             let issue = Issue::new("shaft.inertia_polar", message);
-            problems.refuse(issue, &["shaft.inertia_transverse".to_owned()]);
+            problems.refuse(issue.against("shaft.inertia_transverse"));
         }
     }
 }

@@ -78,7 +78,7 @@ impl SpeedInput {
             let constant = self.constant.as_ref();
             (constant.map_or(0.0, Quantity::si), Vec::new())
         };
-        let refused = |error| problems.refuse(Issue::new(self.path(), format!("{error}")), &[]);
+        let refused = |error| problems.refuse(Issue::new(self.path(), format!("{error}")));
         SpeedProfile::new(start, &points).map_err(refused).ok()
     }
 
@@ -104,7 +104,7 @@ impl SpeedInput {
             );
             let issue = Issue::new(format!("speed.{}", first.0), message)
                 .help("a run-up is from = \"0 rpm\", to = \"3000 rpm\", over = \"2 s\"");
-            problems.refuse(issue, &[]);
+            problems.refuse(issue);
         }
         Some(SpeedPoint {
             time: self.over.as_ref()?.si(),
@@ -122,12 +122,12 @@ fn points(profile: &[PointInput], problems: &mut Problems<'_>) -> Option<(f64, V
         );
         let issue = Issue::new("speed.profile", message)
             .help("for a single speed: constant = \"3000 rpm\"");
-        problems.refuse(issue, &[]);
+        problems.refuse(issue);
         return None;
     };
     if first.at.si() != 0.0 {
         let message = "the first point of `profile` must stand at 0 s";
-        problems.refuse(Issue::new("speed.profile[0].at", message), &[]);
+        problems.refuse(Issue::new("speed.profile[0].at", message));
         return None;
     }
     for (index, pair) in profile.windows(2).enumerate() {
@@ -135,7 +135,7 @@ fn points(profile: &[PointInput], problems: &mut Problems<'_>) -> Option<(f64, V
         if time <= before {
             let message = format!("`at` must rise from point to point: {before} s stands before");
             let issue = Issue::new(format!("speed.profile[{}].at", index + 1), message);
-            problems.refuse(issue, &[format!("speed.profile[{index}].at")]);
+            problems.refuse(issue.against(format!("speed.profile[{index}].at")));
             return None;
         }
     }

@@ -53,5 +53,5 @@ impl StaticInput {
 fn refuse_both(key: &str, load: usize, problems: &mut Problems<'_>) {
     let message = format!("`{key}` has a load already: give its load or its displacement");
     let issue = Issue::new(format!("static.displacement.{key}"), message).help("keep one of them");
-    problems.refuse(issue, &[format!("load[{load}].constant.{key}")]);
+    problems.refuse(issue.against(format!("load[{load}].constant.{key}")));
 }

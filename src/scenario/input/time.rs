@@ -35,7 +35,7 @@ impl TimeInput {
                 self.duration.si()
             );
             let issue = Issue::new("time.settle", message);
-            problems.refuse(issue, &["time.duration".to_owned()]);
+            problems.refuse(issue.against("time.duration"));
         }
     }
 }

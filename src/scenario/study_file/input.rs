@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::SectionKind;
+use crate::scenario::axis::AxisInput;
 use crate::scenario::scalar::Scalar;
 use crate::study::many::Sweep;
 use crate::study::plan::MOST_RUNS;
@@ -81,62 +82,6 @@ pub enum SamplingKind {
     MonteCarlo,
 }
 
-/// One number of the base that takes many values: by a list, evenly spaced or drawn.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-#[schemars(extend("x-exactly-one" = ["values", "count", "distribution"]))]
-pub struct AxisInput {
-    /// Path of its key, for instance "speed.constant" or "bearing[0].preload".
-    #[schemars(extend("examples" = ["speed.constant"]))]
-    pub key: String,
-    /// The values, each written as that key is.
-    #[schemars(extend("minItems" = 1, "maxItems" = 1_000_000))]
-    pub values: Option<Vec<Scalar>>,
-    /// First of `count` values, or least value of a uniform distribution.
-    pub from: Option<Scalar>,
-    /// Last of `count` values, or largest value of a uniform distribution.
-    pub to: Option<Scalar>,
-    /// How many evenly spaced values.
-    #[schemars(range(min = 2, max = MOST_RUNS))]
-    pub count: Option<u64>,
-    /// Whether `count` values have equal differences or equal ratios. Default: "linear".
-    pub spacing: Option<Spacing>,
-    /// How values are drawn.
-    pub distribution: Option<DistributionKind>,
-    /// Mean of a normal distribution.
-    pub mean: Option<Scalar>,
-    /// Standard deviation of a normal distribution.
-    pub deviation: Option<Scalar>,
-    /// Most likely value of a triangular distribution.
-    pub mode: Option<Scalar>,
-    /// Least value of a normal or triangular distribution.
-    pub lowest: Option<Scalar>,
-    /// Largest value of a normal or triangular distribution.
-    pub highest: Option<Scalar>,
-}
-
-/// Spacing of values.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Spacing {
-    /// Equal differences.
-    Linear,
-    /// Equal ratios.
-    Logarithmic,
-}
-
-/// How values are drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum DistributionKind {
-    /// Evenly between `from` and `to`.
-    Uniform,
-    /// By `mean` and `deviation`, cut off at `lowest` and `highest`.
-    Normal,
-    /// From `lowest` to `highest` with the most likely value `mode`.
-    Triangular,
-}
-
 /// One value that all runs have.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -160,7 +105,7 @@ pub struct KeepInput {
     /// Whether the amplitudes of the displacements are kept, in `spectra.csv`. Default: false.
     pub spectra: bool,
     /// Highest frequency of them in shaft orders. Default: 20.
-    #[schemars(extend("x-minimum" = 0.0))]
+    #[schemars(range(min = 0.0))]
     pub highest_order: Option<f64>,
     /// Whether the trace of every run is kept, in `traces/trace-<number>.csv`; `traces.csv` says what they are
     /// known by. Default: false.

@@ -95,7 +95,7 @@ impl LoadInput {
         if self.base.is_some() {
             let message = "a `base` acceleration acts at the centre of mass, not at a `position`";
             let issue = Issue::new(format!("{path}.position"), message);
-            problems.refuse(issue, &[format!("{path}.base")]);
+            problems.refuse(issue.against(format!("{path}.base")));
         }
         if freedoms != Freedoms::All {
             problems.warn(format!(

@@ -54,12 +54,12 @@ impl NoiseInput {
             .filter(|(_, rms)| *rms < 0.0)
         {
             let message = format!("`{key}` must be positive: it is a root mean square");
-            problems.refuse(Issue::new(format!("{path}.rms.{key}"), message), &[]);
+            problems.refuse(Issue::new(format!("{path}.rms.{key}"), message));
         }
         if high <= low {
             let message = format!("`high` must be above the `low` of {low} Hz");
             let issue = Issue::new(format!("{path}.high"), message);
-            problems.refuse(issue, &[format!("{path}.low")]);
+            problems.refuse(issue.against(format!("{path}.low")));
             return None;
         }
         Some(Noise::new(&NoiseBand {

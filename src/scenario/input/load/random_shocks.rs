@@ -55,7 +55,7 @@ impl RandomShocksInput {
                 "about {expected:.1e} shocks are too many: at most {MOST_SHOCKS:e} in a run"
             );
             let issue = Issue::new(format!("{path}.rate"), message);
-            problems.refuse(issue, &["time.duration".to_owned()]);
+            problems.refuse(issue.against("time.duration"));
             return None;
         }
         let statistics = ShockStatistics {

@@ -43,7 +43,7 @@ impl SeriesInput {
                         components::KEYS[*axis]
                     );
                     let issue = Issue::new(format!("{path}.file"), message);
-                    problems.refuse(issue, &["shaft.freedoms".to_owned()]);
+                    problems.refuse(issue.against("shaft.freedoms"));
                 }
                 if series.end() < around.duration {
                     problems.warn(format!(
@@ -57,7 +57,7 @@ impl SeriesInput {
             Err(error) => {
                 let message = format!("`{}` is no load series: {error}", self.file);
                 let issue = Issue::new(format!("{path}.file"), message);
-                problems.refuse(issue, &[]);
+                problems.refuse(issue);
                 None
             }
         }

@@ -38,7 +38,7 @@ impl<A: PerFreedom> ShockInput<A> {
                 "`every` must be at least the `duration` of {duration} s: shocks do not overlap"
             );
             let issue = Issue::new(format!("{path}.every"), message);
-            problems.refuse(issue, &[format!("{path}.duration")]);
+            problems.refuse(issue.against(format!("{path}.duration")));
         }
         Shock {
             peak: moving(&self.peak, &format!("{path}.peak"), freedoms, problems),

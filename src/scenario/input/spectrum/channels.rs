@@ -108,7 +108,7 @@ fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut 
         let message = format!("`{channel}` does not move: the shaft's `freedoms` hold it");
         let issue =
             Issue::new(path, message).help("leave it out, or set more freedoms in `[shaft]`");
-        problems.refuse(issue, &["shaft.freedoms".to_owned()]);
+        problems.refuse(issue.against("shaft.freedoms"));
     }
 }
 
@@ -130,7 +130,7 @@ fn refuse_single(path: &str, channels: &[Channel], problems: &mut Problems<'_>) 
         );
         let issue = Issue::new(format!("{path}.channels"), message)
             .help("for instance: channels = [\"x\", \"y\"], or [\"force\"]");
-        problems.refuse(issue, &[format!("{path}.kind")]);
+        problems.refuse(issue.against(format!("{path}.kind")));
     }
 }
 
@@ -140,6 +140,6 @@ fn refuse_lone(path: &str, channels: &[Channel], problems: &mut Problems<'_>) {
         let message = "a cross spectrum takes two channels or more: the first is the reference";
         let issue = Issue::new(format!("{path}.channels"), message)
             .help("for instance: channels = [\"force_x\", \"x\"]");
-        problems.refuse(issue, &[format!("{path}.kind")]);
+        problems.refuse(issue.against(format!("{path}.kind")));
     }
 }

@@ -49,14 +49,14 @@ impl SpectrumInput {
             let message = format!(
                 "`name` must be 1 to {LONGEST_NAME} letters, digits, `_` or `-`: a file is called by it"
             );
-            problems.refuse(Issue::new(&path, message), &[]);
+            problems.refuse(Issue::new(&path, message));
         }
         // file names of some systems do not tell cases apart
         let same = |request: &SpectrumRequest| request.name.eq_ignore_ascii_case(name);
         if earlier.iter().any(same) {
             let message = format!("there are two spectra of the name \"{name}\"");
             let issue = Issue::new(&path, message).help("give each a `name` of its own");
-            problems.refuse(issue, &[]);
+            problems.refuse(issue);
         }
     }
 
@@ -65,7 +65,7 @@ impl SpectrumInput {
             let message = "a cross spectrum is the product of two channels and has no amplitude";
             let issue = Issue::new(format!("{path}.scaling"), message)
                 .help("set scaling = \"density\" or \"power\"");
-            problems.refuse(issue, &[format!("{path}.kind")]);
+            problems.refuse(issue.against(format!("{path}.kind")));
         }
     }
 
@@ -97,7 +97,7 @@ impl SpectrumInput {
                 Issue::new(&inner, message).help(BAND)
             }
         };
-        problems.refuse(issue, &[inner]);
+        problems.refuse(issue.against(inner));
         None
     }
 
@@ -112,12 +112,12 @@ impl SpectrumInput {
         if self.over == Axis::Order && recorded.highest == 0.0 {
             let issue = Issue::new(over, "a shaft that stands has no orders")
                 .help("set over = \"frequency\"");
-            problems.refuse(issue, &[speed]);
+            problems.refuse(issue.against(speed));
         } else if self.over == Axis::Order && self.segment.is_some() {
             let message = "a spectrum over orders has segments in revolutions, not in seconds";
             let issue = Issue::new(format!("{path}.segment"), message)
                 .help("for instance: segment_revolutions = 16");
-            problems.refuse(issue, &[over]);
+            problems.refuse(issue.against(over));
         } else if self.over == Axis::Frequency
             && self.segment_revolutions.is_some()
             && recorded.steady == 0.0
@@ -125,7 +125,7 @@ impl SpectrumInput {
             let message = "revolutions are not equally long where the speed changes or is zero";
             let issue = Issue::new(format!("{path}.segment_revolutions"), message)
                 .help("give `segment` in seconds, or set over = \"order\"");
-            problems.refuse(issue, &[over, speed]);
+            problems.refuse(issue.against(over).against(speed));
         } else {
             self.check_length(path, recorded, problems);
         }
@@ -159,7 +159,7 @@ impl SpectrumInput {
         };
         let others = ["time.duration", "time.settle", "output.sample_rate"];
         let issue = Issue::new(format!("{path}.{key}"), message);
-        problems.refuse(issue, &others.map(str::to_owned));
+        problems.refuse(issue.against_all(others));
     }
 }
 

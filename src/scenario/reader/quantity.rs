@@ -2,10 +2,11 @@
 
 use serde_json::Value;
 
+use super::last;
 use super::range::Range;
-use super::{last, nearest};
 use crate::scenario::Issue;
 use crate::scenario::dimension::Dimension;
+use crate::scenario::nearest::nearest;
 use crate::scenario::node::{Content, Node};
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{QuantityError, parse};

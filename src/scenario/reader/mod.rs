@@ -8,12 +8,23 @@ mod quantity;
 mod range;
 mod table;
 
+use serde::de::DeserializeOwned;
 use serde_json::{Number, Value};
 
 use super::Issue;
+use super::nearest::nearest;
 use super::node::{Content, Node};
 use super::problems::Problems;
 pub(super) use range::Range;
+
+/// The whole tree as a struct that `schema` describes; its required values may be examples where
+/// [`Problems`] holds an issue about them.
+pub(super) fn read<T: DeserializeOwned>(schema: &Value, problems: &mut Problems<'_>) -> Option<T> {
+    let value = value(problems.root(), schema, "", problems)?;
+    serde_json::from_value(value)
+        .map_err(|error| problems.add(Issue::new("", error.to_string())))
+        .ok()
+}
 
 /// The value of a node, if it is what the schema asks for.
 pub(super) fn value(
@@ -64,20 +75,6 @@ pub(super) fn value(
 pub(super) fn last(path: &str) -> &str {
     let key = path.rsplit('.').next().unwrap_or(path);
     key.split('[').next().unwrap_or(key)
-}
-
-/// The known word nearest to what was written, if any is near; letter case does not matter.
-pub(super) fn nearest<'a>(
-    written: &str,
-    known: impl IntoIterator<Item = &'a str>,
-) -> Option<&'a str> {
-    let written = written.to_lowercase();
-    known
-        .into_iter()
-        .map(|word| (strsim::jaro_winkler(&written, &word.to_lowercase()), word))
-        .filter(|(likeness, _)| *likeness > 0.75)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .map(|(_, word)| word)
 }
 
 fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {

@@ -4,8 +4,10 @@ use std::collections::HashSet;
 
 use serde_json::{Map, Value};
 
-use super::{choices, last, nearest, value};
+use super::{choices, last, value};
 use crate::scenario::Issue;
+use crate::scenario::key::join;
+use crate::scenario::nearest::nearest;
 use crate::scenario::node::{Entry, Node};
 use crate::scenario::problems::Problems;
 
@@ -73,14 +75,6 @@ fn fill_required(
         }
     }
     complete
-}
-
-fn join(path: &str, key: &str) -> String {
-    if path.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{path}.{key}")
-    }
 }
 
 /// What a table is called: `[shaft]`, or the file as a whole.
