@@ -118,14 +118,12 @@ impl BearingInput {
     /// The mounted bearing, or both of a set, as far as nothing contradicts it.
     pub fn build(
         &self,
-        index: usize,
         model: &ModelInput,
         freedoms: Freedoms,
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
-        let path = format!("bearing[{index}]");
-        let mounted = self.build_one(&path, model, freedoms, problems);
-        let places = self.places(&path, problems);
+        let mounted = self.build_one(model, freedoms, problems);
+        let places = self.places(problems);
         let mounted = mounted?;
         let place = |(position, facing)| MountedBearing {
             position,
@@ -138,18 +136,16 @@ impl BearingInput {
     /// The bearing at its nominal position.
     fn build_one(
         &self,
-        path: &str,
         model: &ModelInput,
         freedoms: Freedoms,
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
-        let entry = self.entry(path, problems)?;
+        let entry = self.entry(problems)?;
         let input = self.geometry.clone().unwrap_or_default();
         let sources = Sources {
             input: &input,
             entry,
             clearance_change: self.clearance_change.si(),
-            path: path.to_owned(),
         };
         let rating = si(&self.dynamic_rating);
         let ring_material = material::build(self.material.as_ref(), Material::BEARING_STEEL);
@@ -163,8 +159,8 @@ impl BearingInput {
             limiting_speed: si(&self.limiting_speed),
             shoulder_angle: si(&self.shoulder_angle),
         };
-        check_contact(&bearing, &sources, problems);
-        self.check_law(path, model, problems);
+        check_contact(&bearing, problems);
+        self.check_law(model, problems);
         let control = self.race_control.or(model.race_control);
         Some(MountedBearing {
             bearing,
@@ -173,7 +169,7 @@ impl BearingInput {
                 (ContactChoice::Auto, Some(_)) => ContactChoice::Hertz.law(control),
                 (contact, _) => contact.law(control),
             },
-            oil: self.film_oil(path, model, problems),
+            oil: self.film_oil(model, problems),
             position: self.position.si(),
             facing: Facing::PlusZ,
             preload: self.preload(),
@@ -183,29 +179,29 @@ impl BearingInput {
     }
 
     /// Refuses what the force law of the bearing does not know.
-    fn check_law(&self, path: &str, model: &ModelInput, problems: &mut Problems<'_>) {
+    fn check_law(&self, model: &ModelInput, problems: &mut Problems<'_>) {
         let contact = self.contact(model);
         let jones = contact == ContactChoice::Jones;
-        let law = [format!("{path}.contact"), "model.contact".to_owned()];
+        let law = [".contact", "model.contact"];
         if self.race_control.is_some() && !jones && contact != ContactChoice::Auto {
             let message =
                 "`race_control` needs contact = \"jones\": other laws know no ball inertia";
-            let issue = Issue::new(format!("{path}.race_control"), message);
+            let issue = Issue::new(".race_control", message);
             let issue = issue.help("remove it, or set contact = \"jones\"");
-            problems.refuse(issue.against_all(&law));
+            problems.refuse(issue.against_all(law));
         }
         let given = self.geometry.as_ref();
         if jones && given.is_some_and(|input| input.contact_stiffness.is_some()) {
             let message = "`contact_stiffness` is that of both races together, and \"jones\" \
                            loads them differently";
-            let issue = Issue::new(format!("{path}.geometry.contact_stiffness"), message)
+            let issue = Issue::new(".geometry.contact_stiffness", message)
                 .help("remove it, or set contact = \"hertz\"");
-            problems.refuse(issue.against_all(&law));
+            problems.refuse(issue.against_all(law));
         }
     }
 
     /// The oil, where its films part the surfaces.
-    fn film_oil(&self, path: &str, model: &ModelInput, problems: &mut Problems<'_>) -> Option<Oil> {
+    fn film_oil(&self, model: &ModelInput, problems: &mut Problems<'_>) -> Option<Oil> {
         if self.contact(model) == ContactChoice::Auto && self.film.is_none() {
             // films are considered where there is oil
             return self.oil.as_ref().map(OilInput::build);
@@ -214,12 +210,12 @@ impl BearingInput {
             return None;
         }
         if self.oil.is_none() {
-            let message = format!("`{path}` needs `oil` where film = true");
-            let issue = Issue::new(format!("{path}.oil"), message).help(
+            let message = format!("`{}` needs `oil` where film = true", problems.path("."));
+            let issue = Issue::new(".oil", message).help(
                 "add [bearing.oil] with viscosity = \"0.04 Pa s\" and pressure_viscosity = \
                  \"22 1/GPa\", or set film = false",
             );
-            problems.refuse(issue.against(format!("{path}.film")).against("model.film"));
+            problems.refuse(issue.against(".film").against("model.film"));
         }
         self.oil.as_ref().map(OilInput::build)
     }
@@ -233,32 +229,31 @@ impl BearingInput {
     }
 
     /// Position in m and orientation of the bearing, or of both of a set.
-    fn places(&self, path: &str, problems: &mut Problems<'_>) -> Option<Vec<(f64, Facing)>> {
-        let key = |key: &str| format!("{path}.{key}");
+    fn places(&self, problems: &mut Problems<'_>) -> Option<Vec<(f64, Facing)>> {
         let centre = self.position.si();
         let facing = self.facing.unwrap_or_default();
         match (self.arrangement, &self.spacing) {
             (None, None) => Some(vec![(centre, facing)]),
             (None, Some(_)) => {
                 let message = "`spacing` needs an `arrangement`: one bearing has none";
-                let issue = Issue::new(key("spacing"), message)
+                let issue = Issue::new(".spacing", message)
                     .help("for instance: arrangement = \"back-to-back\"");
-                problems.refuse(issue.against(key("arrangement")));
+                problems.refuse(issue.against(".arrangement"));
                 None
             }
             (Some(_), None) => {
                 let message = "a set of bearings needs a `spacing`";
                 let issue =
-                    Issue::new(key("spacing"), message).help("for instance: spacing = \"15 mm\"");
-                problems.refuse(issue.against(key("arrangement")));
+                    Issue::new(".spacing", message).help("for instance: spacing = \"15 mm\"");
+                problems.refuse(issue.against(".arrangement"));
                 None
             }
             (Some(arrangement), Some(spacing)) => {
                 if self.facing.is_some() && arrangement != Arrangement::Tandem {
                     let message = "`facing` is for \"tandem\": the two bearings of this set face \
                                    each other or away";
-                    let issue = Issue::new(key("facing"), message).help("remove it");
-                    problems.refuse(issue.against(key("arrangement")));
+                    let issue = Issue::new(".facing", message).help("remove it");
+                    problems.refuse(issue.against(".arrangement"));
                 }
                 Some(arrangement.places(centre, spacing.si(), facing).to_vec())
             }
@@ -267,17 +262,14 @@ impl BearingInput {
 
     /// The catalogue entry, `Some(None)` where the geometry stands alone, `None` where neither
     /// tells what the bearing is.
-    fn entry(
-        &self,
-        path: &str,
-        problems: &mut Problems<'_>,
-    ) -> Option<Option<&'static CatalogueEntry>> {
-        let key = format!("{path}.catalogue");
+    fn entry(&self, problems: &mut Problems<'_>) -> Option<Option<&'static CatalogueEntry>> {
         let Some(designation) = &self.catalogue else {
             if self.geometry.is_none() {
+                let path = problems.path(".");
                 let message = format!("`{path}` needs `catalogue` or a table `[bearing.geometry]`");
-                let issue = Issue::new(key, message).help("for instance: catalogue = \"7205C\"");
-                problems.refuse(issue.against(format!("{path}.geometry")));
+                let issue =
+                    Issue::new(".catalogue", message).help("for instance: catalogue = \"7205C\"");
+                problems.refuse(issue.against(".geometry"));
                 return None;
             }
             return Some(None);
@@ -290,19 +282,19 @@ impl BearingInput {
                 None => format!("it has {}", known.join(", ")),
             };
             let message = format!("the catalogue has no bearing \"{designation}\"");
-            problems.refuse(Issue::new(key, message).help(help));
+            problems.refuse(Issue::new(".catalogue", message).help(help));
         }
         entry.map(Some)
     }
 }
 
 /// Refuses dimensions whose balls and races do not form a Hertz contact.
-fn check_contact(bearing: &Bearing, sources: &Sources<'_>, problems: &mut Problems<'_>) {
+fn check_contact(bearing: &Bearing, problems: &mut Problems<'_>) {
     if let Err(error) = bearing.load_deflection_constant() {
         let key = match error {
-            BearingError::Contact { race: "inner", .. } => "groove_factor_inner",
-            _ => "groove_factor_outer",
+            BearingError::Contact { race: "inner", .. } => ".geometry.groove_factor_inner",
+            _ => ".geometry.groove_factor_outer",
         };
-        problems.refuse(Issue::new(sources.key(key), error.to_string()));
+        problems.refuse(Issue::new(key, error.to_string()));
     }
 }

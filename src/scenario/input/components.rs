@@ -7,6 +7,7 @@ use crate::rotor::{FREEDOMS, Freedoms};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Measure, Quantity, si};
+use crate::scenario::reader::last;
 
 /// Keys of the freedoms, in their order.
 pub const KEYS: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
@@ -56,14 +57,15 @@ impl<T, R> Components<T, R> {
     ) {
         for (index, value) in self.values().into_iter().enumerate().skip(first_held) {
             if value.is_some() {
-                refuse_held_key(path, KEYS[index], freedoms, problems);
+                refuse_held_key(&format!("{path}.{}", KEYS[index]), freedoms, problems);
             }
         }
     }
 }
 
-/// Refuses one key of a freedom that does not move.
-pub fn refuse_held_key(path: &str, key: &str, freedoms: Freedoms, problems: &mut Problems<'_>) {
+/// Refuses a key of a freedom that does not move.
+pub fn refuse_held_key(path: &str, freedoms: Freedoms, problems: &mut Problems<'_>) {
+    let key = last(path);
     let (name, wider) = match freedoms {
         Freedoms::Radial if key == "z" => ("radial", "\"translational\" or \"all\""),
         Freedoms::Radial => ("radial", "\"all\""),
@@ -71,7 +73,10 @@ pub fn refuse_held_key(path: &str, key: &str, freedoms: Freedoms, problems: &mut
         Freedoms::All => return,
     };
     let message = format!("`{key}` has nothing to act on: freedoms = \"{name}\" holds it");
-    let issue = Issue::new(format!("{path}.{key}"), message)
-        .help(format!("remove it, or set freedoms = {wider}"));
-    problems.refuse(issue.against("shaft.freedoms"));
+    let help = format!("remove it, or set freedoms = {wider}");
+    problems.refuse(
+        Issue::new(path, message)
+            .help(help)
+            .against("shaft.freedoms"),
+    );
 }

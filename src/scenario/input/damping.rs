@@ -119,7 +119,8 @@ impl Coefficients {
         for (key, needed, value) in given {
             let moves = needed <= freedoms.count();
             if value.is_some() && !moves {
-                refuse_held_key("damping.coefficients", key, freedoms, problems);
+                let path = format!("damping.coefficients.{key}");
+                refuse_held_key(&path, freedoms, problems);
             }
             if value.is_none() && moves {
                 problems.warn(format!(

@@ -60,8 +60,6 @@ pub struct Sources<'a> {
     pub entry: Option<&'a CatalogueEntry>,
     /// Change of the diametral clearance, m.
     pub clearance_change: f64,
-    /// Path of the bearing.
-    pub path: String,
 }
 
 impl Sources<'_> {
@@ -98,18 +96,11 @@ impl Sources<'_> {
         .ok()
     }
 
-    /// Path of a key.
-    pub fn key(&self, key: &str) -> String {
-        format!("{}.geometry.{key}", self.path)
-    }
-
     fn need<T>(&self, key: &str, value: Option<T>, problems: &mut Problems<'_>) -> Option<T> {
         if value.is_none() {
-            let message = format!(
-                "`{}.geometry` needs `{key}` where no catalogue bearing gives it",
-                self.path
-            );
-            problems.refuse(Issue::new(self.key(key), message));
+            let table = problems.path(".geometry");
+            let message = format!("`{table}` needs `{key}` where no catalogue bearing gives it");
+            problems.refuse(Issue::new(at(key), message));
         }
         value
     }
@@ -123,11 +114,11 @@ impl Sources<'_> {
             .or_else(|| self.entry.map(CatalogueEntry::free_position));
         if given.is_none() {
             let message = format!(
-                "`{}.geometry` needs one of `contact_angle`, `diametral_clearance`, `radial_clearance`",
-                self.path
+                "`{}` needs one of `contact_angle`, `diametral_clearance`, `radial_clearance`",
+                problems.path(".geometry")
             );
-            let others = ["diametral_clearance", "radial_clearance"].map(|key| self.key(key));
-            let issue = Issue::new(self.key("contact_angle"), message);
+            let others = ["diametral_clearance", "radial_clearance"].map(at);
+            let issue = Issue::new(at("contact_angle"), message);
             problems.refuse(issue.against_all(others));
         }
         given
@@ -153,13 +144,12 @@ impl Sources<'_> {
             GeometryError::ContactAngle { .. } => ("contact_angle", &[]),
             GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
             GeometryError::ClearanceChange { .. } => {
-                let key = format!("{}.clearance_change", self.path);
-                return problems.refuse(Issue::new(key, self.message(error)));
+                return problems.refuse(Issue::new(".clearance_change", self.message(error)));
             }
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
         };
-        let issue = Issue::new(self.key(key), self.message(error));
-        problems.refuse(issue.against_all(others.iter().map(|key| self.key(key))));
+        let issue = Issue::new(at(key), self.message(error));
+        problems.refuse(issue.against_all(others.iter().map(|key| at(key))));
     }
 
     /// The message of the error, with lengths in the units of a drawing.
@@ -205,6 +195,11 @@ impl Sources<'_> {
             None => "diametral_clearance",
         }
     }
+}
+
+/// Path of a key, from the bearing.
+fn at(key: &str) -> String {
+    format!(".geometry.{key}")
 }
 
 /// A length in mm with four significant digits.

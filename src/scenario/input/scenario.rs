@@ -214,7 +214,9 @@ impl ScenarioInput {
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
         let mount = |(index, bearing): (usize, &BearingInput)| {
-            bearing.build(index, &self.model, freedoms, problems)
+            problems.inside(format!("bearing[{index}]"), |problems| {
+                bearing.build(&self.model, freedoms, problems)
+            })
         };
         let sets: Vec<_> = self.bearing.iter().enumerate().map(mount).collect();
         let sets: Option<Vec<_>> = sets.into_iter().collect();

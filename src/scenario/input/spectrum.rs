@@ -96,10 +96,12 @@ pub fn build(
 ) -> Vec<SpectrumRequest> {
     let mut requests: Vec<SpectrumRequest> = Vec::new();
     for (index, input) in spectra.iter().enumerate() {
-        let path = format!("spectrum[{index}]");
-        let name = input.name();
-        input.check_name(&path, &name, &requests, problems);
-        requests.extend(input.request(&path, name, recorded, problems));
+        let request = problems.inside(format!("spectrum[{index}]"), |problems| {
+            let name = input.name();
+            input.check_name(&name, &requests, problems);
+            input.request(name, recorded, problems)
+        });
+        requests.extend(request);
     }
     requests
 }
@@ -107,15 +109,14 @@ pub fn build(
 impl SpectrumInput {
     fn request(
         &self,
-        path: &str,
         name: String,
         recorded: &Recorded<'_>,
         problems: &mut Problems<'_>,
     ) -> Option<SpectrumRequest> {
-        let channels = self.channels(path, recorded.freedoms, problems);
-        self.check_scaling(path, problems);
-        self.check_segment(path, recorded, problems);
-        let band = self.band(path, recorded, problems);
+        let channels = self.channels(recorded.freedoms, problems);
+        self.check_scaling(problems);
+        self.check_segment(recorded, problems);
+        let band = self.band(recorded, problems);
         Some(SpectrumRequest {
             name,
             kind: match self.kind {

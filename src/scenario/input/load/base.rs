@@ -45,16 +45,15 @@ impl BaseInput {
     /// The acceleration of whichever kind is given.
     pub fn build(
         &self,
-        path: &str,
         freedoms: Freedoms,
         problems: &mut Problems<'_>,
     ) -> Option<BaseAcceleration> {
         if let Some(input) = &self.harmonic {
-            let harmonic = input.build(&format!("{path}.harmonic"), freedoms, problems);
+            let harmonic = problems.inside("harmonic", |p| input.build(freedoms, p));
             return Some(BaseAcceleration::Harmonic(harmonic));
         }
         let input = self.shock.as_ref()?;
-        let shock = input.build(&format!("{path}.shock"), freedoms, problems);
+        let shock = problems.inside("shock", |p| input.build(freedoms, p));
         Some(BaseAcceleration::Shock(shock))
     }
 }

@@ -29,15 +29,10 @@ pub struct HarmonicInput<A> {
 
 impl<A: PerFreedom> HarmonicInput<A> {
     /// The harmonic load.
-    pub fn build(&self, path: &str, freedoms: Freedoms, problems: &mut Problems<'_>) -> Harmonic {
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Harmonic {
         let frequency = si(&self.frequency).unwrap_or(0.0);
         Harmonic {
-            amplitude: moving(
-                &self.amplitude,
-                &format!("{path}.amplitude"),
-                freedoms,
-                problems,
-            ),
+            amplitude: moving(&self.amplitude, ".amplitude", freedoms, problems),
             pace: self.order.map_or(Pace::Frequency(frequency), Pace::Order),
             phase: self.phase.si(),
         }

@@ -71,81 +71,74 @@ pub fn build(
     let mut total = [0.0; FREEDOMS];
     let mut varying = Vec::new();
     for (index, load) in loads.iter().enumerate() {
-        let path = format!("load[{index}]");
-        let position = load.position(&path, around.freedoms, problems);
-        let constant = load.constant(&path, around.freedoms, problems);
+        let (position, constant, kind) = problems.inside(format!("load[{index}]"), |problems| {
+            let position = load.position(around.freedoms, problems);
+            let constant = load.constant(around.freedoms, problems);
+            (position, constant, load.kind(around, problems))
+        });
         total[3] -= position * constant[1];
         total[4] += position * constant[0];
         for (sum, part) in total.iter_mut().zip(constant) {
             *sum += part;
         }
-        if let Some(kind) = load.kind(&path, around, problems) {
-            varying.push(rotor::Load { kind, position });
-        }
+        varying.extend(kind.map(|kind| rotor::Load { kind, position }));
     }
     (total, varying)
 }
 
 impl LoadInput {
     /// The place of the load; zero where no tilt moves, with a warning.
-    fn position(&self, path: &str, freedoms: Freedoms, problems: &mut Problems<'_>) -> f64 {
+    fn position(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> f64 {
         let Some(position) = &self.position else {
             return 0.0;
         };
         if self.base.is_some() {
             let message = "a `base` acceleration acts at the centre of mass, not at a `position`";
-            let issue = Issue::new(format!("{path}.position"), message);
-            problems.refuse(issue.against(format!("{path}.base")));
+            let issue = Issue::new(".position", message);
+            problems.refuse(issue.against(".base"));
         }
         if freedoms != Freedoms::All {
-            problems.warn(format!(
-                "`{path}.position` has no effect: the tilts are held"
-            ));
+            let path = problems.path(".position");
+            problems.warn(format!("`{path}` has no effect: the tilts are held"));
             return 0.0;
         }
         position.si()
     }
 
     /// The constant load; zero where it is of another kind.
-    fn constant(&self, path: &str, freedoms: Freedoms, problems: &mut Problems<'_>) -> Vector5 {
+    fn constant(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Vector5 {
         let Some(constant) = &self.constant else {
             return [0.0; FREEDOMS];
         };
         // An axial load acts on a held z too, moments on held tilts do not.
         let first_held = freedoms.count().max(3);
-        constant.refuse_held(&format!("{path}.constant"), first_held, freedoms, problems);
+        constant.refuse_held(".constant", first_held, freedoms, problems);
         constant.values().map(|value| value.unwrap_or(0.0))
     }
 
     /// The varying load of whichever kind is given.
-    fn kind(
-        &self,
-        path: &str,
-        around: Surroundings,
-        problems: &mut Problems<'_>,
-    ) -> Option<LoadKind> {
-        let inner = |key: &str| format!("{path}.{key}");
+    fn kind(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<LoadKind> {
+        let freedoms = around.freedoms;
         if let Some(input) = &self.harmonic {
-            let harmonic = input.build(&inner("harmonic"), around.freedoms, problems);
+            let harmonic = problems.inside("harmonic", |p| input.build(freedoms, p));
             Some(LoadKind::Harmonic(harmonic))
         } else if let Some(input) = &self.shock {
-            let shock = input.build(&inner("shock"), around.freedoms, problems);
+            let shock = problems.inside("shock", |p| input.build(freedoms, p));
             Some(LoadKind::Shock(shock))
         } else if let Some(input) = &self.random_shocks {
-            let shocks = input.build(&inner("random_shocks"), around, problems);
+            let shocks = problems.inside("random_shocks", |p| input.build(around, p));
             shocks.map(LoadKind::RandomShocks)
         } else if let Some(input) = &self.sprocket {
             Some(LoadKind::Sprocket(input.build()))
         } else if let Some(input) = &self.noise {
-            let noise = input.build(&inner("noise"), around.freedoms, problems);
+            let noise = problems.inside("noise", |p| input.build(freedoms, p));
             noise.map(LoadKind::Noise)
         } else if let Some(input) = &self.series {
-            let series = input.build(&inner("series"), around, problems);
+            let series = problems.inside("series", |p| input.build(around, p));
             series.map(LoadKind::Series)
         } else if let Some(input) = &self.base {
-            input
-                .build(&inner("base"), around.freedoms, problems)
-                .map(LoadKind::Base)
+            let base = problems.inside("base", |p| input.build(freedoms, p));
+            base.map(LoadKind::Base)
         } else {
             None
         }
@@ -174,7 +167,8 @@ fn moving(
     let given = given.given();
     for (axis, value) in given.iter().enumerate().skip(freedoms.count()) {
         if value.is_some() {
-            components::refuse_held_key(path, components::KEYS[axis], freedoms, problems);
+            let key = format!("{path}.{}", components::KEYS[axis]);
+            components::refuse_held_key(&key, freedoms, problems);
         }
     }
     given.map(|value| value.unwrap_or(0.0))

@@ -40,26 +40,21 @@ fn some_lines() -> u32 {
 
 impl NoiseInput {
     /// The noise, as far as nothing contradicts it.
-    pub fn build(
-        &self,
-        path: &str,
-        freedoms: Freedoms,
-        problems: &mut Problems<'_>,
-    ) -> Option<Noise> {
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Noise> {
         let (low, high) = (self.low.si(), self.high.si());
-        let rms = moving(&self.rms, &format!("{path}.rms"), freedoms, problems);
+        let rms = moving(&self.rms, ".rms", freedoms, problems);
         for (key, _) in components::KEYS
             .into_iter()
             .zip(rms)
             .filter(|(_, rms)| *rms < 0.0)
         {
             let message = format!("`{key}` must be positive: it is a root mean square");
-            problems.refuse(Issue::new(format!("{path}.rms.{key}"), message));
+            problems.refuse(Issue::new(format!(".rms.{key}"), message));
         }
         if high <= low {
             let message = format!("`high` must be above the `low` of {low} Hz");
-            let issue = Issue::new(format!("{path}.high"), message);
-            problems.refuse(issue.against(format!("{path}.low")));
+            let issue = Issue::new(".high", message);
+            problems.refuse(issue.against(".low"));
             return None;
         }
         Some(Noise::new(&NoiseBand {

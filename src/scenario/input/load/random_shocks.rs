@@ -43,28 +43,18 @@ pub(super) fn first_seed() -> u32 {
 
 impl RandomShocksInput {
     /// The shocks of the run, unless there are too many.
-    pub fn build(
-        &self,
-        path: &str,
-        around: Surroundings,
-        problems: &mut Problems<'_>,
-    ) -> Option<RandomShocks> {
+    pub fn build(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<RandomShocks> {
         let expected = self.rate.si() * around.duration;
         if expected > MOST_SHOCKS {
             let message = format!(
                 "about {expected:.1e} shocks are too many: at most {MOST_SHOCKS:e} in a run"
             );
-            let issue = Issue::new(format!("{path}.rate"), message);
+            let issue = Issue::new(".rate", message);
             problems.refuse(issue.against("time.duration"));
             return None;
         }
         let statistics = ShockStatistics {
-            peak: moving(
-                &self.peak,
-                &format!("{path}.peak"),
-                around.freedoms,
-                problems,
-            ),
+            peak: moving(&self.peak, ".peak", around.freedoms, problems),
             least: self.least,
             duration: self.duration.si(),
             rate: self.rate.si(),

@@ -27,12 +27,7 @@ pub struct SeriesInput {
 
 impl SeriesInput {
     /// The series, where its file is right.
-    pub fn build(
-        &self,
-        path: &str,
-        around: Surroundings,
-        problems: &mut Problems<'_>,
-    ) -> Option<Series> {
+    pub fn build(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<Series> {
         match self.read(problems.folder()) {
             Ok((series, axes)) => {
                 let held = axes.iter().find(|axis| **axis >= around.freedoms.count());
@@ -42,7 +37,7 @@ impl SeriesInput {
                         self.file,
                         components::KEYS[*axis]
                     );
-                    let issue = Issue::new(format!("{path}.file"), message);
+                    let issue = Issue::new(".file", message);
                     problems.refuse(issue.against("shaft.freedoms"));
                 }
                 if series.end() < around.duration {
@@ -56,7 +51,7 @@ impl SeriesInput {
             }
             Err(error) => {
                 let message = format!("`{}` is no load series: {error}", self.file);
-                let issue = Issue::new(format!("{path}.file"), message);
+                let issue = Issue::new(".file", message);
                 problems.refuse(issue);
                 None
             }

@@ -31,17 +31,17 @@ pub struct ShockInput<A> {
 
 impl<A: PerFreedom> ShockInput<A> {
     /// The shock or shocks.
-    pub fn build(&self, path: &str, freedoms: Freedoms, problems: &mut Problems<'_>) -> Shock {
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Shock {
         let (duration, every) = (self.duration.si(), si(&self.every));
         if every.is_some_and(|every| every < duration) {
             let message = format!(
                 "`every` must be at least the `duration` of {duration} s: shocks do not overlap"
             );
-            let issue = Issue::new(format!("{path}.every"), message);
-            problems.refuse(issue.against(format!("{path}.duration")));
+            let issue = Issue::new(".every", message);
+            problems.refuse(issue.against(".duration"));
         }
         Shock {
-            peak: moving(&self.peak, &format!("{path}.peak"), freedoms, problems),
+            peak: moving(&self.peak, ".peak", freedoms, problems),
             duration,
             start: self.at.si(),
             every,

@@ -58,19 +58,14 @@ const WHIRLS: [[usize; 2]; 2] = [[0, 1], [3, 4]];
 
 impl SpectrumInput {
     /// The channels, each once, in the order of the table.
-    pub(super) fn channels(
-        &self,
-        path: &str,
-        freedoms: Freedoms,
-        problems: &mut Problems<'_>,
-    ) -> Vec<Channel> {
+    pub(super) fn channels(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Vec<Channel> {
         let mut channels = Vec::new();
         for (index, ChannelName(word)) in self.channels.iter().enumerate() {
             let found = match GROUPS.iter().find(|(name, _)| name == word) {
                 Some((_, of)) => self.group(freedoms).into_iter().map(of).collect(),
                 None => {
                     let named: Vec<_> = every_channel().filter(|c| c.name() == word).collect();
-                    let path = format!("{path}.channels[{index}]");
+                    let path = format!(".channels[{index}]");
                     for channel in &named {
                         refuse_held(&path, *channel, freedoms, problems);
                     }
@@ -85,8 +80,8 @@ impl SpectrumInput {
         }
         match self.kind {
             KindChoice::Plain | KindChoice::Envelope => {}
-            KindChoice::Whirl => refuse_single(path, &channels, problems),
-            KindChoice::Cross => refuse_lone(path, &channels, problems),
+            KindChoice::Whirl => refuse_single(&channels, problems),
+            KindChoice::Cross => refuse_lone(&channels, problems),
         }
         channels
     }
@@ -113,7 +108,7 @@ fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut 
 }
 
 /// Refuses a whirl of anything but neighbouring pairs.
-fn refuse_single(path: &str, channels: &[Channel], problems: &mut Problems<'_>) {
+fn refuse_single(channels: &[Channel], problems: &mut Problems<'_>) {
     let is_pair = |pair: &[Channel]| match pair {
         [x, y] => {
             let freedoms = [x.freedom(), y.freedom()];
@@ -128,18 +123,18 @@ fn refuse_single(path: &str, channels: &[Channel], problems: &mut Problems<'_>) 
             "a whirl takes pairs of the x and y of one quantity, not {}",
             names.join(" and ")
         );
-        let issue = Issue::new(format!("{path}.channels"), message)
+        let issue = Issue::new(".channels", message)
             .help("for instance: channels = [\"x\", \"y\"], or [\"force\"]");
-        problems.refuse(issue.against(format!("{path}.kind")));
+        problems.refuse(issue.against(".kind"));
     }
 }
 
 /// Refuses a cross spectrum of one channel.
-fn refuse_lone(path: &str, channels: &[Channel], problems: &mut Problems<'_>) {
+fn refuse_lone(channels: &[Channel], problems: &mut Problems<'_>) {
     if channels.len() < 2 {
         let message = "a cross spectrum takes two channels or more: the first is the reference";
-        let issue = Issue::new(format!("{path}.channels"), message)
-            .help("for instance: channels = [\"force_x\", \"x\"]");
-        problems.refuse(issue.against(format!("{path}.kind")));
+        let issue =
+            Issue::new(".channels", message).help("for instance: channels = [\"force_x\", \"x\"]");
+        problems.refuse(issue.against(".kind"));
     }
 }
