@@ -10,7 +10,7 @@ use super::jobs::{Answer, Failure, Files, Job};
 use super::progress::Progress;
 use super::{Outcome, stop};
 use crate::report;
-use crate::scenario::Varied;
+use crate::scenario::OpenNumber;
 use crate::simulate::Model;
 use crate::steady::{ResponseQuestion, SteadyQuestion, response, steady};
 use crate::study::Variable;
@@ -93,7 +93,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 
 /// A number of the scenario and its first and last value.
 struct Stretch {
-    varied: Varied,
+    varied: OpenNumber,
     variable: Variable,
     ends: [f64; 2],
 }
@@ -104,7 +104,7 @@ fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure>
         return Ok(None);
     };
     let folder = Path::new(&job.name).parent().unwrap_or(Path::new(""));
-    let varied = Varied::new(&job.scenario, over, folder)?;
+    let varied = OpenNumber::new(&job.scenario, over, folder)?;
     let ((first, variable), (last, _)) = (varied.value(from)?, varied.value(to)?);
     if first == last {
         return Err("--from and --to are the same value".into());
@@ -144,9 +144,10 @@ fn along(
 ) -> Result<Found, Failure> {
     let (title, echo) = (&job.scenario.title, &job.scenario.echo);
     let mut progress = Progress::new(title);
+    let varied = &stretch.varied;
     let question = ResponseQuestion {
         model,
-        family: &|value| stretch.varied.rotor(value),
+        family: &|value| varied.rotor(value).map_err(|issue| issue.to_string()),
         range: stretch.ends,
         multiple: arguments.period.unwrap_or(1),
         points: arguments.points,

@@ -1,8 +1,11 @@
 //! One thing that is wrong with a scenario, and the places that show it.
 
+use std::fmt;
 use std::ops::Range;
 
-/// A problem of a scenario file.
+use super::nearest::nearest;
+
+/// A problem of a scenario file, or of a value on the command line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Issue {
     /// Key path, for instance `bearing[0].geometry.balls`; empty for the file as a whole.
@@ -15,6 +18,19 @@ pub struct Issue {
     pub related: Vec<Range<usize>>,
     /// What to do about it.
     pub help: Option<String>,
+}
+
+impl std::error::Error for Issue {}
+
+impl fmt::Display for Issue {
+    /// What is wrong and what to do about it, in one line.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)?;
+        match &self.help {
+            Some(help) => write!(formatter, "; {help}"),
+            None => Ok(()),
+        }
+    }
 }
 
 impl Issue {
@@ -38,6 +54,56 @@ impl Issue {
     /// The same with advice.
     pub(super) fn help(mut self, advice: impl Into<String>) -> Self {
         self.help = Some(advice.into());
+        self
+    }
+
+    /// The same with the nearest of the known words as advice, or with other advice where none is near.
+    pub(super) fn help_nearest<'a>(
+        self,
+        written: &str,
+        known: impl IntoIterator<Item = &'a str>,
+        otherwise: &str,
+    ) -> Self {
+        match nearest(written, known) {
+            Some(near) => self.help(format!("did you mean `{near}`?")),
+            None => self.help(otherwise),
+        }
+    }
+
+    /// The same as a contradiction to another key.
+    pub(super) fn against(self, path: impl Into<String>) -> Contradiction {
+        Contradiction::from(self).against(path)
+    }
+
+    /// The same as a contradiction to some keys.
+    pub(super) fn against_all(
+        self,
+        paths: impl IntoIterator<Item = impl Into<String>>,
+    ) -> Contradiction {
+        paths.into_iter().fold(self.into(), Contradiction::against)
+    }
+}
+
+/// A problem of one key together with others: these are shown too, and nothing is said where one of them is
+/// wrong itself.
+pub(super) struct Contradiction {
+    /// The problem; its path is the key to change.
+    pub issue: Issue,
+    /// Paths of the others.
+    pub others: Vec<String>,
+}
+
+impl From<Issue> for Contradiction {
+    fn from(issue: Issue) -> Self {
+        let others = Vec::new();
+        Self { issue, others }
+    }
+}
+
+impl Contradiction {
+    /// The same to one more key.
+    pub fn against(mut self, path: impl Into<String>) -> Self {
+        self.others.push(path.into());
         self
     }
 }

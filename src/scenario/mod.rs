@@ -1,7 +1,7 @@
 //! Scenario files: text in, checked and typed model out.
 //!
 //! A file is read into one tree for both formats, the tree is checked against the schema that
-//! the structs of `spec` give, the structs are filled, and each builds its part of the model.
+//! the structs of `input` give, the structs are filled, and each builds its part of the model.
 //! Every step reports all that it finds; the messages carry the place in the text.
 //!
 //! ```
@@ -12,48 +12,52 @@
 //! ```
 
 mod argument;
+mod axis;
 mod dimension;
+mod document;
 mod error;
+mod input;
 mod issue;
+mod key;
+mod nearest;
 mod node;
-mod passed;
+mod open_number;
 mod problems;
 mod quantity;
 mod read_json;
 mod read_toml;
+mod reader;
 mod run;
 mod scalar;
 mod schema;
 mod series_file;
-mod spec;
 mod study_file;
 mod tolerance_file;
-mod varied;
-mod vary;
-mod walk;
 
 use std::path::Path;
 
 use serde::Serialize;
 use serde_json::Value;
 
-pub use argument::{ArgumentError, method, methods, speed, time, tolerance};
+pub use argument::{method, methods, speed, time, tolerance};
 pub use error::ScenarioError;
+pub use input::{Output, TableFormat};
 pub use issue::Issue;
+pub use open_number::OpenNumber;
 pub use run::ScenarioRunError;
 pub use schema::schema;
-pub use spec::{OutputSpec, TableFormat};
-pub use study_file::{RunError, StudyFile, load_study, study_schema};
+pub use study_file::{StudyFile, load_study, study_schema};
 pub use tolerance_file::ToleranceFile;
-pub use varied::{Varied, VariedError};
 
 use crate::bearing::Oil;
 use crate::quasi_static::StaticQuestion;
 use crate::simulate::Model;
 use crate::study::{ContactChoice, Study};
+use document::Document;
+use input::{Questions, ScenarioInput};
+use key::Key;
 use node::Node;
 use problems::Problems;
-use spec::{Questions, ScenarioSpec};
 
 /// Language of a scenario file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,7 +84,7 @@ pub struct Scenario {
     /// The static question at many values of one number.
     pub study: Option<Study>,
     /// What to keep of the run.
-    pub output: OutputSpec,
+    pub output: Output,
     /// The scenario with its defaults written out; itself a valid scenario in JSON.
     pub echo: Value,
     /// What the user should know although the scenario can be run.
@@ -92,45 +96,7 @@ pub struct Scenario {
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong, also where the file cannot be read.
 pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
-    let (name, text, root) = read_tree(path)?;
-    check(&root, &name).map_err(|issues| ScenarioError::new(&name, &text, issues))
-}
-
-/// Name, text and tree of a file.
-fn read_tree(path: &Path) -> Result<(String, String, Node), ScenarioError> {
-    let name = path.display().to_string();
-    let unreadable = |message: String| ScenarioError::new(&name, "", vec![Issue::new("", message)]);
-    let extension = path
-        .extension()
-        .map(|extension| extension.to_ascii_lowercase());
-    let format = match extension.as_ref().and_then(|extension| extension.to_str()) {
-        Some("toml") => Format::Toml,
-        Some("json") => Format::Json,
-        _ => {
-            return Err(unreadable(
-                "a scenario file ends in .toml or .json".to_owned(),
-            ));
-        }
-    };
-    let bytes = std::fs::read(path)
-        .map_err(|error| unreadable(format!("cannot read the file: {error}")))?;
-    let mut text = String::from_utf8(bytes).map_err(|error| {
-        let place = error.utf8_error().valid_up_to();
-        unreadable(format!("the file is not UTF-8 text: byte {place} is wrong"))
-    })?;
-    // spans count from behind a byte order mark
-    if text.starts_with('\u{feff}') {
-        text.remove(0);
-    }
-    let root = tree(&text, format).map_err(|issues| ScenarioError::new(&name, &text, issues))?;
-    Ok((name, text, root))
-}
-
-fn tree(text: &str, format: Format) -> Result<Node, Vec<Issue>> {
-    match format {
-        Format::Toml => read_toml::read(text),
-        Format::Json => read_json::read(text),
-    }
+    check(&Document::open(path)?)
 }
 
 /// Reads and checks the text of a scenario; `name` is what messages call it.
@@ -138,66 +104,79 @@ fn tree(text: &str, format: Format) -> Result<Node, Vec<Issue>> {
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong.
 pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, ScenarioError> {
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    tree(text, format)
-        .and_then(|root| check(&root, name))
-        .map_err(|issues| ScenarioError::new(name, text, issues))
+    check(&Document::parse(text, name, format)?)
 }
 
-fn check(root: &Node, name: &str) -> Result<Scenario, Vec<Issue>> {
-    let mut problems = Problems::new(root, Path::new(name).parent().unwrap_or(Path::new("")));
-    let built = build(root, &mut problems);
-    let echo = built.as_ref().map(|(spec, _)| echo(spec));
+fn check(document: &Document) -> Result<Scenario, ScenarioError> {
+    let mut problems = document.problems();
+    let built = build(&mut problems);
+    let echo = built.as_ref().map(|(input, _)| echo(input));
     let study = match (&built, &echo) {
-        (Some((spec, _)), Some(echo)) if problems.is_clean() => spec
-            .study
-            .as_ref()
-            .and_then(|study| vary::build(study, echo, &mut problems)),
+        (Some((input, _)), Some(echo)) if problems.is_clean() => {
+            let study = input.study.as_ref();
+            study.and_then(|study| study.build(echo, &mut problems))
+        }
         _ => None,
     };
     let (issues, warnings) = problems.finish();
     match (built, echo) {
-        (Some((spec, questions)), Some(echo)) if issues.is_empty() => Ok(Scenario {
-            title: spec.title.clone().unwrap_or_else(|| stem(name)),
+        (Some((input, questions)), Some(echo)) if issues.is_empty() => Ok(Scenario {
+            title: input.title.unwrap_or_else(|| document.stem()),
             question: questions.question,
             model: questions.model,
             contact_choice: questions.contact_choice,
             oils: questions.oils,
             study,
-            output: spec.output,
+            output: input.output,
             echo,
             warnings,
         }),
-        _ => Err(issues),
+        _ => Err(document.error(issues)),
     }
 }
 
-/// The tables of a tree and what they ask.
-fn build(root: &Node, problems: &mut Problems<'_>) -> Option<(ScenarioSpec, Questions)> {
-    let value = walk::value(root, schema(), "", problems)?;
-    let spec = fill(value, problems)?;
-    let questions = spec.build(problems)?;
-    Some((spec, questions))
+/// The tables of a scenario and what they ask.
+fn build(problems: &mut Problems<'_>) -> Option<(ScenarioInput, Questions)> {
+    let input: ScenarioInput = reader::read(schema(), problems)?;
+    let questions = input.build(problems)?;
+    Some((input, questions))
 }
 
-/// The structs of a value that the schema has passed.
-fn fill(value: Value, problems: &mut Problems<'_>) -> Option<ScenarioSpec> {
-    serde_json::from_value(value)
-        .map_err(|error| problems.add(Issue::new("", error.to_string())))
-        .ok()
+/// What a scenario asks with one number put in; the files that it names stand in `folder`.
+fn questions_at(base: &Value, key: &Key, si: f64, folder: &Path) -> Result<Questions, Issue> {
+    let (mut scenario, value) = (base.clone(), key.written(si));
+    key::put(&mut scenario, &key.path, &value);
+    questions(&scenario, folder).map_err(|issue| Issue {
+        message: format!("with {} = {value}: {}", key.path, issue.message),
+        ..issue
+    })
 }
 
-fn stem(name: &str) -> String {
-    let stem = Path::new(name).file_stem();
-    stem.map_or_else(
-        || name.to_owned(),
-        |stem| stem.to_string_lossy().into_owned(),
-    )
+/// What a scenario asks; the files that it names stand in `folder`.
+fn questions(scenario: &Value, folder: &Path) -> Result<Questions, Issue> {
+    let root = Node::from(scenario);
+    let mut problems = Problems::new(&root, folder);
+    let built = build(&mut problems);
+    let (issues, _) = problems.finish();
+    match (built, issues.into_iter().next()) {
+        (Some((_, questions)), None) => Ok(questions),
+        (_, Some(issue)) => Err(issue),
+        (None, None) => Err(Issue::new("", "the scenario asks nothing")),
+    }
 }
 
-/// The scenario as JSON, without the keys that are not given and have no default.
-fn echo(spec: &impl Serialize) -> Value {
-    let mut value = serde_json::to_value(spec).unwrap_or_default();
+/// A scenario without some of its tables.
+fn without(scenario: &Value, left_out: &[&str]) -> Value {
+    let mut rest = scenario.clone();
+    if let Value::Object(tables) = &mut rest {
+        tables.retain(|name, _| !left_out.contains(&name.as_str()));
+    }
+    rest
+}
+
+/// What was read as JSON, without the keys that are not given and have no default.
+fn echo(input: &impl Serialize) -> Value {
+    let mut value = serde_json::to_value(input).unwrap_or_default();
     remove_null(&mut value);
     value
 }

@@ -49,21 +49,18 @@ impl From<&Value> for Node {
             ),
             Value::String(text) => Content::Text(text.clone()),
             Value::Array(items) => Content::List(items.iter().map(Self::from).collect()),
-            Value::Object(entries) => Content::Table(entries.iter().map(Entry::from).collect()),
+            Value::Object(entries) => {
+                let entry = |(key, value): (&String, &Value)| Entry {
+                    key: key.clone(),
+                    key_span: 0..0,
+                    node: value.into(),
+                };
+                Content::Table(entries.iter().map(entry).collect())
+            }
         };
         Self {
             span: 0..0,
             content,
-        }
-    }
-}
-
-impl From<(&String, &Value)> for Entry {
-    fn from((key, value): (&String, &Value)) -> Self {
-        Self {
-            key: key.clone(),
-            key_span: 0..0,
-            node: value.into(),
         }
     }
 }

@@ -3,6 +3,8 @@
 use std::path::Path;
 
 use super::Issue;
+use super::issue::Contradiction;
+use super::key::join;
 use super::node::Node;
 
 /// Everything found so far, with the keys that later checks must not be believed about.
@@ -10,6 +12,7 @@ pub(super) struct Problems<'a> {
     root: &'a Node,
     folder: &'a Path,
     subject: &'static str,
+    table: String,
     issues: Vec<Issue>,
     faulty: Vec<String>,
     warnings: Vec<String>,
@@ -22,6 +25,7 @@ impl<'a> Problems<'a> {
             root,
             folder,
             subject: "the scenario",
+            table: String::new(),
             issues: Vec::new(),
             faulty: Vec::new(),
             warnings: Vec::new(),
@@ -65,10 +69,30 @@ impl<'a> Problems<'a> {
         self.faulty.iter().any(holds)
     }
 
-    /// Adds a problem of a checked value, unless a key that it rests on has one already. The
-    /// issue's own path is the key to change; `others` are the keys it disagrees with.
-    pub fn refuse(&mut self, mut issue: Issue, others: &[String]) {
-        let mut paths = std::iter::once(&issue.path).chain(others);
+    /// Checks a table inside of the present one: there a path that begins with a point is one of its keys.
+    pub fn inside<T>(&mut self, table: impl AsRef<str>, check: impl FnOnce(&mut Self) -> T) -> T {
+        let inner = join(&self.table, table.as_ref());
+        let outer = std::mem::replace(&mut self.table, inner);
+        let checked = check(self);
+        self.table = outer;
+        checked
+    }
+
+    /// The whole path of a key of the present table, which begins with a point, or of any other.
+    pub fn path(&self, path: &str) -> String {
+        match path.strip_prefix('.') {
+            Some("") => self.table.clone(),
+            Some(key) => join(&self.table, key),
+            None => path.to_owned(),
+        }
+    }
+
+    /// Adds a problem of a checked value, unless a key that it rests on has one already.
+    pub fn refuse(&mut self, problem: impl Into<Contradiction>) {
+        let Contradiction { mut issue, others } = problem.into();
+        issue.path = self.path(&issue.path);
+        let others: Vec<_> = others.iter().map(|path| self.path(path)).collect();
+        let mut paths = std::iter::once(&issue.path).chain(&others);
         if paths.any(|path| self.distrusts(path)) {
             return;
         }
@@ -79,6 +103,11 @@ impl<'a> Problems<'a> {
             .filter(|place| Some(place) != issue.span.as_ref())
             .collect();
         self.issues.push(issue);
+    }
+
+    /// The whole tree.
+    pub fn root(&self) -> &'a Node {
+        self.root
     }
 
     /// The value of a path as it was written.

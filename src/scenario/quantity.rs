@@ -6,6 +6,8 @@ use std::marker::PhantomData;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
+pub(super) use super::dimension::Measure;
+pub(super) use super::dimension::measure::*;
 use super::dimension::{Dimension, Unit};
 
 /// Why a text is not a quantity of the dimension asked for.
@@ -55,12 +57,12 @@ pub(super) fn parse(text: &str, dimension: Dimension) -> Result<Parsed, Quantity
     }
     let spelling = normalise(rest);
     let Some(unit) = dimension.unit(&spelling) else {
-        let mut all = Dimension::ALL.into_iter();
+        let mut all = Dimension::ALL.iter();
         let owner = all.find(|(each, ..)| each.unit(&spelling).is_some());
         return Err(match owner {
             Some((found, ..)) => QuantityError::WrongDimension {
                 text: owned(),
-                found,
+                found: *found,
             },
             None => QuantityError::UnknownUnit {
                 unit: rest.trim().to_owned(),
@@ -124,55 +126,6 @@ fn normalise(unit: &str) -> String {
     }
     let words: Vec<_> = product.split_whitespace().collect();
     words.join(" ").replace(" /", "/").replace("/ ", "/")
-}
-
-/// A type that stands for one dimension.
-pub(super) trait Measure {
-    /// The dimension.
-    const DIMENSION: Dimension;
-    /// How a quantity of it is written.
-    const EXAMPLE: &'static str;
-    /// Largest magnitude in SI units that a scenario may hold, where a key sets no other limit:
-    /// far beyond any machine, and small enough that no product of such numbers overflows.
-    const LARGEST: f64;
-}
-
-macro_rules! measures {
-    ($($name:ident $example:literal $largest:literal),* $(,)?) => {
-        $(
-            #[derive(Debug, Clone, Copy, PartialEq)]
-            pub(super) enum $name {}
-
-            impl Measure for $name {
-                const DIMENSION: Dimension = Dimension::$name;
-                const EXAMPLE: &'static str = $example;
-                const LARGEST: f64 = $largest;
-            }
-        )*
-    };
-}
-
-measures! {
-    Mass "5 kg" 1e9,
-    Length "10 mm" 1e3,
-    Angle "15 deg" 1e3,
-    Time "0.5 s" 1e7,
-    Force "1000 N" 1e12,
-    Moment "2 N m" 1e12,
-    Inertia "0.01 kg m^2" 1e12,
-    AngularSpeed "500 rad/s" 1e5,
-    Velocity "1 mm/s" 1e5,
-    Acceleration "10 m/s^2" 1e9,
-    Frequency "20 kHz" 1e9,
-    Pressure "207 GPa" 1e13,
-    Density "7800 kg/m^3" 1e6,
-    Damping "200 N s/m" 1e12,
-    TiltDamping "0.1 N m s/rad" 1e12,
-    ContactLoss "0.2 s/m" 1e9,
-    ContactStiffness "1.334e10 N/m^1.5" 1e16,
-    Viscosity "0.04 Pa s" 1e4,
-    PressureViscosity "22 1/GPa" 1e-3,
-    SecondMoment "2.5e-8 m^4" 1e6,
 }
 
 /// A quantity of dimension `D`, kept as it was written and in SI units.

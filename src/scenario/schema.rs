@@ -7,12 +7,12 @@ use schemars::transform::{Transform, transform_subschemas};
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;
 
-use super::spec::ScenarioSpec;
+use super::input::ScenarioInput;
 
 /// JSON Schema (draft 7) of a scenario file. Keys that begin with `x-` are ours: the dimension,
 /// the units and the range in SI units of a quantity, and keys that exclude each other.
 pub fn schema() -> &'static Value {
-    static SCHEMA: LazyLock<Value> = LazyLock::new(schema_of::<ScenarioSpec>);
+    static SCHEMA: LazyLock<Value> = LazyLock::new(schema_of::<ScenarioInput>);
     &SCHEMA
 }
 

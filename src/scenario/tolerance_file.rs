@@ -5,15 +5,14 @@ use std::path::Path;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::node::Node;
-use super::problems::Problems;
-use super::{Issue, ScenarioError, read_toml, schema, walk};
+use super::document::Document;
+use super::schema::schema_of;
+use super::{Format, Issue, ScenarioError, reader};
 
 /// Tolerances of a comparison.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-#[derive(Default)]
-struct TolerancesSpec {
+struct TolerancesInput {
     /// Allowed difference as part of the largest magnitude in the column.
     #[schemars(range(min = 0))]
     relative: Option<f64>,
@@ -21,13 +20,13 @@ struct TolerancesSpec {
     #[schemars(range(min = 0))]
     absolute: Option<f64>,
     /// Other tolerances of single columns, one `[[column]]` for each.
-    column: Vec<ColumnSpec>,
+    column: Vec<ColumnInput>,
 }
 
 /// Tolerance of one column.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct ColumnSpec {
+struct ColumnInput {
     /// Its name.
     #[schemars(extend("examples" = ["x_m"]))]
     name: String,
@@ -49,9 +48,7 @@ pub struct ToleranceFile {
     pub absolute: Option<f64>,
     /// Name, relative and absolute tolerance of single columns.
     pub columns: Vec<(String, f64, f64)>,
-    name: String,
-    text: String,
-    root: Node,
+    document: Document,
 }
 
 impl ToleranceFile {
@@ -60,14 +57,7 @@ impl ToleranceFile {
     /// # Errors
     /// [`ScenarioError`] with everything that is wrong, also where the file cannot be read.
     pub fn load(path: &Path) -> Result<Self, ScenarioError> {
-        let name = path.display().to_string();
-        match std::fs::read_to_string(path) {
-            Ok(text) => Self::parse(&text, &name),
-            Err(error) => {
-                let issue = Issue::new("", format!("cannot read the file: {error}"));
-                Err(ScenarioError::new(&name, "", vec![issue]))
-            }
-        }
+        Self::check(Document::open_as(path, Format::Toml)?)
     }
 
     /// Reads and checks the text of a file; `name` is what messages call it.
@@ -84,19 +74,31 @@ impl ToleranceFile {
     /// # Errors
     /// [`ScenarioError`] with everything that is wrong.
     pub fn parse(text: &str, name: &str) -> Result<Self, ScenarioError> {
-        let failed = |issues| ScenarioError::new(name, text, issues);
-        let root = read_toml::read(text).map_err(failed)?;
-        let spec = check(&root).map_err(failed)?;
-        let columns = spec.column.into_iter();
+        Self::check(Document::parse(text, name, Format::Toml)?)
+    }
+
+    fn check(document: Document) -> Result<Self, ScenarioError> {
+        let mut problems = document.problems().about("a file of tolerances");
+        let schema = schema_of::<TolerancesInput>();
+        let input: TolerancesInput = reader::read(&schema, &mut problems).unwrap_or_default();
+        for (index, column) in input.column.iter().enumerate() {
+            let mut earlier = input.column[..index].iter();
+            if earlier.any(|other| other.name == column.name) {
+                let message = format!("column {:?} has a tolerance already", column.name);
+                let issue = Issue::new(format!("column[{index}].name"), message);
+                problems.refuse(issue.help("keep one"));
+            }
+        }
+        let (issues, _) = problems.finish();
+        if !issues.is_empty() {
+            return Err(document.error(issues));
+        }
+        let column = |column: ColumnInput| (column.name, column.relative, column.absolute);
         Ok(Self {
-            relative: spec.relative,
-            absolute: spec.absolute,
-            columns: columns
-                .map(|column| (column.name, column.relative, column.absolute))
-                .collect(),
-            name: name.to_owned(),
-            text: text.to_owned(),
-            root,
+            relative: input.relative,
+            absolute: input.absolute,
+            columns: input.column.into_iter().map(column).collect(),
+            document,
         })
     }
 
@@ -104,41 +106,14 @@ impl ToleranceFile {
     pub fn unused(&self, column: &str, known: &[String]) -> Option<ScenarioError> {
         let mut columns = self.columns.iter();
         let index = columns.position(|(name, ..)| name == column)?;
-        let path = format!("column[{index}].name");
-        let help = match walk::nearest(column, known.iter().map(String::as_str)) {
-            Some(near) => format!("did you mean \"{near}\"?"),
-            None => format!("there are: {}", known.join(", ")),
-        };
-        let place = self.root.locate(&path);
-        let issue = Issue::new(path, format!("no table has a column {column:?}"));
-        let issue = issue.help(help).at(place);
-        Some(ScenarioError::new(&self.name, &self.text, vec![issue]))
-    }
-}
-
-fn check(root: &Node) -> Result<TolerancesSpec, Vec<Issue>> {
-    let mut problems = Problems::new(root, Path::new("")).about("a file of tolerances");
-    let schema = schema::schema_of::<TolerancesSpec>();
-    let value = walk::value(root, &schema, "", &mut problems);
-    let spec = value.map(serde_json::from_value::<TolerancesSpec>);
-    let spec = match spec {
-        Some(Ok(spec)) => spec,
-        Some(Err(error)) => {
-            problems.add(Issue::new("", error.to_string()));
-            TolerancesSpec::default()
-        }
-        None => TolerancesSpec::default(),
-    };
-    for (index, column) in spec.column.iter().enumerate() {
-        let mut earlier = spec.column[..index].iter();
-        if earlier.any(|other| other.name == column.name) {
-            let message = format!("column {:?} has a tolerance already", column.name);
-            let issue = Issue::new(format!("column[{index}].name"), message).help("keep one");
-            problems.refuse(issue, &[]);
-        }
-    }
-    match problems.finish().0 {
-        issues if issues.is_empty() => Ok(spec),
-        issues => Err(issues),
+        let message = format!("no table has a column {column:?}");
+        let issue = Issue::new(format!("column[{index}].name"), message).help_nearest(
+            column,
+            known.iter().map(String::as_str),
+            &format!("there are: {}", known.join(", ")),
+        );
+        let mut problems = self.document.problems();
+        problems.refuse(issue);
+        Some(self.document.error(problems.finish().0))
     }
 }

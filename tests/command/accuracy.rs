@@ -77,9 +77,9 @@ fn what_is_wrong_on_the_command_line_is_named() {
         (["--methods", "dop835"], "did you mean \"dop853\"?"),
         (
             ["--tolerances", "2"],
-            "a tolerance is a number from 1e-13 to 1e-2",
+            "`tolerance` must be at least 1e-13 and at most 0.01, not 2",
         ),
-        (["--longest", "5"], "write a time with its unit"),
+        (["--longest", "5"], "`time` needs a unit, as in \"0.2 s\""),
     ] {
         let all = [&["accuracy", "scene.toml"][..], &arguments].concat();
         let output = jeffcott(folder.path(), &all);

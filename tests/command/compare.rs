@@ -450,7 +450,7 @@ fn a_wrong_file_of_tolerances_is_shown_with_its_place() {
         ),
         (
             "[[column]]\nname = \"y_m\"\nrelative = 1",
-            "did you mean \"x_m\"?",
+            "did you mean `x_m`?",
         ),
         ("relative =", "this is not TOML"),
         (

@@ -187,7 +187,7 @@ fn a_wrong_range_of_speeds_is_told() {
     let unit = jeffcott(&["campbell", scene, "--to", "100"], folder.path());
     assert_eq!(unit.status.code(), Some(2));
     assert!(
-        text(&unit.stderr).contains("write a speed with its unit"),
+        text(&unit.stderr).contains("`speed` needs a unit"),
         "{}",
         text(&unit.stderr)
     );

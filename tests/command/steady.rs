@@ -137,7 +137,13 @@ fn exit_codes_tell_wrong_input_from_a_scene_without_a_steady_motion() {
             "`100 N` is no value",
         ),
         ("speed.constant", "100 rad/s", "100 rad/s", "the same value"),
-        ("shaft.mass", "1 kg", "-1 kg", "with shaft.mass"),
+        ("shaft.mass", "1 kg", "-1 kg", "`mass` must be at least"),
+        (
+            "bearing[0].clearance_change",
+            "0 um",
+            "9 mm",
+            "with bearing[0].clearance_change",
+        ),
         ("time.duration", "1 s", "2 s", "no number `time.duration`"),
     ] {
         let (code, words) = over(key, from, to);

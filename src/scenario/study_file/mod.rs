@@ -1,22 +1,18 @@
 //! Study files: many runs of one scenario.
 
-mod axes;
-mod spec;
+mod input;
 
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use self::axes::AxisBuilder;
-use self::spec::{SamplingKind, StudyFileSpec};
-use super::error::ScenarioError;
-use super::issue::Issue;
-use super::passed::Passed;
+use self::input::{SamplingKind, StudyFileInput};
+use super::axis::AxisReader;
+use super::document::Document;
+use super::key::{self, Key, all_keys, number_keys, put};
 use super::problems::Problems;
 use super::schema::schema_of;
-use super::vary::{Key, all_keys, keys, put, questions_of, without};
-use super::walk::{self, nearest};
-use super::{Scenario, echo, read_tree, stem};
+use super::{Issue, Scenario, ScenarioError, echo, questions, reader, without};
 use crate::simulate::Model;
 use crate::study::Variable;
 use crate::study::many::{Cycles, Keep, NumberColumn, Sweep, number_columns};
@@ -51,26 +47,15 @@ pub struct StudyFile {
     /// The study with its defaults and the scenario that it starts from.
     pub echo: Value,
     base: Value,
-    /// The base as it was checked, and its tables that runs have otherwise.
-    passed: Passed,
-    changed: Vec<String>,
     folder: PathBuf,
-    axes: Vec<Key<'static>>,
+    keys: Vec<Key>,
     cycles: Option<Cycles>,
-}
-
-/// A run that the values of its numbers do not make.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
-pub struct RunError {
-    /// What is wrong, in words.
-    pub message: String,
 }
 
 /// JSON Schema (draft 7) of a study file.
 pub fn study_schema() -> &'static Value {
     static SCHEMA: std::sync::LazyLock<Value> =
-        std::sync::LazyLock::new(schema_of::<StudyFileSpec>);
+        std::sync::LazyLock::new(schema_of::<StudyFileInput>);
     &SCHEMA
 }
 
@@ -79,29 +64,27 @@ pub fn study_schema() -> &'static Value {
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong, of the study or else of the scenario.
 pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
-    let (name, text, root) = read_tree(path)?;
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut problems = Problems::new(&root, folder);
-    let spec = walk::value(&root, study_schema(), "", &mut problems).and_then(|value| {
-        let filled = serde_json::from_value::<StudyFileSpec>(value);
-        filled
-            .map_err(|error| problems.add(Issue::new("", error.to_string())))
-            .ok()
-    });
-    let base = spec
-        .as_ref()
-        .filter(|_| !problems.distrusts("base"))
-        .map(|spec| folder.join(&spec.base));
-    let study = match (spec, base.map(|base| (super::load(&base), base))) {
-        (Some(spec), Some((Ok(scenario), base))) => {
+    let document = Document::open(path)?;
+    let mut problems = document.problems().about("the study");
+    let input: Option<StudyFileInput> = reader::read(study_schema(), &mut problems);
+    let base = input.as_ref().filter(|_| !problems.distrusts("base"));
+    let base = base.map(|input| document.folder().join(&input.base));
+    let scenario = match &base {
+        Some(base) if base.exists() => Some(super::load(base)?),
+        _ => None,
+    };
+    let study = match (input, scenario, base) {
+        (Some(input), Some(scenario), Some(base)) => {
+            let title = input.title.clone().unwrap_or_else(|| document.stem());
             let folder = base.parent().unwrap_or(Path::new("")).to_owned();
-            let title = spec.title.clone().unwrap_or_else(|| stem(&name));
-            build(&spec, &scenario, title, folder, &mut problems)
+            build(&input, &scenario, title, folder, &mut problems)
         }
-        (_, Some((Err(error), base))) if base.exists() => return Err(error),
-        (Some(spec), Some((Err(_), base))) => {
+        (Some(input), None, Some(base)) => {
             let message = format!("there is no scenario {}", base.display());
-            let help = format!("`{}` is looked for from the folder of the study", spec.base);
+            let help = format!(
+                "`{}` is looked for from the folder of the study",
+                input.base
+            );
             problems.add(Issue::new("base", message).help(help));
             None
         }
@@ -110,12 +93,12 @@ pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
     let (issues, _) = problems.finish();
     match study {
         Some(study) if issues.is_empty() => Ok(study),
-        _ => Err(ScenarioError::new(&name, &text, issues)),
+        _ => Err(document.error(issues)),
     }
 }
 
 fn build(
-    spec: &StudyFileSpec,
+    input: &StudyFileInput,
     scenario: &Scenario,
     title: String,
     folder: PathBuf,
@@ -123,50 +106,55 @@ fn build(
 ) -> Option<StudyFile> {
     let Some(model) = &scenario.model else {
         let issue = Issue::new("base", "a study needs a scenario with a `[time]`");
-        problems.refuse(issue, &[]);
+        problems.refuse(issue);
         return None;
     };
-    let columns = columns(spec, model, problems);
-    let (base, passed) = base_of(spec, scenario, &folder, problems)?;
-    let known = keys(&base, &LEFT_OUT);
-    let mut axes = Vec::new();
-    let mut found = Vec::new();
-    for (index, axis) in spec.axis.iter().enumerate() {
+    let columns = columns(input, model, problems);
+    let base = base_of(input, scenario, &folder, problems)?;
+    let known = number_keys(&base, &LEFT_OUT);
+    let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, axis) in input.axis.iter().enumerate() {
         let path = format!("axis[{index}]");
-        let Some(key) = find(&axis.key, &known, &format!("{path}.key"), problems) else {
-            continue;
+        let named = format!("{path}.key");
+        let key = match key::find(&known, &axis.key, &named) {
+            Ok(key) => key,
+            Err(issue) => {
+                problems.refuse(issue);
+                continue;
+            }
         };
-        let builder = AxisBuilder {
+        let reader = AxisReader {
             path,
-            spec: axis,
+            named,
+            input: axis,
             key,
             problems,
         };
-        axes.extend(builder.build());
-        found.push(key.clone());
+        if let Some((axis, variable)) = reader.build() {
+            axes.push(axis);
+            variables.push(variable);
+            keys.push(key.clone());
+        }
     }
-    let (axes, variables): (Vec<Axis>, Vec<Variable>) = axes.into_iter().unzip();
-    let sampling = sampling(spec, &axes, problems)?;
-    let plan = Plan::new(axes, sampling, spec.seed);
-    check_count(&plan, spec, problems);
-    check_sweep(spec, problems);
-    check_cycles(spec, problems);
-    let echo = json!({ "study": echo(spec), "base": base });
+    let sampling = sampling(input, &axes, problems)?;
+    let plan = Plan::new(axes, sampling, input.seed);
+    check_count(&plan, input, problems);
+    check_sweep(input, problems);
+    check_cycles(input, problems);
+    let echo = json!({ "study": echo(input), "base": base });
     problems.is_clean().then(|| StudyFile {
         title,
         plan,
         variables,
-        sweep: spec.sweep,
-        verify_every: spec.verify_every,
-        keep: keep(spec),
+        sweep: input.sweep,
+        verify_every: input.verify_every,
+        keep: keep(input),
         columns,
         echo,
         base,
-        passed,
-        changed: changed(spec),
         folder,
-        axes: found,
-        cycles: spec.cycles.as_ref().map(|cycles| Cycles {
+        keys,
+        cycles: input.cycles.as_ref().map(|cycles| Cycles {
             of: cycles.of,
             settle: cycles.settle,
             kept: cycles.kept,
@@ -176,166 +164,136 @@ fn build(
 
 /// The scenario with what all runs have otherwise.
 fn base_of(
-    spec: &StudyFileSpec,
+    input: &StudyFileInput,
     scenario: &Scenario,
     folder: &Path,
     problems: &mut Problems<'_>,
-) -> Option<(Value, Passed)> {
+) -> Option<Value> {
     let mut base = without(&scenario.echo, &["study"]);
     let known = all_keys(&base, &LEFT_OUT);
-    for (index, set) in spec.set.iter().enumerate() {
+    for (index, set) in input.set.iter().enumerate() {
         let path = format!("set[{index}]");
-        let key = find(&set.key, &known, &format!("{path}.key"), problems)?;
-        let given = key.read(format!("{path}.value"), problems)?;
-        put(&mut base, &set.key, &given.value);
+        let key = key::find(&known, &set.key, &format!("{path}.key"))
+            .map_err(|issue| problems.refuse(issue))
+            .ok()?;
+        let value = key.read(&format!("{path}.value"), problems)?;
+        put(&mut base, &set.key, &value);
     }
-    match Passed::new(&base, folder) {
-        Ok(passed) => Some((base, passed)),
-        Err(issue) => {
-            let issue = Issue::new("set", format!("the base with `set`: {}", issue.message));
-            problems.refuse(issue, &[]);
-            None
-        }
+    if let Err(issue) = questions(&base, folder) {
+        let message = format!("the base with `set`: {}", issue.message);
+        problems.refuse(Issue::new("set", message));
+        return None;
     }
-}
-
-/// The tables of the base in which runs differ from it.
-fn changed(spec: &StudyFileSpec) -> Vec<String> {
-    let axes = spec.axis.iter().map(|axis| axis.key.as_str());
-    let times = TIMES.iter().filter(|_| spec.cycles.is_some());
-    let mut tables: Vec<String> = axes
-        .chain(times.copied())
-        .filter_map(|key| key.split(['.', '[']).next())
-        .map(str::to_owned)
-        .collect();
-    tables.sort_unstable();
-    tables.dedup();
-    tables
-}
-
-/// A key of the base, refused with the nearest one where there is none.
-fn find<'k>(
-    key: &str,
-    known: &'k [Key<'static>],
-    path: &str,
-    problems: &mut Problems<'_>,
-) -> Option<&'k Key<'static>> {
-    let found = known.iter().find(|known| known.path == key);
-    if found.is_none() {
-        let message = format!("the scenario has no number `{key}`");
-        let help = match nearest(key, known.iter().map(|known| known.path.as_str())) {
-            Some(known) => format!("did you mean `{known}`?"),
-            None => "for instance: \"speed.constant\"".to_owned(),
-        };
-        problems.refuse(Issue::new(path, message).help(help), &[]);
-    }
-    found
+    Some(base)
 }
 
 /// The numbers that are kept: of a scene all, or those that are named and the measured error.
-fn columns(spec: &StudyFileSpec, model: &Model, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
+fn columns(
+    input: &StudyFileInput,
+    model: &Model,
+    problems: &mut Problems<'_>,
+) -> Vec<NumberColumn> {
     let all = number_columns(
         model.rotor.shaft.freedoms.count(),
         model.rotor.bearings.len(),
     );
-    let Some(named) = &spec.keep.numbers else {
+    let Some(named) = &input.keep.numbers else {
         return all;
     };
     for (index, name) in named.iter().enumerate() {
         if all.iter().all(|column| column.name != *name) {
             let message = format!("no run of this scene has a number `{name}`");
-            let help = match nearest(name, all.iter().map(|column| column.name.as_str())) {
-                Some(known) => format!("did you mean `{known}`?"),
-                None => "for instance: \"x_rms_m\"".to_owned(),
-            };
+            let known = all.iter().map(|column| column.name.as_str());
             let issue = Issue::new(format!("keep.numbers[{index}]"), message);
-            problems.refuse(issue.help(help), &[]);
+            problems.refuse(issue.help_nearest(name, known, "for instance: \"x_rms_m\""));
         }
     }
     let kept = |column: &NumberColumn| named.contains(&column.name) || column.is_error();
     all.into_iter().filter(kept).collect()
 }
 
-fn sampling(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
-    let drawn: fn(u64) -> Sampling = match spec.sampling {
-        SamplingKind::Grid => return grid(spec, axes, problems),
+fn sampling(
+    input: &StudyFileInput,
+    axes: &[Axis],
+    problems: &mut Problems<'_>,
+) -> Option<Sampling> {
+    let drawn: fn(u64) -> Sampling = match input.sampling {
+        SamplingKind::Grid => return grid(input, axes, problems),
         SamplingKind::LatinHypercube => Sampling::LatinHypercube,
         SamplingKind::Sobol => Sampling::Sobol,
         SamplingKind::MonteCarlo => Sampling::MonteCarlo,
     };
-    if spec.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
+    if input.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
         let message = format!("Sobol's sequence has at most {MOST_SOBOL_AXES} axes");
         let issue = Issue::new("sampling", message).help("take \"latin_hypercube\"");
-        problems.refuse(issue, &[]);
+        problems.refuse(issue);
     }
-    match spec.runs {
+    match input.runs {
         Some(runs) => Some(drawn(runs)),
         None => {
             let issue = Issue::new("sampling", "runs that are drawn need a number of them");
-            problems.refuse(issue.help("for instance: runs = 1000"), &[]);
+            problems.refuse(issue.help("for instance: runs = 1000"));
             None
         }
     }
 }
 
-fn grid(spec: &StudyFileSpec, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
-    if spec.runs.is_some() {
+fn grid(input: &StudyFileInput, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
+    if input.runs.is_some() {
         let issue = Issue::new("runs", "a grid has as many runs as its axes make");
-        problems.refuse(issue.help("remove it, or draw: sampling = \"sobol\""), &[]);
+        problems.refuse(issue.help("remove it, or draw: sampling = \"sobol\""));
     }
     for (index, axis) in axes.iter().enumerate() {
         if matches!(axis.values, AxisValues::Drawn(_)) {
             let path = format!("axis[{index}].distribution");
             let issue = Issue::new(path, "a distribution has no values for a grid");
             let help = "set sampling = \"latin_hypercube\", \"sobol\" or \"monte_carlo\"";
-            problems.refuse(issue.help(help), &["sampling".to_owned()]);
+            problems.refuse(issue.help(help).against("sampling"));
         }
     }
     Some(Sampling::Grid)
 }
 
-fn check_count(plan: &Plan, spec: &StudyFileSpec, problems: &mut Problems<'_>) {
+fn check_count(plan: &Plan, input: &StudyFileInput, problems: &mut Problems<'_>) {
     let runs = plan.runs();
     if runs.is_none_or(|runs| runs > MOST_RUNS) {
         let shown = runs.map_or_else(|| "more than 1e19".to_owned(), |runs| runs.to_string());
         let message = format!("the axes make {shown} runs: at most {MOST_RUNS:e} in a study");
         let issue = Issue::new("axis", message).help("take fewer values, or draw the runs");
-        let others: Vec<_> = (0..spec.axis.len())
-            .map(|index| format!("axis[{index}].count"))
-            .collect();
-        problems.refuse(issue, &others);
+        let counts = (0..input.axis.len()).map(|index| format!("axis[{index}].count"));
+        problems.refuse(issue.against_all(counts));
     }
 }
 
-fn check_sweep(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
-    if spec.sweep.is_some() && spec.sampling != SamplingKind::Grid {
+fn check_sweep(input: &StudyFileInput, problems: &mut Problems<'_>) {
+    if input.sweep.is_some() && input.sampling != SamplingKind::Grid {
         let issue = Issue::new(
             "sweep",
             "runs that are drawn have no neighbours to go on from",
         );
-        problems.refuse(issue.help("take a grid"), &["sampling".to_owned()]);
+        problems.refuse(issue.help("take a grid").against("sampling"));
     }
-    if spec.keep.highest_order.is_some() && !spec.keep.spectra {
+    if input.keep.highest_order.is_some() && !input.keep.spectra {
         let issue = Issue::new("keep.highest_order", "no spectra are kept");
-        problems.refuse(issue.help("set spectra = true, or remove it"), &[]);
+        problems.refuse(issue.help("set spectra = true, or remove it"));
     }
 }
 
 /// Refuses times that cycles decide.
-fn check_cycles(spec: &StudyFileSpec, problems: &mut Problems<'_>) {
-    let axes = spec.axis.iter().map(|axis| &axis.key).enumerate();
+fn check_cycles(input: &StudyFileInput, problems: &mut Problems<'_>) {
+    let axes = input.axis.iter().map(|axis| &axis.key).enumerate();
     let axes = axes.map(|(index, key)| (format!("axis[{index}].key"), key));
-    let sets = spec.set.iter().map(|set| &set.key).enumerate();
+    let sets = input.set.iter().map(|set| &set.key).enumerate();
     let sets = sets.map(|(index, key)| (format!("set[{index}].key"), key));
-    let decided = |key: &str| TIMES.contains(&key) && spec.cycles.is_some();
+    let decided = |key: &str| TIMES.contains(&key) && input.cycles.is_some();
     for (path, key) in axes.chain(sets).filter(|(_, key)| decided(key)) {
         let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
-        problems.refuse(issue.help("remove one of them"), &["cycles".to_owned()]);
+        problems.refuse(issue.help("remove one of them").against("cycles"));
     }
 }
 
-fn keep(spec: &StudyFileSpec) -> Keep {
-    let keep = &spec.keep;
+fn keep(input: &StudyFileInput) -> Keep {
+    let keep = &input.keep;
     Keep {
         highest_order: keep
             .spectra
@@ -350,17 +308,16 @@ impl StudyFile {
     /// The scenario of a run with its values put in, as JSON.
     ///
     /// # Errors
-    /// [`RunError`] where its values make no scenario.
-    pub fn scenario(&self, values: &[f64]) -> Result<Value, RunError> {
+    /// [`Issue`] where its values make no scenario.
+    pub fn scenario(&self, values: &[f64]) -> Result<Value, Issue> {
         let mut scenario = self.base.clone();
-        for (key, value) in self.axes.iter().zip(values) {
+        for (key, value) in self.keys.iter().zip(values) {
             put(&mut scenario, &key.path, &key.written(*value));
         }
         if let Some(cycles) = &self.cycles {
-            let rotor = self.asked(&scenario)?.rotor;
-            let times = cycles.times(&rotor).map_err(|error| RunError {
-                message: error.to_string(),
-            })?;
+            let rotor = questions(&scenario, &self.folder)?.motion()?.rotor;
+            let times = cycles.times(&rotor);
+            let times = times.map_err(|error| Issue::new("cycles", error.to_string()))?;
             for (key, time) in TIMES.iter().zip(times) {
                 put(&mut scenario, key, &json!(format!("{time} s")));
             }
@@ -371,23 +328,8 @@ impl StudyFile {
     /// The motion of a run.
     ///
     /// # Errors
-    /// [`RunError`] where its values make no scenario.
-    pub fn model(&self, values: &[f64]) -> Result<Model, RunError> {
-        self.asked(&self.scenario(values)?)
-    }
-
-    /// The motion that a scenario asks for.
-    fn asked(&self, scenario: &Value) -> Result<Model, RunError> {
-        let known = self.passed.questions(scenario, &self.changed, &self.folder);
-        let questions = match known {
-            Some(questions) => questions,
-            // the whole check finds the words for what is wrong
-            None => questions_of(scenario, &self.folder).map_err(|issue| RunError {
-                message: issue.message,
-            })?,
-        };
-        questions.model.ok_or_else(|| RunError {
-            message: "the scenario has no `[time]`".to_owned(),
-        })
+    /// [`Issue`] where its values make no scenario.
+    pub fn model(&self, values: &[f64]) -> Result<Model, Issue> {
+        questions(&self.scenario(values)?, &self.folder)?.motion()
     }
 }

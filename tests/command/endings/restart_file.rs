@@ -157,9 +157,9 @@ fn one_bad_file_of_several_stops_all_before_the_first() {
 #[test]
 fn a_time_without_a_unit_is_no_time_to_stop_at() {
     let scene = Scene::new(&shipped("steady-7205c"));
-    scene.run(&["--stop-at", "0.2"]).says(2, "as in \"0.25 s\"");
+    scene.run(&["--stop-at", "0.2"]).says(2, "as in \"0.2 s\"");
     scene.run(&["--stop-at", "2 mm"]).says(2, "is a length");
     scene
         .run(&["--stop-at", "-1 s"])
-        .says(2, "before the start");
+        .says(2, "must be at least 0");
 }

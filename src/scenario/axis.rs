@@ -1,0 +1,278 @@
+//! The values that a number of a scenario takes: listed, evenly spaced or drawn.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::Issue;
+use super::key::Key;
+use super::problems::Problems;
+use super::scalar::Scalar;
+use crate::study::Variable;
+use crate::study::plan::{Axis, AxisValues, Distribution, MOST_RUNS};
+
+/// How many standard deviations a normal distribution reaches: beyond lies less than one draw in 10¹⁶.
+const REACH: f64 = 8.3;
+
+/// One number of the base that takes many values: by a list, evenly spaced or drawn.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = ["values", "count", "distribution"]))]
+pub struct AxisInput {
+    /// Path of its key, for instance "speed.constant" or "bearing[0].preload".
+    #[schemars(extend("examples" = ["speed.constant"]))]
+    pub key: String,
+    /// The values, each written as that key is.
+    #[schemars(extend("minItems" = 1, "maxItems" = 1_000_000))]
+    pub values: Option<Vec<Scalar>>,
+    /// First of `count` values, or least value of a uniform distribution.
+    pub from: Option<Scalar>,
+    /// Last of `count` values, or largest value of a uniform distribution.
+    pub to: Option<Scalar>,
+    /// How many evenly spaced values.
+    #[schemars(range(min = 2, max = MOST_RUNS))]
+    pub count: Option<u64>,
+    /// Whether `count` values have equal differences or equal ratios. Default: "linear".
+    pub spacing: Option<Spacing>,
+    /// How values are drawn.
+    pub distribution: Option<DistributionKind>,
+    /// Mean of a normal distribution.
+    pub mean: Option<Scalar>,
+    /// Standard deviation of a normal distribution.
+    pub deviation: Option<Scalar>,
+    /// Most likely value of a triangular distribution.
+    pub mode: Option<Scalar>,
+    /// Least value of a normal or triangular distribution.
+    pub lowest: Option<Scalar>,
+    /// Largest value of a normal or triangular distribution.
+    pub highest: Option<Scalar>,
+}
+
+/// Spacing of values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Spacing {
+    /// Equal differences.
+    Linear,
+    /// Equal ratios.
+    Logarithmic,
+}
+
+/// How values are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum DistributionKind {
+    /// Evenly between `from` and `to`.
+    Uniform,
+    /// By `mean` and `deviation`, cut off at `lowest` and `highest`.
+    Normal,
+    /// From `lowest` to `highest` with the most likely value `mode`.
+    Triangular,
+}
+
+impl AxisInput {
+    /// The values that are given one by one, by their keys.
+    fn given(&self) -> [(&'static str, &Option<Scalar>); 7] {
+        [
+            ("from", &self.from),
+            ("to", &self.to),
+            ("mean", &self.mean),
+            ("deviation", &self.deviation),
+            ("mode", &self.mode),
+            ("lowest", &self.lowest),
+            ("highest", &self.highest),
+        ]
+    }
+
+    /// The key that says how the values are given, what messages call it, and the keys that go with it.
+    fn way(&self) -> (&'static str, &'static str, &'static [&'static str]) {
+        use DistributionKind as Kind;
+        match (&self.values, self.distribution) {
+            (Some(_), _) => ("values", "`values`", &[]),
+            (None, None) => ("count", "`count`", &["from", "to"]),
+            (None, Some(Kind::Uniform)) => {
+                ("distribution", "a uniform distribution", &["from", "to"])
+            }
+            (None, Some(Kind::Normal)) => {
+                let own = &["mean", "deviation", "lowest", "highest"];
+                ("distribution", "a normal distribution", own)
+            }
+            (None, Some(Kind::Triangular)) => {
+                let own = &["lowest", "mode", "highest"];
+                ("distribution", "a triangular distribution", own)
+            }
+        }
+    }
+}
+
+/// An axis while it is read.
+pub(super) struct AxisReader<'a, 'p> {
+    /// Path of its table.
+    pub path: String,
+    /// Path of the key that names the number.
+    pub named: String,
+    /// What is given.
+    pub input: &'a AxisInput,
+    /// The number.
+    pub key: &'a Key,
+    /// What is wrong.
+    pub problems: &'a mut Problems<'p>,
+}
+
+impl AxisReader<'_, '_> {
+    /// The axis with what varies, if nothing contradicts it.
+    pub fn build(mut self) -> Option<(Axis, Variable)> {
+        self.refuse_strangers();
+        let values = match (&self.input.values, self.input.distribution) {
+            (Some(values), _) => self.listed(values.len())?,
+            (None, Some(kind)) => AxisValues::Drawn(self.drawn(kind)?),
+            (None, None) => self.spaced()?,
+        };
+        let shown = self.shown()?;
+        Some((Axis { values }, shown))
+    }
+
+    fn at(&self, name: &str) -> String {
+        format!("{}.{name}", self.path)
+    }
+
+    /// Refuses keys that do not go with the way in which the values are given.
+    fn refuse_strangers(&mut self) {
+        let (way, called, own) = self.input.way();
+        let values = self.input.given();
+        let mut strangers: Vec<_> = (values.iter())
+            .filter(|(name, value)| value.is_some() && !own.contains(name))
+            .map(|(name, _)| *name)
+            .collect();
+        if self.input.spacing.is_some() && self.input.count.is_none() {
+            strangers.push("spacing");
+        }
+        for name in strangers {
+            let message = format!("{called} does not go with `{name}`");
+            let issue = Issue::new(self.at(name), message).help("remove it");
+            self.problems.refuse(issue.against(self.at(way)));
+        }
+    }
+
+    /// A value of the key in SI units.
+    fn number(&mut self, name: &str) -> Option<f64> {
+        let value = self.key.read(&self.at(name), self.problems)?;
+        Some(self.key.si(&value))
+    }
+
+    /// Values that must be given.
+    fn needed<const N: usize>(&mut self, names: [&str; N]) -> Option<[f64; N]> {
+        let (way, called, _) = self.input.way();
+        let mut values = [None; N];
+        for (value, name) in values.iter_mut().zip(names) {
+            if self.input.given().contains(&(name, &None)) {
+                let issue = Issue::new(self.at(name), format!("{called} needs `{name}`"));
+                self.problems.refuse(issue.against(self.at(way)));
+            } else {
+                *value = self.number(name);
+            }
+        }
+        values
+            .iter()
+            .all(Option::is_some)
+            .then(|| values.map(Option::unwrap_or_default))
+    }
+
+    /// Refuses a whole number, which has no values between two.
+    fn refuse_whole(&mut self, way: &str) -> Option<()> {
+        if !self.key.is_whole() {
+            return Some(());
+        }
+        let path = &self.key.path;
+        let message = format!("`{path}` is a whole number: list its `values`");
+        let issue = Issue::new(&self.named, message).against(self.at(way));
+        self.problems.refuse(issue);
+        None
+    }
+
+    fn listed(&mut self, count: usize) -> Option<AxisValues> {
+        let values = (0..count).map(|index| self.number(&format!("values[{index}]")));
+        let values: Vec<_> = values.collect();
+        Some(AxisValues::Listed(
+            values.into_iter().collect::<Option<_>>()?,
+        ))
+    }
+
+    fn spaced(&mut self) -> Option<AxisValues> {
+        self.refuse_whole("count")?;
+        let [from, to] = self.needed(["from", "to"])?;
+        let logarithmic = self.input.spacing == Some(Spacing::Logarithmic);
+        if logarithmic && !(from > 0.0 && to > 0.0) {
+            let message = "values of equal ratios cannot come from zero or below";
+            let issue = Issue::new(self.at("spacing"), message).help("let both ends be above zero");
+            self.problems.refuse(issue);
+            return None;
+        }
+        Some(AxisValues::Spaced {
+            from,
+            to,
+            count: self.input.count?,
+            logarithmic,
+        })
+    }
+
+    fn drawn(&mut self, kind: DistributionKind) -> Option<Distribution> {
+        self.refuse_whole("distribution")?;
+        let distribution = match kind {
+            DistributionKind::Uniform => {
+                let [lowest, highest] = self.needed(["from", "to"])?;
+                Distribution::Uniform { lowest, highest }
+            }
+            DistributionKind::Normal => self.normal()?,
+            DistributionKind::Triangular => {
+                let [lowest, mode, highest] = self.needed(["lowest", "mode", "highest"])?;
+                Distribution::Triangular {
+                    lowest,
+                    mode,
+                    highest,
+                }
+            }
+        };
+        let refused = |error| {
+            let issue = Issue::new(self.at("distribution"), format!("{error}"));
+            self.problems
+                .refuse(issue.help("numbers in SI units; change its bounds"));
+        };
+        distribution.checked().map_err(refused).ok()
+    }
+
+    fn normal(&mut self) -> Option<Distribution> {
+        let [mean, deviation] = self.needed(["mean", "deviation"])?;
+        Some(Distribution::Normal {
+            mean,
+            deviation,
+            lowest: self.bound("lowest", &self.input.lowest, mean - REACH * deviation)?,
+            highest: self.bound("highest", &self.input.highest, mean + REACH * deviation)?,
+        })
+    }
+
+    /// A bound of a normal distribution; where none is given, how far it reaches, if the key can have that
+    /// value.
+    fn bound(&mut self, name: &str, given: &Option<Scalar>, reach: f64) -> Option<f64> {
+        if given.is_some() {
+            return self.number(name);
+        }
+        if self.key.contains(reach) {
+            return Some(reach);
+        }
+        let message = format!(
+            "a normal distribution needs `{name}` here: without it draws reach {reach:.4e}, which `{}` cannot \
+             be",
+            self.key.path
+        );
+        self.problems.refuse(Issue::new(&self.path, message));
+        None
+    }
+
+    /// What varies, shown in the unit of the first value given.
+    fn shown(&self) -> Option<Variable> {
+        let listed = self.input.values.as_ref().and_then(|values| values.first());
+        let others = self.input.given();
+        let others = others.into_iter().find_map(|(_, value)| value.as_ref());
+        Some(self.key.variable(&listed.or(others)?.0))
+    }
+}

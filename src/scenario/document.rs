@@ -1,0 +1,83 @@
+//! A file as it was written: its text and the tree of its values.
+
+use std::path::Path;
+
+use super::node::Node;
+use super::problems::Problems;
+use super::{Format, Issue, ScenarioError, read_json, read_toml};
+
+/// A text that is TOML or JSON.
+#[derive(Debug)]
+pub(super) struct Document {
+    /// What messages call the file.
+    pub name: String,
+    text: String,
+    root: Node,
+}
+
+impl Document {
+    /// Reads a file in the language that the end of its name tells.
+    pub fn open(path: &Path) -> Result<Self, ScenarioError> {
+        let extension = path.extension().map(|end| end.to_ascii_lowercase());
+        match extension.as_ref().and_then(|end| end.to_str()) {
+            Some("toml") => Self::open_as(path, Format::Toml),
+            Some("json") => Self::open_as(path, Format::Json),
+            _ => Err(unreadable(path, "a scenario file ends in .toml or .json")),
+        }
+    }
+
+    /// Reads a file in a language.
+    pub fn open_as(path: &Path, format: Format) -> Result<Self, ScenarioError> {
+        let bytes = std::fs::read(path)
+            .map_err(|error| unreadable(path, &format!("cannot read the file: {error}")))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let byte = error.utf8_error().valid_up_to();
+            unreadable(
+                path,
+                &format!("the file is not UTF-8 text: byte {byte} is wrong"),
+            )
+        })?;
+        Self::parse(&text, &path.display().to_string(), format)
+    }
+
+    /// Reads a text; `name` is what messages call it.
+    pub fn parse(text: &str, name: &str, format: Format) -> Result<Self, ScenarioError> {
+        // places in the text count from behind a byte order mark
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let root = match format {
+            Format::Toml => read_toml::read(text),
+            Format::Json => read_json::read(text),
+        };
+        Ok(Self {
+            root: root.map_err(|issues| ScenarioError::new(name, text, issues))?,
+            name: name.to_owned(),
+            text: text.to_owned(),
+        })
+    }
+
+    /// The folder that files named in it are relative to.
+    pub fn folder(&self) -> &Path {
+        Path::new(&self.name).parent().unwrap_or(Path::new(""))
+    }
+
+    /// Its title where it gives none: the name of the file.
+    pub fn stem(&self) -> String {
+        let stem = Path::new(&self.name).file_stem();
+        stem.map_or_else(|| self.name.clone(), |stem| stem.to_string_lossy().into())
+    }
+
+    /// Nothing found yet in it.
+    pub fn problems(&self) -> Problems<'_> {
+        Problems::new(&self.root, self.folder())
+    }
+
+    /// Everything that is wrong with it.
+    pub fn error(&self, issues: Vec<Issue>) -> ScenarioError {
+        ScenarioError::new(&self.name, &self.text, issues)
+    }
+}
+
+fn unreadable(path: &Path, message: &str) -> ScenarioError {
+    let issue = Issue::new("", message);
+    ScenarioError::new(&path.display().to_string(), "", vec![issue])
+}

@@ -1,0 +1,300 @@
+//! `[[bearing]]`.
+
+use std::f64::consts::FRAC_PI_2;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::geometry::{GeometryInput, Sources};
+use super::material::{self, MaterialInput};
+use super::model::{ContactChoice, ModelInput};
+use super::oil::OilInput;
+use super::set::Arrangement;
+use crate::bearing::catalogue::{self, CATALOGUE, CatalogueEntry};
+use crate::bearing::{Bearing, BearingError, ContactDamping, Facing, MountedBearing, Oil, Preload};
+use crate::physics::{Material, RaceControl};
+use crate::rotor::Freedoms;
+use crate::scenario::Issue;
+use crate::scenario::nearest::nearest;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Angle, AngularSpeed, Force, Length, Quantity, si};
+
+/// A ball bearing and its place on the shaft.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-at-most-one" = ["axial_offset", "preload", "spring_preload"]))]
+pub struct BearingInput {
+    /// Designation of a bearing that `jeffcott catalogue` lists, for instance "7205C". Without
+    /// it `[bearing.geometry]` must be complete.
+    #[schemars(extend("examples" = designations()))]
+    pub catalogue: Option<String>,
+    /// Position along the shaft, from the centre of mass towards +Z. Default: "0 m".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["-30 mm"]))]
+    pub position: Quantity<Length>,
+    /// Makes a set of two bearings of this one, symmetric about the position and `spacing` apart:
+    /// "back-to-back", "face-to-face" or "tandem".
+    pub arrangement: Option<Arrangement>,
+    /// Distance of the two bearings of a set, for instance "15 mm".
+    #[schemars(extend("examples" = ["15 mm"], "x-above" = 0.0))]
+    pub spacing: Option<Quantity<Length>>,
+    /// Which way along Z the shaft must move to load the bearing, or both bearings of a tandem
+    /// set. Default: "+z".
+    pub facing: Option<Facing>,
+    /// Azimuth of one ball at the start, from +X towards +Y. Default: "0 rad".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["-90 deg"]))]
+    pub first_ball: Quantity<Angle>,
+    /// Axial preset: how far the inner ring is moved the way its facing loads it, for instance
+    /// "20 um". Default: "0 m".
+    #[schemars(extend("examples" = ["20 um"], "x-minimum" = -0.1, "x-maximum" = 0.1))]
+    pub axial_offset: Option<Quantity<Length>>,
+    /// Axial preset by the axial force that the bearing carries when the shaft is not
+    /// displaced, for instance "200 N"; instead of axial_offset.
+    #[schemars(extend("examples" = ["200 N"], "x-minimum" = 0.0))]
+    pub preload: Option<Quantity<Force>>,
+    /// Axial preset by a soft spring that presses the floating outer ring with this force
+    /// wherever the shaft is, for instance "200 N"; instead of axial_offset and preload.
+    #[schemars(extend("examples" = ["200 N"], "x-above" = 0.0))]
+    pub spring_preload: Option<Quantity<Force>>,
+    /// Force law of this bearing. Default: that of `[model]`.
+    pub contact: Option<ContactChoice>,
+    /// Whether oil films part the surfaces of this bearing. Default: that of `[model]`.
+    pub film: Option<bool>,
+    /// Race control of this bearing. Default: that of `[model]`.
+    pub race_control: Option<RaceControl>,
+    /// Change of the diametral clearance by fits and temperature, for instance "-5 um": negative
+    /// tightens and makes the contact angle smaller. Default: "0 m".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["-5 um"]))]
+    pub clearance_change: Quantity<Length>,
+    /// Composite root-mean-square roughness of ball and race, for instance "0.1 um"; the film
+    /// ratio needs it.
+    #[schemars(extend("examples" = ["0.1 um"], "x-above" = 0.0))]
+    pub roughness: Option<Quantity<Length>>,
+    /// Highest permissible speed by the catalogue, for instance "26000 rpm"; a higher one is told.
+    /// Default: 1e6 mm/min over the pitch diameter.
+    #[schemars(extend("examples" = ["26000 rpm"], "x-above" = 0.0))]
+    pub limiting_speed: Option<Quantity<AngularSpeed>>,
+    /// Angle from the radial plane at which the shoulders of the races end, for instance
+    /// "35 deg"; contacts that reach it are told.
+    #[schemars(extend("examples" = ["35 deg"], "x-above" = 0.0, "x-maximum" = FRAC_PI_2))]
+    pub shoulder_angle: Option<Quantity<Angle>>,
+    /// Basic dynamic load rating C, for instance "16.6 kN"; the life needs it. Default: that of
+    /// the catalogue.
+    #[schemars(extend("examples" = ["16.6 kN"], "x-above" = 0.0))]
+    pub dynamic_rating: Option<Quantity<Force>>,
+    /// Oil in the bearing; without `film` it is known but parts nothing.
+    pub oil: Option<OilInput>,
+    /// Internal dimensions; with a catalogue bearing, those that differ.
+    pub geometry: Option<GeometryInput>,
+    /// Material of the rings, and of the balls unless they differ. Default: bearing steel.
+    pub material: Option<MaterialInput>,
+    /// Material of the balls where it differs from that of the rings.
+    pub ball_material: Option<MaterialInput>,
+}
+
+fn designations() -> Vec<&'static str> {
+    CATALOGUE.iter().map(|entry| entry.designation).collect()
+}
+
+impl BearingInput {
+    /// Force law of the bearing, where `[model]` has the given one.
+    pub fn contact(&self, model: &ModelInput) -> ContactChoice {
+        self.contact.unwrap_or(model.contact)
+    }
+
+    /// The oil of the bearing, or of both of a set, whether its films are simulated or not.
+    pub fn oils(&self) -> impl Iterator<Item = Option<Oil>> + use<> {
+        let oil = self.oil.as_ref().map(OilInput::build);
+        std::iter::repeat_n(oil, self.count())
+    }
+
+    /// Number of bearings: two of a set.
+    pub fn count(&self) -> usize {
+        if self.arrangement.is_some() { 2 } else { 1 }
+    }
+
+    /// The mounted bearing, or both of a set, as far as nothing contradicts it.
+    pub fn build(
+        &self,
+        model: &ModelInput,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Option<Vec<MountedBearing>> {
+        let mounted = self.build_one(model, freedoms, problems);
+        let places = self.places(problems);
+        let mounted = mounted?;
+        let place = |(position, facing)| MountedBearing {
+            position,
+            facing,
+            ..mounted
+        };
+        Some(places?.into_iter().map(place).collect())
+    }
+
+    /// The bearing at its nominal position.
+    fn build_one(
+        &self,
+        model: &ModelInput,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Option<MountedBearing> {
+        let entry = self.entry(problems)?;
+        let input = self.geometry.clone().unwrap_or_default();
+        let sources = Sources {
+            input: &input,
+            entry,
+            clearance_change: self.clearance_change.si(),
+        };
+        let rating = si(&self.dynamic_rating);
+        let ring_material = material::build(self.material.as_ref(), Material::BEARING_STEEL);
+        let bearing = Bearing {
+            geometry: sources.build(freedoms, problems)?,
+            ring_material,
+            ball_material: material::build(self.ball_material.as_ref(), ring_material),
+            contact_stiffness: si(&input.contact_stiffness),
+            dynamic_rating: rating.or(entry.map(|entry| entry.dynamic_rating)),
+            roughness: si(&self.roughness),
+            limiting_speed: si(&self.limiting_speed),
+            shoulder_angle: si(&self.shoulder_angle),
+        };
+        check_contact(&bearing, problems);
+        self.check_law(model, problems);
+        let control = self.race_control.or(model.race_control);
+        Some(MountedBearing {
+            bearing,
+            law: match (self.contact(model), bearing.contact_stiffness) {
+                // a stiffness of both races together knows no ball inertia
+                (ContactChoice::Auto, Some(_)) => ContactChoice::Hertz.law(control),
+                (contact, _) => contact.law(control),
+            },
+            oil: self.film_oil(model, problems),
+            position: self.position.si(),
+            facing: Facing::PlusZ,
+            preload: self.preload(),
+            contact_damping: ContactDamping::default(),
+            first_ball: self.first_ball.si(),
+        })
+    }
+
+    /// Refuses what the force law of the bearing does not know.
+    fn check_law(&self, model: &ModelInput, problems: &mut Problems<'_>) {
+        let contact = self.contact(model);
+        let jones = contact == ContactChoice::Jones;
+        let law = [".contact", "model.contact"];
+        if self.race_control.is_some() && !jones && contact != ContactChoice::Auto {
+            let message =
+                "`race_control` needs contact = \"jones\": other laws know no ball inertia";
+            let issue = Issue::new(".race_control", message);
+            let issue = issue.help("remove it, or set contact = \"jones\"");
+            problems.refuse(issue.against_all(law));
+        }
+        let given = self.geometry.as_ref();
+        if jones && given.is_some_and(|input| input.contact_stiffness.is_some()) {
+            let message = "`contact_stiffness` is that of both races together, and \"jones\" \
+                           loads them differently";
+            let issue = Issue::new(".geometry.contact_stiffness", message)
+                .help("remove it, or set contact = \"hertz\"");
+            problems.refuse(issue.against_all(law));
+        }
+    }
+
+    /// The oil, where its films part the surfaces.
+    fn film_oil(&self, model: &ModelInput, problems: &mut Problems<'_>) -> Option<Oil> {
+        if self.contact(model) == ContactChoice::Auto && self.film.is_none() {
+            // films are considered where there is oil
+            return self.oil.as_ref().map(OilInput::build);
+        }
+        if !self.film.unwrap_or(model.film) {
+            return None;
+        }
+        if self.oil.is_none() {
+            let message = format!("`{}` needs `oil` where film = true", problems.path("."));
+            let issue = Issue::new(".oil", message).help(
+                "add [bearing.oil] with viscosity = \"0.04 Pa s\" and pressure_viscosity = \
+                 \"22 1/GPa\", or set film = false",
+            );
+            problems.refuse(issue.against(".film").against("model.film"));
+        }
+        self.oil.as_ref().map(OilInput::build)
+    }
+
+    fn preload(&self) -> Preload {
+        let offset = si(&self.axial_offset).unwrap_or(0.0);
+        si(&self.spring_preload)
+            .map(Preload::Spring)
+            .or_else(|| si(&self.preload).map(Preload::Force))
+            .unwrap_or(Preload::AxialOffset(offset))
+    }
+
+    /// Position in m and orientation of the bearing, or of both of a set.
+    fn places(&self, problems: &mut Problems<'_>) -> Option<Vec<(f64, Facing)>> {
+        let centre = self.position.si();
+        let facing = self.facing.unwrap_or_default();
+        match (self.arrangement, &self.spacing) {
+            (None, None) => Some(vec![(centre, facing)]),
+            (None, Some(_)) => {
+                let message = "`spacing` needs an `arrangement`: one bearing has none";
+                let issue = Issue::new(".spacing", message)
+                    .help("for instance: arrangement = \"back-to-back\"");
+                problems.refuse(issue.against(".arrangement"));
+                None
+            }
+            (Some(_), None) => {
+                let message = "a set of bearings needs a `spacing`";
+                let issue =
+                    Issue::new(".spacing", message).help("for instance: spacing = \"15 mm\"");
+                problems.refuse(issue.against(".arrangement"));
+                None
+            }
+            (Some(arrangement), Some(spacing)) => {
+                if self.facing.is_some() && arrangement != Arrangement::Tandem {
+                    let message = "`facing` is for \"tandem\": the two bearings of this set face \
+                                   each other or away";
+                    let issue = Issue::new(".facing", message).help("remove it");
+                    problems.refuse(issue.against(".arrangement"));
+                }
+                Some(arrangement.places(centre, spacing.si(), facing).to_vec())
+            }
+        }
+    }
+
+    /// The catalogue entry, `Some(None)` where the geometry stands alone, `None` where neither
+    /// tells what the bearing is.
+    fn entry(&self, problems: &mut Problems<'_>) -> Option<Option<&'static CatalogueEntry>> {
+        let Some(designation) = &self.catalogue else {
+            if self.geometry.is_none() {
+                let path = problems.path(".");
+                let message = format!("`{path}` needs `catalogue` or a table `[bearing.geometry]`");
+                let issue =
+                    Issue::new(".catalogue", message).help("for instance: catalogue = \"7205C\"");
+                problems.refuse(issue.against(".geometry"));
+                return None;
+            }
+            return Some(None);
+        };
+        let entry = catalogue::find(designation);
+        if entry.is_none() {
+            let known = designations();
+            let help = match nearest(designation, known.iter().copied()) {
+                Some(near) => format!("did you mean \"{near}\"? It has {}", known.join(", ")),
+                None => format!("it has {}", known.join(", ")),
+            };
+            let message = format!("the catalogue has no bearing \"{designation}\"");
+            problems.refuse(Issue::new(".catalogue", message).help(help));
+        }
+        entry.map(Some)
+    }
+}
+
+/// Refuses dimensions whose balls and races do not form a Hertz contact.
+fn check_contact(bearing: &Bearing, problems: &mut Problems<'_>) {
+    if let Err(error) = bearing.load_deflection_constant() {
+        let key = match error {
+            BearingError::Contact { race: "inner", .. } => ".geometry.groove_factor_inner",
+            _ => ".geometry.groove_factor_outer",
+        };
+        problems.refuse(Issue::new(key, error.to_string()));
+    }
+}

@@ -1,0 +1,213 @@
+//! `[bearing.geometry]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::bearing::catalogue::CatalogueEntry;
+use crate::bearing::{FreePosition, Geometry, GeometryError};
+use crate::rotor::Freedoms;
+use crate::scenario::Issue;
+use crate::scenario::dimension::significant;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Angle, ContactStiffness, Length, Quantity, si};
+
+/// Groove factor of a model in which the contact angle, and with it the groove, plays no part.
+const ANY_GROOVE_FACTOR: f64 = 0.52;
+
+/// Internal dimensions of a bearing. With a catalogue bearing each key overrides its value;
+/// without, all dimensions and one of contact_angle, diametral_clearance, radial_clearance are
+/// needed.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-at-most-one" = ["contact_angle", "diametral_clearance", "radial_clearance"]))]
+pub struct GeometryInput {
+    /// Number of balls, 3 to 200.
+    #[schemars(range(min = 3, max = 200))]
+    pub balls: Option<u32>,
+    /// Ball diameter, for instance "7.938 mm".
+    #[schemars(extend("examples" = ["7.938 mm"], "x-minimum" = 1e-5))]
+    pub ball_diameter: Option<Quantity<Length>>,
+    /// Diameter of the circle of ball centres, for instance "38.5 mm".
+    #[schemars(extend("examples" = ["38.5 mm"], "x-minimum" = 1e-5))]
+    pub pitch_diameter: Option<Quantity<Length>>,
+    /// Contact angle of the unloaded bearing, "0 deg" to "60 deg".
+    #[schemars(extend("x-minimum" = 0.0, "x-maximum" = Geometry::LARGEST_CONTACT_ANGLE))]
+    pub contact_angle: Option<Quantity<Angle>>,
+    /// Diametral clearance of a deep-groove bearing, for instance "10 um".
+    #[schemars(extend("examples" = ["10 um"], "x-minimum" = 0.0))]
+    pub diametral_clearance: Option<Quantity<Length>>,
+    /// Radial clearance (half the diametral one) of a literature model that knows no contact
+    /// angle, for instance "3 um": the balls roll as at 0°.
+    #[schemars(extend("examples" = ["3 um"], "x-minimum" = 0.0))]
+    pub radial_clearance: Option<Quantity<Length>>,
+    /// Radius of the inner groove over the ball diameter, above 0.5, at most 1.
+    #[schemars(extend("exclusiveMinimum" = 0.5, "maximum" = 1.0))]
+    pub groove_factor_inner: Option<f64>,
+    /// Radius of the outer groove over the ball diameter, above 0.5, at most 1.
+    #[schemars(extend("exclusiveMinimum" = 0.5, "maximum" = 1.0))]
+    pub groove_factor_outer: Option<f64>,
+    /// Load–deflection constant of a ball between both races, for instance
+    /// "1.334e10 N/m^1.5". Default: from Hertz's theory.
+    #[schemars(extend("x-above" = 0.0))]
+    pub contact_stiffness: Option<Quantity<ContactStiffness>>,
+}
+
+/// Where the dimensions of one bearing come from.
+pub struct Sources<'a> {
+    /// The table of the file, or an empty one.
+    pub input: &'a GeometryInput,
+    /// The catalogue bearing that it overrides.
+    pub entry: Option<&'a CatalogueEntry>,
+    /// Change of the diametral clearance, m.
+    pub clearance_change: f64,
+}
+
+impl Sources<'_> {
+    /// The checked geometry.
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Geometry> {
+        let input = self.input;
+        let entry = self.entry;
+        let balls = input.balls.map(|balls| balls as usize);
+        let balls = self.need("balls", balls.or(entry.map(|entry| entry.balls)), problems);
+        let ball_diameter = si(&input.ball_diameter).or(entry.map(|e| e.ball_diameter_mm / 1e3));
+        let ball_diameter = self.need("ball_diameter", ball_diameter, problems);
+        let pitch_diameter = si(&input.pitch_diameter).or(entry.map(|e| e.pitch_diameter_mm / 1e3));
+        let pitch_diameter = self.need("pitch_diameter", pitch_diameter, problems);
+        let free = self.free_position(problems);
+        let any = self.grooves_cancel(freedoms).then_some(ANY_GROOVE_FACTOR);
+        let inner = input
+            .groove_factor_inner
+            .or(entry.map(|e| e.groove_factor_inner));
+        let inner = self.need("groove_factor_inner", inner.or(any), problems);
+        let outer = input
+            .groove_factor_outer
+            .or(entry.map(|e| e.groove_factor_outer));
+        let outer = self.need("groove_factor_outer", outer.or(any), problems);
+        Geometry::new(
+            balls?,
+            ball_diameter?,
+            pitch_diameter?,
+            free?,
+            inner?,
+            outer?,
+        )
+        .and_then(|geometry| geometry.with_clearance_change(self.clearance_change))
+        .map_err(|error| self.refuse(&error, problems))
+        .ok()
+    }
+
+    fn need<T>(&self, key: &str, value: Option<T>, problems: &mut Problems<'_>) -> Option<T> {
+        if value.is_none() {
+            let table = problems.path(".geometry");
+            let message = format!("`{table}` needs `{key}` where no catalogue bearing gives it");
+            problems.refuse(Issue::new(at(key), message));
+        }
+        value
+    }
+
+    fn free_position(&self, problems: &mut Problems<'_>) -> Option<FreePosition> {
+        let input = self.input;
+        let given = si(&input.contact_angle)
+            .map(FreePosition::ContactAngle)
+            .or_else(|| si(&input.diametral_clearance).map(FreePosition::DiametralClearance))
+            .or_else(|| si(&input.radial_clearance).map(FreePosition::RadialClearance))
+            .or_else(|| self.entry.map(CatalogueEntry::free_position));
+        if given.is_none() {
+            let message = format!(
+                "`{}` needs one of `contact_angle`, `diametral_clearance`, `radial_clearance`",
+                problems.path(".geometry")
+            );
+            let others = ["diametral_clearance", "radial_clearance"].map(at);
+            let issue = Issue::new(at("contact_angle"), message);
+            problems.refuse(issue.against_all(others));
+        }
+        given
+    }
+
+    /// In a radial scene with given contact stiffness and radial clearance the grooves play no
+    /// part: the balls stay in the radial plane.
+    fn grooves_cancel(&self, freedoms: Freedoms) -> bool {
+        freedoms == Freedoms::Radial
+            && self.input.contact_stiffness.is_some()
+            && self.input.radial_clearance.is_some()
+    }
+
+    fn refuse(&self, error: &GeometryError, problems: &mut Problems<'_>) {
+        let (key, others): (_, &[&str]) = match error {
+            GeometryError::Balls { .. } => ("balls", &[]),
+            GeometryError::Length { name, .. } if name.starts_with("pitch") => {
+                ("pitch_diameter", &[])
+            }
+            GeometryError::Length { .. } => ("ball_diameter", &[]),
+            GeometryError::GrooveFactor { race: "inner", .. } => ("groove_factor_inner", &[]),
+            GeometryError::GrooveFactor { .. } => ("groove_factor_outer", &[]),
+            GeometryError::ContactAngle { .. } => ("contact_angle", &[]),
+            GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
+            GeometryError::ClearanceChange { .. } => {
+                return problems.refuse(Issue::new(".clearance_change", self.message(error)));
+            }
+            GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
+        };
+        let issue = Issue::new(at(key), self.message(error));
+        problems.refuse(issue.against_all(others.iter().map(|key| at(key))));
+    }
+
+    /// The message of the error, with lengths in the units of a drawing.
+    fn message(&self, error: &GeometryError) -> String {
+        match *error {
+            GeometryError::Clearance { largest, .. } => {
+                let key = self.clearance_key();
+                let largest = if key == "radial_clearance" {
+                    largest / 2.0
+                } else {
+                    largest
+                };
+                format!(
+                    "`{key}` must be at most {}: there the free contact angle reaches 60 deg",
+                    millimetres(largest)
+                )
+            }
+            GeometryError::ClearanceChange {
+                smallest, largest, ..
+            } => format!(
+                "`clearance_change` must be in {} … {}, where the free contact angle goes from \
+                 0 deg to 60 deg",
+                micrometres(smallest),
+                micrometres(largest)
+            ),
+            GeometryError::Overlap {
+                balls,
+                ball_diameter,
+                pitch_diameter,
+                largest,
+            } => format!(
+                "{balls} balls of {} overlap on a pitch circle of {}: at most {largest} fit",
+                millimetres(ball_diameter),
+                millimetres(pitch_diameter)
+            ),
+            _ => error.to_string(),
+        }
+    }
+
+    fn clearance_key(&self) -> &'static str {
+        match self.input.radial_clearance {
+            Some(_) => "radial_clearance",
+            None => "diametral_clearance",
+        }
+    }
+}
+
+/// Path of a key, from the bearing.
+fn at(key: &str) -> String {
+    format!(".geometry.{key}")
+}
+
+/// A length in mm with four significant digits.
+fn millimetres(length: f64) -> String {
+    format!("{} mm", significant(length * 1e3))
+}
+
+/// A length in µm with four significant digits.
+fn micrometres(length: f64) -> String {
+    format!("{} um", significant(length * 1e6))
+}

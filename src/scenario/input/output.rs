@@ -1,0 +1,283 @@
+//! `[output]`.
+
+use std::f64::consts::PI;
+use std::num::NonZeroU64;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::time::TimeInput;
+use super::written::TableFormat;
+use crate::analysis::Channel;
+use crate::analysis::Window;
+use crate::scenario::Issue;
+use crate::scenario::dimension::significant;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Frequency, Quantity};
+
+use crate::simulate::{Analyses, Sampling};
+
+/// Samples per revolution where neither key is given.
+const SAMPLES_PER_REVOLUTION: u32 = 128;
+/// Most samples of a run.
+const MOST_SAMPLES: f64 = 1e9;
+/// Most rows of a MAT-file of level 5, whose variables take less than 2 GiB each.
+const MOST_MAT_ROWS: f64 = 2.68e8;
+/// Fewest samples that a spectrum is taken of.
+const FEWEST_IN_SPECTRUM: f64 = 8.0;
+
+/// What to keep of the run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+#[schemars(extend("x-at-most-one" = ["samples_per_revolution", "sample_rate"]))]
+pub struct Output {
+    /// Samples per shaft revolution, 8 to 65536; where the speed varies, per revolution at its
+    /// highest: the samples stand at equal times. Default: 128.
+    #[schemars(range(min = 8, max = 65_536))]
+    pub samples_per_revolution: Option<u32>,
+    /// Samples per second, for instance "20 kHz", instead of samples per revolution; needed
+    /// where the shaft stands.
+    #[schemars(extend("x-minimum" = 1e-3))]
+    pub(super) sample_rate: Option<Quantity<Frequency>>,
+    /// Window of the spectra. Default: "rectangular", exact on whole revolutions.
+    pub window: Window,
+    /// Whether the trace is written. Default: true.
+    pub trace: bool,
+    /// Whether energy is accounted for, in `energy.csv` and the summary; that of a driven shaft
+    /// always is. Default: false.
+    pub energy: bool,
+    /// Whether load and contact angle of every ball at both races are written at every sample, to
+    /// `trace_balls.csv`. Default: false.
+    pub balls: bool,
+    /// Whether every loss and return of contact and preload is written, to `events.csv`; they are
+    /// counted in the summary either way. Default: true.
+    pub events: bool,
+    /// Whether spectra are taken, in `spectrum.csv`; those of `[[spectrum]]` are either way. Default:
+    /// true.
+    pub spectrum: bool,
+    /// Whether figures are drawn. Default: true.
+    pub figures: bool,
+    /// Whether `report.html` is written, one page that shows the run in a browser. Default: true.
+    pub report: bool,
+    /// Whether the motion after the settle time is described: statistics, points once per revolution
+    /// and per ball pass (`poincare.csv`, `orbit.svg`), its period, and whether it has settled. It takes
+    /// a constant speed there. Default: as `spectrum`, where the speed is constant.
+    pub motion: Option<bool>,
+    /// Whether a run whose speed changes is mapped: short-time spectra (`waterfall.csv`, `waterfall.svg`),
+    /// orders of the shaft (`order_tracks.csv`, `order_tracks.svg`) and natural frequencies over the speed
+    /// (`campbell.csv`, `campbell.svg`). Default: as `figures`, where the speed changes.
+    pub maps: Option<bool>,
+    /// Formats of the tables. Default: CSV alone.
+    #[schemars(extend("minItems" = 1))]
+    pub formats: Vec<TableFormat>,
+    /// Of how many samples one is written to the trace and the tables beside it, beginning with the
+    /// first; spectra, figures and the summary rest on all samples. Default: 1.
+    #[schemars(range(min = 1, max = 1_000_000))]
+    pub every: NonZeroU64,
+    /// What the written trace shows beside the time, in this order. Default: everything.
+    #[schemars(extend("minItems" = 1))]
+    pub channels: Option<Vec<Channel>>,
+}
+
+/// How the shaft turns, as far as sampling asks.
+#[derive(Clone, Copy)]
+pub struct Turning<'a> {
+    /// The key that says so.
+    pub key: &'a str,
+    /// Highest speed, rad/s.
+    pub highest: f64,
+    /// Speed after the settle time, rad/s; zero where it changes.
+    pub steady: f64,
+}
+
+impl Default for Output {
+    fn default() -> Self {
+        Self {
+            samples_per_revolution: None,
+            sample_rate: None,
+            window: Window::Rectangular,
+            trace: true,
+            energy: false,
+            balls: false,
+            events: true,
+            spectrum: true,
+            figures: true,
+            report: true,
+            motion: None,
+            maps: None,
+            formats: vec![TableFormat::Csv],
+            every: NonZeroU64::MIN,
+            channels: None,
+        }
+    }
+}
+
+impl Output {
+    /// Refuses formats that this build cannot write, and what is asked for twice.
+    pub(super) fn check_written(&self, problems: &mut Problems<'_>) {
+        for (index, format) in self.formats.iter().enumerate() {
+            let path = format!("output.formats[{index}]");
+            if !format.is_built() {
+                let issue = Issue::new(path, "this `jeffcott` is built without Parquet")
+                    .help("take \"csv\" or \"mat\", or build it with `--features parquet`");
+                problems.refuse(issue);
+            } else if self.formats[..index].contains(format) {
+                problems.refuse(twice(path, format.extension()));
+            }
+        }
+        let channels = self.channels.as_deref().unwrap_or_default();
+        for (index, channel) in channels.iter().enumerate() {
+            if channels[..index].contains(channel) {
+                let path = format!("output.channels[{index}]");
+                problems.refuse(twice(path, channel.name()));
+            }
+        }
+    }
+
+    /// Sampling of the run, where it suits time and speed.
+    pub(super) fn sampling(
+        &self,
+        turning: Turning<'_>,
+        time: &TimeInput,
+        problems: &mut Problems<'_>,
+    ) -> Option<Sampling> {
+        let (key, speed) = (turning.key, turning.highest);
+        let sampling = match &self.sample_rate {
+            Some(rate) => Sampling::Rate(rate.si()),
+            None if speed > 0.0 => Sampling::PerRevolution(
+                self.samples_per_revolution
+                    .unwrap_or(SAMPLES_PER_REVOLUTION),
+            ),
+            None => {
+                self.refuse_angle_grid(key, problems);
+                return None;
+            }
+        };
+        let rate = sampling.rate(speed);
+        self.check_count(rate, key, time, problems);
+        if self.spectrum && time.window() > 0.0 {
+            // where the speed changes, a spectrum rests on no revolution
+            check_window((key, turning.steady), rate, time, problems);
+        }
+        Some(sampling)
+    }
+
+    /// What is made of the samples beside the spectra: `steady` tells whether the speed is constant after
+    /// the settle time, `changes` whether it changes at all.
+    pub(super) fn analyses(
+        &self,
+        steady: bool,
+        changes: bool,
+        problems: &mut Problems<'_>,
+    ) -> Analyses {
+        if self.motion == Some(true) && !steady {
+            let message =
+                "the speed changes after `settle`: only a motion at constant speed has a period";
+            let issue = Issue::new("output.motion", message)
+                .help("remove it, or set `settle` in `[time]` to where the speed is constant");
+            problems.refuse(issue.against("time.settle"));
+        }
+        if self.maps == Some(true) && !changes {
+            let issue = Issue::new(
+                "output.maps",
+                "the speed does not change: there is nothing to map",
+            )
+            .help("remove it; `jeffcott campbell` follows natural frequencies over the speed");
+            problems.refuse(issue.against("speed.constant"));
+        }
+        Analyses {
+            motion: steady && self.motion.unwrap_or(self.spectrum),
+            maps: changes && self.maps.unwrap_or(self.figures),
+            ..Analyses::default()
+        }
+    }
+
+    /// Refuses a trace of balls where no bearing knows any.
+    pub(super) fn check_balls(&self, known: bool, problems: &mut Problems<'_>) {
+        if self.balls && !known {
+            let issue = Issue::new(
+                "output.balls",
+                "a linear bearing knows no balls that could be traced",
+            )
+            .help("remove it, or set contact = \"hertz\" or \"jones\" in `[model]`");
+            problems.refuse(issue.against("model.contact"));
+        }
+    }
+
+    fn refuse_angle_grid(&self, speed: &str, problems: &mut Problems<'_>) {
+        let (path, message) = match self.samples_per_revolution {
+            Some(_) => (
+                "output.samples_per_revolution",
+                "a standing shaft makes no revolutions to sample",
+            ),
+            None if speed == "speed.drive" => (
+                speed,
+                "a drive from rest without `no_load_speed` needs a `sample_rate` in `[output]`",
+            ),
+            None => (
+                speed,
+                "a standing shaft needs a `sample_rate` in `[output]`",
+            ),
+        };
+        let issue = Issue::new(path, message).help("for instance: sample_rate = \"20 kHz\"");
+        let others = [speed, "output.sample_rate"];
+        problems.refuse(issue.against_all(others));
+    }
+
+    fn check_count(&self, rate: f64, speed: &str, time: &TimeInput, problems: &mut Problems<'_>) {
+        let count = time.duration.si() * rate;
+        if count > MOST_SAMPLES {
+            let key = match self.sample_rate {
+                Some(_) => "output.sample_rate",
+                None => "output.samples_per_revolution",
+            };
+            let message =
+                format!("{count:.3e} samples are too many: at most {MOST_SAMPLES:e} in a run");
+            let issue =
+                Issue::new("time.duration", message).help("shorten it or sample less often");
+            problems.refuse(issue.against(key).against(speed));
+        }
+        let rows = count / self.every.get() as f64;
+        if self.trace && rows > MOST_MAT_ROWS && self.formats.contains(&TableFormat::Mat) {
+            let message = format!(
+                "{rows:.3e} rows are too many for a MAT-file, which holds {MOST_MAT_ROWS:e}"
+            );
+            let issue = Issue::new("output.formats", message)
+                .help("write fewer of them with `every`, or another format");
+            problems.refuse(issue.against("output.every"));
+        }
+    }
+}
+
+fn twice(path: String, word: &str) -> Issue {
+    Issue::new(path, format!("\"{word}\" is asked for twice")).help("remove one")
+}
+
+/// Refuses a spectrum of less than one revolution, or of hardly any samples.
+fn check_window(
+    (key, speed): (&str, f64),
+    rate: f64,
+    time: &TimeInput,
+    problems: &mut Problems<'_>,
+) {
+    let window = time.window();
+    let (needed, what) = if speed > 0.0 && window < 2.0 * PI / speed {
+        (2.0 * PI / speed, "one revolution takes")
+    } else if window * rate < FEWEST_IN_SPECTRUM {
+        (FEWEST_IN_SPECTRUM / rate, "eight samples take")
+    } else {
+        return;
+    };
+    let message = format!(
+        "the spectrum has {} s after `settle`, and {what} {} s",
+        significant(window),
+        significant(needed)
+    );
+    // Rounded up to the microsecond, so that the advice holds.
+    let shortest = ((time.settle.si() + needed) * 1e6).ceil() / 1e6;
+    let issue = Issue::new("time.duration", message).help(format!(
+        "make it {shortest} s or longer, or set `spectrum = false` in `[output]`"
+    ));
+    let others = ["time.settle", key, "output.sample_rate"];
+    problems.refuse(issue.against_all(others));
+}

@@ -1,0 +1,292 @@
+//! The whole file.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::bearing::BearingInput;
+use super::damping::{self, DampingInput};
+use super::initial::InitialInput;
+use super::integrator::IntegratorInput;
+use super::load::{self, LoadInput, Surroundings};
+use super::model::{ContactChoice, ModelInput};
+use super::output::{Output, Turning};
+use super::shaft::ShaftInput;
+use super::spectrum::{self, Recorded, SpectrumInput};
+use super::speed::SpeedInput;
+use super::statics::StaticInput;
+use super::study::StudyInput;
+use super::time::TimeInput;
+use super::torsion::TorsionInput;
+use crate::bearing::{MountedBearing, Oil};
+use crate::quasi_static::StaticQuestion;
+use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::simulate::Model;
+use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
+
+/// Largest difference of the law that is chosen, where none is given.
+const MODEL_ERROR: f64 = 1e-3;
+
+/// A shaft on ball bearings, what drives and loads it, how long and how
+/// exactly to simulate it, and what to keep. What has a dimension is a string with its unit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "Scenario of jeffcott")]
+pub struct ScenarioInput {
+    /// Where an editor finds the schema of this file; without effect on the run.
+    #[serde(rename = "$schema")]
+    pub schema: Option<String>,
+    /// One line on what the scenario shows. Default: the name of the file.
+    pub title: Option<String>,
+    /// The shaft, a concentrated mass with an eccentricity.
+    #[schemars(extend("examples" = [{ "mass": "5 kg", "freedoms": "translational" }]))]
+    pub shaft: ShaftInput,
+    /// How fast the shaft turns.
+    #[schemars(extend("examples" = [{ "constant": "500 rad/s" }]))]
+    pub speed: SpeedInput,
+    /// The bearings that carry the shaft, one `[[bearing]]` for each, at least one.
+    #[schemars(extend("minItems" = 1, "examples" = [[{ "catalogue": "7205C" }]]))]
+    pub bearing: Vec<BearingInput>,
+    /// Which physics to simulate.
+    #[serde(default)]
+    pub model: ModelInput,
+    /// Viscous damping. Without this table nothing is damped.
+    pub damping: Option<DampingInput>,
+    /// External loads, one `[[load]]` for each; they add up.
+    #[serde(default)]
+    pub load: Vec<LoadInput>,
+    /// Where the motion starts.
+    #[serde(default)]
+    pub initial: InitialInput,
+    /// How long to simulate. Without this table only static questions (`jeffcott bearing`) are
+    /// asked.
+    #[schemars(extend("examples" = [{ "duration": "0.5 s" }]))]
+    pub time: Option<TimeInput>,
+    /// How to integrate and how exactly.
+    #[serde(default)]
+    pub integrator: IntegratorInput,
+    /// What to keep of the run.
+    #[serde(default)]
+    pub output: Output,
+    /// Further spectra, one `[[spectrum]]` for each.
+    #[serde(default)]
+    pub spectrum: Vec<SpectrumInput>,
+    /// What only static questions ask.
+    #[serde(default, rename = "static")]
+    pub statics: StaticInput,
+    /// A number that takes many values in a static question.
+    pub study: Option<StudyInput>,
+}
+
+/// What a scenario asks.
+pub struct Questions {
+    /// Where the shaft stands.
+    pub question: StaticQuestion,
+    /// How it moves, where `[time]` is given.
+    pub model: Option<Model>,
+    /// The law of the contacts, where it was to be chosen.
+    pub contact_choice: Option<ChosenContact>,
+    /// Oil of each bearing.
+    pub oils: Vec<Option<Oil>>,
+}
+
+impl Questions {
+    /// The motion, which a scenario may leave out.
+    pub fn motion(self) -> Result<Model, Issue> {
+        let missing = || Issue::new("time", "the scenario has no `[time]`");
+        self.model.ok_or_else(missing)
+    }
+}
+
+impl ScenarioInput {
+    /// The questions, as far as nothing contradicts them.
+    pub fn build(&self, problems: &mut Problems<'_>) -> Option<Questions> {
+        let (rotor, contact_choice) = self.chosen(self.rotor(problems), problems);
+        let displacement = self.statics.displacement(&self.load, problems);
+        let model = match &self.time {
+            Some(time) => Some(self.model(time, rotor.clone(), problems)?),
+            None => None,
+        };
+        Some(Questions {
+            question: StaticQuestion {
+                rotor: rotor?,
+                displacement,
+                unbalance: self.statics.unbalance,
+                torsion: self.shaft.torsion.as_ref().map(TorsionInput::build),
+            },
+            model,
+            contact_choice,
+            oils: self.bearing.iter().flat_map(BearingInput::oils).collect(),
+        })
+    }
+
+    /// The rotor with the law of its contacts chosen, where the scene leaves it open.
+    fn chosen(
+        &self,
+        rotor: Option<RotorDefinition>,
+        problems: &mut Problems<'_>,
+    ) -> (Option<RotorDefinition>, Option<ChosenContact>) {
+        let open = |bearing: &BearingInput| bearing.contact(&self.model) == ContactChoice::Auto;
+        self.check_auto(self.bearing.iter().any(open), problems);
+        let (Some(rotor), true) = (&rotor, problems.is_clean() && self.bearing.iter().any(open))
+        else {
+            return (rotor, None);
+        };
+        let flags = |bearing| std::iter::repeat_n(open(bearing), bearing.count());
+        let question = ContactQuestion {
+            model_error: self.model.model_error.unwrap_or(MODEL_ERROR),
+            open: self.bearing.iter().flat_map(flags).collect(),
+            balls: self.output.balls,
+            settle: self.time.as_ref().map(|time| time.settle.si()),
+        };
+        let (rotor, choice) = choose_contact(rotor, &question);
+        (Some(rotor), Some(choice))
+    }
+
+    /// Refuses what belongs to a choice where there is none, and what leaves none.
+    fn check_auto(&self, any_open: bool, problems: &mut Problems<'_>) {
+        if self.model.model_error.is_some() && !any_open {
+            let issue = Issue::new(
+                "model.model_error",
+                "`model_error` needs contact = \"auto\": any other law is taken as it is",
+            )
+            .help("remove it, or set contact = \"auto\"");
+            problems.refuse(issue.against("model.contact"));
+        }
+        if self.model.film && self.model.contact == ContactChoice::Auto {
+            let issue = Issue::new(
+                "model.film",
+                "contact = \"auto\" decides on oil films itself, wherever [bearing.oil] is given",
+            )
+            .help("remove it, or set film = true in `[[bearing]]`");
+            problems.refuse(issue.against("model.contact"));
+        }
+    }
+
+    fn rotor(&self, problems: &mut Problems<'_>) -> Option<RotorDefinition> {
+        let turns = self.speed.drive.is_some();
+        let shaft = self.shaft.build(self.time.is_some(), turns, problems);
+        let freedoms = shaft.freedoms;
+        self.check_race_control(problems);
+        self.output.check_written(problems);
+        let knows_balls =
+            |bearing: &BearingInput| bearing.contact(&self.model) != ContactChoice::Linear;
+        self.output
+            .check_balls(self.bearing.iter().any(knows_balls), problems);
+        let bearings = self.bearings(freedoms, problems);
+        let damping = match (&self.damping, &self.time) {
+            (None, None) => Damping::Undamped,
+            (input, _) => damping::build(input.as_ref(), freedoms, problems),
+        };
+        let around = Surroundings {
+            freedoms,
+            duration: self.time.as_ref().map_or(0.0, |time| time.duration.si()),
+        };
+        let (load, loads) = load::build(&self.load, around, problems);
+        let initial = self.initial.build(freedoms, problems);
+        let speed = self.speed.build(problems)?;
+        let mut points = speed.points();
+        Some(RotorDefinition {
+            shaft,
+            speed: points.next()?.speed,
+            speed_points: points.collect(),
+            drive: self.drive(),
+            cage: self.model.cage,
+            damping,
+            load,
+            loads,
+            initial,
+            bearings: bearings?,
+        })
+    }
+
+    fn drive(&self) -> Option<Drive> {
+        let torsion = self.shaft.torsion.as_ref().map(TorsionInput::build);
+        let compliance = torsion.map_or(0.0, |torsion| torsion.compliance());
+        let input = self.speed.drive.as_ref()?;
+        Some(input.build(compliance))
+    }
+
+    fn bearings(
+        &self,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Option<Vec<MountedBearing>> {
+        let mount = |(index, bearing): (usize, &BearingInput)| {
+            problems.inside(format!("bearing[{index}]"), |problems| {
+                bearing.build(&self.model, freedoms, problems)
+            })
+        };
+        let sets: Vec<_> = self.bearing.iter().enumerate().map(mount).collect();
+        let sets: Option<Vec<_>> = sets.into_iter().collect();
+        let contact_damping = damping::contact(self.damping.as_ref());
+        let damped = |bearing| MountedBearing {
+            contact_damping,
+            ..bearing
+        };
+        Some(sets?.into_iter().flatten().map(damped).collect())
+    }
+
+    /// Refuses a race control that no bearing's law knows.
+    fn check_race_control(&self, problems: &mut Problems<'_>) {
+        let jones = |bearing: &BearingInput| {
+            matches!(
+                bearing.contact(&self.model),
+                ContactChoice::Jones | ContactChoice::Auto
+            )
+        };
+        if self.model.race_control.is_some() && !self.bearing.iter().any(jones) {
+            let message =
+                "`race_control` needs contact = \"jones\": other laws know no ball inertia";
+            let issue = Issue::new("model.race_control", message)
+                .help("remove it, or set contact = \"jones\"");
+            problems.refuse(issue.against("model.contact"));
+        }
+    }
+
+    fn model(
+        &self,
+        time: &TimeInput,
+        rotor: Option<RotorDefinition>,
+        problems: &mut Problems<'_>,
+    ) -> Option<Model> {
+        time.check(problems);
+        let rotor = rotor?;
+        let speed = rotor.speed_profile().ok()?;
+        let driven = rotor.drive.is_some();
+        let steady = speed.steady_from(time.settle.si());
+        let turning = Turning {
+            key: self.speed.path(),
+            highest: rotor.highest_speed(),
+            steady: steady.filter(|_| !driven).unwrap_or(0.0),
+        };
+        let sampling = self.output.sampling(turning, time, problems)?;
+        let recorded = Recorded {
+            freedoms: rotor.shaft.freedoms,
+            window: time.window(),
+            rate: sampling.rate(turning.highest),
+            speed: turning.key,
+            highest: turning.highest,
+            steady: turning.steady,
+        };
+        let spectra = spectrum::build(&self.spectrum, &recorded, problems);
+        let changes = driven || !speed.is_constant();
+        let analyses = self
+            .output
+            .analyses(steady.is_some() && !driven, changes, problems);
+        Some(Model {
+            rotor,
+            duration: time.duration.si(),
+            settle: time.settle.si(),
+            sampling,
+            integrator: self.integrator.build(),
+            verify: self.integrator.verify,
+            energy: self.output.energy,
+            table: self.model.table,
+            spectrum: self.output.spectrum.then_some(self.output.window),
+            analyses,
+            spectra,
+        })
+    }
+}

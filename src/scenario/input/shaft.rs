@@ -1,0 +1,115 @@
+//! `[shaft]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::torsion::TorsionInput;
+use crate::rotor::{Freedoms, Shaft};
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Angle, Inertia, Length, Mass, Quantity, si};
+
+/// The shaft: a rigid, concentrated mass.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShaftInput {
+    /// Mass of everything that moves with the shaft, for instance "5 kg".
+    #[schemars(extend("x-minimum" = 1e-6))]
+    pub mass: Quantity<Mass>,
+    /// Distance of the centre of mass from the axis of rotation, for instance "0.01 mm". The
+    /// heavy side points along +X at shaft angle 0. Default: "0 m", a balanced shaft.
+    #[serde(default)]
+    #[schemars(extend("examples" = ["0.01 mm"], "x-minimum" = 0.0))]
+    pub eccentricity: Quantity<Length>,
+    /// Which freedoms move: "radial" (x, y), "translational" (x, y, z) or "all" (x, y, z and
+    /// both tilts). The rest is held.
+    pub freedoms: Freedoms,
+    /// Whether the weight acts, along −Y. Default: false.
+    #[serde(default)]
+    pub gravity: bool,
+    /// Moment of inertia about a transverse axis through the centre of mass, for instance
+    /// "0.01 kg m^2". Needed for a motion with freedoms = "all".
+    #[schemars(extend("x-minimum" = 1e-12))]
+    pub inertia_transverse: Option<Quantity<Inertia>>,
+    /// Moment of inertia about the shaft axis, for instance "0.004 kg m^2"; at most twice the
+    /// transverse one. Needed for a motion with freedoms = "all" and for a drive.
+    #[schemars(extend("examples" = ["0.004 kg m^2"], "x-minimum" = 0.0))]
+    pub inertia_polar: Option<Quantity<Inertia>>,
+    /// The segment that a moment about the shaft axis twists.
+    pub torsion: Option<TorsionInput>,
+    /// Misalignment: tilt about X that the shaft is held at where the tilts do not move, for
+    /// instance "0.5 mrad". Default: "0 rad".
+    #[schemars(extend("examples" = ["0.5 mrad"], "x-minimum" = -0.1, "x-maximum" = 0.1))]
+    pub tilt_x: Option<Quantity<Angle>>,
+    /// The same about Y.
+    #[schemars(extend("examples" = ["0.5 mrad"], "x-minimum" = -0.1, "x-maximum" = 0.1))]
+    pub tilt_y: Option<Quantity<Angle>>,
+}
+
+impl ShaftInput {
+    /// The shaft; its inertia is zero where no tilt moves and no drive `turns` it, and where nothing
+    /// `moves` it may be.
+    pub fn build(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) -> Shaft {
+        self.check_inertia(moves, turns, problems);
+        self.check_tilt(problems);
+        Shaft {
+            mass: self.mass.si(),
+            inertia_transverse: si(&self.inertia_transverse).unwrap_or(0.0),
+            inertia_polar: si(&self.inertia_polar).unwrap_or(0.0),
+            eccentricity: self.eccentricity.si(),
+            freedoms: self.freedoms,
+            gravity: self.gravity,
+            held_tilt: [
+                si(&self.tilt_x).unwrap_or(0.0),
+                si(&self.tilt_y).unwrap_or(0.0),
+            ],
+        }
+    }
+
+    /// Refuses a held tilt where the tilts move.
+    fn check_tilt(&self, problems: &mut Problems<'_>) {
+        for (key, tilt) in [("tilt_x", &self.tilt_x), ("tilt_y", &self.tilt_y)] {
+            if tilt.is_some() && self.freedoms == Freedoms::All {
+                let message = format!("`{key}` holds a tilt that freedoms = \"all\" lets move");
+                let issue = Issue::new(format!("shaft.{key}"), message).help(format!(
+                    "to start there: [initial] displacement = {{ {key} = … }}"
+                ));
+                problems.refuse(issue.against("shaft.freedoms"));
+            }
+        }
+    }
+
+    fn check_inertia(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) {
+        let given = [
+            ("inertia_transverse", &self.inertia_transverse),
+            ("inertia_polar", &self.inertia_polar),
+        ];
+        for (key, inertia) in given {
+            let path = format!("shaft.{key}");
+            let turned = turns && key == "inertia_polar";
+            if turned && !inertia.as_ref().is_some_and(|inertia| inertia.si() > 0.0) {
+                let message = "`shaft` needs an `inertia_polar` above zero where a drive turns it";
+                let issue =
+                    Issue::new(path, message).help("for instance: inertia_polar = \"0.01 kg m^2\"");
+                problems.refuse(issue.against("speed.drive"));
+                continue;
+            }
+            if self.freedoms != Freedoms::All && inertia.is_some() && !turned {
+                problems.warn(format!("`{path}` has no effect: the tilts are held"));
+            }
+            if moves && self.freedoms == Freedoms::All && inertia.is_none() {
+                let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
+                let issue = Issue::new(path, message)
+                    .help(format!("for instance: {key} = \"0.01 kg m^2\""));
+                problems.refuse(issue.against("shaft.freedoms"));
+            }
+        }
+        if let (Some(transverse), Some(polar)) = (&self.inertia_transverse, &self.inertia_polar)
+            && polar.si() > 2.0 * transverse.si()
+        {
+            let message = "no body has an `inertia_polar` above twice its `inertia_transverse`";
+            let issue = Issue::new("shaft.inertia_polar", message);
+            problems.refuse(issue.against("shaft.inertia_transverse"));
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! `[speed]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::drive::DriveInput;
+use crate::rotor::{SpeedPoint, SpeedProfile};
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{AngularSpeed, Quantity, Time};
+
+/// How fast the shaft turns about +Z, in exactly one of four ways: `constant`; `from`, `to` and
+/// `over`; `profile`; or `drive`, where the speed follows from the moments on the shaft. Static equilibrium, damping ratios and natural frequencies are those at the
+/// start.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = ["constant", "from", "profile", "drive"]))]
+pub struct SpeedInput {
+    /// Constant speed from the start on, for instance "500 rad/s" or "3000 rpm"; zero or
+    /// positive.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub constant: Option<Quantity<AngularSpeed>>,
+    /// Speed at the start of a run-up or coast-down at constant acceleration.
+    #[schemars(extend("examples" = ["0 rpm"], "x-minimum" = 0.0))]
+    pub from: Option<Quantity<AngularSpeed>>,
+    /// Speed at its end, which is held from there on.
+    #[schemars(extend("examples" = ["3000 rpm"], "x-minimum" = 0.0))]
+    pub to: Option<Quantity<AngularSpeed>>,
+    /// Time that it takes.
+    #[schemars(extend("examples" = ["2 s"], "x-minimum" = 1e-6))]
+    pub over: Option<Quantity<Time>>,
+    /// Speeds at times, the first at "0 s" and at least two, with straight lines between them;
+    /// the last speed is held.
+    #[schemars(extend("examples" = [[
+        { "at": "0 s", "speed": "0 rpm" }, { "at": "2 s", "speed": "3000 rpm" },
+    ]]))]
+    pub profile: Option<Vec<PointInput>>,
+    /// A motor; the speed is part of the answer.
+    #[schemars(extend("examples" = [{ "torque": "5 N m", "no_load_speed": "3000 rpm" }]))]
+    pub drive: Option<DriveInput>,
+}
+
+/// A speed at a time.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointInput {
+    /// Time.
+    #[schemars(extend("examples" = ["0 s"], "x-minimum" = 0.0))]
+    pub at: Quantity<Time>,
+    /// Speed at that time.
+    #[schemars(extend("examples" = ["3000 rpm"], "x-minimum" = 0.0))]
+    pub speed: Quantity<AngularSpeed>,
+}
+
+impl SpeedInput {
+    /// The key that the speed is given by.
+    pub fn path(&self) -> &'static str {
+        match self {
+            Self { from: Some(_), .. } => "speed.from",
+            Self {
+                profile: Some(_), ..
+            } => "speed.profile",
+            Self { drive: Some(_), .. } => "speed.drive",
+            _ => "speed.constant",
+        }
+    }
+
+    /// The speed from the start on, as far as nothing contradicts it; of a drive that at the start.
+    pub fn build(&self, problems: &mut Problems<'_>) -> Option<SpeedProfile> {
+        let ramp = self.ramp(problems);
+        let (start, points) = if let Some(from) = &self.from {
+            (from.si(), vec![ramp?])
+        } else if let Some(profile) = &self.profile {
+            points(profile, problems)?
+        } else if let Some(drive) = &self.drive {
+            (drive.start.si(), Vec::new())
+        } else {
+            let constant = self.constant.as_ref();
+            (constant.map_or(0.0, Quantity::si), Vec::new())
+        };
+        let refused = |error| problems.refuse(Issue::new(self.path(), format!("{error}")));
+        SpeedProfile::new(start, &points).map_err(refused).ok()
+    }
+
+    /// The end of a run-up or coast-down; its three keys go together.
+    fn ramp(&self, problems: &mut Problems<'_>) -> Option<SpeedPoint> {
+        let given = [
+            ("from", self.from.is_some()),
+            ("to", self.to.is_some()),
+            ("over", self.over.is_some()),
+        ];
+        let named = |there: bool| {
+            let names = given.iter().filter(move |(_, given)| *given == there);
+            names
+                .map(|(name, _)| format!("`{name}`"))
+                .collect::<Vec<_>>()
+        };
+        let (present, missing) = (named(true), named(false));
+        if let (Some(first), false) = (given.iter().find(|(_, given)| *given), missing.is_empty()) {
+            let message = format!(
+                "{} needs {} as well",
+                present.join(" with "),
+                missing.join(" and ")
+            );
+            let issue = Issue::new(format!("speed.{}", first.0), message)
+                .help("a run-up is from = \"0 rpm\", to = \"3000 rpm\", over = \"2 s\"");
+            problems.refuse(issue);
+        }
+        Some(SpeedPoint {
+            time: self.over.as_ref()?.si(),
+            speed: self.to.as_ref()?.si(),
+        })
+    }
+}
+
+/// The speed at the start and the points after it; the times must rise from zero.
+fn points(profile: &[PointInput], problems: &mut Problems<'_>) -> Option<(f64, Vec<SpeedPoint>)> {
+    let [first, _, ..] = profile else {
+        let message = format!(
+            "`profile` must have at least two points, not {}",
+            profile.len()
+        );
+        let issue = Issue::new("speed.profile", message)
+            .help("for a single speed: constant = \"3000 rpm\"");
+        problems.refuse(issue);
+        return None;
+    };
+    if first.at.si() != 0.0 {
+        let message = "the first point of `profile` must stand at 0 s";
+        problems.refuse(Issue::new("speed.profile[0].at", message));
+        return None;
+    }
+    for (index, pair) in profile.windows(2).enumerate() {
+        let (before, time) = (pair[0].at.si(), pair[1].at.si());
+        if time <= before {
+            let message = format!("`at` must rise from point to point: {before} s stands before");
+            let issue = Issue::new(format!("speed.profile[{}].at", index + 1), message);
+            problems.refuse(issue.against(format!("speed.profile[{index}].at")));
+            return None;
+        }
+    }
+    let point = |point: &PointInput| SpeedPoint {
+        time: point.at.si(),
+        speed: point.speed.si(),
+    };
+    Some((first.speed.si(), profile[1..].iter().map(point).collect()))
+}

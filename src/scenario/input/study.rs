@@ -1,0 +1,111 @@
+//! `[study]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use crate::scenario::axis::{AxisInput, AxisReader};
+use crate::scenario::key::{self, number_keys};
+use crate::scenario::problems::Problems;
+use crate::scenario::scalar::Scalar;
+use crate::scenario::{Issue, questions_at, without};
+use crate::study::{Study, StudyPoint};
+
+/// One number of the scenario that takes many values, the static question answered at each
+/// (`jeffcott bearing`).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = ["values", "count"]))]
+pub struct StudyInput {
+    /// Path of the key that takes the values, for instance "load[0].constant.z",
+    /// "speed.constant" or "bearing[0].preload".
+    #[schemars(extend("examples" = ["speed.constant"]))]
+    pub vary: String,
+    /// The values, each written as that key is, for instance ["200 N", "400 N"].
+    #[schemars(extend("minItems" = 1, "maxItems" = 10_000))]
+    pub values: Option<Vec<Scalar>>,
+    /// First of `count` evenly spaced values.
+    pub from: Option<Scalar>,
+    /// Last of `count` evenly spaced values.
+    pub to: Option<Scalar>,
+    /// How many evenly spaced values, 2 to 10000.
+    #[schemars(range(min = 2, max = 10_000))]
+    pub count: Option<u32>,
+    /// At how many azimuths around a bearing, from +X on, deformation and contact angle are
+    /// evaluated, 3 to 3600. Default: where its balls are.
+    #[schemars(range(min = 3, max = 3600))]
+    pub positions: Option<u32>,
+}
+
+/// Tables that play no part in a static question, and the study itself.
+const LEFT_OUT: [&str; 6] = [
+    "damping",
+    "initial",
+    "time",
+    "integrator",
+    "output",
+    "study",
+];
+
+impl StudyInput {
+    /// The static question at every value, as far as nothing contradicts it; `scenario` has its defaults
+    /// written out.
+    pub fn build(&self, scenario: &Value, problems: &mut Problems<'_>) -> Option<Study> {
+        let base = without(scenario, &LEFT_OUT);
+        let known = number_keys(&base, &LEFT_OUT);
+        let key = key::find(&known, &self.vary, "study.vary")
+            .map_err(|issue| problems.refuse(self.unknown(issue)))
+            .ok()?;
+        let input = AxisInput {
+            values: self.values.clone(),
+            from: self.from.clone(),
+            to: self.to.clone(),
+            count: self.count.map(u64::from),
+            ..AxisInput::default()
+        };
+        let reader = AxisReader {
+            path: "study".to_owned(),
+            named: "study.vary".to_owned(),
+            input: &input,
+            key,
+            problems,
+        };
+        let (axis, variable) = reader.build()?;
+        let mut points = Vec::new();
+        for index in 0..axis.length() {
+            let value = axis.value(index);
+            let questions = questions_at(&base, key, value, problems.folder());
+            let refused = |issue: Issue| {
+                let path = self.place(index, axis.length());
+                problems.refuse(Issue { path, ..issue });
+            };
+            let question = questions.map_err(refused).ok()?.question;
+            points.push(StudyPoint { value, question });
+        }
+        Some(Study {
+            variable,
+            points,
+            positions: self.positions.map(|positions| positions as usize),
+        })
+    }
+
+    /// The issue of a number that there is none of, or that plays no part.
+    fn unknown(&self, issue: Issue) -> Issue {
+        let table = self.vary.split(['.', '[']).next().unwrap_or_default();
+        if !LEFT_OUT.contains(&table) {
+            return issue;
+        }
+        let message = format!("`{}` plays no part in a static question", self.vary);
+        Issue { message, ..issue }
+    }
+
+    /// Path of the key that gives a value.
+    fn place(&self, index: u64, count: u64) -> String {
+        match (&self.values, index) {
+            (Some(_), _) => format!("study.values[{index}]"),
+            (None, 0) => "study.from".to_owned(),
+            (None, last) if last + 1 == count => "study.to".to_owned(),
+            _ => "study.vary".to_owned(),
+        }
+    }
+}

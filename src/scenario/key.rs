@@ -1,0 +1,218 @@
+//! Keys of a scenario by their paths: which there are, and which values each can have.
+
+use serde_json::{Map, Number, Value};
+
+use super::Issue;
+use super::dimension::{Dimension, Unit};
+use super::node::{Content, Node};
+use super::problems::Problems;
+use super::quantity;
+use super::reader::{self, Range};
+use super::schema::schema;
+use crate::study::Variable;
+
+/// A key whose value may be another one than that of the file.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Key {
+    /// Its path, for instance `bearing[0].preload`.
+    pub path: String,
+    schema: &'static Value,
+}
+
+/// Every key of a number outside some tables; lists have as many entries as `given` has.
+pub(super) fn number_keys(given: &Value, left_out: &[&str]) -> Vec<Key> {
+    let mut keys = all_keys(given, left_out);
+    keys.retain(|key| !key.is_word());
+    keys
+}
+
+/// As [`number_keys`], with those of a word out of several.
+pub(super) fn all_keys(given: &Value, left_out: &[&str]) -> Vec<Key> {
+    let mut keys = Vec::new();
+    collect(schema(), Some(given), "", left_out, &mut keys);
+    keys
+}
+
+fn collect(
+    schema: &'static Value,
+    given: Option<&Value>,
+    path: &str,
+    left_out: &[&str],
+    keys: &mut Vec<Key>,
+) {
+    let path = path.to_owned();
+    let key = Key { path, schema };
+    for (name, property) in schema["properties"].as_object().into_iter().flatten() {
+        let inner = join(&key.path, name);
+        if !left_out.contains(&inner.as_str()) {
+            let given = given.and_then(|table| table.get(name));
+            collect(property, given, &inner, left_out, keys);
+        }
+    }
+    let items = given.and_then(Value::as_array).into_iter().flatten();
+    for (index, item) in items.enumerate() {
+        let inner = format!("{}[{index}]", key.path);
+        collect(&schema["items"], Some(item), &inner, left_out, keys);
+    }
+    if key.is_number() || key.is_word() {
+        keys.push(key);
+    }
+}
+
+/// The path of a key in a table.
+pub(super) fn join(table: &str, key: &str) -> String {
+    if table.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{table}.{key}")
+    }
+}
+
+/// The key of a path among those known, or an issue about `place`, where the path is given.
+pub(super) fn find<'k>(known: &'k [Key], path: &str, place: &str) -> Result<&'k Key, Issue> {
+    known.iter().find(|key| key.path == path).ok_or_else(|| {
+        let paths = known.iter().map(|key| key.path.as_str());
+        Issue::new(place, format!("the scenario has no number `{path}`")).help_nearest(
+            path,
+            paths,
+            "for instance: \"speed.constant\"",
+        )
+    })
+}
+
+impl Key {
+    /// The key of a path without lists.
+    pub fn named(path: &str) -> Self {
+        let steps = path.split('.');
+        Self {
+            path: path.to_owned(),
+            schema: steps.fold(schema(), |table, step| &table["properties"][step]),
+        }
+    }
+
+    /// The value that stands at a path of the file that is read, if this key can have it.
+    pub fn read(&self, path: &str, problems: &mut Problems<'_>) -> Option<Value> {
+        reader::value(problems.node(path)?, self.schema, path, problems)
+    }
+
+    /// The value that somebody types, without quotes; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// What keeps this key from having it.
+    pub fn typed(&self, text: &str, name: &str) -> Result<Value, Issue> {
+        let text = text.trim();
+        let content = if !self.is_plain() {
+            Content::Text(text.to_owned())
+        } else if let Ok(integer) = text.parse() {
+            Content::Integer(integer)
+        } else if let Ok(number) = text.parse() {
+            Content::Number(number)
+        } else {
+            let message = format!("`{}` must be a number, not \"{text}\"", reader::last(name));
+            return Err(Issue::new(name, message));
+        };
+        let node = Node {
+            span: 0..0,
+            content,
+        };
+        let mut problems = Problems::new(&node, "".as_ref());
+        let value = reader::value(&node, self.schema, name, &mut problems);
+        let issue = problems.finish().0.into_iter().next();
+        value.ok_or_else(|| issue.unwrap_or_else(|| Issue::new(name, "it cannot be read")))
+    }
+
+    /// The words that it can be.
+    pub fn words(&self) -> Vec<&'static str> {
+        reader::choices(self.schema)
+    }
+
+    /// Whether it is a word out of several.
+    fn is_word(&self) -> bool {
+        let variants = self.schema["oneOf"].as_array();
+        let listed = variants.is_some_and(|all| all.iter().all(|one| one["const"].is_string()));
+        listed || self.schema["enum"].is_array()
+    }
+
+    /// Whether it is a number without a dimension.
+    fn is_plain(&self) -> bool {
+        matches!(self.schema["type"].as_str(), Some("integer" | "number"))
+    }
+
+    /// Whether it is a number, with or without a dimension.
+    fn is_number(&self) -> bool {
+        self.is_plain() || self.dimension().is_some()
+    }
+
+    /// Whether it is a whole number.
+    pub fn is_whole(&self) -> bool {
+        self.schema["type"] == "integer"
+    }
+
+    /// What it measures; `None` for a plain number.
+    fn dimension(&self) -> Option<Dimension> {
+        Dimension::named(self.schema["x-dimension"].as_str()?)
+    }
+
+    /// Whether it can have a value, SI units.
+    pub fn contains(&self, si: f64) -> bool {
+        match self.dimension() {
+            Some(_) => Range::of_quantity(self.schema).contains(si),
+            None => Range::of_number(self.schema).contains(si),
+        }
+    }
+
+    /// SI value and unit of a quantity.
+    fn parsed(&self, value: &Value) -> Option<(f64, &'static Unit)> {
+        let parsed = quantity::parse(value.as_str()?, self.dimension()?).ok()?;
+        Some((parsed.si, parsed.unit))
+    }
+
+    /// The number that a checked value is, in SI units.
+    pub fn si(&self, value: &Value) -> f64 {
+        let quantity = self.parsed(value).map(|(si, _)| si);
+        quantity.or(value.as_f64()).unwrap_or(f64::NAN)
+    }
+
+    /// The value that this key has for a number in SI units.
+    pub fn written(&self, si: f64) -> Value {
+        match self.dimension() {
+            Some(dimension) => format!("{si} {}", dimension.units()[0].symbol).into(),
+            None if self.is_whole() => Value::from(si as i64),
+            None => Number::from_f64(si).map_or(Value::Null, Value::Number),
+        }
+    }
+
+    /// What varies, shown in the unit of `value`.
+    pub fn variable(&self, value: &Value) -> Variable {
+        let shown = self.parsed(value).map(|(_, unit)| unit);
+        Variable {
+            key: self.path.clone(),
+            unit: self
+                .dimension()
+                .map_or("", |dimension| dimension.units()[0].symbol),
+            shown_unit: shown.map_or("", |unit| unit.symbol),
+            shown_size: shown.map_or(1.0, |unit| unit.si(1.0)),
+        }
+    }
+}
+
+/// Puts a value into a tree, making the tables on its way.
+pub(super) fn put(tree: &mut Value, path: &str, value: &Value) {
+    let mut place = tree;
+    for step in path.split(['.', '[']) {
+        let index = step.strip_suffix(']').and_then(|index| index.parse().ok());
+        place = match index {
+            Some(index) => match place.get_mut::<usize>(index) {
+                Some(item) => item,
+                None => return,
+            },
+            None => {
+                if !place.is_object() {
+                    *place = Value::Object(Map::new());
+                }
+                &mut place[step]
+            }
+        };
+    }
+    *place = value.clone();
+}
