@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use serde::Serializer;
+
 use crate::rotor::{FREEDOMS, Sample};
 
 const DISPLACEMENT_NAMES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
@@ -55,6 +57,19 @@ impl Channel {
             Self::Acceleration(freedom) => ACCELERATION_NAMES[freedom],
             Self::Force(freedom) => FORCE_NAMES[freedom],
         }
+    }
+
+    /// Name and unit, as in the columns of the files: `x_m`, `moment_x_N_m`.
+    pub(crate) fn column(self) -> String {
+        format!("{self}_{}", self.unit().replace(' ', "_"))
+    }
+
+    /// Name and unit as a value of a result.
+    pub(crate) fn serialize_with_unit<S: Serializer>(
+        &self,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.column())
     }
 
     /// Freedom 0 … 4 that it belongs to: x, y, z, θx, θy.

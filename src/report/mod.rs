@@ -8,6 +8,7 @@ mod columns;
 pub mod compare;
 mod contact_choice;
 mod decimator;
+mod document;
 mod error;
 mod events_table;
 mod failure;
@@ -21,6 +22,7 @@ mod histories;
 pub mod many;
 mod method_use;
 mod motion;
+mod named_peak;
 mod page;
 mod peaks_csv;
 mod png;
@@ -40,11 +42,12 @@ mod text;
 mod trace_table;
 mod wrapped;
 
-pub use accuracy::{accuracy_json, accuracy_text, write_accuracy};
+pub use accuracy::{accuracy_text, write_accuracy};
 pub use ball_table::{ball_columns, ball_row};
-pub use campbell::{campbell_json, campbell_text, critical_speeds, write_campbell};
-pub use contact_choice::{contact_choice_json, contact_choice_text};
+pub use campbell::{campbell_json, campbell_text, write_campbell};
+pub use contact_choice::contact_choice_text;
 pub use decimator::{Bucket, Decimator};
+pub use document::document;
 pub use error::{FileAction, ReportError};
 pub use events_table::{EVENT_COLUMNS, event_columns, event_row};
 pub use failure::Failure;
@@ -55,12 +58,12 @@ pub use peaks_csv::write_peaks;
 pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub use run_report::{KeptFiles, Outputs, RunReport};
 pub use spectrum_csv::write_spectrum;
-pub use statics::{answer_json, answer_text, write_answer};
+pub use statics::{answer_text, write_answer};
 pub use steady::{
     response_json, response_text, steady_json, steady_text, write_response, write_steady,
 };
 pub use study::{study_json, study_text, write_study};
-pub use summary::summary;
+pub use summary::RunSummary;
 #[cfg(feature = "parquet")]
 pub use table::ParquetTable;
 pub use table::{Column, ColumnKind, CsvTable, MatTable, Origin};

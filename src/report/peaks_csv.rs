@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use super::named_peak::NamedPeak;
 use super::statics::{cell, number};
 use crate::analysis::{Peak, Spectrum};
 
@@ -32,33 +33,24 @@ pub fn write_peaks(peaks: &[Peak], spectrum: &Spectrum, writer: impl Write) -> i
     let mut csv = csv::Writer::from_writer(writer);
     csv.write_record(COLUMNS)?;
     for peak in peaks {
-        csv.write_record(row(peak, spectrum))?;
+        csv.write_record(row(NamedPeak::new(peak, Some(spectrum))))?;
     }
     csv.flush()
 }
 
-fn row(peak: &Peak, spectrum: &Spectrum) -> [String; 12] {
-    let line = peak.line.as_ref();
-    let order = (spectrum.shaft_frequency > 0.0).then(|| peak.frequency / spectrum.shaft_frequency);
-    let distance = line.map(|line| peak.frequency - line.frequency);
+fn row(peak: NamedPeak<'_>) -> [String; 12] {
     [
-        peak.channel.name().to_owned(),
-        peak.channel.unit().to_owned(),
+        peak.channel.to_owned(),
+        peak.unit.to_owned(),
         number(peak.frequency),
-        cell(order),
+        cell(peak.order),
         number(peak.amplitude),
         number(peak.phase),
-        line.map(|line| line.kind.to_string()).unwrap_or_default(),
-        cell(line.map(|line| line.frequency)),
-        cell(distance),
-        cell(distance.map(|distance| distance / spectrum.resolution)),
-        cell(line.and_then(|line| line.operating)),
-        other_names(peak).join("; "),
+        peak.name.unwrap_or_default(),
+        cell(peak.name_frequency),
+        cell(peak.distance),
+        cell(peak.distance_bins),
+        cell(peak.operating),
+        peak.other_names.join("; "),
     ]
-}
-
-/// What else a peak could be called, nearest first.
-pub(super) fn other_names(peak: &Peak) -> Vec<String> {
-    let others = peak.others.iter();
-    others.map(|line| line.kind.to_string()).collect()
 }

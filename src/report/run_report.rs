@@ -22,7 +22,7 @@ use super::table::{Column, Origin, TableFiles, TableTarget};
 use super::trace_table::TraceTable;
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    TraceFigure, WholeFile, contact_choice_json, spectrum_figure, summary, write_peaks,
+    RunSummary, TraceFigure, WholeFile, document, spectrum_figure, write_peaks,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{TableFormat, TraceChannel};
@@ -230,13 +230,9 @@ impl RunReport {
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn; none of them looks whole then.
     pub fn finish(self, model: &Model, run: &Run) -> Result<Vec<PathBuf>, ReportError> {
-        let mut summary = summary(&self.title, &self.scenario, model, run);
-        if let Some(choice) = &self.contact_choice {
-            summary["contact_choice"] = contact_choice_json(choice);
-        }
-        if let Some(campbell) = &self.campbell {
-            summary["critical_speeds"] = campbell::critical_speeds(campbell);
-        }
+        let (choice, campbell) = (self.contact_choice.as_ref(), self.campbell.as_ref());
+        let summary = RunSummary::new(model, run, choice, campbell);
+        let summary = document(&self.title, &self.scenario, summary);
         let target = TableTarget {
             folder: &self.folder,
             formats: &self.outputs.formats,

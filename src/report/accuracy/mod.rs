@@ -4,7 +4,6 @@
 
 mod csv;
 mod figure;
-mod json;
 mod log_axis;
 mod text;
 
@@ -12,9 +11,8 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-pub use self::json::accuracy_json;
 pub use self::text::accuracy_text;
-use super::{FileAction, FileSet, ReportError, RunFolder};
+use super::{FileAction, FileSet, ReportError, RunFolder, document};
 use crate::study::accuracy::Accuracy;
 
 /// Writes `accuracy.csv`, `ladder.csv`, `accuracy.svg`, `ladder.svg` and, last, `accuracy.json` into
@@ -45,6 +43,6 @@ pub fn write_accuracy(
     ] {
         files.push(folder.write(name, svg.as_bytes())?);
     }
-    let json = accuracy_json(title, scenario, accuracy);
+    let json = document(title, scenario, accuracy);
     folder.commit(files, format!("{json:#}\n").as_bytes())
 }

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-pub use self::json::{campbell_json, critical_speeds};
+pub use self::json::campbell_json;
 pub use self::text::campbell_text;
 use super::{FileSet, ReportError, RunFolder, WholeFile};
 use crate::study::campbell::Campbell;

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::analysis::Channel;
 use crate::report::bytes::{Put, Take};
-use crate::report::columns::{amplitude_column, value_column};
+use crate::report::columns::amplitude_column;
 use crate::report::statics::{cell, number};
 use crate::report::study::column_name;
 use crate::study::Variable;
@@ -93,7 +93,7 @@ impl Layout<'_> {
             Table::Points => {
                 let time = ["time_s".to_owned()];
                 run.chain(time)
-                    .chain(displacements.map(value_column))
+                    .chain(displacements.map(Channel::column))
                     .collect()
             }
             Table::Stiffness => run.chain(stiffness_columns()).collect(),

@@ -1,6 +1,5 @@
 //! The table `poincare`: the motion once per revolution and once per ball pass.
 
-use super::super::columns::value_column;
 use super::super::table::{Column, ColumnKind, TableTarget};
 use super::super::{ReportError, WholeFile};
 use crate::analysis::{Channel, Motion, PoincarePoint, SectionKind};
@@ -34,7 +33,7 @@ fn columns() -> Vec<Column> {
         Column::number("t_s"),
     ];
     let channels = || (0..FREEDOMS).map(Channel::Displacement);
-    columns.extend(channels().map(|channel| Column::number(value_column(channel))));
+    columns.extend(channels().map(|channel| Column::number(channel.column())));
     columns.extend(
         channels()
             .map(|channel| Column::number(format!("{channel}_velocity_{}_s", channel.unit()))),

@@ -2,7 +2,6 @@
 
 mod csv;
 mod figure;
-mod json;
 mod text;
 
 use std::path::{Path, PathBuf};
@@ -10,11 +9,9 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 pub(super) use self::csv::{cell, number};
-pub(super) use self::json::answer;
-pub use self::json::answer_json;
 pub use self::text::answer_text;
 pub(super) use self::text::{digits, table};
-use super::{FileAction, FileSet, ReportError, RunFolder};
+use super::{FileAction, FileSet, ReportError, RunFolder, document};
 use crate::quasi_static::QuasiStatic;
 
 /// Writes `balls.csv`, `balls.svg` and, last, `bearing.json` into `folder`; returns their paths.
@@ -33,6 +30,6 @@ pub fn write_answer(
     csv::write_balls(answer, &mut balls).map_err(ReportError::file(FileAction::Write, &path))?;
     let svg = figure::balls(title, answer)?;
     let files = vec![balls.close()?, folder.write("balls.svg", svg.as_bytes())?];
-    let json = answer_json(title, scenario, answer);
+    let json = document(title, scenario, answer);
     folder.commit(files, format!("{json:#}\n").as_bytes())
 }

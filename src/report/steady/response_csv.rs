@@ -3,7 +3,6 @@
 
 use std::io::{self, Write};
 
-use super::super::columns::value_column;
 use super::super::study::column_name;
 use crate::steady::{Response, ResponsePoint};
 use crate::study::Variable;
@@ -90,7 +89,7 @@ fn header(variable: &Variable, branches: &[Response], kinds: bool) -> Vec<String
         return names;
     };
     for swing in &point.swings {
-        let column = value_column(swing.channel);
+        let column = swing.channel.column();
         let (name, unit) = column.split_at(swing.channel.name().len());
         names.extend(["mean", "peak_to_peak", "rms"].map(|what| format!("{name}_{what}{unit}")));
     }

@@ -2,7 +2,6 @@
 
 use std::io::{self, Write};
 
-use super::super::columns::value_column;
 use super::super::statics::{cell, number};
 use super::column_name;
 use crate::analysis::Channel;
@@ -78,8 +77,12 @@ pub(super) fn write<W: Write>(variable: &Variable, rows: &[StudyRow], writer: W)
 
 fn header(variable: &Variable, bearings: usize) -> Vec<String> {
     let mut names = vec![column_name(variable)];
-    names.extend((0..FREEDOMS).map(Channel::Displacement).map(value_column));
-    names.extend((0..FREEDOMS).map(Channel::Force).map(value_column));
+    names.extend(
+        (0..FREEDOMS)
+            .map(Channel::Displacement)
+            .map(Channel::column),
+    );
+    names.extend((0..FREEDOMS).map(Channel::Force).map(Channel::column));
     names.extend(SHAFT.map(|(name, _)| name.to_owned()));
     for bearing in 1..=bearings {
         names.extend(BEARING.map(|(name, _)| format!("bearing_{bearing}_{name}")));
