@@ -14,6 +14,7 @@ use super::failure::{Failure, failure_json, until_failure};
 use super::figure_spectrum::frequency_limit_of;
 use super::motion::{orbit_figure, write_poincare};
 use super::page::Page;
+use super::peak_table::peak_table;
 use super::run_up::write_maps;
 use super::sample_table::TableKind;
 use super::spectra::{estimated_figure, table_name, write_estimated};
@@ -22,7 +23,7 @@ use super::table::{Column, Origin, TableFiles, TableTarget};
 use super::trace_table::TraceTable;
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    RunSummary, TraceFigure, WholeFile, document, spectrum_figure, write_peaks,
+    RunSummary, TraceFigure, WholeFile, document, spectrum_figure,
 };
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{TableFormat, TraceChannel};
@@ -259,8 +260,8 @@ impl RunReport {
                 files.extend(
                     target.write("spectrum", &columns, |take| spectrum_rows(spectrum, take))?,
                 );
-                let write = |file: &mut PartialFile| write_peaks(&run.peaks, spectrum, file);
-                files.push(self.folder.write_with("peaks.csv", write)?);
+                let peaks = peak_table(&run.peaks, spectrum);
+                files.push(self.folder.write_table("peaks", &peaks)?);
             }
             if self.outputs.figures {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;

@@ -2,9 +2,9 @@
 //!
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
-mod csv;
 mod figure;
 mod log_axis;
+mod tables;
 mod text;
 
 use std::path::{Path, PathBuf};
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 pub use self::text::accuracy_text;
-use super::{FileAction, FileSet, ReportError, RunFolder, document};
+use super::{FileSet, ReportError, RunFolder, document};
 use crate::study::accuracy::Accuracy;
 
 /// Writes `accuracy.csv`, `ladder.csv`, `accuracy.svg`, `ladder.svg` and, last, `accuracy.json` into
@@ -27,16 +27,10 @@ pub fn write_accuracy(
     accuracy: &Accuracy,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let folder = RunFolder::open(folder, FileSet::ACCURACY)?;
-    let tables = [
-        ("accuracy.csv", csv::methods(accuracy)),
-        ("ladder.csv", csv::ladder(accuracy)),
+    let mut files = vec![
+        folder.write_table("accuracy", &tables::methods(accuracy))?,
+        folder.write_table("ladder", &tables::ladder(accuracy))?,
     ];
-    let mut files = Vec::new();
-    for (name, table) in tables {
-        let path = folder.path().join(name);
-        let table = table.map_err(ReportError::file(FileAction::Write, &path))?;
-        files.push(folder.write(name, &table)?);
-    }
     for (name, svg) in [
         ("accuracy.svg", figure::methods(title, accuracy)?),
         ("ladder.svg", figure::ladder(title, accuracy)?),

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use comfy_table::{CellAlignment, Table, presets};
 
 use super::super::text::decimal;
-use super::csv::race_name;
+use super::ball_table::race_name;
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::quasi_static::QuasiStatic;
 use crate::rotor::FREEDOMS;
