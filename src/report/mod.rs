@@ -40,6 +40,7 @@ mod table;
 mod table_use;
 mod text;
 mod trace_table;
+mod units;
 mod wrapped;
 
 pub use accuracy::{accuracy_text, write_accuracy};

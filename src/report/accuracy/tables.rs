@@ -3,10 +3,10 @@
 use super::super::table::Table;
 use crate::study::accuracy::{Accuracy, Cost, Errors, Row};
 
-/// A number of a cost or an error.
-type Number<T> = (&'static str, fn(&T) -> Option<f64>);
+/// A column and its value.
+type Named<T, V> = (&'static str, fn(&T) -> V);
 
-const ERRORS: [Number<Errors>; 11] = [
+const ERRORS: [Named<Errors, Option<f64>>; 11] = [
     ("displacement_m", |errors| Some(errors.displacement)),
     ("displacement_relative", |errors| {
         Some(errors.displacement_relative)
@@ -35,7 +35,7 @@ const ERRORS: [Number<Errors>; 11] = [
 ];
 
 /// Whole numbers of a cost.
-const COUNTS: [(&str, fn(&Cost) -> u64); 4] = [
+const COUNTS: [Named<Cost, u64>; 4] = [
     ("repeats", |cost| cost.repeats.into()),
     ("steps", |cost| cost.counters.steps),
     ("rejected", |cost| cost.counters.rejected),

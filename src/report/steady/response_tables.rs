@@ -10,6 +10,9 @@ use crate::study::Variable;
 /// A motion, the branch that it is on with its number, and what happens there.
 type Row<'a> = (usize, &'a Response, Option<SpecialKind>, &'a ResponsePoint);
 
+/// A column of a displacement or force, and its value.
+type Measure = (&'static str, fn(&Swing) -> f64);
+
 /// Every motion of every branch, in their order along it.
 pub(super) fn points(variable: &Variable, branches: &[Response]) -> Table {
     let rows = numbered(branches).flat_map(|(number, branch)| {
@@ -51,7 +54,7 @@ fn table(variable: &Variable, branches: &[Response], rows: &[Row<'_>], kinds: bo
     let Some(first) = branches.first().and_then(|branch| branch.points.first()) else {
         return table;
     };
-    let measures: [(&str, fn(&Swing) -> f64); 3] = [
+    let measures: [Measure; 3] = [
         ("mean", |swing| swing.mean),
         ("peak_to_peak", |swing| swing.peak_to_peak),
         ("rms", |swing| swing.rms),
