@@ -98,6 +98,7 @@ pub mod analysis;
 pub mod bearing;
 pub mod cli;
 pub mod integrate;
+mod keys;
 pub mod physics;
 pub mod quasi_static;
 mod registers;

@@ -1,8 +1,10 @@
 //! The other stair: a [`StaticQuestion`] goes in, a [`QuasiStatic`] answer comes out. No time passes.
 
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 use crate::bearing::{BearingState, Geometry, Matrix5, Support, Vector5};
+use crate::keys;
 use crate::rotor::{
     FREEDOM_NAMES, FREEDOMS, RotorDefinition, RotorError, build_supports, static_place,
 };
@@ -45,25 +47,31 @@ pub struct StaticQuestion {
 }
 
 /// Moment and twist of the shaft about its axis.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Twist {
     /// Moment M_z, N m.
+    #[serde(rename = "moment_N_m")]
     pub moment: f64,
     /// Twist θz, rad.
+    #[serde(rename = "angle_rad")]
     pub angle: f64,
 }
 
 /// The answer to a [`StaticQuestion`].
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct QuasiStatic {
     /// Displacement x, y, z in m and θx, θy in rad.
+    #[serde(rename = "equilibrium", serialize_with = "keys::displacement")]
     pub displacement: Vector5,
     /// Force of the shaft onto the bearings, N and N m: the load of the free freedoms, and what it
     /// takes to hold the others.
+    #[serde(serialize_with = "keys::force")]
     pub force: Vector5,
     /// Which freedoms found their own place.
+    #[serde(serialize_with = "keys::marked")]
     pub free: [bool; FREEDOMS],
     /// K = ∂F/∂q, rows and columns x, y, z, θx, θy.
+    #[serde(serialize_with = "keys::stiffness")]
     pub stiffness: Matrix5,
     /// Condition of K of the free freedoms, tilts taken by their arm; infinite where it is singular.
     pub condition: f64,

@@ -190,6 +190,14 @@ impl Channel {
         }
     }
 
+    /// Name and unit as a value of a result.
+    pub(crate) fn serialize_with_unit<S: Serializer>(
+        &self,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.column())
+    }
+
     /// Freedom 0 … 4 that it belongs to: x, y, z, θx, θy; none of what belongs to the whole shaft.
     pub fn freedom(self) -> Option<usize> {
         match self {

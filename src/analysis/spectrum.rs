@@ -1,5 +1,7 @@
 //! One-sided amplitude spectra.
 
+use serde::Serialize;
+
 use super::{Channel, Transform, Window};
 
 /// Amplitude and phase of one channel.
@@ -30,19 +32,23 @@ impl ChannelSpectrum {
 }
 
 /// One-sided amplitude spectra of all channels on one frequency axis.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Spectrum {
     /// Frequency step, Hz; bin k stands at k times this.
+    #[serde(rename = "resolution_Hz")]
     pub resolution: f64,
     /// Shaft frequency, Hz; zero where the shaft does not turn.
+    #[serde(rename = "shaft_frequency_Hz")]
     pub shaft_frequency: f64,
     /// Number of samples in the window.
     pub length: usize,
     /// Time of the first sample in the window, s.
+    #[serde(rename = "start_s")]
     pub start: f64,
     /// Window.
     pub window: Window,
     /// One entry a channel.
+    #[serde(skip)]
     pub channels: Vec<ChannelSpectrum>,
 }
 

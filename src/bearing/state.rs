@@ -1,27 +1,37 @@
 //! What is known of a loaded bearing: plain data, ball by ball and as a whole.
 
+use serde::{Serialize, Serializer};
+
 use super::{BallContact, Matrix5, Vector5};
+use crate::keys;
 use crate::physics::{BallPass, Race};
 
 /// One contact of one ball.
 ///
 /// Ellipse, pressure, approach and stiffness are those of the geometry's own Hertz contact under the
 /// load, for a bearing whose `contact_stiffness` is given for both races together, too.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct RaceContact {
     /// Normal load Q, N.
+    #[serde(rename = "load_N")]
     pub load: f64,
     /// Contact angle α, rad.
+    #[serde(rename = "angle_rad")]
     pub angle: f64,
     /// Elastic approach δ of ball and race, m.
+    #[serde(rename = "approach_m")]
     pub approach: f64,
     /// Semi-axis of the contact ellipse across the rolling direction, m.
+    #[serde(rename = "semi_major_m")]
     pub semi_major: f64,
     /// Semi-axis along the rolling direction, m.
+    #[serde(rename = "semi_minor_m")]
     pub semi_minor: f64,
     /// Largest contact pressure, Pa.
+    #[serde(rename = "peak_pressure_Pa")]
     pub peak_pressure: f64,
     /// Stiffness of the elastic contact along its normal, `3/2 K^(2/3) Q^(1/3)`, N/m.
+    #[serde(rename = "contact_stiffness_N_m")]
     pub contact_stiffness: f64,
     /// Oil film, where the bearing has oil, turns, and the ball is loaded.
     pub film: Option<FilmState>,
@@ -32,17 +42,21 @@ pub struct RaceContact {
     /// Angle from the contact's centre line to the shoulder less the half-angle of the ellipse, rad;
     /// negative where the ellipse is cut off: `α_s − |α| − asin(a/(f D))`. Known where a shoulder
     /// angle is given and the ball is loaded.
+    #[serde(rename = "shoulder_margin_rad")]
     pub shoulder_margin: Option<f64>,
 }
 
 /// Oil film of one contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FilmState {
     /// Central thickness h_c, m.
+    #[serde(rename = "central_m")]
     pub central: f64,
     /// Minimum thickness h_min, m.
+    #[serde(rename = "minimum_m")]
     pub minimum: f64,
     /// Stiffness of the film along the contact normal, N/m.
+    #[serde(rename = "stiffness_N_m")]
     pub stiffness: f64,
     /// h_min over the roughness of the surfaces, where that is given.
     pub lambda: Option<f64>,
@@ -60,21 +74,25 @@ pub struct Around {
 }
 
 /// One ball in its place.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BallLine {
     /// Azimuth φ, rad, from +X towards +Y.
+    #[serde(rename = "azimuth_rad")]
     pub azimuth: f64,
     /// Change of the distance of the groove centres from the unloaded one, d − A, m: the total
     /// deformation of both contacts less the oil films between them; a gap of dry races where it is
     /// negative.
+    #[serde(rename = "deformation_m")]
     pub deformation: f64,
     /// Contact with the inner race.
     pub inner: RaceContact,
     /// Contact with the outer race.
     pub outer: RaceContact,
     /// Centrifugal force F_c, N; zero where the law neglects inertia.
+    #[serde(rename = "centrifugal_force_N")]
     pub centrifugal_force: f64,
     /// Gyroscopic moment M_g, N m; zero where the law neglects inertia.
+    #[serde(rename = "gyroscopic_moment_N_m")]
     pub gyroscopic_moment: f64,
     /// Race that controls the ball's spin by Jones's criterion; none for an unloaded ball or a law
     /// without inertia.
@@ -82,13 +100,16 @@ pub struct BallLine {
 }
 
 /// A bearing under load.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BearingState {
     /// Displacement of the inner from the outer ring, in the bearing's own orientation, m and rad.
+    #[serde(serialize_with = "keys::displacement")]
     pub displacement: Vector5,
     /// Force of the inner ring onto the bearing, in the bearing's own orientation, N and N m.
+    #[serde(serialize_with = "keys::force")]
     pub force: Vector5,
     /// ∂F/∂q in the bearing's own orientation.
+    #[serde(serialize_with = "keys::stiffness")]
     pub stiffness: Matrix5,
     /// Stiffness of the elastic contacts alone and of the oil films alone at the same ball loads;
     /// none without oil or at rest.
@@ -99,6 +120,7 @@ pub struct BearingState {
     /// for behind oil films no load quite vanishes.
     pub balls_loaded: usize,
     /// Basic reference rating life L10r, [`super::reference_rating_life`], 10⁶ revolutions; none without a dynamic load rating or load.
+    #[serde(rename = "life_Mrev")]
     pub life: Option<f64>,
     /// Permissible static ball load of ISO 76, [`super::permissible_static_load`], over the largest
     /// one, at the race where that is less; none without load.
@@ -120,11 +142,13 @@ pub struct BearingState {
 /// normal of the inner race. What stiffness comes from the turning of loaded contacts (Q/d) and, under
 /// Jones's law, what yields by the ball's own balance, is part of `contacts` only. So along its normal
 /// the compliances of a ball without inertia add up: `1/k = 1/k_contacts + 1/k_films`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct StiffnessShares {
     /// K of the elastic contacts alone, films taken as rigid.
+    #[serde(serialize_with = "keys::diagonal")]
     pub contacts: Matrix5,
     /// K of the oil films alone, contacts taken as rigid.
+    #[serde(serialize_with = "keys::diagonal")]
     pub films: Matrix5,
 }
 
@@ -135,6 +159,16 @@ pub struct FrictionMoment {
     pub load: f64,
     /// Viscous part, N m; zero without oil.
     pub viscous: f64,
+}
+
+impl Serialize for FrictionMoment {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map([
+            ("load_N_m", self.load),
+            ("viscous_N_m", self.viscous),
+            ("total_N_m", self.total()),
+        ])
+    }
 }
 
 impl FrictionMoment {

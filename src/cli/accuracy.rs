@@ -58,7 +58,7 @@ fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fai
     let choice = scenario.contact_choice.as_ref();
     let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
     let text = report::accuracy_text(title, &accuracy, &files) + &chosen;
-    let json = report::accuracy_json(title, echo, &accuracy);
+    let json = report::document(title, echo, &accuracy);
     Ok(Answer::new(text, json, &files))
 }
 

@@ -2,11 +2,13 @@
 
 use std::io;
 
+use serde::Serialize;
+
 use super::Outcome;
 use super::jobs::{Answer, Failure, Files, Job};
-use crate::quasi_static::quasi_static;
+use crate::quasi_static::{QuasiStatic, quasi_static};
 use crate::report;
-use crate::study::Study;
+use crate::study::{ContactChoice, Study};
 
 /// Finds where the shaft stands, without motion: equilibrium, stiffness and every ball.
 #[derive(Debug, clap::Args)]
@@ -37,14 +39,24 @@ fn answer(job: &Job) -> Result<Answer, Failure> {
     let answer = quasi_static(&job.scenario.question)?;
     job.warn(&answer.warnings);
     let files = report::write_answer(&job.folder, title, echo, &answer)?;
-    let text = report::answer_text(title, &answer, &files);
-    let json = report::answer_json(title, echo, &answer);
-    let mut shown = Answer::new(text, json, &files);
-    if let Some(choice) = &job.scenario.contact_choice {
-        shown.text += &report::contact_choice_text(choice);
-        shown.json["contact_choice"] = report::contact_choice_json(choice);
-    }
-    Ok(shown)
+    let choice = job.scenario.contact_choice.as_ref();
+    let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
+    let text = report::answer_text(title, &answer, &files) + &chosen;
+    let shown = Shown {
+        answer: &answer,
+        contact_choice: choice,
+    };
+    let json = report::document(title, echo, shown);
+    Ok(Answer::new(text, json, &files))
+}
+
+/// What is printed as JSON.
+#[derive(Serialize)]
+struct Shown<'a> {
+    #[serde(flatten)]
+    answer: &'a QuasiStatic,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact_choice: Option<&'a ContactChoice>,
 }
 
 fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {

@@ -11,7 +11,9 @@ use super::progress::Progress;
 use super::written::Written;
 use super::{Outcome, stop};
 use crate::integrate::IntegrateError;
-use crate::report::{self, Failure as Cause, Outputs, RestartReader, RestartWriter, RunReport};
+use crate::report::{
+    self, Failure as Cause, Outputs, RestartReader, RestartWriter, RunReport, RunSummary,
+};
 use crate::scenario::Scenario;
 use crate::simulate::{
     Earlier, Model, Monitor, Part, Run, SimulateError, Standing, StateKeeper, simulate_part,
@@ -204,14 +206,10 @@ impl Motion<'_> {
             .finish(&self.model, &run)?;
         let seconds = started.elapsed().as_secs_f64();
         let mut text = report::text(title, &self.model, &run, &files);
-        let mut json = report::summary(title, echo, &self.model, &run);
-        if let Some(choice) = contact_choice {
-            text += &report::contact_choice_text(choice);
-            json["contact_choice"] = report::contact_choice_json(choice);
-        }
-        if let Some(campbell) = &campbell {
-            json["critical_speeds"] = report::critical_speeds(campbell);
-        }
+        let choice = contact_choice.as_ref();
+        text += &choice.map(report::contact_choice_text).unwrap_or_default();
+        let summary = RunSummary::new(&self.model, &run, choice, campbell.as_ref());
+        let mut json = report::document(title, echo, summary);
         json["wall_time_s"] = seconds.into();
         Ok(Answer {
             told: format!("done in {seconds:.3} s\n"),

@@ -92,7 +92,8 @@ impl BallMotion {
 }
 
 /// A race of the bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Race {
     /// The race on the shaft.
     Inner,

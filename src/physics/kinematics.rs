@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use serde::Serialize;
+
 /// Nominal cage speed for a fixed outer ring, rad/s.
 ///
 /// `ω_c = (ω/2)(1 − γ)`, `γ = D cos α/d_m`
@@ -21,15 +23,19 @@ pub fn nominal_cage_speed(shaft_speed: f64, gamma: f64) -> f64 {
 }
 
 /// Frequencies at which rolling elements meet a point of each part, Hz.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct BallPass {
     /// Ball-pass frequency of the outer race (BPFO): also the varying-compliance frequency.
+    #[serde(rename = "outer_Hz")]
     pub outer: f64,
     /// Ball-pass frequency of the inner race (BPFI).
+    #[serde(rename = "inner_Hz")]
     pub inner: f64,
     /// Ball spin frequency (BSF): revolutions of a ball about its own axis.
+    #[serde(rename = "spin_Hz")]
     pub spin: f64,
     /// Cage frequency, also called fundamental train frequency (FTF).
+    #[serde(rename = "cage_Hz")]
     pub cage: f64,
 }
 

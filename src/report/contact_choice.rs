@@ -1,8 +1,6 @@
-//! Which law of the contacts was chosen, and why: for people and as JSON.
+//! Which law of the contacts was chosen, and why: for people.
 
 use std::fmt::Write;
-
-use serde_json::{Value, json};
 
 use crate::study::{ContactChoice, Rung, RungDifference};
 
@@ -53,28 +51,4 @@ fn rung_text(rung: &RungDifference) -> String {
         ),
         Err(reason) => format!("{:<12}  not available: {reason}", rung.rung.to_string()),
     }
-}
-
-/// The choice with all that it rests on.
-pub fn contact_choice_json(choice: &ContactChoice) -> Value {
-    let rung = |rung: &RungDifference| {
-        let difference = rung.result.as_ref().ok();
-        json!({
-            "contact": rung.rung.to_string(),
-            "force_relative": difference.map(|difference| difference.force),
-            "force_change_relative": difference.map(|difference| difference.change),
-            "stiffness_relative": difference.map(|difference| difference.stiffness),
-            "worst_at_rad_s": difference.map(|difference| difference.speed),
-            "note": rung.result.as_ref().err(),
-        })
-    };
-    json!({
-        "chosen": choice.chosen.to_string(),
-        "compared_with": choice.top.to_string(),
-        "model_error": choice.model_error,
-        "cheaper": choice.rungs.iter().map(rung).collect::<Value>(),
-        "motion_looked_at_m": choice.motion,
-        "speeds_looked_at_rad_s": choice.speeds,
-        "failure": choice.failure,
-    })
 }

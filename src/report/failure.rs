@@ -32,11 +32,6 @@ pub(super) fn failure_json(
     trace: &[String],
     earlier: &[String],
 ) -> Value {
-    let Counters {
-        steps,
-        rejected,
-        evaluations,
-    } = failure.counters;
     json!({
         "jeffcott": env!("CARGO_PKG_VERSION"),
         "title": title,
@@ -45,7 +40,7 @@ pub(super) fn failure_json(
         "kind": kind(failure.error),
         "time_s": failure.error.time(),
         "samples": samples,
-        "counters": { "steps": steps, "rejected": rejected, "evaluations": evaluations },
+        "counters": failure.counters,
         "trace": trace.first(),
         "of_an_earlier_run": earlier,
     })

@@ -11,10 +11,9 @@ use super::figure_lines::{
 };
 use super::{Bucket, Decimator, ReportError};
 use crate::analysis::{Channel, ChannelSpectrum, Peak, Spectrum};
+use crate::report::units::MICRO;
 use crate::simulate::Run;
 
-/// m → µm.
-const MICRO: f64 = 1e6;
 /// Height, px.
 const HEIGHT: u32 = 600;
 /// Largest number of names in the figure.

@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use super::table::Table;
 use super::{FileAction, ReportError};
 
 /// Names of the files that one verb leaves in a folder.
@@ -219,6 +220,14 @@ impl RunFolder {
         let mut file = self.create(name)?;
         write(&mut file).map_err(ReportError::file(FileAction::Write, &file.pending.path))?;
         file.close()
+    }
+
+    /// Writes the table `stem`.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created or written.
+    pub(super) fn write_table(&self, stem: &str, table: &Table) -> Result<WholeFile, ReportError> {
+        self.write_with(&format!("{stem}.csv"), |file| table.write_csv(file))
     }
 
     /// Gives all files their names, the seal with the content `sealed` last, and removes

@@ -1,57 +1,9 @@
-//! What a run observed of its bearings, for JSON and for people.
+//! What a run observed of its bearings, for people.
 
 use std::fmt::{self, Write};
 
-use serde_json::{Map, Value, json};
-
 use super::wrapped;
-use crate::simulate::{BearingHistory, ConsumedLife, EventCount, EventKind, Spread};
-
-/// One object a bearing.
-pub(super) fn histories_json(bearings: &[BearingHistory]) -> Value {
-    let history = |bearing: &BearingHistory| {
-        json!({
-            "balls": bearing.balls,
-            "events": bearing.events.iter().map(event).collect::<Map<_, _>>(),
-            "load_zone": bearing.load_zone.map(|zone| json!({
-                "balls_loaded": spread(&zone.balls),
-                "extent_rad": spread(&zone.extent),
-            })),
-            "life": bearing.life.map(|life| json!({
-                "whole_run": consumed(&life.whole_run),
-                "after_settle": consumed(&life.after_settle),
-            })),
-        })
-    };
-    bearings.iter().map(history).collect()
-}
-
-fn event((kind, count): &(EventKind, EventCount)) -> (String, Value) {
-    let value = json!({
-        "count": count.count,
-        "first_s": count.span.map(|[first, _]| first),
-        "last_s": count.span.map(|[_, last]| last),
-    });
-    (kind.to_string(), value)
-}
-
-fn spread(spread: &Spread) -> Value {
-    json!({
-        "smallest": spread.smallest,
-        "mean": spread.mean,
-        "largest": spread.largest,
-    })
-}
-
-fn consumed(life: &ConsumedLife) -> Value {
-    json!({
-        "time_s": life.time,
-        "revolutions": life.revolutions,
-        "consumed_share": life.share,
-        "life_Mrev": life.rating_life(),
-        "life_h": life.hours(),
-    })
-}
+use crate::simulate::{BearingHistory, EventCount, EventKind, Spread};
 
 /// Two lines a bearing: what its balls did, and its life.
 pub(super) fn write_histories(out: &mut String, bearings: &[BearingHistory]) -> fmt::Result {

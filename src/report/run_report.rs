@@ -14,6 +14,7 @@ use super::failure::{Failure, failure_json, until_failure};
 use super::figure_spectrum::frequency_limit_of;
 use super::motion::{orbit_figure, write_poincare};
 use super::page::Page;
+use super::peak_table::peak_table;
 use super::run_up::write_maps;
 use super::sample_table::SampleTable;
 use super::spectra::{estimated_figure, table_name, write_estimated};
@@ -21,7 +22,7 @@ use super::spectrum_csv::{spectrum_columns, spectrum_rows};
 use super::table::{Column, Origin, TableFiles, TableTarget};
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    TraceFigure, WholeFile, contact_choice_json, spectrum_figure, summary, write_peaks,
+    RunSummary, TraceFigure, WholeFile, document, spectrum_figure,
 };
 use crate::analysis::Channel;
 use crate::rotor::{BallContacts, Sample};
@@ -243,13 +244,9 @@ impl RunReport {
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn; none of them looks whole then.
     pub fn finish(self, model: &Model, run: &Run) -> Result<Vec<PathBuf>, ReportError> {
-        let mut summary = summary(&self.title, &self.scenario, model, run);
-        if let Some(choice) = &self.contact_choice {
-            summary["contact_choice"] = contact_choice_json(choice);
-        }
-        if let Some(campbell) = &self.campbell {
-            summary["critical_speeds"] = campbell::critical_speeds(campbell);
-        }
+        let (choice, campbell) = (self.contact_choice.as_ref(), self.campbell.as_ref());
+        let summary = RunSummary::new(model, run, choice, campbell);
+        let summary = document(&self.title, &self.scenario, summary);
         let target = TableTarget {
             folder: &self.folder,
             formats: &self.outputs.formats,
@@ -276,8 +273,8 @@ impl RunReport {
                 files.extend(
                     target.write("spectrum", &columns, |take| spectrum_rows(spectrum, take))?,
                 );
-                let write = |file: &mut PartialFile| write_peaks(&run.peaks, spectrum, file);
-                files.push(self.folder.write_with("peaks.csv", write)?);
+                let peaks = peak_table(&run.peaks, spectrum);
+                files.push(self.folder.write_table("peaks", &peaks)?);
             }
             if self.outputs.figures {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;

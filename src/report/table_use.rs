@@ -1,6 +1,4 @@
-//! What the tables of a run's ball laws are good for, and how often it left them: for people and as JSON.
-
-use serde_json::{Value, json};
+//! What the tables of a run's ball laws are good for, and how often it left them.
 
 use super::wrapped;
 use crate::simulate::TableUse;
@@ -28,19 +26,6 @@ fn line(bearing: usize, used: &TableUse) -> String {
         INDENT,
     );
     format!("{line}\n")
-}
-
-pub(super) fn table_use_json(used: &TableUse) -> Value {
-    match &used.table {
-        Ok(report) => json!({
-            "error_N": report.error,
-            "relative_error": report.relative_error,
-            "cells": report.cells,
-            "evaluations": report.evaluations,
-            "samples_outside": used.samples_outside,
-        }),
-        Err(error) => json!({ "none": error.to_string() }),
-    }
 }
 
 #[cfg(test)]

@@ -11,14 +11,12 @@ use super::motion::write_motion;
 use super::table_use::table_use_text;
 use super::wrapped;
 use crate::analysis::{Peak, Spectrum};
+use crate::report::units::MICRO;
 use crate::rotor::Freedoms;
 use crate::simulate::{Model, Run, StaticState};
 
 /// Peaks shown.
 const PEAKS: usize = 8;
-
-/// m → µm and rad → µrad.
-const MICRO: f64 = 1e6;
 
 /// Key numbers of a run, its strongest peaks and the files written.
 pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String {

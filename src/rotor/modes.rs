@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::fmt;
 
 use nalgebra::{Complex, DMatrix};
+use serde::Serialize;
 
 use super::{FREEDOMS, Rotor};
 
@@ -15,7 +16,8 @@ const STRAIGHT: f64 = 0.05;
 const REPEATED: f64 = 1e-6;
 
 /// How the shaft goes round in a mode.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Whirl {
     /// With the shaft's rotation.
     Forward,
@@ -40,11 +42,13 @@ impl fmt::Display for Whirl {
 }
 
 /// A natural frequency of the linearised rotor.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct NaturalFrequency {
     /// Undamped natural frequency |λ|/2π, Hz.
+    #[serde(rename = "frequency_Hz")]
     pub frequency: f64,
     /// Frequency of the damped free vibration, Im λ/2π, Hz: where its line stands.
+    #[serde(rename = "damped_frequency_Hz")]
     pub damped_frequency: f64,
     /// Damping ratio −Re λ/|λ|.
     pub damping_ratio: f64,

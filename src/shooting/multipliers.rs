@@ -1,17 +1,20 @@
 //! Floquet multipliers: by what a small distance from a motion that repeats is multiplied in a period.
 
 use nalgebra::{Complex, DMatrix};
+use serde::Serialize;
 
 use super::Circle;
+use crate::keys;
 
 /// Multipliers of a motion.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
 pub enum Multipliers {
     /// Of a motion that repeats, the largest first: it is stable where all stand inside the unit circle.
-    Periodic(Vec<Complex<f64>>),
+    Periodic(#[serde(serialize_with = "keys::complex")] Vec<Complex<f64>>),
     /// Magnitudes of those of a motion with two frequencies, the largest first; their arguments have no
     /// meaning of their own, because a neighbouring motion may turn with the second phase.
-    Torus(Vec<f64>),
+    Torus(#[serde(serialize_with = "keys::magnitudes")] Vec<f64>),
 }
 
 impl Multipliers {

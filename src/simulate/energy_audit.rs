@@ -1,22 +1,53 @@
 //! Whether the energy of a run adds up.
 
+use serde::{Serialize, Serializer, ser::SerializeMap};
+
+use crate::keys;
 use crate::rotor::{EnergyBalance, Sample, Works};
 
 /// Account of the energy of a run, J.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct EnergyReport {
     /// Kinetic energy at the end less that at the start.
+    #[serde(rename = "kinetic_change_J")]
     pub kinetic_change: f64,
     /// Energy stored in the bearings at the end less that at the start.
+    #[serde(rename = "stored_change_J")]
     pub stored_change: f64,
     /// Whether the work on the bearings is the change of what they store.
+    #[serde(rename = "bearings_have_potential")]
     pub conservative: bool,
     /// What was supplied and dissipated.
+    #[serde(flatten, serialize_with = "works")]
     pub works: Works,
     /// Largest residual of the balance at any sample: the error of the integration in energy.
+    #[serde(rename = "largest_residual_J")]
     pub largest_residual: f64,
     /// The same relative to the largest term of the balance.
     pub relative_residual: f64,
+}
+
+/// Works by who supplies and who dissipates them.
+fn works<S: Serializer>(works: &Works, serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Side<'a>(#[serde(serialize_with = "keys::by_name")] &'a [(&'a str, f64)]);
+    let supplied = [
+        ("loads", works.loads),
+        ("unbalance", works.unbalance),
+        ("rotation", works.rotation),
+        ("drive", works.drive),
+    ];
+    let dissipated = [
+        ("viscous_damping", works.viscous),
+        ("contact_damping", works.contact),
+        ("bearing_friction", works.friction),
+        ("load_torque", works.load_torque),
+    ];
+    let mut map = serializer.serialize_map(None)?;
+    map.serialize_entry("supplied_J", &Side(&supplied))?;
+    map.serialize_entry("dissipated_J", &Side(&dissipated))?;
+    map.serialize_entry("work_on_bearings_J", &works.bearings)?;
+    map.end()
 }
 
 /// Follows the balance from sample to sample.

@@ -1,12 +1,16 @@
 //! Which ball laws a run took from tables, and how often it left them.
 
+use serde::Serialize;
+
 use crate::bearing::{TableError, TableReport};
+use crate::keys;
 use crate::rotor::{Rotor, Tabulation};
 
 /// The table of one bearing in a run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct TableUse {
     /// What the table is good for, or why there is none and the exact law was used.
+    #[serde(flatten, serialize_with = "keys::or_note")]
     pub table: Result<TableReport, TableError>,
     /// Samples with a ball outside the table, where the exact law was used.
     pub samples_outside: u64,

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use serde::{Serialize, Serializer};
+
 use crate::rotor::{Forcing, ForcingCause};
 
 /// Two frequencies have a common period where their ratio is a fraction to this part of it.
@@ -19,6 +21,33 @@ pub struct Base {
     pub parts: Vec<(ForcingCause, u32)>,
     /// Time from which on it repeats, s.
     pub from: f64,
+}
+
+impl Serialize for Base {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        #[allow(non_snake_case)]
+        struct Keys {
+            frequency_Hz: f64,
+            period_s: f64,
+            causes: Vec<Cause>,
+        }
+        #[derive(Serialize)]
+        struct Cause {
+            cause: String,
+            multiple: u32,
+        }
+        let cause = |(cause, multiple): &(ForcingCause, u32)| Cause {
+            cause: cause.to_string(),
+            multiple: *multiple,
+        };
+        let keys = Keys {
+            frequency_Hz: self.frequency / TAU,
+            period_s: self.period(),
+            causes: self.parts.iter().map(cause).collect(),
+        };
+        keys.serialize(serializer)
+    }
 }
 
 impl Base {

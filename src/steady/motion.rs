@@ -3,6 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::DVector;
+use serde::Serialize;
 
 use super::flight::{flights, observed, sampled, trace};
 use super::places::Places;
@@ -12,6 +13,7 @@ use super::swing::swings;
 use super::{Base, SteadyError, SteadyLines, Swing};
 use crate::analysis::Channel;
 use crate::integrate::{Counters, Settings};
+use crate::keys;
 use crate::rotor::{Rotor, Sample, check_constraints};
 use crate::shooting::{Circle, Crossing, Multipliers, ReturnMap, SpecialKind, refine};
 use crate::simulate::{Model, StaticState};
@@ -38,9 +40,10 @@ pub struct SteadyQuestion<'a> {
 }
 
 /// Distance of the motion from one found again at a tenth of the tolerance.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measured {
     /// Largest difference of a displacement (tilts times their arm), m.
+    #[serde(rename = "displacement_m")]
     pub displacement: f64,
     /// The same relative to the largest excursion from the static equilibrium.
     pub relative: f64,
@@ -49,44 +52,57 @@ pub struct Measured {
 }
 
 /// A steady motion.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Steady {
     /// The static equilibrium that it moves about.
+    #[serde(skip)]
     pub equilibrium: StaticState,
     /// Frequencies of the forcing, one or two.
+    #[serde(rename = "frequencies")]
     pub bases: Vec<Base>,
     /// Period of the map, s: the whole motion repeats with it, or its phase against the second frequency
     /// turns.
+    #[serde(rename = "period_s")]
     pub period: f64,
     /// How many periods of the first frequency that is.
     pub multiple: u32,
     /// Floquet multipliers over the period.
     pub multipliers: Multipliers,
     /// How it lost its stability, where it is not stable.
+    #[serde(serialize_with = "keys::optional_name")]
     pub instability: Option<SpecialKind>,
     /// Largest multiplier of the motion of a single period, where the motion found takes several.
+    #[serde(rename = "single_period_multipliers")]
     pub single_period: Option<Multipliers>,
     /// What is missing after a period, relative to the size of the motion.
+    #[serde(rename = "residual")]
     pub missing: f64,
     /// The same before every correction.
+    #[serde(rename = "residual_history")]
     pub history: Vec<f64>,
     /// Periods integrated before the search, where it did not succeed from rest.
+    #[serde(rename = "periods_waited")]
     pub waited: u64,
     /// Harmonics of the second frequency.
+    #[serde(rename = "harmonics_of_second")]
     pub harmonics: usize,
     /// How far displacements and forces swing.
     pub swings: Vec<Swing>,
     /// The spectrum.
+    #[serde(skip)]
     pub lines: SteadyLines,
     /// One period of the motion; of two frequencies, four periods of the slower one.
+    #[serde(rename = "samples", serialize_with = "keys::count")]
     pub trace: Vec<Sample>,
     /// Measured error, where the scene asks for it.
+    #[serde(skip)]
     pub measured: Option<Measured>,
     /// Work of the search, measurement included.
     pub counters: Counters,
     /// What the reader should know.
     pub warnings: Vec<String>,
     /// Times and states of the first period, for whoever goes on.
+    #[serde(skip)]
     pub(super) section: Section,
 }
 

@@ -3,6 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::Complex;
+use serde::Serialize;
 
 use super::flight::sampled;
 use super::places::Places;
@@ -12,6 +13,7 @@ use super::swing::swings;
 use super::{SteadyError, Swing};
 use crate::analysis::Channel;
 use crate::integrate::Counters;
+use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::shooting::{
     Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, Unrefined, follow,
@@ -48,37 +50,44 @@ pub struct ResponseQuestion<'a> {
 }
 
 /// A motion of a branch.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ResponsePoint {
     /// Value of the parameter.
     pub value: f64,
     /// Period of the motion, s.
+    #[serde(rename = "period_s")]
     pub period: f64,
     /// How far displacements and forces swing.
     pub swings: Vec<Swing>,
     /// Floquet multipliers over the period, magnitudes where it has two frequencies.
+    #[serde(serialize_with = "keys::complex")]
     pub multipliers: Vec<Complex<f64>>,
     /// Whether neighbouring motions come closer.
     pub stable: bool,
 }
 
 /// Where a branch turns or its motion changes its kind.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ResponseSpecial {
     /// How.
+    #[serde(serialize_with = "keys::name")]
     pub kind: SpecialKind,
     /// Number of points of the branch before it.
+    #[serde(rename = "after_points")]
     pub after: usize,
     /// The motion there.
+    #[serde(flatten)]
     pub point: ResponsePoint,
 }
 
 /// Where a motion seems to change its kind between two motions of a branch, and the place was not found.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ResponseUnrefined {
     /// How.
+    #[serde(serialize_with = "keys::name")]
     pub kind: SpecialKind,
     /// Number of points of the branch before it.
+    #[serde(rename = "after_points")]
     pub after: usize,
     /// Values of the parameter between which it happens.
     pub between: [f64; 2],
@@ -88,11 +97,12 @@ pub struct ResponseUnrefined {
 }
 
 /// A branch of motions.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Response {
     /// How many periods of the forcing its motions take.
     pub multiple: u32,
     /// Its motions, in their order along it.
+    #[serde(serialize_with = "keys::count")]
     pub points: Vec<ResponsePoint>,
     /// Where it turns or its motion changes its kind.
     pub specials: Vec<ResponseSpecial>,

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use nalgebra::DMatrix;
+use serde::Serialize;
 
 use crate::analysis::Channel;
 use crate::rotor::Sample;
@@ -12,9 +13,10 @@ use crate::shooting::Circle;
 const FINER: usize = 4;
 
 /// How far a quantity swings.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Swing {
     /// The quantity.
+    #[serde(serialize_with = "Channel::serialize_with_unit")]
     pub channel: Channel,
     /// Its mean, in its unit.
     pub mean: f64,

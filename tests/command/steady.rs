@@ -93,7 +93,7 @@ fn a_response_writes_its_branches() {
         "{header}"
     );
     let last = rows.last().expect("rows");
-    assert!(last.starts_with("1,1,200,"), "{last}");
+    assert!(last.starts_with("1,1,200.0,"), "{last}");
     assert_eq!(last.split(',').count(), header.split(',').count());
 }
 

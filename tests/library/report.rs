@@ -456,7 +456,7 @@ fn the_summary_names_units_and_causes() {
     assert_eq!(value["stiffness"]["rows"][3], "moment_x_N_m");
     assert_eq!(value["natural_frequencies"][0]["frequency_Hz"], 431.0);
     assert_eq!(value["spectrum"]["length"], 256);
-    assert_eq!(value["peaks"][0]["label"], "1×");
+    assert_eq!(value["peaks"][0]["name"], "1×");
     assert_eq!(value["peaks"][0]["unit"], "m");
     assert_eq!(value["measured_error"]["tolerance"], 1e-8);
     assert_eq!(value["warnings"][0], "a warning");

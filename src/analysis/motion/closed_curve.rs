@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
 
 use crate::analysis::{Transform, Window};
 
@@ -18,7 +19,7 @@ const SECTIONS: usize = 30;
 const REFINED: usize = 2;
 
 /// A closed curve through points.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ClosedCurve {
     /// Part of a turn from a point to the next.
     pub rotation: f64,

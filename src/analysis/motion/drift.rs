@@ -2,15 +2,18 @@
 
 use std::f64::consts::TAU;
 
+use serde::Serialize;
+
 use crate::rotor::{FREEDOMS, Sample};
 
 /// A motion whose statistics move by less than this part of it has settled.
 pub const SETTLED: f64 = 0.02;
 
 /// How far mean and RMS of a freedom move from the second to the last third of the window.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Drift {
     /// The freedom that moves most, 0 … 4.
+    #[serde(skip)]
     pub freedom: usize,
     /// Change of its mean, in parts of the RMS of the motion.
     pub mean: f64,

@@ -1,5 +1,7 @@
 //! Mean, spread and shape of a signal, a row of values at a time.
 
+use serde::{Serialize, Serializer};
+
 /// Moments of the values taken so far.
 ///
 /// Those of a row are found about its own mean, and added to those of all rows before without cancellation.
@@ -27,6 +29,19 @@ pub struct Moments {
     powers: [f64; 3],
     lowest: f64,
     highest: f64,
+}
+
+impl Serialize for Moments {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map([
+            ("mean", Some(self.mean())),
+            ("rms", Some(self.rms())),
+            ("peak", Some(self.peak())),
+            ("peak_to_peak", Some(self.peak_to_peak())),
+            ("crest_factor", self.crest_factor()),
+            ("kurtosis", self.kurtosis()),
+        ])
+    }
 }
 
 impl Default for Moments {

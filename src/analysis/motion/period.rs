@@ -1,8 +1,11 @@
 //! What kind of motion the points of its sections belong to.
 
+use serde::Serialize;
+
 use super::chaos::zero_one_test;
 use super::closed_curve::{ClosedCurve, closed_curve};
 use super::section::SectionKind;
+use crate::keys;
 
 /// Longest period that is looked for, cycles of a section.
 pub const LONGEST_PERIOD: usize = 12;
@@ -33,7 +36,8 @@ pub struct Series {
 }
 
 /// What kind of motion it is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "name", rename_all = "kebab-case")]
 pub enum Kind {
     /// There is none.
     Rest,
@@ -51,11 +55,13 @@ pub enum Kind {
         /// The section.
         section: SectionKind,
         /// The curve.
+        #[serde(rename = "closed_curve")]
         curve: ClosedCurve,
     },
     /// Neither, and the 0–1 test says that it is irregular.
     Irregular {
         /// The test: near 1 for chaos.
+        #[serde(rename = "zero_one_test")]
         test: f64,
     },
     /// None of these: too few points, or not settled.
@@ -63,19 +69,22 @@ pub enum Kind {
         /// Number of points of the section that has most.
         points: usize,
         /// The 0–1 test, where there are enough points for it.
+        #[serde(rename = "zero_one_test")]
         test: Option<f64>,
     },
 }
 
 /// The kind of a motion and what speaks for it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Recognition {
     /// The kind.
     pub kind: Kind,
     /// Of every section the RMS distance of points any multiple of 1, 2, … cycles apart, in parts of the
     /// motion, over the last half of the points.
+    #[serde(serialize_with = "keys::by_name")]
     pub distances: Vec<(SectionKind, Vec<f64>)>,
     /// Of every section the best closed curve, where no period was found.
+    #[serde(rename = "closed_curves", serialize_with = "keys::by_name")]
     pub curves: Vec<(SectionKind, ClosedCurve)>,
 }
 

@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use serde::Serialize;
+
 use super::drift::{Drift, DriftRecorder};
 use super::moments::Moments;
 use super::parts::MotionParts;
@@ -9,6 +11,7 @@ use super::period::{Kind, Recognition, Series, recognise};
 use super::section::{NODES, PoincarePoint, Section, SectionKind};
 use super::velocity::{VelocityLevel, velocity_level};
 use crate::analysis::Channel;
+use crate::keys;
 use crate::rotor::{FREEDOMS, Sample};
 
 /// Number of freedoms that are lengths.
@@ -44,34 +47,43 @@ pub struct MotionSettings {
 }
 
 /// Statistics of one quantity.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ChannelStatistics {
     /// The quantity.
+    #[serde(serialize_with = "Channel::serialize_with_unit")]
     pub channel: Channel,
     /// Its moments.
+    #[serde(flatten)]
     pub moments: Moments,
 }
 
 /// What a steady motion is like.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Motion {
     /// First sample, s.
+    #[serde(rename = "start_s")]
     pub start: f64,
     /// Last sample, s.
+    #[serde(rename = "end_s")]
     pub end: f64,
     /// Displacements and forces of the freedoms that move; forces where asked for.
     pub statistics: Vec<ChannelStatistics>,
     /// RMS velocity of the lengths that move, in their order, where asked for.
+    #[serde(rename = "velocity_rms", serialize_with = "keys::by_axis")]
     pub velocity: Vec<Option<VelocityLevel>>,
     /// What kind of motion it is; unknown where not asked for.
+    #[serde(flatten)]
     pub recognition: Recognition,
     /// How its statistics move, where asked for; none at rest.
+    #[serde(skip)]
     pub drift: Option<Drift>,
     /// Points of every section that is looked at.
     pub sections: Vec<Section>,
     /// Samples a second.
+    #[serde(skip)]
     pub rate: f64,
     /// x and y of the last samples, m, where asked for.
+    #[serde(skip)]
     pub orbit: Vec<[f64; 2]>,
 }
 

@@ -8,6 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::hermite::Hermite;
+use crate::keys;
 use crate::rotor::{FREEDOMS, Sample};
 
 /// Samples that a point is interpolated between.
@@ -52,16 +53,20 @@ pub struct PoincarePoint {
 ///
 /// A point that falls on a sample is that sample; between samples, displacements and velocities are
 /// interpolated through four samples with their rates, of velocities those of the polynomial.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Section {
     /// What a point is taken of.
+    #[serde(rename = "section")]
     pub kind: SectionKind,
     /// Cycles a revolution of the shaft.
+    #[serde(rename = "cycles_per_revolution")]
     pub order: f64,
     /// The points, by time.
+    #[serde(serialize_with = "keys::count")]
     pub points: Vec<PoincarePoint>,
     /// Largest difference of a displacement from that through three samples only, m and rad by freedom:
     /// more than the error of the interpolation.
+    #[serde(rename = "interpolation_error")]
     pub interpolation: [f64; FREEDOMS],
 }
 

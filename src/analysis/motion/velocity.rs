@@ -1,5 +1,7 @@
 //! The level of vibration that machine standards look at: RMS velocity in a band of frequencies.
 
+use serde::Serialize;
+
 use crate::analysis::Transform;
 
 /// The band of ISO 20816-1, Hz.
@@ -8,11 +10,13 @@ pub const VELOCITY_BAND: [f64; 2] = [10.0, 1000.0];
 const NOISE_BANDWIDTH: f64 = 1.5;
 
 /// RMS of a velocity in a band of frequencies.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct VelocityLevel {
     /// RMS, m/s.
+    #[serde(rename = "rms_m_s")]
     pub rms: f64,
     /// Lowest and highest frequency that counts, Hz: of [`VELOCITY_BAND`] what the sampling resolves.
+    #[serde(rename = "band_Hz")]
     pub band: [f64; 2],
 }
 

@@ -4,12 +4,9 @@ use std::fmt::{self, Write};
 use std::path::PathBuf;
 
 use super::super::statics::table;
+use crate::report::units::{MICRO, MILLI};
 use crate::study::accuracy::{Accuracy, Agreement, Errors, LadderRow, Measured, Row};
 
-/// m → µm.
-const MICRO: f64 = 1e6;
-/// s → ms.
-const MILLI: f64 = 1e3;
 /// Longest note beside a table.
 const NOTE: usize = 76;
 

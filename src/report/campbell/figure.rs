@@ -5,12 +5,10 @@ use plotters::style::RGBColor;
 use super::super::ReportError;
 use super::super::figure::{PALETTE, svg};
 use super::super::figure_curves::{Curve, Panel, draw, round_ticks};
+use crate::report::units::{PER_MINUTE, PER_SECOND};
 use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::Campbell;
 
-/// rad/s → revolutions a minute, and → Hz.
-const PER_MINUTE: f64 = 30.0 / std::f64::consts::PI;
-const PER_SECOND: f64 = 0.5 / std::f64::consts::PI;
 /// Height of a panel, px.
 const PANEL_HEIGHT: u32 = 380;
 /// Height of title and names, px.

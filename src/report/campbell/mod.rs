@@ -1,15 +1,15 @@
 //! Natural frequencies over the speed: tables, figure, text and JSON.
 
-mod csv;
 mod figure;
 mod json;
+mod table;
 mod text;
 
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-pub use self::json::{campbell_json, critical_speeds};
+pub use self::json::campbell_json;
 pub use self::text::campbell_text;
 use super::{FileSet, ReportError, RunFolder, WholeFile};
 use crate::study::campbell::Campbell;
@@ -37,7 +37,7 @@ pub(super) fn write_files(
     campbell: &Campbell,
     figure: bool,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = vec![folder.write_with("campbell.csv", |file| csv::write(campbell, file))?];
+    let mut files = vec![folder.write_table("campbell", &table::modes(campbell))?];
     if figure {
         let svg = figure::draw_campbell(title, campbell)?;
         files.push(folder.write("campbell.svg", svg.as_bytes())?);

@@ -3,11 +3,9 @@
 use std::path::PathBuf;
 
 use super::super::statics::table;
+use crate::report::units::PER_MINUTE;
 use crate::rotor::Mode;
 use crate::study::campbell::{Branch, Campbell};
-
-/// rad/s → revolutions a minute.
-const PER_MINUTE: f64 = 30.0 / std::f64::consts::PI;
 
 /// A table of branches, one of critical speeds, then the files written.
 pub fn campbell_text(title: &str, campbell: &Campbell, files: &[PathBuf]) -> String {

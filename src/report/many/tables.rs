@@ -5,8 +5,8 @@ use std::io::{self, Write};
 use crate::analysis::Channel;
 use crate::report::bytes::{Put, Take};
 use crate::report::columns::amplitude_column;
-use crate::report::statics::{cell, number};
 use crate::report::study::column_name;
+use crate::report::table::{cell, number};
 use crate::study::Variable;
 use crate::study::many::{BearingStiffness, Keep, NumberColumn, RunRecord, TraceSeal};
 

@@ -6,9 +6,8 @@ use super::super::ReportError;
 use super::super::figure::{Area, DrawError, GRID, INK, LINE, PALETTE, font, px, svg, tick_format};
 use super::super::figure_curves::draw_names;
 use crate::analysis::{Kind, Motion, Section, SectionKind};
+use crate::report::units::MICRO;
 
-/// m → µm.
-const MICRO: f64 = 1e6;
 /// Height, px.
 const HEIGHT: u32 = 720;
 /// Height of the strip of names, px.

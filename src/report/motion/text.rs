@@ -3,11 +3,7 @@
 use std::fmt::{self, Write};
 
 use crate::analysis::{Channel, Kind, LONGEST_PERIOD, Motion, SectionKind};
-
-/// m → µm.
-const MICRO: f64 = 1e6;
-/// m/s → mm/s.
-const MILLI: f64 = 1e3;
+use crate::report::units::{MICRO, MILLI};
 
 /// Writes kind, settling, vibration and velocity.
 pub(in super::super) fn write_motion(out: &mut String, motion: &Motion) -> fmt::Result {

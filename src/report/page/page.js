@@ -325,15 +325,15 @@
         error && `${shown(error.displacement_m, "m")}; tolerance asked ${number(error.tolerance, 3)}`],
       summary.motion && ["kind of motion", kindText(summary.motion.kind), summary.motion.settling
         && (summary.motion.settling.settled ? "settled" : "not settled")],
-      peak && ["strongest line", shown(peak.amplitude, "m"), `${peak.channel} at ${number(peak.frequency_Hz)} Hz${peak.label ? `, ${peak.label}` : ""}`],
+      peak && ["strongest line", shown(peak.amplitude, "m"), `${peak.channel} at ${number(peak.frequency_Hz)} Hz${peak.name ? `, ${peak.name}` : ""}`],
       load && ["largest ball load", `${number(load)} N`],
       first && ["lowest natural frequency", `${number(first.frequency_Hz)} Hz`, `damping ratio ${number(first.damping_ratio, 3)}`],
       ballsOf && ballsOf.outer_Hz > 0 && ["ball pass, outer race", `${number(ballsOf.outer_Hz)} Hz`, `inner race ${number(ballsOf.inner_Hz)} Hz`],
       lives.length > 0 && ["life L10r", `${number(Math.min(...lives), 4)} h`, "of this motion, shortest-lived bearing"],
       ["evaluations", number(summary.counters.evaluations, 9), `${number(summary.counters.steps, 9)} steps, ${summary.counters.rejected} rejected`],
       ...(summary.tables ?? []).map((table, index) => table && [`table of bearing ${index + 1}`,
-        table.none ? "none" : `${number(table.cells, 9)} cells`,
-        table.none ?? `off by ${number(table.relative_error, 2)} of the largest ball load; ${table.samples_outside} samples outside it`]),
+        table.note ? "none" : `${number(table.cells, 9)} cells`,
+        table.note ?? `off by ${number(table.relative_error, 2)} of the largest ball load; ${table.samples_outside} samples outside it`]),
     ]);
   }
 
@@ -381,7 +381,7 @@
   }
 
   function peaks() {
-    const rows = summary.peaks.map((peak) => [named(peak.channel), peak.label ?? "", number(peak.frequency_Hz, 7),
+    const rows = summary.peaks.map((peak) => [named(peak.channel), peak.name ?? "", number(peak.frequency_Hz, 7),
       number(peak.order, 6), shown(peak.amplitude, peak.unit), number(peak.distance_Hz, 2)]);
     return element("details", { open: "" }, element("summary", {}, `${rows.length} peaks`),
       table(["channel", "name", "frequency in Hz", "order", "amplitude", "off the name in Hz"], rows, null, 2));

@@ -8,11 +8,8 @@ use super::super::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
 use super::super::table::{Column, TableTarget};
 use super::super::{ReportError, WholeFile};
 use crate::analysis::{Channel, OrderTracks, Track};
+use crate::report::units::{MICRO, PER_MINUTE};
 
-/// m → µm.
-const MICRO: f64 = 1e6;
-/// rad/s → revolutions a minute.
-const PER_MINUTE: f64 = 30.0 / std::f64::consts::PI;
 /// Height of a row of panels, px.
 const ROW_HEIGHT: u32 = 270;
 /// Height of title and names, px.

@@ -8,13 +8,9 @@ use super::super::figure_curves::graded;
 use super::super::png::data_uri;
 use super::raster::{DECADES, Raster};
 use crate::analysis::{TrackedOrder, Waterfall};
+use crate::report::units::{MICRO, PER_MINUTE, PER_SECOND};
 use crate::simulate::Maps;
 
-/// m → µm.
-const MICRO: f64 = 1e6;
-/// rad/s → revolutions a minute, and → Hz.
-const PER_MINUTE: f64 = 30.0 / std::f64::consts::PI;
-const PER_SECOND: f64 = 0.5 / std::f64::consts::PI;
 /// Height of a row, px.
 const ROW_HEIGHT: u32 = 300;
 /// Height of title and scale, px.

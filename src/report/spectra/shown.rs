@@ -4,9 +4,7 @@ use std::ops::Range;
 
 use super::names;
 use crate::analysis::{Axis, EstimatedSpectrum, SpectrumColumn, SpectrumKind, SpectrumQuantity};
-
-/// m → µm, rad → µrad.
-const MICRO: f64 = 1e6;
+use crate::report::units::MICRO;
 
 /// Columns of one unit.
 #[derive(Debug)]

@@ -1,20 +1,16 @@
 //! The answer to a static question: text for people, JSON, CSV and a figure of the balls.
 
-mod csv;
+mod ball_table;
 mod figure;
-mod json;
 mod text;
 
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
-pub(super) use self::csv::{cell, number};
-pub(super) use self::json::answer;
-pub use self::json::answer_json;
 pub use self::text::answer_text;
 pub(super) use self::text::{digits, table};
-use super::{FileAction, FileSet, ReportError, RunFolder};
+use super::{FileSet, ReportError, RunFolder, document};
 use crate::quasi_static::QuasiStatic;
 
 /// Writes `balls.csv`, `balls.svg` and, last, `bearing.json` into `folder`; returns their paths.
@@ -28,11 +24,11 @@ pub fn write_answer(
     answer: &QuasiStatic,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let folder = RunFolder::open(folder, FileSet::BEARING)?;
-    let mut balls = folder.create("balls.csv")?;
-    let path = balls.path().to_owned();
-    csv::write_balls(answer, &mut balls).map_err(ReportError::file(FileAction::Write, &path))?;
     let svg = figure::balls(title, answer)?;
-    let files = vec![balls.close()?, folder.write("balls.svg", svg.as_bytes())?];
-    let json = answer_json(title, scenario, answer);
+    let files = vec![
+        folder.write_table("balls", &ball_table::balls(answer))?,
+        folder.write("balls.svg", svg.as_bytes())?,
+    ];
+    let json = document(title, scenario, answer);
     folder.commit(files, format!("{json:#}\n").as_bytes())
 }

@@ -6,15 +6,11 @@ use std::path::PathBuf;
 use comfy_table::{CellAlignment, Table, presets};
 
 use super::super::text::decimal;
-use super::csv::race_name;
+use super::ball_table::race_name;
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::quasi_static::QuasiStatic;
+use crate::report::units::{MICRO, MILLI};
 use crate::rotor::FREEDOMS;
-
-/// m → µm and rad → µrad.
-const MICRO: f64 = 1e6;
-/// rad → mrad, N m → N mm.
-const MILLI: f64 = 1e3;
 
 /// A coupling below this part of its diagonal terms is what round-off left of zero.
 const ROUND_OFF: f64 = 1e-12;

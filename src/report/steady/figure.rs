@@ -9,10 +9,9 @@ use super::super::figure::{Area, DrawError, LINE, PALETTE, svg};
 use super::super::figure_lines::{
     self, AMPLITUDE_OVER_FREQUENCY, draw_legend, legend_stroke, line_chart,
 };
+use crate::report::units::MICRO;
 use crate::steady::SteadyLines;
 
-/// m → µm.
-const MICRO: f64 = 1e6;
 /// Height, px.
 const HEIGHT: u32 = 600;
 

@@ -2,9 +2,9 @@
 
 mod figure;
 mod json;
-mod response_csv;
+mod line_table;
 mod response_figure;
-mod spectrum_csv;
+mod response_tables;
 mod text;
 
 use std::path::{Path, PathBuf};
@@ -42,9 +42,10 @@ pub fn write_steady(
     };
     let mut files = vec![
         folder.write_with("steady_trace.csv", trace)?,
-        folder.write_with("steady_spectrum.csv", |file| {
-            spectrum_csv::write(steady, model.rotor.speed, file)
-        })?,
+        folder.write_table(
+            "steady_spectrum",
+            &line_table::lines(steady, model.rotor.speed),
+        )?,
     ];
     for (name, svg) in [
         ("steady_trace.svg", figure.draw(title)?),
@@ -73,12 +74,11 @@ pub fn write_response(
 ) -> Result<Vec<PathBuf>, ReportError> {
     let folder = RunFolder::open(folder, FileSet::RESPONSE)?;
     let mut files = vec![
-        folder.write_with("response.csv", |file| {
-            response_csv::points(variable, branches, file)
-        })?,
-        folder.write_with("response_specials.csv", |file| {
-            response_csv::specials(variable, branches, file)
-        })?,
+        folder.write_table("response", &response_tables::points(variable, branches))?,
+        folder.write_table(
+            "response_specials",
+            &response_tables::specials(variable, branches),
+        )?,
     ];
     let svg = response_figure::response(title, variable, branches)?;
     files.push(folder.write("response.svg", svg.as_bytes())?);

@@ -7,11 +7,10 @@ use super::super::figure::svg;
 use super::super::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
 use super::super::study::axis_name;
 use crate::analysis::Channel;
+use crate::report::units::MICRO;
 use crate::steady::{Response, ResponsePoint};
 use crate::study::Variable;
 
-/// m → µm and rad → µrad.
-const MICRO: f64 = 1e6;
 /// Height of a panel, px.
 const PANEL_HEIGHT: u32 = 300;
 /// Height of title and names, px.

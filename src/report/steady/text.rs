@@ -8,6 +8,7 @@ use comfy_table::Table;
 
 use super::super::statics::{digits, table};
 use super::super::study::shown;
+use crate::report::units::MICRO;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
 use crate::steady::{Base, Response, Steady, SteadyLine};
@@ -16,8 +17,6 @@ use crate::study::Variable;
 /// Lines and multipliers shown.
 const LINES: usize = 8;
 const MULTIPLIERS: usize = 4;
-/// m → µm and rad → µrad.
-const MICRO: f64 = 1e6;
 
 /// Period, stability and the strongest lines of a steady motion, and the files written.
 pub fn steady_text(title: &str, model: &Model, steady: &Steady, files: &[PathBuf]) -> String {

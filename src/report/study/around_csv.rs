@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::super::statics::number;
+use super::super::table::number;
 use super::column_name;
 use crate::study::{StudyRow, Variable};
 

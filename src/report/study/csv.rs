@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use super::super::statics::{cell, number};
+use super::super::table::{cell, number};
 use super::column_name;
 use crate::analysis::Channel;
 use crate::bearing::{BallLine, BearingState};

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::super::statics::answer;
+use super::super::document::value;
 use super::column_name;
 use crate::bearing::Around;
 use crate::study::{Study, StudyRow};
@@ -28,7 +28,7 @@ pub fn study_json(title: &str, scenario: &Value, study: &Study, rows: &[StudyRow
 }
 
 fn row(varied: &str, row: &StudyRow) -> Value {
-    let mut entries = answer(&row.answer);
+    let mut entries = value(&row.answer);
     entries[varied] = row.value.into();
     let around = row.around.iter();
     entries["around"] = around

@@ -11,6 +11,7 @@ mod mat_element;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod scratch;
+mod whole;
 
 pub use self::column::{Column, ColumnKind};
 pub use self::csv::CsvTable;
@@ -19,3 +20,4 @@ pub(super) use self::files::{TableFiles, TableTarget};
 pub use self::mat::MatTable;
 #[cfg(feature = "parquet")]
 pub use self::parquet::ParquetTable;
+pub(super) use self::whole::{Table, cell, number};

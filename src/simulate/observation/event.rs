@@ -3,6 +3,10 @@
 use std::cmp::Ordering;
 use std::fmt;
 
+use serde::Serialize;
+
+use crate::keys;
+
 /// Kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EventKind {
@@ -72,11 +76,12 @@ impl Event {
 }
 
 /// How often something happened.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct EventCount {
     /// Number of times.
     pub count: u64,
     /// First and last time, s; none where it never happened.
+    #[serde(flatten, serialize_with = "keys::span")]
     pub span: Option<[f64; 2]>,
 }
 

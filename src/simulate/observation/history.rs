@@ -1,14 +1,18 @@
 //! What a run observed of one bearing.
 
+use serde::Serialize;
+
 use super::{EventCount, EventKind, LifeHistory, LoadZone};
+use crate::keys;
 
 /// What a run observed of one bearing.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BearingHistory {
     /// Number of its balls; zero for a linear bearing, which knows none and of which nothing is
     /// observed.
     pub balls: usize,
     /// Events over the whole run, by kind: those of a preload only where there is one.
+    #[serde(serialize_with = "keys::by_name")]
     pub events: Vec<(EventKind, EventCount)>,
     /// Loaded balls after the settle time; none without balls or samples.
     pub load_zone: Option<LoadZone>,

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use serde::{Serialize, Serializer};
+
 use crate::bearing::{Geometry, RatingLife};
 use crate::rotor::Sample;
 
@@ -44,8 +46,20 @@ impl ConsumedLife {
     }
 }
 
+impl Serialize for ConsumedLife {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map([
+            ("time_s", Some(self.time)),
+            ("revolutions", Some(self.revolutions)),
+            ("consumed_share", Some(self.share)),
+            ("life_Mrev", self.rating_life()),
+            ("life_h", self.hours()),
+        ])
+    }
+}
+
 /// Life consumed over the whole run and without its start.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LifeHistory {
     /// From the first sample to the last.
     pub whole_run: ConsumedLife,

@@ -2,8 +2,10 @@
 
 use std::f64::consts::TAU;
 
+use serde::Serialize;
+
 /// Smallest, mean and largest value of the samples.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Spread {
     /// Smallest value.
     pub smallest: f64,
@@ -15,12 +17,14 @@ pub struct Spread {
 
 /// Balls of a bearing that are loaded at the inner race, by the rule of
 /// [`crate::rotor::BallContacts::least_load`].
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LoadZone {
     /// Number of loaded balls.
+    #[serde(rename = "balls_loaded")]
     pub balls: Spread,
     /// Arc that holds all loaded balls, rad: the full circle less the longest row of unloaded ones,
     /// every ball standing for its share of the circle.
+    #[serde(rename = "extent_rad")]
     pub extent: Spread,
 }
 

@@ -1,17 +1,21 @@
 //! Distances of a run from the reference, and the size of the motion that they are relative to.
 
+use serde::Serialize;
+
 use super::trace::{Distance, Statistics};
 use super::trial::Trial;
 use crate::rotor::{MotionScale, Rotor};
 
 /// What errors are relative to.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Scale {
     /// Of displacements, m: the largest excursion from the static equilibrium, or the size of the
     /// motion that was estimated where that is larger; tilts count by their arm.
+    #[serde(rename = "motion_m")]
     pub displacement: f64,
     /// Of the bearings' force, N: the largest change from that at the static equilibrium, or what the
     /// estimated motion changes it by; moments count by their arm.
+    #[serde(rename = "force_in_motion_N")]
     pub force: f64,
 }
 
@@ -34,21 +38,26 @@ impl Scale {
 }
 
 /// How far a run is from the reference.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Errors {
     /// Of a displacement, m; tilts count by their arm.
+    #[serde(rename = "displacement_m")]
     pub displacement: f64,
     /// The same relative to the motion.
     pub displacement_relative: f64,
     /// Of the force of the bearings on the shaft, N; moments count by their arm.
+    #[serde(rename = "force_N")]
     pub force: f64,
     /// The same relative to the change of the force in motion.
     pub force_relative: f64,
     /// Largest relative difference of the amplitudes of labelled lines; `None` where there are none.
+    #[serde(rename = "lines_relative")]
     pub lines: Option<f64>,
     /// Of mean, rms and peak of the displacements after the settle time, relative to the motion.
+    #[serde(rename = "displacement_statistics_relative")]
     pub statistics: Statistics,
     /// Of mean, rms and peak of the forces, relative to their change in motion.
+    #[serde(rename = "force_statistics_relative")]
     pub force_statistics: Statistics,
 }
 

@@ -2,33 +2,38 @@
 
 use std::sync::atomic::AtomicBool;
 
+use serde::Serialize;
+
 use super::error::{Errors, Norm};
 use super::reference::Reference;
 use super::trace::View;
 use super::trial::{Cost, measure, observe, with};
 use super::{AccuracyError, NamedMethod, Question, is_interrupted};
+use crate::keys;
 use crate::simulate::{Model, SimulateError};
 
 /// How much longer the next tolerance is taken to run where only one has been: an order of three.
 const NEXT_TAKES: f64 = 2.2;
 
 /// A method at a tolerance.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Row {
     /// Name of the method.
     pub method: String,
     /// Tolerance asked for.
     pub tolerance: f64,
     /// What was measured, or why nothing was.
+    #[serde(flatten, serialize_with = "keys::or_note")]
     pub result: Result<Measured, String>,
 }
 
 /// What was measured of a method at a tolerance.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measured {
     /// What the integration costs.
     pub cost: Cost,
     /// Largest distance from the reference.
+    #[serde(rename = "error")]
     pub errors: Errors,
     /// Whether the error is not above the uncertainty of the reference; in an irregular motion, whether
     /// the statistics are within the scatter of exact runs.

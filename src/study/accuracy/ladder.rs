@@ -7,11 +7,14 @@
 use std::fmt;
 use std::sync::atomic::AtomicBool;
 
+use serde::{Serialize, Serializer};
+
 use super::error::{Errors, Norm, Scale};
 use super::is_interrupted;
 use super::trace::View;
 use super::trial::{Cost, Trial, measure as measure_cost, observe, with};
 use crate::bearing::Oil;
+use crate::keys;
 use crate::rotor::{CageMotion, Freedoms, Rotor, RotorDefinition, check_constraints};
 use crate::simulate::{Model, SimulateError};
 use crate::study::Rung;
@@ -78,18 +81,21 @@ pub struct Climb {
 }
 
 /// The ladder of a scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Ladder {
     /// The top rung.
+    #[serde(serialize_with = "keys::optional_name")]
     pub top: Option<Configuration>,
     /// The rungs, the top one first.
+    #[serde(rename = "rungs")]
     pub rows: Vec<LadderRow>,
 }
 
 /// A rung.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LadderRow {
     /// What it simulates.
+    #[serde(rename = "model", serialize_with = "keys::name")]
     pub configuration: Configuration,
     /// Whether it is the scene as it is written.
     pub as_written: bool,
@@ -97,7 +103,25 @@ pub struct LadderRow {
     /// available. All is relative to the largest root mean square of the vibration of the top rung:
     /// differences of traces are root mean squares about their mean, and that mean, by which the
     /// shaft vibrates about another place, is the difference of the means in the statistics.
+    #[serde(flatten, serialize_with = "measured")]
     pub result: Result<(Cost, Errors), String>,
+}
+
+/// Cost and difference, or a note that says why there are none.
+fn measured<S: Serializer>(
+    result: &Result<(Cost, Errors), String>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Measured<'a> {
+        cost: &'a Cost,
+        difference: &'a Errors,
+    }
+    let result = result.as_ref();
+    keys::or_note(
+        &result.map(|(cost, difference)| Measured { cost, difference }),
+        serializer,
+    )
 }
 
 /// The rungs of a scene, the top one first.

@@ -14,6 +14,8 @@ mod trial;
 
 use std::sync::atomic::AtomicBool;
 
+use serde::Serialize;
+
 pub use error::{Errors, Scale};
 pub use grid::{Measured, Row};
 pub use ladder::{Climb, Configuration, Ladder, LadderRow};
@@ -55,15 +57,18 @@ pub struct Question<'a> {
 }
 
 /// Speed against error of a scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Accuracy {
     /// How far the reference can be trusted.
+    #[serde(rename = "reference")]
     pub agreement: Agreement,
     /// Methods and tolerances.
+    #[serde(rename = "methods")]
     pub rows: Vec<Row>,
     /// The physics.
     pub ladder: Ladder,
     /// Simulated time, s.
+    #[serde(rename = "duration_s")]
     pub duration: f64,
 }
 

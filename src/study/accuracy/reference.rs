@@ -2,6 +2,8 @@
 
 use std::sync::atomic::AtomicBool;
 
+use serde::{Serialize, Serializer, ser::SerializeMap};
+
 use super::error::{Errors, Norm, Scale};
 use super::trial::{Trial, observe, with};
 use super::{AccuracyError, NamedMethod, View, is_interrupted};
@@ -26,25 +28,50 @@ const AMPLIFIED: f64 = 1e6;
 const PARTS: usize = 16;
 
 /// How the reference was found, and how far it can be trusted.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Agreement {
     /// Method and tolerance of the reference.
+    #[serde(rename = "run", serialize_with = "run")]
     pub reference: (String, f64),
     /// Method and tolerance of the run that it is compared with.
+    #[serde(rename = "compared_with", serialize_with = "run")]
     pub other: (String, f64),
     /// Distance of the two: the uncertainty of every error that is measured against the reference.
     pub uncertainty: Errors,
     /// Scatter of the statistics among all exact runs; as the uncertainty in all else.
+    #[serde(rename = "scatter_of_statistics", serialize_with = "statistics")]
     pub scatter: Errors,
     /// Number of exact runs.
+    #[serde(rename = "exact_runs")]
     pub runs: usize,
     /// How much the difference of the two grows from the first sixteenth of the run on: the largest part
     /// over the first.
+    #[serde(rename = "growth_of_differences")]
     pub growth: f64,
     /// Whether traces cannot be compared: the references part company.
     pub irregular: bool,
     /// What errors are relative to.
+    #[serde(flatten)]
     pub scale: Scale,
+}
+
+/// Method and tolerance of a run.
+fn run<S: Serializer>(
+    (method, tolerance): &(String, f64),
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(2))?;
+    map.serialize_entry("method", method)?;
+    map.serialize_entry("tolerance", tolerance)?;
+    map.end()
+}
+
+/// Differences of statistics alone.
+fn statistics<S: Serializer>(errors: &Errors, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map([
+        ("displacement_relative", errors.statistics),
+        ("force_relative", errors.force_statistics),
+    ])
 }
 
 /// The truth.

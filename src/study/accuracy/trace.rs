@@ -3,6 +3,8 @@
 
 use std::io;
 
+use serde::Serialize;
+
 use crate::rotor::{FREEDOMS, MotionScale, Rotor, Sample};
 use crate::simulate::TraceSink;
 
@@ -13,7 +15,7 @@ const MOST_POINTS: u64 = 1 << 17;
 type Point = [[f64; FREEDOMS]; 2];
 
 /// Mean, root mean square about it, and half the peak-to-peak value of a quantity.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Statistics {
     /// Mean.
     pub mean: f64,

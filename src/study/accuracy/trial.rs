@@ -3,6 +3,8 @@
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
+use serde::Serialize;
+
 use super::trace::{Trace, View};
 use crate::analysis::Peak;
 use crate::integrate::{Counters, Method};
@@ -30,13 +32,15 @@ pub(super) struct Trial {
 }
 
 /// What a bare integration costs.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Cost {
     /// Shortest time of all repeats, s.
+    #[serde(rename = "wall_time_s")]
     pub seconds: f64,
     /// How often it was run.
     pub repeats: u32,
     /// Its work.
+    #[serde(flatten)]
     pub counters: Counters,
 }
 

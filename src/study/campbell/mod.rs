@@ -3,6 +3,9 @@
 mod branches;
 mod critical;
 
+use serde::Serialize;
+
+use crate::keys;
 use crate::rotor::{Mode, Rotor, RotorDefinition, RotorError, Whirl};
 use branches::follow;
 use critical::critical_speeds;
@@ -42,15 +45,18 @@ impl Branch {
 }
 
 /// A speed at which a natural frequency is a multiple of the shaft's frequency.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CriticalSpeed {
     /// The multiple.
     pub order: f64,
     /// The branch, from 0.
+    #[serde(serialize_with = "keys::from_one")]
     pub branch: usize,
     /// The speed, rad/s.
+    #[serde(rename = "speed_rad_s")]
     pub speed: f64,
     /// Frequency of the damped vibration there, Hz: order × speed/2π.
+    #[serde(rename = "frequency_Hz")]
     pub frequency: f64,
     /// Damping ratio there.
     pub damping_ratio: f64,

@@ -21,8 +21,11 @@
 mod candidate;
 mod points;
 
+use serde::Serialize;
+
 use super::Rung;
 use crate::bearing::MountedBearing;
+use crate::keys;
 use crate::rotor::{RotorDefinition, RotorError};
 use candidate::{Candidate, difference};
 use points::Point;
@@ -41,44 +44,55 @@ pub struct ContactQuestion {
 }
 
 /// The law that was chosen, and why.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ContactChoice {
     /// Largest difference that was allowed.
     pub model_error: f64,
     /// The chosen rung.
+    #[serde(serialize_with = "keys::name")]
     pub chosen: Rung,
     /// The top rung, which the others were compared with.
+    #[serde(rename = "compared_with", serialize_with = "keys::name")]
     pub top: Rung,
     /// The cheaper rungs, the cheapest first.
+    #[serde(rename = "cheaper")]
     pub rungs: Vec<RungDifference>,
     /// Largest motion that was looked at, m.
+    #[serde(rename = "motion_looked_at_m")]
     pub motion: f64,
     /// Speeds that were looked at, rad/s.
+    #[serde(rename = "speeds_looked_at_rad_s")]
     pub speeds: Vec<f64>,
     /// Why nothing could be compared, so that the top rung stays.
     pub failure: Option<String>,
 }
 
 /// How far a rung is from the top one.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct RungDifference {
     /// The rung.
+    #[serde(rename = "contact", serialize_with = "keys::name")]
     pub rung: Rung,
     /// Its largest differences, or why it cannot be built.
+    #[serde(flatten, serialize_with = "keys::or_note")]
     pub result: Result<Difference, String>,
 }
 
 /// Largest differences from the top rung over all points.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Difference {
     /// Of the force, relative to the force on a bearing.
+    #[serde(rename = "force_relative")]
     pub force: f64,
     /// Of the change of the force from the equilibrium, relative to the change in motion; zero where
     /// nothing moves.
+    #[serde(rename = "force_change_relative")]
     pub change: f64,
     /// Of the stiffness, relative to the largest.
+    #[serde(rename = "stiffness_relative")]
     pub stiffness: f64,
     /// Speed at which the largest of these is found, rad/s.
+    #[serde(rename = "worst_at_rad_s")]
     pub speed: f64,
 }
 
@@ -88,6 +102,7 @@ impl Difference {
         self.force.max(self.change).max(self.stiffness)
     }
 }
+
 /// The scene with the cheapest law that stays within the allowed difference, and how it was found.
 ///
 /// Where nothing can be compared, as without an equilibrium, the top rung stays, and whatever is asked

@@ -1,9 +1,12 @@
 //! What comes of compiling a table.
 
+use serde::Serialize;
+
 /// What a table is good for, and what it took.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct TableReport {
     /// Largest difference from the exact force at offset places of the whole region, N.
+    #[serde(rename = "error_N")]
     pub error: f64,
     /// The same relative to the load that the tolerance refers to.
     pub relative_error: f64,

@@ -1,0 +1,185 @@
+//! How results name and shape what `#[derive(Serialize)]` alone cannot: quantities with their units,
+//! stiffness matrices, things by their names.
+
+use std::fmt::Display;
+
+use nalgebra::Complex;
+use serde::{Serialize, Serializer, ser::SerializeMap};
+
+use crate::bearing::Matrix5;
+use crate::rotor::FREEDOMS;
+
+/// Displacements and tilts with their units.
+pub(crate) const DISPLACEMENT: [&str; FREEDOMS] = ["x_m", "y_m", "z_m", "tilt_x_rad", "tilt_y_rad"];
+/// Forces and moments with their units.
+pub(crate) const FORCE: [&str; FREEDOMS] = [
+    "force_x_N",
+    "force_y_N",
+    "force_z_N",
+    "moment_x_N_m",
+    "moment_y_N_m",
+];
+/// The diagonal of a stiffness matrix.
+const DIAGONAL: [&str; FREEDOMS] = [
+    "K_x_N_m",
+    "K_y_N_m",
+    "K_z_N_m",
+    "K_tilt_x_N_m_rad",
+    "K_tilt_y_N_m_rad",
+];
+const AXES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
+
+/// `{"x_m": …, "y_m": …, …}`.
+pub(crate) fn displacement<S: Serializer>(
+    values: &[f64; FREEDOMS],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(DISPLACEMENT.iter().zip(values))
+}
+
+/// `{"force_x_N": …, …}`.
+pub(crate) fn force<S: Serializer>(
+    values: &[f64; FREEDOMS],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(FORCE.iter().zip(values))
+}
+
+/// `{"x": …, "y": …, …}`: one value each of the first freedoms.
+pub(crate) fn by_axis<T: Serialize, S: Serializer>(
+    values: &[T],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(AXES.iter().zip(values))
+}
+
+/// Names of the freedoms that are marked: `["x", "y"]`.
+pub(crate) fn marked<S: Serializer>(
+    marks: &[bool; FREEDOMS],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let names = AXES.iter().zip(marks).filter(|(_, mark)| **mark);
+    serializer.collect_seq(names.map(|(name, _)| name))
+}
+
+/// A stiffness matrix with the names of its rows and columns, and its diagonal by name.
+pub(crate) fn stiffness<S: Serializer>(matrix: &Matrix5, serializer: S) -> Result<S::Ok, S::Error> {
+    rows(
+        &std::array::from_fn(|row| std::array::from_fn(|column| matrix[(row, column)])),
+        serializer,
+    )
+}
+
+/// The same of rows.
+pub(crate) fn rows<S: Serializer>(
+    rows: &[[f64; FREEDOMS]; FREEDOMS],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Named<'a> {
+        meaning: &'a str,
+        rows: [&'a str; FREEDOMS],
+        columns: [&'a str; FREEDOMS],
+        matrix: &'a [[f64; FREEDOMS]; FREEDOMS],
+        #[serde(serialize_with = "diagonal")]
+        named: Matrix5,
+    }
+    let named = Named {
+        meaning: "forces and moments that the bearings need per displacement and tilt at the static \
+                  equilibrium; the unit of an entry is that of its row over that of its column",
+        rows: FORCE,
+        columns: DISPLACEMENT,
+        matrix: rows,
+        named: Matrix5::from_fn(|row, column| rows[row][column]),
+    };
+    named.serialize(serializer)
+}
+
+/// The diagonal of a stiffness matrix: `{"K_x_N_m": …, …}`.
+pub(crate) fn diagonal<S: Serializer>(matrix: &Matrix5, serializer: S) -> Result<S::Ok, S::Error> {
+    let value = |(axis, name)| (name, matrix[(axis, axis)]);
+    serializer.collect_map(DIAGONAL.iter().enumerate().map(value))
+}
+
+/// Complex numbers with their magnitudes.
+pub(crate) fn complex<S: Serializer>(
+    values: &[Complex<f64>],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Number {
+        re: f64,
+        im: f64,
+        magnitude: f64,
+    }
+    serializer.collect_seq(values.iter().map(|value| Number {
+        re: value.re,
+        im: value.im,
+        magnitude: value.norm(),
+    }))
+}
+
+/// Magnitudes of complex numbers.
+pub(crate) fn magnitudes<S: Serializer>(values: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
+    #[derive(Serialize)]
+    struct Number {
+        magnitude: f64,
+    }
+    serializer.collect_seq(values.iter().map(|&magnitude| Number { magnitude }))
+}
+
+/// What it is called.
+pub(crate) fn name<S: Serializer>(value: &impl Display, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_str(value)
+}
+
+/// What it is called, if there is one.
+pub(crate) fn optional_name<S: Serializer>(
+    value: &Option<impl Display>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    value
+        .as_ref()
+        .map(ToString::to_string)
+        .serialize(serializer)
+}
+
+/// Pairs of a name and what bears it.
+pub(crate) fn by_name<K: Display, T: Serialize, S: Serializer>(
+    pairs: &[(K, T)],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(pairs.iter().map(|(name, value)| (name.to_string(), value)))
+}
+
+/// How many there are.
+pub(crate) fn count<T, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_u64(values.len() as u64)
+}
+
+/// An index as a number from 1 on.
+pub(crate) fn from_one<S: Serializer>(index: &usize, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_u64(*index as u64 + 1)
+}
+
+/// First and last time, s.
+pub(crate) fn span<S: Serializer>(
+    span: &Option<[f64; 2]>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    let mut map = serializer.serialize_map(Some(2))?;
+    map.serialize_entry("first_s", &span.map(|[first, _]| first))?;
+    map.serialize_entry("last_s", &span.map(|[_, last]| last))?;
+    map.end()
+}
+
+/// A result, or a `note` that says why there is none.
+pub(crate) fn or_note<T: Serialize, E: Display, S: Serializer>(
+    result: &Result<T, E>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    match result {
+        Ok(value) => value.serialize(serializer),
+        Err(reason) => serializer.collect_map([("note", reason.to_string())]),
+    }
+}
