@@ -39,7 +39,6 @@ use crate::rotor::{MotionScale, Rotor, check_constraints};
 use observers::Observers;
 use reference::{Reference, reference_settings};
 use tables::TableAudit;
-use warnings::Outcome;
 
 /// Samples that are integrated, checked and written at a time.
 const BLOCK: usize = SEGMENT as usize;
@@ -169,21 +168,14 @@ fn answer(
     observers: Observers<'_>,
     unconstrained: Vec<String>,
 ) -> Run {
-    let named = model.integrator.method;
-    let outcome = Outcome {
-        method: work.method_use.map_or(named, |used| used.latest()),
-        error: work.measured_error.as_ref(),
-        error_unknown: work.error_unknown,
-        stiffness: work.stiffness,
-        unconstrained,
-    };
     let analysis = sampling::analyse(model, rotor, observers.recording.as_ref());
     let (motion, maps) = observers.recorders.finish();
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });
     let estimated = spectra::estimated(model, observers.recording.as_ref());
-    let mut warnings = warnings::warnings(model, rotor, &outcome, motion.as_ref());
+    let mut warnings = unconstrained;
+    warnings.extend(warnings::warnings(model, rotor, &work, motion.as_ref()));
     let speed_changes = rotor.steady_from(model.settle).is_none();
     let whole = spectrum.as_ref();
     let whole = whole.filter(|_| model.analyses.lines == SpectrumLines::All);

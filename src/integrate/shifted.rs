@@ -55,10 +55,6 @@ impl System for Shifted<'_> {
         system.force_jump(event, self.start + time, distance, rate);
     }
 
-    fn is_second_order(&self) -> bool {
-        self.system.is_second_order()
-    }
-
     fn expects_crossings(&self) -> bool {
         self.system.expects_crossings()
     }

@@ -54,12 +54,6 @@ pub trait System {
         rate.fill(0.0);
     }
 
-    /// Whether the state is (q, q̇), displacements first and as many velocities after them: the motion of the next step
-    /// then follows from its start.
-    fn is_second_order(&self) -> bool {
-        false
-    }
-
     /// Whether the motion is expected to cross event surfaces: estimated before the motion is known.
     fn expects_crossings(&self) -> bool {
         true

@@ -71,10 +71,6 @@ impl System for Rotor {
         self.lift_off_jump(event, speed, distance, rate);
     }
 
-    fn is_second_order(&self) -> bool {
-        !self.is_augmented()
-    }
-
     fn expects_crossings(&self) -> bool {
         self.balls_may_part()
     }

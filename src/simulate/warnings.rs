@@ -1,6 +1,6 @@
 //! What the reader of a run should know.
 
-use super::{MeasuredError, Model};
+use super::{Model, Work};
 use crate::analysis::{Channel, Kind, Motion};
 use crate::integrate::{Method, Stiffness};
 use crate::rotor::Rotor;
@@ -8,25 +8,13 @@ use crate::rotor::Rotor;
 /// A measured error above this many tolerances is worth a warning.
 const PROMISE: f64 = 10.0;
 
-/// What came of a run beside its samples.
-pub(super) struct Outcome<'a> {
-    /// The method of the latest step.
-    pub method: Method,
-    pub error: Option<&'a MeasuredError>,
-    /// Why the error could not be measured.
-    pub error_unknown: Option<&'a str>,
-    pub stiffness: Option<Stiffness>,
-    /// What is to say about freedoms that nothing holds.
-    pub unconstrained: Vec<String>,
-}
-
 pub(super) fn warnings(
     model: &Model,
     rotor: &Rotor,
-    outcome: &Outcome<'_>,
+    work: &Work<'_>,
     motion: Option<&Motion>,
 ) -> Vec<String> {
-    let mut warnings = outcome.unconstrained.clone();
+    let mut warnings = Vec::new();
     if model.spectrum.is_some() && rotor.steady_from(model.settle).is_none() {
         warnings.push(format!(
             "the speed changes after the settle time of {} s: lines of shaft and bearings smear in \
@@ -37,13 +25,15 @@ pub(super) fn warnings(
         ));
     }
     let tolerance = model.integrator.tolerance;
-    match outcome.error {
+    let named = model.integrator.method;
+    let method = work.method_use.as_ref().map_or(named, |used| used.latest());
+    match &work.measured_error {
         Some(error) if error.relative > PROMISE * tolerance => warnings.push(format!(
             "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
              {tolerance:.0e}: the motion may be irregular or rest on contact changes; trust \
              statistics rather than the single trace{}",
             error.relative,
-            if outcome.method == Method::Verner76 {
+            if method == Method::Verner76 {
                 ""
             } else {
                 ", or set method = \"verner76\" in [integrator], whose steps end where balls lift off"
@@ -51,13 +41,13 @@ pub(super) fn warnings(
         )),
         _ => {}
     }
-    if let Some(failure) = outcome.error_unknown {
+    if let Some(failure) = work.error_unknown {
         warnings.push(format!(
             "the second pass that measures the error failed, and the error of this run is unknown: \
              {failure}"
         ));
     }
-    warnings.extend(outcome.stiffness.as_ref().map(stiff));
+    warnings.extend(work.stiffness.as_ref().map(stiff));
     warnings.extend(bearings(rotor));
     warnings.extend(motion.and_then(not_settled));
     warnings

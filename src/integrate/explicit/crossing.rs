@@ -25,9 +25,8 @@ const WILD: f64 = 1e-2;
 pub(super) struct Crossings {
     /// Whether the state at the end of the latest step is past each surface.
     pub past: Vec<bool>,
-    /// Ends of the latest step that crossed a surface, and of the latest that was to end on one, s.
+    /// End of the latest step that crossed a surface, s.
     pub latest: f64,
-    pub landed: f64,
     /// Whether the latest step ended on a surface that adds to the derivative from there on.
     pub fresh: bool,
     /// When a step is to end on each surface, s; infinite where none is.
@@ -54,7 +53,6 @@ impl Crossings {
         Self {
             past: vec![false; events],
             latest: f64::NEG_INFINITY,
-            landed: f64::NEG_INFINITY,
             fresh: false,
             due: vec![f64::INFINITY; events],
             sizes: [f64::INFINITY; 2],
@@ -78,7 +76,7 @@ impl Crossings {
     }
 
     /// Checks the events in the state where a trial ends; whether it is on the other side of any surface.
-    pub fn looks_ahead(&mut self, system: &dyn System, time: f64) -> bool {
+    fn looks_ahead(&mut self, system: &dyn System, time: f64) -> bool {
         if self.checked.is_clear(system, time, &self.state) {
             return false;
         }
@@ -113,7 +111,7 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
         }
         self.evaluate_end(problem);
         self.extend(problem);
-        self.plan_landings(problem, plan.size, Self::by_stages)
+        self.plan_landings(problem, plan.size)
     }
 
     /// Evaluates the event functions at both ends of the trial.
@@ -130,7 +128,7 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
     }
 
     /// Whether the error of crossing any surface counts.
-    pub(super) fn does_any_count(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
+    fn does_any_count(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
         let mut rate = std::mem::take(&mut self.crossing.state);
         let step = self.event_step(problem, plan);
         let let_pass = LANDING_COST * plan.size / (plan.end - self.crossing.latest);
@@ -162,7 +160,6 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Takes note of the sides after a good step.
     pub(super) fn arrive(&mut self, problem: &Problem<'_>, plan: &Plan) {
         if plan.landing.is_some() {
-            self.crossing.landed = self.time;
             self.evaluate_events_at_ends(problem, plan.end);
         }
         let crossing = &mut self.crossing;

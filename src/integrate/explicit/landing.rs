@@ -3,7 +3,6 @@
 use super::crossing::Crossings;
 use super::pair::ExplicitPair;
 use super::stepper::ExplicitStepper;
-use crate::integrate::chunks::Padded;
 use crate::integrate::problem::Problem;
 use crate::integrate::root::root;
 
@@ -41,13 +40,8 @@ impl Crossings {
 }
 
 impl<P: ExplicitPair> ExplicitStepper<P> {
-    /// Plans landings on the surfaces that a motion over the trial crosses; whether it does within the trial.
-    pub(super) fn plan_landings(
-        &mut self,
-        problem: &Problem<'_>,
-        size: f64,
-        motion: fn(&Self, f64, &mut Padded),
-    ) -> bool {
+    /// Plans landings on the surfaces that the trial crosses; whether it does so between its ends.
+    pub(super) fn plan_landings(&mut self, problem: &Problem<'_>, size: f64) -> bool {
         let mut found = std::mem::take(&mut self.crossing.found);
         let mut state = std::mem::take(&mut self.crossing.state);
         let mut values = std::mem::take(&mut self.crossing.values);
@@ -60,7 +54,7 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
                 continue;
             }
             let value = |time: f64| {
-                motion(self, time, &mut deviation);
+                self.by_stages(time, &mut deviation);
                 problem.write_state(&deviation, &mut state);
                 problem.system.events(time, &state, &mut values);
                 values[event]

@@ -5,7 +5,6 @@
 mod conditions_tests;
 mod crossing;
 mod dense;
-mod foresight;
 mod landing;
 mod pair;
 mod plan;

@@ -41,12 +41,9 @@ pub(in crate::integrate) struct ExplicitStepper<P> {
     /// The state that the derivative is evaluated in, and that derivative.
     pub(super) argument: Padded,
     rate: Padded,
-    /// Derivatives at the start and at the end of the latest step, and at the start of the one before, whose size is
-    /// in s: infinite where there was none.
+    /// Derivatives at the start and at the end of the latest step.
     pub(super) start_rate: Padded,
     pub(super) end_rate: Padded,
-    pub(super) rate_before: Padded,
-    pub(super) size_before: f64,
     /// Slopes by the variable of the step, chunk by chunk of the state.
     pub(super) stages: Vec<Stages>,
     pub(super) substitution: Substitution,
@@ -86,8 +83,6 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
             rate: zeros(),
             start_rate: zeros(),
             end_rate: zeros(),
-            rate_before: zeros(),
-            size_before: 0.0,
             stages: vec![[[0.0; 4]; MOST_STAGES]; chunks_of(states)],
             substitution: Substitution::NONE,
             crossing: Crossings::new(problem.system),
@@ -103,9 +98,7 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Makes the end of the latest step the start of the next.
     pub(super) fn begin(&mut self, problem: &Problem<'_>) {
         self.start = self.time;
-        self.size_before = self.size;
         self.from.copy_from(&self.to);
-        std::mem::swap(&mut self.rate_before, &mut self.start_rate);
         std::mem::swap(&mut self.start_rate, &mut self.end_rate);
         if self.time >= self.limit {
             problem.write_state(&self.from, &mut self.argument);
@@ -119,7 +112,6 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
             let rate = &mut self.start_rate;
             problem.system.derivative(self.time, &self.argument, rate);
             self.counters.evaluations += 1;
-            self.rate_before.fill(f64::INFINITY);
         }
         if self.next_size <= 0.0 {
             self.counters.evaluations += 1;
@@ -231,7 +223,6 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
 impl<P: ExplicitPair> MethodStepper for ExplicitStepper<P> {
     fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
         self.begin(problem);
-        self.foresee(problem);
         let mut searches = 0;
         loop {
             let size = self.next_size.min(self.crossing.sizes[0]);

@@ -5,6 +5,7 @@ use std::io;
 
 use serde::Serialize;
 
+use crate::analysis::Moments;
 use crate::rotor::{FREEDOMS, MotionScale, Rotor, Sample};
 use crate::simulate::TraceSink;
 
@@ -58,37 +59,12 @@ impl Statistics {
     }
 }
 
-/// Sums that statistics are made of, about the first value so that no digits are lost.
-#[derive(Debug, Clone, Copy, Default)]
-struct Sums {
-    first: f64,
-    count: f64,
-    sum: f64,
-    squares: f64,
-    low: f64,
-    high: f64,
-}
-
-impl Sums {
-    fn add(&mut self, value: f64) {
-        if self.count == 0.0 {
-            (self.first, self.low, self.high) = (value, value, value);
-        }
-        let shifted = value - self.first;
-        self.count += 1.0;
-        self.sum += shifted;
-        self.squares += shifted * shifted;
-        self.low = self.low.min(value);
-        self.high = self.high.max(value);
-    }
-
-    fn finish(&self) -> Statistics {
-        let mean = self.sum / self.count.max(1.0);
-        let square = self.squares / self.count.max(1.0) - mean * mean;
-        Statistics {
-            mean: self.first + mean,
-            rms: square.max(0.0).sqrt(),
-            peak: 0.5 * (self.high - self.low),
+impl From<&Moments> for Statistics {
+    fn from(moments: &Moments) -> Self {
+        Self {
+            mean: moments.mean(),
+            rms: moments.rms(),
+            peak: 0.5 * moments.peak_to_peak(),
         }
     }
 }
@@ -134,7 +110,7 @@ pub(super) struct Trace {
     samples: u64,
     times: Vec<f64>,
     points: Vec<Point>,
-    sums: [[Sums; FREEDOMS]; 2],
+    moments: [[Moments; FREEDOMS]; 2],
 }
 
 /// Distance of two traces: of displacements in m, of forces in N.
@@ -155,7 +131,7 @@ impl Trace {
             samples: 0,
             times: Vec::new(),
             points: Vec::new(),
-            sums: [[Sums::default(); FREEDOMS]; 2],
+            moments: [[Moments::default(); FREEDOMS]; 2],
         }
     }
 
@@ -186,13 +162,13 @@ impl Trace {
         let first = self.times.partition_point(|time| *time < from);
         for (quantity, axis, lever) in truth.channels() {
             let pairs = self.points.iter().zip(&truth.points).skip(first);
-            let (mut apart, mut largest) = (Sums::default(), 0.0_f64);
-            for (left, right) in pairs {
-                let difference = lever * (left[quantity][axis] - right[quantity][axis]);
-                apart.add(difference);
-                largest = largest.max(difference.abs());
-            }
-            let vibration = apart.finish().rms;
+            let differences =
+                pairs.map(|(left, right)| lever * (left[quantity][axis] - right[quantity][axis]));
+            let differences: Vec<f64> = differences.collect();
+            let largest = differences.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+            let mut apart = Moments::default();
+            apart.take(&differences);
+            let vibration = apart.rms();
             let statistics = self.statistics(quantity, axis);
             let statistics = statistics.distance(&truth.statistics(quantity, axis));
             let statistics = statistics.times(lever);
@@ -235,7 +211,7 @@ impl Trace {
 
     /// Statistics of one channel from the settle time on.
     fn statistics(&self, quantity: usize, axis: usize) -> Statistics {
-        self.sums[quantity][axis].finish()
+        Statistics::from(&self.moments[quantity][axis])
     }
 }
 
@@ -251,10 +227,9 @@ impl TraceSink for Trace {
         }
         self.samples += 1;
         if sample.time >= self.view.settle {
-            for (sums, values) in self.sums.iter_mut().zip(&point) {
-                for (sums, value) in sums.iter_mut().zip(values) {
-                    sums.add(*value);
-                }
+            let moments = self.moments.as_flattened_mut().iter_mut();
+            for (moments, value) in moments.zip(point.as_flattened()) {
+                moments.take(&[*value]);
             }
         }
         Ok(())

@@ -42,10 +42,6 @@ impl System for Oscillator {
         jacobian.copy_from_slice(&[0.0, -square, 1.0, brake]);
         by_time.copy_from_slice(&[0.0, change]);
     }
-
-    fn is_second_order(&self) -> bool {
-        true
-    }
 }
 
 impl Oscillator {

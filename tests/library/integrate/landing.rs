@@ -61,10 +61,6 @@ impl System for Bouncing {
     fn force_jump(&self, _event: usize, _time: f64, distance: f64, rate: &mut [f64]) {
         rate.copy_from_slice(&[0.0, load(distance)]);
     }
-
-    fn is_second_order(&self) -> bool {
-        true
-    }
 }
 
 /// Bounces over the grid.
