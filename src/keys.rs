@@ -6,8 +6,10 @@ use std::fmt::Display;
 use nalgebra::Complex;
 use serde::{Serialize, Serializer, ser::SerializeMap};
 
-use crate::bearing::Matrix5;
-use crate::rotor::FREEDOMS;
+/// Number of freedoms of the inner ring: x, y, z, θx, θy.
+const FREEDOMS: usize = 5;
+/// A stiffness matrix.
+type Matrix5 = nalgebra::SMatrix<f64, FREEDOMS, FREEDOMS>;
 
 /// Displacements and tilts with their units.
 pub(crate) const DISPLACEMENT: [&str; FREEDOMS] = ["x_m", "y_m", "z_m", "tilt_x_rad", "tilt_y_rad"];

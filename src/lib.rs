@@ -109,6 +109,8 @@ pub mod shooting;
 pub mod simulate;
 pub mod steady;
 pub mod study;
+#[cfg(test)]
+mod tests;
 
 /// Speed against error: what the benches measure, and how to get their figures.
 ///

@@ -257,10 +257,16 @@ impl JsonSchema for Channel {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let column = |channel: Self| {
+            let description = match channel.unit() {
+                "" => "A number.".to_owned(),
+                unit => format!("In {unit}."),
+            };
+            json_schema!({ "description": description, "type": "string", "const": channel.name() })
+        };
         json_schema!({
             "description": "A column of the trace beside the time.",
-            "type": "string",
-            "enum": Self::selectable().map(Self::name).collect::<Vec<_>>(),
+            "oneOf": Self::selectable().map(column).collect::<Vec<_>>(),
         })
     }
 }

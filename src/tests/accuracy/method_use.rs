@@ -1,0 +1,143 @@
+//! `method = "auto"`, the default: verner76 where a ball may part from a race, else the exponential method.
+
+use std::path::Path;
+
+use crate::integrate::{ChangeReason, Method, MethodUse};
+use crate::scenario::{self, methods};
+use crate::simulate::{Model, Run};
+
+use super::{read, text};
+use crate::tests::support::try_run;
+
+/// A scene without a second pass.
+fn model(scene: &str) -> Model {
+    let mut model = read(scene).model.unwrap();
+    model.verify = false;
+    model
+}
+
+/// A scene of half a second that names no method.
+fn open(speed: &str, changes: &[(&str, &str)]) -> Model {
+    let mut scene = text(speed, "contact = \"hertz\"", "").replace("0.03 s", "0.5 s");
+    for (from, to) in changes {
+        assert!(scene.contains(from), "{from}");
+        scene = scene.replace(from, to);
+    }
+    model(&scene)
+}
+
+fn run(model: &Model) -> (Run, MethodUse) {
+    let run = try_run(model, 0.0).0.unwrap();
+    let used = run.method_use.unwrap();
+    println!("{:?} {used:?}", run.counters);
+    (run, used)
+}
+
+/// Evaluations by a method of a model that names none.
+fn evaluations(model: &Model, method: Method) -> u64 {
+    let mut model = model.clone();
+    model.integrator.method = method;
+    try_run(&model, 0.0).0.unwrap().counters.evaluations
+}
+
+#[test]
+fn a_shaft_that_turns_slowly_under_load_steps_with_its_forcing() {
+    let model = open("100 rad/s", &[]);
+    assert_eq!(model.integrator.method, Method::Auto);
+    let (chosen, used) = run(&model);
+    assert_eq!((used.first, used.change), (Method::Exponential, None));
+    let [explicit, exponential] =
+        [Method::Verner76, Method::Exponential].map(|method| evaluations(&model, method));
+    let all = chosen.counters.evaluations;
+    assert!(5 * all < explicit, "{all} against {explicit}");
+    assert_eq!(all, exponential);
+}
+
+#[test]
+fn balls_that_unload_at_every_turn_are_left_to_the_pair_that_lands_on_lift_offs() {
+    let model = open("1000 rad/s", &[("5 um", "50 um"), ("1000 N", "50 N")]);
+    let (chosen, used) = run(&model);
+    assert_eq!((used.first, used.change), (Method::Verner76, None));
+    assert_eq!(
+        chosen.counters.evaluations,
+        evaluations(&model, Method::Verner76)
+    );
+}
+
+/// With ball inertia, too, and in the clearance of a deep groove bearing, at rest or before the cage has turned by a
+/// spacing.
+#[test]
+fn the_rule_knows_every_law_and_the_loads_to_come() {
+    let light = [("5 um", "50 um"), ("1000 N", "50 N"), ("0.5 s", "0.02 s")];
+    let jones = [&light[..], &[("\"hertz\"", "\"jones\"")]].concat();
+    let first = |changes: &[(&str, &str)]| run(&open("1000 rad/s", changes)).1.first;
+    assert_eq!(first(&jones), Method::Verner76);
+    assert_eq!(first(&[jones[2], jones[3]]), Method::Exponential);
+    for (name, expected) in [
+        ("impact-short", Method::Verner76),
+        ("impact-with-clearance", Method::Verner76),
+        ("clearance-zero", Method::Verner76),
+        ("heavy-shaft", Method::Verner76),
+        ("undamped", Method::Exponential),
+        ("tilts-fast", Method::Exponential),
+        ("coast-down-on-films", Method::Exponential),
+    ] {
+        let mut model = hard(name);
+        model.duration = model.duration.min(0.03);
+        assert_eq!(run(&model).1.first, expected, "{name}");
+    }
+}
+
+#[test]
+fn stiff_contact_damping_is_not_left_to_an_explicit_method() {
+    let damping = "ratio = 0.02\ncontact = { inner = \"5000 s/m\", outer = \"5000 s/m\" }\n";
+    let changes = [("ratio = 0.02\n", damping), ("0.5 s", "0.05 s")];
+    let (_, used) = run(&open("1000 rad/s", &changes));
+    assert_eq!(used.first, Method::Exponential);
+}
+
+/// A hard scene of the benches at a tolerance of 1e-6.
+fn hard(name: &str) -> Model {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("benches/scenes/hard");
+    let file = folder.join(name).with_extension("toml");
+    let mut model = scenario::load(&file).unwrap().model.unwrap();
+    (model.verify, model.integrator.tolerance) = (false, 1e-6);
+    model
+}
+
+/// A run-up through the resonance of a light thrust: nothing of it is known at either of its ends, where no ball is
+/// expected to part.
+#[test]
+fn a_run_whose_balls_part_again_and_again_goes_on_with_the_pair_that_lands() {
+    let start = "from = \"3500 rad/s\"\nto = \"7500 rad/s\"\nover = \"0.5 s\"";
+    let changes = [
+        ("constant = \"1 rad/s\"", start),
+        ("y = \"-300 N\", z = \"1000 N\"", "z = \"200 N\""),
+        ("5 um", "1 um"),
+        ("ratio = 0.02", "ratio = 0.01"),
+    ];
+    let mut model = open("1 rad/s", &changes);
+    model.integrator.tolerance = 1e-6;
+    let (chosen, used) = run(&model);
+    assert_eq!(used.first, Method::Exponential);
+    let (reason, time) = used.change.expect("a change");
+    assert_eq!(reason, ChangeReason::Crossings);
+    assert!((0.05..0.2).contains(&time), "{time}");
+    assert_eq!(used.latest(), Method::Verner76);
+    let exponential = evaluations(&model, Method::Exponential);
+    let chosen = chosen.counters.evaluations;
+    assert!(2 * chosen < exponential, "{chosen} of {exponential}");
+}
+
+#[test]
+fn the_same_scene_takes_the_same_steps_and_a_named_method_is_kept() {
+    let scene = open("300 rad/s", &[]);
+    let [first, second] = [0, 1].map(|_| try_run(&scene, 0.0));
+    assert_eq!(first.0.unwrap(), second.0.unwrap());
+    assert_eq!(first.1, second.1);
+    let named = "[integrator]\nmethod = \"dop853\"\n";
+    let named = model(&text("1000 rad/s", "contact = \"hertz\"", named));
+    assert_eq!(named.integrator.method, Method::Dop853);
+    assert!(try_run(&named, 0.0).0.unwrap().method_use.is_none());
+    assert!(methods().iter().any(|known| known.method == Method::Auto));
+}

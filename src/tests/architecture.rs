@@ -1,0 +1,142 @@
+//! The floors of the crate: code depends downwards only, and each library stands on its own floor.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Lowest first; `simulate` and `quasi_static` are single files. The integrator knows no rotor: it is
+/// the rotor that implements the integrator's trait.
+const FLOORS: [&str; 15] = [
+    "keys",
+    "registers",
+    "physics",
+    "bearing",
+    "integrate",
+    "shooting",
+    "rotor",
+    "analysis",
+    "quasi_static",
+    "simulate",
+    "steady",
+    "study",
+    "scenario",
+    "report",
+    "cli",
+];
+
+/// Libraries and the only floors that may name them.
+const LIBRARIES: [(&str, &[&str]); 17] = [
+    ("ode_solvers", &["integrate"]),
+    ("rustfft", &["analysis"]),
+    ("realfft", &["analysis"]),
+    ("ellip", &["physics"]),
+    ("csv", &["report", "scenario"]),
+    ("parquet", &["report"]),
+    ("ryu", &["report"]),
+    ("plotters", &["report"]),
+    ("comfy_table", &["report", "cli"]),
+    ("clap", &["cli"]),
+    ("clap_complete", &["cli"]),
+    ("clap_mangen", &["cli"]),
+    ("ctrlc", &["cli"]),
+    ("indicatif", &["cli"]),
+    ("toml", &["scenario"]),
+    ("jsonc_parser", &["scenario"]),
+    ("annotate_snippets", &["scenario"]),
+];
+
+/// Every source file with its floor and its code (comments taken out).
+fn sources() -> Vec<(PathBuf, String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    collect(&root, &mut files);
+    files
+        .into_iter()
+        .map(|path| {
+            let inside = path.strip_prefix(&root).expect("a file below src");
+            let first = inside.components().next().expect("a file name");
+            let floor = first
+                .as_os_str()
+                .to_string_lossy()
+                .trim_end_matches(".rs")
+                .to_owned();
+            let text = fs::read_to_string(&path).expect("a readable source file");
+            let code = text
+                .lines()
+                .filter(|line| !line.trim_start().starts_with("//"))
+                .collect::<Vec<_>>()
+                .join("\n");
+            (inside.to_owned(), floor, code)
+        })
+        .collect()
+}
+
+/// The files of a folder and of those below it, but for these tests.
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).expect("a readable folder") {
+        let path = entry.expect("a readable entry").path();
+        if path.ends_with("src/tests") {
+            continue;
+        }
+        if path.is_dir() {
+            collect(&path, files);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+}
+
+fn level(floor: &str) -> Option<usize> {
+    FLOORS.iter().position(|name| *name == floor)
+}
+
+/// Whether `code` names the path `prefix::`, not as the end of a longer name.
+fn names(code: &str, prefix: &str) -> bool {
+    let path = format!("{prefix}::");
+    code.match_indices(&path).any(|(at, _)| {
+        !code[..at]
+            .ends_with(|before: char| before.is_alphanumeric() || before == '_' || before == ':')
+    })
+}
+
+#[test]
+fn every_source_file_stands_on_a_floor() {
+    for (file, floor, _) in sources() {
+        let known = level(&floor).is_some() || ["lib", "main"].contains(&floor.as_str());
+        assert!(known, "{} stands on no floor", file.display());
+    }
+}
+
+#[test]
+fn no_floor_names_a_higher_one() {
+    for (file, floor, code) in sources() {
+        let Some(own) = level(&floor) else { continue };
+        for higher in &FLOORS[own + 1..] {
+            let named = names(&code, &format!("crate::{higher}"));
+            assert!(!named, "{} names the higher floor {higher}", file.display());
+        }
+    }
+}
+
+#[test]
+fn each_library_stands_on_its_own_floor_only() {
+    for (file, floor, code) in sources() {
+        for (library, floors) in LIBRARIES {
+            let allowed = floors.contains(&floor.as_str());
+            assert!(
+                allowed || !names(&code, library),
+                "{} names {library}",
+                file.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_main_file_is_short() {
+    let main = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/main.rs");
+    let lines = fs::read_to_string(main)
+        .expect("src/main.rs")
+        .lines()
+        .count();
+    assert!(lines <= 20, "src/main.rs has {lines} lines");
+}

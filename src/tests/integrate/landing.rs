@@ -1,0 +1,144 @@
+//! Steps that land on the surfaces at which a derivative is not smooth: a ball that bounces on an elastic ground, whose
+//! energy is known.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::integrate::{Counters, Grid, Integration, Method, Scaling, Settings, States, System};
+use nalgebra::DMatrix;
+
+/// y″ = −1 + K max(−y, 0)^(3/2), as (y, y′).
+struct Bouncing {
+    /// Whether the integration is told of the ground.
+    told: bool,
+}
+
+const STIFFNESS: f64 = 1e3;
+
+fn load(depth: f64) -> f64 {
+    STIFFNESS * depth.max(0.0).powf(1.5)
+}
+
+/// ½ v² + y + 2/5 K max(−y, 0)^(5/2)
+fn energy(state: &[f64]) -> f64 {
+    let [place, speed] = [state[0], state[1]];
+    0.5 * speed * speed + place + 0.4 * STIFFNESS * (-place).max(0.0).powf(2.5)
+}
+
+impl System for Bouncing {
+    fn states(&self) -> usize {
+        2
+    }
+
+    fn derivative(&self, _time: f64, state: &[f64], rate: &mut [f64]) {
+        rate[0] = state[1];
+        rate[1] = load(-state[0]) - 1.0;
+    }
+
+    fn linearisation(
+        &self,
+        _time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        let stiffness = -1.5 * STIFFNESS * (-state[0]).max(0.0).sqrt();
+        jacobian.copy_from_slice(&[0.0, stiffness, 1.0, 0.0]);
+        by_time.fill(0.0);
+    }
+
+    fn event_count(&self) -> usize {
+        usize::from(self.told)
+    }
+
+    fn events(&self, _time: f64, state: &[f64], values: &mut [f64]) {
+        values.fill(-state[0]);
+    }
+
+    fn event_change(&self, _times: [f64; 2], [from, to]: [&[f64]; 2]) -> f64 {
+        (to[0] - from[0]).abs()
+    }
+
+    fn force_jump(&self, _event: usize, _time: f64, distance: f64, rate: &mut [f64]) {
+        rate.copy_from_slice(&[0.0, load(distance)]);
+    }
+}
+
+/// Bounces over the grid.
+const BOUNCES: f64 = 14.0;
+const GRID: Grid = Grid {
+    interval: 0.02,
+    count: 2001,
+};
+const START: [f64; 2] = [1.0, 0.1];
+
+fn integration<'a>(
+    system: &'a Bouncing,
+    method: Method,
+    tolerance: f64,
+    stop: &'a AtomicBool,
+) -> Integration<'a> {
+    let settings = Settings {
+        method,
+        tolerance,
+        step_limit: 1_000_000,
+    };
+    Integration::new(system, Scaling::identity(2), GRID, settings, stop, &START)
+}
+
+/// States and work, in blocks of so many points.
+fn run(system: &Bouncing, method: Method, tolerance: f64, points: usize) -> (States, Counters) {
+    let stop = AtomicBool::new(false);
+    let mut integration = integration(system, method, tolerance, &stop);
+    let mut states = States::new(2);
+    while integration.done() < GRID.count {
+        integration
+            .advance(points, &mut states)
+            .expect("a harmless problem");
+    }
+    (states, integration.counters())
+}
+
+fn energy_error(states: &States) -> f64 {
+    let drift = |state: &[f64]| (energy(state) / energy(&START) - 1.0).abs();
+    states.iter().map(drift).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_bounce_keeps_the_energy_to_ten_tolerances() {
+    let told = Bouncing { told: true };
+    for method in [Method::Verner76, Method::Auto] {
+        for tolerance in [1e-5, 1e-7, 1e-9, 1e-11] {
+            let (states, work) = run(&told, method, tolerance, 5000);
+            let error = energy_error(&states) / BOUNCES;
+            println!("{method:?} at {tolerance:e}: {error:.1e}, {work:?}");
+            assert!(
+                error < 10.0 * tolerance,
+                "{method:?} at {tolerance:e}: {error:e}"
+            );
+        }
+    }
+}
+
+/// The same method without a word of the ground has some hundred times the error for more work.
+#[test]
+fn to_land_on_the_ground_pays() {
+    let [told, untold] = [true, false].map(|told| {
+        let (states, work) = run(&Bouncing { told }, Method::Verner76, 1e-9, 5000);
+        (energy_error(&states), work.evaluations)
+    });
+    println!("told {told:?}, untold {untold:?}");
+    assert!(untold.0 > 30.0 * told.0, "{told:?} {untold:?}");
+    assert!(untold.1 > told.1, "{told:?} {untold:?}");
+}
+
+/// Whatever stands between two blocks, a landing ahead or a step from the ground behind.
+#[test]
+fn blocks_leave_no_trace_about_a_landing() {
+    let told = Bouncing { told: true };
+    for method in [Method::Verner76, Method::Auto] {
+        let (whole, work) = run(&told, method, 1e-8, 5000);
+        let (cut, same_work) = run(&told, method, 1e-8, 1);
+        assert!(cut == whole, "{method:?}");
+        assert_eq!(same_work, work, "{method:?}");
+    }
+}

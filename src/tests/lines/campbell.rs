@@ -1,0 +1,229 @@
+//! Whirl frequencies and critical speeds against the closed forms of a rigid rotor.
+
+use std::f64::consts::TAU;
+
+use crate::bearing::{ContactLaw, Facing, MountedBearing, Preload};
+use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition, Shaft, Whirl};
+use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion, CriticalSpeed};
+
+use crate::tests::support::{assert_near, bearing, mounted, rotor, shaft};
+
+/// A rigid rotor on two bearings of frozen stiffness, at distances from the centre of mass.
+///
+/// Twelve balls, loaded along the axis only, are as stiff one way as another across it.
+fn rigid(places: [f64; 2]) -> RotorDefinition {
+    let faces = [Facing::PlusZ, Facing::MinusZ];
+    let pair = places
+        .into_iter()
+        .zip(faces)
+        .map(|(position, facing)| MountedBearing {
+            position,
+            facing,
+            law: ContactLaw::Linear,
+            preload: Preload::Force(200.0),
+            ..mounted(bearing("7205C"))
+        });
+    rotor(shaft(Freedoms::All), pair.collect())
+}
+
+fn solved(rotor: RotorDefinition, to: f64, orders: &[f64]) -> Campbell {
+    let question = CampbellQuestion {
+        rotor,
+        from: 0.0,
+        to,
+        count: 41,
+        orders: orders.to_vec(),
+    };
+    question.solve().expect("a diagram")
+}
+
+/// k_t, k_c and k_θ of the complex coordinates x + iy and θy − iθx.
+fn stiffness(definition: &RotorDefinition) -> [f64; 3] {
+    let rotor = Rotor::assemble(definition).expect("a rotor");
+    let k = &rotor.equilibrium().stiffness;
+    for (one, other) in [((0, 0), (1, 1)), ((3, 3), (4, 4)), ((0, 4), (1, 3))] {
+        let (one, other) = (k[one], k[other].abs());
+        assert_near("isotropy", one.abs(), other, 1e-9 * k[(0, 0)].abs());
+    }
+    [k[(0, 0)], k[(0, 4)], k[(3, 3)]]
+}
+
+fn of(campbell: &Campbell, whirl: Whirl) -> Vec<usize> {
+    let branches = campbell.branches.iter().enumerate();
+    branches
+        .filter(|(_, branch)| branch.whirl() == whirl)
+        .map(|(index, _)| index)
+        .collect()
+}
+
+/// ω = ±I_p Ω/(2 I_t) + √((I_p Ω/(2 I_t))² + k_θ/I_t): the tilts of a symmetric rotor whirl apart.
+#[test]
+fn tilts_of_a_symmetric_rotor_whirl_as_the_closed_form_says() {
+    let definition = rigid([-0.03, 0.03]);
+    let [_, coupling, tilting] = stiffness(&definition);
+    assert!(
+        coupling.abs() < 1e-6 * tilting,
+        "{coupling} N beside {tilting} N m"
+    );
+    let Shaft {
+        inertia_transverse,
+        inertia_polar,
+        ..
+    } = definition.shaft;
+    let campbell = solved(definition, 20_000.0, &[1.0]);
+    let mut found = 0;
+    for (index, speed) in campbell.speeds.iter().enumerate().skip(1) {
+        let half = 0.5 * inertia_polar * speed / inertia_transverse;
+        let root = half.hypot((tilting / inertia_transverse).sqrt());
+        for (whirl, expected) in [
+            (Whirl::Forward, root + half),
+            (Whirl::Backward, root - half),
+        ] {
+            let nearest = campbell
+                .branches
+                .iter()
+                .filter_map(|branch| branch.modes[index].as_ref())
+                .filter(|mode| mode.whirl() == whirl)
+                .map(|mode| (TAU * mode.damped_frequency() / expected - 1.0).abs())
+                .fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-10, "{whirl} at {speed} rad/s: {nearest:e}");
+            found += 1;
+        }
+    }
+    assert_eq!(found, 80);
+}
+
+/// Forward tilt, synchronous: (I_t − I_p) Ω² = k_θ; translation: Ω² = k/m.
+#[test]
+fn critical_speeds_of_a_symmetric_rotor_are_the_closed_forms() {
+    let definition = rigid([-0.03, 0.03]);
+    let [across, _, tilting] = stiffness(&definition);
+    let Shaft {
+        mass,
+        inertia_transverse: transverse,
+        inertia_polar: polar,
+        ..
+    } = definition.shaft;
+    let campbell = solved(definition, 40_000.0, &[1.0]);
+    let synchronous = |whirl: Whirl| -> Vec<f64> {
+        let found = campbell.critical_speeds.iter();
+        let found = found.filter(|found: &&CriticalSpeed| found.whirl == whirl);
+        found.map(|found| found.speed).collect()
+    };
+    // the translation is no whirl of its own: both its directions have one frequency
+    let nearest = |speeds: &[f64], expected: f64| {
+        let apart = speeds.iter().map(|speed| (speed / expected - 1.0).abs());
+        apart.fold(f64::INFINITY, f64::min)
+    };
+    let forward = (tilting / (transverse - polar)).sqrt();
+    let backward = (tilting / (transverse + polar)).sqrt();
+    let all: Vec<f64> = campbell
+        .critical_speeds
+        .iter()
+        .map(|found| found.speed)
+        .collect();
+    for (name, expected, among) in [
+        ("forward", forward, synchronous(Whirl::Forward)),
+        ("backward", backward, synchronous(Whirl::Backward)),
+        ("translation", (across / mass).sqrt(), all),
+    ] {
+        let apart = nearest(&among, expected);
+        assert!(
+            apart < 1e-10,
+            "{name} {expected} rad/s: {apart:e} in {among:?}"
+        );
+    }
+}
+
+/// With coupling: (k − m ω²)(k_θ ∓ I_p Ω ω − I_t ω²) = k_c², forward with −… of ω > 0, backward with +.
+#[test]
+fn whirl_frequencies_of_an_uneven_rotor_are_roots_of_its_equation() {
+    let definition = rigid([-0.02, 0.05]);
+    let [across, coupling, tilting] = stiffness(&definition);
+    assert!(
+        coupling.abs() > 1e-3 * (across * tilting).sqrt(),
+        "{coupling} N"
+    );
+    let Shaft {
+        mass,
+        inertia_transverse,
+        inertia_polar,
+        ..
+    } = definition.shaft;
+    let campbell = solved(definition, 20_000.0, &[1.0]);
+    assert_eq!(of(&campbell, Whirl::Forward).len(), 2);
+    assert_eq!(of(&campbell, Whirl::Backward).len(), 2);
+    for branch in &campbell.branches {
+        for (speed, mode) in campbell.speeds.iter().zip(&branch.modes).skip(1) {
+            let mode = mode.as_ref().expect("a mode at every speed");
+            let sign = match mode.whirl() {
+                Whirl::Forward => 1.0,
+                Whirl::Backward => -1.0,
+                Whirl::Straight | Whirl::Axial => continue,
+            };
+            let own = TAU * mode.damped_frequency();
+            let gyroscopic = sign * inertia_polar * speed * own;
+            let along = across - mass * own * own;
+            let about = tilting + gyroscopic - inertia_transverse * own * own;
+            let size = (across + mass * own * own) * (tilting + gyroscopic.abs());
+            let missed = (along * about - coupling * coupling) / size;
+            assert!(
+                missed.abs() < 1e-10,
+                "{own} rad/s at {speed} rad/s: {missed:e}"
+            );
+        }
+    }
+}
+
+/// Branches that cross keep their shapes; ordered by frequency they would change places.
+#[test]
+fn branches_cross_and_stay_themselves() {
+    let definition = RotorDefinition {
+        damping: Damping::Ratio(0.02),
+        ..rigid([-0.03, 0.03])
+    };
+    let campbell = solved(definition, 30_000.0, &[1.0]);
+    assert!(
+        campbell.least_assurance > 0.9,
+        "{}",
+        campbell.least_assurance
+    );
+    for branch in &campbell.branches {
+        assert_eq!(branch.modes.iter().flatten().count(), campbell.speeds.len());
+        for pair in branch.modes.windows(2) {
+            let [a, b] = [0, 1].map(|k: usize| pair[k].as_ref().expect("a mode"));
+            assert!(a.assurance(b) > 0.9);
+        }
+    }
+    // a branch overtakes another on the way
+    let order = |index: usize| -> Vec<usize> {
+        let mut all: Vec<usize> = (0..campbell.branches.len()).collect();
+        let at = |branch: usize| {
+            let mode = campbell.branches[branch].modes[index].as_ref();
+            mode.map_or(0.0, |mode| mode.damped_frequency())
+        };
+        all.sort_by(|a, b| at(*a).total_cmp(&at(*b)));
+        all
+    };
+    assert_ne!(order(1), order(campbell.speeds.len() - 1));
+}
+
+#[test]
+fn a_range_without_speeds_is_refused() {
+    let question = CampbellQuestion {
+        rotor: rigid([-0.03, 0.03]),
+        from: 100.0,
+        to: 100.0,
+        count: 10,
+        orders: vec![1.0],
+    };
+    let error = question.solve().expect_err("no range");
+    assert!(matches!(error, CampbellError::Range { .. }));
+    assert!(error.to_string().contains("100 to 100 rad/s"), "{error}");
+    let negative = CampbellQuestion {
+        to: 200.0,
+        orders: vec![-1.0],
+        ..question
+    };
+    assert_eq!(negative.solve(), Err(CampbellError::Order(-1.0)));
+}

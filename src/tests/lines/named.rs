@@ -1,0 +1,109 @@
+//! Names of lines in the spectra of scenes.
+
+use std::f64::consts::TAU;
+
+use crate::analysis::{LineKind, Window};
+use crate::bearing::Support;
+use crate::rotor::load::{ChainDrive, Sprocket};
+use crate::rotor::{Load, LoadKind, Rotor};
+use crate::simulate::{Model, Sampling};
+
+use crate::tests::support::{
+    assert_near, bearing, model, mounted, settings, thrust_rotor, try_run,
+};
+
+/// The balls' lines stand at the simulated cage, which keeps the nominal angle; where a bearing has them
+/// whose cage follows the balls is told beside, at the angle that the thrust makes.
+#[test]
+fn ball_passes_are_told_at_the_nominal_and_at_the_operating_angle() {
+    let model = Model {
+        spectrum: Some(Window::Rectangular),
+        settle: 0.1,
+        integrator: settings(1e-8),
+        ..model(thrust_rotor(), 0.3, 20_000.0)
+    };
+    let (run, _) = try_run(&model, 0.0);
+    let run = run.expect("a run");
+    let rotor = Rotor::assemble(&model.rotor).expect("a rotor");
+    let support: &Support = &rotor.supports()[0];
+    let state = support.state(&rotor.equilibrium().displacement, 500.0);
+    let angle = state.balls[0].inner.angle.abs();
+    assert!(angle > 15f64.to_radians(), "{angle}");
+    let gamma = 7.938 / 38.5 * angle.cos();
+    let [nominal, operating] = [run.ball_pass[0], run.operating_ball_pass[0]];
+    // FTF = (f/2)(1 − γ), BPFO = Z FTF
+    let cage = 0.5 * 500.0 / TAU * (1.0 - gamma);
+    assert_near("operating cage", operating.cage, cage, 1e-9 * cage);
+    assert_near("operating outer", operating.outer, 12.0 * cage, 1e-8 * cage);
+    assert!(
+        operating.outer - nominal.outer > 1.0,
+        "{operating:?} {nominal:?}"
+    );
+}
+
+/// A chain shakes the shaft at the teeth's frequency and its multiples.
+#[test]
+fn the_meshing_of_a_sprocket_is_named() {
+    let mut definition = thrust_rotor();
+    definition.speed = 100.0;
+    definition.loads = vec![Load {
+        kind: LoadKind::Sprocket(Sprocket::new(&ChainDrive {
+            teeth: 17,
+            pitch: 12.7e-3,
+            span: 0.3,
+            force: 200.0,
+            direction: 0.3,
+            harmonics: 3,
+        })),
+        position: 0.0,
+    }];
+    let model = Model {
+        spectrum: Some(Window::Rectangular),
+        settle: 1.0,
+        sampling: Sampling::PerRevolution(256),
+        integrator: settings(1e-8),
+        ..model(definition, 1.0 + 10.2 * TAU / 100.0, 1.0)
+    };
+    let (run, _) = try_run(&model, 0.0);
+    let peaks = run.expect("a run").peaks;
+    let meshing = |multiple| {
+        let kind = LineKind::Meshing {
+            sprocket: 0,
+            multiple,
+        };
+        peaks
+            .iter()
+            .find(|peak| peak.line.is_some_and(|line| line.kind == kind))
+            .map(|peak| peak.frequency)
+    };
+    // 17 is also a shaft order, which is the simpler name; 34 is beyond those looked for
+    let second = meshing(2).expect("a line at twice the meshing frequency");
+    assert_near("second harmonic", second, 34.0 * 100.0 / TAU, 1e-6 * second);
+    let first = peaks
+        .iter()
+        .find(|peak| {
+            peak.line
+                .is_some_and(|line| line.kind == LineKind::ShaftOrder(17))
+        })
+        .expect("a line at order 17");
+    let others = first.others.iter().map(|line| line.kind);
+    assert!(
+        others
+            .clone()
+            .any(|kind| matches!(kind, LineKind::Meshing { multiple: 1, .. }))
+    );
+}
+
+/// Free vibration shows at the damped natural frequency.
+#[test]
+fn a_natural_frequency_names_its_line_and_says_how_it_whirls() {
+    let mut definition = thrust_rotor();
+    definition.bearings = vec![mounted(bearing("7205C"))];
+    let rotor = Rotor::assemble(&definition).expect("a rotor");
+    let modes = rotor.natural_frequencies();
+    for mode in &modes {
+        let ratio = mode.damped_frequency / mode.frequency;
+        let expected = (1.0 - mode.damping_ratio.powi(2)).sqrt();
+        assert_near("damped frequency", ratio, expected, 1e-12);
+    }
+}

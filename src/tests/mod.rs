@@ -1,0 +1,26 @@
+//! Tests of the library as a whole: published numbers, laws, properties, hard cases.
+
+// a test that cannot go on, or meets what it must not, says so and fails
+#![allow(clippy::unwrap_used, clippy::panic)]
+
+mod accuracy;
+mod allocations;
+mod architecture;
+mod bearing_state;
+mod endings;
+mod equilibrium;
+mod hard_cases;
+mod integrate;
+mod laws;
+mod lines;
+mod motion;
+mod observation;
+mod properties;
+mod published;
+mod report;
+mod scenario;
+mod spectra;
+mod steady;
+mod study_plan;
+mod support;
+mod table_files;

@@ -1,0 +1,155 @@
+//! The account of energy closes, whatever the law of the balls and whatever acts.
+
+use crate::bearing::{ContactDamping, ContactLaw, MountedBearing, Oil, Preload};
+use crate::physics::RaceControl;
+use crate::rotor::load::{Harmonic, Load, LoadKind, Pace};
+use crate::rotor::{CageMotion, Damping, Freedoms, RotorDefinition, SpeedPoint};
+use crate::simulate::{EnergyReport, Model};
+
+use crate::tests::support::{
+    Collector, back_to_back_pair, bearing, model, mounted, rotor, settings, shaft, simulate_into,
+};
+
+const OIL: Oil = Oil {
+    viscosity: 0.04,
+    pressure_viscosity: 2.2e-8,
+};
+const OUTER: ContactLaw = ContactLaw::Jones(RaceControl::Outer);
+/// Tolerance of the runs; the balance closes to ten times as much.
+const TOLERANCE: f64 = 1e-9;
+
+/// Everything at once: unbalance, weight, a harmonic load off the centre, two kinds of damping,
+/// rolling cages.
+fn busy(bearings: Vec<MountedBearing>) -> RotorDefinition {
+    let mut unbalanced = shaft(Freedoms::All);
+    unbalanced.eccentricity = 10e-6;
+    unbalanced.gravity = true;
+    let harmonic = Harmonic {
+        amplitude: [50.0, -20.0, 10.0, 0.1, 0.2],
+        pace: Pace::Frequency(130.0),
+        phase: 0.3,
+    };
+    RotorDefinition {
+        speed: 800.0,
+        damping: Damping::Ratio(0.02),
+        load: [100.0, -200.0, 50.0, 0.2, -0.1],
+        loads: vec![Load {
+            kind: LoadKind::Harmonic(harmonic),
+            position: 0.02,
+        }],
+        ..rotor(unbalanced, bearings)
+    }
+}
+
+fn pair(law: ContactLaw, oil: Option<Oil>) -> Vec<MountedBearing> {
+    let with_law = |bearing| MountedBearing {
+        law,
+        oil,
+        contact_damping: ContactDamping {
+            inner: 0.5,
+            outer: 0.3,
+        },
+        ..bearing
+    };
+    back_to_back_pair().into_iter().map(with_law).collect()
+}
+
+/// The account of a definition over 20 ms.
+fn account(definition: RotorDefinition) -> EnergyReport {
+    let model = Model {
+        energy: true,
+        integrator: settings(TOLERANCE),
+        ..model(definition, 0.02, 20_000.0)
+    };
+    let run = simulate_into(&model, &mut Collector::default()).expect("a run");
+    run.energy.expect("an account")
+}
+
+#[track_caller]
+fn assert_closes(words: &str, energy: &EnergyReport) {
+    println!("{words}: {energy:?}");
+    assert!(
+        energy.relative_residual < 10.0 * TOLERANCE,
+        "{words}: {:e}",
+        energy.relative_residual
+    );
+    let works = &energy.works;
+    assert!(works.viscous > 0.0 && works.contact >= 0.0, "{words}");
+}
+
+#[test]
+fn energy_closes_to_the_tolerance_under_every_law() {
+    let laws = [
+        ("linear", ContactLaw::Linear, None, true),
+        ("hertz", ContactLaw::Hertz, None, true),
+        ("hertz with film", ContactLaw::Hertz, Some(OIL), true),
+        ("jones", OUTER, None, false),
+        ("jones with film", OUTER, Some(OIL), false),
+    ];
+    for (words, law, oil, conservative) in laws {
+        let energy = account(busy(pair(law, oil)));
+        assert_closes(words, &energy);
+        assert_eq!(energy.conservative, conservative, "{words}");
+        assert!(energy.works.contact > 0.0, "{words}");
+    }
+}
+
+/// The balls' inertia exchanges energy with the rotation: a part of what the contacts store.
+#[test]
+fn work_on_bearings_with_ball_inertia_is_not_what_they_store() {
+    let energy = account(busy(pair(OUTER, None)));
+    let exchanged = (energy.works.bearings - energy.stored_change).abs();
+    let stored = energy.stored_change.abs();
+    assert!(
+        exchanged > 1e-4 * stored && exchanged < stored,
+        "{energy:?}"
+    );
+}
+
+#[test]
+fn energy_closes_with_a_floating_ring_and_with_frozen_cages() {
+    let floating = MountedBearing {
+        preload: Preload::Spring(300.0),
+        contact_damping: ContactDamping {
+            inner: 0.5,
+            outer: 0.3,
+        },
+        ..mounted(bearing("7205C"))
+    };
+    let fixed = mounted(bearing("7205C"));
+    let mut definition = busy(vec![
+        MountedBearing {
+            position: -0.03,
+            ..floating
+        },
+        MountedBearing {
+            position: 0.03,
+            preload: Preload::Force(200.0),
+            ..fixed
+        },
+    ]);
+    // light enough for every ball to stay in contact
+    definition.shaft.gravity = false;
+    definition.shaft.eccentricity = 1e-6;
+    definition.loads.clear();
+    definition.load = [20.0, 0.0, 300.0, 0.0, 0.0];
+    definition.initial.velocity = [Some(1e-3), Some(-2e-3), Some(1e-3), Some(0.01), Some(0.02)];
+    assert_closes("floating ring", &account(definition.clone()));
+    definition.cage = CageMotion::Frozen;
+    let energy = account(definition);
+    assert_closes("frozen cages", &energy);
+    assert_eq!(energy.works.rotation, 0.0);
+}
+
+/// A film that grows with the speed lifts the shaft: its energy comes from the rotation.
+#[test]
+fn energy_closes_in_a_run_up_with_films() {
+    let mut definition = busy(pair(ContactLaw::Hertz, Some(OIL)));
+    definition.speed_points = vec![SpeedPoint {
+        time: 0.015,
+        speed: 1200.0,
+    }];
+    let energy = account(definition);
+    assert_closes("run-up", &energy);
+    assert!(!energy.conservative);
+}

@@ -1,0 +1,336 @@
+//! What the keys of a scenario become in the model.
+
+use std::f64::consts::PI;
+
+use crate::bearing::{ContactLaw, Facing, FreePosition, Geometry, MountedBearing, Preload};
+use crate::integrate::Method;
+use crate::physics::RaceControl;
+use crate::quasi_static::{StaticQuestion, TorsionCause, quasi_static};
+use crate::rotor::{Damping, Freedoms, InitialPosition, LoadKind, SpeedPoint};
+use crate::scenario::{self, Format, Scenario};
+use crate::simulate::{Model, Sampling};
+
+const SMALLEST: &str = "
+[shaft]
+mass = \"5 kg\"
+freedoms = \"translational\"
+[speed]
+constant = \"3000 rpm\"
+[time]
+duration = \"100 ms\"
+";
+
+fn read(text: &str) -> Scenario {
+    scenario::parse(text, "folder/test.toml", Format::Toml).unwrap_or_else(|e| panic!("{e}"))
+}
+
+fn model(tables: &str) -> Model {
+    read(&format!("{SMALLEST}{tables}")).model.unwrap()
+}
+
+const BEARING: &str = "[[bearing]]\ncatalogue = \"7205C\"\n";
+
+#[test]
+fn the_smallest_scenario_has_the_documented_defaults() {
+    let scenario = read(&format!("{SMALLEST}{BEARING}"));
+    assert_eq!(scenario.title, "test");
+    assert_eq!(
+        scenario.warnings.len(),
+        1,
+        "undamped: {:?}",
+        scenario.warnings
+    );
+    let model = scenario.model.unwrap();
+    assert_eq!(model.rotor.shaft.freedoms, Freedoms::Translational);
+    assert_eq!(model.rotor.shaft.eccentricity, 0.0);
+    assert!(!model.rotor.shaft.gravity);
+    assert_eq!(model.rotor.speed, 3000.0 * PI / 30.0);
+    assert_eq!(model.rotor.damping, Damping::Undamped);
+    assert_eq!(model.rotor.initial.from, InitialPosition::Equilibrium);
+    assert_eq!((model.duration, model.settle), (0.1, 0.0));
+    assert_eq!(model.sampling, Sampling::PerRevolution(128));
+    assert_eq!(model.integrator.method, Method::Auto);
+    assert_eq!(model.integrator.step_limit, 100_000_000);
+    assert!(model.verify && model.spectrum.is_some());
+    let bearing = &model.rotor.bearings[0];
+    assert_eq!(bearing.law, ContactLaw::Hertz);
+    assert_eq!(bearing.facing, Facing::PlusZ);
+    assert_eq!(bearing.preload, Preload::AxialOffset(0.0));
+}
+
+#[test]
+fn single_catalogue_values_can_be_overridden() {
+    let geometry = "[bearing.geometry]\ncontact_angle = \"60 deg\"\nballs = 11\n";
+    let material = "[bearing.ball_material]\nyoungs_modulus = \"310 GPa\"\n";
+    let model = model(&format!("{BEARING}{geometry}{material}"));
+    let bearing = &model.rotor.bearings[0].bearing;
+    assert_eq!(bearing.geometry.balls(), 11);
+    let angle = bearing.geometry.contact_angle();
+    assert!((angle - Geometry::LARGEST_CONTACT_ANGLE).abs() < 1e-15);
+    assert_eq!(bearing.geometry.ball_diameter(), 7.938 / 1e3);
+    assert_eq!(bearing.ball_material.youngs_modulus, 310e9);
+    assert_eq!(bearing.ball_material.density, bearing.ring_material.density);
+    assert_eq!(bearing.ring_material.youngs_modulus, 207e9);
+}
+
+#[test]
+fn a_literature_model_needs_no_grooves() {
+    let scenario = include_str!("../../../scenarios/varying-compliance-6306.toml");
+    let bearing = read(scenario).question.rotor.bearings[0].bearing;
+    assert_eq!(bearing.contact_stiffness, Some(1.334e10));
+    let clearance = FreePosition::RadialClearance(3e-6);
+    let expected = Geometry::new(8, 11.9062 / 1e3, 52.0 / 1e3, clearance, 0.52, 0.52).unwrap();
+    assert_eq!(bearing.geometry, expected);
+}
+
+#[test]
+fn loads_add_up() {
+    let loads = "[[load]]\nconstant = { y = \"-1 kN\", z = \"5 N\" }\n[[load]]\nconstant = { y = \"1 N\" }\n";
+    assert_eq!(
+        model(&format!("{BEARING}{loads}")).rotor.load,
+        [0.0, -999.0, 5.0, 0.0, 0.0]
+    );
+}
+
+#[test]
+fn a_pair_of_bearings_keeps_its_places() {
+    let pair = read(include_str!("../../../scenarios/back-to-back-7205c.toml"))
+        .question
+        .rotor;
+    let places = pair
+        .bearings
+        .iter()
+        .map(|bearing| (bearing.position, bearing.facing));
+    assert_eq!(
+        places.collect::<Vec<_>>(),
+        [(-0.03, Facing::PlusZ), (0.03, Facing::MinusZ)]
+    );
+    assert!(
+        pair.bearings
+            .iter()
+            .all(|b| b.preload == Preload::Force(200.0))
+    );
+}
+
+#[test]
+fn a_spectrum_that_is_not_wanted_is_not_planned() {
+    let scenario = read(&format!(
+        "{SMALLEST}{BEARING}[output]\nspectrum = false\nfigures = false\n"
+    ));
+    assert!(scenario.model.unwrap().spectrum.is_none());
+    assert!(scenario.output.trace && !scenario.output.spectrum && !scenario.output.figures);
+}
+
+#[test]
+fn whole_numbers_may_be_written_with_an_exponent() {
+    let model = model(&format!("{BEARING}[integrator]\nstep_limit = 1e6\n"));
+    assert_eq!(model.integrator.step_limit, 1_000_000);
+}
+
+/// The first bearing of a scenario without motion.
+fn first_bearing(keys: &str, tables: &str) -> MountedBearing {
+    static_question(&format!("{BEARING}{keys}{tables}"))
+        .rotor
+        .bearings[0]
+}
+
+fn static_question(tables: &str) -> StaticQuestion {
+    let text = format!("{STANDING}{tables}");
+    let scenario = read(&text);
+    assert!(scenario.model.is_none() && scenario.warnings.is_empty());
+    scenario.question
+}
+
+/// A shaft that nobody asks to move; no inertia is needed then.
+const STANDING: &str = "
+[shaft]
+mass = \"5 kg\"
+freedoms = \"all\"
+[speed]
+constant = \"500 rad/s\"
+";
+
+#[test]
+fn without_time_there_is_a_static_question_only() {
+    let question = static_question(BEARING);
+    assert_eq!(question.displacement, [None; 5]);
+    assert!(!question.unbalance && question.torsion.is_none());
+}
+
+#[test]
+fn a_static_question_and_a_motion_share_the_rotor() {
+    let scenario = read(&format!("{SMALLEST}{BEARING}"));
+    assert_eq!(scenario.question.rotor, scenario.model.unwrap().rotor);
+}
+
+#[test]
+fn given_displacements_and_unbalance_belong_to_the_static_question() {
+    let tables =
+        "[static]\nunbalance = true\ndisplacement = { z = \"2 um\", tilt_y = \"1 mrad\" }\n";
+    let question = static_question(&format!("{BEARING}{tables}"));
+    assert!(question.unbalance);
+    assert_eq!(
+        question.displacement,
+        [None, None, Some(2e-6), None, Some(1e-3)]
+    );
+}
+
+#[test]
+fn torsion_has_a_section_and_a_cause() {
+    let torsion = |keys: &str| {
+        let table = format!("[shaft.torsion]\nlength = \"0.2 m\"\n{keys}");
+        static_question(&format!("{BEARING}{table}"))
+            .torsion
+            .unwrap()
+    };
+    let round = torsion("diameter = \"20 mm\"\n");
+    assert_eq!(round.cause, TorsionCause::Friction);
+    assert_eq!((round.length, round.shear_modulus), (0.2, 79.4e9));
+    let expected = PI * 0.02f64.powi(4) / 32.0;
+    assert!((round.polar_second_moment / expected - 1.0).abs() < 1e-15);
+    let moment = torsion("polar_second_moment = \"5 mm^4\"\nmoment = \"2 N m\"\n");
+    assert_eq!(moment.cause, TorsionCause::Moment(2.0));
+    assert_eq!(moment.polar_second_moment, 5e-12);
+    let angle = torsion("diameter = \"20 mm\"\nshear_modulus = \"80 GPa\"\nangle = \"1 mrad\"\n");
+    assert_eq!(angle.cause, TorsionCause::Angle(1e-3));
+    assert_eq!(angle.shear_modulus, 80e9);
+}
+
+#[test]
+fn a_bearing_overrides_law_film_and_race_control() {
+    let oil = "[bearing.oil]\nviscosity = \"40 mPa s\"\npressure_viscosity = \"22 1/GPa\"\n";
+    let jones = "[model]\ncontact = \"jones\"\nfilm = true\nrace_control = \"inner\"\n";
+    let bearing = first_bearing("", &format!("{oil}{jones}"));
+    assert_eq!(bearing.law, ContactLaw::Jones(RaceControl::Inner));
+    let known = bearing.oil.unwrap();
+    assert_eq!((known.viscosity, known.pressure_viscosity), (0.04, 22e-9));
+
+    let keys = "race_control = \"even\"\nfilm = false\n";
+    let bearing = first_bearing(keys, &format!("{oil}{jones}"));
+    assert_eq!(bearing.law, ContactLaw::Jones(RaceControl::Even));
+    assert_eq!(
+        bearing.oil, None,
+        "oil without film is known but parts nothing"
+    );
+
+    let bearing = first_bearing("contact = \"jones\"\n", "");
+    assert_eq!(bearing.law, ContactLaw::Jones(RaceControl::Outer));
+}
+
+#[test]
+fn a_bearing_has_surfaces_shoulders_and_ratings() {
+    let bearing = first_bearing("", "").bearing;
+    assert_eq!(bearing.dynamic_rating, Some(16_600.0));
+    assert_eq!((bearing.roughness, bearing.shoulder_angle), (None, None));
+    let keys = "roughness = \"0.1 um\"\nshoulder_angle = \"36 deg\"\ndynamic_rating = \"20 kN\"\n";
+    let bearing = first_bearing(keys, "").bearing;
+    assert_eq!(bearing.dynamic_rating, Some(20_000.0));
+    assert_eq!(bearing.roughness, Some(0.1 / 1e6));
+    assert!((bearing.shoulder_angle.unwrap() - PI / 5.0).abs() < 1e-15);
+}
+
+#[test]
+fn fits_and_temperature_change_the_clearance() {
+    let free = first_bearing("", "").bearing.geometry;
+    let tight = first_bearing("clearance_change = \"-5 um\"\n", "")
+        .bearing
+        .geometry;
+    assert_eq!(tight, free.with_clearance_change(-5e-6).unwrap());
+    assert!(tight.contact_angle() < free.contact_angle());
+}
+
+#[test]
+fn a_preload_is_an_offset_a_force_or_a_spring() {
+    let preload = |key: &str| first_bearing(key, "").preload;
+    assert_eq!(
+        preload("axial_offset = \"5 um\"\n"),
+        Preload::AxialOffset(5e-6)
+    );
+    assert_eq!(preload("preload = \"5 N\"\n"), Preload::Force(5.0));
+    assert_eq!(preload("spring_preload = \"5 N\"\n"), Preload::Spring(5.0));
+}
+
+/// Position and facing of both bearings of a set 20 mm apart about 5 mm.
+fn set(keys: &str) -> Vec<(f64, Facing)> {
+    let keys = format!("{BEARING}position = \"5 mm\"\nspacing = \"20 mm\"\n{keys}");
+    let bearings = static_question(&keys).rotor.bearings;
+    bearings.iter().map(|b| (b.position, b.facing)).collect()
+}
+
+#[test]
+fn a_set_is_two_bearings_about_its_position() {
+    let (low, high) = (-0.005, 0.015);
+    let (plus, minus) = (Facing::PlusZ, Facing::MinusZ);
+    assert_eq!(
+        set("arrangement = \"back-to-back\"\n"),
+        [(low, plus), (high, minus)]
+    );
+    assert_eq!(
+        set("arrangement = \"face-to-face\"\n"),
+        [(low, minus), (high, plus)]
+    );
+    assert_eq!(
+        set("arrangement = \"tandem\"\n"),
+        [(low, plus), (high, plus)]
+    );
+    let tandem = set("arrangement = \"tandem\"\nfacing = \"-z\"\n");
+    assert_eq!(tandem, [(low, minus), (high, minus)]);
+}
+
+#[test]
+fn a_set_back_to_back_resists_tilting_more_than_face_to_face() {
+    let tilt = |arrangement: &str| {
+        let keys =
+            format!("arrangement = \"{arrangement}\"\nspacing = \"20 mm\"\npreload = \"200 N\"\n");
+        let question = static_question(&format!("{BEARING}{keys}"));
+        quasi_static(&question).unwrap().stiffness[(3, 3)]
+    };
+    // moment arms of the contact lines about the middle: d_m/2 tan α ± spacing/2
+    let (back, face) = (tilt("back-to-back"), tilt("face-to-face"));
+    assert!(back > 5.0 * face, "{back} against {face}");
+}
+
+fn with_speed(speed: &str) -> Model {
+    let text = SMALLEST.replace("constant = \"3000 rpm\"", speed);
+    read(&format!("{text}{BEARING}")).model.unwrap()
+}
+
+#[test]
+fn a_ramp_and_a_profile_of_the_same_speeds_are_the_same() {
+    let ramp = "from = \"10 rad/s\"\nto = \"50 rad/s\"\nover = \"2 s\"";
+    let profile = "profile = [{ at = \"0 s\", speed = \"10 rad/s\" }, \
+                   { at = \"2 s\", speed = \"50 rad/s\" }]";
+    let [ramp, profile] = [ramp, profile].map(with_speed);
+    assert_eq!(ramp.rotor.speed, 10.0);
+    let end = SpeedPoint {
+        time: 2.0,
+        speed: 50.0,
+    };
+    assert_eq!(ramp.rotor.speed_points, [end]);
+    assert_eq!(ramp, profile);
+}
+
+#[test]
+fn a_force_at_a_place_is_a_moment_where_the_tilts_move() {
+    let text = SMALLEST.replace(
+        "\"translational\"",
+        "\"all\"\ninertia_transverse = \"1 g m^2\"\ninertia_polar = \"1 g m^2\"",
+    );
+    let loads = "[[load]]\nconstant = { x = \"10 N\", y = \"20 N\" }\nposition = \"50 mm\"\n\
+                 [[load]]\nshock = { peak = { y = \"1 kN\" }, duration = \"1 ms\" }\nposition = \"-1 m\"\n";
+    let rotor = read(&format!("{text}{BEARING}{loads}"))
+        .model
+        .unwrap()
+        .rotor;
+    assert_eq!(rotor.load, [10.0, 20.0, 0.0, -1.0, 0.5]);
+    assert_eq!(rotor.loads.len(), 1);
+    assert_eq!(rotor.loads[0].position, -1.0);
+    assert!(matches!(rotor.loads[0].kind, LoadKind::Shock(_)));
+}
+
+#[test]
+fn a_misaligned_shaft_is_held_at_its_tilt() {
+    let text = SMALLEST.replace("[speed]", "tilt_y = \"1 mrad\"\n[speed]");
+    let rotor = read(&format!("{text}{BEARING}")).model.unwrap().rotor;
+    assert_eq!(rotor.shaft.held_tilt, [0.0, 1e-3]);
+}

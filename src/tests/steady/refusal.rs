@@ -1,0 +1,108 @@
+//! Where there is no motion that repeats, the answer says why.
+
+use std::sync::atomic::AtomicBool;
+
+use crate::bearing::MountedBearing;
+use crate::integrate::IntegrateError;
+use crate::rotor::load::{Harmonic, Pace};
+use crate::rotor::{CageMotion, Freedoms, Load, LoadKind, RotorDefinition, Unrepeated};
+use crate::steady::{SteadyError, SteadyQuestion, steady};
+
+use super::{search, shipped};
+use crate::tests::support::{bearing, model, mounted, rotor, shaft, thrust_rotor};
+
+#[test]
+fn what_does_not_repeat_has_no_steady_motion() {
+    let told = |name: &str| search(&shipped(name), None).expect_err("nothing repeats");
+    assert_eq!(
+        told("run-up-7205c"),
+        SteadyError::Unrepeated(Unrepeated::Speed)
+    );
+    assert_eq!(
+        told("drive-start-7205c"),
+        SteadyError::Unrepeated(Unrepeated::Drive)
+    );
+    let SteadyError::Unrepeated(Unrepeated::Load { what, .. }) = told("coal-impact-7205c") else {
+        panic!("a load");
+    };
+    assert!(what.contains("shock"), "{what}");
+}
+
+#[test]
+fn what_nothing_moves_rests() {
+    let definition = RotorDefinition {
+        cage: CageMotion::Frozen,
+        ..thrust_rotor()
+    };
+    let error = search(&model(definition, 1.0, 1e4), None).expect_err("nothing moves");
+    assert_eq!(error, SteadyError::Rest);
+}
+
+fn harmonic(frequency: f64) -> Load {
+    Load {
+        kind: LoadKind::Harmonic(Harmonic {
+            amplitude: [1.0, 0.0, 0.0, 0.0, 0.0],
+            pace: Pace::Frequency(frequency),
+            phase: 0.0,
+        }),
+        position: 0.0,
+    }
+}
+
+#[test]
+fn three_frequencies_are_too_many() {
+    let mut definition = thrust_rotor();
+    definition.shaft.eccentricity = 1e-6;
+    definition.loads = vec![harmonic(123.4)];
+    let error = search(&model(definition, 1.0, 1e4), None).expect_err("three frequencies");
+    let SteadyError::Frequencies { frequencies } = &error else {
+        panic!("{error}");
+    };
+    assert_eq!(frequencies.len(), 3);
+    assert!(error.to_string().contains("123.4"), "{error}");
+}
+
+#[test]
+fn two_frequencies_have_no_multiple() {
+    let error = search(&shipped("steady-7205c"), Some(2)).expect_err("no period");
+    assert!(
+        matches!(error, SteadyError::NoPeriod { multiple: 2, .. }),
+        "{error}"
+    );
+}
+
+#[test]
+fn a_search_can_be_stopped() {
+    let (model, stop) = (shipped("steady-7205c"), AtomicBool::new(true));
+    let error = steady(&SteadyQuestion {
+        model: &model,
+        multiple: None,
+        stop: &stop,
+    });
+    let error = error.expect_err("stopped");
+    assert!(error.is_interrupted(), "{error}");
+    assert!(matches!(
+        error,
+        SteadyError::Integrate(IntegrateError::Interrupted { .. })
+    ));
+}
+
+/// Without damping a free vibration never dies: a multiplier has the magnitude 1 and the motion is not
+/// called stable by more than round-off.
+#[test]
+fn an_undamped_shaft_has_multipliers_on_the_unit_circle() {
+    let mut undamped = rotor(
+        shaft(Freedoms::Radial),
+        vec![MountedBearing {
+            ..mounted(bearing("7205C"))
+        }],
+    );
+    undamped.shaft.eccentricity = 1e-7;
+    undamped.speed = 400.0;
+    undamped.cage = CageMotion::Frozen;
+    undamped.load = [0.0, 0.0, 1000.0, 0.0, 0.0];
+    let found = search(&model(undamped, 1.0, 1e4), None).expect("a motion");
+    for multiplier in found.multipliers.values() {
+        assert!((multiplier.norm() - 1.0).abs() < 1e-5, "{multiplier}");
+    }
+}
