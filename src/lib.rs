@@ -110,6 +110,7 @@ pub mod simulate;
 pub mod steady;
 pub mod study;
 #[cfg(test)]
+#[path = "../tests/library/mod.rs"]
 mod tests;
 
 /// Speed against error: what the benches measure, and how to get their figures.

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes scipy_spectra.json: spectra of two signals as SciPy estimates them.
 
-    python3 src/tests/spectra/scipy_spectra.py > src/tests/spectra/scipy_spectra.json
+    python3 tests/library/spectra/scipy_spectra.py > tests/library/spectra/scipy_spectra.json
 
 The signals are the ones of tests/spectra/signal.rs: lines on and between bins, a mean, a drift, and
 noise of a 64-bit linear congruential generator, whose integers are the same in both languages.

@@ -1,4 +1,5 @@
-//! Tests of the library as a whole: published numbers, laws, properties, hard cases.
+//! Tests of the library as a whole: published numbers, laws, properties, hard cases. They are compiled into the
+//! library's own tests: a crate of their own would make every law and register anew, which takes minutes.
 
 // a test that cannot go on, or meets what it must not, says so and fails
 #![allow(clippy::unwrap_used, clippy::panic)]

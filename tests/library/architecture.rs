@@ -70,13 +70,9 @@ fn sources() -> Vec<(PathBuf, String, String)> {
         .collect()
 }
 
-/// The files of a folder and of those below it, but for these tests.
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a readable folder") {
         let path = entry.expect("a readable entry").path();
-        if path.ends_with("src/tests") {
-            continue;
-        }
         if path.is_dir() {
             collect(&path, files);
         } else if path.extension().is_some_and(|extension| extension == "rs") {
