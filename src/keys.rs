@@ -29,7 +29,8 @@ const DIAGONAL: [&str; FREEDOMS] = [
     "K_tilt_x_N_m_rad",
     "K_tilt_y_N_m_rad",
 ];
-const AXES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
+/// Names of the freedoms.
+pub(crate) const AXES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
 
 /// `{"x_m": …, "y_m": …, …}`.
 pub(crate) fn displacement<S: Serializer>(

@@ -88,8 +88,8 @@ const COLUMNS: [Definition; 41] = [
     column(Channel::Force(4), "moment_y", "N m", |s| Some(s.force_on_shaft?[4])),
     column(Channel::LargestBallLoad, "largest_ball_load", "N", |s| s.largest_ball_load),
     column(Channel::BallsLoaded, "balls_loaded", "", |s| s.balls_loaded.map(f64::from)),
-    column(Channel::Energy(0), "kinetic", "J", |s| Some(s.energy?.kinetic)),
-    column(Channel::Energy(1), "stored", "J", |s| Some(s.energy?.stored)),
+    column(Channel::KINETIC_ENERGY, "kinetic", "J", |s| Some(s.energy?.kinetic)),
+    column(Channel::STORED_ENERGY, "stored", "J", |s| Some(s.energy?.stored)),
     column(Channel::Energy(2), "loads", "J", |s| Some(s.energy?.works.loads)),
     column(Channel::Energy(3), "unbalance", "J", |s| Some(s.energy?.works.unbalance)),
     column(Channel::Energy(4), "rotation", "J", |s| Some(s.energy?.works.rotation)),
@@ -107,6 +107,11 @@ const COLUMNS: [Definition; 41] = [
 ];
 
 impl Channel {
+    /// Kinetic energy of the shaft.
+    pub const KINETIC_ENERGY: Self = Self::Energy(0);
+    /// Energy stored in the bearings.
+    pub const STORED_ENERGY: Self = Self::Energy(1);
+
     /// Displacements, then forces, of the first `freedoms` of x, y, z, θx, θy.
     pub fn of_freedoms(freedoms: usize) -> Vec<Self> {
         let freedoms = freedoms.min(FREEDOMS);
@@ -274,11 +279,21 @@ impl JsonSchema for Channel {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::keys;
 
     #[test]
     fn every_column_stands_at_its_index() {
         for (index, channel) in Channel::all().enumerate() {
             assert_eq!(channel.index(), index, "{channel}");
+        }
+    }
+
+    #[test]
+    fn keys_of_results_are_names_of_columns() {
+        for freedom in 0..FREEDOMS {
+            let names =
+                [Channel::Displacement(freedom), Channel::Force(freedom)].map(Channel::column);
+            assert_eq!(names, [keys::DISPLACEMENT[freedom], keys::FORCE[freedom]]);
         }
     }
 

@@ -227,3 +227,19 @@ pub struct MountedBearing {
     /// Azimuth of ball 0 at the start, from +X towards +Y, rad.
     pub first_ball: f64,
 }
+
+impl MountedBearing {
+    /// The bearing at the centre of mass, loaded along +Z: dry Hertz contacts without damping, no preload, ball 0 on +X.
+    pub fn new(bearing: Bearing) -> Self {
+        Self {
+            bearing,
+            law: ContactLaw::Hertz,
+            oil: None,
+            position: 0.0,
+            facing: Facing::PlusZ,
+            preload: Preload::AxialOffset(0.0),
+            contact_damping: ContactDamping::default(),
+            first_ball: 0.0,
+        }
+    }
+}

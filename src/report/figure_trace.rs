@@ -11,10 +11,8 @@ use super::figure::{
 };
 use super::{Bucket, ReportError};
 use crate::analysis::Channel;
+use crate::report::units::MICRO;
 use crate::rotor::{FREEDOMS, Sample};
-
-/// m → µm and rad → µrad.
-const MICRO: f64 = 1e6;
 
 /// Height of a figure of up to three panels, px.
 const HEIGHT: u32 = 600;

@@ -7,9 +7,10 @@ use super::static_search::{Balance, StaticCoordinate, StaticSearch};
 use super::structure::Structure;
 use super::{FREEDOMS, RotorDefinition};
 use crate::bearing::{BearingState, Facing, Geometry, Matrix5, Support, Vector5};
+use crate::keys;
 
 /// Names of the five freedoms, as they appear in messages and column headers.
-pub const FREEDOM_NAMES: [&str; FREEDOMS] = ["x", "y", "z", "tilt_x", "tilt_y"];
+pub const FREEDOM_NAMES: [&str; FREEDOMS] = keys::AXES;
 
 /// Why a load has no static equilibrium.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -1,9 +1,7 @@
 //! The static equilibrium of one bearing by itself.
 
 use super::{Equilibrium, RotorError, StaticProblem};
-use crate::bearing::{
-    Bearing, ContactDamping, ContactLaw, Facing, Matrix5, MountedBearing, Preload, Support, Vector5,
-};
+use crate::bearing::{Bearing, Matrix5, MountedBearing, Support, Vector5};
 
 impl Bearing {
     /// Where the inner ring of the standing bearing finds its place under a load on its centre: forces x, y, z in
@@ -25,16 +23,7 @@ impl Bearing {
     /// # Errors
     /// [`RotorError`] where the contacts cannot be formed, or nothing carries the load.
     pub fn equilibrium(&self, load: Vector5) -> Result<Equilibrium, RotorError> {
-        let mounted = MountedBearing {
-            bearing: *self,
-            law: ContactLaw::Hertz,
-            oil: None,
-            position: 0.0,
-            facing: Facing::PlusZ,
-            preload: Preload::AxialOffset(0.0),
-            contact_damping: ContactDamping::default(),
-            first_ball: 0.0,
-        };
+        let mounted = MountedBearing::new(*self);
         let support = Support::new(&mounted, 0.0)
             .map_err(|source| RotorError::Bearing { number: 1, source })?;
         let problem = StaticProblem {

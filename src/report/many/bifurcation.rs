@@ -6,9 +6,10 @@ use std::path::Path;
 use plotters::prelude::*;
 
 use super::digest::Digest;
-use super::figures::{HEIGHT, MICRO, padded};
+use super::figures::{HEIGHT, padded};
 use crate::report::figure::{GRID, INK, font, px, svg, tick_format};
 use crate::report::figure_curves::distinct;
+use crate::report::units::MICRO;
 use crate::report::{FileAction, ReportError};
 
 /// Value of the axis, place, and whether the run was come to from above.

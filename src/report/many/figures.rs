@@ -6,9 +6,8 @@ use super::digest::Digest;
 use crate::report::ReportError;
 use crate::report::figure::{padded_range, svg};
 use crate::report::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
+use crate::report::units::MICRO;
 
-/// m → µm.
-pub(super) const MICRO: f64 = 1e6;
 /// Panels side by side.
 const COLUMNS: usize = 2;
 /// Height of a row of panels, px.

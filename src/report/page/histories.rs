@@ -4,11 +4,9 @@ use serde_json::Value;
 
 use super::curve::{BUCKETS, Panel, curve};
 use crate::analysis::Channel;
+use crate::report::units::MICRO;
 use crate::report::{Bucket, Decimator};
 use crate::rotor::Sample;
-
-/// m → µm, rad → µrad.
-const MICRO: f64 = 1e6;
 
 /// A column of the samples over time.
 #[derive(Debug, Clone)]
@@ -22,8 +20,8 @@ const FURTHER: [(Channel, &str); 5] = [
     (Channel::LargestBallLoad, "largest ball load"),
     (Channel::BallsLoaded, "loaded balls"),
     (Channel::Speed, "speed"),
-    (Channel::Energy(0), "kinetic energy"),
-    (Channel::Energy(1), "stored energy"),
+    (Channel::KINETIC_ENERGY, "kinetic energy"),
+    (Channel::STORED_ENERGY, "stored energy"),
 ];
 
 /// Every quantity that the page draws over time.

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::curve::curve;
 use crate::analysis::{Motion, Section};
+use crate::report::units::MICRO;
 use crate::rotor::Sample;
 
 /// Most samples that are kept.
@@ -15,9 +16,6 @@ const MOST_SAMPLES: usize = 16_384;
 const MOST_POINTS: usize = 2000;
 /// Revolutions that are drawn.
 const REVOLUTIONS: f64 = 10.0;
-
-/// m → µm.
-const MICRO: f64 = 1e6;
 
 /// The last samples of a run: shaft angle, x and y.
 #[derive(Debug, Clone, Default)]

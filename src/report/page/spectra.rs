@@ -5,9 +5,7 @@ use serde_json::{Value, json};
 use super::curve::{Panel, curve, prominent};
 use crate::analysis::{Channel, ChannelSpectrum, Peak, Spectrum};
 use crate::report::figure_spectrum::frequency_limit;
-
-/// m → µm, rad → µrad.
-const MICRO: f64 = 1e6;
+use crate::report::units::MICRO;
 
 /// Spectra of one unit: name of the panel, unit of the channels, unit shown, and how many of it make one
 /// of theirs.

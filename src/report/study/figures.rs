@@ -10,12 +10,9 @@ use super::super::figure_curves::{
 };
 use super::{axis_name, shown};
 use crate::bearing::Around;
+use crate::report::units::{MICRO, MILLI};
 use crate::study::{StudyRow, Variable};
 
-/// m → µm.
-const MICRO: f64 = 1e6;
-/// N m/rad → N m/mrad.
-const MILLI: f64 = 1e3;
 /// Panels side by side.
 const COLUMNS: usize = 2;
 /// Height of a row of panels, px.

@@ -5,12 +5,9 @@ use std::path::PathBuf;
 
 use super::super::statics::{digits, table};
 use super::{axis_name, shown};
+use crate::report::units::{MICRO, MILLI};
 use crate::study::{Study, StudyRow};
 
-/// m → µm.
-const MICRO: f64 = 1e6;
-/// N m/rad → N m/mrad.
-const MILLI: f64 = 1e3;
 /// Most rows shown.
 const MOST_ROWS: usize = 24;
 

@@ -6,9 +6,8 @@ use std::io;
 use std::sync::atomic::AtomicBool;
 
 use crate::bearing::{
-    BallContact, BallLoads, Bearing, BearingRotation, ContactDamping, ContactLaw, Facing,
-    FreePosition, Geometry, HertzLaw, Matrix5, MountedBearing, Preload, Ring, Support, Vector5,
-    catalogue,
+    BallContact, BallLoads, Bearing, BearingRotation, Facing, FreePosition, Geometry, HertzLaw,
+    Matrix5, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
 };
 use crate::integrate::{Method, Settings, System};
 use crate::physics::Material;
@@ -52,18 +51,9 @@ pub fn literature_bearing(
     }
 }
 
-/// The bearing at the centre of mass, hertz law, loaded by +z, ball 0 on +X.
+/// [`MountedBearing::new`].
 pub fn mounted(bearing: Bearing) -> MountedBearing {
-    MountedBearing {
-        bearing,
-        law: ContactLaw::Hertz,
-        oil: None,
-        position: 0.0,
-        facing: Facing::PlusZ,
-        preload: Preload::AxialOffset(0.0),
-        contact_damping: ContactDamping::default(),
-        first_ball: 0.0,
-    }
+    MountedBearing::new(bearing)
 }
 
 /// Two 7205C back to back, 30 mm either side of the centre of mass, preloaded with 200 N.
