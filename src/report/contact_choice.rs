@@ -1,37 +1,39 @@
 //! Which law of the contacts was chosen, and why: for people.
 
-use std::fmt::Write;
-
+use super::terminal::Lines;
 use crate::study::{ContactChoice, Rung, RungDifference};
 
 /// A line or two that begin as those of a run do; at most 100 columns.
 pub fn contact_choice_text(choice: &ContactChoice) -> String {
-    let mut out = format!("  contact       {}: ", choice.chosen);
+    let mut out = Lines::default();
+    out.line("contact", format!("{}: {}", choice.chosen, why(choice)));
+    if choice.failure.is_none() {
+        choice
+            .rungs
+            .iter()
+            .for_each(|rung| out.more(rung_text(rung)));
+    }
+    out.text()
+}
+
+fn why(choice: &ContactChoice) -> String {
     if let Some(failure) = &choice.failure {
-        out +=
-            &format!("the laws could not be compared ({failure}), so the most exact one stays\n");
-        return out;
+        return format!("the laws could not be compared ({failure}), so the most exact one stays");
     }
     let allowed = format!("(allowed {:e})", choice.model_error);
-    out += &match (
-        difference(choice, choice.chosen),
-        choice.chosen == choice.top,
-    ) {
-        (_, true) if choice.rungs.is_empty() => "there is none that is cheaper".to_owned(),
-        (_, true) => format!("none that is cheaper stays close to it {allowed}"),
-        (Some(largest), false) => {
-            format!(
-                "the cheapest within {largest:.1e} of {} {allowed}",
-                choice.top
-            )
-        }
-        (None, false) => String::new(),
-    };
-    out += "\n";
-    for rung in &choice.rungs {
-        writeln!(out, "                {}", rung_text(rung)).expect("a String takes everything");
+    if choice.chosen == choice.top {
+        return if choice.rungs.is_empty() {
+            "there is none that is cheaper".to_owned()
+        } else {
+            format!("none that is cheaper stays close to it {allowed}")
+        };
     }
-    out
+    difference(choice, choice.chosen).map_or_else(String::new, |largest| {
+        format!(
+            "the cheapest within {largest:.1e} of {} {allowed}",
+            choice.top
+        )
+    })
 }
 
 fn difference(choice: &ContactChoice, rung: Rung) -> Option<f64> {

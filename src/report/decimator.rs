@@ -108,6 +108,12 @@ impl Decimator {
         self.full.iter().copied().chain(self.open)
     }
 
+    /// The points of the envelope, in order.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let buckets = self.buckets();
+        buckets.flat_map(|Bucket { first, last }| [first, last])
+    }
+
     fn halve(&mut self) {
         let pairs = self.full.len() / 2;
         // With an odd number the last bucket is half full again.

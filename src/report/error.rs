@@ -48,7 +48,7 @@ pub enum ReportError {
     #[error("cannot draw {figure}")]
     Draw {
         /// File name of the figure.
-        figure: &'static str,
+        figure: String,
         /// What the drawing library says.
         source: Box<dyn std::error::Error + Send + Sync>,
     },

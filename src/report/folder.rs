@@ -4,6 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use super::figure::Figure;
 use super::table::Table;
 use super::{FileAction, ReportError};
 
@@ -220,6 +221,11 @@ impl RunFolder {
         let mut file = self.create(name)?;
         write(&mut file).map_err(ReportError::file(FileAction::Write, &file.pending.path))?;
         file.close()
+    }
+
+    /// Draws a figure into its file.
+    pub(super) fn write_figure(&self, figure: &Figure) -> Result<WholeFile, ReportError> {
+        self.write(&figure.file, figure.svg()?.as_bytes())
     }
 
     /// Writes the table `stem`.

@@ -1,12 +1,10 @@
 //! What a run observed of its bearings, for people.
 
-use std::fmt::{self, Write};
-
-use super::wrapped;
+use super::terminal::Lines;
 use crate::simulate::{BearingHistory, EventCount, EventKind, Spread};
 
 /// Two lines a bearing: what its balls did, and its life.
-pub(super) fn write_histories(out: &mut String, bearings: &[BearingHistory]) -> fmt::Result {
+pub(super) fn put_histories(out: &mut Lines, bearings: &[BearingHistory]) {
     for (index, bearing) in bearings.iter().enumerate() {
         // one bearing needs no number
         let name = match bearings.len() {
@@ -15,8 +13,7 @@ pub(super) fn write_histories(out: &mut String, bearings: &[BearingHistory]) -> 
         };
         if let Some(zone) = &bearing.load_zone {
             let loaded = balls_loaded(&zone.balls, bearing.balls);
-            let line = format!("  load zone     {name}{loaded}{}", losses(bearing));
-            writeln!(out, "{}", wrapped(&line, 16))?;
+            out.line("load zone", format!("{name}{loaded}{}", losses(bearing)));
         }
         // the start is left out where enough remains
         let life = bearing
@@ -26,13 +23,10 @@ pub(super) fn write_histories(out: &mut String, bearings: &[BearingHistory]) -> 
                 None => life.whole_run,
             });
         if let Some((life, hours)) = life.and_then(|life| life.rating_life().zip(life.hours())) {
-            writeln!(
-                out,
-                "  life L10r     {name}{life:.4e} million revolutions, {hours:.3e} h of this motion"
-            )?;
+            let text = format!("{life:.4e} million revolutions, {hours:.3e} h of this motion");
+            out.line("life L10r", name + &text);
         }
     }
-    Ok(())
 }
 
 /// `all 12 balls loaded` or `3 to 5 of 12 balls loaded, mean 4.21`.

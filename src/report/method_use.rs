@@ -2,7 +2,6 @@
 
 use serde_json::{Value, json};
 
-use super::wrapped;
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::scenario;
 
@@ -30,12 +29,12 @@ fn why_changed(reason: ChangeReason) -> &'static str {
 
 /// `exponential: no ball is expected to part from a race on this motion; verner76 from 1.234 ms on: …`
 pub(super) fn method_use_text(used: &MethodUse) -> String {
-    let mut line = format!("  method        {}: {}", name(used.first), why(used.first));
+    let mut line = format!("{}: {}", name(used.first), why(used.first));
     if let Some((reason, time)) = used.change {
         let [latest, why] = [name(used.latest()), why_changed(reason)];
         line.push_str(&format!("; {latest} from {:.3} ms on: {why}", 1e3 * time));
     }
-    wrapped(&line, 16) + "\n"
+    line
 }
 
 /// The method of the first step, why it, and where and why another went on.

@@ -17,7 +17,7 @@ use super::page::Page;
 use super::peak_table::peak_table;
 use super::run_up::write_maps;
 use super::sample_table::SampleTable;
-use super::spectra::{estimated_figure, table_name, write_estimated};
+use super::spectra::{estimated_figure, write_estimated};
 use super::spectrum_csv::{spectrum_columns, spectrum_rows};
 use super::table::{Column, Origin, TableFiles, TableTarget};
 use super::{
@@ -264,8 +264,8 @@ impl RunReport {
             files.extend(table.close()?);
         }
         if let Some(figure) = self.figure {
-            let svg = figure.draw(&self.title)?;
-            files.push(self.folder.write("trace.svg", svg.as_bytes())?);
+            let figure = figure.figure("trace.svg", &self.title);
+            files.push(self.folder.write_figure(&figure)?);
         }
         if let Some(spectrum) = &run.spectrum {
             if self.outputs.spectrum {
@@ -284,8 +284,8 @@ impl RunReport {
         if let Some(motion) = &run.motion {
             files.extend(write_poincare(motion, target)?);
             if self.outputs.figures {
-                let svg = orbit_figure(&self.title, motion)?;
-                files.push(self.folder.write("orbit.svg", svg.as_bytes())?);
+                let figure = orbit_figure(&self.title, motion);
+                files.push(self.folder.write_figure(&figure)?);
             }
         }
         let (title, figures) = (&self.title, self.outputs.figures);
@@ -304,9 +304,8 @@ impl RunReport {
         for spectrum in &run.spectra {
             files.extend(write_estimated(spectrum, target)?);
             if self.outputs.figures {
-                let svg = estimated_figure(title, spectrum, limit)?;
-                let name = format!("{}.svg", table_name(spectrum));
-                files.push(self.folder.write(&name, svg.as_bytes())?);
+                let figure = estimated_figure(title, spectrum, limit);
+                files.push(self.folder.write_figure(&figure)?);
             }
         }
         if let Some(page) = &self.page {

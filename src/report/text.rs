@@ -1,15 +1,12 @@
 //! The few lines that a person reads after a run.
 
-use std::fmt::{self, Write};
 use std::path::PathBuf;
 
-use comfy_table::{CellAlignment, Table, presets};
-
-use super::histories::write_histories;
+use super::histories::put_histories;
 use super::method_use::method_use_text;
-use super::motion::write_motion;
-use super::table_use::table_use_text;
-use super::wrapped;
+use super::motion::put_motion;
+use super::table_use::put_table_use;
+use super::terminal::{Lines, decimal, listed, measured_text, significant};
 use crate::analysis::{Peak, Spectrum};
 use crate::report::units::MICRO;
 use crate::rotor::Freedoms;
@@ -20,72 +17,44 @@ const PEAKS: usize = 8;
 
 /// Key numbers of a run, its strongest peaks and the files written.
 pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String {
-    let mut out = String::new();
-    write_text(&mut out, title, model, run, files)
-        .expect("a String takes everything that is written to it");
-    out
-}
-
-fn write_text(
-    out: &mut String,
-    title: &str,
-    model: &Model,
-    run: &Run,
-    files: &[PathBuf],
-) -> fmt::Result {
-    writeln!(out, "{title}")?;
+    let mut out = Lines::titled(title);
     let freedoms = model.rotor.shaft.freedoms;
-    writeln!(
-        out,
-        "  equilibrium   {}",
-        equilibrium(&run.equilibrium, freedoms)
-    )?;
-    if !run.equilibrium.natural_frequencies.is_empty() {
-        let line = format!("  natural       {}", natural(&run.equilibrium));
-        writeln!(out, "{}", wrapped(&line, 16))?;
-    }
-    writeln!(
-        out,
-        "  integration   {} steps, {} rejected, {} evaluations, {} samples",
-        run.counters.steps, run.counters.rejected, run.counters.evaluations, run.samples
-    )?;
+    out.line("equilibrium", equilibrium(&run.equilibrium, freedoms));
+    out.line("natural", natural(&run.equilibrium));
+    let counters = &run.counters;
+    out.line(
+        "integration",
+        format_args!(
+            "{} steps, {} rejected, {} evaluations, {} samples",
+            counters.steps, counters.rejected, counters.evaluations, run.samples
+        ),
+    );
     if let Some(used) = &run.method_use {
-        out.push_str(&method_use_text(used));
+        out.line("method", method_use_text(used));
     }
-    out.push_str(&table_use_text(&run.tables));
+    put_table_use(&mut out, &run.tables);
     if let Some(error) = &run.measured_error {
-        writeln!(
-            out,
-            "  error         {:.2e} µm, {:.1e} of the motion (tolerance {:e}, measured against {:e})",
-            MICRO * error.displacement,
-            error.relative,
-            model.integrator.tolerance,
-            error.reference_tolerance
-        )?;
-        writeln!(
-            out,
-            "                by a second pass: {:.0} % of all evaluations; --no-verify saves them",
-            100.0 * error.share_of_evaluations(&run.counters)
-        )?;
+        let sizes = [error.displacement, error.relative];
+        let tolerances = [model.integrator.tolerance, error.reference_tolerance];
+        out.line("error", measured_text(sizes, tolerances));
+        let share = 100.0 * error.share_of_evaluations(&run.counters);
+        out.more(format_args!(
+            "by a second pass: {share:.0} % of all evaluations; --no-verify saves them"
+        ));
     }
     if let Some(energy) = &run.energy {
-        writeln!(
-            out,
-            "  energy        closes to {:.1e} J, {:.1e} of its largest part",
-            energy.largest_residual, energy.relative_residual
-        )?;
+        let (residual, relative) = (energy.largest_residual, energy.relative_residual);
+        let text = format!("closes to {residual:.1e} J, {relative:.1e} of its largest part");
+        out.line("energy", text);
     }
-    write_histories(out, &run.bearings)?;
+    put_histories(&mut out, &run.bearings);
     if let Some(motion) = &run.motion {
-        write_motion(out, motion)?;
+        put_motion(&mut out, motion);
     }
     if !run.peaks.is_empty() {
-        writeln!(out, "{}", peak_table(&run.peaks, run.spectrum.as_ref()))?;
+        put_peaks(&mut out, &run.peaks, run.spectrum.as_ref());
     }
-    for file in files {
-        writeln!(out, "  wrote {}", file.display())?;
-    }
-    Ok(())
+    out.wrote(files)
 }
 
 /// `x 0.1 µm, y −3.2 µm, …` of the freedoms that move.
@@ -98,40 +67,25 @@ fn equilibrium(state: &StaticState, freedoms: Freedoms) -> String {
         ("θy", "µrad"),
     ];
     let kept = names.iter().zip(state.displacement).take(freedoms.count());
-    kept.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value)))
-        .collect::<Vec<_>>()
-        .join(", ")
+    listed(kept.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value))))
 }
 
 /// `512.3 Hz (ζ 0.020), …`.
 fn natural(state: &StaticState) -> String {
     let modes = state.natural_frequencies.iter();
-    modes
-        .map(|mode| format!("{:.2} Hz (ζ {:.3})", mode.frequency, mode.damping_ratio))
-        .collect::<Vec<_>>()
-        .join(", ")
+    listed(modes.map(|mode| format!("{:.2} Hz (ζ {:.3})", mode.frequency, mode.damping_ratio)))
 }
 
 /// The strongest peaks of x, y and z, which have one unit and so one order.
-fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> String {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header([
-        "channel",
-        "frequency",
-        "order",
-        "amplitude",
-        "cause",
-    ]);
-    let mut lengths: Vec<&Peak> = peaks
-        .iter()
-        .filter(|peak| peak.channel.unit() == "m")
-        .collect();
+fn put_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>) {
+    let lengths = peaks.iter().filter(|peak| peak.channel.unit() == "m");
+    let mut lengths: Vec<&Peak> = lengths.collect();
     lengths.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
-    for peak in lengths.into_iter().take(PEAKS) {
-        let order = spectrum
-            .filter(|spectrum| spectrum.shaft_frequency > 0.0)
-            .map(|spectrum| format!("{:.3}", peak.frequency / spectrum.shaft_frequency));
-        table.add_row([
+    let turning = spectrum.filter(|spectrum| spectrum.shaft_frequency > 0.0);
+    let rows = lengths.into_iter().take(PEAKS).map(|peak| {
+        let order = |spectrum: &Spectrum| peak.frequency / spectrum.shaft_frequency;
+        let order = turning.map(|spectrum| format!("{:.3}", order(spectrum)));
+        vec![
             peak.channel.name().to_owned(),
             format!("{:.3} Hz", peak.frequency),
             order.unwrap_or_default(),
@@ -139,27 +93,10 @@ fn peak_table(peaks: &[Peak], spectrum: Option<&Spectrum>) -> String {
             peak.line
                 .map(|line| line.kind.to_string())
                 .unwrap_or_default(),
-        ]);
-    }
-    for column in 1..=3 {
-        if let Some(column) = table.column_mut(column) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    table.trim_fmt()
-}
-
-/// Four decimals, without a minus sign before zeros.
-pub(super) fn decimal(value: f64) -> String {
-    let rounded = (value * 1e4).round() / 1e4;
-    format!("{:.4}", rounded + 0.0)
-}
-
-/// Four decimals, or powers of ten where they would not show the value.
-fn significant(value: f64) -> String {
-    if (1e-2..1e5).contains(&value) {
-        format!("{value:.4}")
-    } else {
-        format!("{value:.3e}")
-    }
+        ]
+    });
+    out.table(
+        ["channel", "frequency", "order", "amplitude", "cause"],
+        rows,
+    );
 }

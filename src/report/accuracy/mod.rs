@@ -3,7 +3,6 @@
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
 mod figure;
-mod log_axis;
 mod tables;
 mod text;
 
@@ -31,11 +30,11 @@ pub fn write_accuracy(
         folder.write_table("accuracy", &tables::methods(accuracy))?,
         folder.write_table("ladder", &tables::ladder(accuracy))?,
     ];
-    for (name, svg) in [
-        ("accuracy.svg", figure::methods(title, accuracy)?),
-        ("ladder.svg", figure::ladder(title, accuracy)?),
+    for figure in [
+        figure::methods(title, accuracy),
+        figure::ladder(title, accuracy),
     ] {
-        files.push(folder.write(name, svg.as_bytes())?);
+        files.push(folder.write_figure(&figure)?);
     }
     let json = document(title, scenario, accuracy);
     folder.commit(files, format!("{json:#}\n").as_bytes())

@@ -1,92 +1,53 @@
 //! Speed against error for people.
 
-use std::fmt::{self, Write};
 use std::path::PathBuf;
 
-use super::super::statics::table;
+use super::super::terminal::{Lines, or_dash, wrapped};
 use crate::report::units::{MICRO, MILLI};
 use crate::study::accuracy::{Accuracy, Agreement, Errors, LadderRow, Measured, Row};
 
-/// Longest note beside a table.
-const NOTE: usize = 76;
-
 /// Reference, methods, ladder, and the files written; at most 100 columns.
 pub fn accuracy_text(title: &str, accuracy: &Accuracy, files: &[PathBuf]) -> String {
-    let mut out = String::new();
-    write_text(&mut out, title, accuracy, files)
-        .expect("a String takes everything that is written to it");
-    out
+    let mut out = Lines::titled(title);
+    put_reference(&mut out, &accuracy.agreement);
+    put_methods(&mut out, accuracy);
+    put_least_time(&mut out, accuracy);
+    put_ladder(&mut out, accuracy);
+    out.wrote(files)
 }
 
-fn write_text(
-    out: &mut String,
-    title: &str,
-    accuracy: &Accuracy,
-    files: &[PathBuf],
-) -> fmt::Result {
-    writeln!(out, "{title}")?;
-    write_reference(out, &accuracy.agreement)?;
-    writeln!(out, "\n{}", methods(accuracy))?;
-    let left_out = accuracy.rows.iter().filter_map(|row| {
-        let reason = row.result.as_ref().err()?;
-        Some((format!("{} at {:e}", row.method, row.tolerance), reason))
-    });
-    write_notes(out, left_out)?;
-    write_least_time(out, accuracy)?;
-    writeln!(out, "\n{}", ladder(accuracy))?;
-    let missing = accuracy.ladder.rows.iter().filter_map(|row| {
-        let reason = row.result.as_ref().err()?;
-        Some((row.configuration.to_string(), reason))
-    });
-    write_notes(out, missing)?;
-    writeln!(out)?;
-    for file in files {
-        writeln!(out, "  wrote         {}", file.display())?;
-    }
-    Ok(())
-}
-
-fn write_reference(out: &mut String, agreement: &Agreement) -> fmt::Result {
+fn put_reference(out: &mut Lines, agreement: &Agreement) {
     let run = |(method, tolerance): &(String, f64)| format!("{method} at {tolerance:e}");
     let uncertainty = &agreement.uncertainty;
-    writeln!(
-        out,
-        "  reference     {}; {} is\n                {} of the motion off: the uncertainty",
+    let text = format!(
+        "{}; {} is {} of the motion off: the uncertainty ({} µm, force {} N, lines {})",
         run(&agreement.reference),
         run(&agreement.other),
-        short(uncertainty.displacement_relative)
-    )?;
-    writeln!(
-        out,
-        "                ({} µm, force {} N, lines {})",
+        short(uncertainty.displacement_relative),
         short(MICRO * uncertainty.displacement),
         short(uncertainty.force),
-        uncertainty.lines.map_or_else(dash, short)
-    )?;
-    writeln!(
-        out,
-        "  relative to   {:.4} µm of motion, {:.4} N of change in the bearings' force",
-        MICRO * agreement.scale.displacement,
-        agreement.scale.force
-    )?;
+        or_dash(uncertainty.lines.map(short))
+    );
+    out.line("reference", text);
+    let (motion, force) = (MICRO * agreement.scale.displacement, agreement.scale.force);
+    let text = format!("{motion:.4} µm of motion, {force:.4} N of change in the bearings' force");
+    out.line("relative to", text);
     if agreement.irregular {
         let scatter = &agreement.scatter.statistics;
-        writeln!(
-            out,
-            "  irregular     two exact runs part company (small differences grow {}-fold): single\n\
-             \x20               traces mean nothing, their statistics do; {} exact runs scatter by\n\
-             \x20               mean {}, rms {}, peak {}",
+        let text = format!(
+            "two exact runs part company (small differences grow {}-fold): single traces mean nothing, \
+             their statistics do; {} exact runs scatter by mean {}, rms {}, peak {}",
             short(agreement.growth),
             agreement.runs,
             short(scatter.mean),
             short(scatter.rms),
             short(scatter.peak)
-        )?;
+        );
+        out.line("irregular", text);
     }
-    Ok(())
 }
 
-fn methods(accuracy: &Accuracy) -> String {
+fn put_methods(out: &mut Lines, accuracy: &Accuracy) {
     let irregular = accuracy.agreement.irregular;
     let first = [
         "method\n",
@@ -96,28 +57,30 @@ fn methods(accuracy: &Accuracy) -> String {
         "steps\n",
         "rejected\n",
     ];
-    let errors = error_header(irregular);
-    let measured = |row: &Row| {
+    let header = first.into_iter().chain(error_header(irregular));
+    let rows = accuracy.rows.iter().filter_map(|row| {
         let measured = row.result.as_ref().ok()?;
         Some(method_cells(row, measured, irregular))
-    };
-    let header = first.into_iter().chain(errors);
-    let rows = accuracy.rows.iter().filter_map(measured);
-    let mut text = table(header, rows).trim_fmt();
-    if accuracy.rows.iter().any(is_within) {
-        text += if irregular {
-            "\n≈ within the scatter of exact runs"
+    });
+    out.table(header, rows);
+    let is_within = |measured: &Measured| measured.within_uncertainty;
+    let mut all = accuracy.rows.iter().map(|row| row.result.as_ref());
+    if all.any(|result| result.is_ok_and(is_within)) {
+        out.put(if irregular {
+            "≈ within the scatter of exact runs"
         } else {
-            "\n≤ not above the uncertainty of the reference"
-        };
+            "≤ not above the uncertainty of the reference"
+        });
     }
-    text
-}
-
-fn is_within(row: &Row) -> bool {
-    row.result
-        .as_ref()
-        .is_ok_and(|measured| measured.within_uncertainty)
+    for row in &accuracy.rows {
+        if let Err(reason) = &row.result {
+            put_note(
+                out,
+                format!("{} at {:e}", row.method, row.tolerance),
+                reason,
+            );
+        }
+    }
 }
 
 /// Titles of three columns: of traces, or of statistics where traces mean nothing.
@@ -141,7 +104,7 @@ fn error_cells(errors: &Errors, irregular: bool, mark: &str) -> Vec<String> {
     vec![
         format!("{mark}{}", short(errors.displacement_relative)),
         short(errors.force_relative),
-        errors.lines.map_or_else(dash, short),
+        or_dash(errors.lines.map(short)),
     ]
 }
 
@@ -165,9 +128,9 @@ fn method_cells(row: &Row, measured: &Measured, irregular: bool) -> Vec<String> 
 }
 
 /// Of each decade of error, the row that stays below it in the least time.
-fn write_least_time(out: &mut String, accuracy: &Accuracy) -> fmt::Result {
+fn put_least_time(out: &mut Lines, accuracy: &Accuracy) {
     if accuracy.agreement.irregular {
-        return Ok(());
+        return;
     }
     for decade in (2..=12).step_by(2) {
         let bound = 10f64.powi(-decade);
@@ -177,18 +140,14 @@ fn write_least_time(out: &mut String, accuracy: &Accuracy) -> fmt::Result {
         });
         let best = fast.min_by(|a, b| a.1.cost.seconds.total_cmp(&b.1.cost.seconds));
         let Some((row, measured)) = best else { break };
-        writeln!(
-            out,
-            "  error ≤ {bound:<5e} soonest by {} at {:e}: {} ms",
-            row.method,
-            row.tolerance,
-            time(MILLI * measured.cost.seconds)
-        )?;
+        let (method, tolerance) = (&row.method, row.tolerance);
+        let time = time(MILLI * measured.cost.seconds);
+        let text = format!("soonest by {method} at {tolerance:e}: {time} ms");
+        out.line(&format!("error ≤ {bound:<5e}"), text);
     }
-    Ok(())
 }
 
-fn ladder(accuracy: &Accuracy) -> String {
+fn put_ladder(out: &mut Lines, accuracy: &Accuracy) {
     let vibration = if accuracy.agreement.irregular {
         ["\nrms", "\npeak", "force\nrms"]
     } else {
@@ -200,11 +159,18 @@ fn ladder(accuracy: &Accuracy) -> String {
         "ms per\nsimulated s",
         "from the top\nplace",
     ];
-    let cells = |row: &LadderRow| ladder_cells(row, accuracy);
-    let rows = accuracy.ladder.rows.iter().filter_map(cells);
-    let mut text = table(header.into_iter().chain(vibration), rows).trim_fmt();
-    text += "\nrelative to the rms of the top rung's vibration after the settle time; place: of its middle";
-    text
+    let rows = &accuracy.ladder.rows;
+    let cells = rows.iter().filter_map(|row| ladder_cells(row, accuracy));
+    out.table(header.into_iter().chain(vibration), cells);
+    out.put(
+        "relative to the rms of the top rung's vibration after the settle time; place: of its middle",
+    );
+    for row in rows {
+        if let Err(reason) = &row.result {
+            put_note(out, row.configuration.to_string(), reason);
+        }
+    }
+    out.put("");
 }
 
 fn ladder_cells(row: &LadderRow, accuracy: &Accuracy) -> Option<Vec<String>> {
@@ -221,7 +187,7 @@ fn ladder_cells(row: &LadderRow, accuracy: &Accuracy) -> Option<Vec<String>> {
         let force = short(errors.force_statistics.rms);
         [short(statistics.rms), short(statistics.peak), force]
     } else {
-        let lines = errors.lines.map_or_else(dash, short);
+        let lines = or_dash(errors.lines.map(short));
         let [vibration, force] = [errors.displacement_relative, errors.force_relative].map(short);
         [vibration, force, lines]
     };
@@ -234,34 +200,10 @@ fn ladder_cells(row: &LadderRow, accuracy: &Accuracy) -> Option<Vec<String>> {
     Some(cells.into_iter().chain(apart).collect())
 }
 
-fn write_notes<'a>(
-    out: &mut String,
-    notes: impl Iterator<Item = (String, &'a String)>,
-) -> fmt::Result {
-    for (what, reason) in notes {
-        writeln!(out, "  not available: {what}")?;
-        for line in wrapped(reason) {
-            writeln!(out, "    {line}")?;
-        }
-    }
-    Ok(())
-}
-
-/// The words in lines of at most [`NOTE`] characters, where no word is longer.
-fn wrapped(text: &str) -> Vec<String> {
-    let mut lines = vec![String::new()];
-    for word in text.split_whitespace() {
-        let last = lines.len() - 1;
-        if lines[last].is_empty() {
-            lines[last] = word.to_owned();
-        } else if lines[last].chars().count() + 1 + word.chars().count() <= NOTE {
-            lines[last] += " ";
-            lines[last] += word;
-        } else {
-            lines.push(word.to_owned());
-        }
-    }
-    lines
+/// What could not be measured, and why.
+fn put_note(out: &mut Lines, what: String, reason: &str) {
+    out.put(format_args!("  not available: {what}"));
+    out.put(wrapped(&format!("    {reason}"), 4));
 }
 
 /// Two significant digits.
@@ -277,8 +219,4 @@ fn short(value: f64) -> String {
 fn time(value: f64) -> String {
     let decimals = (2.0 - value.log10().floor()).clamp(0.0, 6.0) as usize;
     format!("{value:.decimals$}")
-}
-
-fn dash() -> String {
-    "–".to_owned()
 }

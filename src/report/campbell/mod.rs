@@ -39,8 +39,8 @@ pub(super) fn write_files(
 ) -> Result<Vec<WholeFile>, ReportError> {
     let mut files = vec![folder.write_table("campbell", &table::modes(campbell))?];
     if figure {
-        let svg = figure::draw_campbell(title, campbell)?;
-        files.push(folder.write("campbell.svg", svg.as_bytes())?);
+        let figure = figure::campbell_figure(title, campbell);
+        files.push(folder.write_figure(&figure)?);
     }
     Ok(files)
 }

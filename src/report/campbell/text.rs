@@ -2,31 +2,30 @@
 
 use std::path::PathBuf;
 
-use super::super::statics::table;
+use super::super::terminal::{Lines, or_dash};
 use crate::report::units::PER_MINUTE;
 use crate::rotor::Mode;
 use crate::study::campbell::{Branch, Campbell};
 
 /// A table of branches, one of critical speeds, then the files written.
 pub fn campbell_text(title: &str, campbell: &Campbell, files: &[PathBuf]) -> String {
-    let mut out = format!("{title}\n\n{}\n", branches(campbell));
+    let mut out = Lines::titled(title);
+    put_branches(&mut out, campbell);
     if campbell.critical_speeds.is_empty() {
-        out += "\nno critical speed in the range\n";
+        out.put("no critical speed in the range\n");
     } else {
-        out += &format!("\n{}\n", critical(campbell));
+        put_critical(&mut out, campbell);
     }
-    out.push('\n');
-    for file in files {
-        out += &format!("  wrote {}\n", file.display());
-    }
-    out
+    out.wrote(files)
 }
 
-fn branches(campbell: &Campbell) -> String {
+fn put_branches(out: &mut Lines, campbell: &Campbell) {
     let ends = [campbell.speeds.first(), campbell.speeds.last()];
     let at = ends.map(|speed| speed.map_or(0.0, |speed| PER_MINUTE * speed));
     let [first, last] = at.map(|speed| format!("Hz at\n{speed:.0} 1/min"));
     let header = ["branch", "whirl", &first, &last, "damping ratio\nthere"];
+    let frequency =
+        |mode: Option<&Mode>| or_dash(mode.map(|mode| format!("{:.2}", mode.damped_frequency())));
     let rows = campbell.branches.iter().enumerate().map(|(index, branch)| {
         let last = branch.modes.last().and_then(Option::as_ref);
         vec![
@@ -37,7 +36,7 @@ fn branches(campbell: &Campbell) -> String {
             last.map_or_else(String::new, |mode| format!("{:.4}", mode.damping_ratio())),
         ]
     });
-    table(header.into_iter(), rows).trim_fmt()
+    out.table(header, rows);
 }
 
 /// An order with up to four decimals.
@@ -45,14 +44,7 @@ fn rounded(order: f64) -> String {
     format!("{}", (1e4 * order).round() / 1e4)
 }
 
-fn frequency(mode: Option<&Mode>) -> String {
-    mode.map_or_else(
-        || "–".to_owned(),
-        |mode| format!("{:.2}", mode.damped_frequency()),
-    )
-}
-
-fn critical(campbell: &Campbell) -> String {
+fn put_critical(out: &mut Lines, campbell: &Campbell) {
     let header = [
         "order",
         "branch",
@@ -75,5 +67,5 @@ fn critical(campbell: &Campbell) -> String {
             format!("{:.4}", found.damping_ratio),
         ]
     });
-    table(header.into_iter(), rows).trim_fmt()
+    out.table(header, rows);
 }

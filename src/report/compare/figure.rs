@@ -5,16 +5,15 @@ use std::path::{Path, PathBuf};
 
 use super::table::Table;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
-use crate::report::figure::{CURVE_BUCKETS, px, svg};
-use crate::report::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
-use crate::report::{Bucket, Decimator, write_whole};
+use crate::report::figure::{
+    Axis, CURVE_BUCKETS, Curve, Figure, Name, Panel, Point, distinct, ends,
+};
+use crate::report::{Decimator, write_whole};
 
 /// Most columns that are shown.
 const MOST_COLUMNS: usize = 4;
-/// Height of the panels of one column, px.
-const ROW_HEIGHT: u32 = 220;
-/// Height of title and names, px.
-const HEAD_HEIGHT: u32 = 62;
+/// Height of a plot, px.
+const HEIGHT: u32 = 166;
 /// Amplitudes are shown down to this part of the largest, −140 dB.
 const SMALLEST: f64 = 1e-7;
 
@@ -42,21 +41,9 @@ pub fn write_comparison_figure(
         let curves = Overlay::read([&inside(first), &inside(second)], &column.name)?;
         panels.extend(curves.panels(column));
     }
-    let rows = (panels.len() / 2).max(1) as u32;
-    let names = [first, second].map(|path| path.display().to_string());
-    let title = format!("{} and {}", names[0], names[1]);
-    let legend: Vec<_> = [0, 1, 2]
-        .map(distinct)
-        .into_iter()
-        .zip(["a", "b", "b − a"])
-        .map(|(colour, name)| (name.to_owned(), colour))
-        .collect();
-    let text = svg(
-        "comparison",
-        HEAD_HEIGHT + rows * ROW_HEIGHT,
-        &title,
-        |area| draw(&area.margin(0, px(4), 0, 0), &legend, &panels, 2),
-    )?;
+    let title = format!("{} and {}", first.display(), second.display());
+    let figure = Figure::new("comparison", &title, 2, panels);
+    let text = figure.with_names(Name::each(["a", "b", "b − a"])).svg()?;
     write_whole(file, text.as_bytes())?;
     Ok(())
 }
@@ -150,36 +137,26 @@ impl Overlay {
         let marks: Vec<_> = differences
             .map(|worst| (worst.at, apart(worst.first, worst.second, name)))
             .collect();
-        let curve = self.difference.as_ref().map(points).unwrap_or_default();
-        let curve = if curve.is_empty() {
-            marks.clone()
-        } else {
-            curve
+        let curve = match &self.difference {
+            Some(difference) => difference.points().collect(),
+            None => marks.clone(),
         };
         let (unit, size) = power(curve.iter().map(|point| point.1));
-        let scaled = |points: Vec<(f64, f64)>| -> Vec<_> {
-            points
-                .into_iter()
-                .map(|(at, value)| (at, value / size))
-                .collect()
+        let scaled = |points: Vec<Point>| -> Vec<Point> {
+            let points = points.into_iter();
+            points.map(|(at, value)| (at, value / size)).collect()
         };
         let difference = Curve {
-            points: scaled(curve),
-            colour: distinct(2),
             marks: scaled(marks),
+            ..Curve::line(distinct(2), scaled(curve))
         };
         let (values, curves) = self.both(name);
-        let shown = self.curves.iter().flat_map(points_of);
-        let ticks = ticks(shown.map(|(at, _)| at));
-        let panel = |y_name: String, curves| Panel {
-            x_name: self.axis.clone(),
-            x_ticks: ticks.clone(),
-            y_name,
-            curves,
-        };
+        let shown = self.curves.iter().flat_map(Decimator::points);
+        let axis = Axis::spanning(&self.axis, shown.map(|(at, _)| at));
+        let change = format!("b − a{unit}");
         [
-            panel(values, curves),
-            panel(format!("b − a{unit}"), vec![difference]),
+            Panel::of(axis.clone(), values, HEIGHT, curves),
+            Panel::of(axis, change, HEIGHT, vec![difference]),
         ]
     }
 
@@ -194,12 +171,9 @@ impl Overlay {
                 value / size
             }
         };
-        let curve = |(index, curve): (usize, &Decimator)| Curve {
-            points: points_of(curve)
-                .map(|(at, value)| (at, shown(value)))
-                .collect(),
-            colour: distinct(index),
-            marks: Vec::new(),
+        let curve = |(index, curve): (usize, &Decimator)| {
+            let points = curve.points().map(|(at, value)| (at, shown(value)));
+            Curve::line(distinct(index), points.collect())
         };
         let name = if in_decibel {
             format!("{name}, dB")
@@ -219,39 +193,15 @@ fn apart(a: f64, b: f64, name: &str) -> f64 {
     }
 }
 
-fn points_of(curve: &Decimator) -> impl Iterator<Item = (f64, f64)> {
-    curve
-        .buckets()
-        .flat_map(|Bucket { first, last }| [first, last])
-}
-
-fn points(curve: &Decimator) -> Vec<(f64, f64)> {
-    points_of(curve).collect()
-}
-
 /// The power of a thousand that makes values readable, in words and as a number.
 fn power(values: impl Iterator<Item = f64>) -> (String, f64) {
-    let largest = values
-        .filter(|value| value.is_finite())
-        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    let largest = ends(values.map(f64::abs)).map_or(0.0, |[_, largest]| largest);
     if largest == 0.0 {
         return (String::new(), 1.0);
     }
     match 3 * (largest.log10() / 3.0).floor() as i32 {
         0 => (String::new(), 1.0),
         exponent => (format!(" / 1e{exponent}"), 10f64.powi(exponent)),
-    }
-}
-
-/// Ticks of the axis, whose ends are those of the curves as far as ticks are round.
-fn ticks(places: impl Iterator<Item = f64>) -> Vec<f64> {
-    let ends = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
-        (low.min(at), high.max(at))
-    });
-    if ends.0 > ends.1 {
-        vec![0.0, 1.0]
-    } else {
-        round_ticks(ends.0, ends.1)
     }
 }
 

@@ -2,10 +2,8 @@
 
 use std::fmt;
 
-use comfy_table::{CellAlignment, Table, presets};
-
 use super::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
-use crate::report::wrapped;
+use crate::report::terminal::{table, wrapped};
 
 impl fmt::Display for Comparison {
     /// A table of the worst places, what keeps the results from being compared, the verdict and, where
@@ -13,13 +11,9 @@ impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for table in &self.tables {
             write_table(f, table)?;
-            for difference in table.differences.iter().chain(&table.left_out) {
-                writeln!(f, "{}", wrapped(&format!("  {difference}"), 4))?;
-            }
+            write_differences(f, table.differences.iter().chain(&table.left_out))?;
         }
-        for difference in self.differences.iter().chain(&self.left_out) {
-            writeln!(f, "{}", wrapped(&format!("  {difference}"), 4))?;
-        }
+        write_differences(f, self.differences.iter().chain(&self.left_out))?;
         if self.agrees() {
             return f.write_str("equal within tolerance");
         }
@@ -55,6 +49,13 @@ impl Comparison {
             .filter(|(_, column)| !column.agrees())
             .max_by(|a, b| a.1.needed.total_cmp(&b.1.needed))
     }
+}
+
+fn write_differences<'a>(
+    f: &mut fmt::Formatter<'_>,
+    mut differences: impl Iterator<Item = &'a Difference>,
+) -> fmt::Result {
+    differences.try_for_each(|difference| writeln!(f, "{}", wrapped(&format!("  {difference}"), 4)))
 }
 
 /// Where to look, and what would let the results agree.
@@ -93,57 +94,49 @@ fn rounded_up(number: f64) -> f64 {
     text.parse().unwrap_or(number)
 }
 
-fn write_table(f: &mut fmt::Formatter<'_>, table: &TableComparison) -> fmt::Result {
-    writeln!(f, "{}", table.name)?;
-    if table.columns.is_empty() {
+fn write_table(f: &mut fmt::Formatter<'_>, found: &TableComparison) -> fmt::Result {
+    writeln!(f, "{}", found.name)?;
+    if found.columns.is_empty() {
         return Ok(());
     }
-    writeln!(f, "{}", worst_places(table))
+    let header = [
+        "column",
+        "|a−b|",
+        "allowed",
+        axis(found),
+        "a",
+        "b",
+        "differs in",
+    ];
+    let rows = found.columns.iter().flat_map(|column| {
+        let places = column.places.iter().enumerate();
+        let mut rows: Vec<_> = places
+            .map(|(index, worst)| worst_place(column, worst, index == 0))
+            .collect();
+        if rows.is_empty() {
+            let mut row = vec![String::new(); header.len()];
+            row[0].clone_from(&column.name);
+            row[6] = "not significant".to_owned();
+            rows.push(row);
+        }
+        rows
+    });
+    writeln!(f, "{}", table(header, rows))
 }
 
 fn axis(table: &TableComparison) -> &str {
     table.known.first().map_or("row", String::as_str)
 }
 
-fn worst_places(table: &TableComparison) -> String {
-    let mut out = Table::new();
-    out.load_style(presets::NOTHING).set_header([
-        "column",
-        "|a−b|",
-        "allowed",
-        axis(table),
-        "a",
-        "b",
-        "differs in",
-    ]);
-    for column in &table.columns {
-        if column.places.is_empty() {
-            let mut row = [const { String::new() }; 7];
-            row[0].clone_from(&column.name);
-            row[6] = "not significant".to_owned();
-            out.add_row(row);
-        }
-        for (place, worst) in column.places.iter().enumerate() {
-            out.add_row(worst_place(column, worst, place == 0));
-        }
-    }
-    for index in 1..=5 {
-        if let Some(column) = out.column_mut(index) {
-            column.set_cell_alignment(CellAlignment::Right);
-        }
-    }
-    out.trim_fmt()
-}
-
 /// The row of a place; the first of a column names it.
-fn worst_place(column: &ColumnComparison, worst: &Worst, first: bool) -> [String; 7] {
+fn worst_place(column: &ColumnComparison, worst: &Worst, first: bool) -> Vec<String> {
     let verdict = match column.failures {
         0 => "nowhere".to_owned(),
         1 => "1 row".to_owned(),
         rows => format!("{rows} rows"),
     };
     let only_first = |text: String| if first { text } else { String::new() };
-    [
+    vec![
         only_first(column.name.clone()),
         format!("{:.1e}", worst.difference),
         format!("{:.1e}", worst.allowed),

@@ -1,19 +1,15 @@
 //! Places of the shaft over the axis of a study.
 
-use std::collections::BTreeSet;
 use std::path::Path;
 
-use plotters::prelude::*;
-
 use super::digest::Digest;
-use super::figures::{HEIGHT, padded};
-use crate::report::figure::{GRID, INK, font, px, svg, tick_format};
-use crate::report::figure_curves::distinct;
+use super::figures::HEIGHT;
+use crate::report::figure::{Axis, Curve, Figure, Mark, Panel, Point, distinct, padded};
 use crate::report::units::MICRO;
 use crate::report::{FileAction, ReportError};
 
-/// Value of the axis, place, and whether the run was come to from above.
-type Place = (f64, f64, bool);
+/// Value of the axis and place, and whether the run was come to from above.
+type Place = (Point, bool);
 
 impl Digest {
     /// Places of the shaft over the only axis.
@@ -21,7 +17,7 @@ impl Digest {
         &self,
         title: &str,
         points: &Path,
-    ) -> Result<Option<String>, ReportError> {
+    ) -> Result<Option<Figure>, ReportError> {
         let [axis] = &self.axes[..] else {
             return Ok(None);
         };
@@ -29,37 +25,26 @@ impl Digest {
             return Ok(None);
         };
         let (name, places) = self.places(points)?;
-        let range = padded(places.iter().map(|(_, place, _)| *place));
-        let drawn = svg("bifurcation.svg", HEIGHT, title, |area| {
-            let mut chart = ChartBuilder::on(area)
-                .margin(px(12))
-                .set_label_area_size(LabelAreaPosition::Left, px(78))
-                .set_label_area_size(LabelAreaPosition::Bottom, px(48))
-                .build_cartesian_2d(low..high, range.clone())?;
-            chart
-                .configure_mesh()
-                .bold_line_style(GRID)
-                .light_line_style(TRANSPARENT)
-                .x_label_formatter(&tick_format(high - low))
-                .y_label_formatter(&tick_format(range.end - range.start))
-                .x_desc(axis)
-                .y_desc(&name)
-                .axis_style(INK)
-                .label_style(font(13))
-                .axis_desc_style(font(14))
-                .draw()?;
-            // of points on one spot one is drawn: the file stays small
-            let mut taken = BTreeSet::new();
-            for (at, place, down) in &places {
-                let spot = chart.backend_coord(&(*at, *place));
-                if taken.insert((spot.0 / 2, spot.1 / 2, *down)) {
-                    let colour = distinct(usize::from(*down));
-                    chart.draw_series([Circle::new((*at, *place), 2, colour.filled())])?;
-                }
+        let dots = |down: bool| {
+            let places = places.iter().filter(|(_, of)| *of == down);
+            Curve {
+                mark: Mark::Spot,
+                ..Curve::dots(
+                    distinct(usize::from(down)),
+                    places.map(|(place, _)| *place).collect(),
+                )
             }
-            Ok(())
-        })?;
-        Ok(Some(drawn))
+        };
+        let heights = places.iter().map(|((_, place), _)| *place);
+        let panel = Panel {
+            curves: vec![dots(false), dots(true)],
+            ..Panel::new(
+                Axis::over(axis, low..high),
+                Axis::around(name, heights),
+                HEIGHT,
+            )
+        };
+        Ok(Some(Figure::new("bifurcation.svg", title, 1, vec![panel])))
     }
 
     /// Of the displacement that is spread most: axis value, place in µm, and direction.
@@ -99,7 +84,7 @@ impl Digest {
             .map_or("", |k| names[*k].trim_end_matches("_m"));
         let places = found
             .iter()
-            .map(|(at, places, down)| (*at, places[widest], *down));
+            .map(|(at, places, down)| ((*at, places[widest]), *down));
         Ok((format!("{name} in µm"), places.collect()))
     }
 }

@@ -1,21 +1,15 @@
 //! What is drawn of a study, and its numbers along an axis.
 
-use std::ops::Range;
-
 use super::digest::Digest;
-use crate::report::ReportError;
-use crate::report::figure::{padded_range, svg};
-use crate::report::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, distinct, ends};
 use crate::report::units::MICRO;
 
-/// Panels side by side.
-const COLUMNS: usize = 2;
-/// Height of a row of panels, px.
-const ROW_HEIGHT: u32 = 330;
-/// Height of title and names, px.
-pub(super) const HEAD_HEIGHT: u32 = 60;
-/// Height of a figure of one panel, px.
-pub(super) const HEIGHT: u32 = 600;
+/// Height of a plot, px.
+const ROW_HEIGHT: u32 = 272;
+/// Height of a plot that stands alone, px.
+pub(super) const HEIGHT: u32 = 480;
+/// Most points of a curve that are marked.
+const MOST_MARKS: usize = 60;
 /// What the figures show where a study names nothing: name of the column, what it is called.
 const SHOWN: [(&str, &str); 8] = [
     ("x_rms_m", "x, RMS in µm"),
@@ -83,40 +77,24 @@ impl Digest {
     }
 
     /// Numbers along the only axis, by direction.
-    pub(super) fn response(&self, title: &str) -> Option<Result<String, ReportError>> {
+    pub(super) fn response(&self, title: &str) -> Option<Figure> {
         let [axis] = &self.axes[..] else {
             return None;
         };
-        let [low, high] = self.ends(0)?;
-        let panels: Vec<_> = self
-            .shown()
-            .into_iter()
-            .map(|shown| Panel {
-                x_name: axis.clone(),
-                x_ticks: round_ticks(low, high),
-                curves: [false, true]
-                    .into_iter()
-                    .filter_map(|down| self.curve(&shown, down))
-                    .collect(),
-                y_name: shown.title,
-            })
-            .collect();
-        let up_and_down =
-            self.rows.iter().any(|row| row.down) && !self.rows.iter().all(|row| row.down);
-        let names: &[&str] = if up_and_down {
+        let ends = self.ends(0)?;
+        let panels = self.shown().into_iter().map(|shown| {
+            let both = [false, true].into_iter();
+            let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
+            Panel::of(Axis::spanning(axis, ends), shown.title, ROW_HEIGHT, curves)
+        });
+        let down = self.rows.iter().filter(|row| row.down).count();
+        let names: &[&str] = if down > 0 && down < self.rows.len() {
             &["up", "down"]
         } else {
             &["runs"]
         };
-        let names: Vec<_> = names
-            .iter()
-            .enumerate()
-            .map(|(index, name)| ((*name).to_owned(), distinct(index)))
-            .collect();
-        let height = HEAD_HEIGHT + panels.len().div_ceil(COLUMNS) as u32 * ROW_HEIGHT;
-        Some(svg("response.svg", height, title, |area| {
-            draw(area, &names, &panels, COLUMNS)
-        }))
+        let figure = Figure::new("response.svg", title, 2, panels.collect());
+        Some(figure.with_names(Name::each(names.iter().copied())))
     }
 
     fn curve(&self, shown: &Shown, down: bool) -> Option<Curve> {
@@ -126,28 +104,14 @@ impl Digest {
             .filter(|(_, value)| value.is_finite())
             .collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        (!points.is_empty()).then(|| Curve {
-            marks: if points.len() <= 60 && !self.drawn {
-                points.clone()
-            } else {
-                Vec::new()
-            },
-            points,
-            colour: distinct(usize::from(down)),
-        })
+        let most_marks = if self.drawn { 0 } else { MOST_MARKS };
+        let colour = distinct(usize::from(down));
+        (!points.is_empty()).then(|| Curve::marked(colour, points, most_marks))
     }
 
     /// Least and largest value of an axis.
     pub(super) fn ends(&self, axis: usize) -> Option<[f64; 2]> {
-        let values = self.rows.iter().map(|row| row.values[axis]);
-        let low = values.clone().fold(f64::INFINITY, f64::min);
-        let high = values.fold(f64::NEG_INFINITY, f64::max);
-        (low < high).then_some([low, high])
+        let ends = ends(self.rows.iter().map(|row| row.values[axis]));
+        ends.filter(|[low, high]| low < high)
     }
-}
-
-/// A range that holds all values with a margin.
-pub(super) fn padded(values: impl Iterator<Item = f64> + Clone) -> Range<f64> {
-    let low = values.clone().fold(f64::INFINITY, f64::min);
-    padded_range(low, values.fold(f64::NEG_INFINITY, f64::max))
 }

@@ -32,6 +32,7 @@ pub use self::tables::Layout;
 use self::tables::{Table, write_header, write_rows};
 pub use self::traces::Traces;
 use self::traces::remove_stale;
+use crate::report::figure::Figure;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::study::many::{Keep, RunRecord, Schedule, Shard};
 
@@ -241,10 +242,13 @@ fn seal(
     let digest = Digest::of(&runs, identity)?;
     let tables = [Table::Points, Table::Spectra].map(|table| named(&files, table));
     let figures = figures(&digest, title, tables.each_ref().map(Option::as_deref))?;
-    for (name, figure) in &figures {
-        files.push(folder.write(name, figure.as_bytes())?);
+    let mut drawn = Vec::new();
+    for figure in figures {
+        let svg = figure.svg()?;
+        files.push(folder.write(&figure.file, svg.as_bytes())?);
+        drawn.push((figure.file, svg));
     }
-    let page = |file: &mut PartialFile| write_page(title, identity, &digest, &figures, file);
+    let page = |file: &mut PartialFile| write_page(title, identity, &digest, &drawn, file);
     files.push(folder.write_with("report.html", page)?);
     if let Some(stiffness) = named(&files, Table::Stiffness) {
         for (name, text) in ross_files(title, identity, &digest, &stiffness)? {
@@ -261,25 +265,20 @@ fn seal(
     Ok((paths, digest))
 }
 
-/// What there is to draw, by the names of the files.
+/// What there is to draw.
 fn figures(
     digest: &Digest,
     title: &str,
     [points, spectra]: [Option<&Path>; 2],
-) -> Result<Vec<(String, String)>, ReportError> {
+) -> Result<Vec<Figure>, ReportError> {
     let bifurcation = points.map(|points| digest.bifurcation(title, points));
     let waterfall = spectra.map(|spectra| digest.waterfall(title, spectra));
     let drawn = [
-        ("response.svg", digest.response(title)),
-        ("bifurcation.svg", bifurcation.and_then(Result::transpose)),
-        ("waterfall.svg", waterfall.and_then(Result::transpose)),
-        ("map.svg", digest.map(title)),
-        ("sensitivity.svg", digest.tornado(title)),
+        digest.response(title),
+        bifurcation.transpose()?.flatten(),
+        waterfall.transpose()?.flatten(),
+        digest.map(title),
+        digest.tornado(title),
     ];
-    let there = drawn
-        .into_iter()
-        .filter_map(|(name, figure)| Some((name, figure?)));
-    there
-        .map(|(name, figure)| Ok((name.to_owned(), figure?)))
-        .collect()
+    Ok(drawn.into_iter().flatten().collect())
 }

@@ -3,11 +3,10 @@
 use std::path::Path;
 
 use super::digest::{Digest, Row};
-use crate::report::run_up::{MOST_CELLS, Raster, draw_runs};
+use crate::report::figure::Figure;
+use crate::report::run_up::{MOST_CELLS, Raster, moving, runs_figure};
 use crate::report::{FileAction, ReportError};
 
-/// A channel below this part of the loudest one does not move.
-const ROUND_OFF: f64 = 1e-9;
 /// Columns before the amplitudes: run, frequency and order.
 const START: usize = 3;
 
@@ -32,7 +31,7 @@ impl Digest {
         &self,
         title: &str,
         spectra: &Path,
-    ) -> Result<Option<String>, ReportError> {
+    ) -> Result<Option<Figure>, ReportError> {
         let ([axis], Some(ends), false) = (&self.axes[..], self.ends(0), self.drawn) else {
             return Ok(None);
         };
@@ -57,17 +56,10 @@ impl Digest {
             let name = name.trim_end_matches("_amplitude_m").to_owned();
             (name, raster(channel))
         });
-        let mut rows: Vec<_> = rows.collect();
-        let loudest = |rows: &[(String, Raster)]| {
-            let all = rows.iter().map(|(_, raster)| raster.loudest());
-            all.fold(0.0, f64::max)
-        };
-        let floor = ROUND_OFF * loudest(&rows);
-        rows.retain(|(_, raster)| raster.loudest() > floor);
-        if rows.is_empty() {
-            return Ok(None);
-        }
-        draw_runs(title, axis, &rows).map(Some)
+        let rows: Vec<_> = rows.collect();
+        let loudest: Vec<f64> = rows.iter().map(|(_, raster)| raster.loudest()).collect();
+        let rows: Vec<_> = moving(&loudest).map(|row| rows[row].clone()).collect();
+        Ok((!rows.is_empty()).then(|| runs_figure(title, axis, &rows)))
     }
 }
 

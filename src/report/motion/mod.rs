@@ -8,4 +8,4 @@ mod text;
 pub(super) use orbit_figure::orbit_figure;
 pub(super) use poincare_table::write_poincare;
 pub(super) use summary::MotionSummary;
-pub(super) use text::write_motion;
+pub(super) use text::put_motion;

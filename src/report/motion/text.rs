@@ -1,13 +1,12 @@
 //! A steady motion in a few lines.
 
-use std::fmt::{self, Write};
-
+use super::super::terminal::Lines;
 use crate::analysis::{Channel, Kind, LONGEST_PERIOD, Motion, SectionKind};
 use crate::report::units::{MICRO, MILLI};
 
-/// Writes kind, settling, vibration and velocity.
-pub(in super::super) fn write_motion(out: &mut String, motion: &Motion) -> fmt::Result {
-    writeln!(out, "  motion        {}", kind(&motion.recognition.kind))?;
+/// Kind, settling, vibration and velocity.
+pub(in super::super) fn put_motion(out: &mut Lines, motion: &Motion) {
+    out.line("motion", kind(&motion.recognition.kind));
     if let Some(drift) = &motion.drift {
         let word = match (&motion.recognition.kind, drift.is_settled()) {
             (Kind::Irregular { .. }, _) => "wanders",
@@ -15,32 +14,23 @@ pub(in super::super) fn write_motion(out: &mut String, motion: &Motion) -> fmt::
             (_, false) => "not settled",
         };
         let channel = Channel::Displacement(drift.freedom);
-        writeln!(
-            out,
-            "                {word}: between thirds mean and RMS of {channel} move by {:.2} % and {:.2} %",
-            100.0 * drift.mean.abs(),
-            100.0 * drift.rms.abs()
-        )?;
+        let [mean, rms] = [drift.mean, drift.rms].map(|part| 100.0 * part.abs());
+        out.more(format_args!(
+            "{word}: between thirds mean and RMS of {channel} move by {mean:.2} % and {rms:.2} %"
+        ));
     }
-    for each in motion
-        .statistics
-        .iter()
-        .filter(|each| each.channel.unit() == "m")
-    {
+    let all = motion.statistics.iter();
+    for each in all.filter(|each| each.channel.unit() == "m") {
         let moments = &each.moments;
         let (Some(crest), Some(kurtosis)) = (moments.crest_factor(), moments.kurtosis()) else {
             continue;
         };
-        writeln!(
-            out,
-            "  vibration {}   {} µm RMS, peak {}, crest factor {crest:.2}, kurtosis {kurtosis:.2}{}",
-            each.channel,
-            micrometres(moments.rms()),
-            micrometres(moments.peak()),
-            velocity(motion, each.channel)
-        )?;
+        let [rms, peak] = [moments.rms(), moments.peak()].map(|part| short(MICRO * part));
+        let text =
+            format!("{rms} µm RMS, peak {peak}, crest factor {crest:.2}, kurtosis {kurtosis:.2}");
+        out.line(&format!("vibration {}", each.channel), text);
+        out.more(velocity(motion, each.channel));
     }
-    Ok(())
 }
 
 fn kind(kind: &Kind) -> String {
@@ -70,8 +60,8 @@ fn kind(kind: &Kind) -> String {
             points,
             test: Some(test),
         } => format!(
-            "regular (0–1 test {test:.3}), but repeats neither within {LONGEST_PERIOD} cycles nor\n                \
-             on a closed curve, in {points} points"
+            "regular (0–1 test {test:.3}), but repeats neither within {LONGEST_PERIOD} cycles nor on a \
+             closed curve, in {points} points"
         ),
     }
 }
@@ -88,7 +78,7 @@ fn counted(section: SectionKind, cycles: usize) -> String {
     }
 }
 
-/// `; 0.123 mm/s RMS in 10–1000 Hz`.
+/// `0.123 mm/s RMS from 10 to 1000 Hz`.
 fn velocity(motion: &Motion, channel: Channel) -> String {
     let Channel::Displacement(axis) = channel else {
         return String::new();
@@ -97,14 +87,10 @@ fn velocity(motion: &Motion, channel: Channel) -> String {
     level.map_or_else(String::new, |level| {
         let [low, high] = level.band;
         format!(
-            "\n                {} mm/s RMS from {low:.0} to {high:.0} Hz",
+            "{} mm/s RMS from {low:.0} to {high:.0} Hz",
             short(MILLI * level.rms)
         )
     })
-}
-
-fn micrometres(metres: f64) -> String {
-    short(MICRO * metres)
 }
 
 /// Four digits.

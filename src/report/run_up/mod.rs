@@ -5,8 +5,8 @@ mod raster;
 mod waterfall_figure;
 mod waterfall_table;
 
-pub(in crate::report) use raster::{MOST_CELLS, Raster};
-pub(in crate::report) use waterfall_figure::draw_runs;
+pub(in crate::report) use raster::{MOST_CELLS, Raster, moving};
+pub(in crate::report) use waterfall_figure::runs_figure;
 
 use serde_json::{Value, json};
 
@@ -21,16 +21,15 @@ pub(super) fn write_maps(
     maps: &Maps,
     figures: bool,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    let folder = target.folder;
     let mut files = waterfall_table::write(&maps.waterfall, target)?;
     files.extend(order_tracks::write(&maps.tracks, target)?);
     if figures && !maps.waterfall.slices.is_empty() {
-        let svg = waterfall_figure::draw(title, maps)?;
-        files.push(folder.write("waterfall.svg", svg.as_bytes())?);
+        let figure = waterfall_figure::waterfall_figure(title, maps);
+        files.push(target.folder.write_figure(&figure)?);
     }
     if figures && !maps.tracks.points.is_empty() {
-        let svg = order_tracks::figure(title, &maps.tracks)?;
-        files.push(folder.write("order_tracks.svg", svg.as_bytes())?);
+        let figure = order_tracks::order_figure(title, &maps.tracks);
+        files.push(target.folder.write_figure(&figure)?);
     }
     Ok(files)
 }

@@ -1,23 +1,17 @@
 //! The table `order_tracks` and `order_tracks.svg`: amplitude and phase of orders over the speed.
 
-use plotters::style::RGBColor;
-
 use super::super::columns::{amplitude_column, phase_column};
-use super::super::figure::svg;
-use super::super::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
+use super::super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::super::table::{Column, TableTarget};
 use super::super::{ReportError, WholeFile};
-use crate::analysis::{Channel, OrderTracks, Track};
+use super::raster::moving;
+use crate::analysis::{OrderTracks, Track};
 use crate::report::units::{MICRO, PER_MINUTE};
 
-/// Height of a row of panels, px.
-const ROW_HEIGHT: u32 = 270;
-/// Height of title and names, px.
-const HEAD_HEIGHT: u32 = 60;
+/// Height of a plot, px.
+const HEIGHT: u32 = 212;
 /// A phase is drawn where its order has this part of the channel's largest amplitude.
 const HEARD: f64 = 0.01;
-/// A channel below this part of the loudest one does not move.
-const ROUND_OFF: f64 = 1e-9;
 
 /// Writes one row a window: time, speed, then amplitude and phase of every order of every channel.
 pub(super) fn write(
@@ -56,89 +50,48 @@ fn column(name: &str) -> String {
     }
 }
 
-/// Draws a row of amplitude and phase for each channel.
-pub(super) fn figure(title: &str, tracks: &OrderTracks) -> Result<String, ReportError> {
-    let names: Vec<(String, RGBColor)> = tracks
-        .orders
-        .iter()
-        .enumerate()
-        .map(|(index, order)| (order.name.clone(), distinct(index)))
-        .collect();
-    let rows = moving(tracks);
-    let panels: Vec<Panel> = rows
-        .iter()
-        .flat_map(|row| {
-            let channel = tracks.channels[*row];
-            [
-                amplitudes(tracks, *row, channel),
-                phases(tracks, *row, channel),
-            ]
-        })
-        .collect();
-    let height = HEAD_HEIGHT + ROW_HEIGHT * rows.len() as u32;
-    svg("order_tracks.svg", height, title, |area| {
-        draw(area, &names, &panels, 2)
-    })
-}
-
-/// Channels that are more than round-off beside the loudest.
-fn moving(tracks: &OrderTracks) -> Vec<usize> {
+/// A row of amplitude and phase for each channel.
+pub(super) fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
     let channels = 0..tracks.channels.len();
-    let loudest = channels.clone().map(|channel| loudest(tracks, channel));
-    let all = loudest.clone().fold(0.0, f64::max);
-    let rows = channels.zip(loudest);
-    rows.filter(|(_, own)| *own > ROUND_OFF * all)
-        .map(|(channel, _)| channel)
-        .collect()
+    let loudest = channels.map(|channel| loudest(tracks, channel));
+    let loudest: Vec<f64> = loudest.collect();
+    let panels = moving(&loudest).flat_map(|row| {
+        [
+            amplitudes(tracks, row),
+            phases(tracks, row, HEARD * loudest[row]),
+        ]
+    });
+    let names = tracks.orders.iter().map(|order| order.name.as_str());
+    let figure = Figure::new("order_tracks.svg", title, 2, panels.collect());
+    figure.with_names(Name::each(names))
 }
 
 /// Largest amplitude of any order of a channel.
 fn loudest(tracks: &OrderTracks, channel: usize) -> f64 {
-    let all = tracks
-        .points
-        .iter()
-        .flat_map(|point| &point.tracks[channel]);
+    let points = tracks.points.iter();
+    let all = points.flat_map(|point| &point.tracks[channel]);
     all.map(|track| track.amplitude).fold(0.0, f64::max)
 }
 
-fn amplitudes(tracks: &OrderTracks, index: usize, channel: Channel) -> Panel {
-    let curve = |order: usize| Curve {
-        points: over_speed(tracks, index, order, |track| Some(MICRO * track.amplitude)),
-        colour: distinct(order),
-        marks: Vec::new(),
+fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
+    let name = format!("amplitude of {} in µm", tracks.channels[row]);
+    let curve = |order: usize| {
+        let points = over_speed(tracks, row, order, |track| Some(MICRO * track.amplitude));
+        Curve::line(distinct(order), points)
     };
-    Panel {
-        x_name: "speed in 1/min".to_owned(),
-        x_ticks: speed_ticks(tracks),
-        y_name: format!("amplitude of {channel} in µm"),
-        curves: (0..tracks.orders.len()).map(curve).collect(),
-    }
+    let curves = (0..tracks.orders.len()).map(curve);
+    Panel::of(speeds(tracks), name, HEIGHT, curves.collect())
 }
 
-fn phases(tracks: &OrderTracks, index: usize, channel: Channel) -> Panel {
-    let loudest = loudest(tracks, index);
-    let heard =
-        |track: &Track| (track.amplitude > HEARD * loudest).then(|| track.phase.to_degrees());
+/// Where an order is louder than `least`, m.
+fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
+    let name = format!("phase of {} in deg", tracks.channels[row]);
+    let heard = |track: &Track| (track.amplitude > least).then(|| track.phase.to_degrees());
     // dots, for a line would run across the figure where the angle begins anew
-    let curve = |order: usize| Curve {
-        points: Vec::new(),
-        colour: distinct(order),
-        marks: over_speed(tracks, index, order, heard),
-    };
-    let mut curves: Vec<Curve> = (0..tracks.orders.len()).map(curve).collect();
-    // the range of the axis, in no colour of its own
-    curves.push(Curve {
-        points: [-180.0, 180.0]
-            .map(|angle| (speed_ticks(tracks)[0], angle))
-            .to_vec(),
-        colour: RGBColor(255, 255, 255),
-        marks: Vec::new(),
-    });
+    let curve = |order| Curve::dots(distinct(order), over_speed(tracks, row, order, heard));
     Panel {
-        x_name: "speed in 1/min".to_owned(),
-        x_ticks: speed_ticks(tracks),
-        y_name: format!("phase of {channel} in deg"),
-        curves,
+        curves: (0..tracks.orders.len()).map(curve).collect(),
+        ..Panel::new(speeds(tracks), Axis::over(name, -190.0..190.0), HEIGHT)
     }
 }
 
@@ -147,22 +100,17 @@ fn over_speed(
     channel: usize,
     order: usize,
     value: impl Fn(&Track) -> Option<f64>,
-) -> Vec<(f64, f64)> {
-    let points = tracks.points.iter();
-    points
-        .filter_map(|point| {
-            Some((
-                PER_MINUTE * point.speed,
-                value(&point.tracks[channel][order])?,
-            ))
-        })
-        .collect()
+) -> Vec<Point> {
+    let mut places = Vec::new();
+    for point in &tracks.points {
+        if let Some(value) = value(&point.tracks[channel][order]) {
+            places.push((PER_MINUTE * point.speed, value));
+        }
+    }
+    places
 }
 
-fn speed_ticks(tracks: &OrderTracks) -> Vec<f64> {
+fn speeds(tracks: &OrderTracks) -> Axis {
     let speeds = tracks.points.iter().map(|point| PER_MINUTE * point.speed);
-    let (low, high) = speeds.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), speed| {
-        (low.min(speed), high.max(speed))
-    });
-    round_ticks(low, high)
+    Axis::spanning("speed in 1/min", speeds)
 }

@@ -1,6 +1,7 @@
 //! The cells of a waterfall over time and over speed, as levels of brightness.
 
 use crate::analysis::Waterfall;
+use crate::report::figure::Map;
 
 /// Most cells along an axis: more cannot be seen.
 pub(in crate::report) const MOST_CELLS: usize = 320;
@@ -8,6 +9,8 @@ pub(in crate::report) const MOST_CELLS: usize = 320;
 const SPEED_CELLS: usize = 200;
 /// Decades below the loudest cell that are told apart.
 pub(super) const DECADES: f64 = 4.0;
+/// A channel below this part of the loudest one does not move.
+const ROUND_OFF: f64 = 1e-9;
 /// Bins that hold the mean, which was taken away.
 const MEAN_BINS: usize = 1;
 
@@ -89,9 +92,8 @@ impl Raster {
         cells.copied().fold(0.0, f64::max)
     }
 
-    /// Pixels row by row from the highest frequency down, 0 at [`DECADES`] below `loudest` or less, 255
-    /// there or above; the number of columns before.
-    pub fn pixels(&self, loudest: f64) -> (usize, Vec<u8>) {
+    /// Levels from the highest frequency down, 0 at [`DECADES`] below `loudest` or less, 255 there or above.
+    pub fn map(&self, loudest: f64) -> Map {
         let height = self.columns.first().map_or(0, Vec::len);
         let joined = height.div_ceil(MOST_CELLS).max(1);
         let level = |row: usize, column: &Vec<f64>| {
@@ -102,8 +104,17 @@ impl Raster {
         };
         let rows = (0..height.div_ceil(joined)).rev();
         let pixels = rows.flat_map(|row| self.columns.iter().map(move |column| level(row, column)));
-        (self.columns.len(), pixels.collect())
+        Map {
+            width: self.columns.len(),
+            levels: pixels.collect(),
+        }
     }
+}
+
+/// Which channels are more than round-off beside the loudest, by the largest amplitude of each.
+pub(in crate::report) fn moving(loudest: &[f64]) -> impl Iterator<Item = usize> {
+    let floor = ROUND_OFF * loudest.iter().copied().fold(0.0, f64::max);
+    (0..loudest.len()).filter(move |channel| loudest[*channel] > floor)
 }
 
 /// A bin is as wide as the step of frequencies, about its middle.

@@ -1,80 +1,58 @@
 //! `spectrum_<name>.svg`: a panel for every unit.
 
-use plotters::prelude::*;
-
 use super::shown::{ShownColumns, axis_text, shown_columns, shown_places};
+use super::table_name;
 use crate::analysis::{EstimatedSpectrum, SpectrumColumn};
-use crate::report::figure::{Area, CURVE_BUCKETS, DrawError, LINE, PALETTE, svg};
-use crate::report::figure_lines::{amplitude_range, draw_legend, legend_stroke, line_chart};
-use crate::report::{Bucket, Decimator, ReportError};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 
-/// Height of a panel, px.
-const PANEL_HEIGHT: u32 = 420;
-/// Height of the title, px.
-const HEAD_HEIGHT: u32 = 40;
+/// Height of a plot, px.
+const HEIGHT: u32 = 340;
 
-/// Draws the spectrum, up to `limit` in Hz.
+/// The spectrum up to `limit` in Hz.
 pub(in crate::report) fn estimated_figure(
     title: &str,
     spectrum: &EstimatedSpectrum,
     limit: f64,
-) -> Result<String, ReportError> {
+) -> Figure {
     let groups = shown_columns(spectrum);
-    let height = HEAD_HEIGHT + PANEL_HEIGHT * groups.len() as u32;
+    let panels = groups.iter().map(|group| panel(spectrum, group, limit));
+    let file = format!("{}.svg", table_name(spectrum));
     let title = format!("{title}: {}", spectrum.request.name);
-    svg("spectrum_<name>.svg", height, &title, |area| {
-        let panels = area.split_evenly((groups.len(), 1));
-        groups
-            .iter()
-            .zip(&panels)
-            .try_for_each(|(group, panel)| draw(panel, spectrum, group, limit))
-    })
+    Figure::new(&file, &title, 1, panels.collect())
 }
 
-fn draw(
-    area: &Area,
-    spectrum: &EstimatedSpectrum,
-    group: &ShownColumns<'_>,
-    limit: f64,
-) -> Result<(), DrawError> {
+fn panel(spectrum: &EstimatedSpectrum, group: &ShownColumns<'_>, limit: f64) -> Panel {
     let places = shown_places(spectrum, limit);
-    let values = amplitude_range(strongest(spectrum, group));
-    let floor = values.start;
+    let all = group.columns.iter();
+    let values = all.flat_map(|(_, column)| points(spectrum, group, column));
+    let strongest = values.fold(0.0, |most: f64, (_, value)| most.max(value));
     let scaling = spectrum.request.scaling.name().replace('_', " ");
-    let upright = format!("{scaling} in {}", group.unit);
-    let below = axis_text(spectrum.request.axis);
-    let mut chart = line_chart(area, places.clone(), values, [below, &upright])?;
-    for ((name, column), colour) in group.columns.iter().zip(PALETTE.iter().cycle()) {
-        let mut envelope = Decimator::new(CURVE_BUCKETS);
-        for (place, value) in points(spectrum, column) {
-            if places.contains(&place) {
-                envelope.push(place, (group.factor * value).max(floor));
-            }
-        }
-        let buckets = envelope.buckets();
-        let curve = buckets.flat_map(|Bucket { first, last }| [first, last]);
-        chart
-            .draw_series(LineSeries::new(curve, colour.stroke_width(LINE)))?
-            .label(name)
-            .legend(|from| legend_stroke(from, *colour));
+    let columns = group.columns.iter().enumerate();
+    let curves = columns.map(|(index, (_, column))| {
+        let points = points(spectrum, group, column);
+        Curve::envelope(
+            distinct(index),
+            points.filter(|(place, _)| places.contains(place)),
+        )
+    });
+    Panel {
+        names: Name::each(group.columns.iter().map(|(name, _)| name.as_str())),
+        curves: curves.collect(),
+        ..Panel::new(
+            Axis::over(axis_text(spectrum.request.axis), places.clone()),
+            Axis::below(format!("{scaling} in {}", group.unit), strongest),
+            HEIGHT,
+        )
     }
-    draw_legend(&mut chart)
 }
 
 /// Places and values of a column but the mean.
 fn points(
     spectrum: &EstimatedSpectrum,
+    group: &ShownColumns<'_>,
     column: &SpectrumColumn,
-) -> impl Iterator<Item = (f64, f64)> {
+) -> impl Iterator<Item = Point> {
     let all = column.values.iter().enumerate();
-    let placed = all.map(|(row, value)| (spectrum.place(row), *value));
+    let placed = all.map(|(row, value)| (spectrum.place(row), group.factor * value));
     placed.filter(|(place, _)| *place != 0.0)
-}
-
-fn strongest(spectrum: &EstimatedSpectrum, group: &ShownColumns<'_>) -> f64 {
-    let columns = group.columns.iter();
-    let values = columns.flat_map(|(_, column)| points(spectrum, column));
-    values.fold(0.0, |largest: f64, (_, value)| {
-        largest.max(group.factor * value)
-    })
 }

@@ -9,7 +9,6 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 pub use self::text::answer_text;
-pub(super) use self::text::{digits, table};
 use super::{FileSet, ReportError, RunFolder, document};
 use crate::quasi_static::QuasiStatic;
 
@@ -24,10 +23,9 @@ pub fn write_answer(
     answer: &QuasiStatic,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let folder = RunFolder::open(folder, FileSet::BEARING)?;
-    let svg = figure::balls(title, answer)?;
     let files = vec![
         folder.write_table("balls", &ball_table::balls(answer))?,
-        folder.write("balls.svg", svg.as_bytes())?,
+        folder.write_figure(&figure::balls(title, answer))?,
     ];
     let json = document(title, scenario, answer);
     folder.commit(files, format!("{json:#}\n").as_bytes())

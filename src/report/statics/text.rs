@@ -1,11 +1,8 @@
 //! The answer to a static question as a person reads it, in at most 100 columns.
 
-use std::fmt::Write;
 use std::path::PathBuf;
 
-use comfy_table::{CellAlignment, Table, presets};
-
-use super::super::text::decimal;
+use super::super::terminal::{Lines, decimal, digits, listed, or_dash};
 use super::ball_table::race_name;
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::quasi_static::QuasiStatic;
@@ -28,74 +25,38 @@ const FORCES: [(&str, &str); FREEDOMS] = [
 
 /// Equilibrium, stiffness and every bearing with its balls; then the files written.
 pub fn answer_text(title: &str, answer: &QuasiStatic, files: &[PathBuf]) -> String {
-    let mut out = format!("{title}\n");
-    line(&mut out, "equilibrium", &displacement(answer));
-    line(&mut out, "held", &held(answer));
-    line(&mut out, "force", &force(answer));
-    line(&mut out, "twist", &twist(answer));
-    line(&mut out, "stiffness", &diagonal(&answer.stiffness));
-    line(&mut out, "condition", &condition(answer.condition));
+    let mut out = Lines::titled(title);
+    let displacement = NAMES.iter().zip(PLACES).zip(answer.displacement);
+    let displacement = displacement
+        .map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value)));
+    out.line("equilibrium", listed(displacement));
+    let held = NAMES.iter().zip(answer.free).filter(|(_, free)| !free);
+    out.line("held", listed(held.map(|(name, _)| (*name).to_owned())));
+    let force = FORCES.iter().zip(answer.force);
+    let force = force.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(value)));
+    out.line("force", listed(force));
+    if let Some(twist) = answer.twist {
+        let (moment, angle) = (MILLI * twist.moment, MICRO * twist.angle);
+        let text = format!("Mz {} N mm, θz {} µrad", decimal(moment), decimal(angle));
+        out.line("twist", text);
+    }
+    out.line("stiffness", diagonal(&answer.stiffness));
+    out.line("condition", condition(answer.condition));
     let steps = answer.newton_steps;
     let search = format!("{steps} Newton steps, residual {:.1e}", answer.residual);
-    line(&mut out, "search", &search);
-    block(&mut out, &stiffness_table(&answer.stiffness));
+    out.line("search", search);
+    put_stiffness(&mut out, &answer.stiffness);
     for (index, state) in answer.bearings.iter().enumerate() {
-        bearing(&mut out, index + 1, state);
+        put_bearing(&mut out, index + 1, state);
     }
-    for file in files {
-        line(&mut out, "wrote", &file.display().to_string());
-    }
-    out
-}
-
-/// A named line; none where there is nothing to say.
-fn line(out: &mut String, name: &str, text: &str) {
-    if !text.is_empty() {
-        writeln!(out, "  {name:<13} {text}").expect("a String takes everything");
-    }
-}
-
-/// A table between blank lines.
-fn block(out: &mut String, table: &Table) {
-    writeln!(out, "\n{}\n", table.trim_fmt()).expect("a String takes everything");
-}
-
-fn displacement(answer: &QuasiStatic) -> String {
-    let places = NAMES.iter().zip(PLACES).zip(answer.displacement);
-    let shown =
-        places.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value)));
-    shown.collect::<Vec<_>>().join(", ")
-}
-
-fn held(answer: &QuasiStatic) -> String {
-    let held = NAMES.iter().zip(answer.free).filter(|(_, free)| !free);
-    held.map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
-}
-
-fn force(answer: &QuasiStatic) -> String {
-    let parts = FORCES.iter().zip(answer.force);
-    let shown = parts.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(value)));
-    shown.collect::<Vec<_>>().join(", ")
-}
-
-fn twist(answer: &QuasiStatic) -> String {
-    answer.twist.map_or_else(String::new, |twist| {
-        format!(
-            "Mz {} N mm, θz {} µrad",
-            decimal(MILLI * twist.moment),
-            decimal(MICRO * twist.angle)
-        )
-    })
+    out.wrote(files)
 }
 
 /// K_x … K_θy in N/µm and N m/mrad.
 fn diagonal(stiffness: &Matrix5) -> String {
     let shown = |axes: std::ops::Range<usize>, scale: f64| {
-        let terms = axes.map(|axis| {
-            let term = stiffness[(axis, axis)] / scale;
-            format!("K_{} {}", NAMES[axis], digits(term))
-        });
-        terms.collect::<Vec<_>>().join(", ")
+        let term = |axis| digits(stiffness[(axis, axis)] / scale);
+        listed(axes.map(|axis| format!("K_{} {}", NAMES[axis], term(axis))))
     };
     let (along, about) = (shown(0..3, MICRO), shown(3..FREEDOMS, MILLI));
     format!("{along} N/µm; {about} N m/mrad")
@@ -110,7 +71,7 @@ fn condition(condition: f64) -> String {
 }
 
 /// K, a micrometre or a milliradian a column.
-fn stiffness_table(stiffness: &Matrix5) -> Table {
+fn put_stiffness(out: &mut Lines, stiffness: &Matrix5) {
     let columns = ["x\n/µm", "y\n/µm", "z\n/µm", "θx\n/mrad", "θy\n/mrad"];
     let header = std::iter::once("K").chain(columns);
     let rows = FORCES.iter().enumerate().map(|(row, (name, unit))| {
@@ -129,111 +90,78 @@ fn stiffness_table(stiffness: &Matrix5) -> Table {
             .chain(cells)
             .collect()
     });
-    table(header, rows)
+    out.table(header, rows);
 }
 
-fn bearing(out: &mut String, number: usize, state: &BearingState) {
-    writeln!(out, "bearing {number}").expect("a String takes everything");
-    line(out, "balls loaded", &state.balls_loaded.to_string());
-    let life = state
-        .life
-        .map(|life| format!("{life:.4e} million revolutions"));
-    line(out, "life L10r", &life.unwrap_or_default());
-    let safety = state.static_safety.map(|safety| format!("{safety:.3}"));
-    line(out, "static safety", &safety.unwrap_or_default());
-    let friction = state.friction_moment;
-    let parts = format!(
-        "{} N mm: load {}, viscous {}",
-        decimal(MILLI * friction.total()),
-        decimal(MILLI * friction.load),
-        decimal(MILLI * friction.viscous)
-    );
-    line(out, "friction", &parts);
-    let pass = state.ball_pass;
+fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
+    out.put(format_args!("bearing {number}"));
+    out.line("balls loaded", state.balls_loaded);
+    if let Some(life) = state.life {
+        out.line("life L10r", format!("{life:.4e} million revolutions"));
+    }
+    if let Some(safety) = state.static_safety {
+        out.line("static safety", format!("{safety:.3}"));
+    }
+    let friction = &state.friction_moment;
+    let [total, load, viscous] =
+        [friction.total(), friction.load, friction.viscous].map(|moment| decimal(MILLI * moment));
+    let text = format!("{total} N mm: load {load}, viscous {viscous}");
+    out.line("friction", text);
+    let pass = &state.ball_pass;
     let pass = format!(
         "outer race {:.3} Hz, inner race {:.3} Hz, ball spin {:.3} Hz, cage {:.3} Hz",
         pass.outer, pass.inner, pass.spin, pass.cage
     );
-    line(out, "ball pass", &pass);
+    out.line("ball pass", pass);
     if let Some(shares) = &state.shares {
-        line(out, "of contacts", &diagonal(&shares.contacts));
-        line(out, "of films", &diagonal(&shares.films));
+        out.line("of contacts", diagonal(&shares.contacts));
+        out.line("of films", diagonal(&shares.films));
     }
     if !state.balls.is_empty() {
-        block(out, &ball_table(&state.balls));
+        put_balls(out, &state.balls);
     }
 }
 
-/// A column of the ball table.
-struct Column {
-    header: &'static str,
-    cell: fn(&BallLine) -> String,
-}
+/// A column of the ball table: its title and its cells.
+type Column = (&'static str, fn(&BallLine) -> String);
 
 const PLACE: [Column; 7] = [
-    Column {
-        header: "φ\ndeg",
-        cell: |line| format!("{:.1}", line.azimuth.to_degrees()),
-    },
-    Column {
-        header: "Qi\nN",
-        cell: |line| format!("{:.1}", line.inner.load),
-    },
-    Column {
-        header: "Qo\nN",
-        cell: |line| format!("{:.1}", line.outer.load),
-    },
-    Column {
-        header: "αi\ndeg",
-        cell: |line| angle(&line.inner),
-    },
-    Column {
-        header: "αo\ndeg",
-        cell: |line| angle(&line.outer),
-    },
-    Column {
-        header: "δ\nµm",
-        cell: |line| format!("{:.3}", MICRO * line.deformation),
-    },
-    Column {
-        header: "pmax\nMPa",
-        cell: |line| format!("{:.0}", worst(line, |c| c.peak_pressure) / 1e6),
-    },
+    ("φ\ndeg", |line| {
+        format!("{:.1}", line.azimuth.to_degrees())
+    }),
+    ("Qi\nN", |line| format!("{:.1}", line.inner.load)),
+    ("Qo\nN", |line| format!("{:.1}", line.outer.load)),
+    ("αi\ndeg", |line| angle(&line.inner)),
+    ("αo\ndeg", |line| angle(&line.outer)),
+    ("δ\nµm", |line| format!("{:.3}", MICRO * line.deformation)),
+    ("pmax\nMPa", |line| {
+        format!("{:.0}", worst(line, |c| c.peak_pressure) / 1e6)
+    }),
 ];
 
 const FILM: [Column; 2] = [
-    Column {
-        header: "hmin\nµm",
-        cell: |line| thinnest(line, |film| Some(MICRO * film.minimum)),
-    },
-    Column {
-        header: "λ\n",
-        cell: |line| thinnest(line, |film| film.lambda),
-    },
+    ("hmin\nµm", |line| {
+        thinnest(line, |film| Some(MICRO * film.minimum))
+    }),
+    ("λ\n", |line| thinnest(line, |film| film.lambda)),
 ];
 
 const INERTIA: [Column; 3] = [
-    Column {
-        header: "Fc\nN",
-        cell: |line| format!("{:.2}", line.centrifugal_force),
-    },
-    Column {
-        header: "Mg\nN mm",
-        cell: |line| format!("{:.3}", MILLI * line.gyroscopic_moment),
-    },
-    Column {
-        header: "control\n",
-        cell: |line| line.controlling_race.map_or("–", race_name).to_owned(),
-    },
+    ("Fc\nN", |line| format!("{:.2}", line.centrifugal_force)),
+    ("Mg\nN mm", |line| {
+        format!("{:.3}", MILLI * line.gyroscopic_moment)
+    }),
+    ("control\n", |line| {
+        or_dash(line.controlling_race.map(|race| race_name(race).to_owned()))
+    }),
 ];
 
-const SPIN: [Column; 1] = [Column {
-    header: "spin/\nroll",
-    cell: |line| format!("{:.3}", worst(line, |contact| contact.spin_to_roll.abs())),
-}];
+const SPIN: [Column; 1] = [("spin/\nroll", |line| {
+    format!("{:.3}", worst(line, |contact| contact.spin_to_roll.abs()))
+})];
 
 /// Ball by ball; films and inertia where the bearing has them.
-fn ball_table(balls: &[BallLine]) -> Table {
+fn put_balls(out: &mut Lines, balls: &[BallLine]) {
     let films = balls
         .iter()
         .any(|line| line.inner.film.or(line.outer.film).is_some());
@@ -242,14 +170,14 @@ fn ball_table(balls: &[BallLine]) -> Table {
     columns.extend(FILM.iter().filter(|_| films));
     columns.extend(INERTIA.iter().filter(|_| inertia));
     columns.extend(&SPIN);
-    let header = std::iter::once("ball").chain(columns.iter().map(|column| column.header));
+    let header = std::iter::once("ball").chain(columns.iter().map(|(title, _)| *title));
     let rows = balls.iter().enumerate().map(|(index, line)| {
-        let cells = columns.iter().map(|column| (column.cell)(line));
+        let cells = columns.iter().map(|(_, cell)| cell(line));
         std::iter::once((index + 1).to_string())
             .chain(cells)
             .collect()
     });
-    table(header, rows)
+    out.table(header, rows);
 }
 
 /// The larger value of both contacts.
@@ -261,44 +189,11 @@ fn worst(line: &BallLine, value: fn(&RaceContact) -> f64) -> f64 {
 fn thinnest(line: &BallLine, value: impl Fn(&FilmState) -> Option<f64>) -> String {
     let films = [line.inner.film, line.outer.film].into_iter().flatten();
     let smallest = films.filter_map(|film| value(&film)).reduce(f64::min);
-    smallest.map_or_else(|| "–".to_owned(), |value| format!("{value:.3}"))
+    or_dash(smallest.map(|value| format!("{value:.3}")))
 }
 
 /// The contact angle; an unloaded contact has none.
 fn angle(contact: &RaceContact) -> String {
-    if contact.load > 0.0 {
-        format!("{:.3}", contact.angle.to_degrees())
-    } else {
-        "–".to_owned()
-    }
-}
-
-/// A table without lines, everything but its first column to the right.
-pub(in super::super) fn table<'a>(
-    header: impl Iterator<Item = &'a str>,
-    rows: impl Iterator<Item = Vec<String>>,
-) -> Table {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header(header);
-    for row in rows {
-        table.add_row(row);
-    }
-    for column in table.column_iter_mut().skip(1) {
-        column.set_cell_alignment(CellAlignment::Right);
-        column.set_padding((1, 0));
-    }
-    table
-}
-
-/// Five significant digits; powers of ten where they would be many.
-pub(in super::super) fn digits(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e5).contains(&size) {
-        let decimals = (4.0 - size.log10().floor()).max(0.0) as usize;
-        format!("{value:.decimals$}")
-    } else {
-        format!("{value:.3e}")
-    }
+    let angle = || format!("{:.3}", contact.angle.to_degrees());
+    or_dash((contact.load > 0.0).then(angle))
 }

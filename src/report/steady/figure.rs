@@ -1,71 +1,42 @@
 //! The spectrum of a steady motion: a stroke a line.
 
-use std::ops::Range;
-
-use plotters::prelude::*;
-
-use super::super::ReportError;
-use super::super::figure::{Area, DrawError, LINE, PALETTE, svg};
-use super::super::figure_lines::{
-    self, AMPLITUDE_OVER_FREQUENCY, draw_legend, legend_stroke, line_chart,
-};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use crate::report::figure_spectrum::{AMPLITUDE, FREQUENCY, HEIGHT};
 use crate::report::units::MICRO;
 use crate::steady::SteadyLines;
 
-/// Height, px.
-const HEIGHT: u32 = 600;
-
-/// Draws amplitudes of x, y and z (those that move) over frequency.
-pub(super) fn spectrum(title: &str, lines: &SteadyLines) -> Result<String, ReportError> {
-    svg("steady_spectrum.svg", HEIGHT, title, |area| {
-        draw(area, lines)
-    })
-}
-
-/// Index and colour of the channels that are lengths.
-fn lengths(lines: &SteadyLines) -> impl Iterator<Item = (usize, &'static str, RGBColor)> {
-    let all = lines.channels.iter().enumerate();
-    all.filter(|(_, channel)| channel.unit() == "m")
-        .zip(PALETTE)
-        .map(|((index, channel), colour)| (index, channel.name(), colour))
-}
-
-/// Frequency and amplitude in µm of a channel's lines above a floor.
-fn strokes(lines: &SteadyLines, index: usize, floor: f64) -> Vec<(f64, f64)> {
-    let moving = lines.lines.iter().filter(|line| line.multiples != [0, 0]);
-    moving
-        .map(|line| (line.frequency, MICRO * line.amplitude[index]))
-        .filter(|(_, amplitude)| *amplitude > floor)
-        .collect()
-}
-
-fn range(lines: &SteadyLines) -> Range<f64> {
-    let all = lengths(lines).flat_map(|(index, ..)| strokes(lines, index, 0.0));
-    let strongest = all.map(|(_, amplitude)| amplitude).fold(0.0, f64::max);
-    figure_lines::amplitude_range(strongest)
-}
-
-fn draw(area: &Area, lines: &SteadyLines) -> Result<(), DrawError> {
-    let amplitudes = range(lines);
-    let floor = amplitudes.start;
-    let highest = lengths(lines)
-        .flat_map(|(index, ..)| strokes(lines, index, floor))
-        .map(|(frequency, _)| frequency)
-        .fold(0.0, f64::max);
+/// Amplitudes of x, y and z (those that move) over frequency.
+pub(super) fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
+    let channels = lines.channels.iter().enumerate();
+    let lengths: Vec<_> = channels
+        .filter(|(_, channel)| channel.unit() == "m")
+        .collect();
+    let all = || lengths.iter().flat_map(|(index, _)| tips(lines, *index));
+    let strongest = all().map(|(_, amplitude)| amplitude).fold(0.0, f64::max);
+    let amplitudes = Axis::below(AMPLITUDE, strongest);
+    let floor = amplitudes.least();
+    let shown = all().filter(|(_, amplitude)| *amplitude > floor);
+    let highest = shown.map(|(frequency, _)| frequency).fold(0.0, f64::max);
     let limit = if highest > 0.0 { 1.05 * highest } else { 1.0 };
-    let mut chart = line_chart(area, 0.0..limit, amplitudes, AMPLITUDE_OVER_FREQUENCY)?;
-    for (place, (index, name, colour)) in lengths(lines).enumerate() {
+    let strokes = lengths.iter().enumerate().flat_map(|(place, (index, _))| {
         // strokes of the same frequency stand side by side
         let beside = limit * 1.5e-3 * place as f64;
-        let drawn = strokes(lines, index, floor).into_iter();
-        let drawn = drawn.map(|(frequency, amplitude)| {
-            let ends = [(frequency + beside, floor), (frequency + beside, amplitude)];
-            PathElement::new(ends, colour.stroke_width(LINE))
-        });
-        chart
-            .draw_series(drawn)?
-            .label(name)
-            .legend(move |from| legend_stroke(from, colour));
-    }
-    draw_legend(&mut chart)
+        let shown = tips(lines, *index).filter(|(_, amplitude)| *amplitude > floor);
+        shown.map(move |(frequency, amplitude)| {
+            let ends = [floor, amplitude].map(|end| (frequency + beside, end));
+            Curve::line(distinct(place), ends.to_vec())
+        })
+    });
+    let panel = Panel {
+        curves: strokes.collect(),
+        ..Panel::new(Axis::over(FREQUENCY, 0.0..limit), amplitudes, HEIGHT)
+    };
+    let names = Name::each(lengths.iter().map(|(_, channel)| channel.name()));
+    Figure::new("steady_spectrum.svg", title, 1, vec![panel]).with_names(names)
+}
+
+/// Frequency and amplitude in µm of a channel's lines but the mean.
+fn tips(lines: &SteadyLines, index: usize) -> impl Iterator<Item = Point> {
+    let moving = lines.lines.iter().filter(|line| line.multiples != [0, 0]);
+    moving.map(move |line| (line.frequency, MICRO * line.amplitude[index]))
 }

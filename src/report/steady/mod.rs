@@ -47,14 +47,11 @@ pub fn write_steady(
             &line_table::lines(steady, model.rotor.speed),
         )?,
     ];
-    for (name, svg) in [
-        ("steady_trace.svg", figure.draw(title)?),
-        (
-            "steady_spectrum.svg",
-            figure::spectrum(title, &steady.lines)?,
-        ),
+    for figure in [
+        figure.figure("steady_trace.svg", title),
+        figure::spectrum(title, &steady.lines),
     ] {
-        files.push(folder.write(name, svg.as_bytes())?);
+        files.push(folder.write_figure(&figure)?);
     }
     let json = steady_json(title, scenario, model, steady);
     folder.commit(files, format!("{json:#}\n").as_bytes())
@@ -80,8 +77,8 @@ pub fn write_response(
             &response_tables::specials(variable, branches),
         )?,
     ];
-    let svg = response_figure::response(title, variable, branches)?;
-    files.push(folder.write("response.svg", svg.as_bytes())?);
+    let figure = response_figure::response(title, variable, branches);
+    files.push(folder.write_figure(&figure)?);
     let json = response_json(title, scenario, variable, branches);
     folder.commit(files, format!("{json:#}\n").as_bytes())
 }

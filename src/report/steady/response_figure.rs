@@ -2,111 +2,56 @@
 
 use plotters::style::RGBColor;
 
-use super::super::ReportError;
-use super::super::figure::svg;
-use super::super::figure_curves::{Curve, Panel, distinct, draw, round_ticks};
 use super::super::study::axis_name;
 use crate::analysis::Channel;
+use crate::report::figure::{Axis, Curve, Figure, GREY, Name, Panel, Point, distinct};
 use crate::report::units::MICRO;
 use crate::steady::{Response, ResponsePoint};
 use crate::study::Variable;
 
-/// Height of a panel, px.
-const PANEL_HEIGHT: u32 = 300;
-/// Height of title and names, px.
-const HEAD_HEIGHT: u32 = 60;
-/// What is not stable.
-const GREY: RGBColor = RGBColor(150, 150, 150);
+/// Height of a plot, px.
+const HEIGHT: u32 = 242;
 
 /// A panel a displacement; what is not stable is grey, marks stand where branches turn or change.
-pub(super) fn response(
-    title: &str,
-    variable: &Variable,
-    branches: &[Response],
-) -> Result<String, ReportError> {
+pub(super) fn response(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
     let points = || branches.iter().flat_map(|branch| &branch.points);
     let values = points().map(|point| variable.shown(point.value));
-    let low = values.clone().fold(f64::INFINITY, f64::min);
-    let high = values.fold(f64::NEG_INFINITY, f64::max);
-    let channels: Vec<Channel> = points()
-        .take(1)
-        .flat_map(|point| &point.swings)
+    let axis = Axis::spanning(axis_name(variable), values);
+    let swings = points().take(1).flat_map(|point| &point.swings);
+    let displacements = swings
         .map(|swing| swing.channel)
-        .filter(|channel| matches!(channel, Channel::Displacement(_)))
-        .collect();
-    let panels: Vec<Panel> = channels
-        .iter()
-        .enumerate()
-        .map(|(index, channel)| Panel {
-            x_name: axis_name(variable),
-            x_ticks: round_ticks(low, high),
-            y_name: format!(
-                "{channel} peak to peak in {}",
-                if channel.unit() == "m" {
-                    "µm"
-                } else {
-                    "µrad"
-                }
-            ),
-            curves: branches
-                .iter()
-                .enumerate()
-                .flat_map(|(number, branch)| curves(variable, branch, index, distinct(number)))
-                .collect(),
-        })
-        .collect();
-    let mut names: Vec<(String, RGBColor)> = branches
-        .iter()
-        .enumerate()
-        .map(|(number, branch)| {
-            (
-                format!("{} × the period", branch.multiple),
-                distinct(number),
-            )
-        })
-        .collect();
-    names.push(("not stable".to_owned(), GREY));
-    svg(
-        "response.svg",
-        HEAD_HEIGHT + PANEL_HEIGHT * panels.len().max(1) as u32,
-        title,
-        |area| draw(area, &names, &panels, 1),
-    )
+        .filter(|channel| matches!(channel, Channel::Displacement(_)));
+    let panels = displacements.enumerate().map(|(index, channel)| {
+        let name = format!("{channel} peak to peak in µ{}", channel.unit());
+        let all = branches.iter().enumerate();
+        let curves = all.flat_map(|(number, branch)| {
+            curves(branch, distinct(number), |point| {
+                let swing = point.swings.get(index);
+                let swing = swing.map_or(f64::NAN, |swing| swing.peak_to_peak);
+                (variable.shown(point.value), MICRO * swing)
+            })
+        });
+        Panel::of(axis.clone(), name, HEIGHT, curves.collect())
+    });
+    let multiples = branches.iter().map(|branch| branch.multiple);
+    let names = Name::each(multiples.map(|multiple| format!("{multiple} × the period")));
+    let unstable = Name::new("not stable", GREY);
+    let figure = Figure::new("response.svg", title, 1, panels.collect());
+    figure.with_names(names.into_iter().chain([unstable]))
 }
 
 /// A branch cut where its stability changes.
-fn curves(variable: &Variable, branch: &Response, index: usize, colour: RGBColor) -> Vec<Curve> {
-    let at = |point: &ResponsePoint| {
-        let swing = point
-            .swings
-            .get(index)
-            .map_or(f64::NAN, |swing| swing.peak_to_peak);
-        (variable.shown(point.value), MICRO * swing)
-    };
-    let mut drawn: Vec<Curve> =
-        branch
-            .points
-            .windows(2)
-            .fold(Vec::new(), |mut curves: Vec<Curve>, pair| {
-                let colour = if pair[1].stable { colour } else { GREY };
-                match curves.last_mut().filter(|last| last.colour == colour) {
-                    Some(last) => last.points.push(at(&pair[1])),
-                    None => curves.push(Curve {
-                        points: vec![at(&pair[0]), at(&pair[1])],
-                        colour,
-                        marks: Vec::new(),
-                    }),
-                }
-                curves
-            });
-    drawn.push(Curve {
-        points: Vec::new(),
-        colour,
-        marks: branch
-            .specials
-            .iter()
-            .map(|special| at(&special.point))
-            .collect(),
-    });
+fn curves(branch: &Response, colour: RGBColor, at: impl Fn(&ResponsePoint) -> Point) -> Vec<Curve> {
+    let mut drawn = Vec::<Curve>::new();
+    for pair in branch.points.windows(2) {
+        let colour = if pair[1].stable { colour } else { GREY };
+        match drawn.last_mut().filter(|last| last.colour == colour) {
+            Some(last) => last.points.push(at(&pair[1])),
+            None => drawn.push(Curve::line(colour, vec![at(&pair[0]), at(&pair[1])])),
+        }
+    }
+    let specials = branch.specials.iter();
+    let marks = specials.map(|special| at(&special.point)).collect();
+    drawn.push(Curve::dots(colour, marks));
     drawn
 }

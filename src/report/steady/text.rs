@@ -1,13 +1,12 @@
 //! The few lines that a person reads about steady motions.
 
 use std::f64::consts::TAU;
-use std::fmt::Write;
 use std::path::PathBuf;
 
-use comfy_table::Table;
+use nalgebra::Complex;
 
-use super::super::statics::{digits, table};
 use super::super::study::shown;
+use super::super::terminal::{Lines, digits, listed, measured_text};
 use crate::report::units::MICRO;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
@@ -20,28 +19,22 @@ const MULTIPLIERS: usize = 4;
 
 /// Period, stability and the strongest lines of a steady motion, and the files written.
 pub fn steady_text(title: &str, model: &Model, steady: &Steady, files: &[PathBuf]) -> String {
-    let mut out = format!("{title}\n");
+    let mut out = Lines::titled(title);
     for base in &steady.bases {
-        line(&mut out, "forcing", &forcing(base));
+        out.line("forcing", forcing(base));
     }
-    line(&mut out, "motion", &motion(steady));
-    line(&mut out, "multipliers", &multipliers(&steady.multipliers));
-    line(&mut out, "stability", &stability(steady));
-    line(&mut out, "search", &search(steady));
+    out.line("motion", motion(steady));
+    out.line("multipliers", multipliers(&steady.multipliers));
+    out.line("stability", stability(steady));
+    out.line("search", search(steady));
     if let Some(error) = &steady.measured {
-        let text = format!(
-            "{:.2e} µm, {:.1e} of the motion (tolerance {:e}, measured against {:e})",
-            MICRO * error.displacement,
-            error.relative,
-            model.integrator.tolerance,
-            error.reference_tolerance
-        );
-        line(&mut out, "error", &text);
+        let sizes = [error.displacement, error.relative];
+        let tolerances = [model.integrator.tolerance, error.reference_tolerance];
+        out.line("error", measured_text(sizes, tolerances));
     }
-    block(&mut out, &swing_table(steady));
-    block(&mut out, &line_table(steady, model.rotor.speed));
-    wrote(&mut out, files);
-    out
+    put_swings(&mut out, steady);
+    put_lines(&mut out, steady, model.rotor.speed);
+    out.wrote(files)
 }
 
 /// Branches, where they turn and where their motions change their kind, and the files written.
@@ -51,7 +44,7 @@ pub fn response_text(
     branches: &[Response],
     files: &[PathBuf],
 ) -> String {
-    let mut out = format!("{title}\n");
+    let mut out = Lines::titled(title);
     for (number, branch) in branches.iter().enumerate() {
         let stable = branch.points.iter().filter(|point| point.stable).count();
         let text = format!(
@@ -60,7 +53,7 @@ pub fn response_text(
             branch.points.len(),
             branch.end
         );
-        line(&mut out, &format!("branch {}", number + 1), &text);
+        out.line(&format!("branch {}", number + 1), text);
         for special in &branch.specials {
             let multiplier = special.point.multipliers.first();
             let size = multiplier.map_or(f64::NAN, |value| value.norm());
@@ -69,7 +62,7 @@ pub fn response_text(
                 special.kind,
                 shown(variable, special.point.value)
             );
-            line(&mut out, "", &text);
+            out.more(text);
         }
         for unrefined in &branch.unrefined {
             let [from, to] = unrefined.between.map(|value| shown(variable, value));
@@ -77,27 +70,10 @@ pub fn response_text(
                 "{} between {from} and {to}, not found any nearer: a jump, {:.1e} are left",
                 unrefined.kind, unrefined.left
             );
-            line(&mut out, "", &text);
+            out.more(text);
         }
     }
-    wrote(&mut out, files);
-    out
-}
-
-fn line(out: &mut String, name: &str, text: &str) {
-    if !text.is_empty() {
-        writeln!(out, "  {name:<13} {text}").expect("a String takes everything");
-    }
-}
-
-fn block(out: &mut String, table: &Table) {
-    writeln!(out, "\n{}\n", table.trim_fmt()).expect("a String takes everything");
-}
-
-fn wrote(out: &mut String, files: &[PathBuf]) {
-    for file in files {
-        line(out, "wrote", &file.display().to_string());
-    }
+    out.wrote(files)
 }
 
 fn forcing(base: &Base) -> String {
@@ -105,8 +81,7 @@ fn forcing(base: &Base) -> String {
         1 => cause.to_string(),
         many => format!("{many} × for {cause}"),
     });
-    let parts: Vec<_> = parts.collect();
-    format!("{:.6} Hz: {}", base.frequency / TAU, parts.join(", "))
+    format!("{:.6} Hz: {}", base.frequency / TAU, listed(parts))
 }
 
 fn motion(steady: &Steady) -> String {
@@ -124,40 +99,33 @@ fn motion(steady: &Steady) -> String {
 }
 
 fn multipliers(multipliers: &Multipliers) -> String {
-    let shown: Vec<String> = match multipliers {
-        Multipliers::Periodic(all) => all
-            .iter()
-            .filter(|value| value.im >= 0.0)
-            .take(MULTIPLIERS)
-            .map(|value| match value.im {
+    match multipliers {
+        Multipliers::Periodic(all) => {
+            let upper = all.iter().filter(|value| value.im >= 0.0);
+            let text = |value: &Complex<f64>| match value.im {
                 0.0 => format!("{:.6}", value.re),
                 im => format!("{:.6} ± {im:.6} i", value.re),
-            })
-            .collect(),
+            };
+            listed(upper.take(MULTIPLIERS).map(text))
+        }
         Multipliers::Torus(all) => {
             let some = all.iter().take(MULTIPLIERS);
-            some.map(|size| format!("|{size:.6}|")).collect()
+            listed(some.map(|size| format!("|{size:.6}|")))
         }
-    };
-    shown.join(", ")
+    }
 }
 
 fn stability(steady: &Steady) -> String {
-    match steady.instability {
-        None => {
-            let single = steady
-                .single_period
-                .as_ref()
-                .filter(|single| !single.is_stable());
-            let other = single.map_or_else(String::new, |single| {
-                format!(
-                    "; the motion of a single period is not: largest multiplier {:.6}",
-                    single.largest()
-                )
-            });
-            format!("stable{other}")
-        }
-        Some(kind) => format!("not stable: {kind}"),
+    if let Some(kind) = steady.instability {
+        return format!("not stable: {kind}");
+    }
+    let single = steady.single_period.as_ref();
+    match single.filter(|single| !single.is_stable()) {
+        None => "stable".to_owned(),
+        Some(single) => format!(
+            "stable; the motion of a single period is not: largest multiplier {:.6}",
+            single.largest()
+        ),
     }
 }
 
@@ -174,7 +142,7 @@ fn search(steady: &Steady) -> String {
     )
 }
 
-fn swing_table(steady: &Steady) -> Table {
+fn put_swings(out: &mut Lines, steady: &Steady) {
     let header = ["swing", "mean", "peak to peak", "rms", "unit"];
     let rows = steady.swings.iter().map(|swing| {
         let (scale, unit) = match swing.channel.unit() {
@@ -189,11 +157,11 @@ fn swing_table(steady: &Steady) -> Table {
             .chain([unit.to_owned()])
             .collect()
     });
-    table(header.into_iter(), rows)
+    out.table(header, rows);
 }
 
 /// The strongest lines of the displacements that are lengths.
-fn line_table(steady: &Steady, speed: f64) -> Table {
+fn put_lines(out: &mut Lines, steady: &Steady, speed: f64) {
     let lines = &steady.lines;
     let lengths: Vec<usize> = (0..lines.channels.len())
         .filter(|index| lines.channels[*index].unit() == "m")
@@ -219,5 +187,5 @@ fn line_table(steady: &Steady, speed: f64) -> Table {
             format!("{}, {}", line.multiples[0], line.multiples[1]),
         ]
     });
-    table(["line", "Hz", "order", "µm", "multiples"].into_iter(), rows)
+    out.table(["line", "Hz", "order", "µm", "multiples"], rows);
 }

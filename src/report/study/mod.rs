@@ -33,18 +33,12 @@ pub fn write_study(
         folder.write_with("study.csv", |file| csv::write(variable, rows, file))?,
         folder.write_with("around.csv", |file| around_csv::write(variable, rows, file))?,
     ];
-    for (name, svg) in [
-        ("stiffness.svg", figures::stiffness(title, variable, rows)?),
-        (
-            "deformation.svg",
-            figures::deformation(title, variable, rows)?,
-        ),
-        (
-            "contact_angle.svg",
-            figures::contact_angle(title, variable, rows)?,
-        ),
+    for figure in [
+        figures::stiffness(title, variable, rows),
+        figures::deformation(title, variable, rows),
+        figures::contact_angle(title, variable, rows),
     ] {
-        files.push(folder.write(name, svg.as_bytes())?);
+        files.push(folder.write_figure(&figure)?);
     }
     let cover = json::cover(title, scenario, study, rows);
     folder.commit(files, format!("{cover:#}\n").as_bytes())

@@ -1,9 +1,8 @@
 //! A study as a person reads it: one row a value.
 
-use std::fmt::Write;
 use std::path::PathBuf;
 
-use super::super::statics::{digits, table};
+use super::super::terminal::{Lines, digits};
 use super::{axis_name, shown};
 use crate::report::units::{MICRO, MILLI};
 use crate::study::{Study, StudyRow};
@@ -13,7 +12,7 @@ const MOST_ROWS: usize = 24;
 
 /// The values with place and stiffness of the shaft; of many, some. Then the files written.
 pub fn study_text(title: &str, study: &Study, rows: &[StudyRow], files: &[PathBuf]) -> String {
-    let mut out = format!("{title}\n\n");
+    let mut out = Lines::titled(title);
     let varied = study.variable.key.rsplit('.').next().unwrap_or_default();
     let units = format!("{varied}\n{}", study.variable.shown_unit);
     let header = [
@@ -29,15 +28,10 @@ pub fn study_text(title: &str, study: &Study, rows: &[StudyRow], files: &[PathBu
     ];
     let step = rows.len().div_ceil(MOST_ROWS).max(1);
     let cells = rows.iter().step_by(step).map(|row| cells(study, row));
-    let table = table(header.into_iter(), cells);
-    writeln!(out, "{}\n", table.trim_fmt()).expect("a String takes everything");
-    let count = rows.len();
+    out.table(header, cells);
     let name = axis_name(&study.variable);
-    writeln!(out, "  varied        {name}: {count} values").expect("a String takes everything");
-    for file in files {
-        writeln!(out, "  wrote         {}", file.display()).expect("a String takes everything");
-    }
-    out
+    out.line("varied", format!("{name}: {} values", rows.len()));
+    out.wrote(files)
 }
 
 fn cells(study: &Study, row: &StudyRow) -> Vec<String> {

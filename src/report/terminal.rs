@@ -1,0 +1,158 @@
+//! What a verb tells the terminal: named lines and tables of at most 100 columns.
+
+use std::fmt::Display;
+use std::path::PathBuf;
+
+use comfy_table::{CellAlignment, Table, presets};
+
+use super::units::MICRO;
+
+/// Most characters of a line.
+const WIDTH: usize = 100;
+
+/// Breaks a text between words so that no line has more than 100 characters; lines after the first
+/// begin with `indent` blanks. A word that is longer stands on a line of its own.
+///
+/// ```
+/// use jeffcott::report::wrapped;
+/// let text = format!("natural {}", ["540.29 Hz"; 12].join(", "));
+/// let lines = wrapped(&text, 8);
+/// assert!(lines.lines().all(|line| line.chars().count() <= 100));
+/// assert!(lines.lines().skip(1).all(|line| line.starts_with("        540.29 Hz")));
+/// ```
+pub fn wrapped(text: &str, indent: usize) -> String {
+    let mut out = String::new();
+    let mut column = 0;
+    for word in text.split_inclusive(' ') {
+        let width = word.trim_end().chars().count();
+        if column > indent && column + width > WIDTH {
+            out.truncate(out.trim_end().len());
+            out.push('\n');
+            out.extend(std::iter::repeat_n(' ', indent));
+            column = indent;
+        }
+        out.push_str(word);
+        column += word.chars().count();
+    }
+    out
+}
+
+/// Where the text of a named line begins.
+const INDENT: usize = 16;
+
+/// Lines for people, one below the other.
+#[derive(Debug, Default)]
+pub(super) struct Lines(String);
+
+impl Lines {
+    /// A title, under which the lines stand.
+    pub fn titled(title: &str) -> Self {
+        Self(format!("{title}\n"))
+    }
+
+    /// A line of its own.
+    pub fn put(&mut self, text: impl Display) {
+        self.0 += &format!("{text}\n");
+    }
+
+    /// A line behind its name, broken where it is too long; none where there is nothing to say.
+    pub fn line(&mut self, name: &str, text: impl Display) {
+        let text = text.to_string();
+        if !text.is_empty() {
+            self.put(wrapped(&format!("  {name:<13} {text}"), INDENT));
+        }
+    }
+
+    /// More of the line before.
+    pub fn more(&mut self, text: impl Display) {
+        self.line("", text);
+    }
+
+    /// A table between blank lines.
+    pub fn table<'a>(
+        &mut self,
+        header: impl IntoIterator<Item = &'a str>,
+        rows: impl IntoIterator<Item = Vec<String>>,
+    ) {
+        self.put(format_args!("\n{}\n", table(header, rows)));
+    }
+
+    /// The files that were written, and all as one text.
+    pub fn wrote(mut self, files: &[PathBuf]) -> String {
+        for file in files {
+            self.line("wrote", file.display());
+        }
+        self.0
+    }
+
+    /// All as one text.
+    pub fn text(self) -> String {
+        self.0
+    }
+}
+
+/// A table without rules, everything but its first column to the right.
+pub(super) fn table<'a>(
+    header: impl IntoIterator<Item = &'a str>,
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> String {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_header(header);
+    for row in rows {
+        table.add_row(row);
+    }
+    for column in table.column_iter_mut().skip(1) {
+        column.set_cell_alignment(CellAlignment::Right);
+        column.set_padding((1, 0));
+    }
+    table.trim_fmt()
+}
+
+/// Parts of a line, with commas between them.
+pub(super) fn listed(parts: impl IntoIterator<Item = String>) -> String {
+    parts.into_iter().collect::<Vec<_>>().join(", ")
+}
+
+/// A value, or a dash where there is none.
+pub(super) fn or_dash(value: Option<String>) -> String {
+    value.unwrap_or_else(|| "–".to_owned())
+}
+
+/// A measured error, in m and of the motion, beside the tolerances of the motion and of its reference.
+pub(super) fn measured_text(
+    [displacement, relative]: [f64; 2],
+    [tolerance, reference]: [f64; 2],
+) -> String {
+    format!(
+        "{:.2e} µm, {relative:.1e} of the motion (tolerance {tolerance:e}, measured against {reference:e})",
+        MICRO * displacement
+    )
+}
+
+/// Four decimals, without a minus sign before zeros.
+pub(super) fn decimal(value: f64) -> String {
+    let rounded = (value * 1e4).round() / 1e4;
+    format!("{:.4}", rounded + 0.0)
+}
+
+/// Four decimals, or powers of ten where they would not show the value.
+pub(super) fn significant(value: f64) -> String {
+    if (1e-2..1e5).contains(&value.abs()) {
+        format!("{value:.4}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+/// Five significant digits; powers of ten where they would be many.
+pub(super) fn digits(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e5).contains(&size) {
+        let decimals = (4.0 - size.log10().floor()).max(0.0) as usize;
+        format!("{value:.decimals$}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
