@@ -95,9 +95,13 @@ fn one_by_one<const K: usize, const M: usize>(
     function: &(impl Function<K, M> + ?Sized),
     places: &[[f64; K]; LANES],
 ) -> [[f64; M]; LANES] {
-    let mut found = [[0.0; M]; LANES];
-    for (found, place) in found.iter_mut().zip(places) {
-        *found = function.values(*place);
+    let mut found = [function.values(places[0]); LANES];
+    for lane in 1..LANES {
+        found[lane] = if places[lane] == places[lane - 1] {
+            found[lane - 1]
+        } else {
+            function.values(places[lane])
+        };
     }
     found
 }

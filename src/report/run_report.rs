@@ -348,6 +348,10 @@ impl TraceSink for RunReport {
         trace.is_some_and(|(table, _)| table.needs_acceleration())
     }
 
+    fn needs_contact_angles(&self) -> bool {
+        self.outputs.balls
+    }
+
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         self.samples += 1;
         if let Some(figure) = &mut self.figure {

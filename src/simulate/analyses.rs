@@ -70,8 +70,6 @@ pub struct Watched {
 /// What is made of the loads of the balls; by default everything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BallParts {
-    /// Contact angles; zero where they are not asked for.
-    pub angles: bool,
     /// Contacts that part and meet.
     pub events: bool,
     /// How many balls are loaded, and over which arc.
@@ -85,7 +83,6 @@ pub struct BallParts {
 impl BallParts {
     /// Everything.
     pub const ALL: Self = Self {
-        angles: true,
         events: true,
         load_zone: true,
         life: true,
@@ -94,7 +91,6 @@ impl BallParts {
 
     /// The loads alone.
     pub const LOADS: Self = Self {
-        angles: false,
         events: false,
         load_zone: false,
         life: false,

@@ -39,7 +39,7 @@ impl<'a> Observers<'a> {
         sink: &'a mut dyn TraceSink,
         tables: TableAudit,
     ) -> Self {
-        let observation = Observation::new(model, rotor);
+        let observation = Observation::new(model, rotor, sink.needs_contact_angles());
         let whole_run = model.energy
             || rotor.is_driven()
             || model.analyses.maps

@@ -18,6 +18,12 @@ pub trait TraceSink {
         false
     }
 
+    /// Whether the balls must come with their contact angles, which cost two arctangents a ball; zero where nobody
+    /// needs them.
+    fn needs_contact_angles(&self) -> bool {
+        false
+    }
+
     /// Takes one sample.
     ///
     /// # Errors

@@ -28,6 +28,10 @@ struct Everything {
 }
 
 impl TraceSink for Everything {
+    fn needs_contact_angles(&self) -> bool {
+        true
+    }
+
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         self.samples.push(*sample);
         Ok(())

@@ -293,6 +293,7 @@ impl Sweeps {
     }
 
     /// Whether event surfaces lie between the points of the step.
+    #[inline(always)]
     fn crosses(&mut self, trial: &Trial<'_>) -> bool {
         let (problem, system) = (trial.problem, trial.problem.system);
         if system.event_count() == 0 {
@@ -327,18 +328,18 @@ impl Sweeps {
         let checked = self.checks[0].state.chunks();
         for (chunk, farthest) in state.chunks_mut().iter_mut().enumerate() {
             for deviation in &self.deviations[1..POINTS - 1] {
+                let (deviation, from) = (&deviation.chunks()[chunk], &checked[chunk]);
                 for i in 0..4 {
-                    let state = origin[chunk][i] + deviation.chunks()[chunk][i];
-                    let from = checked[chunk][i];
-                    if (state - from).abs() > (farthest[i] - from).abs() {
-                        farthest[i] = state;
-                    }
+                    let state = origin[chunk][i] + deviation[i];
+                    let is_farther = (state - from[i]).abs() > (farthest[i] - from[i]).abs();
+                    farthest[i] = if is_farther { state } else { farthest[i] };
                 }
             }
         }
     }
 
     /// The state at a point after the first, as the latest sweep had it.
+    #[inline(always)]
     fn find_state_at(&mut self, point: usize) {
         let deviation = match point + 1 {
             POINTS => &self.to.deviation,

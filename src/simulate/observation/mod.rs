@@ -45,10 +45,11 @@ struct BearingObserver<'a> {
 }
 
 impl<'a> Observation<'a> {
-    pub fn new(model: &Model, rotor: &'a Rotor) -> Self {
+    /// With the contact angles of the balls where somebody needs them.
+    pub fn new(model: &Model, rotor: &'a Rotor, angles: bool) -> Self {
         let Watched { forces, balls } = model.analyses.watched;
         let contacts = match balls {
-            Some(parts) if parts.angles => rotor.ball_contacts(),
+            Some(_) if angles => rotor.ball_contacts(),
             Some(_) => rotor.ball_loads(),
             None => rotor.unwatched_balls(forces),
         };

@@ -42,6 +42,23 @@ pub(super) struct Balance<T> {
     pub(super) residual: Plane<T>,
 }
 
+impl<T: Copy> Balance<T> {
+    /// The same with another kind of number.
+    #[inline(always)]
+    pub(super) fn map<U>(&self, to: impl Fn(T) -> U + Copy) -> Balance<U> {
+        Balance {
+            inner: self.inner.map(to),
+            outer: self.outer.map(to),
+            inertia: InertiaForces {
+                centrifugal: to(self.inertia.centrifugal),
+                friction: self.inertia.friction.map(to),
+            },
+            ring_force: self.ring_force.map(to),
+            residual: self.residual.map(to),
+        }
+    }
+}
+
 /// Force of the inner ring onto a ball (axial, radial, couple), loads at both races, and the approach at the inner one.
 pub(super) type Response<T> = [T; 6];
 

@@ -58,6 +58,21 @@ pub(super) struct Contact<T> {
     pub(super) stiffness: f64,
 }
 
+impl<T: Copy> Contact<T> {
+    /// The same with another kind of number.
+    #[inline(always)]
+    pub(super) fn map<U>(&self, to: impl Fn(T) -> U) -> Contact<U> {
+        Contact {
+            length: to(self.length),
+            approach: to(self.approach),
+            sin: to(self.sin),
+            cos: to(self.cos),
+            load: to(self.load),
+            stiffness: self.stiffness,
+        }
+    }
+}
+
 impl<T: Scalar> Contact<T> {
     /// Contact along a vector in m, the centres at first touch at a distance of `free` in m; a vanishing vector is
     /// taken for radial.

@@ -1,6 +1,7 @@
 //! What the motion of a ball asks of its contacts: centrifugal force and friction forces.
 
 use super::contact::{Contact, Scalar};
+use crate::bearing::number::Number;
 use crate::physics::RaceControl;
 
 /// Inertia forces of a ball, N.
@@ -81,6 +82,14 @@ impl InertiaLaw {
         }
     }
 
+    /// F_c/F_0 of a ball that rests on the outer race alone, at α_o = 0, by cos α_i.
+    #[inline(always)]
+    pub(super) fn thrown<T: Number>(&self, cosine: T) -> T {
+        let one = cosine.constant(1.0);
+        let orbit = (cosine * -self.diameter_ratio + 1.0) * (one / (bounded(cosine) + 1.0));
+        orbit * orbit
+    }
+
     /// F_c and 2 M_g/D under outer race control.
     #[inline(always)]
     fn outer_control<T: Scalar>(
@@ -138,18 +147,20 @@ impl InertiaLaw {
     }
 }
 
-/// 1/(1 + c): c = cos(α_i − α_o) itself where Jones's kinematics hold; below, a parabola down to c = 0, then constant.
+/// 1/(1 + c) with a bounded c = cos(α_i − α_o).
 #[inline(always)]
 fn share<T: Scalar>(inner: &Contact<T>, outer: &Contact<T>) -> T {
-    let c = inner.cos * outer.cos + inner.sin * outer.sin;
-    let bounded = if c.value() >= FARTHEST {
-        c
-    } else {
-        let c = c.positive();
-        c * c * (0.5 / FARTHEST) + 0.5 * FARTHEST
-    };
+    let bounded = bounded(inner.cos * outer.cos + inner.sin * outer.sin);
     let share = 1.0 / (1.0 + bounded.value());
     bounded.chained(share, -share * share)
+}
+
+/// c itself where Jones's kinematics hold; below, a parabola down to c = 0, then constant.
+#[inline(always)]
+fn bounded<T: Number>(c: T) -> T {
+    let c = c.positive();
+    let below = (c * -1.0 + FARTHEST).positive();
+    c + below * below * (0.5 / FARTHEST)
 }
 
 /// Share of the inner race's friction that its load can hold: 1 above a small load, 0 at none.

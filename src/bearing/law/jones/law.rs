@@ -207,8 +207,7 @@ impl<R: Races> InBalance<'_, R> {
 
 impl<R: Races> Function<4, 6> for InBalance<'_, R> {
     fn values(&self, at: [f64; 4]) -> Response<f64> {
-        let response = self.law.ball.response(&self.rest(at).balance);
-        response.map(|part| part.value)
+        self.law.ball.response(&self.rest(at).balance)
     }
 }
 
@@ -220,22 +219,7 @@ impl<R: Races> Differentiable<4, 6> for InBalance<'_, R> {
         let slopes = law
             .ball
             .slopes(&rest.positions, &springs, None, force_scale);
-        (
-            law.ball.response(&rest.balance).map(|part| part.value),
-            slopes,
-        )
-    }
-}
-
-/// From the inner race to the ball that rests on the outer race alone, as a function of the same.
-struct PastLiftOff<'a, R>(InBalance<'a, R>);
-
-impl<R: Races> Function<4, 1> for PastLiftOff<'_, R> {
-    fn values(&self, [axial, radial, inner, outer]: [f64; 4]) -> [f64; 1] {
-        let InBalance { law, speed } = self.0;
-        let (springs, force_scale) = (law.races.at_speed(speed), law.force_scale(speed));
-        let over = law.over([inner, outer]);
-        [over.overlap_when_thrown([axial, radial], &springs, force_scale)]
+        (law.ball.response(&rest.balance), slopes)
     }
 }
 
@@ -262,10 +246,10 @@ impl<R: Races> BallLaw for JonesLaw<R> {
 
     #[inline(always)]
     fn past_lift_off<T: Plain>(&self, ball: &Ball<T>, speed: f64) -> T {
-        let [inner, outer] = ball.drop;
-        let past = PastLiftOff(InBalance { law: self, speed });
-        let [past] = T::values(&past, [ball.axial, ball.radial, inner, outer]);
-        past
+        let [_, outer] = self.races.elastic();
+        let groove = [ball.axial, ball.radial];
+        self.ball
+            .overlap_when_thrown(groove, ball.drop, &outer, self.force_scale(speed))
     }
 
     fn contact(&self, ball: &Ball, speed: f64) -> BallContact {

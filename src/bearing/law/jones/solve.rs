@@ -8,11 +8,14 @@ use crate::bearing::number::Dual;
 /// Trial positions after which a solve ends with what it has.
 pub(super) const MOST_TRIALS: usize = 200;
 
-/// A ball at rest: its balance with slopes by its centre.
+/// Step, over the approaches, of which the forces are linear to round-off.
+const LINEAR: f64 = 1e-9;
+
+/// A ball at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rest {
     pub(super) positions: Positions,
-    pub(super) balance: Balance<Dual<f64, 2>>,
+    pub(super) balance: Balance<f64>,
     /// Number of trial positions that it took.
     pub(super) trials: usize,
 }
@@ -32,16 +35,23 @@ impl Ball {
         springs: &[impl ContactSpring; 2],
         force_scale: f64,
     ) -> Rest {
-        let mut rest = Rest {
-            positions: start,
-            balance: self.linearised(&start, springs, force_scale),
-            trials: 1,
+        let (mut positions, mut trials) = (start, 1);
+        let mut balance = self.linearised(&start, springs, force_scale);
+        let ended = |positions, balance: Balance<Dual<f64, 2>>, step, trials| Rest {
+            positions,
+            balance: balance.moved(step),
+            trials,
         };
-        while let Some(inverse) = rest.balance.slopes_inverse() {
-            let centre = rest.positions.centre;
-            let mut step = apply(&inverse, rest.balance.residual.map(|part| -part.value));
+        while let Some(inverse) = balance.slopes_inverse() {
+            let centre = positions.centre;
+            let mut step = apply(&inverse, balance.residual.map(|part| -part.value));
             let newton = square(step);
-            let longest = self.longest_step(&rest.balance);
+            if newton <= balance.linear_step() {
+                // the next trial would say no more than the slopes
+                positions.centre = [centre[0] + step[0], centre[1] + step[1]];
+                return ended(positions, balance, step, trials);
+            }
+            let longest = self.longest_step(&balance);
             if newton > longest {
                 let part = (longest / newton).sqrt();
                 step = step.map(|step| part * step);
@@ -49,23 +59,23 @@ impl Ball {
             loop {
                 let trial = Positions {
                     centre: [centre[0] + step[0], centre[1] + step[1]],
-                    ..rest.positions
+                    ..positions
                 };
-                let balance = self.linearised(&trial, springs, force_scale);
-                rest.trials += 1;
-                let next = square(apply(&inverse, balance.residual.map(|part| part.value)));
+                let tried = self.linearised(&trial, springs, force_scale);
+                trials += 1;
+                let next = square(apply(&inverse, tried.residual.map(|part| part.value)));
                 if next < newton {
-                    (rest.positions, rest.balance) = (trial, balance);
+                    (positions, balance) = (trial, tried);
                     break;
                 }
                 let is_round_off = square(step) <= f64::EPSILON * f64::EPSILON * square(centre);
-                if is_round_off || rest.trials >= MOST_TRIALS {
-                    return rest;
+                if is_round_off || trials >= MOST_TRIALS {
+                    return ended(positions, balance, [0.0; 2], trials);
                 }
                 step = step.map(|step| 0.5 * step);
             }
         }
-        rest
+        ended(positions, balance, [0.0; 2], trials)
     }
 
     /// Balance in some positions with slopes by the ball's centre.
@@ -99,6 +109,19 @@ impl Ball {
 }
 
 impl Balance<Dual<f64, 2>> {
+    /// The balance with the ball's centre moved by a short step in m.
+    #[inline(always)]
+    fn moved(&self, [x, y]: Plane<f64>) -> Balance<f64> {
+        self.map(|part| part.value + (part.slopes[0] * x + part.slopes[1] * y))
+    }
+
+    /// Square of the longest step in m² over which everything is linear to round-off.
+    #[inline(always)]
+    fn linear_step(&self) -> f64 {
+        let approaches = [&self.inner, &self.outer].map(|contact| contact.approach.value.abs());
+        (LINEAR * approaches[0].min(approaches[1])).powi(2)
+    }
+
     /// `(∂r/∂X)⁻¹`; nothing where the residual is round-off already, or there is none.
     #[inline(always)]
     fn slopes_inverse(&self) -> Option<[Plane<f64>; 2]> {

@@ -1,9 +1,10 @@
 //! Explicit first guess of a ball's place.
 
-use super::balance::{Ball, Positions};
+use super::balance::Ball;
 use super::contact::Plane;
 use super::solve::square;
-use crate::bearing::law::ContactSpring;
+use crate::bearing::law::{ContactSpring, HertzSpring};
+use crate::bearing::number::Number;
 use crate::physics::series_stiffness;
 
 /// Stiffness constants of dry contacts as the first guess needs them.
@@ -84,34 +85,40 @@ impl Ball {
     }
 }
 
-/// Times that the centrifugal force of a thrown ball is put right.
-const ROUNDS: usize = 3;
+/// Rounds after which the place of a thrown ball is right to round-off, whatever its contact angle.
+const ROUNDS: usize = 4;
 
 impl Ball {
-    /// How far the inner race, its groove centre at `groove`, reaches into the ball that rests on the
-    /// outer race alone, m; negative where they are apart.
-    pub(super) fn overlap_when_thrown(
+    /// How far the inner race, its groove centre at `groove`, reaches into the ball that rests on the dry outer race
+    /// alone, m; negative where they are apart. The surfaces are lower by their drops.
+    ///
+    /// The ball presses itself a distance s into the outer race, `K_o s^(3/2) = F_c(s)`: by Newton's method, with F_c,
+    /// which hardly changes with s, as it was a round before.
+    #[inline(always)]
+    pub(super) fn overlap_when_thrown<T: Number>(
         &self,
-        groove: Plane<f64>,
-        springs: &[impl ContactSpring; 2],
+        [axial, radial]: Plane<T>,
+        [drop_inner, drop_outer]: [T; 2],
+        outer: &HertzSpring,
         force_scale: f64,
-    ) -> f64 {
+    ) -> T {
+        let (free_inner, free_outer) = (drop_inner + self.free_inner, drop_outer + self.free_outer);
         if force_scale == 0.0 {
             // nothing throws it: it gives way into the line of the groove centres
-            return square(groove).sqrt() - self.free_inner - self.free_outer;
+            return (axial * axial + radial * radial).sqrt() - free_inner - free_outer;
         }
-        let mut thrown = self.free_outer;
+        let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio);
+        let mut approach = axial.constant(outer.approach(force_scale * orbit * orbit));
         for _ in 0..ROUNDS {
-            // hardly changes with the place: each round puts the place right to a hundredth or less
-            let positions = Positions {
-                centre: [0.0, thrown],
-                groove,
-                drop: [0.0; 2],
-            };
-            let balance = self.balance(&positions, springs, None, force_scale);
-            thrown = self.free_outer + springs[1].approach(balance.inertia.centrifugal);
+            let height = radial - (free_outer + approach);
+            let length = (axial * axial + height * height).sqrt();
+            let cosine = height / (length + f64::MIN_POSITIVE);
+            let centrifugal = self.inertia.thrown(cosine) * force_scale;
+            let pressed = centrifugal / (approach.sqrt() * outer.stiffness);
+            approach = approach * (1.0 / 3.0) + pressed * (2.0 / 3.0);
         }
-        square([groove[0], groove[1] - thrown]).sqrt() - self.free_inner
+        let height = radial - (free_outer + approach);
+        (axial * axial + height * height).sqrt() - free_inner
     }
 }
 

@@ -4,7 +4,6 @@ use super::balance::{Balance, Ball};
 use super::contact::Contact;
 use super::solve::Rest;
 use crate::bearing::BallContact;
-use crate::bearing::number::Dual;
 use crate::physics::{BallMotion, HertzContact, Race, complete_elliptic_second, controlling_race};
 
 /// Loads, angles, inertia and motion of one ball.
@@ -30,11 +29,9 @@ impl BallState {
         let inertia = &rest.balance.inertia;
         Self {
             contact,
-            centrifugal_force: inertia.centrifugal.value,
+            centrifugal_force: inertia.centrifugal,
             // T_i + T_o = 2 M_g/D
-            gyroscopic_moment: 0.5
-                * ball.diameter
-                * (inertia.friction[0].value + inertia.friction[1].value),
+            gyroscopic_moment: 0.5 * ball.diameter * (inertia.friction[0] + inertia.friction[1]),
             motion: BallMotion::new(
                 ball.inertia.control,
                 ball.inertia.diameter_ratio,
@@ -47,15 +44,15 @@ impl BallState {
     }
 }
 
-pub(super) fn contact_of(balance: &Balance<Dual<f64, 2>>) -> BallContact {
+pub(super) fn contact_of(balance: &Balance<f64>) -> BallContact {
     let (inner, outer) = (&balance.inner, &balance.outer);
-    let angle = |contact: &Contact<Dual<f64, 2>>| contact.sin.value.atan2(contact.cos.value);
+    let angle = |contact: &Contact<f64>| contact.sin.atan2(contact.cos);
     BallContact {
-        load_inner: inner.load.value,
-        load_outer: outer.load.value,
+        load_inner: inner.load,
+        load_outer: outer.load,
         angle_inner: angle(inner),
         angle_outer: angle(outer),
-        approach: inner.approach.value,
+        approach: inner.approach,
     }
 }
 

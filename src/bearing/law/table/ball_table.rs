@@ -133,15 +133,6 @@ impl Differentiable<2, 3> for BallTable {
     }
 }
 
-/// Distance of a place past the table's own line of lift-off, m.
-struct PastLiftOff<'a>(&'a Chart);
-
-impl Function<2, 1> for PastLiftOff<'_> {
-    fn values(&self, [axial, radial]: [f64; 2]) -> [f64; 1] {
-        [self.0.distance_past_lift(axial.abs(), radial)]
-    }
-}
-
 /// On perfect races, at the speed of the table, at places that it covers.
 impl ForceLaw for BallTable {
     const HAS_COUPLE: bool = true;
@@ -158,7 +149,6 @@ impl ForceLaw for BallTable {
 
     #[inline(always)]
     fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
-        let [past] = T::values(&PastLiftOff(&self.chart), [ball.axial, ball.radial]);
-        past
+        self.chart.distance_past_lift(ball.axial, ball.radial)
     }
 }

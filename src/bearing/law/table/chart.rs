@@ -1,11 +1,9 @@
 //! Coordinates in which the law of a ball is smooth.
 
-use fearless_simd::{Simd, SimdBase, SimdFloat};
-
 use super::interpolation::{lobatto, power_weights, weighted};
 use super::region::BallRegion;
 use super::report::TableError;
-use crate::bearing::number::Lanes;
+use crate::bearing::number::Number;
 
 /// Load at which a ball counts as lifted off, of the one that the tolerance refers to.
 const LIFTED_SHARE: f64 = 1e-14;
@@ -100,31 +98,32 @@ impl Chart {
     }
 
     /// τ of |A1|.
-    fn along(&self, axial: f64) -> f64 {
+    #[inline(always)]
+    fn along<T: Number>(&self, axial: T) -> T {
         (axial - self.middle) * self.inverse_half
     }
 
-    /// M(τ), m².
-    fn lift(&self, along: f64) -> f64 {
-        self.lift.iter().rev().fold(0.0, |sum, c| sum * along + c)
+    /// M(τ), m²: a sum of few steps, each of which would wait for the one before.
+    #[inline(always)]
+    fn lift<T: Number>(&self, along: T) -> T {
+        let square = along * along;
+        let [c0, c1, c2, c3, c4, c5] = self.lift;
+        let low = (along * c1 + c0) + square * (along * c3 + c2);
+        low + square * square * (along * c5 + c4)
     }
 
     /// u of a place (|A1|, A2), m².
-    fn past_lift(&self, axial: f64, radial: f64) -> f64 {
-        (radial - self.centre).powi(2) - self.lift(self.along(axial))
+    #[inline(always)]
+    fn past_lift<T: Number>(&self, axial: T, radial: T) -> T {
+        let height = radial - self.centre;
+        height * height - self.lift(self.along(axial))
     }
 
     /// τ, v and u of places (|A1|, A2).
     #[inline(always)]
-    pub(super) fn coordinates<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> [Lanes<S>; 3] {
-        let along = (axial - self.middle) * self.inverse_half;
-        let height = radial - self.centre;
-        let square = along * along;
-        let [c0, c1, c2, c3, c4, c5] = self.lift;
-        // a sum of few steps, each of which would wait for the one before
-        let low = (c0 + c1 * along) + square * (c2 + c3 * along);
-        let lift = low + square * square * (c4 + c5 * along);
-        let past_lift = (height * height - lift).max(Lanes::splat(axial.witness(), 0.0));
+    pub(super) fn coordinates<T: Number>(&self, axial: T, radial: T) -> [T; 3] {
+        let along = self.along(axial);
+        let past_lift = self.past_lift(axial, radial).positive();
         [along, past_lift.sqrt(), past_lift]
     }
 
@@ -164,12 +163,16 @@ impl Chart {
         (self.inverse_half, if lifted { [0.0; 2] } else { rates })
     }
 
-    /// Distance of a place from the line of lift-off, m.
-    pub(super) fn distance_past_lift(&self, axial: f64, radial: f64) -> f64 {
-        let past_lift = self.past_lift(axial, radial);
-        let distance = axial.hypot(radial - self.centre);
+    /// Distance of places (A1, A2) past the line of lift-off, m.
+    #[inline(always)]
+    pub(super) fn distance_past_lift<T: Number>(&self, axial: T, radial: T) -> T {
+        let height = radial - self.centre;
+        let [axial_square, height_square] = [axial * axial, height * height];
+        let lift = self.lift(self.along(axial_square.sqrt()));
+        let distance = (axial_square + height_square).sqrt();
+        let distance_at_lift = (axial_square + lift).sqrt();
         // the difference of the distances from c, of which u is that of the squares
-        past_lift / (distance + (distance * distance - past_lift).sqrt())
+        (height_square - lift) / (distance + distance_at_lift)
     }
 }
 
