@@ -3,15 +3,14 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use jeffcott::bearing::{
-    Ball, BallLaw, ForceLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw, Oil, catalogue,
-};
+use jeffcott::bearing::{Bearing, Oil};
+use jeffcott::internals::{Ball, BallLaw, ForceLaw, HertzFilmLaw, JonesFilmLaw, JonesLaw};
 use jeffcott::physics::RaceControl;
 
 const SPEED: f64 = 1000.0;
 
 fn ball_laws(criterion: &mut Criterion) {
-    let bearing = catalogue::find("7205C").unwrap().bearing().unwrap();
+    let bearing = Bearing::catalogue("7205C").unwrap();
     let oil = Oil {
         viscosity: 0.04,
         pressure_viscosity: 2.2e-8,

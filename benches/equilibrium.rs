@@ -3,11 +3,9 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use jeffcott::bearing::{
-    ContactDamping, ContactLaw, Facing, MountedBearing, Oil, Preload, Support, catalogue,
-};
+use jeffcott::bearing::{Bearing, Oil};
+use jeffcott::internals::{ContactLaw, MountedBearing, StaticProblem, Support};
 use jeffcott::physics::RaceControl;
-use jeffcott::rotor::StaticProblem;
 
 const OIL: Oil = Oil {
     viscosity: 0.04,
@@ -15,7 +13,7 @@ const OIL: Oil = Oil {
 };
 
 fn equilibria(criterion: &mut Criterion) {
-    let entry = catalogue::find("7205C").expect("in the catalogue");
+    let bearing = Bearing::catalogue("7205C").expect("in the catalogue");
     let laws = [
         ("hertz", ContactLaw::Hertz, None),
         ("hertz with film", ContactLaw::Hertz, Some(OIL)),
@@ -28,14 +26,9 @@ fn equilibria(criterion: &mut Criterion) {
     ];
     for (name, law, oil) in laws {
         let mounted = MountedBearing {
-            bearing: entry.bearing().expect("a bearing"),
             law,
             oil,
-            position: 0.0,
-            facing: Facing::PlusZ,
-            preload: Preload::AxialOffset(0.0),
-            contact_damping: ContactDamping::default(),
-            first_ball: 0.0,
+            ..MountedBearing::new(bearing)
         };
         let supports = [Support::new(&mounted, 1000.0).expect("a support")];
         let problem = StaticProblem {

@@ -6,8 +6,8 @@ use std::process::{Command, Stdio};
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
+use jeffcott::internals::BareRun;
 use jeffcott::scenario;
-use jeffcott::simulate::BareRun;
 
 const RUNS: usize = 1000;
 const STEADY: &str = "steady-7205c";

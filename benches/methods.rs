@@ -10,10 +10,10 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use jeffcott::integrate::Method;
-use jeffcott::rotor::{MotionScale, Rotor, Sample};
-use jeffcott::scenario;
-use jeffcott::simulate::{BareRun, Model, Monitor, TraceSink, simulate};
+use jeffcott::internals::{BareRun, MotionScale, time};
+use jeffcott::scenario::{self, Format};
+use jeffcott::simulate::{Model, Monitor, Sample, TraceSink, simulate};
+use serde_json::Value;
 
 const ERROR: f64 = 1e-6;
 /// Exponents of the loosest and of the finest tolerance, in half decades.
@@ -24,12 +24,7 @@ const LONGEST: f64 = 1.0;
 /// Steps after which a method is out of the race.
 const MOST_STEPS: u64 = 1_000_000;
 /// Columns of the table.
-const METHODS: [Method; 4] = [
-    Method::Auto,
-    Method::Verner76,
-    Method::Exponential,
-    Method::Dop853,
-];
+const METHODS: [&str; 4] = ["auto", "verner76", "exponential", "dop853"];
 /// Time that the integrations of a scene are repeated over, s each.
 const REPEATED: f64 = 0.03;
 
@@ -43,13 +38,41 @@ impl TraceSink for Trace {
     }
 }
 
-fn with(model: &Model, method: Method, tolerance: f64) -> Model {
-    let mut model = model.clone();
-    model.integrator.method = method;
-    model.integrator.tolerance = tolerance;
-    model.integrator.step_limit = MOST_STEPS;
-    (model.verify, model.settle, model.spectrum) = (false, 0.0, None);
-    model
+/// A scene without its settle time, and the folder that files named in it stand in.
+struct Scene {
+    echo: Value,
+    /// Its file.
+    name: String,
+}
+
+impl Scene {
+    /// None of a scene without motion.
+    fn load(file: &Path) -> Option<Self> {
+        let loaded = scenario::load(file).expect("a scenario");
+        loaded.model?;
+        let mut echo = loaded.echo;
+        let written = echo["time"]["duration"].as_str().unwrap_or_default();
+        let duration = time(written).expect("a time").min(LONGEST);
+        echo["time"] = serde_json::json!({ "duration": format!("{duration} s") });
+        echo["output"]["spectrum"] = false.into();
+        if let Value::Object(tables) = &mut echo {
+            tables.remove("spectrum");
+        }
+        let name = file.display().to_string();
+        Some(Self { echo, name })
+    }
+
+    fn with(&self, method: &str, tolerance: f64) -> Model {
+        let mut echo = self.echo.clone();
+        echo["integrator"] = serde_json::json!({
+            "method": method,
+            "tolerance": tolerance,
+            "step_limit": MOST_STEPS,
+            "verify": false,
+        });
+        let scenario = scenario::parse(&echo.to_string(), &self.name, Format::Json);
+        scenario.expect("a scenario").model.expect("a motion")
+    }
 }
 
 fn trace(model: &Model) -> Option<(Trace, u64)> {
@@ -90,12 +113,13 @@ struct Truth {
 
 impl Truth {
     /// By Dormand and Prince, and how far Verner is from it.
-    fn of(model: &Model) -> Option<(Self, f64)> {
-        let rotor = Rotor::assemble(&model.rotor).ok()?;
-        let exact = |method| trace(&with(model, method, EXACT)).map(|(trace, _)| trace);
-        let other = exact(Method::Verner76)?;
+    fn of(scene: &Scene) -> Option<(Self, f64)> {
+        let model = scene.with("dop853", EXACT);
+        let bare = BareRun::new(&model).ok()?;
+        let rotor = bare.rotor();
+        let (other, _) = trace(&scene.with("verner76", EXACT))?;
         let mut truth = Self {
-            trace: exact(Method::Dop853)?,
+            trace: trace(&model)?.0,
             scale: rotor.motion_scale(EXACT),
             active: rotor.active_freedoms(),
             motion: 1.0,
@@ -117,7 +141,7 @@ impl Truth {
 }
 
 struct Cost {
-    method: Method,
+    method: &'static str,
     evaluations: f64,
     seconds: f64,
 }
@@ -132,11 +156,11 @@ struct Tried {
 
 /// The cheapest tolerance by which a method reaches the error, after the one before it; by itself where there is
 /// none.
-fn cheapest(model: &Model, truth: &Truth, method: Method) -> Option<[Tried; 2]> {
+fn cheapest(scene: &Scene, truth: &Truth, method: &str) -> Option<[Tried; 2]> {
     let (mut before, mut best) = (None::<Tried>, None::<[Tried; 2]>);
     for exponent in TOLERANCES {
         let tolerance = 10.0_f64.powf(-0.5 * f64::from(exponent));
-        let Some((trace, evaluations)) = trace(&with(model, method, tolerance)) else {
+        let Some((trace, evaluations)) = trace(&scene.with(method, tolerance)) else {
             break;
         };
         let least = best.map_or(u64::MAX, |[_, best]| best.evaluations);
@@ -170,18 +194,18 @@ fn between([from, to]: [f64; 2], weight: f64) -> f64 {
 }
 
 /// The costs of the methods that reach the error, or why there are none.
-fn costs(model: &Model) -> Result<Vec<Cost>, String> {
-    let (truth, uncertain) = Truth::of(model).ok_or("no reference")?;
+fn costs(scene: &Scene) -> Result<Vec<Cost>, String> {
+    let (truth, uncertain) = Truth::of(scene).ok_or("no reference")?;
     if uncertain > 0.1 * ERROR {
         return Err(format!("reference uncertain by {uncertain:.0e}"));
     }
     let methods = METHODS.into_iter();
     let found: Vec<_> = methods
-        .filter_map(|method| Some((method, cheapest(model, &truth, method)?)))
+        .filter_map(|method| Some((method, cheapest(scene, &truth, method)?)))
         .collect();
     let models = found
         .iter()
-        .flat_map(|(method, pair)| pair.map(|tried| with(model, *method, tried.tolerance)));
+        .flat_map(|(method, pair)| pair.map(|tried| scene.with(method, tried.tolerance)));
     let times = times(&models.collect::<Vec<_>>());
     let costs = found.iter().zip(times.as_chunks::<2>().0);
     Ok(costs
@@ -189,7 +213,7 @@ fn costs(model: &Model) -> Result<Vec<Cost>, String> {
             let weight = weight(pair);
             let evaluations = pair.map(|tried| tried.evaluations as f64);
             Cost {
-                method: *method,
+                method,
                 evaluations: between(evaluations, weight),
                 seconds: between(*times, weight),
             }
@@ -198,12 +222,12 @@ fn costs(model: &Model) -> Result<Vec<Cost>, String> {
 }
 
 /// A row of the table: evaluations and milliseconds by each method.
-fn row(name: &str, model: &Model) -> String {
-    let costs = match costs(model) {
+fn row(name: &str, scene: &Scene) -> String {
+    let costs = match costs(scene) {
         Ok(costs) => costs,
         Err(reason) => return format!("| `{name}` | {reason} |"),
     };
-    let cell = |method: Method| {
+    let cell = |method: &str| {
         let cost = costs.iter().find(|cost| cost.method == method);
         cost.map_or("–".to_owned(), |cost| {
             format!("{:.0}, {:.2}", cost.evaluations, 1e3 * cost.seconds)
@@ -230,11 +254,12 @@ fn main() {
     files.sort();
     for file in files {
         let name = file.file_stem().unwrap_or_default().to_string_lossy();
-        let loaded = scenario::load(&file).expect("a scenario");
-        let Some(mut model) = loaded.model.filter(|_| is_wanted(&name)) else {
+        if !is_wanted(&name) {
+            continue;
+        }
+        let Some(scene) = Scene::load(&file) else {
             continue;
         };
-        model.duration = model.duration.min(LONGEST);
-        println!("{}", row(&name, &model));
+        println!("{}", row(&name, &scene));
     }
 }

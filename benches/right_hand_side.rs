@@ -7,33 +7,15 @@ use std::hint::black_box;
 use std::path::Path;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
-use jeffcott::bearing::{
-    Ball, BearingRotation, ContactLaw, Facing, ForceLaw, HertzLaw, MountedBearing, Oil, Preload,
-    Ring, catalogue,
+use jeffcott::bearing::Bearing;
+use jeffcott::internals::{
+    Ball, BareRun, BearingRotation, ForceLaw, HertzLaw, Ring, Rotor, System,
 };
-use jeffcott::integrate::System;
-use jeffcott::physics::RaceControl;
-use jeffcott::rotor::load::{Harmonic, Pace};
-use jeffcott::rotor::{CageMotion, Freedoms, Load, LoadKind, Rotor, RotorDefinition, SpeedPoint};
-use jeffcott::scenario;
-use jeffcott::simulate::Model;
-
-/// A shipped scenario.
-fn model(name: &str) -> Model {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("scenarios")
-        .join(name);
-    scenario::load(&file)
-        .expect("a shipped scenario")
-        .model
-        .expect("a motion")
-}
+use jeffcott::scenario::{self, Format};
+use serde_json::{Value, json};
 
 fn ball_and_ring(criterion: &mut Criterion) {
-    let bearing = catalogue::find("7205C")
-        .expect("in the catalogue")
-        .bearing()
-        .expect("a bearing");
+    let bearing = Bearing::catalogue("7205C").expect("in the catalogue");
     let law = HertzLaw::new(
         bearing.load_deflection_constant().expect("a Hertz contact"),
         bearing.geometry.groove_centre_distance(),
@@ -59,121 +41,131 @@ fn ball_and_ring(criterion: &mut Criterion) {
 /// What a scene may ask for beyond its plainest form.
 struct Rung {
     name: &'static str,
-    law: ContactLaw,
+    contact: &'static str,
     film: bool,
-    freedoms: Freedoms,
+    freedoms: &'static str,
     /// Changes a scene of one bearing, rolling, under constant load at constant speed.
-    ask: fn(&mut RotorDefinition),
+    ask: fn(&mut Value),
 }
 
 impl Rung {
-    fn definition(&self) -> RotorDefinition {
-        let mut rotor = model("steady-7205c.toml").rotor;
-        rotor.shaft.freedoms = self.freedoms;
-        rotor.shaft.inertia_transverse = 0.01;
-        rotor.shaft.inertia_polar = 0.004;
-        for bearing in &mut rotor.bearings {
-            bearing.law = self.law;
-            bearing.oil = self.film.then_some(OIL);
+    fn scene(&self) -> Value {
+        let scenarios = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios");
+        let steady = scenario::load(&scenarios.join("steady-7205c.toml"));
+        let mut scene = steady.expect("a shipped scenario").echo;
+        scene["shaft"]["freedoms"] = self.freedoms.into();
+        if self.freedoms == "all" {
+            scene["shaft"]["inertia_transverse"] = "0.01 kg m^2".into();
+            scene["shaft"]["inertia_polar"] = "0.004 kg m^2".into();
         }
-        (self.ask)(&mut rotor);
-        rotor
+        scene["model"]["contact"] = self.contact.into();
+        if self.film {
+            scene["model"]["film"] = true.into();
+            scene["bearing"][0]["oil"] = json!({
+                "viscosity": "0.04 Pa s",
+                "pressure_viscosity": "2.2e-8 1/Pa",
+            });
+        }
+        (self.ask)(&mut scene);
+        scene
+    }
+
+    fn rotor(&self) -> Rotor {
+        let scene = scenario::parse(&self.scene().to_string(), self.name, Format::Json);
+        let model = scene.expect("a scenario").model.expect("a motion");
+        BareRun::new(&model).expect("a rotor").rotor().clone()
     }
 }
 
-const OIL: Oil = Oil {
-    viscosity: 0.04,
-    pressure_viscosity: 2.2e-8,
-};
-const JONES: ContactLaw = ContactLaw::Jones(RaceControl::Outer);
+fn nothing(_: &mut Value) {}
 
-fn nothing(_: &mut RotorDefinition) {}
-
-fn frozen_cage(rotor: &mut RotorDefinition) {
-    rotor.cage = CageMotion::Frozen;
+fn frozen_cage(scene: &mut Value) {
+    scene["model"]["cage"] = "frozen".into();
 }
 
-fn varying_load(rotor: &mut RotorDefinition) {
-    let mut amplitude = [0.0; 5];
-    amplitude[0] = 100.0;
-    let harmonic = Harmonic {
-        amplitude,
-        pace: Pace::Frequency(50.0),
-        phase: 0.0,
-    };
-    rotor.loads.push(Load {
-        kind: LoadKind::Harmonic(harmonic),
-        position: 0.0,
-    });
+fn varying_load(scene: &mut Value) {
+    let harmonic = json!({ "amplitude": { "x": "100 N" }, "frequency": "50 Hz" });
+    if let Value::Array(loads) = &mut scene["load"] {
+        loads.push(json!({ "harmonic": harmonic }));
+    }
 }
 
 /// Changes the speed for longer than any bench runs, and hardly: the balls bear what they bore.
-fn run_up(rotor: &mut RotorDefinition) {
-    rotor.speed_points.push(SpeedPoint {
-        time: 1e6,
-        speed: 1.001 * rotor.speed,
-    });
+fn run_up(scene: &mut Value) {
+    scene["speed"] = json!({ "from": "500 rad/s", "to": "500.5 rad/s", "over": "1e6 s" });
 }
 
-fn pair(rotor: &mut RotorDefinition) {
-    let one = rotor.bearings[0];
-    rotor.bearings = [(-0.03, Facing::PlusZ), (0.03, Facing::MinusZ)]
-        .map(|(position, facing)| MountedBearing {
-            position,
-            facing,
-            preload: Preload::Force(200.0),
-            ..one
+fn pair(scene: &mut Value) {
+    let one = scene["bearing"][0].clone();
+    scene["bearing"] = [("-30 mm", "+z"), ("30 mm", "-z")]
+        .map(|(position, facing)| {
+            let mut bearing = one.clone();
+            bearing["position"] = position.into();
+            bearing["facing"] = facing.into();
+            bearing["preload"] = "200 N".into();
+            bearing
         })
-        .to_vec();
+        .to_vec()
+        .into();
 }
 
 /// The ladder of laws; then, from the Hertz law with three freedoms on, one wish at a time.
 const RUNGS: [Rung; 15] = {
-    use ContactLaw::{Hertz, Linear};
-    use Freedoms::{All, Radial, Translational};
     const fn rung(
         name: &'static str,
-        law: ContactLaw,
+        contact: &'static str,
         film: bool,
-        freedoms: Freedoms,
-        ask: fn(&mut RotorDefinition),
+        freedoms: &'static str,
+        ask: fn(&mut Value),
     ) -> Rung {
         Rung {
             name,
-            law,
+            contact,
             film,
             freedoms,
             ask,
         }
     }
     [
-        rung("linear", Linear, false, Translational, nothing),
-        rung("hertz", Hertz, false, Translational, nothing),
-        rung("hertz, film", Hertz, true, Translational, nothing),
-        rung("jones", JONES, false, Translational, nothing),
-        rung("jones, film", JONES, true, Translational, nothing),
-        rung("hertz, 2 freedoms", Hertz, false, Radial, nothing),
-        rung("hertz, 5 freedoms", Hertz, false, All, nothing),
-        rung("jones, film, 5 freedoms", JONES, true, All, nothing),
+        rung("linear", "linear", false, "translational", nothing),
+        rung("hertz", "hertz", false, "translational", nothing),
+        rung("hertz, film", "hertz", true, "translational", nothing),
+        rung("jones", "jones", false, "translational", nothing),
+        rung("jones, film", "jones", true, "translational", nothing),
+        rung("hertz, 2 freedoms", "hertz", false, "radial", nothing),
+        rung("hertz, 5 freedoms", "hertz", false, "all", nothing),
+        rung("jones, film, 5 freedoms", "jones", true, "all", nothing),
         rung(
             "hertz, frozen cage",
-            Hertz,
+            "hertz",
             false,
-            Translational,
+            "translational",
             frozen_cage,
         ),
         rung(
             "hertz, one varying load",
-            Hertz,
+            "hertz",
             false,
-            Translational,
+            "translational",
             varying_load,
         ),
-        rung("hertz, run-up", Hertz, false, Translational, run_up),
-        rung("hertz, film, run-up", Hertz, true, Translational, run_up),
-        rung("jones, film, run-up", JONES, true, Translational, run_up),
-        rung("hertz, 5 freedoms, pair", Hertz, false, All, pair),
-        rung("jones, film, 5 freedoms, pair", JONES, true, All, pair),
+        rung("hertz, run-up", "hertz", false, "translational", run_up),
+        rung(
+            "hertz, film, run-up",
+            "hertz",
+            true,
+            "translational",
+            run_up,
+        ),
+        rung(
+            "jones, film, run-up",
+            "jones",
+            true,
+            "translational",
+            run_up,
+        ),
+        rung("hertz, 5 freedoms, pair", "hertz", false, "all", pair),
+        rung("jones, film, 5 freedoms, pair", "jones", true, "all", pair),
     ]
 };
 
@@ -196,7 +188,7 @@ fn right_hand_side(criterion: &mut Criterion, name: &str, rotor: &Rotor) {
 /// Costly laws as tables: the rungs whose names they bear.
 fn tabulated(criterion: &mut Criterion) {
     for rung in RUNGS {
-        let mut rotor = Rotor::assemble(&rung.definition()).expect("a rotor");
+        let mut rotor = rung.rotor();
         let tables = rotor.tabulate();
         if tables.iter().flatten().all(Result::is_err) {
             continue;
@@ -205,7 +197,7 @@ fn tabulated(criterion: &mut Criterion) {
         right_hand_side(criterion, &name, &rotor);
         criterion.bench_function(&format!("compile: {}", rung.name), |bencher| {
             bencher.iter_batched(
-                || Rotor::assemble(&rung.definition()).expect("a rotor"),
+                || rung.rotor(),
                 |mut rotor| rotor.tabulate(),
                 BatchSize::PerIteration,
             );
@@ -215,7 +207,7 @@ fn tabulated(criterion: &mut Criterion) {
 
 fn right_hand_sides(criterion: &mut Criterion) {
     for rung in RUNGS {
-        let rotor = Rotor::assemble(&rung.definition()).expect("a rotor");
+        let rotor = rung.rotor();
         right_hand_side(criterion, rung.name, &rotor);
     }
 }

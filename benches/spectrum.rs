@@ -9,7 +9,7 @@ use jeffcott::analysis::{
     SpectrumKind, SpectrumRequest, Window, causes, estimate,
 };
 use jeffcott::physics::ball_pass_frequencies;
-use jeffcott::rotor::Sample;
+use jeffcott::simulate::Sample;
 
 /// Samples a revolution, and revolutions: about 1e5 samples of six channels.
 const PER_REVOLUTION: u32 = 128;

@@ -5,7 +5,7 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use jeffcott::report::{CsvTable, MatTable, Origin, trace_columns};
+use jeffcott::internals::{CsvTable, MatTable, Origin, trace_columns};
 
 /// Samples of the trace.
 const ROWS: usize = 100_000;
@@ -61,7 +61,7 @@ fn write_mat(path: &Path, rows: &[[f64; 20]]) {
 
 #[cfg(feature = "parquet")]
 fn write_parquet(path: &Path, rows: &[[f64; 20]]) {
-    let table = jeffcott::report::ParquetTable::new(buffered(path), &trace_columns(), &origin());
+    let table = jeffcott::internals::ParquetTable::new(buffered(path), &trace_columns(), &origin());
     let mut table = table.expect("a table");
     for row in rows {
         table.row(row).expect("a row");

@@ -8,24 +8,24 @@
 //!
 //! | floor | what it does |
 //! |---|---|
-//! | [`cli`] | what was typed → exit code, one file a verb |
+//! | `cli` | what was typed → exit code, one file a verb |
 //! | [`report`] | results → CSV, JSON, SVG |
 //! | [`scenario`] | text → checked, typed model; units; every message |
 //! | [`study`] | many static questions in a row; speed against error; the law that a scene needs |
 //! | [`mod@simulate`] | a model in, a run out |
 //! | [`mod@steady`] | a model in, the motion that it settles to out |
-//! | [`mod@quasi_static`] | a static question in, an answer out; no time passes |
+//! | `quasi_static` | a static question in, an answer out; no time passes |
 //! | [`analysis`] | samples → spectra, peaks and their causes, kinds of motion, maps of run-ups |
-//! | [`rotor`] | shaft, loads, speed, supports → derivative |
-//! | [`shooting`] | the map over a period → motions that repeat, their stability, their branches |
-//! | [`integrate`] | derivative → states on a time grid, with error control |
+//! | `rotor` | shaft, loads, speed, supports → derivative |
+//! | `shooting` | the map over a period → motions that repeat, their stability, their branches |
+//! | `integrate` | derivative → states on a time grid, with error control |
 //! | [`bearing`] | geometry, catalogue, ball laws, ring sum, equilibrium, stiffness |
 //! | [`physics`] | closed-form laws: material, curvature, Hertz contact, kinematics |
 //!
-//! The seam that carries the design is [`bearing::BallLaw`]: a pure function from the position of a
+//! The seam that carries the design is `bearing::BallLaw`: a pure function from the position of a
 //! ball's inner groove centre to the force there, written once for plain numbers, for balls side by side and for
-//! numbers with slopes. A [`bearing::Ring`] places the balls and sums over them; the [`rotor::Rotor`], one
-//! [`integrate::System`], never knows which law runs.
+//! numbers with slopes. A `bearing::Ring` places the balls and sums over them; the `rotor::Rotor`, one
+//! `integrate::System`, never knows which law runs.
 //!
 //! [`seed_paper`] holds no code: it says figure by figure where the paper that the crate started from
 //! and this crate agree, and where they cannot.
@@ -96,16 +96,19 @@
 
 pub mod analysis;
 pub mod bearing;
+#[doc(hidden)]
 pub mod cli;
-pub mod integrate;
+mod integrate;
+#[doc(hidden)]
+pub mod internals;
 mod keys;
 pub mod physics;
-pub mod quasi_static;
+mod quasi_static;
 mod registers;
 pub mod report;
-pub mod rotor;
+mod rotor;
 pub mod scenario;
-pub mod shooting;
+mod shooting;
 pub mod simulate;
 pub mod steady;
 pub mod study;

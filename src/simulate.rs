@@ -1,7 +1,7 @@
 //! The stair: a [`Model`] goes in, a [`Run`] comes out. No files, no clock, no printing.
 
 mod analyses;
-mod bare;
+pub(crate) mod bare;
 mod energy_audit;
 mod model;
 mod observation;
@@ -18,22 +18,26 @@ mod watch;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-pub use analyses::{Analyses, BallParts, Maps, SpectrumLines, Watched};
-pub use bare::BareRun;
+pub use analyses::Maps;
+pub(crate) use analyses::{Analyses, BallParts, SpectrumLines, Watched};
+pub(crate) use bare::BareRun;
 pub use energy_audit::EnergyReport;
-pub use model::{Model, Sampling};
+pub use model::Model;
+pub(crate) use model::Sampling;
 pub use observation::{
     BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone, Spread,
 };
-pub use part::{Earlier, Part, Standing, StateKeeper, StateSource};
+pub(crate) use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub use recorded::{RecordedRun, UnknownColumn};
-pub use reference::ReferenceStanding;
 pub use run::{MeasuredError, Run, StaticState};
-pub use tables::TableUse;
+pub(crate) use tables::TableUse;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
-use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, MethodUse, SEGMENT, States, Stiffness, System,
+pub use crate::integrate::{Counters, IntegrateError};
+use crate::integrate::{Grid, Integration, MethodUse, SEGMENT, States, Stiffness, System};
+pub use crate::rotor::{
+    BallContacts, EnergyBalance, NaturalFrequency, RotorDefinition, RotorError, Sample,
+    UnconstrainedError, Works,
 };
 use crate::rotor::{MotionScale, Rotor, check_constraints};
 use observers::Observers;
@@ -61,7 +65,7 @@ pub fn simulate(
 /// # Errors
 /// [`SimulateError`], and among them [`SimulateError::Stopped`] at the end of the part;
 /// `part.standing` then says what it takes to go on.
-pub fn simulate_part(
+pub(crate) fn simulate_part(
     model: &Model,
     sink: &mut dyn TraceSink,
     monitor: &mut Monitor<'_>,

@@ -16,29 +16,33 @@ mod transform;
 mod whole_spectrum;
 mod window;
 
-pub use aliasing::{TopPower, rest_amplitude};
-pub use causes::{
-    BearingFrequencies, Line, Sources, TOLERANCE_BINS, causes, nearest_cause, other_causes,
-};
-pub use channel::{Channel, column_unit};
+pub(crate) use aliasing::{TopPower, rest_amplitude};
+pub(crate) use causes::other_causes;
+pub use causes::{BearingFrequencies, Line, Sources, causes, nearest_cause};
+pub use channel::Channel;
+pub(crate) use channel::column_unit;
 pub use estimation::{
-    Axis, CrossPower, Detrend, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment,
-    SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest, Welch, envelope, estimate,
+    Axis, Detrend, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment, SpectrumColumn,
+    SpectrumKind, SpectrumQuantity, SpectrumRequest, estimate,
 };
-pub use leakage::{Leak, leak};
+#[cfg(test)]
+pub(crate) use estimation::{Welch, envelope};
+pub(crate) use leakage::{Leak, leak};
 pub use line_kind::LineKind;
 pub use motion::{
-    ChannelStatistics, ClosedCurve, Drift, Kind, LONGEST_PERIOD, Moments, Motion, MotionParts,
-    MotionRecorder, MotionSettings, PoincarePoint, Recognition, Section, SectionKind, Series,
-    VELOCITY_BAND, VelocityLevel, closed_curve, recognise, velocity_level, zero_one_test,
+    ChannelStatistics, ClosedCurve, Drift, Kind, Moments, Motion, PoincarePoint, Recognition,
+    Section, SectionKind, VelocityLevel,
 };
-pub use peaks::{MOST_PEAKS, Peak};
+pub(crate) use motion::{LONGEST_PERIOD, MotionParts, MotionRecorder, MotionSettings};
+#[cfg(test)]
+pub(crate) use motion::{Series, closed_curve, recognise};
+#[cfg(test)]
+pub(crate) use peaks::MOST_PEAKS;
+pub use peaks::Peak;
 pub use recording::{Recording, SampleGrid};
-pub use run_up::{
-    OrderTracks, Slice, Track, TrackPoint, TrackRecorder, TrackedOrder, Waterfall,
-    WaterfallRecorder,
-};
+pub use run_up::{OrderTracks, Slice, Track, TrackPoint, TrackedOrder, Waterfall};
+pub(crate) use run_up::{TrackRecorder, WaterfallRecorder};
 pub use spectrum::{ChannelSpectrum, Spectrum};
-pub use transform::{Transform, fourier_coefficients};
-pub use whole_spectrum::Analysis;
+pub(crate) use transform::{Transform, fourier_coefficients};
+pub(crate) use whole_spectrum::Analysis;
 pub use window::Window;

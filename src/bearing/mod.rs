@@ -7,24 +7,24 @@
 mod assessment;
 mod ball_line;
 mod bearing_friction;
-pub mod catalogue;
+pub(crate) mod catalogue;
 mod contact_band;
 mod contact_damping;
-mod definition;
+pub(crate) mod definition;
 mod geometry;
-mod law;
+pub(crate) mod law;
 mod life;
 mod linear_force;
-pub mod number;
+pub(crate) mod number;
 mod oil;
-mod ring;
+pub(crate) mod ring;
 mod ring_contacts;
 mod ring_forces;
-mod rotation;
+pub(crate) mod rotation;
 mod seat;
 mod state;
 mod static_safety;
-mod support;
+pub(crate) mod support;
 mod support_damping;
 mod support_force;
 mod support_lift_off;
@@ -33,26 +33,29 @@ mod thrust;
 mod warnings;
 
 pub(crate) use assessment::LOADED_SHARE;
-pub use contact_band::ContactBand;
-pub use contact_damping::ContactDamping;
-pub use definition::{
-    Bearing, BearingError, Facing, LIMITING_SPEED_FACTOR, MountedBearing, Preload,
-};
+pub use catalogue::{CATALOGUE, CatalogueEntry, UnknownBearing};
+pub(crate) use contact_band::ContactBand;
+pub(crate) use contact_damping::ContactDamping;
+pub use definition::{Bearing, BearingError, LIMITING_SPEED_FACTOR};
+pub(crate) use definition::{Facing, MountedBearing, Preload};
 pub use geometry::{FreePosition, Geometry, GeometryError};
-pub use law::{
-    Ball, BallContact, BallForce, BallLaw, BallRegion, BallResponse, BallState, BallTable,
-    BallTangent, ContactLaw, ContactSpring, DryRaces, FilmSpring, FilmThickness, ForceLaw,
-    HertzFilmLaw, HertzLaw, HertzSpring, JonesFilmLaw, JonesLaw, LubricatedRaces, RaceFilms, Races,
-    TableError, TableReport,
+pub use law::BallContact;
+pub(crate) use law::{
+    Ball, BallForce, BallLaw, BallState, ContactLaw, ForceLaw, HertzSpring, RaceFilms, TableError,
+    TableReport,
 };
-pub use life::{RatingLife, reference_rating_life};
+#[cfg(test)]
+pub(crate) use law::{BallRegion, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw};
+pub(crate) use life::RatingLife;
+pub use life::reference_rating_life;
 pub use oil::Oil;
-pub use ring::{Matrix5, Ring, Vector5};
+pub(crate) use ring::Ring;
+pub use ring::{Matrix5, Vector5};
 pub(crate) use ring::{in_registers, quarter_turn};
 pub use ring_contacts::BallLoads;
-pub use rotation::{Angle, BearingRotation};
+pub(crate) use rotation::{Angle, BearingRotation};
 pub use state::{
     Around, BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares,
 };
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
-pub use support::Support;
+pub(crate) use support::Support;

@@ -86,11 +86,6 @@ impl Support {
         bearing.load_deflection_constant_by(&self.contacts)
     }
 
-    /// Axial preset of the inner ring the way its facing loads it, m.
-    pub fn axial_offset(&self) -> f64 {
-        self.seat.offset()
-    }
-
     /// Whether the bearing is preset axially.
     pub fn is_preloaded(&self) -> bool {
         match self.definition.preload {

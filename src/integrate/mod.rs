@@ -37,4 +37,4 @@ pub use shifted::Shifted;
 pub use states::States;
 pub use stiffness::Stiffness;
 pub use system::{Scaling, System};
-pub use variation::{Variation, variation};
+pub use variation::variation;

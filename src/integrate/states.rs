@@ -32,11 +32,6 @@ impl States {
         self.values.len() / self.width
     }
 
-    /// Whether there are none.
-    pub fn is_empty(&self) -> bool {
-        self.values.is_empty()
-    }
-
     /// Removes all states.
     pub fn clear(&mut self) {
         self.values.clear();

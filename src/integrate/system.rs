@@ -76,6 +76,7 @@ pub struct Scaling {
 
 impl Scaling {
     /// The scaling of so many states that changes nothing.
+    #[cfg(test)]
     pub fn identity(states: usize) -> Self {
         Self {
             origin: vec![0.0; states],

@@ -1,7 +1,9 @@
 //! The trace as a figure: one panel for each freedom that moves.
 
+use super::Decimator;
+#[cfg(test)]
+use super::ReportError;
 use super::figure::{Axis, CURVE_BUCKETS, Curve, Figure, Panel, distinct};
-use super::{Decimator, ReportError};
 use crate::analysis::Channel;
 use crate::report::units::MICRO;
 use crate::rotor::{FREEDOMS, Sample};
@@ -46,6 +48,7 @@ impl TraceFigure {
     ///
     /// # Errors
     /// [`ReportError::Draw`] where the drawing library fails.
+    #[cfg(test)]
     pub fn draw(&self, title: &str) -> Result<String, ReportError> {
         self.figure("trace.svg", title).svg()
     }

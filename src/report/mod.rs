@@ -17,7 +17,7 @@ mod figure_spectrum;
 mod figure_trace;
 mod folder;
 mod histories;
-pub mod many;
+pub(crate) mod many;
 mod method_use;
 mod motion;
 mod named_peak;
@@ -26,43 +26,50 @@ mod peak_table;
 mod restart;
 mod run_report;
 mod run_up;
-mod sample_table;
+pub(crate) mod sample_table;
 mod spectra;
 mod spectrum_csv;
 mod statics;
 mod steady;
 mod study;
 mod summary;
-mod table;
+pub(crate) mod table;
 mod table_use;
 mod terminal;
 mod text;
 mod units;
 
-pub use accuracy::{accuracy_text, write_accuracy};
-pub use ball_table::{ball_columns, ball_row};
-pub use campbell::{campbell_json, campbell_text, write_campbell};
-pub use contact_choice::contact_choice_text;
-pub use decimator::{Bucket, Decimator};
-pub use document::document;
+pub(crate) use accuracy::{accuracy_text, write_accuracy};
+#[cfg(test)]
+pub(crate) use ball_table::{ball_columns, ball_row};
+pub(crate) use campbell::{campbell_json, campbell_text, write_campbell};
+pub(crate) use contact_choice::contact_choice_text;
+pub(crate) use decimator::{Bucket, Decimator};
+pub(crate) use document::document;
 pub use error::{FileAction, ReportError};
-pub use events_table::{EVENT_COLUMNS, event_columns, event_row};
-pub use failure::Failure;
-pub use figure_spectrum::spectrum_figure;
-pub use figure_trace::TraceFigure;
-pub use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
-pub use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
-pub use run_report::{KeptFiles, Outputs, RunReport};
-pub use sample_table::{TraceCsv, trace_columns};
+pub(crate) use events_table::EVENT_COLUMNS;
+#[cfg(test)]
+pub(crate) use events_table::{event_columns, event_row};
+pub(crate) use failure::Failure;
+pub(crate) use figure_spectrum::spectrum_figure;
+pub(crate) use figure_trace::TraceFigure;
+pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
+pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
+pub use run_report::RunReport;
+pub(crate) use run_report::{KeptFiles, Outputs};
+pub(crate) use sample_table::TraceCsv;
+#[cfg(test)]
+pub(crate) use sample_table::trace_columns;
 pub use spectrum_csv::write_spectrum;
-pub use statics::{answer_text, write_answer};
-pub use steady::{
+pub(crate) use statics::{answer_text, write_answer};
+pub(crate) use steady::{
     response_json, response_text, steady_json, steady_text, write_response, write_steady,
 };
-pub use study::{study_json, study_text, write_study};
+pub(crate) use study::{study_json, study_text, write_study};
 pub use summary::RunSummary;
-#[cfg(feature = "parquet")]
-pub use table::ParquetTable;
-pub use table::{Column, ColumnKind, CsvTable, MatTable, Origin};
-pub use terminal::wrapped;
-pub use text::text;
+#[cfg(all(test, feature = "parquet"))]
+pub(crate) use table::ParquetTable;
+#[cfg(test)]
+pub(crate) use table::{Column, ColumnKind, CsvTable, MatTable, Origin};
+pub(crate) use terminal::wrapped;
+pub(crate) use text::text;

@@ -53,4 +53,4 @@ pub use motion_scale::MotionScale;
 pub use sample::Sample;
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use tabulation::Tabulation;
-pub use unconstrained::{Unconstrained, UnconstrainedError, check_constraints};
+pub use unconstrained::{UnconstrainedError, check_constraints};

@@ -167,11 +167,6 @@ impl Rotor {
         self.bearings().map(state).collect()
     }
 
-    /// Displacement and velocity at t = 0.
-    pub fn initial_state(&self) -> [Vector5; 2] {
-        self.initial
-    }
-
     /// Speed of the cage of a bearing over that of the shaft.
     #[inline]
     pub(super) fn cage_ratio(&self, support: &Support) -> f64 {

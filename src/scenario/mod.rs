@@ -11,7 +11,7 @@
 //! assert!(error.render(false).contains("`mass` needs a unit, as in \"5 kg\""));
 //! ```
 
-mod argument;
+pub(crate) mod argument;
 mod axis;
 mod dimension;
 mod document;
@@ -39,15 +39,15 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::Value;
 
-pub use argument::{method, methods, speed, time, tolerance};
+pub(crate) use argument::{method, methods, speed, time, tolerance};
 pub use error::ScenarioError;
-pub use input::{Output, TableFormat};
+pub(crate) use input::{Output, TableFormat};
 pub use issue::Issue;
-pub use open_number::OpenNumber;
+pub(crate) use open_number::OpenNumber;
 pub use run::ScenarioRunError;
 pub use schema::schema;
-pub use study_file::{StudyFile, load_study, study_schema};
-pub use tolerance_file::ToleranceFile;
+pub(crate) use study_file::{StudyFile, load_study, study_schema};
+pub(crate) use tolerance_file::ToleranceFile;
 
 use crate::bearing::Oil;
 use crate::quasi_static::StaticQuestion;

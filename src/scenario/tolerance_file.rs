@@ -60,23 +60,6 @@ impl ToleranceFile {
         Self::check(Document::open_as(path, Format::Toml)?)
     }
 
-    /// Reads and checks the text of a file; `name` is what messages call it.
-    ///
-    /// ```
-    /// use jeffcott::scenario::ToleranceFile;
-    /// let text = "relative = 1e-4\n[[column]]\nname = \"x_m\"\nrelative = 1e-2\n";
-    /// let file = ToleranceFile::parse(text, "tolerances.toml")?;
-    /// assert_eq!(file.columns, [("x_m".to_owned(), 1e-2, 0.0)]);
-    /// assert!(ToleranceFile::parse("relativ = 1e-4", "tolerances.toml").is_err());
-    /// # Ok::<(), jeffcott::scenario::ScenarioError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`ScenarioError`] with everything that is wrong.
-    pub fn parse(text: &str, name: &str) -> Result<Self, ScenarioError> {
-        Self::check(Document::parse(text, name, Format::Toml)?)
-    }
-
     fn check(document: Document) -> Result<Self, ScenarioError> {
         let mut problems = document.problems().about("a file of tolerances");
         let schema = schema_of::<TolerancesInput>();
@@ -115,5 +98,22 @@ impl ToleranceFile {
         let mut problems = self.document.problems();
         problems.refuse(issue);
         Some(self.document.error(problems.finish().0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parse(text: &str) -> Result<ToleranceFile, ScenarioError> {
+        ToleranceFile::check(Document::parse(text, "tolerances.toml", Format::Toml)?)
+    }
+
+    #[test]
+    fn columns_are_read_and_unknown_keys_refused() {
+        let text = "relative = 1e-4\n[[column]]\nname = \"x_m\"\nrelative = 1e-2\n";
+        let file = parse(text).expect("tolerances");
+        assert_eq!(file.columns, [("x_m".to_owned(), 1e-2, 0.0)]);
+        assert!(parse("relativ = 1e-4").is_err());
     }
 }

@@ -14,11 +14,12 @@ mod rotor_map;
 mod search;
 mod swing;
 
-pub use basis::{Base, bases};
+pub use basis::Base;
+pub(crate) use basis::bases;
 pub use error::SteadyError;
 pub use lines::{SteadyLine, SteadyLines};
 pub use motion::{Measured, Steady, SteadyQuestion, steady};
-pub use response::{
-    Response, ResponsePoint, ResponseQuestion, ResponseSpecial, ResponseUnrefined, response,
-};
+pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response};
 pub use swing::Swing;
+
+pub use crate::shooting::Multipliers;

@@ -4,17 +4,19 @@
 pub mod accuracy;
 pub mod campbell;
 mod contact_choice;
-pub mod many;
-pub mod plan;
+pub(crate) mod many;
+pub(crate) mod plan;
 mod rung;
 
-pub use contact_choice::{
-    ContactChoice, ContactQuestion, Difference, RungDifference, choose_contact,
-};
+pub use contact_choice::ContactChoice;
+pub(crate) use contact_choice::{ContactQuestion, RungDifference, choose_contact};
 pub use rung::Rung;
 
+pub use crate::quasi_static::{QuasiStatic, StaticQuestion, Twist, quasi_static};
+pub use crate::rotor::{Equilibrium, EquilibriumError};
+
 use crate::bearing::Around;
-use crate::quasi_static::{QuasiStatic, StaticQuestion, answer_on};
+use crate::quasi_static::answer_on;
 use crate::rotor::{RotorError, build_supports};
 
 /// The number that varies.

@@ -1,6 +1,6 @@
 //! The schema and the catalogue that the command prints.
 
-use jeffcott::bearing::catalogue::CATALOGUE;
+use jeffcott::bearing::CATALOGUE;
 
 use crate::support::{done, jeffcott_in, root, scenarios};
 

@@ -369,8 +369,8 @@ fn the_trace_of_balls_has_four_columns_a_ball_and_reads_back_bit_by_bit() {
     definition.bearings = vec![linear, mounted(bearing("6305"))];
     let rotor = Rotor::assemble(&definition).unwrap();
     let mut contacts = rotor.ball_contacts();
-    let [place, _] = rotor.initial_state();
-    let state = [place[0], place[1], place[2], 0.0, 0.0, 0.0];
+    let mut state = rotor.start();
+    state[rotor.active_freedoms()..].fill(0.0);
     let sample = rotor.sample(0.0, &state, &mut contacts);
     let (mut csv, mut row) = (
         CsvTable::new(Vec::new(), &ball_columns(&contacts)).unwrap(),

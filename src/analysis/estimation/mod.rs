@@ -20,4 +20,4 @@ pub use estimated::{EstimatedSpectrum, Resampling, SpectrumColumn, SpectrumQuant
 pub use estimator::estimate;
 pub use request::{Axis, Segment, SpectrumKind, SpectrumRequest};
 pub use scaling::Scaling;
-pub use welch::{CrossPower, Welch};
+pub use welch::Welch;

@@ -98,17 +98,6 @@ impl Welch {
         self.overlap
     }
 
-    /// Window.
-    pub fn window(&self) -> Window {
-        self.window
-    }
-
-    /// Equivalent noise bandwidth in bins, `N Σ w²/(Σ w)²`.
-    pub fn noise_bandwidth(&self) -> f64 {
-        let squares: f64 = self.weights.iter().map(|w| w * w).sum();
-        self.length as f64 * squares / (self.sum * self.sum)
-    }
-
     /// How often bin `k` of a one-sided spectrum counts: twice where it has an image at −f.
     pub fn sides(&self, k: usize) -> f64 {
         if k > 0 && 2 * k < self.length {

@@ -12,12 +12,15 @@ mod recorder;
 mod section;
 mod velocity;
 
-pub use chaos::zero_one_test;
-pub use closed_curve::{ClosedCurve, closed_curve};
+pub use closed_curve::ClosedCurve;
+#[cfg(test)]
+pub use closed_curve::closed_curve;
 pub use drift::Drift;
 pub use moments::Moments;
 pub use parts::MotionParts;
-pub use period::{Kind, LONGEST_PERIOD, Recognition, Series, recognise};
+pub use period::{Kind, LONGEST_PERIOD, Recognition};
+#[cfg(test)]
+pub use period::{Series, recognise};
 pub use recorder::{ChannelStatistics, Motion, MotionRecorder, MotionSettings};
 pub use section::{PoincarePoint, Section, SectionKind};
-pub use velocity::{VELOCITY_BAND, VelocityLevel, velocity_level};
+pub use velocity::VelocityLevel;

@@ -32,9 +32,9 @@ use crate::physics::HertzContact;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzLaw {
     /// K_n, N/m^1.5.
-    load_deflection_constant: f64,
+    pub(crate) load_deflection_constant: f64,
     /// A, m.
-    distance: f64,
+    pub(crate) distance: f64,
     /// Part of the approach that the contact with the inner race has.
     inner_share: f64,
     /// K_n^(10/3).
@@ -51,16 +51,6 @@ impl HertzLaw {
             inner_share: 0.5,
             life_factor: load_deflection_constant.powf(10.0 / 3.0),
         }
-    }
-
-    /// K_n, N/m^1.5.
-    pub fn load_deflection_constant(&self) -> f64 {
-        self.load_deflection_constant
-    }
-
-    /// A, m.
-    pub fn distance(&self) -> f64 {
-        self.distance
     }
 
     /// Of a bearing with its Hertz contacts.

@@ -15,11 +15,10 @@ mod table;
 
 pub use ball_law::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ForceLaw};
 pub(super) use film_shares::Share;
-pub use film_spring::FilmSpring;
 pub use hertz::HertzLaw;
 pub use hertz_film::HertzFilmLaw;
 pub use jones::{BallState, JonesFilmLaw, JonesLaw};
-pub use races::{DryRaces, FilmThickness, LubricatedRaces, RaceFilms, Races};
+pub use races::{DryRaces, LubricatedRaces, RaceFilms, Races};
 pub use spring::{ContactSpring, HertzSpring};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
 

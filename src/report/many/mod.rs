@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-pub use self::digest::{Digest, Failure};
+pub use self::digest::Digest;
 use self::journal::Journal;
 pub use self::journal::{Done, JournalError};
 use self::page::write_page;

@@ -33,7 +33,7 @@ pub struct RandomShocks {
     peak: Vector5,
     duration: f64,
     /// Begin in s and part p_k of the peak, by begin.
-    shocks: Vec<(f64, f64)>,
+    pub(crate) shocks: Vec<(f64, f64)>,
 }
 
 impl RandomShocks {
@@ -58,11 +58,6 @@ impl RandomShocks {
             duration,
             shocks: shocks.collect(),
         }
-    }
-
-    /// Begin in s of every shock, and its peak as a part of the largest.
-    pub fn shocks(&self) -> &[(f64, f64)] {
-        &self.shocks
     }
 
     /// The load at a time in s.

@@ -16,11 +16,10 @@ use std::sync::atomic::AtomicBool;
 
 use serde::Serialize;
 
-pub use error::{Errors, Scale};
+pub use error::Errors;
 pub use grid::{Measured, Row};
-pub use ladder::{Climb, Configuration, Ladder, LadderRow};
+pub use ladder::{Configuration, Ladder, LadderRow};
 pub use reference::Agreement;
-pub use trace::Statistics;
 pub use trial::Cost;
 
 use self::reference::Reference;

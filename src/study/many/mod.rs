@@ -8,12 +8,12 @@ mod record;
 mod schedule;
 mod workers;
 
-pub use chain::{KeptTrace, Maker, TraceKeeper, Unmade};
-pub use cycles::{Cycles, CyclesError};
-pub use numbers::{NumberColumn, Numbers, number_columns};
-pub use record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
+pub use chain::{KeptTrace, Maker, Unmade};
+pub use cycles::Cycles;
+pub use numbers::{NumberColumn, number_columns};
+pub use record::{BearingStiffness, RunRecord, TraceSeal};
 pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
-pub use workers::{LEAD, work};
+pub use workers::work;
 
 use crate::analysis::SectionKind;
 

@@ -6,7 +6,7 @@ mod permutation;
 mod sobol;
 
 pub use axis::{Axis, AxisValues};
-pub use distribution::{Distribution, DistributionError};
+pub use distribution::Distribution;
 pub use permutation::Permutation;
 pub use sobol::{MOST_SOBOL_AXES, sobol};
 
@@ -58,11 +58,6 @@ impl Plan {
     /// The axes.
     pub fn axes(&self) -> &[Axis] {
         &self.axes
-    }
-
-    /// How their values are combined.
-    pub fn sampling(&self) -> Sampling {
-        self.sampling
     }
 
     /// Number of runs; `None` where it is beyond 64 bits.

@@ -120,9 +120,7 @@ fn contact_damping_with_an_eigenvalue_beyond_minus_a_million() {
     };
     let implicit = scene("rodas", 1e-7);
     let rotor = Rotor::assemble(&implicit.rotor).expect("a rotor");
-    let [place, rest] = rotor.initial_state();
-    let state = [place[0], place[1], place[2], rest[0], rest[1], rest[2]];
-    let (slopes, _) = crate::tests::support::linearisation(&rotor, 0.0, &state);
+    let (slopes, _) = crate::tests::support::linearisation(&rotor, 0.0, &rotor.start());
     let eigenvalues = slopes.complex_eigenvalues();
     let fastest = eigenvalues.iter().map(|value| value.re).fold(0.0, f64::min);
     assert!(fastest < -1e6, "{fastest:e}");

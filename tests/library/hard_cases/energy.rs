@@ -47,7 +47,7 @@ impl Vibration {
         };
         let rotor = assemble(&definition);
         let mut vibration = Self {
-            stiffness: law(&bearing("7205C")).load_deflection_constant(),
+            stiffness: law(&bearing("7205C")).load_deflection_constant,
             frequency: rotor.natural_frequencies()[0].frequency,
             definition,
             rotor,
@@ -60,8 +60,8 @@ impl Vibration {
     }
 
     fn first_state(&self) -> [f64; 4] {
-        let [displacement, velocity] = self.rotor.initial_state();
-        [displacement[0], displacement[1], velocity[0], velocity[1]]
+        let state = self.rotor.start();
+        [state[0], state[1], state[2], state[3]]
     }
 
     /// ½ m v² + Σ (2/5) Q (Q/K_n)^(2/3) − W y of a state x, y and their velocities, J.

@@ -29,7 +29,7 @@ impl OneBall {
     }
 
     fn stiffness(&self) -> f64 {
-        self.law.load_deflection_constant()
+        self.law.load_deflection_constant
     }
 
     /// ½ m v² + (2/5) K δ^(5/2) − W x, J.
@@ -66,7 +66,7 @@ impl System for OneBall {
     fn derivative(&self, _time: f64, state: &[f64], rate: &mut [f64]) {
         let force = self
             .law
-            .force(&Ball::at(0.0, self.law.distance() + state[0]), 0.0)
+            .force(&Ball::at(0.0, self.law.distance + state[0]), 0.0)
             .radial;
         rate[0] = state[1];
         rate[1] = (self.load - force) / MASS;
@@ -79,7 +79,7 @@ impl System for OneBall {
         jacobian: &mut DMatrix<f64>,
         by_time: &mut [f64],
     ) {
-        let place = self.law.distance() + state[0];
+        let place = self.law.distance + state[0];
         let (_, tangent) = self.law.force_and_tangent(0.0, place, 0.0);
         jacobian.copy_from_slice(&[0.0, -tangent[1][1] / MASS, 1.0, 0.0]);
         by_time.fill(0.0);
@@ -197,7 +197,7 @@ fn integral(samples: &[Sample], interval: f64, value: impl Fn(&Sample) -> f64) -
 fn stored(sample: &Sample, definition: &RotorDefinition, supports: &Rotor) -> f64 {
     let kinetic = (0..3).map(|axis| 0.5 * definition.shaft.mass * sample.velocity[axis].powi(2));
     let support = &supports.supports()[0];
-    let stiffness = law(&bearing("7205C")).load_deflection_constant();
+    let stiffness = law(&bearing("7205C")).load_deflection_constant;
     let contact = crate::tests::support::contacts(support, &sample.displacement, 0.0)
         .into_iter()
         .map(|ball| 0.4 * ball.load_inner * (ball.load_inner / stiffness).cbrt().powi(2));

@@ -88,10 +88,10 @@ fn random_shocks_come_as_often_and_as_strong_as_asked_and_by_their_seed() {
         ..STATISTICS
     };
     assert_ne!(shocks, RandomShocks::new(&other, 100.0));
-    let count = shocks.shocks().len() as f64;
+    let count = shocks.shocks.len() as f64;
     // a Poisson number of mean 10 000 has the deviation 100
     assert_near("number", count, 10_000.0, 400.0);
-    let parts = shocks.shocks().iter().map(|(_, part)| *part);
+    let parts = shocks.shocks.iter().map(|(_, part)| *part);
     assert!(parts.clone().all(|part| (0.25..=1.0).contains(&part)));
     // uniform: deviation 0.75/√12/√count
     assert_near("mean part", parts.sum::<f64>() / count, 0.625, 0.01);
@@ -103,7 +103,7 @@ fn random_shocks_are_the_sum_of_half_sines() {
     for step in 0..1000 {
         let time = f64::from(step) * 1e-3;
         let sum: f64 = shocks
-            .shocks()
+            .shocks
             .iter()
             .map(|(begin, part)| (part, (time - begin) / 3e-3))
             .filter(|(_, since)| (0.0..=1.0).contains(since))

@@ -42,20 +42,10 @@ struct Located<S: Simd> {
 }
 
 impl BallTable {
-    /// Whether the table stands for the law at a place and speed.
-    pub fn covers(&self, axial: f64, radial: f64, speed: f64) -> bool {
-        speed == self.speed && self.region.contains(axial, radial)
-    }
-
-    /// Whether it does at all places whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
+    /// Whether the table stands for the law at a speed and all places whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
     /// square of the amplitude, in m and m².
     #[inline(always)]
-    pub(in crate::bearing) fn covers_around(
-        &self,
-        axial: [f64; 2],
-        radial: [f64; 2],
-        speed: f64,
-    ) -> bool {
+    pub(crate) fn covers_around(&self, axial: [f64; 2], radial: [f64; 2], speed: f64) -> bool {
         speed == self.speed && self.region.contains_around(axial, radial)
     }
 
