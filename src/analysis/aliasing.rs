@@ -35,12 +35,6 @@ impl TopPower {
     ///
     /// What a signal holds above half its sampling rate is folded below it, first into the top. A
     /// spectrum that has fallen off there folds little; one that has not is sampled too seldom.
-    ///
-    /// ```
-    /// use jeffcott::analysis::{TopPower, Window};
-    /// let white = TopPower::of(&[1.0; 1001], 0.0, Window::Rectangular);
-    /// assert!((white.top / white.total - 0.1).abs() < 2e-3);
-    /// ```
     pub fn of(powers: &[f64], rest: f64, window: Window) -> Self {
         // the window spreads the mean over the first bins
         let first = window.coefficients().len().min(powers.len());
@@ -77,4 +71,15 @@ fn hann_powers(entry: &ChannelSpectrum) -> Vec<f64> {
         powers[k] = 0.5 * weighted.norm_sqr();
     }
     powers
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tenth_of_white_noise_is_at_the_top() {
+        let white = TopPower::of(&[1.0; 1001], 0.0, Window::Rectangular);
+        assert!((white.top / white.total - 0.1).abs() < 2e-3);
+    }
 }

@@ -44,17 +44,6 @@ impl Leak {
 ///
 /// A line δ bins beside bin k leaves 1/|δ|, 1/(1 − δ) and 1/(1 + δ) at bins k and k ± 1, and 1/(2 ∓ δ)
 /// beyond; what does not look so is no line. Source: Harris, Proc. IEEE 66 (1978), sect. IV.
-///
-/// ```
-/// use jeffcott::analysis::{leak, Transform, Window};
-/// let line = |n: usize| 3.0 * (std::f64::consts::TAU * 20.3 * n as f64 / 256.0).cos();
-/// let transform = Transform::new((0..256).map(line).collect());
-/// let amplitudes: Vec<f64> =
-///     (0..transform.bins()).map(|k| transform.amplitude(k, Window::Rectangular)).collect();
-/// let found = leak(&amplitudes, 1e-12).unwrap();
-/// assert_eq!(found.bin, 20);
-/// assert!((found.offset - 0.3).abs() < 0.02 && (found.amplitude - 3.0).abs() < 0.1);
-/// ```
 pub fn leak(amplitudes: &[f64], noise: f64) -> Option<Leak> {
     let inner = MARGIN..amplitudes.len().saturating_sub(MARGIN);
     let powers = amplitudes.iter().skip(1).map(|a| a * a);
@@ -99,4 +88,24 @@ fn line(amplitudes: &[f64], k: usize) -> Option<Leak> {
         found.amplitude /= found.shown();
     }
     expected.into_iter().all(alike).then_some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::Transform;
+    use crate::analysis::Window;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_line_between_bins_is_found() {
+        let line = |n: usize| 3.0 * (TAU * 20.3 * n as f64 / 256.0).cos();
+        let transform = Transform::new((0..256).map(line).collect());
+        let amplitudes: Vec<f64> = (0..transform.bins())
+            .map(|k| transform.amplitude(k, Window::Rectangular))
+            .collect();
+        let found = leak(&amplitudes, 1e-12).unwrap();
+        assert_eq!(found.bin, 20);
+        assert!((found.offset - 0.3).abs() < 0.02 && (found.amplitude - 3.0).abs() < 0.1);
+    }
 }

@@ -47,7 +47,7 @@ impl SampleGrid {
 ///
 /// ```
 /// use jeffcott::analysis::{Channel, Recording, SampleGrid, Window};
-/// use jeffcott::rotor::Sample;
+/// use jeffcott::simulate::Sample;
 /// // 1 µm at the shaft frequency of 50 Hz, 64 samples a revolution, 0.1 s of 0.5 s left out.
 /// let mut recording = Recording::new(SampleGrid::of_angle(50.0, 64), 0.1).with([Channel::Displacement(0)]);
 /// for n in 0..=1600 {

@@ -31,14 +31,6 @@ pub(super) fn plan(length: usize) -> Arc<dyn RealToComplex<f64>> {
 }
 
 /// Coefficients `c_k = (1/N) Σ_n z_n exp(−2πikn/N)`, k = 0 … N−1, of complex samples over one period.
-///
-/// ```
-/// use jeffcott::analysis::fourier_coefficients;
-/// use nalgebra::Complex;
-/// let turning = |n: i32| Complex::from_polar(2.0, 0.3 - std::f64::consts::TAU * f64::from(n) / 8.0);
-/// let coefficients = fourier_coefficients(&(0..8).map(turning).collect::<Vec<_>>());
-/// assert!((coefficients[7] - Complex::from_polar(2.0, 0.3)).norm() < 1e-14); // k = −1
-/// ```
 pub fn fourier_coefficients(samples: &[Complex<f64>]) -> Vec<Complex<f64>> {
     let mut planner = RealFftPlanner::new();
     let real = Transform::planned(samples.iter().map(|z| z.re).collect(), &mut planner);
@@ -54,14 +46,6 @@ pub fn fourier_coefficients(samples: &[Complex<f64>]) -> Vec<Complex<f64>> {
 ///
 /// A window that is a sum of cosines is applied here, after the transform: it mixes neighbouring
 /// bins with its own coefficients. One transform so serves every window.
-///
-/// ```
-/// use jeffcott::analysis::{Transform, Window};
-/// let samples = (0..10).map(|n| 3.0 + (std::f64::consts::TAU * 0.2 * n as f64).cos()).collect();
-/// let transform = Transform::new(samples);
-/// assert!((transform.amplitude(0, Window::Rectangular) - 3.0).abs() < 1e-14);
-/// assert!((transform.amplitude(2, Window::Rectangular) - 1.0).abs() < 1e-14);
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Transform {
     length: usize,
@@ -198,6 +182,8 @@ impl Transform {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use nalgebra::Complex;
+    use std::f64::consts::TAU;
 
     #[test]
     fn the_mean_square_of_bins_is_that_of_their_amplitudes() {
@@ -214,5 +200,22 @@ mod tests {
                 assert!((found / expected - 1.0).abs() < 1e-13, "{length} {bins:?}");
             }
         }
+    }
+
+    #[test]
+    fn coefficients_of_a_turning_pointer() {
+        let turning = |n: i32| Complex::from_polar(2.0, 0.3 - TAU * f64::from(n) / 8.0);
+        let coefficients = fourier_coefficients(&(0..8).map(turning).collect::<Vec<_>>());
+        assert!((coefficients[7] - Complex::from_polar(2.0, 0.3)).norm() < 1e-14); // k = −1
+    }
+
+    #[test]
+    fn amplitudes_of_a_cosine_and_its_mean() {
+        let samples = (0..10)
+            .map(|n| 3.0 + (TAU * 0.2 * n as f64).cos())
+            .collect();
+        let transform = Transform::new(samples);
+        assert!((transform.amplitude(0, Window::Rectangular) - 3.0).abs() < 1e-14);
+        assert!((transform.amplitude(2, Window::Rectangular) - 1.0).abs() < 1e-14);
     }
 }

@@ -139,11 +139,11 @@ impl Bearing {
     /// Load–deflection constant K_n of a ball between both races, N/m^1.5.
     ///
     /// ```
-    /// use jeffcott::bearing::catalogue;
+    /// use jeffcott::bearing::Bearing;
     /// // 7205C, E = 207 GPa, ν = 0.3: K_n = 273 580.37 N/mm^1.5 (independent implementations).
-    /// let bearing = catalogue::find("7205C").unwrap().bearing()?;
+    /// let bearing = Bearing::catalogue("7205C")?;
     /// assert!((bearing.load_deflection_constant()? / 10f64.powf(4.5) - 273_580.37).abs() < 0.01);
-    /// # Ok::<(), jeffcott::bearing::BearingError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors

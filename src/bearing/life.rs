@@ -25,40 +25,6 @@ use super::Geometry;
 /// limit are left out. Balls thrown outwards load the outer race alone, and wear it.
 ///
 /// Source: ISO/TS 16281:2008, eqs. for radial ball bearings; ISO 281.
-///
-/// ```
-/// use jeffcott::rotor::StaticProblem;
-/// use jeffcott::bearing::{
-///     ContactDamping, ContactLaw, Facing, MountedBearing, Preload, Support, catalogue,
-/// };
-/// // 6305 of 210 GPa without clearance, the first ball on the load line; a commercial program's
-/// // results as printed in the public repository minzhun/ISO16281:
-/// // F_r = 1000 N → 13 163.019, F_a = 1000 N → 2222.7318 million revolutions. Under radial load the
-/// // share of every ball is fixed by geometry alone, and the formula gives 13 162.772: the
-/// // program's own equilibrium must be off by 6e-6 of the load, its life by three times that.
-/// let mut bearing = catalogue::find("6305").unwrap().bearing()?;
-/// bearing.ring_material.youngs_modulus = 210e9;
-/// bearing.ball_material.youngs_modulus = 210e9;
-/// let mounted = MountedBearing {
-///     bearing,
-///     law: ContactLaw::Hertz,
-///     oil: None,
-///     position: 0.0,
-///     facing: Facing::PlusZ,
-///     preload: Preload::AxialOffset(0.0),
-///     contact_damping: ContactDamping::default(),
-///     first_ball: 0.0,
-/// };
-/// let supports = [Support::new(&mounted, 0.0)?];
-/// let cases = [([1e3, 0.0, 0.0, 0.0, 0.0], 13_163.019), ([0.0, 0.0, 1e3, 0.0, 0.0], 2222.7318)];
-/// for (load, printed) in cases {
-///     let problem =
-///         StaticProblem { supports: &supports, load, free: [true; 5], start: [0.0; 5], speed: 0.0 };
-///     let life = supports[0].state(&problem.solve()?.displacement, 0.0).life.unwrap();
-///     assert!((life / printed - 1.0).abs() < 2e-5);
-/// }
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 pub fn reference_rating_life(
     geometry: &Geometry,
     dynamic_rating: f64,

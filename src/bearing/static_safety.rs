@@ -15,11 +15,11 @@ pub const PERMISSIBLE_PRESSURE: f64 = 4.2e9;
 /// Source: ISO 76:2006, definition of the basic static load rating of ball bearings.
 ///
 /// ```
-/// use jeffcott::bearing::{catalogue, permissible_static_load};
-/// let contact = catalogue::find("7205C").unwrap().bearing()?.inner_contact()?;
+/// use jeffcott::bearing::{Bearing, permissible_static_load};
+/// let contact = Bearing::catalogue("7205C")?.inner_contact()?;
 /// let load = permissible_static_load(&contact);
 /// assert!((contact.ellipse(load).peak_pressure / 4.2e9 - 1.0).abs() < 1e-14);
-/// # Ok::<(), jeffcott::bearing::BearingError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn permissible_static_load(contact: &HertzContact) -> f64 {
     // Q = (p/p_1)³
@@ -38,12 +38,12 @@ impl Bearing {
     /// Source: ISO 76:2006 with ISO/TR 10657:1991 (derivation); R. Stribeck (1901).
     ///
     /// ```
-    /// use jeffcott::bearing::catalogue;
+    /// use jeffcott::bearing::Bearing;
     /// // 7205C: ISO 76 prints C_0 = f_0 Z D² cos α = 10 225 N with f_0 = 14.0. Its f_0 is
     /// // tabulated in steps of γ at E = 207 GPa: agreement to 1 % is all that can be asked.
-    /// let rating = catalogue::find("7205C").unwrap().bearing()?.static_rating()?;
+    /// let rating = Bearing::catalogue("7205C")?.static_rating()?;
     /// assert!((rating / 10_225.0 - 1.0).abs() < 0.01, "{rating}");
-    /// # Ok::<(), jeffcott::bearing::BearingError>(())
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors

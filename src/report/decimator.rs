@@ -52,16 +52,6 @@ impl Bucket {
 ///
 /// Every bucket stands for the same number of values; when all are full, neighbours are joined and
 /// each stands for twice as many.
-///
-/// ```
-/// use jeffcott::report::Decimator;
-/// let mut envelope = Decimator::new(4);
-/// for n in 0..1000 {
-///     envelope.push(f64::from(n), f64::from(n % 7));
-/// }
-/// assert!(envelope.buckets().count() <= 4);
-/// assert!(envelope.buckets().all(|bucket| bucket.low() == 0.0 && bucket.high() == 6.0));
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decimator {
     capacity: usize,
@@ -126,5 +116,24 @@ impl Decimator {
         }
         self.full.truncate(pairs);
         self.stride *= 2;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_buckets_keep_the_extremes() {
+        let mut envelope = Decimator::new(4);
+        for n in 0..1000 {
+            envelope.push(f64::from(n), f64::from(n % 7));
+        }
+        assert!(envelope.buckets().count() <= 4);
+        assert!(
+            envelope
+                .buckets()
+                .all(|bucket| bucket.low() == 0.0 && bucket.high() == 6.0)
+        );
     }
 }

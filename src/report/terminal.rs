@@ -12,14 +12,6 @@ const WIDTH: usize = 100;
 
 /// Breaks a text between words so that no line has more than 100 characters; lines after the first
 /// begin with `indent` blanks. A word that is longer stands on a line of its own.
-///
-/// ```
-/// use jeffcott::report::wrapped;
-/// let text = format!("natural {}", ["540.29 Hz"; 12].join(", "));
-/// let lines = wrapped(&text, 8);
-/// assert!(lines.lines().all(|line| line.chars().count() <= 100));
-/// assert!(lines.lines().skip(1).all(|line| line.starts_with("        540.29 Hz")));
-/// ```
 pub fn wrapped(text: &str, indent: usize) -> String {
     let mut out = String::new();
     let mut column = 0;
@@ -154,5 +146,23 @@ pub(super) fn digits(value: f64) -> String {
         format!("{value:.decimals$}")
     } else {
         format!("{value:.3e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_short_and_indented() {
+        let text = format!("natural {}", ["540.29 Hz"; 12].join(", "));
+        let lines = wrapped(&text, 8);
+        assert!(lines.lines().all(|line| line.chars().count() <= 100));
+        assert!(
+            lines
+                .lines()
+                .skip(1)
+                .all(|line| line.starts_with("        540.29 Hz"))
+        );
     }
 }

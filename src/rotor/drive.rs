@@ -39,18 +39,6 @@ pub struct Drive {
 
 impl Drive {
     /// Moment of the motor at a speed in rad/s, N m.
-    ///
-    /// ```
-    /// use jeffcott::rotor::Drive;
-    /// let drive = Drive {
-    ///     torque: 10.0,
-    ///     no_load_speed: Some(300.0),
-    ///     load_torque: 0.0,
-    ///     friction: false,
-    ///     compliance: 0.0,
-    /// };
-    /// assert_eq!(drive.torque_at(150.0), 5.0);
-    /// ```
     pub fn torque_at(&self, speed: f64) -> f64 {
         // T_0 (1 − ω/ω_0)
         self.no_load_speed
@@ -82,5 +70,22 @@ impl DriveMoments {
     /// Sum about the shaft's axis, N m.
     pub fn total(&self) -> f64 {
         self.drive - self.load - self.friction + self.vibration
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_moment_of_the_motor_falls_with_the_speed() {
+        let drive = Drive {
+            torque: 10.0,
+            no_load_speed: Some(300.0),
+            load_torque: 0.0,
+            friction: false,
+            compliance: 0.0,
+        };
+        assert_eq!(drive.torque_at(150.0), 5.0);
     }
 }

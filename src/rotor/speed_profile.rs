@@ -30,17 +30,6 @@ pub struct Rotation {
 /// ```
 ///
 /// The speed of the last point is held for ever. At a point itself ω̇ is that of the piece after it.
-///
-/// ```
-/// use jeffcott::rotor::{SpeedPoint, SpeedProfile};
-/// // from rest to 100 rad/s in 2 s, then constant
-/// let profile = SpeedProfile::new(0.0, &[SpeedPoint { time: 2.0, speed: 100.0 }])?;
-/// assert_eq!(profile.at(1.0).speed, 50.0);
-/// assert_eq!(profile.at(2.0).angle, 100.0);
-/// assert_eq!(profile.at(3.0).angle, 200.0);
-/// assert_eq!(profile.steady_from(2.0), Some(100.0));
-/// # Ok::<(), jeffcott::rotor::RotorError>(())
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpeedProfile {
     /// By start, the first at 0; a single one where the speed is constant.
@@ -203,4 +192,26 @@ fn check_speed(speed: f64) -> Result<(), RotorError> {
         value: speed,
         rule: "zero or positive, finite",
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_up_turns_the_shaft_by_its_mean_speed() -> Result<(), crate::rotor::RotorError> {
+        // from rest to 100 rad/s in 2 s, then constant
+        let profile = SpeedProfile::new(
+            0.0,
+            &[SpeedPoint {
+                time: 2.0,
+                speed: 100.0,
+            }],
+        )?;
+        assert_eq!(profile.at(1.0).speed, 50.0);
+        assert_eq!(profile.at(2.0).angle, 100.0);
+        assert_eq!(profile.at(3.0).angle, 200.0);
+        assert_eq!(profile.steady_from(2.0), Some(100.0));
+        Ok(())
+    }
 }

@@ -16,11 +16,6 @@ fn number(text: &str, path: &str, name: &str) -> Result<f64, Issue> {
 ///
 /// # Errors
 /// [`Issue`] says what is wrong with the text.
-///
-/// ```
-/// assert_eq!(jeffcott::scenario::speed("500 rad/s").unwrap(), 500.0);
-/// assert!(jeffcott::scenario::speed("500").is_err());
-/// ```
 pub fn speed(text: &str) -> Result<f64, Issue> {
     number(text, "speed.constant", "speed")
 }
@@ -29,21 +24,11 @@ pub fn speed(text: &str) -> Result<f64, Issue> {
 ///
 /// # Errors
 /// [`Issue`] says what is wrong with the text.
-///
-/// ```
-/// assert_eq!(jeffcott::scenario::time("250 ms").unwrap(), 0.25);
-/// assert!(jeffcott::scenario::time("0.25").is_err());
-/// ```
 pub fn time(text: &str) -> Result<f64, Issue> {
     number(text, "time.settle", "time")
 }
 
 /// A tolerance as a run can be asked to keep to.
-///
-/// ```
-/// assert_eq!(jeffcott::scenario::tolerance("1e-6"), Ok(1e-6));
-/// assert!(jeffcott::scenario::tolerance("0").is_err());
-/// ```
 ///
 /// # Errors
 /// [`Issue`] where it is none.
@@ -52,11 +37,6 @@ pub fn tolerance(text: &str) -> Result<f64, Issue> {
 }
 
 /// All methods that a scenario can name.
-///
-/// ```
-/// let names = jeffcott::scenario::methods();
-/// assert!(names.iter().any(|named| named.name == "dop853"));
-/// ```
 pub fn methods() -> &'static [NamedMethod] {
     static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
         let words = Key::named("integrator.method").words().into_iter();
@@ -76,4 +56,33 @@ pub fn method(name: &str) -> Result<NamedMethod, Issue> {
         method: serde_json::from_value(word)
             .map_err(|error| Issue::new("method", error.to_string()))?,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_speed_needs_its_unit() {
+        assert_eq!(speed("500 rad/s").unwrap(), 500.0);
+        assert!(speed("500").is_err());
+    }
+
+    #[test]
+    fn a_time_needs_its_unit() {
+        assert_eq!(time("250 ms").unwrap(), 0.25);
+        assert!(time("0.25").is_err());
+    }
+
+    #[test]
+    fn a_tolerance_is_positive() {
+        assert_eq!(tolerance("1e-6"), Ok(1e-6));
+        assert!(tolerance("0").is_err());
+    }
+
+    #[test]
+    fn methods_have_the_names_of_a_scenario() {
+        let names = methods();
+        assert!(names.iter().any(|named| named.name == "dop853"));
+    }
 }

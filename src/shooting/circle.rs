@@ -29,10 +29,6 @@ pub struct Circle {
 
 impl Circle {
     /// A single state: there is no second forcing.
-    ///
-    /// ```
-    /// assert_eq!(jeffcott::shooting::Circle::point(0.5).shift()[(0, 0)], 1.0);
-    /// ```
     pub fn point(period: f64) -> Self {
         Self {
             period,
@@ -46,17 +42,6 @@ impl Circle {
 
     /// Places for a number of harmonics of a second forcing that turns by `rotation` (rad) in a period
     /// (s); `None` where whole periods do not lead all around, as where both repeat together soon.
-    ///
-    /// ```
-    /// use jeffcott::shooting::Circle;
-    /// let circle = Circle::around(1.0, 0.3 * 3f64.sqrt(), 2).expect("an irrational part of a turn");
-    /// // a second harmonic is turned exactly
-    /// let values = circle.angles().iter().map(|angle| (2.0 * angle).cos());
-    /// let values = nalgebra::DVector::from_iterator(5, values);
-    /// let turned = circle.shift() * values;
-    /// let expected = (2.0 * (circle.angles()[1] + 0.3 * 3f64.sqrt())).cos();
-    /// assert!((turned[1] - expected).abs() < 1e-14);
-    /// ```
     pub fn around(period: f64, rotation: f64, harmonics: usize) -> Option<Self> {
         let strobes = places(rotation, 2 * harmonics + 1)?;
         let angles: Vec<f64> = strobes.iter().map(|j| phase(rotation, *j)).collect();
@@ -185,4 +170,26 @@ fn places_within(rotation: f64, count: usize, search: u64) -> Option<Vec<u64>> {
         }
     }
     None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_single_period_is_not_turned() {
+        assert_eq!(Circle::point(0.5).shift()[(0, 0)], 1.0);
+    }
+
+    #[test]
+    fn harmonics_are_turned_exactly() {
+        let circle =
+            Circle::around(1.0, 0.3 * 3f64.sqrt(), 2).expect("an irrational part of a turn");
+        // a second harmonic is turned exactly
+        let values = circle.angles().iter().map(|angle| (2.0 * angle).cos());
+        let values = nalgebra::DVector::from_iterator(5, values);
+        let turned = circle.shift() * values;
+        let expected = (2.0 * (circle.angles()[1] + 0.3 * 3f64.sqrt())).cos();
+        assert!((turned[1] - expected).abs() < 1e-14);
+    }
 }

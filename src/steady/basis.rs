@@ -89,20 +89,6 @@ fn fraction(first: f64, second: f64) -> Option<(u32, u32)> {
 }
 
 /// The independent frequencies of some forcings, that of passing balls first, then the highest first.
-///
-/// ```
-/// use jeffcott::rotor::{Forcing, ForcingCause};
-/// use jeffcott::steady::bases;
-/// let forcing = |number, frequency| Forcing {
-///     cause: ForcingCause::Load { number },
-///     frequency,
-///     from: 0.0,
-/// };
-/// let common = bases(&[forcing(0, 100.0), forcing(1, 150.0)]);
-/// assert_eq!(common[0].frequency, 50.0);
-/// let apart = bases(&[forcing(0, 100.0), forcing(1, 141.42)]);
-/// assert_eq!(apart.len(), 2);
-/// ```
 pub fn bases(forcings: &[Forcing]) -> Vec<Base> {
     let mut found: Vec<Base> = Vec::new();
     for forcing in forcings {
@@ -119,4 +105,22 @@ pub fn bases(forcings: &[Forcing]) -> Vec<Base> {
         passing.then(b.frequency.total_cmp(&a.frequency))
     });
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frequencies_in_whole_ratios_share_one() {
+        let forcing = |number, frequency| Forcing {
+            cause: ForcingCause::Load { number },
+            frequency,
+            from: 0.0,
+        };
+        let common = bases(&[forcing(0, 100.0), forcing(1, 150.0)]);
+        assert_eq!(common[0].frequency, 50.0);
+        let apart = bases(&[forcing(0, 100.0), forcing(1, 141.42)]);
+        assert_eq!(apart.len(), 2);
+    }
 }

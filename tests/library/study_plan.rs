@@ -2,7 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::study::many::{Schedule, Shard, Sweep};
+use crate::analysis::SectionKind;
+use crate::study::many::{Cycles, Schedule, Shard, Sweep};
 use crate::study::plan::{Axis, AxisValues, Distribution, Plan, Sampling, sobol};
 
 /// scipy.stats.qmc.Sobol(d=16, scramble=False, bits=32) of SciPy 1.17.
@@ -152,4 +153,18 @@ fn parts_hold_every_chain_once() {
         let chains = (1..=count).flat_map(|number| Shard { number, count }.chains(&schedule));
         assert!(chains.eq(0..schedule.chains()));
     }
+}
+
+#[test]
+fn times_of_cycles_are_whole_ball_passes() {
+    let scene = crate::scenario::load("scenarios/varying-compliance-6306.toml".as_ref()).unwrap();
+    let cycles = Cycles {
+        of: SectionKind::BallPass,
+        settle: 200,
+        kept: 100,
+    };
+    let [settle, duration] = cycles.times(&scene.model.unwrap().rotor).unwrap();
+    // at 150 rad/s 8 balls pass 8 (1 − 11.9062/52)/2 = 3.0841 times a revolution of 41.888 ms
+    assert!((settle - 200.0 * 0.0418879 / 3.084138).abs() < 1e-6);
+    assert!((duration / settle - 1.5).abs() < 1e-12);
 }

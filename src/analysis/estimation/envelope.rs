@@ -15,19 +15,6 @@ use realfft::num_complex::Complex;
 ///
 /// Source: S. L. Marple, IEEE Trans. Signal Process. 47 (1999) 2600–2603, for the discrete analytic
 /// signal; `abs(scipy.signal.hilbert(x))` of the band-passed x is the same.
-///
-/// ```
-/// use jeffcott::analysis::envelope;
-/// use std::f64::consts::TAU;
-/// // a tone at 200 Hz that swells by half at 10 Hz, on a slow swing that the band leaves out
-/// let swell = |t: f64| 1.0 + 0.5 * (TAU * 10.0 * t).cos();
-/// let times = (0..1000).map(|n| f64::from(n) / 1000.0);
-/// let signal: Vec<f64> = times
-///     .map(|t| swell(t) * (TAU * 200.0 * t).cos() + (TAU * 3.0 * t).sin())
-///     .collect();
-/// let found = envelope(&signal, 1000.0, [150.0, 250.0]);
-/// assert!((found[0] - 1.5).abs() < 1e-12 && (found[50] - 0.5).abs() < 1e-12);
-/// ```
 pub fn envelope(samples: &[f64], rate: f64, [low, high]: [f64; 2]) -> Vec<f64> {
     let length = samples.len();
     if length == 0 {
@@ -69,4 +56,22 @@ pub fn envelope(samples: &[f64], rate: f64, [low, high]: [f64; 2]) -> Vec<f64> {
     let scale = 1.0 / length as f64;
     let parts = in_phase.iter().zip(&quadrature);
     parts.map(|(b, h)| scale * b.hypot(*h)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_swelling_tone_has_its_envelope() {
+        // a tone at 200 Hz that swells by half at 10 Hz, on a slow swing that the band leaves out
+        let swell = |t: f64| 1.0 + 0.5 * (TAU * 10.0 * t).cos();
+        let times = (0..1000).map(|n| f64::from(n) / 1000.0);
+        let signal: Vec<f64> = times
+            .map(|t| swell(t) * (TAU * 200.0 * t).cos() + (TAU * 3.0 * t).sin())
+            .collect();
+        let found = envelope(&signal, 1000.0, [150.0, 250.0]);
+        assert!((found[0] - 1.5).abs() < 1e-12 && (found[50] - 0.5).abs() < 1e-12);
+    }
 }

@@ -16,15 +16,6 @@ use crate::analysis::Window;
 /// the average "mean"; [`super::Scaling`] gives its results their scale.
 ///
 /// Source: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70–73.
-///
-/// ```
-/// use jeffcott::analysis::{Detrend, Welch, Window};
-/// let turn = |n: i32| std::f64::consts::TAU * f64::from(n) / 16.0;
-/// let signal: Vec<f64> = (0..256).map(|n| 3.0 * (2.0 * turn(n)).cos()).collect();
-/// let welch = Welch::new(Window::Hann, 64, 32, Detrend::Constant);
-/// assert_eq!(welch.averages(signal.len()), 7);
-/// assert!((welch.power(&signal)[8] - 2.25).abs() < 1e-14);
-/// ```
 pub struct Welch {
     window: Window,
     length: usize,
@@ -216,5 +207,20 @@ impl Welch {
             }
             visit(&bins);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn power_is_that_of_one_side() {
+        let turn = |n: i32| TAU * f64::from(n) / 16.0;
+        let signal: Vec<f64> = (0..256).map(|n| 3.0 * (2.0 * turn(n)).cos()).collect();
+        let welch = Welch::new(Window::Hann, 64, 32, Detrend::Constant);
+        assert_eq!(welch.averages(signal.len()), 7);
+        assert!((welch.power(&signal)[8] - 2.25).abs() < 1e-14);
     }
 }

@@ -20,16 +20,6 @@ const FOLLOWED: usize = 10;
 ///
 /// Source: G. A. Gottwald & I. Melbourne, *On the implementation of the 0–1 test for chaos*, SIAM
 /// J. Appl. Dyn. Syst. 8 (2009) 129–145. The c of this function are evenly spread instead of random.
-///
-/// ```
-/// use jeffcott::analysis::zero_one_test;
-/// let logistic = |r: f64| {
-///     let step = move |x: &f64| Some(r * x * (1.0 - x));
-///     std::iter::successors(Some(0.3), step).skip(1000).take(1000).collect::<Vec<_>>()
-/// };
-/// assert!(zero_one_test(&logistic(3.55)) < 0.1); // a period of eight
-/// assert!(zero_one_test(&logistic(3.97)) > 0.9); // chaos
-/// ```
 pub fn zero_one_test(values: &[f64]) -> f64 {
     let values = &values[values.len().saturating_sub(MOST_VALUES)..];
     if values.len() < 2 * FOLLOWED {
@@ -82,4 +72,22 @@ fn correlation(a: &[f64], b: &[f64]) -> f64 {
     let squares = pairs().fold([0.0; 2], |sum, (a, b)| [sum[0] + a * a, sum[1] + b * b]);
     let norm = (squares[0] * squares[1]).sqrt();
     if norm > 0.0 { product / norm } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_logistic_map_is_regular_and_chaotic() {
+        let logistic = |r: f64| {
+            let step = move |x: &f64| Some(r * x * (1.0 - x));
+            std::iter::successors(Some(0.3), step)
+                .skip(1000)
+                .take(1000)
+                .collect::<Vec<_>>()
+        };
+        assert!(zero_one_test(&logistic(3.55)) < 0.1); // a period of eight
+        assert!(zero_one_test(&logistic(3.97)) > 0.9); // chaos
+    }
 }

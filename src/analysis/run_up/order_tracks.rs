@@ -64,26 +64,6 @@ pub struct OrderTracks {
 ///
 /// with Ψ the length of the window and ψ_j its middle. Orders that are less than about `2/revolutions`
 /// apart are not told apart. What changes within a window is averaged over it.
-///
-/// ```
-/// use jeffcott::analysis::{Channel, TrackRecorder, TrackedOrder};
-/// let order = |name: &str, order| TrackedOrder { name: name.to_owned(), order };
-/// let orders = vec![order("1×", 1.0), order("BPFO", 4.8)];
-/// let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 8.0);
-/// // a run-up at 10 rad/s²: 3 µm of order 1, 1 µm of order 4.8, and a mean of 50 µm
-/// for n in 0..20_000 {
-///     let time = 5e-4 * f64::from(n);
-///     let (speed, angle) = (10.0 * time, 5.0 * time * time);
-///     let x = 5e-5 + 3e-6 * (angle + 0.5).cos() + 1e-6 * (4.8 * angle).sin();
-///     recorder.take([time, angle, speed], |_| x);
-/// }
-/// let tracks = recorder.finish();
-/// for point in &tracks.points {
-///     let [first, pass] = [point.tracks[0][0], point.tracks[0][1]];
-///     assert!((first.amplitude - 3e-6).abs() < 1e-12 && (first.phase - 0.5).abs() < 1e-6);
-///     assert!((pass.amplitude - 1e-6).abs() < 1e-12);
-/// }
-/// ```
 pub struct TrackRecorder {
     found: OrderTracks,
     /// Windows that are being filled, the earliest first.
@@ -224,5 +204,33 @@ impl Fit {
                 .map(|channel| track(self.right.column(channel).into_owned()))
                 .collect(),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn orders_of_a_run_up_are_told_apart() {
+        let order = |name: &str, order| TrackedOrder {
+            name: name.to_owned(),
+            order,
+        };
+        let orders = vec![order("1×", 1.0), order("BPFO", 4.8)];
+        let mut recorder = TrackRecorder::new(orders, vec![Channel::Displacement(0)], 8.0);
+        // a run-up at 10 rad/s²: 3 µm of order 1, 1 µm of order 4.8, and a mean of 50 µm
+        for n in 0..20_000 {
+            let time = 5e-4 * f64::from(n);
+            let (speed, angle) = (10.0 * time, 5.0 * time * time);
+            let x = 5e-5 + 3e-6 * (angle + 0.5).cos() + 1e-6 * (4.8 * angle).sin();
+            recorder.take([time, angle, speed], |_| x);
+        }
+        let tracks = recorder.finish();
+        for point in &tracks.points {
+            let [first, pass] = [point.tracks[0][0], point.tracks[0][1]];
+            assert!((first.amplitude - 3e-6).abs() < 1e-12 && (first.phase - 0.5).abs() < 1e-6);
+            assert!((pass.amplitude - 1e-6).abs() < 1e-12);
+        }
     }
 }

@@ -54,23 +54,6 @@ impl Waterfall {
 }
 
 /// Takes samples and makes a [`Waterfall`] of them; only the last window of samples is kept.
-///
-/// ```
-/// use jeffcott::analysis::{Channel, WaterfallRecorder};
-/// // 2 µm at 40 Hz, 1000 samples a second, windows of 0.1 s up to 100 Hz
-/// let mut recorder = WaterfallRecorder::new(vec![Channel::Displacement(0)], 1000.0, 0.1, 100.0);
-/// for n in 0..1000 {
-///     let time = f64::from(n) / 1000.0;
-///     let x = 2e-6 * (std::f64::consts::TAU * 40.0 * time).cos();
-///     recorder.take(time, 100.0, |_| x);
-/// }
-/// let waterfall = recorder.finish();
-/// assert_eq!((waterfall.length, waterfall.hop, waterfall.bins()), (100, 25, 11));
-/// assert_eq!(waterfall.slices.len(), 37); // the last one ends with the samples
-/// let slice = &waterfall.slices[20];
-/// assert!((slice.time - 0.55).abs() < 1e-12);
-/// assert!((slice.amplitude[0][4] - 2e-6).abs() < 1e-18);
-/// ```
 pub struct WaterfallRecorder {
     waterfall: Waterfall,
     bins: usize,
@@ -146,5 +129,32 @@ impl WaterfallRecorder {
             samples.drain(..hop);
         });
         self.speeds.drain(..hop);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_tone_stands_in_its_bin_in_every_slice() {
+        // 2 µm at 40 Hz, 1000 samples a second, windows of 0.1 s up to 100 Hz
+        let mut recorder =
+            WaterfallRecorder::new(vec![Channel::Displacement(0)], 1000.0, 0.1, 100.0);
+        for n in 0..1000 {
+            let time = f64::from(n) / 1000.0;
+            let x = 2e-6 * (TAU * 40.0 * time).cos();
+            recorder.take(time, 100.0, |_| x);
+        }
+        let waterfall = recorder.finish();
+        assert_eq!(
+            (waterfall.length, waterfall.hop, waterfall.bins()),
+            (100, 25, 11)
+        );
+        assert_eq!(waterfall.slices.len(), 37); // the last one ends with the samples
+        let slice = &waterfall.slices[20];
+        assert!((slice.time - 0.55).abs() < 1e-12);
+        assert!((slice.amplitude[0][4] - 2e-6).abs() < 1e-18);
     }
 }

@@ -17,18 +17,6 @@ use crate::physics::HertzContact;
 /// centrifugal force is small against the ball load. A separated ball (δ ≤ 0) carries nothing.
 ///
 /// Source: Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), eqs. 7.5 and 7.20–7.24.
-///
-/// ```
-/// use jeffcott::bearing::{Ball, BallLaw, HertzLaw};
-/// // 7205C under 1000 N of thrust (independent implementations): α = 19.35927°, δz = 31.97643 µm,
-/// // so each of the 12 balls carries Q = 1000/(12 sin α) = 251.39 N.
-/// let (distance, angle) = (0.396_9e-3, 15f64.to_radians());
-/// let law = HertzLaw::new(273_580.37 * 10f64.powf(4.5), distance);
-/// let ball = Ball::at(distance * angle.sin() + 31.97643e-6, distance * angle.cos());
-/// let ball = law.contact(&ball, 0.0);
-/// assert!((ball.load_inner - 251.39).abs() < 5e-3);
-/// assert!((ball.angle_inner.to_degrees() - 19.35927).abs() < 1e-5);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzLaw {
     /// K_n, N/m^1.5.
@@ -161,5 +149,22 @@ pub(super) fn without_inertia(response: &BallResponse, ball: &Ball) -> BallConta
         angle_inner: angle,
         angle_outer: angle,
         approach: response.approach,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn balls_under_thrust_bear_what_others_found() {
+        // 7205C under 1000 N of thrust (independent implementations): α = 19.35927°, δz = 31.97643 µm,
+        // so each of the 12 balls carries Q = 1000/(12 sin α) = 251.39 N.
+        let (distance, angle) = (0.396_9e-3, 15f64.to_radians());
+        let law = HertzLaw::new(273_580.37 * 10f64.powf(4.5), distance);
+        let ball = Ball::at(distance * angle.sin() + 31.97643e-6, distance * angle.cos());
+        let ball = law.contact(&ball, 0.0);
+        assert!((ball.load_inner - 251.39).abs() < 5e-3);
+        assert!((ball.angle_inner.to_degrees() - 19.35927).abs() < 1e-5);
     }
 }

@@ -30,19 +30,6 @@ use crate::bearing::{Bearing, BearingError, Oil};
 ///
 /// Source: B. J. Hamrock & D. Dowson, *J. Lubrication Technology* 99 (1977) 264–276 (thickness);
 /// Harris & Kotzalas, *Rolling Bearing Analysis*, 5th ed. (2007), ch. 7 (races in series).
-///
-/// ```
-/// use jeffcott::bearing::{Ball, BallLaw, HertzFilmLaw, Oil, catalogue};
-/// // 7205C, 1000 N thrust, 1000 rad/s: δz = 26.893679 µm gives Q = 260.182616 N.
-/// let bearing = catalogue::find("7205C").unwrap().bearing()?;
-/// let oil = Oil { viscosity: 0.04, pressure_viscosity: 2.2e-8 };
-/// let law = HertzFilmLaw::new(&bearing, oil, 1000.0)?;
-/// let geometry = bearing.geometry;
-/// let axial = geometry.free_axial() + 26.893679e-6;
-/// let contact = law.contact(&Ball::at(axial, geometry.free_radial()), 1000.0);
-/// assert!((contact.load_inner - 260.182616).abs() < 2e-5);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzFilmLaw {
     free_distance: f64,
@@ -124,5 +111,26 @@ impl BallLaw for HertzFilmLaw {
         let stiffness = self.contact.elastic().stiffness_under(load);
         let contacts = spring_tangent(contact.angle_inner, stiffness, load / distance);
         Some([contacts, film_tangent(&self.films, &contact, speed)])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn balls_on_films_bear_what_others_found() -> Result<(), Box<dyn std::error::Error>> {
+        // 7205C, 1000 N thrust, 1000 rad/s: δz = 26.893679 µm gives Q = 260.182616 N.
+        let bearing = Bearing::catalogue("7205C")?;
+        let oil = Oil {
+            viscosity: 0.04,
+            pressure_viscosity: 2.2e-8,
+        };
+        let law = HertzFilmLaw::new(&bearing, oil, 1000.0)?;
+        let geometry = bearing.geometry;
+        let axial = geometry.free_axial() + 26.893679e-6;
+        let contact = law.contact(&Ball::at(axial, geometry.free_radial()), 1000.0);
+        assert!((contact.load_inner - 260.182616).abs() < 2e-5);
+        Ok(())
     }
 }

@@ -29,13 +29,6 @@ impl HertzSpring {
     /// Stiffness under a load in N, N/m.
     ///
     /// `dQ/ds = 3/2 K^(2/3) Q^(1/3)`
-    ///
-    /// ```
-    /// use jeffcott::bearing::HertzSpring;
-    /// // K = 8, Q = 27: s = (27/8)^(2/3) = 9/4 and 3/2 K √s = 18.
-    /// let spring = HertzSpring { stiffness: 8.0 };
-    /// assert!((spring.stiffness_under(27.0) - 18.0).abs() < 1e-14);
-    /// ```
     pub fn stiffness_under(&self, load: f64) -> f64 {
         // 3/2 K^(2/3) Q^(1/3)
         1.5 * self.stiffness.cbrt().powi(2) * load.cbrt()
@@ -91,5 +84,17 @@ impl ContactSpring for HertzSpring {
     #[inline]
     fn lift(&self) -> f64 {
         0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn springs_in_a_row_have_the_tangent_under_a_load() {
+        // K = 8, Q = 27: s = (27/8)^(2/3) = 9/4 and 3/2 K √s = 18.
+        let spring = HertzSpring { stiffness: 8.0 };
+        assert!((spring.stiffness_under(27.0) - 18.0).abs() < 1e-14);
     }
 }

@@ -5,15 +5,6 @@ use std::io::{self, Write};
 use super::{Column, ColumnKind};
 
 /// Writes rows of numbers in the shortest form that reads back to the same value; a cell is empty where there is none.
-///
-/// ```
-/// use jeffcott::report::{Column, ColumnKind, CsvTable};
-/// let columns = [Column::number("x_m"), Column::of("balls", ColumnKind::Count)];
-/// let mut table = CsvTable::new(Vec::new(), &columns)?;
-/// table.row(&[0.1 + 0.2, 7.0])?;
-/// assert_eq!(table.finish()?, b"x_m,balls\n0.30000000000000004,7\n");
-/// # Ok::<(), std::io::Error>(())
-/// ```
 #[derive(Debug)]
 pub struct CsvTable<W: Write> {
     writer: W,
@@ -78,5 +69,22 @@ fn cell(value: f64, kind: ColumnKind, line: &mut Vec<u8>) {
             let word = words.get(value as usize).copied().unwrap_or_default();
             line.extend_from_slice(word.as_bytes());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_all_their_digits() -> Result<(), std::io::Error> {
+        let columns = [
+            Column::number("x_m"),
+            Column::of("balls", ColumnKind::Count),
+        ];
+        let mut table = CsvTable::new(Vec::new(), &columns)?;
+        table.row(&[0.1 + 0.2, 7.0])?;
+        assert_eq!(table.finish()?, b"x_m,balls\n0.30000000000000004,7\n");
+        Ok(())
     }
 }

@@ -19,16 +19,6 @@ pub enum Pace {
 /// ```text
 /// P(t) = P̂ cos(2π f t + φ)   or   P̂ cos(n ψ + φ)
 /// ```
-///
-/// ```
-/// use jeffcott::rotor::load::{Harmonic, Pace};
-/// let load = Harmonic {
-///     amplitude: [10.0, 0.0, 0.0, 0.0, 0.0],
-///     pace: Pace::Frequency(50.0),
-///     phase: 0.0,
-/// };
-/// assert!((load.at(0.01, 0.0)[0] + 10.0).abs() < 1e-12); // half a period later
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Harmonic {
     /// Amplitudes P̂, N and N m.
@@ -71,5 +61,20 @@ impl Harmonic {
             frequency,
             order,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_a_period_turns_the_load() {
+        let load = Harmonic {
+            amplitude: [10.0, 0.0, 0.0, 0.0, 0.0],
+            pace: Pace::Frequency(50.0),
+            phase: 0.0,
+        };
+        assert!((load.at(0.01, 0.0)[0] + 10.0).abs() < 1e-12); // half a period later
     }
 }

@@ -6,12 +6,6 @@
 ///
 /// Source: Steele, Lea & Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014,
 /// with the constants of Vigna's `splitmix64.c`.
-///
-/// ```
-/// use jeffcott::rotor::load::SplitMix64;
-/// // the first number that splitmix64.c gives for the seed 1234567
-/// assert_eq!(SplitMix64::new(1_234_567).bits(0), 6_457_827_717_110_365_317);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SplitMix64 {
     seed: u64,
@@ -41,5 +35,19 @@ impl SplitMix64 {
     pub fn uniform(self, counter: u64) -> f64 {
         // the middle of one of 2⁵² equal parts
         ((self.bits(counter) >> 12) as f64 + 0.5) / (1_u64 << 52) as f64
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_those_of_splitmix64_c() {
+        // the first number that splitmix64.c gives for the seed 1234567
+        assert_eq!(
+            SplitMix64::new(1_234_567).bits(0),
+            6_457_827_717_110_365_317
+        );
     }
 }

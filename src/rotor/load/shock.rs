@@ -14,18 +14,6 @@ use crate::bearing::Vector5;
 /// Its impulse is `2 P̂ T/π`. Where it repeats, t_0 steps on by the interval.
 ///
 /// Source: IEC 60068-2-27 (2008), half-sine pulse.
-///
-/// ```
-/// use jeffcott::rotor::load::Shock;
-/// let shock = Shock {
-///     peak: [0.0, -2000.0, 0.0, 0.0, 0.0],
-///     duration: 4e-3,
-///     start: 0.1,
-///     every: None,
-/// };
-/// assert!((shock.at(0.102)[1] + 2000.0).abs() < 1e-9);
-/// assert_eq!(shock.at(0.105)[1], 0.0);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shock {
     /// Peak P̂, N and N m.
@@ -94,5 +82,22 @@ impl Shock {
                 .flat_map(|begin| [begin, begin + self.duration]),
             after,
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shock_has_its_peak_in_its_middle() {
+        let shock = Shock {
+            peak: [0.0, -2000.0, 0.0, 0.0, 0.0],
+            duration: 4e-3,
+            start: 0.1,
+            every: None,
+        };
+        assert!((shock.at(0.102)[1] + 2000.0).abs() < 1e-9);
+        assert_eq!(shock.at(0.105)[1], 0.0);
     }
 }

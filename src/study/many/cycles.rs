@@ -42,17 +42,6 @@ impl Cycles {
     ///
     /// # Errors
     /// [`CyclesError`] where it has no such cycles.
-    ///
-    /// ```
-    /// use jeffcott::analysis::SectionKind;
-    /// use jeffcott::study::many::Cycles;
-    /// let scene = jeffcott::scenario::load("scenarios/varying-compliance-6306.toml".as_ref()).unwrap();
-    /// let cycles = Cycles { of: SectionKind::BallPass, settle: 200, kept: 100 };
-    /// let [settle, duration] = cycles.times(&scene.model.unwrap().rotor).unwrap();
-    /// // at 150 rad/s 8 balls pass 8 (1 − 11.9062/52)/2 = 3.0841 times a revolution of 41.888 ms
-    /// assert!((settle - 200.0 * 0.0418879 / 3.084138).abs() < 1e-6);
-    /// assert!((duration / settle - 1.5).abs() < 1e-12);
-    /// ```
     pub fn times(&self, rotor: &RotorDefinition) -> Result<[f64; 2], CyclesError> {
         let steady = rotor.speed_points.is_empty() && rotor.drive.is_none();
         if !steady || rotor.speed <= 0.0 {

@@ -52,18 +52,6 @@ pub struct Turn {
 
 /// The runs of a study, grouped into chains, which are made as a whole: those of a sweep, within which each run
 /// goes on from where the one before ended; otherwise every chain is one run.
-///
-/// ```
-/// use jeffcott::study::many::{Schedule, Sweep};
-/// // a grid of 2 × 3, the last axis swept up and down
-/// let schedule = Schedule::new(6, 3, Some(Sweep::Both));
-/// assert_eq!((schedule.chains(), schedule.runs()), (2, 12));
-/// let points: Vec<u64> = schedule.chain(1).map(|turn| turn.point).collect();
-/// assert_eq!(points, [3, 4, 5, 5, 4, 3]);
-/// // the same grid, every run by itself
-/// let schedule = Schedule::new(6, 3, None);
-/// assert_eq!((schedule.chains(), schedule.runs_of(1..2)), (6, 1..2));
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Schedule {
     points: u64,
@@ -164,5 +152,22 @@ impl Shard {
         // no product of 64 bits each is beyond 128
         let bound = |part: u64| (all * u128::from(part) / count) as u64;
         bound(self.number.saturating_sub(1))..bound(self.number)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chains_follow_the_sweep() {
+        // a grid of 2 × 3, the last axis swept up and down
+        let schedule = Schedule::new(6, 3, Some(Sweep::Both));
+        assert_eq!((schedule.chains(), schedule.runs()), (2, 12));
+        let points: Vec<u64> = schedule.chain(1).map(|turn| turn.point).collect();
+        assert_eq!(points, [3, 4, 5, 5, 4, 3]);
+        // the same grid, every run by itself
+        let schedule = Schedule::new(6, 3, None);
+        assert_eq!((schedule.chains(), schedule.runs_of(1..2)), (6, 1..2));
     }
 }

@@ -136,13 +136,6 @@ impl Distribution {
     }
 
     /// Value that a share of all draws, between 0 and 1, does not exceed.
-    ///
-    /// ```
-    /// use jeffcott::study::plan::Distribution;
-    /// let infinite = (f64::NEG_INFINITY, f64::INFINITY);
-    /// let normal = Distribution::Normal { mean: 1.0, deviation: 2.0, lowest: infinite.0, highest: infinite.1 };
-    /// assert!((normal.quantile(0.975) - (1.0 + 2.0 * 1.959_963_984_540_054)).abs() < 1e-9);
-    /// ```
     pub fn quantile(&self, share: f64) -> f64 {
         match *self {
             Self::Uniform { lowest, highest } => lowest * (1.0 - share) + highest * share,
@@ -166,5 +159,22 @@ impl Distribution {
                 normal.inverse_cdf(share).clamp(lowest, highest)
             }),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_normal_quantile_is_that_of_tables() {
+        let infinite = (f64::NEG_INFINITY, f64::INFINITY);
+        let normal = Distribution::Normal {
+            mean: 1.0,
+            deviation: 2.0,
+            lowest: infinite.0,
+            highest: infinite.1,
+        };
+        assert!((normal.quantile(0.975) - (1.0 + 2.0 * 1.959_963_984_540_054)).abs() < 1e-9);
     }
 }

@@ -30,14 +30,6 @@ pub enum Sampling {
 }
 
 /// The values of every run.
-///
-/// ```
-/// use jeffcott::study::plan::{Axis, AxisValues, Plan, Sampling};
-/// let axis = |values: &[f64]| Axis { values: AxisValues::Listed(values.to_vec()) };
-/// let plan = Plan::new(vec![axis(&[1.0, 2.0]), axis(&[10.0, 20.0, 30.0])], Sampling::Grid, 0);
-/// assert_eq!(plan.runs(), Some(6));
-/// assert_eq!(plan.values(4), [2.0, 20.0]);
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
     axes: Vec<Axis>,
@@ -106,5 +98,26 @@ impl Plan {
             // a shift by the same amount modulo 1 keeps the sequence even
             Sampling::Sobol(_) => (sobol(run, axis) + random.uniform(u64::MAX)).fract(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::plan::Axis;
+    use crate::study::plan::AxisValues;
+
+    #[test]
+    fn a_grid_counts_its_last_axis_first() {
+        let axis = |values: &[f64]| Axis {
+            values: AxisValues::Listed(values.to_vec()),
+        };
+        let plan = Plan::new(
+            vec![axis(&[1.0, 2.0]), axis(&[10.0, 20.0, 30.0])],
+            Sampling::Grid,
+            0,
+        );
+        assert_eq!(plan.runs(), Some(6));
+        assert_eq!(plan.values(4), [2.0, 20.0]);
     }
 }

@@ -10,14 +10,6 @@ const ROUNDS: u64 = 6;
 /// A Feistel network permutes the next power of four; what falls outside n is sent through again.
 ///
 /// Source: J. Black & P. Rogaway, *Ciphers with arbitrary finite domains*, CT-RSA 2002, cycle walking.
-///
-/// ```
-/// use jeffcott::study::plan::Permutation;
-/// let order = Permutation::new(5, 7);
-/// let mut places: Vec<u64> = (0..5).map(|i| order.of(i)).collect();
-/// places.sort();
-/// assert_eq!(places, [0, 1, 2, 3, 4]);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Permutation {
     length: u64,
@@ -54,5 +46,18 @@ impl Permutation {
             (left, right) = (right, mixed);
         }
         left << self.half | right
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_place_is_taken_once() {
+        let order = Permutation::new(5, 7);
+        let mut places: Vec<u64> = (0..5).map(|i| order.of(i)).collect();
+        places.sort();
+        assert_eq!(places, [0, 1, 2, 3, 4]);
     }
 }

@@ -37,11 +37,6 @@ const DIRECTIONS: [Direction; MOST_SOBOL_AXES - 1] = [
 /// ```
 ///
 /// Source: S. Joe & F. Y. Kuo, SIAM J. Sci. Comput. 30 (2008) 2635–2654, the table new-joe-kuo-6.
-///
-/// ```
-/// use jeffcott::study::plan::sobol;
-/// assert_eq!([sobol(1, 0), sobol(2, 0), sobol(2, 1)], [0.5, 0.75, 0.25]);
-/// ```
 pub fn sobol(index: u64, axis: usize) -> f64 {
     let numbers = direction_numbers(axis % MOST_SOBOL_AXES);
     let gray = index ^ (index >> 1);

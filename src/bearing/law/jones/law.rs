@@ -53,23 +53,6 @@ use crate::physics::{HertzContact, RaceControl, ball_mass};
 /// Source: A. B. Jones, *J. Basic Engineering* 82 (1960) 309–320; Harris & Kotzalas, *Rolling
 /// Bearing Analysis*, 5th ed. (2007), vol. 2, ch. 3. The gyroscopic terms' signs are opposite to
 /// the books', whose ω_R is negative here.
-///
-/// ```
-/// use jeffcott::bearing::{Ball, BallLaw, JonesLaw, catalogue};
-/// use jeffcott::physics::RaceControl;
-/// // 7205C, 1000 N thrust, 1000 rad/s: δz = 31.83103 µm, Q_i = 246.6608 N, Q_o = 252.6792 N,
-/// // α_i = 19.74569°, α_o = 19.06724° (independent implementations).
-/// let bearing = catalogue::find("7205C").unwrap().bearing()?;
-/// let law = JonesLaw::new(&bearing, RaceControl::Outer)?;
-/// let axial = bearing.geometry.free_axial() + 31.83103e-6;
-/// let ball = Ball::at(axial, bearing.geometry.free_radial());
-/// let contact = law.contact(&ball, 1000.0);
-/// assert!((contact.load_inner - 246.6608).abs() < 2e-4);
-/// assert!((contact.load_outer - 252.6792).abs() < 2e-4);
-/// assert!((contact.angle_inner.to_degrees() - 19.74569).abs() < 6e-6);
-/// assert!((contact.angle_outer.to_degrees() - 19.06724).abs() < 6e-6);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JonesLaw<R = DryRaces> {
     ball: balance::Ball,
@@ -301,5 +284,26 @@ impl<R: Races> BallLaw for JonesLaw<R> {
                 .slopes(&rest.positions, &springs, Some(stiffness), force_scale);
         let contacts = [axial, radial, couple].map(|[axial, radial, ..]| [axial, radial]);
         Some([contacts, film_tangent(films, &contact, speed)])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn balls_with_inertia_bear_what_others_found() -> Result<(), Box<dyn std::error::Error>> {
+        // 7205C, 1000 N thrust, 1000 rad/s: δz = 31.83103 µm, Q_i = 246.6608 N, Q_o = 252.6792 N,
+        // α_i = 19.74569°, α_o = 19.06724° (independent implementations).
+        let bearing = Bearing::catalogue("7205C")?;
+        let law = JonesLaw::new(&bearing, RaceControl::Outer)?;
+        let axial = bearing.geometry.free_axial() + 31.83103e-6;
+        let ball = Ball::at(axial, bearing.geometry.free_radial());
+        let contact = law.contact(&ball, 1000.0);
+        assert!((contact.load_inner - 246.6608).abs() < 2e-4);
+        assert!((contact.load_outer - 252.6792).abs() < 2e-4);
+        assert!((contact.angle_inner.to_degrees() - 19.74569).abs() < 6e-6);
+        assert!((contact.angle_outer.to_degrees() - 19.06724).abs() < 6e-6);
+        Ok(())
     }
 }
