@@ -39,11 +39,11 @@ pub struct StaticQuestion {
     /// Shaft, bearings, loads and speed; the active freedoms find their place, the others are held.
     pub rotor: RotorDefinition,
     /// Displacements that are given instead of loads: those freedoms are held there.
-    pub displacement: [Option<f64>; FREEDOMS],
+    pub(crate) displacement: [Option<f64>; FREEDOMS],
     /// Whether the unbalance force m e ω² acts as a static load along +X.
-    pub unbalance: bool,
+    pub(crate) unbalance: bool,
     /// Torsion of the shaft, the sixth freedom.
-    pub torsion: Option<Torsion>,
+    pub(crate) torsion: Option<Torsion>,
 }
 
 /// Moment and twist of the shaft about its axis.

@@ -36,8 +36,8 @@ pub use watch::{Monitor, SimulateError, TraceSink};
 pub use crate::integrate::{Counters, IntegrateError};
 use crate::integrate::{Grid, Integration, MethodUse, SEGMENT, States, Stiffness, System};
 pub use crate::rotor::{
-    BallContacts, EnergyBalance, NaturalFrequency, RotorDefinition, RotorError, Sample,
-    UnconstrainedError, Works,
+    BallContacts, DriveMoments, EnergyBalance, NaturalFrequency, RotorDefinition, RotorError,
+    Sample, UnconstrainedError, Whirl, Works,
 };
 use crate::rotor::{MotionScale, Rotor, check_constraints};
 use observers::Observers;

@@ -108,9 +108,9 @@ const COLUMNS: [Definition; 41] = [
 
 impl Channel {
     /// Kinetic energy of the shaft.
-    pub const KINETIC_ENERGY: Self = Self::Energy(0);
+    pub(crate) const KINETIC_ENERGY: Self = Self::Energy(0);
     /// Energy stored in the bearings.
-    pub const STORED_ENERGY: Self = Self::Energy(1);
+    pub(crate) const STORED_ENERGY: Self = Self::Energy(1);
 
     /// Displacements, then forces, of the first `freedoms` of x, y, z, θx, θy.
     pub fn of_freedoms(freedoms: usize) -> Vec<Self> {
@@ -127,7 +127,7 @@ impl Channel {
     }
 
     /// The columns of the table `trace`, where no others are asked for.
-    pub fn of_trace() -> impl Iterator<Item = Self> {
+    pub(crate) fn of_trace() -> impl Iterator<Item = Self> {
         let elsewhere = |channel: &Self| {
             matches!(
                 channel,
@@ -138,17 +138,17 @@ impl Channel {
     }
 
     /// The columns of the table `energy`.
-    pub fn of_energy() -> impl Iterator<Item = Self> {
+    pub(crate) fn of_energy() -> impl Iterator<Item = Self> {
         Self::all().filter(|channel| matches!(channel, Self::Time | Self::Energy(_)))
     }
 
     /// The columns of the table `drive`.
-    pub fn of_drive() -> impl Iterator<Item = Self> {
+    pub(crate) fn of_drive() -> impl Iterator<Item = Self> {
         Self::all().filter(|channel| matches!(channel, Self::Time | Self::Speed | Self::Drive(_)))
     }
 
     /// The columns that a trace can show beside the time, in the order in which the tables show them.
-    pub fn selectable() -> impl Iterator<Item = Self> {
+    pub(crate) fn selectable() -> impl Iterator<Item = Self> {
         let beside =
             |channel: &Self| !matches!(channel, Self::Time | Self::Energy(_) | Self::Drive(_));
         Self::all().filter(beside)
@@ -204,7 +204,7 @@ impl Channel {
     }
 
     /// Freedom 0 … 4 that it belongs to: x, y, z, θx, θy; none of what belongs to the whole shaft.
-    pub fn freedom(self) -> Option<usize> {
+    pub(crate) fn freedom(self) -> Option<usize> {
         match self {
             Self::Displacement(freedom)
             | Self::Velocity(freedom)
@@ -215,7 +215,7 @@ impl Channel {
     }
 
     /// Whether its values are whole numbers.
-    pub fn is_count(self) -> bool {
+    pub(crate) fn is_count(self) -> bool {
         self == Self::BallsLoaded
     }
 }

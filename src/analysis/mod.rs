@@ -44,5 +44,5 @@ pub use run_up::{OrderTracks, Slice, Track, TrackPoint, TrackedOrder, Waterfall}
 pub(crate) use run_up::{TrackRecorder, WaterfallRecorder};
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub(crate) use transform::{Transform, fourier_coefficients};
-pub(crate) use whole_spectrum::Analysis;
+pub use whole_spectrum::Analysis;
 pub use window::Window;

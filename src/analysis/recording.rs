@@ -111,7 +111,7 @@ impl Recording {
 
     /// With room for the samples of a run that ends at a time, s.
     #[must_use]
-    pub fn until(mut self, end: f64) -> Self {
+    pub(crate) fn until(mut self, end: f64) -> Self {
         let expected = (end - self.settle) * self.grid.rate + 2.0;
         for (_, values) in &mut self.channels {
             values.reserve((expected as usize).min(FORESEEN));
@@ -120,7 +120,7 @@ impl Recording {
     }
 
     /// Whether samples must come with their accelerations.
-    pub fn needs_acceleration(&self) -> bool {
+    pub(crate) fn needs_acceleration(&self) -> bool {
         let mut channels = self.channels.iter();
         channels.any(|(channel, _)| matches!(channel, Channel::Acceleration(_)))
     }

@@ -18,7 +18,7 @@ pub struct ChannelSpectrum {
 
 impl ChannelSpectrum {
     /// Amplitudes and phases of a transformed channel under a window.
-    pub fn new(channel: Channel, transform: &Transform, window: Window) -> Self {
+    pub(crate) fn new(channel: Channel, transform: &Transform, window: Window) -> Self {
         let bins = 0..transform.bins();
         let (amplitude, phase) = bins
             .map(|k| transform.amplitude_and_phase(k, window))

@@ -132,7 +132,7 @@ impl Bearing {
 
 impl CatalogueEntry {
     /// Where the races stand without load; a deep-groove bearing is taken without clearance.
-    pub fn free_position(&self) -> FreePosition {
+    pub(crate) fn free_position(&self) -> FreePosition {
         match self.contact_angle_deg {
             Some(degrees) => FreePosition::ContactAngle(degrees.to_radians()),
             None => FreePosition::DiametralClearance(0.0),
@@ -143,7 +143,7 @@ impl CatalogueEntry {
     ///
     /// # Errors
     /// [`BearingError::Geometry`], which no shipped entry gives.
-    pub fn bearing(&self) -> Result<Bearing, BearingError> {
+    pub(crate) fn bearing(&self) -> Result<Bearing, BearingError> {
         let geometry = Geometry::new(
             self.balls,
             self.ball_diameter_mm / 1e3,

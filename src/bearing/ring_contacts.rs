@@ -25,7 +25,7 @@ pub struct BallLoads {
 
 impl BallLoads {
     /// Room for so many balls, and for their angles.
-    pub fn new(balls: usize, angles: bool) -> Self {
+    pub(crate) fn new(balls: usize, angles: bool) -> Self {
         let zeros = |count| vec![0.0; count];
         let angles = if angles { balls } else { 0 };
         Self {
@@ -72,7 +72,7 @@ impl Ring {
     }
 
     /// Force as by [`Ring::force`]; leaves the loads of all balls in `loads`.
-    pub fn loads(
+    pub(crate) fn loads(
         &self,
         law: &impl BallLaw,
         displacement: &Vector5,

@@ -76,7 +76,7 @@ impl Support {
     }
 
     /// The bearing as it was defined.
-    pub fn definition(&self) -> &MountedBearing {
+    pub(crate) fn definition(&self) -> &MountedBearing {
         &self.definition
     }
 
@@ -87,7 +87,7 @@ impl Support {
     }
 
     /// Whether the bearing is preset axially.
-    pub fn is_preloaded(&self) -> bool {
+    pub(crate) fn is_preloaded(&self) -> bool {
         match self.definition.preload {
             Preload::AxialOffset(value) | Preload::Force(value) | Preload::Spring(value) => {
                 value != 0.0
@@ -96,12 +96,12 @@ impl Support {
     }
 
     /// Axial shaft displacement at which the races of this bearing stand axially centred, m.
-    pub fn centred_axial(&self) -> f64 {
+    pub(crate) fn centred_axial(&self) -> f64 {
         self.sign * (-self.definition.bearing.geometry.free_axial() - self.seat.offset())
     }
 
     /// Replaces the force by its tangent at `displacement` of the shaft where the law is linear.
-    pub fn freeze(&mut self, displacement: &Vector5, speed: f64) {
+    pub(crate) fn freeze(&mut self, displacement: &Vector5, speed: f64) {
         if self.definition.law == ContactLaw::Linear {
             let (origin, rotation) = (self.imposed(displacement), BearingRotation::at_start(speed));
             let (force, stiffness) = self.local_tangent(&origin, &rotation);
@@ -115,17 +115,21 @@ impl Support {
     }
 
     /// Whether the balls go round with the cage: those of a linear bearing are frozen.
-    pub fn follows_cage(&self) -> bool {
+    pub(crate) fn follows_cage(&self) -> bool {
         self.frozen.is_none()
     }
 
     /// Friction moment under a force of the shaft onto this bearing in N at a speed in rad/s.
-    pub fn friction_moment(&self, force: &Vector5, speed: f64) -> FrictionMoment {
+    pub(crate) fn friction_moment(&self, force: &Vector5, speed: f64) -> FrictionMoment {
         self.friction.moment(force, speed)
     }
 
     /// Displacement of the inner ring from the outer one, in the bearing's own orientation.
-    pub fn ring_displacement(&self, displacement: &Vector5, rotation: &BearingRotation) -> Vector5 {
+    pub(crate) fn ring_displacement(
+        &self,
+        displacement: &Vector5,
+        rotation: &BearingRotation,
+    ) -> Vector5 {
         self.settled(&self.imposed(displacement), rotation)
     }
 
@@ -137,7 +141,7 @@ impl Support {
 
     /// Force as by [`Support::force`]; leaves the loads of every ball in `loads`, which must have room for
     /// [`Support::known_balls`]. The exact law answers, whether there is a table of it or not.
-    pub fn force_and_loads(
+    pub(crate) fn force_and_loads(
         &self,
         displacement: &Vector5,
         rotation: &BearingRotation,
@@ -153,7 +157,7 @@ impl Support {
 
     /// Number of balls that [`Support::force_and_loads`] tells of; none where the bearing is frozen: a linear law
     /// knows no balls.
-    pub fn known_balls(&self) -> usize {
+    pub(crate) fn known_balls(&self) -> usize {
         match self.frozen {
             Some(_) => 0,
             None => self.ring.balls(),
@@ -161,7 +165,7 @@ impl Support {
     }
 
     /// Where a ball leaves and meets the inner race at a shaft speed in rad/s.
-    pub fn contact_band(&self, speed: f64) -> ContactBand {
+    pub(crate) fn contact_band(&self, speed: f64) -> ContactBand {
         ContactBand::new(
             &self.contacts[0],
             |load| with_law!(&self.law, law => law.approach_under(load, speed)),
@@ -170,7 +174,7 @@ impl Support {
 
     /// What a ball at each of `positions` azimuths from +X on would bear with the shaft at
     /// `displacement`, or, where `None`, what every ball bears with the cage where it starts.
-    pub fn around(
+    pub(crate) fn around(
         &self,
         displacement: &Vector5,
         speed: f64,
@@ -208,7 +212,7 @@ impl Support {
     ///
     /// A linear bearing knows no balls: its state is that of the Hertz law at this displacement,
     /// force and stiffness, too.
-    pub fn state(&self, displacement: &Vector5, speed: f64) -> BearingState {
+    pub(crate) fn state(&self, displacement: &Vector5, speed: f64) -> BearingState {
         let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
         Assessment::new(self, place, speed).state()
     }
@@ -218,7 +222,7 @@ impl Support {
     ///
     /// Its derivative by the displacement is [`Support::force`] where the law has a potential: under
     /// every law without ball inertia.
-    pub fn stored_energy(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
+    pub(crate) fn stored_energy(&self, displacement: &Vector5, rotation: &BearingRotation) -> f64 {
         let imposed = self.imposed(displacement);
         if let Some(linear) = &self.frozen {
             return linear.energy(&imposed);
@@ -230,18 +234,18 @@ impl Support {
 
     /// Whether the force is the derivative of [`Support::stored_energy`], the speed being steady or
     /// not.
-    pub fn has_potential(&self, steady: bool) -> bool {
+    pub(crate) fn has_potential(&self, steady: bool) -> bool {
         self.frozen.is_some() || self.law.has_potential(steady)
     }
 
     /// Nominal speed of the cage over that of the shaft.
     #[inline]
-    pub fn cage_ratio(&self) -> f64 {
+    pub(crate) fn cage_ratio(&self) -> f64 {
         self.cage_ratio
     }
 
     /// Ball-pass frequencies at the nominal contact angle.
-    pub fn ball_pass(&self, speed: f64) -> BallPass {
+    pub(crate) fn ball_pass(&self, speed: f64) -> BallPass {
         self.definition.bearing.geometry.ball_pass(speed)
     }
 

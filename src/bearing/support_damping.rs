@@ -11,13 +11,13 @@ const SLOW: f64 = 1e-12;
 
 impl Support {
     /// Whether the contacts of the bearing are damped.
-    pub fn is_damped(&self) -> bool {
+    pub(crate) fn is_damped(&self) -> bool {
         self.damped.is_some()
     }
 
     /// Force as by [`Support::force`], and force and moment that move the shaft at `velocity` against the damping of
     /// the contacts.
-    pub fn damped_force(
+    pub(crate) fn damped_force(
         &self,
         displacement: &Vector5,
         velocity: &Vector5,

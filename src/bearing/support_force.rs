@@ -11,7 +11,7 @@ use crate::registers::in_wide_registers;
 
 impl Support {
     /// Force and moment that hold the shaft at `displacement` against this bearing.
-    pub fn force(&self, displacement: &Vector5, rotation: &BearingRotation) -> Vector5 {
+    pub(crate) fn force(&self, displacement: &Vector5, rotation: &BearingRotation) -> Vector5 {
         in_wide_registers!(self.ring.level, simd => self.force_by(simd, displacement, rotation))
     }
 
@@ -48,7 +48,7 @@ impl Support {
     }
 
     /// Force as by [`Support::force`] and its derivative by the shaft's displacement.
-    pub fn force_and_stiffness(
+    pub(crate) fn force_and_stiffness(
         &self,
         displacement: &Vector5,
         rotation: &BearingRotation,
@@ -69,7 +69,11 @@ impl Support {
     ///
     /// On perfect races turning the cage is turning the displacement back and the force forth:
     /// `∂F/∂ψ_c = S F − K S q` with S the generator of rotations about Z.
-    pub fn slopes(&self, displacement: &Vector5, rotation: &BearingRotation) -> (Matrix5, Vector5) {
+    pub(crate) fn slopes(
+        &self,
+        displacement: &Vector5,
+        rotation: &BearingRotation,
+    ) -> (Matrix5, Vector5) {
         let imposed = self.imposed(displacement);
         let transform = self.transform();
         let (stiffness, by_cage_angle) = match &self.frozen {

@@ -21,7 +21,7 @@ impl Support {
     ///
     /// # Errors
     /// [`TableError`] where no table is good enough; forces stay exact.
-    pub fn tabulate(
+    pub(crate) fn tabulate(
         &mut self,
         displacement: &Vector5,
         amplitude: &Vector5,
@@ -69,7 +69,11 @@ impl Support {
 
     /// Whether the forces with the shaft at `displacement` come from a table; so they do where
     /// there is none.
-    pub fn is_inside_table(&self, displacement: &Vector5, rotation: &BearingRotation) -> bool {
+    pub(crate) fn is_inside_table(
+        &self,
+        displacement: &Vector5,
+        rotation: &BearingRotation,
+    ) -> bool {
         let offset = self.seat.offset();
         self.table.is_none() || self.table_over(displacement, offset, rotation).is_some()
     }

@@ -53,7 +53,7 @@ pub struct Counters {
 
 impl Counters {
     /// Adds the work of a further part.
-    pub fn add(&mut self, part: &Self) {
+    pub(crate) fn add(&mut self, part: &Self) {
         self.steps += part.steps;
         self.rejected += part.rejected;
         self.evaluations += part.evaluations;

@@ -110,7 +110,7 @@ impl RunReport {
     ///
     /// # Errors
     /// [`ReportError::File`] where folder or trace cannot be created.
-    pub fn open(
+    pub(crate) fn open(
         folder: &Path,
         outputs: Outputs,
         title: &str,
@@ -185,7 +185,7 @@ impl RunReport {
     }
 
     /// The same with the law of the contacts that was chosen for the run, which the summary tells.
-    pub fn with_choice(self, contact: Option<&ContactChoice>) -> Self {
+    pub(crate) fn with_choice(self, contact: Option<&ContactChoice>) -> Self {
         Self {
             contact_choice: contact.cloned(),
             ..self
@@ -193,7 +193,7 @@ impl RunReport {
     }
 
     /// The same with natural frequencies over the speed.
-    pub fn with_campbell(self, campbell: Option<Campbell>) -> Self {
+    pub(crate) fn with_campbell(self, campbell: Option<Campbell>) -> Self {
         Self { campbell, ..self }
     }
 
@@ -201,7 +201,10 @@ impl RunReport {
     ///
     /// # Errors
     /// [`ReportError::File`] where it cannot be created.
-    pub fn keep_states(&self, identity: &RunIdentity<'_>) -> Result<RestartWriter, ReportError> {
+    pub(crate) fn keep_states(
+        &self,
+        identity: &RunIdentity<'_>,
+    ) -> Result<RestartWriter, ReportError> {
         RestartWriter::create(&self.folder, identity)
     }
 
@@ -211,7 +214,7 @@ impl RunReport {
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written.
-    pub fn fail(self, failure: &Failure<'_>) -> Result<KeptFiles, ReportError> {
+    pub(crate) fn fail(self, failure: &Failure<'_>) -> Result<KeptFiles, ReportError> {
         let earlier = self.folder.standing();
         let formats = self.trace.is_some().then_some(&self.outputs.formats[..]);
         let names: Vec<String> = formats

@@ -61,7 +61,7 @@ impl Rotor {
     /// # Errors
     /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
     /// outside its range.
-    pub fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
+    pub(crate) fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
         Self::of_structure(Structure::of(definition), definition)
     }
 
@@ -205,7 +205,7 @@ impl RotorDefinition {
 
     /// What the static equilibrium carries, N and N m: constant loads, the weight, and of every
     /// varying load its static part.
-    pub fn static_load(&self) -> Vector5 {
+    pub(crate) fn static_load(&self) -> Vector5 {
         let mut sum = self.constant_load();
         for load in &self.loads {
             for (sum, part) in sum.iter_mut().zip(load.static_part()) {
@@ -219,12 +219,12 @@ impl RotorDefinition {
     ///
     /// # Errors
     /// [`RotorError`] where a speed is negative or not finite, or the times do not rise.
-    pub fn speed_profile(&self) -> Result<SpeedProfile, RotorError> {
+    pub(crate) fn speed_profile(&self) -> Result<SpeedProfile, RotorError> {
         SpeedProfile::new(self.speed, &self.speed_points)
     }
 
     /// Unbalance force m e ω² at t = 0, N.
-    pub fn unbalance_force(&self) -> f64 {
+    pub(crate) fn unbalance_force(&self) -> f64 {
         let [x, _] = Unbalance::new(self.shaft.mass, self.shaft.eccentricity).phasor(self.speed);
         x.re
     }

@@ -35,7 +35,7 @@ impl Damping {
 impl Rotor {
     /// C of all that damps the shaft but the contacts of the balls: rows and columns x, y, z, θx, θy; N s/m
     /// and what follows from it for the tilts.
-    pub fn damping_matrix(&self) -> [Vector5; FREEDOMS] {
+    pub(crate) fn damping_matrix(&self) -> [Vector5; FREEDOMS] {
         let indices = self.structure.shaft.coordinates();
         let entries = self.damping.entries();
         indices.map(|row| indices.map(|column| entries[(row, column)]))

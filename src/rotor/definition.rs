@@ -117,40 +117,40 @@ pub enum InitialPosition {
 #[derive(Debug, Clone, PartialEq)]
 pub struct RotorDefinition {
     /// The concentrated mass.
-    pub shaft: Shaft,
+    pub(crate) shaft: Shaft,
     /// Angular speed ω at t = 0, rad/s, zero or positive. The static equilibrium, and with it K,
     /// damping by ratio and natural frequencies, are those at this speed.
-    pub speed: f64,
+    pub(crate) speed: f64,
     /// Speeds at later times, reached linearly one after the other; the last one is held. None: the
     /// speed is constant.
-    pub speed_points: Vec<SpeedPoint>,
+    pub(crate) speed_points: Vec<SpeedPoint>,
     /// The drive that decides the speed from t = 0 on, in place of the points above.
-    pub drive: Option<Drive>,
+    pub(crate) drive: Option<Drive>,
     /// Motion of the cages.
-    pub cage: CageMotion,
+    pub(crate) cage: CageMotion,
     /// Viscous damping.
-    pub damping: Damping,
+    pub(crate) damping: Damping,
     /// Constant external load: forces x, y, z in N, moments about X and Y in N m.
-    pub load: [f64; FREEDOMS],
+    pub(crate) load: [f64; FREEDOMS],
     /// Loads that vary with time or shaft angle; they add up.
-    pub loads: Vec<Load>,
+    pub(crate) loads: Vec<Load>,
     /// State at t = 0.
-    pub initial: InitialState,
+    pub(crate) initial: InitialState,
     /// Bearings that carry the shaft, at least one.
-    pub bearings: Vec<crate::bearing::MountedBearing>,
+    pub(crate) bearings: Vec<crate::bearing::MountedBearing>,
 }
 
 impl RotorDefinition {
     /// Highest speed that the shaft is meant for, rad/s: of its points, or the no-load speed of its
     /// drive.
-    pub fn highest_speed(&self) -> f64 {
+    pub(crate) fn highest_speed(&self) -> f64 {
         let idle = self.drive.and_then(|drive| drive.no_load_speed);
         let points = self.speed_points.iter().map(|point| point.speed);
         points.chain(idle).fold(self.speed, f64::max)
     }
 
     /// The same shaft at a constant speed in rad/s.
-    pub fn at_constant_speed(&self, speed: f64) -> Self {
+    pub(crate) fn at_constant_speed(&self, speed: f64) -> Self {
         Self {
             speed,
             speed_points: Vec::new(),

@@ -66,7 +66,7 @@ impl Works {
     }
 
     /// All of them, in the order in which they stand.
-    pub fn values(&self) -> [f64; Self::COUNT] {
+    pub(crate) fn values(&self) -> [f64; Self::COUNT] {
         [
             self.loads,
             self.unbalance,
@@ -89,7 +89,7 @@ impl Works {
 
 impl EnergyBalance {
     /// What does not add up since `start`, J: the error of the integration.
-    pub fn residual(&self, start: &Self) -> f64 {
+    pub(crate) fn residual(&self, start: &Self) -> f64 {
         let taken = if self.conservative {
             self.stored - start.stored
         } else {
@@ -99,7 +99,7 @@ impl EnergyBalance {
     }
 
     /// The largest term of the balance since `start`, J.
-    pub fn largest(&self, start: &Self) -> f64 {
+    pub(crate) fn largest(&self, start: &Self) -> f64 {
         let works = self.works.values().into_iter();
         works
             .chain([self.kinetic - start.kinetic, self.stored - start.stored])

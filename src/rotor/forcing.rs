@@ -74,7 +74,7 @@ impl Rotor {
     ///
     /// # Errors
     /// [`Unrepeated`] names the first thing that does not repeat.
-    pub fn forcing(&self) -> Result<Vec<Forcing>, Unrepeated> {
+    pub(crate) fn forcing(&self) -> Result<Vec<Forcing>, Unrepeated> {
         if self.is_driven() {
             return Err(Unrepeated::Drive);
         }
@@ -112,7 +112,7 @@ impl Rotor {
 
     /// Ball passes a revolution of the shaft at the outer and the inner race, of every bearing whose balls
     /// go round.
-    pub fn ball_pass_orders(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn ball_pass_orders(&self) -> Vec<[f64; 2]> {
         let passing = self
             .supports
             .iter()
@@ -126,7 +126,7 @@ impl Rotor {
     }
 
     /// Meshing frequency z ω/2π of every sprocket at a speed in rad/s, Hz.
-    pub fn meshing_frequencies(&self, speed: f64) -> Vec<f64> {
+    pub(crate) fn meshing_frequencies(&self, speed: f64) -> Vec<f64> {
         let sprockets = self.loads.iter().filter_map(|load| match &load.kind {
             LoadKind::Sprocket(sprocket) => Some(sprocket.main_vibration().order),
             _ => None,

@@ -143,7 +143,7 @@ impl From<&Mode> for NaturalFrequency {
 
 impl Rotor {
     /// Natural frequencies, lowest first; overdamped and rigid-body modes are left out.
-    pub fn natural_frequencies(&self) -> Vec<NaturalFrequency> {
+    pub(crate) fn natural_frequencies(&self) -> Vec<NaturalFrequency> {
         self.modes().iter().map(NaturalFrequency::from).collect()
     }
 
@@ -153,7 +153,7 @@ impl Rotor {
     /// Eigenvalues λ of `M q̈ + (C + ωG) q̇ + K q = 0`, one of each conjugate pair, with K at the
     /// static equilibrium, G the gyroscopic coupling of the tilts and ω the speed at t = 0; damping of
     /// the contacts is left out.
-    pub fn modes(&self) -> Vec<Mode> {
+    pub(crate) fn modes(&self) -> Vec<Mode> {
         let matrices = self.normalised();
         let eigenvalues = state_matrix(&matrices).complex_eigenvalues();
         let mut eigenvalues: Vec<Complex<f64>> = eigenvalues

@@ -120,28 +120,28 @@ impl Rotor {
     }
 
     /// Angular speed of the shaft at t = 0, rad/s.
-    pub fn speed(&self) -> f64 {
+    pub(crate) fn speed(&self) -> f64 {
         self.speed.at(0.0).speed
     }
 
     /// Speed and angle of the shaft from t = 0 on.
-    pub fn speed_profile(&self) -> &SpeedProfile {
+    pub(crate) fn speed_profile(&self) -> &SpeedProfile {
         &self.speed
     }
 
     /// Highest speed that the shaft is meant for, [`super::RotorDefinition::highest_speed`], rad/s.
-    pub fn highest_speed(&self) -> f64 {
+    pub(crate) fn highest_speed(&self) -> f64 {
         let idle = self.drive.and_then(|drive| drive.no_load_speed);
         self.speed.highest().max(idle.unwrap_or(0.0))
     }
 
     /// Whether a drive decides the speed.
-    pub fn is_driven(&self) -> bool {
+    pub(crate) fn is_driven(&self) -> bool {
         self.drive.is_some()
     }
 
     /// The speed that is kept from a time on; `None` where it changes after it.
-    pub fn steady_from(&self, time: f64) -> Option<f64> {
+    pub(crate) fn steady_from(&self, time: f64) -> Option<f64> {
         if self.is_driven() {
             return None;
         }
@@ -154,12 +154,12 @@ impl Rotor {
     }
 
     /// Bearings on the shaft.
-    pub fn supports(&self) -> &[Support] {
+    pub(crate) fn supports(&self) -> &[Support] {
         &self.supports
     }
 
     /// What is known of every bearing at the static equilibrium and a speed of the shaft in rad/s.
-    pub fn bearing_states(&self, speed: f64) -> Vec<BearingState> {
+    pub(crate) fn bearing_states(&self, speed: f64) -> Vec<BearingState> {
         let state = |bearing: AttachedBearing<'_>| {
             let place = bearing.displacement(&self.rest[..self.dofs()]);
             bearing.support.state(&place, speed)

@@ -5,24 +5,24 @@ use crate::bearing::Vector5;
 
 impl Rotor {
     /// Room for what [`Rotor::sample`] observes of the balls.
-    pub fn ball_contacts(&self) -> BallContacts {
+    pub(crate) fn ball_contacts(&self) -> BallContacts {
         BallContacts::new(&self.supports, true)
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of contact angles.
-    pub fn ball_loads(&self) -> BallContacts {
+    pub(crate) fn ball_loads(&self) -> BallContacts {
         BallContacts::new(&self.supports, false)
     }
 
     /// As [`Rotor::ball_contacts`] for samples that say nothing of the balls, and of the forces of the bearings
     /// only where asked for.
-    pub fn unwatched_balls(&self, forces: bool) -> BallContacts {
+    pub(crate) fn unwatched_balls(&self, forces: bool) -> BallContacts {
         BallContacts::unwatched(&self.supports, forces)
     }
 
     /// What is observed in a state at a time; of the balls in `contacts`, which must be this rotor's
     /// own [`Rotor::ball_contacts`]. Accelerations are [`Rotor::acceleration`]'s.
-    pub fn sample(&self, time: f64, state: &[f64], contacts: &mut BallContacts) -> Sample {
+    pub(crate) fn sample(&self, time: f64, state: &[f64], contacts: &mut BallContacts) -> Sample {
         if !self.is_augmented() {
             return self.observe(time, &self.speed.at(time), state, contacts);
         }

@@ -78,7 +78,7 @@ impl System for Rotor {
 
 impl Rotor {
     /// Has the works integrated beside the motion, so that samples tell of energy.
-    pub fn account_for_energy(&mut self) {
+    pub(crate) fn account_for_energy(&mut self) {
         self.energy = true;
     }
 
@@ -106,7 +106,7 @@ impl Rotor {
     }
 
     /// State at t = 0: coordinates that do not belong to the shaft start at rest.
-    pub fn start(&self) -> Vec<f64> {
+    pub(crate) fn start(&self) -> Vec<f64> {
         let (dofs, mut state) = (self.dofs(), vec![0.0; self.states()]);
         let [displacement, velocity] = &self.initial;
         for dof in 0..dofs {
@@ -121,7 +121,7 @@ impl Rotor {
     }
 
     /// Scaling under which deviations from the static equilibrium are numbers of order one.
-    pub fn scaling(&self, scale: &MotionScale) -> Scaling {
+    pub(crate) fn scaling(&self, scale: &MotionScale) -> Scaling {
         let (dofs, states) = (self.dofs(), self.states());
         // works: kinetic energy of the motion
         let energy = self.shaft_mass * (scale.length * scale.frequency).powi(2);
@@ -145,7 +145,7 @@ impl Rotor {
 
     /// Second time derivatives of x, y, z, θx, θy of the shaft in a state at a time: those of the equations
     /// themselves. One evaluation of them, for whoever asks; `rate` is room for the derivative.
-    pub fn acceleration(&self, time: f64, state: &[f64], rate: &mut Vec<f64>) -> Vector5 {
+    pub(crate) fn acceleration(&self, time: f64, state: &[f64], rate: &mut Vec<f64>) -> Vector5 {
         rate.resize(state.len(), 0.0);
         self.derivative(time, state, rate);
         let dofs = self.dofs();

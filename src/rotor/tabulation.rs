@@ -45,7 +45,7 @@ impl Rotor {
     }
 
     /// Counts, for every bearing, whether a ball is outside its table in an observed state.
-    pub fn count_outside_tables(&self, time: f64, state: &[f64], counts: &mut [u64]) {
+    pub(crate) fn count_outside_tables(&self, time: f64, state: &[f64], counts: &mut [u64]) {
         let rotation = self.speed.at(time);
         let mut counts = counts.iter_mut();
         self.for_each_bearing(&rotation, &self.phases(&rotation), |bearing, rotation| {

@@ -39,7 +39,8 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::Value;
 
-pub(crate) use argument::{method, methods, speed, time, tolerance};
+pub use argument::methods;
+pub(crate) use argument::{method, speed, time, tolerance};
 pub use error::ScenarioError;
 pub(crate) use input::{Output, TableFormat};
 pub use issue::Issue;
@@ -84,7 +85,7 @@ pub struct Scenario {
     /// The static question at many values of one number.
     pub study: Option<Study>,
     /// What to keep of the run.
-    pub output: Output,
+    pub(crate) output: Output,
     /// The scenario with its defaults written out; itself a valid scenario in JSON.
     pub echo: Value,
     /// What the user should know although the scenario can be run.

@@ -31,25 +31,25 @@ impl Sampling {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
     /// Shaft, bearings, loads, speed and start.
-    pub rotor: RotorDefinition,
+    pub(crate) rotor: RotorDefinition,
     /// Simulated time, s.
-    pub duration: f64,
+    pub(crate) duration: f64,
     /// Time at the start that the spectra leave out, s.
-    pub settle: f64,
+    pub(crate) settle: f64,
     /// Sampling of trace and spectra.
-    pub sampling: Sampling,
+    pub(crate) sampling: Sampling,
     /// Method and tolerance.
-    pub integrator: Settings,
+    pub(crate) integrator: Settings,
     /// Whether a second, tighter pass measures the error of the first.
-    pub verify: bool,
+    pub(crate) verify: bool,
     /// Whether the energy is accounted for; that of a driven shaft always is.
-    pub energy: bool,
+    pub(crate) energy: bool,
     /// Whether costly ball laws are compiled into tables before the motion starts.
-    pub table: bool,
+    pub(crate) table: bool,
     /// Window of the spectra; `None` leaves the spectra out, and memory is flat in the duration.
-    pub spectrum: Option<Window>,
+    pub(crate) spectrum: Option<Window>,
     /// What is made of the samples beside the spectra.
-    pub analyses: Analyses,
+    pub(crate) analyses: Analyses,
     /// Spectra to estimate besides; without any, nothing is recorded for them.
-    pub spectra: Vec<SpectrumRequest>,
+    pub(crate) spectra: Vec<SpectrumRequest>,
 }

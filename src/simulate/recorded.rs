@@ -34,7 +34,7 @@ impl RecordedRun {
     ///
     /// # Errors
     /// [`SimulateError`].
-    pub fn of(model: &Model) -> Result<Self, SimulateError> {
+    pub(crate) fn of(model: &Model) -> Result<Self, SimulateError> {
         let mut samples = Samples(Vec::new());
         let stop = AtomicBool::new(false);
         let mut monitor = Monitor {

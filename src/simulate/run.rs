@@ -54,7 +54,7 @@ pub struct MeasuredError {
 
 impl MeasuredError {
     /// Share of the second pass in the evaluations of both.
-    pub fn share_of_evaluations(&self, main: &Counters) -> f64 {
+    pub(crate) fn share_of_evaluations(&self, main: &Counters) -> f64 {
         let (own, main) = (self.counters.evaluations as f64, main.evaluations as f64);
         own / (own + main).max(1.0)
     }
@@ -78,7 +78,7 @@ pub struct Run {
     pub counters: Counters,
     /// Which methods did it, where the choice was left open.
     #[serde(skip)]
-    pub method_use: Option<MethodUse>,
+    pub(crate) method_use: Option<MethodUse>,
     /// Number of samples written.
     pub samples: u64,
     /// What was observed of each bearing, in the order of the scenario.
@@ -87,7 +87,7 @@ pub struct Run {
     #[serde(rename = "largest_ball_load_N")]
     pub largest_ball_load: Option<f64>,
     /// Tables of the ball laws of each bearing, in the order of the scenario, where asked for.
-    pub tables: Vec<Option<TableUse>>,
+    pub(crate) tables: Vec<Option<TableUse>>,
     /// Measured error, where asked for.
     #[serde(skip)]
     pub measured_error: Option<MeasuredError>,

@@ -18,7 +18,7 @@ pub struct Base {
     /// Angular frequency, rad/s.
     pub frequency: f64,
     /// Forcings and which multiple of it each is.
-    pub parts: Vec<(ForcingCause, u32)>,
+    pub(crate) parts: Vec<(ForcingCause, u32)>,
     /// Time from which on it repeats, s.
     pub from: f64,
 }
@@ -57,7 +57,7 @@ impl Base {
     }
 
     /// Whether balls that pass belong to it.
-    pub fn has_ball_pass(&self) -> bool {
+    pub(crate) fn has_ball_pass(&self) -> bool {
         let passes =
             |(cause, _): &(ForcingCause, u32)| matches!(cause, ForcingCause::BallPass { .. });
         self.parts.iter().any(passes)

@@ -22,4 +22,4 @@ pub use motion::{Measured, Steady, SteadyQuestion, steady};
 pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response};
 pub use swing::Swing;
 
-pub use crate::shooting::Multipliers;
+pub use crate::shooting::{Multipliers, SpecialKind};

@@ -47,10 +47,10 @@ pub struct Study {
     /// What varies.
     pub variable: Variable,
     /// Its values and questions, in the order given.
-    pub points: Vec<StudyPoint>,
+    pub(crate) points: Vec<StudyPoint>,
     /// At how many azimuths around a bearing it is looked at, from +X on; where `None`, where its
     /// balls are.
-    pub positions: Option<usize>,
+    pub(crate) positions: Option<usize>,
 }
 
 /// The answer at one value.

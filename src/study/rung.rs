@@ -22,7 +22,7 @@ pub enum Rung {
 
 impl Rung {
     /// All rungs, from the cheapest to the top.
-    pub const ALL: [Self; 5] = [
+    pub(crate) const ALL: [Self; 5] = [
         Self::Linear,
         Self::Hertz,
         Self::HertzFilm,
@@ -31,18 +31,18 @@ impl Rung {
     ];
 
     /// Whether oil films part the surfaces.
-    pub fn has_film(self) -> bool {
+    pub(crate) fn has_film(self) -> bool {
         matches!(self, Self::HertzFilm | Self::JonesFilm)
     }
 
     /// Whether the balls have inertia.
-    pub fn has_ball_inertia(self) -> bool {
+    pub(crate) fn has_ball_inertia(self) -> bool {
         matches!(self, Self::Jones | Self::JonesFilm)
     }
 
     /// The bearing on this rung, its films of `oil` where the rung has films. Jones's law keeps the race
     /// control that the bearing has, or takes that of the outer race.
-    pub fn of(self, bearing: &MountedBearing, oil: Option<Oil>) -> MountedBearing {
+    pub(crate) fn of(self, bearing: &MountedBearing, oil: Option<Oil>) -> MountedBearing {
         let control = match bearing.law {
             ContactLaw::Jones(control) => control,
             _ => RaceControl::default(),

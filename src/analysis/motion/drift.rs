@@ -23,7 +23,7 @@ pub struct Drift {
 
 impl Drift {
     /// The larger of both changes.
-    pub fn largest(&self) -> f64 {
+    pub(crate) fn largest(&self) -> f64 {
         self.mean.abs().max(self.rms.abs())
     }
 

@@ -72,7 +72,7 @@ pub struct Section {
 
 impl Section {
     /// For `order` cycles a revolution.
-    pub fn new(kind: SectionKind, order: f64) -> Self {
+    pub(crate) fn new(kind: SectionKind, order: f64) -> Self {
         Self {
             kind,
             order,

@@ -25,9 +25,9 @@ pub struct Configuration {
     /// Law of the contacts.
     pub rung: Rung,
     /// Motion of the cages.
-    pub cage: CageMotion,
+    pub(crate) cage: CageMotion,
     /// Freedoms that move.
-    pub freedoms: Freedoms,
+    pub(crate) freedoms: Freedoms,
 }
 
 impl fmt::Display for Configuration {

@@ -20,6 +20,7 @@ pub use error::Errors;
 pub use grid::{Measured, Row};
 pub use ladder::{Configuration, Ladder, LadderRow};
 pub use reference::Agreement;
+pub use trace::Statistics;
 pub use trial::Cost;
 
 use self::reference::Reference;
@@ -35,7 +36,7 @@ pub struct NamedMethod {
     /// Its name.
     pub name: String,
     /// The method.
-    pub method: Method,
+    pub(crate) method: Method,
 }
 
 /// What to measure.

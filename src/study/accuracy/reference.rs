@@ -52,7 +52,7 @@ pub struct Agreement {
     pub irregular: bool,
     /// What errors are relative to.
     #[serde(flatten)]
-    pub scale: Scale,
+    pub(crate) scale: Scale,
 }
 
 /// Method and tolerance of a run.

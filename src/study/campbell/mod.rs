@@ -6,7 +6,8 @@ mod critical;
 use serde::Serialize;
 
 use crate::keys;
-use crate::rotor::{Mode, Rotor, RotorDefinition, RotorError, Whirl};
+pub use crate::rotor::Mode;
+use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
 use branches::follow;
 use critical::critical_speeds;
 
@@ -114,7 +115,7 @@ pub enum CampbellError {
 ///
 /// # Errors
 /// [`CampbellError::Range`] and [`CampbellError::Order`].
-pub fn check_range(
+pub(crate) fn check_range(
     [from, to]: [f64; 2],
     count: usize,
     orders: &[f64],

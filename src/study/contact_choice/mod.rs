@@ -56,7 +56,7 @@ pub struct ContactChoice {
     pub top: Rung,
     /// The cheaper rungs, the cheapest first.
     #[serde(rename = "cheaper")]
-    pub rungs: Vec<RungDifference>,
+    pub(crate) rungs: Vec<RungDifference>,
     /// Largest motion that was looked at, m.
     #[serde(rename = "motion_looked_at_m")]
     pub motion: f64,
