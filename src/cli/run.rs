@@ -11,9 +11,7 @@ use super::progress::Progress;
 use super::written::Written;
 use super::{Outcome, stop};
 use crate::integrate::IntegrateError;
-use crate::report::{
-    self, Failure as Cause, Outputs, RestartReader, RestartWriter, RunReport, RunSummary,
-};
+use crate::report::{self, Failure as Cause, RestartReader, RestartWriter, RunReport, RunSummary};
 use crate::scenario::Scenario;
 use crate::simulate::{
     Earlier, Model, Monitor, Part, Run, SimulateError, Standing, StateKeeper, simulate_part,
@@ -96,7 +94,7 @@ impl Motion<'_> {
         arguments: &Arguments,
     ) -> Result<Answer, Failure> {
         let started = Instant::now();
-        let mut report = self.open_report()?;
+        let mut report = RunReport::of(&self.job.scenario, &self.model, &self.job.folder)?;
         let (parts, resumed) = (&arguments.parts, restart.is_some());
         let mut keeper = parts.keeper(&report, self.job, &self.model)?;
         let mut part = Part {
@@ -137,32 +135,6 @@ impl Motion<'_> {
             }
             Err(other) => Err(other.into()),
         }
-    }
-
-    fn open_report(&self) -> Result<RunReport, report::ReportError> {
-        let Scenario {
-            title,
-            output,
-            echo,
-            ..
-        } = &self.job.scenario;
-        let outputs = Outputs {
-            trace: output.trace,
-            energy: self.model.energy || self.model.rotor.drive.is_some(),
-            drive: self.model.rotor.drive.is_some(),
-            balls: output.balls,
-            events: output.events,
-            spectrum: output.spectrum,
-            figures: output.figures,
-            page: output.report,
-            formats: output.formats.clone(),
-            every: output.every,
-            channels: output.channels.clone(),
-        };
-        let kept = self.model.rotor.shaft.freedoms.count();
-        let report = RunReport::open(&self.job.folder, outputs, title, echo.clone(), kept)?;
-        let scenario = &self.job.scenario;
-        Ok(report.with_choice(scenario.contact_choice.as_ref()))
     }
 
     /// Natural frequencies up to the highest speed, where the run is mapped.

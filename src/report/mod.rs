@@ -27,6 +27,7 @@ mod restart;
 mod run_report;
 mod run_up;
 pub(crate) mod sample_table;
+mod scenario_report;
 mod spectra;
 mod spectrum_csv;
 mod statics;
