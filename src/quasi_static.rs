@@ -35,6 +35,7 @@ pub enum TorsionCause {
 
 /// A static question about a shaft on its bearings.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct StaticQuestion {
     /// Shaft, bearings, loads and speed; the active freedoms find their place, the others are held.
     pub rotor: RotorDefinition,
@@ -59,6 +60,7 @@ pub struct Twist {
 
 /// The answer to a [`StaticQuestion`].
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct QuasiStatic {
     /// Displacement x, y, z in m and θx, θy in rad.
     #[serde(rename = "equilibrium", serialize_with = "keys::displacement")]

@@ -12,6 +12,7 @@ use crate::rotor::{FREEDOMS, Sample};
 
 /// A column of the table of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Channel {
     /// Time.
     Time,

@@ -6,6 +6,7 @@ use crate::rotor::Whirl;
 
 /// What a spectral line can be caused by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum LineKind {
     /// k × shaft frequency.
     ShaftOrder(u32),

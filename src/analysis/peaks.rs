@@ -18,6 +18,7 @@ const NOISE: f64 = 1e-9;
 
 /// A local maximum of an amplitude spectrum.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Peak {
     /// Quantity it was found in.
     pub channel: Channel,

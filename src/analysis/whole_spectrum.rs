@@ -10,6 +10,7 @@ const FEWEST_SAMPLES: usize = 16;
 
 /// Spectra of a run and their peaks.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Analysis {
     /// Spectra of all channels.
     pub spectrum: Spectrum,

@@ -17,6 +17,7 @@ use serde::{Deserialize, Serialize};
 /// Signal Processing for Measurement Systems* (2006), p. 72, for the five-term flat top.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum Window {
     /// No weighting: exact for lines on a bin, as on whole revolutions at constant speed.
     Rectangular,

@@ -5,6 +5,7 @@ use crate::physics::Material;
 
 /// Internal dimensions of a standard bearing, as printed.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct CatalogueEntry {
     /// Designation, for instance `7205C`.
     pub designation: &'static str,

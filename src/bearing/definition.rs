@@ -11,6 +11,7 @@ use crate::physics::{
 
 /// Why a bearing cannot be built or mounted.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum BearingError {
     /// The dimensions do not make a bearing.
     #[error(transparent)]

@@ -4,6 +4,7 @@ use crate::physics::{BallPass, ball_pass_frequencies};
 
 /// Why a set of dimensions is not a ball bearing.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum GeometryError {
     /// Too few or too many balls to be a bearing.
     #[error("{balls} balls: a ball bearing has {min} to {max}", min = Geometry::FEWEST_BALLS, max = Geometry::MOST_BALLS)]

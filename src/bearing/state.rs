@@ -11,6 +11,7 @@ use crate::physics::{BallPass, Race};
 /// Ellipse, pressure, approach and stiffness are those of the geometry's own Hertz contact under the
 /// load, for a bearing whose `contact_stiffness` is given for both races together, too.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct RaceContact {
     /// Normal load Q, N.
     #[serde(rename = "load_N")]
@@ -48,6 +49,7 @@ pub struct RaceContact {
 
 /// Oil film of one contact.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FilmState {
     /// Central thickness h_c, m.
     #[serde(rename = "central_m")]
@@ -75,6 +77,7 @@ pub struct Around {
 
 /// One ball in its place.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BallLine {
     /// Azimuth φ, rad, from +X towards +Y.
     #[serde(rename = "azimuth_rad")]
@@ -101,6 +104,7 @@ pub struct BallLine {
 
 /// A bearing under load.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BearingState {
     /// Displacement of the inner from the outer ring, in the bearing's own orientation, m and rad.
     #[serde(serialize_with = "keys::displacement")]

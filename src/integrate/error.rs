@@ -4,6 +4,7 @@ use super::Stiffness;
 
 /// Why an integration cannot go on; the samples up to `time` have been handed out.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum IntegrateError {
     /// The limit on the number of steps is reached.
     #[error(

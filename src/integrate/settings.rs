@@ -42,6 +42,7 @@ pub struct Settings {
 
 /// Work done by an integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[non_exhaustive]
 pub struct Counters {
     /// Accepted steps.
     pub steps: u64,

@@ -65,6 +65,7 @@ pub trait System {
 /// Tolerances then mean the same for a displacement of a nanometre and a speed of a metre per
 /// second.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Scaling {
     /// State that becomes zero.
     pub origin: Vec<f64>,

@@ -6,6 +6,7 @@ use super::{Curvature, complete_elliptic_first, complete_elliptic_second};
 
 /// Why a Hertz contact cannot be formed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum HertzError {
     /// The curvature difference is outside the range of an elliptic point contact.
     #[error(

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// What was being done to a file or folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum FileAction {
     /// Create a file or folder.
     Create,
@@ -33,6 +34,7 @@ impl fmt::Display for FileAction {
 
 /// Why a result did not get into its file.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ReportError {
     /// The file system refused.
     #[error("cannot {action} {}: {source}", path.display())]

@@ -15,6 +15,7 @@ use crate::bearing::{BearingError, Support, Vector5};
 
 /// Why a rotor cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum RotorError {
     /// A bearing cannot be built.
     #[error("bearing {number}: {source}")]

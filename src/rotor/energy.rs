@@ -11,6 +11,7 @@
 /// `W_bearings`, the work of the shaft on them, takes the place of U − U_0, and the difference of
 /// both is what the rotation exchanges with balls and films.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct EnergyBalance {
     /// T: of the mass and the tilts; of a driven shaft with its rotation.
     pub kinetic: f64,
@@ -24,6 +25,7 @@ pub struct EnergyBalance {
 
 /// Works since t = 0, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct Works {
     /// Supplied by the loads, the weight among them.
     pub loads: f64,

@@ -14,6 +14,7 @@ pub const FREEDOM_NAMES: [&str; FREEDOMS] = keys::AXES;
 
 /// Why a load has no static equilibrium.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum EquilibriumError {
     /// The shaft moves away without meeting resistance.
     #[error(
@@ -58,6 +59,7 @@ pub struct StaticProblem<'a> {
 
 /// A static equilibrium.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Equilibrium {
     /// Displacement, m and rad.
     pub displacement: Vector5,

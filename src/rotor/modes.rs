@@ -43,6 +43,7 @@ impl fmt::Display for Whirl {
 
 /// A natural frequency of the linearised rotor.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct NaturalFrequency {
     /// Undamped natural frequency |λ|/2π, Hz.
     #[serde(rename = "frequency_Hz")]
@@ -58,6 +59,7 @@ pub struct NaturalFrequency {
 
 /// A mode of vibration: an eigenvalue with its shape.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Mode {
     /// Eigenvalue λ of positive imaginary part, 1/s.
     pub eigenvalue: Complex<f64>,

@@ -45,6 +45,7 @@ pub struct Unconstrained {
 
 /// A scene that rests on a stiffness that is not there.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum UnconstrainedError {
     /// A linear bearing without stiffness.
     #[error(

@@ -13,6 +13,7 @@ const MOST_SHOWN: usize = 100;
 
 /// A scenario that cannot be run: everything that is wrong with it.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct ScenarioError {
     /// File name as given.
     pub name: String,

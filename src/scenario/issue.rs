@@ -7,6 +7,7 @@ use super::nearest::nearest;
 
 /// A problem of a scenario file, or of a value on the command line.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Issue {
     /// Key path, for instance `bearing[0].geometry.balls`; empty for the file as a whole.
     pub path: String,

@@ -62,6 +62,7 @@ use problems::Problems;
 
 /// Language of a scenario file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Format {
     /// TOML 1.0.
     Toml,
@@ -71,6 +72,7 @@ pub enum Format {
 
 /// A checked scenario.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Scenario {
     /// Its title, or the name of its file.
     pub title: String,

@@ -5,6 +5,7 @@ use crate::simulate::{RecordedRun, SimulateError};
 
 /// Why a scenario cannot be simulated.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ScenarioRunError {
     /// It asks nothing but where the shaft stands.
     #[error("the scenario has no [time], so that nothing moves: add one, with a duration")]

@@ -9,6 +9,7 @@ const REAL: f64 = 1e-9;
 
 /// What happens to a motion at a value of the parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SpecialKind {
     /// The branch turns round: a multiplier is 1, and two motions meet and vanish.
     Fold,

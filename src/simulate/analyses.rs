@@ -110,6 +110,7 @@ impl Default for Watched {
 
 /// Maps of a run whose speed changes.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Maps {
     /// Short-time spectra.
     pub waterfall: Waterfall,

@@ -7,6 +7,7 @@ use crate::rotor::{EnergyBalance, Sample, Works};
 
 /// Account of the energy of a run, J.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct EnergyReport {
     /// Kinetic energy at the end less that at the start.
     #[serde(rename = "kinetic_change_J")]

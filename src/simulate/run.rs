@@ -15,6 +15,7 @@ use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor};
 
 /// The static equilibrium that the run starts from, or is linearised about.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct StaticState {
     /// x, y, z in m and θx, θy in rad.
     #[serde(rename = "equilibrium", serialize_with = "keys::displacement")]
@@ -38,6 +39,7 @@ pub struct StaticState {
 
 /// Difference of the run from a second pass at a tenth of its tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct MeasuredError {
     /// Largest difference of a displacement (tilts times their arm), m.
     #[serde(rename = "displacement_m")]
@@ -62,6 +64,7 @@ impl MeasuredError {
 
 /// Everything that a run answers, except the trace itself, which went to the sink.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Run {
     /// Static equilibrium.
     #[serde(flatten)]

@@ -59,6 +59,7 @@ pub struct Monitor<'a> {
 
 /// Why a run failed.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum SimulateError {
     /// The rotor cannot be assembled.
     #[error(transparent)]

@@ -14,6 +14,7 @@ const LONGEST: u32 = 12;
 
 /// A frequency of which one or more forcings are multiples.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Base {
     /// Angular frequency, rad/s.
     pub frequency: f64,

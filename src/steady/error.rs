@@ -6,6 +6,7 @@ use crate::shooting::{MapError, ShootingError};
 
 /// Why no motion that repeats was found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SteadyError {
     /// The rotor cannot be assembled.
     #[error(transparent)]

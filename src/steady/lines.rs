@@ -14,6 +14,7 @@ const KEPT: usize = 4;
 
 /// A line.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct SteadyLine {
     /// Frequency, Hz.
     pub frequency: f64,
@@ -28,6 +29,7 @@ pub struct SteadyLine {
 
 /// The lines of all channels, by frequency.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct SteadyLines {
     /// The channels.
     pub channels: Vec<Channel>,

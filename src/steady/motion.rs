@@ -53,6 +53,7 @@ pub struct Measured {
 
 /// A steady motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Steady {
     /// The static equilibrium that it moves about.
     #[serde(skip)]

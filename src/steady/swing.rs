@@ -14,6 +14,7 @@ const FINER: usize = 4;
 
 /// How far a quantity swings.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Swing {
     /// The quantity.
     #[serde(serialize_with = "Channel::serialize_with_unit")]

@@ -21,6 +21,7 @@ use crate::rotor::{RotorError, build_supports};
 
 /// The number that varies.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Variable {
     /// Path of its key in the scenario, for instance `load[0].constant.z`.
     pub key: String,
@@ -43,6 +44,7 @@ pub struct StudyPoint {
 
 /// A one-dimensional study.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Study {
     /// What varies.
     pub variable: Variable,
@@ -55,6 +57,7 @@ pub struct Study {
 
 /// The answer at one value.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct StudyRow {
     /// Value of the variable, SI.
     pub value: f64,
@@ -67,6 +70,7 @@ pub struct StudyRow {
 /// A value whose question has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{key} = {shown} {unit}: {source}")]
+#[non_exhaustive]
 pub struct StudyError {
     /// Key that varies.
     pub key: String,

@@ -7,6 +7,7 @@ use crate::physics::RaceControl;
 
 /// What is simulated of every contact, the cheaper first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[non_exhaustive]
 pub enum Rung {
     /// Stiffness frozen at the static equilibrium.
     Linear,

@@ -2,6 +2,7 @@
 
 /// Why a spectrum could not be estimated.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum EstimateError {
     /// The record holds no segment.
     #[error(

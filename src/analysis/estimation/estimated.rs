@@ -6,6 +6,7 @@ use crate::analysis::{Channel, Leak, TopPower};
 
 /// What a column of a spectrum holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum SpectrumQuantity {
     /// A channel, in the scaling of the spectrum.
     Value(Channel),
@@ -23,6 +24,7 @@ pub enum SpectrumQuantity {
 
 /// A column of a spectrum.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct SpectrumColumn {
     /// What it holds.
     pub quantity: SpectrumQuantity,
@@ -36,6 +38,7 @@ pub struct SpectrumColumn {
 
 /// How a record was brought to equal shaft angles.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Resampling {
     /// Half of this is the highest order, samples per revolution.
     pub per_revolution: usize,
@@ -51,6 +54,7 @@ pub struct Resampling {
 
 /// A spectrum as it was asked for.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct EstimatedSpectrum {
     /// What was asked for.
     pub request: SpectrumRequest,

@@ -8,6 +8,7 @@ use crate::analysis::{Channel, Window};
 
 /// What is made of the channels.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum SpectrumKind {
     /// One one-sided spectrum a channel.
     Plain,

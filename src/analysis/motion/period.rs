@@ -38,6 +38,7 @@ pub struct Series {
 /// What kind of motion it is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(tag = "name", rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum Kind {
     /// There is none.
     Rest,
@@ -76,6 +77,7 @@ pub enum Kind {
 
 /// The kind of a motion and what speaks for it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Recognition {
     /// The kind.
     pub kind: Kind,

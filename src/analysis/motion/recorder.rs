@@ -48,6 +48,7 @@ pub struct MotionSettings {
 
 /// Statistics of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ChannelStatistics {
     /// The quantity.
     #[serde(serialize_with = "Channel::serialize_with_unit")]
@@ -59,6 +60,7 @@ pub struct ChannelStatistics {
 
 /// What a steady motion is like.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Motion {
     /// First sample, s.
     #[serde(rename = "start_s")]

@@ -19,6 +19,7 @@ const ON_THE_SPOT: f64 = 1e-9;
 /// When a point is taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum SectionKind {
     /// Once a revolution of the shaft.
     Revolution,
@@ -38,6 +39,7 @@ impl fmt::Display for SectionKind {
 
 /// The motion at one phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct PoincarePoint {
     /// Cycles of the section since the start.
     pub number: u64,
@@ -54,6 +56,7 @@ pub struct PoincarePoint {
 /// A point that falls on a sample is that sample; between samples, displacements and velocities are
 /// interpolated through four samples with their rates, of velocities those of the polynomial.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Section {
     /// What a point is taken of.
     #[serde(rename = "section")]

@@ -31,6 +31,7 @@ pub struct Track {
 
 /// All orders in one window.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct TrackPoint {
     /// Weighted mean time of the window, s.
     pub time: f64,
@@ -42,6 +43,7 @@ pub struct TrackPoint {
 
 /// Orders over a run.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct OrderTracks {
     /// Length of a window, revolutions of the shaft.
     pub revolutions: f64,

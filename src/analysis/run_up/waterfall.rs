@@ -12,6 +12,7 @@ const FEWEST: usize = 16;
 
 /// A short-time spectrum.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Slice {
     /// Middle of its window, s.
     pub time: f64,
@@ -24,6 +25,7 @@ pub struct Slice {
 /// Short-time spectra under a Hann window, each a quarter of a window after the one before and less its
 /// mean.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Waterfall {
     /// Samples of a window.
     pub length: usize,

@@ -28,6 +28,7 @@ impl Worst {
 
 /// What the comparison of a column found.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct ColumnComparison {
     /// Name of the column; of events, their kind.
     pub name: String,

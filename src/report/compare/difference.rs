@@ -7,6 +7,7 @@ use super::text::short;
 
 /// What keeps two results from being compared value by value.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Difference {
     /// Only one of two run folders has a file.
     File {

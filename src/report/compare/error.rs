@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 /// Why two results cannot be compared at all; that they differ is not an error.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum CompareError {
     /// A file cannot be opened or read.
     #[error("cannot read {}", path.display())]

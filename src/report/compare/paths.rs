@@ -16,6 +16,7 @@ const SPECTRA: [&str; 1] = ["spectrum.csv"];
 
 /// What the comparison of two results found; shown as a table by `Display`.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Comparison {
     /// Tables that both results have.
     pub tables: Vec<TableComparison>,

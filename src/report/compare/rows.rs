@@ -6,6 +6,7 @@ use super::{ColumnComparison, CompareError, Difference, Rules, Tolerances};
 
 /// What the comparison of two tables found.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct TableComparison {
     /// Name of the file in a run folder, or of the first file.
     pub name: String,

@@ -34,6 +34,7 @@ pub struct ModelInput {
 /// Force law of a bearing.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
+#[non_exhaustive]
 pub enum ContactChoice {
     /// The stiffness matrix at the static equilibrium, frozen.
     Linear,

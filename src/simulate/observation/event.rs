@@ -9,6 +9,7 @@ use crate::keys;
 
 /// Kind of an event.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum EventKind {
     /// A ball leaves the inner race: it falls below [`crate::bearing::ContactBand::lost`].
     ContactLost,
@@ -55,6 +56,7 @@ impl fmt::Display for EventKind {
 /// the acceleration over the speed of the approach. What comes and goes between two samples is
 /// missed.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Event {
     /// Time, s.
     pub time: f64,
@@ -77,6 +79,7 @@ impl Event {
 
 /// How often something happened.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct EventCount {
     /// Number of times.
     pub count: u64,

@@ -7,6 +7,7 @@ use crate::keys;
 
 /// What a run observed of one bearing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct BearingHistory {
     /// Number of its balls; zero for a linear bearing, which knows none and of which nothing is
     /// observed.

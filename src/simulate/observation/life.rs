@@ -60,6 +60,7 @@ impl Serialize for ConsumedLife {
 
 /// Life consumed over the whole run and without its start.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct LifeHistory {
     /// From the first sample to the last.
     pub whole_run: ConsumedLife,

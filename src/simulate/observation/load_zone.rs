@@ -18,6 +18,7 @@ pub struct Spread {
 /// Balls of a bearing that are loaded at the inner race, by the rule of
 /// [`crate::rotor::BallContacts::least_load`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct LoadZone {
     /// Number of loaded balls.
     #[serde(rename = "balls_loaded")]

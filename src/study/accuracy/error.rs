@@ -39,6 +39,7 @@ impl Scale {
 
 /// How far a run is from the reference.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct Errors {
     /// Of a displacement, m; tilts count by their arm.
     #[serde(rename = "displacement_m")]

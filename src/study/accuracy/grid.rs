@@ -17,6 +17,7 @@ const NEXT_TAKES: f64 = 2.2;
 
 /// A method at a tolerance.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Row {
     /// Name of the method.
     pub method: String,

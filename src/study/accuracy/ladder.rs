@@ -21,6 +21,7 @@ use crate::study::Rung;
 
 /// One way to simulate the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Configuration {
     /// Law of the contacts.
     pub rung: Rung,
@@ -82,6 +83,7 @@ pub struct Climb {
 
 /// The ladder of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Ladder {
     /// The top rung.
     #[serde(serialize_with = "keys::optional_name")]
@@ -93,6 +95,7 @@ pub struct Ladder {
 
 /// A rung.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct LadderRow {
     /// What it simulates.
     #[serde(rename = "model", serialize_with = "keys::name")]

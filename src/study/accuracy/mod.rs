@@ -32,6 +32,7 @@ use crate::simulate::{Model, Sampling, SimulateError};
 
 /// A method and the name that scenarios call it by.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct NamedMethod {
     /// Its name.
     pub name: String,
@@ -58,6 +59,7 @@ pub struct Question<'a> {
 
 /// Speed against error of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Accuracy {
     /// How far the reference can be trusted.
     #[serde(rename = "reference")]
@@ -74,6 +76,7 @@ pub struct Accuracy {
 
 /// Why speed cannot be measured against error.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum AccuracyError {
     /// A run failed, or was interrupted.
     #[error(transparent)]

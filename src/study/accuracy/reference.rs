@@ -29,6 +29,7 @@ const PARTS: usize = 16;
 
 /// How the reference was found, and how far it can be trusted.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Agreement {
     /// Method and tolerance of the reference.
     #[serde(rename = "run", serialize_with = "run")]

@@ -33,6 +33,7 @@ pub(super) struct Trial {
 
 /// What a bare integration costs.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Cost {
     /// Shortest time of all repeats, s.
     #[serde(rename = "wall_time_s")]

@@ -47,6 +47,7 @@ impl Branch {
 
 /// A speed at which a natural frequency is a multiple of the shaft's frequency.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CriticalSpeed {
     /// The multiple.
     pub order: f64,
@@ -69,6 +70,7 @@ pub struct CriticalSpeed {
 
 /// Natural frequencies over the speed.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Campbell {
     /// The speeds, rad/s, rising.
     pub speeds: Vec<f64>,
@@ -84,6 +86,7 @@ pub struct Campbell {
 
 /// Why there is no diagram.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CampbellError {
     /// The range holds no two speeds.
     #[error(
