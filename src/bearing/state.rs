@@ -63,13 +63,16 @@ pub struct FilmState {
 }
 
 /// What a ball at some azimuth bears.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Around {
     /// Azimuth φ, rad, from +X towards +Y.
+    #[serde(rename = "azimuth_rad")]
     pub azimuth: f64,
     /// Change of the distance of the groove centres from the unloaded one, m.
+    #[serde(rename = "deformation_m")]
     pub deformation: f64,
     /// Loads and contact angles.
+    #[serde(flatten)]
     pub contact: BallContact,
 }
 

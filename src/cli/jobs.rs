@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use super::{Outcome, stream};
+use crate::report::Destination;
 use crate::scenario::{self, Scenario};
 use crate::simulate::Model;
 
@@ -136,6 +137,16 @@ fn tasks<T>(
 }
 
 impl Job {
+    /// Where its results go.
+    pub fn destination(&self) -> Destination<'_> {
+        Destination {
+            folder: &self.folder,
+            title: &self.scenario.title,
+            scenario: &self.scenario.echo,
+            formats: &self.scenario.output.formats,
+        }
+    }
+
     /// Takes the motion, without the pass that measures its error where `no_verify` says so; `missing` is told
     /// where there is none.
     pub fn motion(&mut self, no_verify: bool, missing: &str) -> Result<Model, Failure> {

@@ -359,7 +359,7 @@ fn outcome(digest: Option<&Digest>) -> Outcome {
 fn show(title: &str, files: &[PathBuf], digest: Option<&Digest>, as_json: bool) -> io::Result<()> {
     let paths = files.iter().map(|file| file.display().to_string());
     if as_json {
-        let digest = digest.map_or(Value::Null, Digest::json);
+        let digest = digest.map(Digest::summary);
         let paths: Value = paths.collect();
         let document = json!({ "title": title, "digest": digest, "files": paths });
         return stream::print(&format!("{document:#}\n"));
