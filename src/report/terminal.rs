@@ -103,7 +103,7 @@ pub(super) fn table<'a>(
     }
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
-        column.set_padding((1, 0));
+        column.set_padding((2, 0));
     }
     table.trim_fmt()
 }
