@@ -8,6 +8,7 @@ mod assessment;
 mod ball_line;
 mod bearing_friction;
 pub mod catalogue;
+mod clearance;
 mod contact_band;
 mod contact_damping;
 mod definition;
@@ -33,6 +34,7 @@ mod thrust;
 mod warnings;
 
 pub(crate) use assessment::LOADED_SHARE;
+pub use clearance::{Clearance, ClearanceClass};
 pub use contact_band::ContactBand;
 pub use contact_damping::ContactDamping;
 pub use definition::{

@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use super::{BallContact, Matrix5, Vector5};
+use super::{BallContact, Clearance, Matrix5, Vector5};
 use crate::keys;
 use crate::physics::{BallPass, Race};
 
@@ -105,6 +105,8 @@ pub struct BallLine {
 /// A bearing under load.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BearingState {
+    /// Clearance of a deep-groove bearing; none of an angular contact bearing.
+    pub clearance: Option<Clearance>,
     /// Displacement of the inner from the outer ring, in the bearing's own orientation, m and rad.
     #[serde(serialize_with = "keys::displacement")]
     pub displacement: Vector5,
