@@ -68,7 +68,8 @@ impl<'a> RunSummary<'a> {
             }),
             spectrum: spectrum.map(|spectrum| SpectrumSummary {
                 spectrum,
-                scaling: "one-sided, peak values; phase of cos(2 pi f t + phase) with t from start_s",
+                scaling: "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
+                          phase of cos(2 pi f t + phase) with t from start_s",
             }),
             peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
             motion: run.motion.as_ref().map(MotionSummary::from),
