@@ -5,7 +5,7 @@ use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::{Outcome, stream};
 use crate::report::Destination;
@@ -51,7 +51,7 @@ pub struct Answer {
 
 impl Files {
     /// Checks all files and what `prepare` needs of them, then answers them in turn, as they come; JSON
-    /// stands in one document at the end.
+    /// stands in one document at the end, where a file without an answer has its `error`.
     ///
     /// # Errors
     /// Whatever keeps stdout from taking the answers.
@@ -73,8 +73,10 @@ impl Files {
                     stream::tell(&answer.told);
                 }
                 Err(failure) => {
-                    job.tell("error", &failure.to_string());
+                    let message = failure.to_string();
+                    job.tell("error", &message);
                     outcome = Outcome::Failed;
+                    documents.push(json!({ "file": job.name, "error": message }));
                 }
             }
         }
@@ -99,7 +101,10 @@ impl Files {
                     continue;
                 }
             };
-            let folder = self.out.join(file.file_stem().unwrap_or_default());
+            let Some(folder) = folder_of(file, &self.out) else {
+                complete = false;
+                continue;
+            };
             if let Some(other) = folders.insert(folder.clone(), file) {
                 stream::tell(&format!(
                     "error: {name} and {} would both write to {}; rename one or run them apart\n",
@@ -118,6 +123,21 @@ impl Files {
         }
         complete.then_some(jobs)
     }
+}
+
+/// The folder of a file's results in `out`, called like the file without its ending; none, after telling, where that is
+/// no name.
+pub fn folder_of(file: &Path, out: &Path) -> Option<PathBuf> {
+    let name = file.file_stem().unwrap_or_default();
+    if name.is_empty() || name == "." || name == ".." {
+        stream::tell(&format!(
+            "error: {}: the folder of the results is called like the file without its ending, and {name:?} is no name \
+             for a folder: rename the file\n",
+            file.display()
+        ));
+        return None;
+    }
+    Some(out.join(name))
 }
 
 /// The jobs with what they need; `None` where one lacks it, after telling of all of them.
