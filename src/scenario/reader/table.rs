@@ -130,8 +130,10 @@ fn missing_key(inner: &str, table: &str, schema: &Value) -> Issue {
     let table = without_indices(inner);
     match (schema["type"].as_str(), example(schema)) {
         (Some("object"), _) => issue.help(format!("add a table `[{table}]`")),
-        (_, Some(example)) => issue.help(format!("for instance: {key} = {example}")),
-        (Some("array"), None) => issue.help(format!("add a table `[[{table}]]`")),
+        (_, Some(example)) if !example[0].is_object() => {
+            issue.help(format!("for instance: {key} = {example}"))
+        }
+        (Some("array"), _) => issue.help(format!("add a table `[[{table}]]`")),
         _ => issue,
     }
 }
