@@ -100,7 +100,7 @@ pub(crate) fn simulate_part(
         method_use: main.method_use(),
         stiffness: main.stiffness(),
         samples: grid.count,
-        measured_error: reference.and_then(|reference| reference.measured(model, scale)),
+        measured_error: reference.and_then(|reference| reference.measured(model, &rotor, scale)),
         error_unknown: reference.and_then(Reference::failure),
     };
     Ok(answer(model, &rotor, work, observers, unconstrained))

@@ -4,9 +4,9 @@ use super::LineKind;
 use crate::physics::BallPass;
 use crate::rotor::NaturalFrequency;
 
-/// Shaft orders looked for, 1× … this.
+/// Shaft orders looked for, 1× … this, and multiples of a ball-pass frequency.
 const SHAFT_ORDERS: u32 = 20;
-/// Multiples of a ball-pass frequency looked for.
+/// Multiples of a ball-pass frequency whose sidebands and halves are looked for.
 const BALL_PASS_MULTIPLES: u32 = 6;
 /// Multiples of a cage frequency looked for.
 const CAGE_MULTIPLES: u32 = 3;
@@ -139,7 +139,8 @@ fn bearing_lines(bearing: usize, own: &BearingFrequencies, shaft: f64) -> Vec<Li
             operating: Some(operating),
         });
     };
-    for (multiple, sideband) in multiples(BALL_PASS_MULTIPLES) {
+    let higher = (BALL_PASS_MULTIPLES + 1..=SHAFT_ORDERS).map(|multiple| (multiple, 0));
+    for (multiple, sideband) in multiples(BALL_PASS_MULTIPLES).chain(higher) {
         let (factor, shift) = (f64::from(multiple), f64::from(sideband) * shaft);
         let outer = LineKind::BallPassOuter {
             bearing,

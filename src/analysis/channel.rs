@@ -32,7 +32,7 @@ pub enum Channel {
     LargestBallLoad,
     /// Number of balls in contact, all bearings together.
     BallsLoaded,
-    /// A term of the energy balance: kinetic, stored, then the works of [`crate::rotor::Works::values`].
+    /// A term of the energy balance: kinetic, stored, then the works of `rotor::Works::values`.
     Energy(usize),
     /// A quantity of a driven shaft: moments of drive, load, friction and vibration, twist.
     Drive(usize),

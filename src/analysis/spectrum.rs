@@ -1,5 +1,7 @@
 //! One-sided amplitude spectra.
 
+use std::f64::consts::PI;
+
 use serde::Serialize;
 
 use super::{Channel, Transform, Window};
@@ -17,12 +19,13 @@ pub struct ChannelSpectrum {
 }
 
 impl ChannelSpectrum {
-    /// Amplitudes and phases of a transformed channel under a window.
-    pub(crate) fn new(channel: Channel, transform: &Transform, window: Window) -> Self {
-        let bins = 0..transform.bins();
-        let (amplitude, phase) = bins
-            .map(|k| transform.amplitude_and_phase(k, window))
-            .unzip();
+    /// Amplitudes and phases of a transformed channel under a window. The mean stands alone at frequency zero: it is
+    /// taken away before the window, whose skirt around it would hide the lowest lines.
+    pub(crate) fn new(channel: Channel, transform: Transform, window: Window) -> Self {
+        let (mean, transform) = transform.split_mean();
+        let lines = (1..transform.bins()).map(|k| transform.amplitude_and_phase(k, window));
+        let mean = mean.map(|mean| (mean.abs(), if mean < 0.0 { PI } else { 0.0 }));
+        let (amplitude, phase) = mean.into_iter().chain(lines).unzip();
         Self {
             channel,
             amplitude,
@@ -73,5 +76,27 @@ impl Spectrum {
     /// Spectrum of one channel, if it was recorded.
     pub fn channel(&self, channel: Channel) -> Option<&ChannelSpectrum> {
         self.channels.iter().find(|entry| entry.channel == channel)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    #[test]
+    fn under_every_window_the_mean_stands_alone_at_frequency_zero() {
+        let value = |n: u32| -3.0 + 1e-6 * (0.5 * TAU * f64::from(n)).cos();
+        for window in [Window::Rectangular, Window::Hann, Window::FlatTop] {
+            let transform = Transform::new((0..64).map(value).collect());
+            let spectrum = ChannelSpectrum::new(Channel::Displacement(0), transform, window);
+            assert!((spectrum.amplitude[0] - 3.0).abs() < 1e-14);
+            assert_eq!(spectrum.phase[0], PI);
+            let skirt = spectrum.amplitude[1..8]
+                .iter()
+                .fold(0.0, |a: f64, b| a.max(*b));
+            assert!(skirt < 1e-14, "{window:?}: {skirt:e}");
+        }
     }
 }

@@ -103,6 +103,11 @@ impl Transform {
         self
     }
 
+    /// The mean, if there are samples, and the signal less it.
+    pub(super) fn split_mean(self) -> (Option<f64>, Self) {
+        (self.bins.first().map(|bin| bin.re), self.without_mean())
+    }
+
     /// One-sided amplitude (peak value) at bin `k` under `window`.
     ///
     /// Every line inside counts twice, for its image at −f; the mean and the line at half the

@@ -36,7 +36,7 @@ impl Recording {
             let values = self.channel(channel)[skipped..].to_vec();
             let transform = Transform::by_plan(values, plan.as_ref());
             found.extend(peaks(channel, &transform, spectrum.resolution, causes));
-            let entry = ChannelSpectrum::new(channel, &transform, window);
+            let entry = ChannelSpectrum::new(channel, transform, window);
             spectrum.channels.push(entry);
         }
         Some(Analysis {
@@ -58,14 +58,17 @@ impl Recording {
         for &channel in channels {
             let values = self.channel(channel)[skipped..].to_vec();
             let transform = Transform::by_plan(values, plan.as_ref());
-            let bins = 0..transform.bins();
+            let (mean, transform) = transform.split_mean();
+            let bins = 1..transform.bins();
             let is_kept = |k: &usize| {
                 spectrum
                     .order(*k)
                     .is_none_or(|order| order <= highest_order)
             };
-            let amplitudes = bins.take_while(is_kept);
-            let amplitude = amplitudes.map(|k| transform.amplitude(k, window)).collect();
+            let lines = bins
+                .take_while(is_kept)
+                .map(|k| transform.amplitude(k, window));
+            let amplitude = mean.map(f64::abs).into_iter().chain(lines).collect();
             spectrum.channels.push(ChannelSpectrum {
                 channel,
                 amplitude,

@@ -40,6 +40,7 @@ impl<'a> Assessment<'a> {
         let loads = || balls.iter().map(|ball| [ball.inner.load, ball.outer.load]);
         let bearing = self.bearing();
         BearingState {
+            clearance: self.bearing().clearance(),
             displacement: self.place,
             force,
             stiffness: support.seat.condense(stiffness),

@@ -1,6 +1,6 @@
 //! Bearings by their designation, each number with its source.
 
-use super::{Bearing, BearingError, FreePosition, Geometry};
+use super::{Bearing, BearingError, ClearanceClass, FreePosition, Geometry};
 use crate::physics::Material;
 
 /// Internal dimensions of a standard bearing, as printed.
@@ -132,15 +132,23 @@ impl Bearing {
 }
 
 impl CatalogueEntry {
-    /// Where the races stand without load; a deep-groove bearing is taken without clearance.
-    pub(crate) fn free_position(&self) -> FreePosition {
+    /// Bore, m.
+    pub fn bore(&self) -> f64 {
+        self.boundary_mm[0] / 1e3
+    }
+
+    /// Where the races stand without load: by the contact angle, or by the middle of a class of clearance of a
+    /// deep-groove bearing.
+    pub(crate) fn free_position(&self, class: ClearanceClass) -> FreePosition {
         match self.contact_angle_deg {
             Some(degrees) => FreePosition::ContactAngle(degrees.to_radians()),
-            None => FreePosition::DiametralClearance(0.0),
+            // every shipped bore stands in the table
+            None => FreePosition::DiametralClearance(class.middle(self.bore()).unwrap_or(0.0)),
         }
     }
 
-    /// The bearing in SI units, balls and rings of bearing steel.
+    /// The bearing in SI units, balls and rings of bearing steel, a deep-groove bearing with the clearance of
+    /// class CN.
     ///
     /// # Errors
     /// [`BearingError::Geometry`], which no shipped entry gives.
@@ -149,7 +157,7 @@ impl CatalogueEntry {
             self.balls,
             self.ball_diameter_mm / 1e3,
             self.pitch_diameter_mm / 1e3,
-            self.free_position(),
+            self.free_position(ClearanceClass::CN),
             self.groove_factor_inner,
             self.groove_factor_outer,
         )?;
@@ -162,6 +170,10 @@ impl CatalogueEntry {
             roughness: None,
             limiting_speed: None,
             shoulder_angle: None,
+            clearance_class: self
+                .contact_angle_deg
+                .is_none()
+                .then_some(ClearanceClass::CN),
         })
     }
 }

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{ContactDamping, ContactLaw, Geometry, GeometryError, Oil};
+use super::{Clearance, ClearanceClass, ContactDamping, ContactLaw, Geometry, GeometryError, Oil};
 use crate::physics::{
     Curvature, HertzContact, HertzError, Material, contact_modulus, inner_race_curvature,
     outer_race_curvature, series_stiffness,
@@ -86,6 +86,8 @@ pub struct Bearing {
     /// Angle at which the shoulders of the races end, from the radial plane, rad; where it is given,
     /// contacts that reach it are told.
     pub shoulder_angle: Option<f64>,
+    /// The class whose middle the clearance of a deep-groove bearing is, where it was taken from there.
+    pub clearance_class: Option<ClearanceClass>,
 }
 
 /// Speed factor `ω d_m`, m/s, above which manufacturers ask for bearings and lubrication of special
@@ -97,6 +99,15 @@ impl Bearing {
     pub fn highest_permissible_speed(&self) -> f64 {
         self.limiting_speed
             .unwrap_or(LIMITING_SPEED_FACTOR / self.geometry.pitch_diameter())
+    }
+
+    /// Clearance of a deep-groove bearing; none of an angular contact bearing.
+    pub fn clearance(&self) -> Option<Clearance> {
+        let diametral = self.geometry.diametral_clearance()?;
+        Some(Clearance {
+            diametral,
+            class: self.clearance_class,
+        })
     }
 
     /// Hertz contact of ball and inner race, curvature at the free contact angle.

@@ -89,6 +89,7 @@ pub struct Geometry {
     contact_angle: f64,
     rolling_angle: f64,
     nominal_angle: f64,
+    symmetric: bool,
     groove_factor_inner: f64,
     groove_factor_outer: f64,
 }
@@ -98,7 +99,7 @@ pub struct Geometry {
 pub enum FreePosition {
     /// Free contact angle α0 in rad (angular contact bearing).
     ContactAngle(f64),
-    /// Diametral clearance P_d in m (deep-groove bearing): α0 = acos(1 − P_d/(2A)).
+    /// Diametral clearance P_d in m (deep-groove bearing): α0 = acos(1 − P_d/(2A)) at either end of the axial play.
     DiametralClearance(f64),
     /// Radial clearance in m of a literature model that knows no contact angle: the races stand
     /// as with `DiametralClearance` of twice the value, the balls roll as at 0°.
@@ -175,6 +176,7 @@ impl Geometry {
             contact_angle,
             rolling_angle,
             nominal_angle,
+            symmetric: !matches!(free_position, FreePosition::ContactAngle(_)),
             groove_factor_inner,
             groove_factor_outer,
         })
@@ -256,6 +258,20 @@ impl Geometry {
         self.nominal_angle
     }
 
+    /// Whether the bearing is alike in both directions along its axis, as a deep-groove bearing is: the groove
+    /// centres stand opposite each other at zero displacement, in the middle of the axial play.
+    pub fn is_symmetric(&self) -> bool {
+        self.symmetric
+    }
+
+    /// Diametral clearance P_d = 2A(1 − cos α0) of a deep-groove bearing, m; none of an angular contact bearing.
+    pub fn diametral_clearance(&self) -> Option<f64> {
+        let half = (0.5 * self.contact_angle).sin();
+        // 1 − cos α0 = 2 sin²(α0/2)
+        self.symmetric
+            .then(|| 4.0 * self.groove_centre_distance() * half * half)
+    }
+
     /// Groove factor of the inner race f_i = r_i/D.
     pub fn groove_factor_inner(&self) -> f64 {
         self.groove_factor_inner
@@ -293,9 +309,13 @@ impl Geometry {
             + (self.groove_factor_inner - 0.5) * self.ball_diameter * self.contact_angle.cos()
     }
 
-    /// Axial distance of the groove centres at zero displacement, A sin α0, m.
+    /// Axial distance of the groove centres at zero displacement, m: A sin α0 of an angular contact bearing, whose
+    /// free contact angle just closes there; 0 of a deep-groove bearing in the middle of its play.
     pub fn free_axial(&self) -> f64 {
-        self.groove_centre_distance() * self.contact_angle.sin()
+        match self.symmetric {
+            true => 0.0,
+            false => self.groove_centre_distance() * self.contact_angle.sin(),
+        }
     }
 
     /// Radial distance of the groove centres at zero displacement, A cos α0, m.

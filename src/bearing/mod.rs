@@ -8,6 +8,7 @@ mod assessment;
 mod ball_line;
 mod bearing_friction;
 pub(crate) mod catalogue;
+mod clearance;
 mod contact_band;
 mod contact_damping;
 pub(crate) mod definition;
@@ -34,6 +35,7 @@ mod warnings;
 
 pub(crate) use assessment::LOADED_SHARE;
 pub use catalogue::{CATALOGUE, CatalogueEntry, UnknownBearing};
+pub use clearance::{Clearance, ClearanceClass};
 pub(crate) use contact_band::ContactBand;
 pub(crate) use contact_damping::ContactDamping;
 pub use definition::{Bearing, BearingError, LIMITING_SPEED_FACTOR};

@@ -19,7 +19,7 @@ pub struct BallLoads {
     pub approach: Vec<f64>,
     /// Largest of the loads at the inner and the outer race, N.
     pub largest: [f64; 2],
-    /// Sums over the balls of Q_i³ and Q_o^(10/3): what [`super::RatingLife::consumption`] takes.
+    /// Sums over the balls of Q_i³ and Q_o^(10/3): what `RatingLife::consumption` takes.
     pub life_powers: [f64; 2],
 }
 

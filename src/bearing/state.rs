@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use super::{BallContact, Matrix5, Vector5};
+use super::{BallContact, Clearance, Matrix5, Vector5};
 use crate::keys;
 use crate::physics::{BallPass, Race};
 
@@ -65,13 +65,16 @@ pub struct FilmState {
 }
 
 /// What a ball at some azimuth bears.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Around {
     /// Azimuth φ, rad, from +X towards +Y.
+    #[serde(rename = "azimuth_rad")]
     pub azimuth: f64,
     /// Change of the distance of the groove centres from the unloaded one, m.
+    #[serde(rename = "deformation_m")]
     pub deformation: f64,
     /// Loads and contact angles.
+    #[serde(flatten)]
     pub contact: BallContact,
 }
 
@@ -106,6 +109,8 @@ pub struct BallLine {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct BearingState {
+    /// Clearance of a deep-groove bearing; none of an angular contact bearing.
+    pub clearance: Option<Clearance>,
     /// Displacement of the inner from the outer ring, in the bearing's own orientation, m and rad.
     #[serde(serialize_with = "keys::displacement")]
     pub displacement: Vector5,

@@ -53,12 +53,12 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
     let scenario = &job.scenario;
     let accuracy = measure(job, model, arguments)?;
-    let (title, echo) = (&scenario.title, &scenario.echo);
-    let files = report::write_accuracy(&job.folder, title, echo, &accuracy)?;
+    let destination = job.destination();
+    let files = report::write_accuracy(&destination, &accuracy)?;
     let choice = scenario.contact_choice.as_ref();
     let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
-    let text = report::accuracy_text(title, &accuracy, &files) + &chosen;
-    let json = report::document(title, echo, &accuracy);
+    let text = report::accuracy_text(destination.title, &accuracy, &files) + &chosen;
+    let json = destination.document(&accuracy);
     Ok(Answer::new(text, json, &files))
 }
 

@@ -35,18 +35,18 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 fn answer(job: &Job) -> Result<Answer, Failure> {
-    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
+    let destination = job.destination();
     let answer = quasi_static(&job.scenario.question)?;
     job.warn(&answer.warnings);
-    let files = report::write_answer(&job.folder, title, echo, &answer)?;
+    let files = report::write_answer(&destination, &answer)?;
     let choice = job.scenario.contact_choice.as_ref();
     let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
-    let text = report::answer_text(title, &answer, &files) + &chosen;
+    let text = report::answer_text(destination.title, &answer, &files) + &chosen;
     let shown = Shown {
         answer: &answer,
         contact_choice: choice,
     };
-    let json = report::document(title, echo, shown);
+    let json = destination.document(shown);
     Ok(Answer::new(text, json, &files))
 }
 
@@ -60,7 +60,7 @@ struct Shown<'a> {
 }
 
 fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {
-    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
+    let destination = job.destination();
     let rows = study.run()?;
     for row in &rows {
         let variable = &study.variable;
@@ -69,8 +69,8 @@ fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {
         let warnings = row.answer.warnings.iter();
         job.warn(warnings.map(|warning| format!("{place}: {warning}")));
     }
-    let files = report::write_study(&job.folder, title, echo, study, &rows)?;
-    let text = report::study_text(title, study, &rows, &files);
-    let json = report::study_json(title, echo, study, &rows);
+    let files = report::write_study(&destination, study, &rows)?;
+    let text = report::study_text(destination.title, study, &rows, &files);
+    let json = report::study_json(&destination, study, &rows);
     Ok(Answer::new(text, json, &files))
 }

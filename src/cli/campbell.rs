@@ -54,7 +54,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
-    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
+    let destination = job.destination();
     let question = CampbellQuestion {
         rotor: job.scenario.question.rotor.clone(),
         from: arguments.from,
@@ -63,8 +63,8 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
         orders: arguments.orders.clone(),
     };
     let campbell = question.solve()?;
-    let files = report::write_campbell(&job.folder, title, echo, &campbell)?;
-    let text = report::campbell_text(title, &campbell, &files);
-    let json = report::campbell_json(title, echo, &campbell);
+    let files = report::write_campbell(&destination, &campbell)?;
+    let text = report::campbell_text(destination.title, &campbell, &files);
+    let json = report::campbell_json(&destination, &campbell);
     Ok(Answer::new(text, json, &files))
 }

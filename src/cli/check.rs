@@ -1,21 +1,21 @@
 //! `jeffcott check`.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
 use super::{Outcome, stream};
-use crate::scenario::{self, Scenario, ScenarioError};
+use crate::scenario::{self, ScenarioError};
 
-/// Checks scenario files without running them; shows all that is wrong.
+/// Checks scenario and study files without running them; shows all that is wrong.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott check scenarios/steady-7205c.toml\n\n\
                         Exit code: 0 all files are right, 2 a file is wrong."
 )]
 pub struct Arguments {
-    /// Scenario files, .toml or .json
+    /// Scenario or study files, .toml or .json
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Print the findings as JSON
@@ -28,7 +28,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let mut outcome = Outcome::Done;
     let mut findings = Vec::new();
     for file in &arguments.files {
-        let checked = scenario::load(file);
+        let checked = check(file);
         if checked.is_err() {
             outcome = Outcome::WrongInput;
         }
@@ -45,7 +45,26 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     Ok(outcome)
 }
 
-fn finding(name: &str, checked: &Result<Scenario, ScenarioError>) -> Value {
+/// A file that is right.
+struct Checked {
+    title: String,
+    warnings: Vec<String>,
+}
+
+fn check(file: &Path) -> Result<Checked, ScenarioError> {
+    if scenario::is_study(file) {
+        return scenario::load_study(file).map(|study| Checked {
+            title: study.title,
+            warnings: Vec::new(),
+        });
+    }
+    scenario::load(file).map(|scenario| Checked {
+        title: scenario.title,
+        warnings: scenario.warnings,
+    })
+}
+
+fn finding(name: &str, checked: &Result<Checked, ScenarioError>) -> Value {
     match checked {
         Ok(scenario) => json!({
             "file": name,
@@ -64,7 +83,7 @@ fn finding(name: &str, checked: &Result<Scenario, ScenarioError>) -> Value {
     }
 }
 
-fn show(name: &str, checked: &Result<Scenario, ScenarioError>) -> io::Result<()> {
+fn show(name: &str, checked: &Result<Checked, ScenarioError>) -> io::Result<()> {
     match checked {
         Ok(scenario) => {
             for warning in &scenario.warnings {

@@ -5,9 +5,10 @@ use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::{Outcome, stream};
+use crate::report::Destination;
 use crate::scenario::{self, Scenario};
 use crate::simulate::Model;
 
@@ -50,7 +51,7 @@ pub struct Answer {
 
 impl Files {
     /// Checks all files and what `prepare` needs of them, then answers them in turn, as they come; JSON
-    /// stands in one document at the end.
+    /// stands in one document at the end, where a file without an answer has its `error`.
     ///
     /// # Errors
     /// Whatever keeps stdout from taking the answers.
@@ -72,8 +73,10 @@ impl Files {
                     stream::tell(&answer.told);
                 }
                 Err(failure) => {
-                    job.tell("error", &failure.to_string());
+                    let message = failure.to_string();
+                    job.tell("error", &message);
                     outcome = Outcome::Failed;
+                    documents.push(json!({ "file": job.name, "error": message }));
                 }
             }
         }
@@ -98,7 +101,10 @@ impl Files {
                     continue;
                 }
             };
-            let folder = self.out.join(file.file_stem().unwrap_or_default());
+            let Some(folder) = folder_of(file, &self.out) else {
+                complete = false;
+                continue;
+            };
             if let Some(other) = folders.insert(folder.clone(), file) {
                 stream::tell(&format!(
                     "error: {name} and {} would both write to {}; rename one or run them apart\n",
@@ -119,6 +125,21 @@ impl Files {
     }
 }
 
+/// The folder of a file's results in `out`, called like the file without its ending; none, after telling, where that is
+/// no name.
+pub fn folder_of(file: &Path, out: &Path) -> Option<PathBuf> {
+    let name = file.file_stem().unwrap_or_default();
+    if name.is_empty() || name == "." || name == ".." {
+        stream::tell(&format!(
+            "error: {}: the folder of the results is called like the file without its ending, and {name:?} is no name \
+             for a folder: rename the file\n",
+            file.display()
+        ));
+        return None;
+    }
+    Some(out.join(name))
+}
+
 /// The jobs with what they need; `None` where one lacks it, after telling of all of them.
 fn tasks<T>(
     jobs: Vec<Job>,
@@ -136,6 +157,16 @@ fn tasks<T>(
 }
 
 impl Job {
+    /// Where its results go.
+    pub fn destination(&self) -> Destination<'_> {
+        Destination {
+            folder: &self.folder,
+            title: &self.scenario.title,
+            scenario: &self.scenario.echo,
+            formats: &self.scenario.output.formats,
+        }
+    }
+
     /// Takes the motion, without the pass that measures its error where `no_verify` says so; `missing` is told
     /// where there is none.
     pub fn motion(&mut self, no_verify: bool, missing: &str) -> Result<Model, Failure> {

@@ -123,16 +123,16 @@ fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure>
 type Found = (String, Value, Vec<PathBuf>);
 
 fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Found, Failure> {
-    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
+    let destination = job.destination();
     let found = steady(&SteadyQuestion {
         model,
         multiple: arguments.period,
         stop: stop::flag(),
     })?;
     job.warn(&found.warnings);
-    let files = report::write_steady(&job.folder, title, echo, model, &found)?;
-    let text = report::steady_text(title, model, &found, &files);
-    let json = report::steady_json(title, echo, model, &found);
+    let files = report::write_steady(&destination, model, &found)?;
+    let text = report::steady_text(destination.title, model, &found, &files);
+    let json = report::steady_json(&destination, model, &found);
     Ok((text, json, files))
 }
 
@@ -142,8 +142,8 @@ fn along(
     stretch: &Stretch,
     arguments: &Arguments,
 ) -> Result<Found, Failure> {
-    let (title, echo) = (&job.scenario.title, &job.scenario.echo);
-    let mut progress = Progress::new(title);
+    let destination = job.destination();
+    let mut progress = Progress::new(destination.title);
     let varied = &stretch.varied;
     let question = ResponseQuestion {
         model,
@@ -159,8 +159,8 @@ fn along(
     let lost = branches.iter().filter(|branch| branch.lost);
     job.warn(lost.map(|branch| &branch.end));
     let variable = &stretch.variable;
-    let files = report::write_response(&job.folder, title, echo, variable, &branches)?;
-    let text = report::response_text(title, variable, &branches, &files);
-    let json = report::response_json(title, echo, variable, &branches);
+    let files = report::write_response(&destination, variable, &branches)?;
+    let text = report::response_text(destination.title, variable, &branches, &files);
+    let json = report::response_json(&destination, variable, &branches);
     Ok((text, json, files))
 }

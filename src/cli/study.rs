@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
+use super::jobs::folder_of;
 use super::progress::Progress;
 use super::{Outcome, stop, stream};
 use crate::report::many::{
@@ -110,7 +111,9 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         }
     };
     let name = file.display().to_string();
-    let folder = make.out.join(file.file_stem().unwrap_or_default());
+    let Some(folder) = folder_of(file, &make.out) else {
+        return Ok(Outcome::WrongInput);
+    };
     let told = match Task::new(&study, make, folder) {
         Ok(task) => task.run(),
         Err(failure) => Err(failure),
@@ -138,6 +141,8 @@ enum Failure {
     Simulate(#[from] SimulateError),
     #[error("there is no run {number}: they count from 0 to {last}")]
     NoRun { number: u64, last: u64 },
+    #[error("there is no part {number} of {count}: the study has {most} to share at most")]
+    NoPart { number: u64, count: u64, most: u64 },
     #[error("run {number}: {message}")]
     Run { number: u64, message: String },
     #[error("{0}; with that mended the same command goes on from what is done")]
@@ -162,6 +167,7 @@ impl Failure {
         match self {
             Self::First(_)
             | Self::NoRun { .. }
+            | Self::NoPart { .. }
             | Self::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }) => {
                 Outcome::WrongInput
             }
@@ -217,6 +223,15 @@ impl<'a> Task<'a> {
     fn all(&self, maker: &Maker<'_>) -> Result<Outcome, Failure> {
         let started = Instant::now();
         let shard = self.make.shard.unwrap_or(Shard::WHOLE);
+        let most = self.schedule.chains();
+        if shard.count > most.max(1) {
+            let Shard { number, count } = shard;
+            return Err(Failure::NoPart {
+                number,
+                count,
+                most,
+            });
+        }
         let layout = Layout {
             variables: &self.study.variables,
             columns: &self.study.columns,
@@ -359,7 +374,7 @@ fn outcome(digest: Option<&Digest>) -> Outcome {
 fn show(title: &str, files: &[PathBuf], digest: Option<&Digest>, as_json: bool) -> io::Result<()> {
     let paths = files.iter().map(|file| file.display().to_string());
     if as_json {
-        let digest = digest.map_or(Value::Null, Digest::json);
+        let digest = digest.map(Digest::summary);
         let paths: Value = paths.collect();
         let document = json!({ "title": title, "digest": digest, "files": paths });
         return stream::print(&format!("{document:#}\n"));

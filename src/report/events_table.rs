@@ -1,18 +1,7 @@
 //! The events of a run as rows of a table.
 
-use super::table::{Column, ColumnKind};
+use super::table::Column;
 use crate::simulate::{Event, EventKind};
-
-/// Names of the kinds, in their order.
-const KINDS: [&str; EventKind::ALL.len()] = {
-    let mut names = [""; EventKind::ALL.len()];
-    let mut place = 0;
-    while place < names.len() {
-        names[place] = EventKind::ALL[place].name();
-        place += 1;
-    }
-    names
-};
 
 /// Columns of `events.csv`, in their order.
 pub const EVENT_COLUMNS: [&str; 4] = ["t_s", "event", "bearing", "ball"];
@@ -22,9 +11,9 @@ pub fn event_columns() -> [Column; 4] {
     let [time, event, bearing, ball] = EVENT_COLUMNS;
     [
         Column::number(time),
-        Column::of(event, ColumnKind::Word(&KINDS)),
-        Column::of(bearing, ColumnKind::Count),
-        Column::of(ball, ColumnKind::Count),
+        Column::words(event, EventKind::ALL.map(EventKind::name)),
+        Column::count(bearing),
+        Column::count(ball),
     ]
 }
 

@@ -1,6 +1,6 @@
 //! What is kept of a run that cannot go on, under names that do not look whole.
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::FileSet;
 use crate::integrate::{Counters, IntegrateError};
@@ -20,30 +20,43 @@ pub struct Failure<'a> {
     pub counters: Counters,
 }
 
-/// The failure as JSON, every number with its unit in its name.
-///
-/// `trace` names what keeps the trace up to the failure, `earlier` are the files of an earlier run that
-/// stand in the same folder.
-pub(super) fn failure_json(
-    title: &str,
-    scenario: &Value,
-    failure: &Failure<'_>,
+/// What `failure.json` says after version, title and scenario.
+#[derive(Debug, Serialize)]
+pub(super) struct FailureSummary<'a> {
+    /// Why the run cannot go on, with what helps.
+    error: String,
+    /// The same in one word.
+    kind: &'static str,
+    /// Time up to which it went, s.
+    time_s: f64,
+    /// Samples up to there.
     samples: u64,
-    trace: &[String],
-    earlier: &[String],
-) -> Value {
-    json!({
-        "jeffcott": env!("CARGO_PKG_VERSION"),
-        "title": title,
-        "scenario": scenario,
-        "error": failure.error.to_string(),
-        "kind": kind(failure.error),
-        "time_s": failure.error.time(),
-        "samples": samples,
-        "counters": failure.counters,
-        "trace": trace.first(),
-        "of_an_earlier_run": earlier,
-    })
+    /// Work done until then.
+    counters: Counters,
+    /// The file that keeps the trace up to the failure.
+    trace: Option<&'a String>,
+    /// Files of an earlier run that stand in the same folder.
+    of_an_earlier_run: &'a [String],
+}
+
+impl<'a> FailureSummary<'a> {
+    /// Of a failure after some samples, with the traces that are kept and the files of an earlier run.
+    pub fn new(
+        failure: &Failure<'_>,
+        samples: u64,
+        traces: &'a [String],
+        earlier: &'a [String],
+    ) -> Self {
+        Self {
+            error: failure.error.to_string(),
+            kind: kind(failure.error),
+            time_s: failure.error.time(),
+            samples,
+            counters: failure.counters,
+            trace: traces.first(),
+            of_an_earlier_run: earlier,
+        }
+    }
 }
 
 /// The kind of failure in one word, for programs.
@@ -61,11 +74,8 @@ impl FileSet {
     /// What a run leaves that cannot go on; beside it an earlier run may stand whole.
     pub const FAILURE: Self = Self {
         seal: "failure.json",
-        others: &[
-            "trace.until-failure.csv",
-            "trace.until-failure.parquet",
-            "trace.until-failure.mat",
-        ],
+        tables: &["trace.until-failure"],
+        others: &[],
         spent: &[],
     };
 }

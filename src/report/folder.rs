@@ -5,14 +5,17 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use super::figure::Figure;
-use super::table::Table;
+use super::table::{Column, Origin, Table, TableFiles};
 use super::{FileAction, ReportError};
+use crate::scenario::TableFormat;
 
 /// Names of the files that one verb leaves in a folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FileSet {
     /// The file that says that the set is whole: removed before the first rename, renamed last.
     pub seal: &'static str,
+    /// Tables, which stand in any of their formats; a name with a `*` as among the others.
+    pub tables: &'static [&'static str],
     /// Files that may stand beside the seal; those of an earlier run do not outlive the next. A name
     /// with a `*` stands for all that begin and end as it does.
     pub others: &'static [&'static str],
@@ -24,48 +27,30 @@ impl FileSet {
     /// What a motion leaves.
     pub const MOTION: Self = Self {
         seal: "summary.json",
+        tables: &[
+            "trace",
+            "energy",
+            "drive",
+            "trace_balls",
+            "events",
+            "spectrum",
+            "peaks",
+            "spectrum_*",
+            "poincare",
+            "waterfall",
+            "order_tracks",
+            "campbell",
+        ],
         others: &[
-            "trace.csv",
-            "trace.parquet",
-            "trace.mat",
-            "energy.csv",
-            "energy.parquet",
-            "energy.mat",
-            "drive.csv",
-            "drive.parquet",
-            "drive.mat",
-            "trace_balls.csv",
-            "trace_balls.parquet",
-            "trace_balls.mat",
-            "events.csv",
-            "events.parquet",
-            "events.mat",
-            "spectrum.csv",
-            "peaks.csv",
-            "spectrum_*.csv",
-            "spectrum_*.parquet",
-            "spectrum_*.mat",
-            "spectrum_*.svg",
-            "spectrum.parquet",
-            "spectrum.mat",
             "trace.svg",
             "spectrum.svg",
-            "report.html",
-            "poincare.csv",
-            "poincare.parquet",
-            "poincare.mat",
+            "spectrum_*.svg",
             "orbit.svg",
-            "waterfall.csv",
-            "waterfall.parquet",
-            "waterfall.mat",
             "waterfall.svg",
-            "order_tracks.csv",
-            "order_tracks.parquet",
-            "order_tracks.mat",
             "order_tracks.svg",
-            "campbell.csv",
             "campbell.svg",
             "campbell.json",
+            "report.html",
         ],
         spent: &[
             "restart.bin",
@@ -78,12 +63,10 @@ impl FileSet {
     /// What the answer to a static question leaves; a study of the same name does not outlive it.
     pub const BEARING: Self = Self {
         seal: "bearing.json",
+        tables: &["balls", "study", "around"],
         others: &[
-            "balls.csv",
             "balls.svg",
             "study.json",
-            "study.csv",
-            "around.csv",
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
@@ -93,21 +76,18 @@ impl FileSet {
     /// What natural frequencies over the speed leave.
     pub const CAMPBELL: Self = Self {
         seal: "campbell.json",
-        others: &["campbell.csv", "campbell.svg"],
+        tables: &["campbell"],
+        others: &["campbell.svg"],
         spent: &[],
     };
     /// What many runs of a scenario leave.
     pub const RUNS: Self = Self {
         seal: "runs.json",
+        tables: &["runs", "spectra", "poincare", "traces", "stiffness"],
         others: &[
-            "runs.csv",
-            "spectra.csv",
-            "poincare.csv",
-            "traces.csv",
             "response.svg",
             "map.svg",
             "sensitivity.svg",
-            "stiffness.csv",
             "ross_*.toml",
             "waterfall.svg",
             "bifurcation.svg",
@@ -118,41 +98,45 @@ impl FileSet {
     /// What a measurement of speed against error leaves.
     pub const ACCURACY: Self = Self {
         seal: "accuracy.json",
-        others: &["accuracy.csv", "ladder.csv", "accuracy.svg", "ladder.svg"],
+        tables: &["accuracy", "ladder"],
+        others: &["accuracy.svg", "ladder.svg"],
         spent: &[],
     };
     /// What a steady motion leaves.
     pub const STEADY: Self = Self {
         seal: "steady.json",
-        others: &[
-            "steady_trace.csv",
-            "steady_spectrum.csv",
-            "steady_trace.svg",
-            "steady_spectrum.svg",
-        ],
+        tables: &["steady_trace", "steady_spectrum"],
+        others: &["steady_trace.svg", "steady_spectrum.svg"],
         spent: &[],
     };
     /// What steady motions along a parameter leave.
     pub const RESPONSE: Self = Self {
         seal: "response.json",
-        others: &["response.csv", "response_specials.csv", "response.svg"],
+        tables: &["response", "response_specials"],
+        others: &["response.svg"],
         spent: &[],
     };
     /// What a study leaves; a single answer of the same name does not outlive it.
     pub const STUDY: Self = Self {
         seal: "study.json",
+        tables: &["study", "around", "balls"],
         others: &[
-            "study.csv",
-            "around.csv",
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
             "bearing.json",
-            "balls.csv",
             "balls.svg",
         ],
         spent: &[],
     };
+
+    /// Names of what may stand beside the seal.
+    fn beside(self) -> impl Iterator<Item = String> {
+        let tables = self.tables.iter().flat_map(|stem| {
+            TableFormat::ALL.map(|format| format!("{stem}.{}", format.extension()))
+        });
+        tables.chain(self.others.iter().map(|name| (*name).to_owned()))
+    }
 }
 
 /// A folder that takes the files of one run.
@@ -164,6 +148,8 @@ impl FileSet {
 pub struct RunFolder {
     path: PathBuf,
     set: FileSet,
+    formats: Vec<TableFormat>,
+    origin: Origin,
 }
 
 impl RunFolder {
@@ -176,7 +162,23 @@ impl RunFolder {
         Ok(Self {
             path: path.to_owned(),
             set,
+            formats: vec![TableFormat::Csv],
+            origin: Origin::default(),
         })
+    }
+
+    /// The same with tables in these formats, which say what they come from.
+    pub(super) fn with_tables(self, formats: &[TableFormat], origin: Origin) -> Self {
+        Self {
+            formats: formats.to_vec(),
+            origin,
+            ..self
+        }
+    }
+
+    /// Formats of the tables, and what these come from.
+    pub(super) fn tables(&self) -> (&[TableFormat], &Origin) {
+        (&self.formats, &self.origin)
     }
 
     /// Its path.
@@ -228,12 +230,32 @@ impl RunFolder {
         self.write(&figure.file, figure.svg()?.as_bytes())
     }
 
-    /// Writes the table `stem`.
+    /// Writes the table `stem` in every format.
     ///
     /// # Errors
-    /// [`ReportError::File`] where it cannot be created or written.
-    pub(super) fn write_table(&self, stem: &str, table: &Table) -> Result<WholeFile, ReportError> {
-        self.write_with(&format!("{stem}.csv"), |file| table.write_csv(file))
+    /// [`ReportError::File`] where a file cannot be created or written.
+    pub(super) fn write_table(
+        &self,
+        stem: &str,
+        table: &Table,
+    ) -> Result<Vec<WholeFile>, ReportError> {
+        self.write_rows(stem, &table.columns(), |take| table.rows(take))
+    }
+
+    /// Writes the table `stem` in every format; `rows` gives its rows one by one.
+    ///
+    /// # Errors
+    /// As [`RunFolder::write_table`].
+    pub(super) fn write_rows(
+        &self,
+        stem: &str,
+        columns: &[Column],
+        rows: impl FnOnce(&mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()>,
+    ) -> Result<Vec<WholeFile>, ReportError> {
+        let mut files = TableFiles::open(self, stem, columns)?;
+        rows(&mut |row| files.row(row))
+            .map_err(ReportError::file(FileAction::Write, &self.path))?;
+        files.close()
     }
 
     /// Gives all files their names, the seal with the content `sealed` last, and removes
@@ -256,10 +278,10 @@ impl RunFolder {
         sealed: &[u8],
     ) -> Result<Vec<PathBuf>, ReportError> {
         files.push(self.write(set.seal, sealed)?);
-        self.remove(std::iter::once(&set.seal).chain(set.others))?;
+        self.remove(std::iter::once(set.seal.to_owned()).chain(set.beside()))?;
         let paths: Result<_, _> = files.into_iter().map(WholeFile::rename).collect();
         let paths = paths?;
-        self.remove(set.spent)?;
+        self.remove(set.spent.iter().map(|name| (*name).to_owned()))?;
         Ok(paths)
     }
 
@@ -268,8 +290,8 @@ impl RunFolder {
         if !self.path.join(self.set.seal).exists() {
             return Vec::new();
         }
-        let others = self.set.others.iter();
-        let others = others.flat_map(|pattern| self.matching(pattern));
+        let others = self.set.beside();
+        let others = others.flat_map(|pattern| self.matching(&pattern));
         let others = others.filter(|name| self.path.join(name).exists());
         std::iter::once(self.set.seal.to_owned())
             .chain(others)
@@ -292,11 +314,9 @@ impl RunFolder {
         names
     }
 
-    fn remove<'a>(
-        &self,
-        names: impl IntoIterator<Item = &'a &'static str>,
-    ) -> Result<(), ReportError> {
-        for name in names.into_iter().flat_map(|pattern| self.matching(pattern)) {
+    fn remove(&self, names: impl IntoIterator<Item = String>) -> Result<(), ReportError> {
+        let names = names.into_iter();
+        for name in names.flat_map(|pattern| self.matching(&pattern)) {
             let path = self.path.join(name);
             remove_if_there(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
         }

@@ -1,6 +1,6 @@
 //! What a run observed of its bearings, for people.
 
-use super::terminal::Lines;
+use super::terminal::{Lines, clearance_text};
 use crate::simulate::{BearingHistory, EventCount, EventKind, Spread};
 
 /// Two lines a bearing: what its balls did, and its life.
@@ -11,6 +11,9 @@ pub(super) fn put_histories(out: &mut Lines, bearings: &[BearingHistory]) {
             1 => String::new(),
             _ => format!("bearing {}: ", index + 1),
         };
+        if let Some(clearance) = &bearing.clearance {
+            out.line("clearance", format!("{name}{}", clearance_text(clearance)));
+        }
         if let Some(zone) = &bearing.load_zone {
             let loaded = balls_loaded(&zone.balls, bearing.balls);
             out.line("load zone", format!("{name}{loaded}{}", losses(bearing)));

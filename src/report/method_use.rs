@@ -1,6 +1,6 @@
 //! Which method carried a run whose method was left open, and why: for people and as JSON.
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::scenario;
@@ -37,15 +37,35 @@ pub(super) fn method_use_text(used: &MethodUse) -> String {
     line
 }
 
-/// The method of the first step, why it, and where and why another went on.
-pub(super) fn method_use_json(used: &MethodUse) -> Value {
-    json!({
-        "method": name(used.first),
-        "why": why(used.first),
-        "change": used.change.map(|(reason, time)| json!({
-            "time_s": time,
-            "method": name(used.latest()),
-            "why": why_changed(reason),
-        })),
-    })
+/// Which method carried a run, and why.
+#[derive(Debug, Serialize)]
+pub(super) struct MethodUseSummary {
+    /// The method of the first step.
+    method: &'static str,
+    /// Why it was chosen.
+    why: &'static str,
+    /// The method that went on from it, if any.
+    change: Option<MethodChange>,
+}
+
+/// Where another method went on, and why.
+#[derive(Debug, Serialize)]
+struct MethodChange {
+    time_s: f64,
+    method: &'static str,
+    why: &'static str,
+}
+
+impl From<&MethodUse> for MethodUseSummary {
+    fn from(used: &MethodUse) -> Self {
+        Self {
+            method: name(used.first),
+            why: why(used.first),
+            change: used.change.map(|(reason, time)| MethodChange {
+                time_s: time,
+                method: name(used.latest()),
+                why: why_changed(reason),
+            }),
+        }
+    }
 }

@@ -8,6 +8,7 @@ mod columns;
 pub mod compare;
 mod contact_choice;
 mod decimator;
+mod destination;
 mod document;
 mod error;
 mod events_table;
@@ -46,6 +47,7 @@ pub(crate) use ball_table::{ball_columns, ball_row};
 pub(crate) use campbell::{campbell_json, campbell_text, write_campbell};
 pub(crate) use contact_choice::contact_choice_text;
 pub(crate) use decimator::{Bucket, Decimator};
+pub(crate) use destination::Destination;
 pub(crate) use document::document;
 pub use error::{FileAction, ReportError};
 pub(crate) use events_table::EVENT_COLUMNS;
@@ -58,9 +60,8 @@ pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole}
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub use run_report::RunReport;
 pub(crate) use run_report::{KeptFiles, Outputs};
-pub(crate) use sample_table::TraceCsv;
 #[cfg(test)]
-pub(crate) use sample_table::trace_columns;
+pub(crate) use sample_table::{TraceCsv, trace_columns};
 pub use spectrum_csv::write_spectrum;
 pub(crate) use statics::{answer_text, write_answer};
 pub(crate) use steady::{
@@ -71,6 +72,6 @@ pub use summary::RunSummary;
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::ParquetTable;
 #[cfg(test)]
-pub(crate) use table::{Column, ColumnKind, CsvTable, MatTable, Origin};
+pub(crate) use table::{Column, CsvTable, MatTable, Origin};
 pub(crate) use terminal::wrapped;
 pub(crate) use text::text;

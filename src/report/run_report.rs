@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::ball_table::{ball_columns, ball_row};
 use super::campbell;
 use super::events_table::{event_columns, event_row};
-use super::failure::{Failure, failure_json, until_failure};
+use super::failure::{Failure, FailureSummary, until_failure};
 use super::figure_spectrum::frequency_limit_of;
 use super::motion::{orbit_figure, write_poincare};
 use super::page::Page;
@@ -19,7 +19,7 @@ use super::run_up::write_maps;
 use super::sample_table::SampleTable;
 use super::spectra::{estimated_figure, write_estimated};
 use super::spectrum_csv::{spectrum_columns, spectrum_rows};
-use super::table::{Column, Origin, TableFiles, TableTarget};
+use super::table::{Column, Origin, TableFiles};
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
     RunSummary, TraceFigure, WholeFile, document, spectrum_figure,
@@ -86,7 +86,6 @@ pub struct RunReport {
     folder: RunFolder,
     title: String,
     scenario: Value,
-    origin: Origin,
     outputs: Outputs,
     trace: Option<(SampleTable, TableFiles)>,
     /// Energy and drive.
@@ -117,12 +116,12 @@ impl RunReport {
         scenario: Value,
         freedoms: usize,
     ) -> Result<Self, ReportError> {
+        let origin = Origin {
+            scenario: scenario.to_string(),
+        };
         let mut report = Self {
-            folder: RunFolder::open(folder, FileSet::MOTION)?,
+            folder: RunFolder::open(folder, FileSet::MOTION)?.with_tables(&outputs.formats, origin),
             title: title.to_owned(),
-            origin: Origin {
-                scenario: scenario.to_string(),
-            },
             scenario,
             trace: None,
             tables: Vec::new(),
@@ -175,8 +174,7 @@ impl RunReport {
     }
 
     fn open_table(&self, stem: &str, columns: &[Column]) -> Result<TableFiles, ReportError> {
-        let formats = &self.outputs.formats;
-        TableFiles::open(&self.folder, stem, formats, columns, &self.origin)
+        TableFiles::open(&self.folder, stem, columns)
     }
 
     /// Whether the sample that was taken last goes to the tables.
@@ -222,14 +220,8 @@ impl RunReport {
             .iter()
             .map(|format| until_failure(*format))
             .collect();
-        let json = failure_json(
-            &self.title,
-            &self.scenario,
-            failure,
-            self.samples,
-            &names,
-            &earlier,
-        );
+        let summary = FailureSummary::new(failure, self.samples, &names, &earlier);
+        let json = document(&self.title, &self.scenario, summary);
         let trace = self.trace.map(|(_, files)| files.close()).transpose()?;
         let files = trace.into_iter().flatten().zip(&names);
         let files = files.map(|(file, name)| file.named(name)).collect();
@@ -250,11 +242,7 @@ impl RunReport {
         let (choice, campbell) = (self.contact_choice.as_ref(), self.campbell.as_ref());
         let summary = RunSummary::new(model, run, choice, campbell);
         let summary = document(&self.title, &self.scenario, summary);
-        let target = TableTarget {
-            folder: &self.folder,
-            formats: &self.outputs.formats,
-            origin: &self.origin,
-        };
+        let folder = &self.folder;
         let mut files = Vec::new();
         let trace = self.trace.map(|(_, files)| files);
         let tables = self.tables.into_iter().map(|(_, files)| files);
@@ -273,11 +261,11 @@ impl RunReport {
         if let Some(spectrum) = &run.spectrum {
             if self.outputs.spectrum {
                 let columns = spectrum_columns(spectrum);
-                files.extend(
-                    target.write("spectrum", &columns, |take| spectrum_rows(spectrum, take))?,
-                );
+                let rows =
+                    |take: &mut dyn FnMut(&[f64]) -> io::Result<()>| spectrum_rows(spectrum, take);
+                files.extend(folder.write_rows("spectrum", &columns, rows)?);
                 let peaks = peak_table(&run.peaks, spectrum);
-                files.push(self.folder.write_table("peaks", &peaks)?);
+                files.extend(folder.write_table("peaks", &peaks)?);
             }
             if self.outputs.figures {
                 let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;
@@ -285,7 +273,7 @@ impl RunReport {
             }
         }
         if let Some(motion) = &run.motion {
-            files.extend(write_poincare(motion, target)?);
+            files.extend(write_poincare(motion, folder)?);
             if self.outputs.figures {
                 let figure = orbit_figure(&self.title, motion);
                 files.push(self.folder.write_figure(&figure)?);
@@ -293,7 +281,7 @@ impl RunReport {
         }
         let (title, figures) = (&self.title, self.outputs.figures);
         if let Some(maps) = &run.maps {
-            files.extend(write_maps(target, title, maps, figures)?);
+            files.extend(write_maps(folder, title, maps, figures)?);
         }
         if let Some(campbell) = &self.campbell {
             files.extend(campbell::write_files(
@@ -305,7 +293,7 @@ impl RunReport {
         }
         let limit = frequency_limit_of(run);
         for spectrum in &run.spectra {
-            files.extend(write_estimated(spectrum, target)?);
+            files.extend(write_estimated(spectrum, folder)?);
             if self.outputs.figures {
                 let figure = estimated_figure(title, spectrum, limit);
                 files.push(self.folder.write_figure(&figure)?);

@@ -1,30 +1,29 @@
 //! The summary of a run.
 
 use serde::Serialize;
-use serde_json::Value;
 
-use super::method_use::method_use_json;
+use super::method_use::MethodUseSummary;
 use super::motion::MotionSummary;
 use super::named_peak::NamedPeak;
-use super::run_up::maps_json;
-use super::spectra::estimated_json;
+use super::run_up::MapsSummary;
+use super::spectra::EstimatedSummary;
 use crate::analysis::Spectrum;
 use crate::simulate::{MeasuredError, Model, Run};
 use crate::study::ContactChoice;
 use crate::study::campbell::{Campbell, CriticalSpeed};
 
-/// Everything that a run answers except trace and spectra: `summary.json` is [`super::document`] of it.
+/// Everything that a run answers except trace and spectra: `summary.json` is `document` of it.
 #[derive(Debug, Serialize)]
 pub struct RunSummary<'a> {
     #[serde(flatten)]
     run: &'a Run,
-    method_use: Option<Value>,
+    method_use: Option<MethodUseSummary>,
     measured_error: Option<ErrorSummary<'a>>,
     spectrum: Option<SpectrumSummary<'a>>,
     peaks: Vec<NamedPeak<'a>>,
     motion: Option<MotionSummary<'a>>,
-    maps: Option<Value>,
-    spectra: Vec<Value>,
+    maps: Option<MapsSummary<'a>>,
+    spectra: Vec<EstimatedSummary<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     contact_choice: Option<&'a ContactChoice>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -61,7 +60,7 @@ impl<'a> RunSummary<'a> {
         let peaks = run.peaks.iter();
         Self {
             run,
-            method_use: run.method_use.as_ref().map(method_use_json),
+            method_use: run.method_use.as_ref().map(MethodUseSummary::from),
             measured_error: run.measured_error.as_ref().map(|error| ErrorSummary {
                 error,
                 tolerance: model.integrator.tolerance,
@@ -69,12 +68,13 @@ impl<'a> RunSummary<'a> {
             }),
             spectrum: spectrum.map(|spectrum| SpectrumSummary {
                 spectrum,
-                scaling: "one-sided, peak values; phase of cos(2 pi f t + phase) with t from start_s",
+                scaling: "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
+                          phase of cos(2 pi f t + phase) with t from start_s",
             }),
             peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
             motion: run.motion.as_ref().map(MotionSummary::from),
-            maps: run.maps.as_ref().map(maps_json),
-            spectra: run.spectra.iter().map(estimated_json).collect(),
+            maps: run.maps.as_ref().map(MapsSummary::from),
+            spectra: run.spectra.iter().map(EstimatedSummary::from).collect(),
             contact_choice,
             critical_speeds: campbell.map(|campbell| &campbell.critical_speeds[..]),
         }

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use comfy_table::{CellAlignment, Table, presets};
 
 use super::units::MICRO;
+use crate::bearing::Clearance;
 
 /// Most characters of a line.
 const WIDTH: usize = 100;
@@ -93,9 +94,13 @@ pub(super) fn table<'a>(
     for row in rows {
         table.add_row(row);
     }
-    for column in table.column_iter_mut().skip(1) {
-        column.set_cell_alignment(CellAlignment::Right);
-        column.set_padding((1, 0));
+    for (index, column) in table.column_iter_mut().enumerate() {
+        if index == 0 {
+            column.set_padding((1, 0));
+        } else {
+            column.set_padding((2, 0));
+            column.set_cell_alignment(CellAlignment::Right);
+        }
     }
     table.trim_fmt()
 }
@@ -108,6 +113,18 @@ pub(super) fn listed(parts: impl IntoIterator<Item = String>) -> String {
 /// A value, or a dash where there is none.
 pub(super) fn or_dash(value: Option<String>) -> String {
     value.unwrap_or_else(|| "–".to_owned())
+}
+
+/// `12.5000 µm diametral, the middle of class CN`.
+pub(super) fn clearance_text(clearance: &Clearance) -> String {
+    let size = decimal(MICRO * clearance.diametral);
+    match clearance.class {
+        Some(class) => format!(
+            "{size} µm diametral, from the middle of class {}",
+            class.name()
+        ),
+        None => format!("{size} µm diametral"),
+    }
 }
 
 /// A measured error, in m and of the motion, beside the tolerances of the motion and of its reference.

@@ -4,12 +4,13 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
+use super::static_search::POSITION_ROUND_OFF;
 use super::unconstrained::NOTHING;
 use super::{CageMotion, FREEDOMS, Load, Rotor};
 use crate::bearing::{BearingRotation, Geometry, Support};
 
-/// Round-off of a position between the races, relative to the groove centre distance.
-const POSITION_ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+/// Smallest error of a position that a tolerance can ask for, relative to the groove centre distance.
+const SMALLEST_ERROR: f64 = 4.0 * f64::EPSILON;
 /// Positions of the cage within one ball spacing at which the varying force is looked at.
 const CAGE_POSITIONS: usize = 8;
 
@@ -44,7 +45,7 @@ impl Rotor {
     pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
         let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
         let frequency = self.highest_frequency();
-        let smallest = POSITION_ROUND_OFF / tolerance * self.groove_centre_distance();
+        let smallest = SMALLEST_ERROR / tolerance * self.groove_centre_distance();
         let length = smallest
             .max(self.unbalance_response(arm))
             .max(self.load_response(arm))
@@ -55,6 +56,12 @@ impl Rotor {
             arm,
             frequency,
         }
+    }
+
+    /// Round-off of a displacement in a motion, m: that of the positions between the races, from which the forces
+    /// follow. No two passes of a method show it, for they share it.
+    pub(crate) fn displacement_round_off(&self) -> f64 {
+        POSITION_ROUND_OFF * self.groove_centre_distance()
     }
 
     /// Highest natural frequency of a freedom by itself, rad/s, or the speed where that is higher;

@@ -9,7 +9,7 @@ const ACCEPTED_RESIDUAL: f64 = 1e-9;
 /// Residual that is round-off: nothing is left to gain.
 const CONVERGED: f64 = 1e-14;
 /// Round-off of a position between the races, in groove centre distances.
-const POSITION_ROUND_OFF: f64 = 16.0 * f64::EPSILON;
+pub(super) const POSITION_ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Newton steps before giving up.
 const STEP_LIMIT: usize = 200;
 /// Displacement, in groove centre distances, beyond which no ball bearing is in one piece.

@@ -55,6 +55,16 @@ impl Document {
         })
     }
 
+    /// Whether it is a study file: it names the scenario that it starts from.
+    pub fn is_study(&self) -> bool {
+        self.root.find("base").is_some() && self.root.find("shaft").is_none()
+    }
+
+    /// Whether it is a scenario: it has a shaft.
+    pub fn is_scenario(&self) -> bool {
+        self.root.find("shaft").is_some() && self.root.find("base").is_none()
+    }
+
     /// The folder that files named in it are relative to.
     pub fn folder(&self) -> &Path {
         Path::new(&self.name).parent().unwrap_or(Path::new(""))
@@ -69,6 +79,14 @@ impl Document {
     /// Nothing found yet in it.
     pub fn problems(&self) -> Problems<'_> {
         Problems::new(&self.root, self.folder())
+    }
+
+    /// The error of a single problem, shown where it stands.
+    pub fn refused(&self, issue: Issue) -> ScenarioError {
+        let mut problems = self.problems();
+        problems.add(issue);
+        let (issues, _) = problems.finish();
+        self.error(issues)
     }
 
     /// Everything that is wrong with it.

@@ -102,6 +102,11 @@ pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
     check(&Document::open(path)?)
 }
 
+/// Whether a file can be read and is a study file, not a scenario.
+pub fn is_study(path: &Path) -> bool {
+    Document::open(path).is_ok_and(|document| document.is_study())
+}
+
 /// Reads and checks the text of a scenario; `name` is what messages call it.
 ///
 /// # Errors
@@ -111,6 +116,11 @@ pub fn parse(text: &str, name: &str, format: Format) -> Result<Scenario, Scenari
 }
 
 fn check(document: &Document) -> Result<Scenario, ScenarioError> {
+    if document.is_study() {
+        let message = "this is a study file: it names the scenario that its runs start from";
+        let issue = Issue::new("base", message).help("use `jeffcott study`, or give that scenario");
+        return Err(document.refused(issue));
+    }
     let mut problems = document.problems();
     let built = build(&mut problems);
     let echo = built.as_ref().map(|(input, _)| echo(input));
@@ -141,8 +151,17 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
 /// The tables of a scenario and what they ask.
 fn build(problems: &mut Problems<'_>) -> Option<(ScenarioInput, Questions)> {
     let input: ScenarioInput = reader::read(schema(), problems)?;
+    check_title(input.title.as_deref(), problems);
     let questions = input.build(problems)?;
     Some((input, questions))
+}
+
+/// Refuses what a terminal or a figure would take for a command.
+fn check_title(title: Option<&str>, problems: &mut Problems<'_>) {
+    if title.is_some_and(|title| title.contains(char::is_control)) {
+        let issue = Issue::new("title", "a title is one line without control characters");
+        problems.refuse(issue);
+    }
 }
 
 /// What a scenario asks with one number put in; the files that it names stand in `folder`.

@@ -118,11 +118,16 @@ impl<'a> Reference<'a> {
         Ok(())
     }
 
-    pub fn measured(&self, model: &Model, scale: &MotionScale) -> Option<MeasuredError> {
-        let relative = self.difference / self.excursion.max(scale.length);
+    pub fn measured(
+        &self,
+        model: &Model,
+        rotor: &Rotor,
+        scale: &MotionScale,
+    ) -> Option<MeasuredError> {
+        let displacement = self.difference + rotor.displacement_round_off();
         self.failure.is_none().then(|| MeasuredError {
-            displacement: self.difference,
-            relative,
+            displacement,
+            relative: displacement / self.excursion.max(scale.length),
             reference_tolerance: reference_settings(model).tolerance,
             counters: self.integration.counters(),
         })

@@ -37,11 +37,11 @@ pub struct StaticState {
     pub bearings: Vec<Option<BearingState>>,
 }
 
-/// Difference of the run from a second pass at a tenth of its tolerance.
+/// Difference of the run from a second pass at a tenth of its tolerance, with the round-off that both share.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct MeasuredError {
-    /// Largest difference of a displacement (tilts times their arm), m.
+    /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
     /// The same relative to the motion: the largest excursion from the static equilibrium, or the

@@ -1,7 +1,7 @@
 //! The stair past the wait: a [`Model`](crate::simulate::Model) goes in, the motion that it settles to comes out, found directly
 //! instead of waiting for the start to die. No files, no clock, no printing.
 //!
-//! [`steady`] finds the motion of a scene, [`response`] follows it along a parameter.
+//! [`steady`] finds the motion of a scene, `response` follows it along a parameter.
 
 mod basis;
 mod error;

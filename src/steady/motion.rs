@@ -39,10 +39,10 @@ pub struct SteadyQuestion<'a> {
     pub stop: &'a AtomicBool,
 }
 
-/// Distance of the motion from one found again at a tenth of the tolerance.
+/// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Measured {
-    /// Largest difference of a displacement (tilts times their arm), m.
+    /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
     /// The same relative to the largest excursion from the static equilibrium.
@@ -297,6 +297,7 @@ fn measured(
             excursion = excursion.max(lever * (second - rest).abs());
         }
     }
+    displacement += map.rotor.displacement_round_off();
     Ok(Measured {
         displacement,
         relative: displacement / excursion,

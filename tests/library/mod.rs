@@ -8,6 +8,7 @@ mod accuracy;
 mod allocations;
 mod architecture;
 mod bearing_state;
+mod deep_groove;
 mod endings;
 mod equilibrium;
 mod hard_cases;

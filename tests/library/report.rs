@@ -23,7 +23,7 @@ use crate::simulate::{
     Analyses, BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
     MeasuredError, Model, Run, Sampling, Spread, StaticState, TraceSink,
 };
-use crate::tests::support::{bearing, mounted};
+use crate::tests::support::{bearing, mounted, without_clearance};
 use tempfile::TempDir;
 
 const SPEED: f64 = 500.0;
@@ -116,6 +116,7 @@ fn history() -> BearingHistory {
     };
     let count = |count, span| EventCount { count, span };
     BearingHistory {
+        clearance: None,
         balls: 12,
         events: vec![
             (EventKind::ContactLost, count(7, Some([0.01, 0.09]))),
@@ -366,7 +367,7 @@ fn the_trace_of_balls_has_four_columns_a_ball_and_reads_back_bit_by_bit() {
         law: ContactLaw::Linear,
         ..mounted(bearing("7205C"))
     };
-    definition.bearings = vec![linear, mounted(bearing("6305"))];
+    definition.bearings = vec![linear, mounted(without_clearance("6305"))];
     let rotor = Rotor::assemble(&definition).unwrap();
     let mut contacts = rotor.ball_contacts();
     let mut state = rotor.start();

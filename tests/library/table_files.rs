@@ -1,6 +1,6 @@
 //! Tables in other formats than CSV: long ones, block by block.
 
-use crate::report::{Column, ColumnKind, MatTable, Origin};
+use crate::report::{Column, MatTable, Origin};
 use matfile::{MatFile, NumericData};
 
 #[test]
@@ -9,7 +9,7 @@ fn a_mat_file_of_many_blocks_is_put_together_in_order() {
     let columns = [
         Column::number("t"),
         Column::number("x_m"),
-        Column::of("n", ColumnKind::Count),
+        Column::count("n"),
     ];
     let origin = Origin {
         scenario: "{}".to_owned(),

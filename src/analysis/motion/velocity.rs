@@ -15,7 +15,7 @@ pub struct VelocityLevel {
     /// RMS, m/s.
     #[serde(rename = "rms_m_s")]
     pub rms: f64,
-    /// Lowest and highest frequency that counts, Hz: of [`VELOCITY_BAND`] what the sampling resolves.
+    /// Lowest and highest frequency that counts, Hz: of `VELOCITY_BAND` what the sampling resolves.
     #[serde(rename = "band_Hz")]
     pub band: [f64; 2],
 }

@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
 
 use crate::analysis::Channel;
 use crate::rotor::Sample;
@@ -12,7 +13,7 @@ use crate::rotor::Sample;
 const OVERLAP: f64 = 4.0;
 
 /// An order that is tracked.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct TrackedOrder {
     /// What it is called: `1×`, `BPFO`.
     pub name: String,

@@ -1,5 +1,7 @@
 //! What a ball law is: the seam between the contacts of one ball and the ring.
 
+use serde::Serialize;
+
 use super::{BallState, RaceFilms};
 use crate::bearing::number::{Dual, Function, Number, Plain};
 use crate::physics::FilmContact;
@@ -77,19 +79,24 @@ pub struct BallResponse<T = f64> {
 }
 
 /// State of one ball's two contacts, for people to read.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct BallContact {
     /// Normal load at the inner race, N.
+    #[serde(rename = "load_inner_N")]
     pub load_inner: f64,
     /// Normal load at the outer race, N.
+    #[serde(rename = "load_outer_N")]
     pub load_outer: f64,
     /// Contact angle at the inner race, rad.
+    #[serde(rename = "angle_inner_rad")]
     pub angle_inner: f64,
     /// Contact angle at the outer race, rad.
+    #[serde(rename = "angle_outer_rad")]
     pub angle_outer: f64,
     /// Approach of ball and inner race, m: of dry surfaces, so less than the elastic one by the
     /// film, and negative where they are apart. A law without ball inertia knows only that of both
     /// races together.
+    #[serde(rename = "approach_m")]
     pub approach: f64,
 }
 
@@ -98,7 +105,7 @@ pub struct BallContact {
 /// An implementation is a pure function: the same arguments give the same bytes, and every position, contact or
 /// none, has an answer.
 pub trait ForceLaw {
-    /// Whether [`BallForce::couple`] can differ from zero; the ring leaves it out otherwise.
+    /// Whether `BallForce::couple` can differ from zero; the ring leaves it out otherwise.
     const HAS_COUPLE: bool;
 
     /// Force at a shaft speed in rad/s. Free of branches where its speed counts: it runs in the innermost loop.
@@ -116,7 +123,7 @@ pub trait ForceLaw {
     }
 }
 
-/// The law of one ball, written once for every [`Number`].
+/// The law of one ball, written once for every `Number`.
 pub trait BallLaw {
     /// Whether the ball has inertia: then its force has a couple, and where it lifts off depends on the speed.
     const HAS_INERTIA: bool = false;

@@ -35,11 +35,11 @@ const ERRORS: [Named<Errors, Option<f64>>; 11] = [
 ];
 
 /// Whole numbers of a cost.
-const COUNTS: [Named<Cost, u64>; 4] = [
+const COUNTS: [Named<Cost, f64>; 4] = [
     ("repeats", |cost| cost.repeats.into()),
-    ("steps", |cost| cost.counters.steps),
-    ("rejected", |cost| cost.counters.rejected),
-    ("evaluations", |cost| cost.counters.evaluations),
+    ("steps", |cost| cost.counters.steps as f64),
+    ("rejected", |cost| cost.counters.rejected as f64),
+    ("evaluations", |cost| cost.counters.evaluations as f64),
 ];
 
 /// Methods × tolerances.
@@ -86,10 +86,7 @@ fn add_costs(table: &mut Table, costs: &[Option<Cost>]) {
     let seconds = costs.iter().map(|cost| Some(cost.as_ref()?.seconds));
     table.numbers("wall_time_s", seconds);
     for (name, count) in COUNTS {
-        table.words(
-            name,
-            costs.iter().map(|cost| or_blank(cost.as_ref().map(count))),
-        );
+        table.counts(name, costs.iter().map(|cost| cost.as_ref().map(count)));
     }
 }
 

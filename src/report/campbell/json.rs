@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::super::document;
+use super::super::Destination;
 use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
 
@@ -32,7 +32,7 @@ struct BranchSummary {
 }
 
 /// Critical speeds and what they rest on; the modes stand in `campbell.csv`.
-pub fn campbell_json(title: &str, scenario: &Value, campbell: &Campbell) -> Value {
+pub fn campbell_json(destination: &Destination<'_>, campbell: &Campbell) -> Value {
     let summary = CampbellSummary {
         from: campbell.speeds.first(),
         to: campbell.speeds.last(),
@@ -42,7 +42,7 @@ pub fn campbell_json(title: &str, scenario: &Value, campbell: &Campbell) -> Valu
         least_assurance: campbell.least_assurance,
         critical_speeds: &campbell.critical_speeds,
     };
-    document(title, scenario, summary)
+    destination.document(summary)
 }
 
 fn branch(branch: &Branch) -> BranchSummary {

@@ -5,28 +5,24 @@ mod json;
 mod table;
 mod text;
 
-use std::path::{Path, PathBuf};
-
-use serde_json::Value;
+use std::path::PathBuf;
 
 pub use self::json::campbell_json;
 pub use self::text::campbell_text;
-use super::{FileSet, ReportError, RunFolder, WholeFile};
+use super::{Destination, FileSet, ReportError, RunFolder, WholeFile};
 use crate::study::campbell::Campbell;
 
-/// Writes `campbell.csv`, `campbell.svg` and, last, `campbell.json` into `folder`; returns their paths.
+/// Writes `campbell.csv`, `campbell.svg` and, last, `campbell.json`; returns their paths.
 ///
 /// # Errors
 /// [`ReportError`] where a file cannot be written or drawn.
 pub fn write_campbell(
-    folder: &Path,
-    title: &str,
-    scenario: &Value,
+    destination: &Destination<'_>,
     campbell: &Campbell,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = RunFolder::open(folder, FileSet::CAMPBELL)?;
-    let files = write_files(&folder, title, campbell, true)?;
-    let json = campbell_json(title, scenario, campbell);
+    let folder = destination.open(FileSet::CAMPBELL)?;
+    let files = write_files(&folder, destination.title, campbell, true)?;
+    let json = campbell_json(destination, campbell);
     folder.commit(files, format!("{json:#}\n").as_bytes())
 }
 
@@ -37,7 +33,7 @@ pub(super) fn write_files(
     campbell: &Campbell,
     figure: bool,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = vec![folder.write_table("campbell", &table::modes(campbell))?];
+    let mut files = folder.write_table("campbell", &table::modes(campbell))?;
     if figure {
         let figure = figure::campbell_figure(title, campbell);
         files.push(folder.write_figure(&figure)?);

@@ -20,7 +20,7 @@ pub(super) fn modes(campbell: &Campbell) -> Table {
     };
     let mut table = Table::default();
     table.numbers("speed_rad_s", modes.iter().map(|(_, speed, _)| *speed));
-    table.words("branch", modes.iter().map(|(branch, ..)| branch));
+    table.counts("branch", modes.iter().map(|(branch, ..)| *branch as f64));
     table.numbers("frequency_Hz", shapes().map(|mode| mode.damped_frequency()));
     let undamped = shapes().map(|mode| mode.eigenvalue.norm() / TAU);
     table.numbers("undamped_frequency_Hz", undamped);

@@ -1,8 +1,10 @@
 //! What the table of runs says as a whole.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
-use serde_json::{Map, Value, json};
+use serde::Serialize;
+use serde_json::Value;
 
 use super::response_peak::{ResponsePeak, peaks};
 use super::sensitivity::{Sensitivity, sensitivities};
@@ -18,7 +20,7 @@ const MOST_SHOWN: usize = 100;
 const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 /// A run that failed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Failure {
     /// Its number.
     pub run: u64,
@@ -41,16 +43,42 @@ pub(super) struct Row {
 }
 
 /// One number over all runs.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct ColumnDigest {
+    #[serde(skip)]
     pub name: String,
+    /// Runs that have it.
     pub known: u64,
     mean: f64,
     pub lowest: f64,
+    /// The run that has the lowest value.
+    lowest_in_run: u64,
     pub highest: f64,
-    /// Runs with the lowest and the highest value.
-    at: [u64; 2],
-    quantiles: Option<[f64; QUANTILES.len()]>,
+    highest_in_run: u64,
+    /// Quantiles by their shares, where the runs were drawn.
+    quantiles: Option<BTreeMap<String, f64>>,
+}
+
+/// The digest as it stands in `runs.json`.
+#[derive(Debug, Serialize)]
+pub struct DigestSummary<'a> {
+    /// Number of runs.
+    runs: u64,
+    /// Number of those that failed.
+    failed: u64,
+    /// The first of them.
+    failures: &'a [Failure],
+    /// The largest measured error of all runs that have one.
+    largest_measured_error: Option<f64>,
+    runs_with_measured_error: u64,
+    /// Every number by its name.
+    numbers: BTreeMap<&'a str, &'a ColumnDigest>,
+    /// Quantiles rest on every so many runs; null where the runs were not drawn.
+    quantiles_of_every: Option<u64>,
+    /// Peaks of numbers along the only axis.
+    resonances: &'a [ResponsePeak],
+    /// How the numbers follow the axes.
+    sensitivities: &'a [Sensitivity],
 }
 
 /// The table of runs in short.
@@ -181,7 +209,9 @@ impl Digest {
             return;
         }
         for (index, column) in self.columns.iter_mut().enumerate() {
-            column.quantiles = quantiles(self.rows.iter().map(|row| row.numbers[index]));
+            let found = quantiles(self.rows.iter().map(|row| row.numbers[index]));
+            let shares = QUANTILES.map(|share| share.to_string());
+            column.quantiles = found.map(|values| shares.into_iter().zip(values).collect());
         }
         self.sensitivities = sensitivities(self);
     }
@@ -231,28 +261,20 @@ impl Digest {
         text
     }
 
-    /// The digest as JSON.
-    pub fn json(&self) -> Value {
-        let columns: Map<_, _> = self
-            .columns
-            .iter()
-            .filter(|column| column.known > 0)
-            .map(|column| (column.name.clone(), column.json()))
-            .collect();
-        let failures = self.failures.iter();
-        json!({
-            "runs": self.runs,
-            "failed": self.failed,
-            "failures": failures
-                .map(|failure| json!({ "run": failure.run, "values": failure.values, "error": failure.error }))
-                .collect::<Value>(),
-            "largest_measured_error": self.largest_error(),
-            "runs_with_measured_error": self.measured(),
-            "numbers": columns,
-            "quantiles_of_every": self.drawn.then_some(self.stride),
-            "resonances": self.peaks.iter().map(ResponsePeak::json).collect::<Value>(),
-            "sensitivities": self.sensitivities.iter().map(Sensitivity::json).collect::<Value>(),
-        })
+    /// The digest for `runs.json`.
+    pub fn summary(&self) -> DigestSummary<'_> {
+        let known = self.columns.iter().filter(|column| column.known > 0);
+        DigestSummary {
+            runs: self.runs,
+            failed: self.failed,
+            failures: &self.failures,
+            largest_measured_error: self.largest_error(),
+            runs_with_measured_error: self.measured(),
+            numbers: known.map(|column| (column.name.as_str(), column)).collect(),
+            quantiles_of_every: self.drawn.then_some(self.stride),
+            resonances: &self.peaks,
+            sensitivities: &self.sensitivities,
+        }
     }
 }
 
@@ -264,7 +286,8 @@ impl ColumnDigest {
             mean: 0.0,
             lowest: f64::INFINITY,
             highest: f64::NEG_INFINITY,
-            at: [0; 2],
+            lowest_in_run: 0,
+            highest_in_run: 0,
             quantiles: None,
         }
     }
@@ -276,27 +299,11 @@ impl ColumnDigest {
         self.known += 1;
         self.mean += (value - self.mean) / self.known as f64;
         if value < self.lowest {
-            (self.lowest, self.at[0]) = (value, run);
+            (self.lowest, self.lowest_in_run) = (value, run);
         }
         if value > self.highest {
-            (self.highest, self.at[1]) = (value, run);
+            (self.highest, self.highest_in_run) = (value, run);
         }
-    }
-
-    fn json(&self) -> Value {
-        let shares = QUANTILES.map(|share| share.to_string());
-        let quantiles = self.quantiles.map(|values| -> Map<_, _> {
-            shares.into_iter().zip(values.map(Value::from)).collect()
-        });
-        json!({
-            "known": self.known,
-            "mean": self.mean,
-            "lowest": self.lowest,
-            "lowest_in_run": self.at[0],
-            "highest": self.highest,
-            "highest_in_run": self.at[1],
-            "quantiles": quantiles,
-        })
     }
 }
 

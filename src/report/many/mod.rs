@@ -19,9 +19,11 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 
+use serde::Serialize;
 use serde_json::{Value, json};
 
 pub use self::digest::Digest;
+use self::digest::DigestSummary;
 use self::journal::Journal;
 pub use self::journal::{Done, JournalError};
 use self::page::write_page;
@@ -32,6 +34,7 @@ pub use self::tables::Layout;
 use self::tables::{Table, write_header, write_rows};
 pub use self::traces::Traces;
 use self::traces::remove_stale;
+use crate::report::document::value;
 use crate::report::figure::Figure;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::study::many::{Keep, RunRecord, Schedule, Shard};
@@ -154,7 +157,7 @@ impl<'a> StudyReport<'a> {
             count: self.shard.count,
             tables: tables_of(&self.layout.keep),
         };
-        let text = seal.json();
+        let text = value(seal);
         let name = part_name("study", self.shard, "json");
         let seal = self.folder.write(&name, format!("{text:#}\n").as_bytes())?;
         let files = files.into_iter().chain([seal]);
@@ -255,14 +258,24 @@ fn seal(
             files.push(folder.write(&name, text.as_bytes())?);
         }
     }
-    let summary = json!({
-        "jeffcott": env!("CARGO_PKG_VERSION"),
-        "title": title,
-        "study": identity,
-        "digest": digest.json(),
+    let summary = value(Summary {
+        jeffcott: env!("CARGO_PKG_VERSION"),
+        title,
+        study: identity,
+        digest: digest.summary(),
     });
     let paths = folder.commit(files, format!("{summary:#}\n").as_bytes())?;
     Ok((paths, digest))
+}
+
+/// What `runs.json` says.
+#[derive(Serialize)]
+struct Summary<'a> {
+    jeffcott: &'static str,
+    title: &'a str,
+    /// The study and its scenario.
+    study: &'a Value,
+    digest: DigestSummary<'a>,
 }
 
 /// What there is to draw.

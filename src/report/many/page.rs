@@ -30,7 +30,7 @@ pub(super) fn write_page(
         "study": shortened(identity["study"].clone()),
         "base": identity["base"],
         "axes": digest.axes,
-        "digest": digest.json(),
+        "digest": digest.summary(),
         "shown": digest.shown().iter().map(|shown| digest.columns[shown.column].name.clone()).collect::<Value>(),
         "rows": first_rows(digest, !identity["study"]["sweep"].is_null()),
         "figures": figures_json(figures),

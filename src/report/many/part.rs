@@ -3,13 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use serde_json::{Value, json};
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::tables::Table;
 use crate::study::many::Shard;
 
 /// What a whole part says of itself.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct PartSeal {
     /// Version of the program.
     pub jeffcott: String,
@@ -137,8 +138,7 @@ fn read(path: &Path) -> Result<PartSeal, MergeError> {
         reason,
     };
     let text = fs::read_to_string(path).map_err(|error| broken(error.to_string()))?;
-    let value = serde_json::from_str(&text).map_err(|error| broken(error.to_string()))?;
-    PartSeal::of(&value).ok_or_else(|| broken("it says not what it seals".to_owned()))
+    serde_json::from_str(&text).map_err(|error| broken(error.to_string()))
 }
 
 fn difference(a: &PartSeal, b: &PartSeal) -> Option<String> {
@@ -156,35 +156,6 @@ fn difference(a: &PartSeal, b: &PartSeal) -> Option<String> {
 }
 
 impl PartSeal {
-    /// The seal as JSON.
-    pub fn json(&self) -> Value {
-        json!({
-            "jeffcott": self.jeffcott,
-            "title": self.title,
-            "identity": self.identity,
-            "number": self.number,
-            "count": self.count,
-            "tables": self.tables,
-        })
-    }
-
-    /// The seal of its JSON.
-    fn of(value: &Value) -> Option<Self> {
-        let text = |value: &Value| value.as_str().map(str::to_owned);
-        Some(Self {
-            jeffcott: text(&value["jeffcott"])?,
-            title: text(&value["title"])?,
-            identity: value["identity"].clone(),
-            number: value["number"].as_u64()?,
-            count: value["count"].as_u64()?,
-            tables: value["tables"]
-                .as_array()?
-                .iter()
-                .map(text)
-                .collect::<Option<_>>()?,
-        })
-    }
-
     /// The part that it seals.
     pub fn shard(&self) -> Shard {
         Shard {

@@ -1,6 +1,6 @@
 //! Peaks of a number along the only axis of a study, and how wide they are.
 
-use serde_json::{Value, json};
+use serde::Serialize;
 
 use super::digest::{ColumnDigest, Digest};
 
@@ -11,30 +11,21 @@ const TOLD: [&str; 2] = ["_rms_m", "_order_1_m"];
 const LEAST_PART: f64 = 0.01;
 
 /// A peak of a response curve.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct ResponsePeak {
+    /// Name of the number.
     number: String,
-    down: bool,
-    /// Value of the axis, and the number there, at the top of the parabola through three runs.
+    /// `up` or `down`: how the runs came to their values.
+    direction: &'static str,
+    /// Value of the axis at the top of the parabola through three runs.
     at: f64,
+    /// The number there.
     height: f64,
     /// Values of the axis on either side at which half the power is left, where the curve falls so far.
-    half_power: [Option<f64>; 2],
-}
-
-impl ResponsePeak {
-    pub fn json(&self) -> Value {
-        let [below, above] = self.half_power;
-        json!({
-            "number": self.number,
-            "direction": if self.down { "down" } else { "up" },
-            "at": self.at,
-            "height": self.height,
-            "half_power_from": below,
-            "half_power_to": above,
-            "bandwidth": above.zip(below).map(|(above, below)| above - below),
-        })
-    }
+    half_power_from: Option<f64>,
+    half_power_to: Option<f64>,
+    /// What lies between them.
+    bandwidth: Option<f64>,
 }
 
 /// The peaks of a study of one axis on a grid.
@@ -91,12 +82,15 @@ fn peak(number: &str, down: bool, curve: &[(f64, f64)], place: usize) -> Respons
     let second = ((fc - fb) / (c - b) - first) / (c - a);
     let at = 0.5 * (a + b) - 0.5 * first / second;
     let height = fa + first * (at - a) + second * (at - a) * (at - b);
+    let [from, to] = half_power(curve, place, height);
     ResponsePeak {
         number: number.to_owned(),
-        down,
+        direction: if down { "down" } else { "up" },
         at,
         height,
-        half_power: half_power(curve, place, height),
+        half_power_from: from,
+        half_power_to: to,
+        bandwidth: to.zip(from).map(|(to, from)| to - from),
     }
 }
 
@@ -133,9 +127,7 @@ mod tests {
         assert_eq!(found.len(), 1);
         let found = peak("x_rms_m", false, &curve, found[0]);
         assert!((found.at - (1.0 - 2.0 * damping * damping).sqrt()).abs() < 1e-6);
-        let [Some(below), Some(above)] = found.half_power else {
-            panic!("no bandwidth");
-        };
-        assert!((above - below - 2.0 * damping).abs() < 1e-3 * 2.0 * damping + 1e-4);
+        let bandwidth = found.bandwidth.expect("a bandwidth");
+        assert!((bandwidth - 2.0 * damping).abs() < 1e-3 * 2.0 * damping + 1e-4);
     }
 }

@@ -1,6 +1,8 @@
 //! How much each number of a study follows each axis.
 
-use serde_json::{Value, json};
+use std::collections::BTreeMap;
+
+use serde::Serialize;
 
 use super::digest::Digest;
 
@@ -8,24 +10,12 @@ use super::digest::Digest;
 const FEWEST_RUNS: usize = 10;
 
 /// How a number follows the axes.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(super) struct Sensitivity {
     /// Name of the number.
     pub number: String,
-    /// Of every axis its name and the rank correlation.
-    pub axes: Vec<(String, f64)>,
-}
-
-impl Sensitivity {
-    pub fn json(&self) -> Value {
-        let axes = self.axes.iter();
-        json!({
-            "number": self.number,
-            "rank_correlation": axes
-                .map(|(axis, correlation)| (axis.clone(), Value::from(*correlation)))
-                .collect::<serde_json::Map<_, _>>(),
-        })
-    }
+    /// Rank correlation with every axis by its name.
+    pub rank_correlation: BTreeMap<String, f64>,
 }
 
 /// Of every number that varies Spearman's rank correlation with every axis.
@@ -51,7 +41,7 @@ pub(super) fn sensitivities(digest: &Digest) -> Vec<Sensitivity> {
         });
         Some(Sensitivity {
             number: column.name.clone(),
-            axes: axes.collect(),
+            rank_correlation: axes.collect(),
         })
     };
     (0..digest.columns.len()).filter_map(of).collect()

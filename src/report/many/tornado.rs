@@ -14,10 +14,11 @@ impl Digest {
         for sensitivity in self.sensitivities() {
             let is_shown = |column: &usize| self.columns[*column].name == sensitivity.number;
             if shown.iter().any(is_shown) {
-                let mut axes = sensitivity.axes.clone();
+                let correlations = sensitivity.rank_correlation.iter();
+                let mut axes: Vec<_> = correlations.collect();
                 axes.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-                let name = |axis: String| format!("{} by {axis}", sensitivity.number);
-                bars.extend(axes.into_iter().map(|(axis, part)| (name(axis), part)));
+                let name = |axis: &str| format!("{} by {axis}", sensitivity.number);
+                bars.extend(axes.into_iter().map(|(axis, part)| (name(axis), *part)));
             }
         }
         if bars.is_empty() {

@@ -1,20 +1,17 @@
 //! The table `poincare`: the motion once per revolution and once per ball pass.
 
-use super::super::table::{Column, ColumnKind, TableTarget};
-use super::super::{ReportError, WholeFile};
+use super::super::table::Column;
+use super::super::{ReportError, RunFolder, WholeFile};
 use crate::analysis::{Channel, Motion, PoincarePoint, SectionKind};
 use crate::rotor::FREEDOMS;
-
-/// Names of the sections in the table.
-const SECTIONS: &[&str] = &["revolution", "ball_pass"];
 
 /// Writes one row a point, section by section: which section, cycles since the start, time, then
 /// displacements and velocities.
 pub(in super::super) fn write_poincare(
     motion: &Motion,
-    target: TableTarget<'_>,
+    folder: &RunFolder,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    target.write("poincare", &columns(), |take| {
+    folder.write_rows("poincare", &columns(), |take| {
         motion.sections.iter().try_for_each(|section| {
             let word = match section.kind {
                 SectionKind::Revolution => 0.0,
@@ -28,8 +25,8 @@ pub(in super::super) fn write_poincare(
 
 fn columns() -> Vec<Column> {
     let mut columns = vec![
-        Column::of("section", ColumnKind::Word(SECTIONS)),
-        Column::of("number", ColumnKind::Count),
+        Column::words("section", ["revolution", "ball_pass"]),
+        Column::count("number"),
         Column::number("t_s"),
     ];
     let channels = || (0..FREEDOMS).map(Channel::Displacement);

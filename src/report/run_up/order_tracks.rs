@@ -2,8 +2,8 @@
 
 use super::super::columns::{amplitude_column, phase_column};
 use super::super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
-use super::super::table::{Column, TableTarget};
-use super::super::{ReportError, WholeFile};
+use super::super::table::Column;
+use super::super::{ReportError, RunFolder, WholeFile};
 use super::raster::moving;
 use crate::analysis::{OrderTracks, Track};
 use crate::report::units::{MICRO, PER_MINUTE};
@@ -16,9 +16,9 @@ const HEARD: f64 = 0.01;
 /// Writes one row a window: time, speed, then amplitude and phase of every order of every channel.
 pub(super) fn write(
     tracks: &OrderTracks,
-    target: TableTarget<'_>,
+    folder: &RunFolder,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    target.write("order_tracks", &columns(tracks), |take| {
+    folder.write_rows("order_tracks", &columns(tracks), |take| {
         tracks.points.iter().try_for_each(|point| {
             let tracks = point.tracks.iter().flatten();
             let mut row = vec![point.time, point.speed];

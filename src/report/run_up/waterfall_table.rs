@@ -1,19 +1,19 @@
 //! The table `waterfall`: one row a short-time spectrum and frequency.
 
 use super::super::columns::amplitude_column;
-use super::super::table::{Column, TableTarget};
-use super::super::{ReportError, WholeFile};
+use super::super::table::Column;
+use super::super::{ReportError, RunFolder, WholeFile};
 use crate::analysis::Waterfall;
 
 /// Writes time, mean speed and frequency, then the amplitude of every channel.
 pub(super) fn write(
     waterfall: &Waterfall,
-    target: TableTarget<'_>,
+    folder: &RunFolder,
 ) -> Result<Vec<WholeFile>, ReportError> {
     let mut columns = ["t_s", "speed_rad_s", "f_Hz"].map(Column::number).to_vec();
     let channels = waterfall.channels.iter();
     columns.extend(channels.map(|channel| Column::number(amplitude_column(*channel))));
-    target.write("waterfall", &columns, |take| {
+    folder.write_rows("waterfall", &columns, |take| {
         let mut row = Vec::new();
         for slice in &waterfall.slices {
             for k in 0..waterfall.bins() {

@@ -1,6 +1,8 @@
 //! How a spectrum was made, for the summary: what it takes to make it again.
 
-use serde_json::{Map, Value, json};
+use std::collections::BTreeMap;
+
+use serde::Serialize;
 
 use super::{names, table_name};
 use crate::analysis::{
@@ -8,65 +10,142 @@ use crate::analysis::{
 };
 
 /// File, settings, record and averages of a spectrum.
-pub(in crate::report) fn estimated_json(spectrum: &EstimatedSpectrum) -> Value {
-    let request = &spectrum.request;
-    let channels = request.channels.iter().map(|channel| channel.name());
-    let columns = spectrum.columns.iter().map(|column| {
-        json!({
-            "name": names::column(spectrum, column.quantity),
-            "unit": names::unit(spectrum, column.quantity),
-        })
-    });
-    let mut entry = json!({
-        "table": table_name(spectrum),
-        "name": request.name,
-        "kind": request.kind.name(),
-        "channels": channels.collect::<Value>(),
-        "over": request.axis.name(),
-        "scaling": request.scaling.name(),
-        "meaning": meaning(spectrum),
-        "sides": if request.kind == SpectrumKind::Whirl { "two" } else { "one" },
-        "window": request.window.name(),
-        "coherent_gain": request.window.coherent_gain(),
-        "detrend": request.detrend.name(),
-        "samples": spectrum.samples,
-        "start_s": spectrum.span[0],
-        "end_s": spectrum.span[1],
-        "segment_samples": spectrum.segment,
-        "overlap_samples": spectrum.overlap,
-        "averages": spectrum.averages,
-        "columns": columns.collect::<Value>(),
-    });
-    if let Value::Object(entries) = &mut entry {
-        put_axis(spectrum, entries);
-        if let SpectrumKind::Envelope { band } = request.kind {
-            entries.insert("band_Hz".to_owned(), json!(band));
-        }
-        if let Some(resampling) = &spectrum.resampling {
-            entries.insert("resampling".to_owned(), resampled(resampling));
-        }
-    }
-    entry
+#[derive(Debug, Serialize)]
+pub(in crate::report) struct EstimatedSummary<'a> {
+    table: String,
+    name: &'a str,
+    kind: &'static str,
+    channels: Vec<&'static str>,
+    over: &'static str,
+    scaling: &'static str,
+    /// The scaling in words.
+    meaning: String,
+    /// `one` or `two`: whether negative frequencies stand apart.
+    sides: &'static str,
+    window: &'static str,
+    coherent_gain: f64,
+    detrend: &'static str,
+    /// Samples of the record.
+    samples: usize,
+    start_s: f64,
+    end_s: f64,
+    segment_samples: usize,
+    overlap_samples: usize,
+    averages: usize,
+    columns: Vec<ColumnSummary>,
+    noise_bandwidth_bins: f64,
+    #[serde(flatten)]
+    axis: AxisSummary,
+    #[serde(rename = "shaft_frequency_Hz", skip_serializing_if = "Option::is_none")]
+    shaft_frequency: Option<f64>,
+    /// Band of an envelope.
+    #[serde(rename = "band_Hz", skip_serializing_if = "Option::is_none")]
+    band: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    resampling: Option<ResamplingSummary>,
+}
+
+/// A column of the table.
+#[derive(Debug, Serialize)]
+struct ColumnSummary {
+    name: String,
+    unit: String,
 }
 
 /// What has the unit of the axis.
-fn put_axis(spectrum: &EstimatedSpectrum, entries: &mut Map<String, Value>) {
-    let bins = spectrum.request.window.equivalent_noise_bandwidth();
-    entries.insert("noise_bandwidth_bins".to_owned(), bins.into());
-    let [rate, resolution, bandwidth] = match spectrum.request.axis {
-        Axis::Frequency => ["sampling_rate_Hz", "resolution_Hz", "noise_bandwidth_Hz"],
-        Axis::Order => [
-            "samples_per_revolution",
-            "resolution_orders",
-            "noise_bandwidth_orders",
-        ],
-    };
-    entries.insert(rate.to_owned(), spectrum.rate.into());
-    entries.insert(resolution.to_owned(), spectrum.resolution.into());
-    entries.insert(bandwidth.to_owned(), spectrum.noise_bandwidth.into());
-    if spectrum.shaft_frequency > 0.0 {
-        let shaft = spectrum.shaft_frequency.into();
-        entries.insert("shaft_frequency_Hz".to_owned(), shaft);
+#[derive(Debug, Serialize)]
+#[serde(untagged)]
+enum AxisSummary {
+    Frequency {
+        #[serde(rename = "sampling_rate_Hz")]
+        rate: f64,
+        #[serde(rename = "resolution_Hz")]
+        resolution: f64,
+        #[serde(rename = "noise_bandwidth_Hz")]
+        bandwidth: f64,
+    },
+    Order {
+        #[serde(rename = "samples_per_revolution")]
+        rate: f64,
+        #[serde(rename = "resolution_orders")]
+        resolution: f64,
+        #[serde(rename = "noise_bandwidth_orders")]
+        bandwidth: f64,
+    },
+}
+
+/// How a record over time became one over the angle of the shaft.
+#[derive(Debug, Serialize)]
+struct ResamplingSummary {
+    highest_order: f64,
+    oversampling: usize,
+    share_of_time_too_slow: f64,
+    /// By channel; null: too few samples.
+    interpolation_error: BTreeMap<&'static str, Option<f64>>,
+    interpolation_error_means: &'static str,
+}
+
+impl<'a> From<&'a EstimatedSpectrum> for EstimatedSummary<'a> {
+    fn from(spectrum: &'a EstimatedSpectrum) -> Self {
+        let request = &spectrum.request;
+        let column = |quantity| ColumnSummary {
+            name: names::column(spectrum, quantity),
+            unit: names::unit(spectrum, quantity),
+        };
+        let columns = spectrum.columns.iter();
+        Self {
+            table: table_name(spectrum),
+            name: &request.name,
+            kind: request.kind.name(),
+            channels: request
+                .channels
+                .iter()
+                .map(|channel| channel.name())
+                .collect(),
+            over: request.axis.name(),
+            scaling: request.scaling.name(),
+            meaning: meaning(spectrum),
+            sides: if request.kind == SpectrumKind::Whirl {
+                "two"
+            } else {
+                "one"
+            },
+            window: request.window.name(),
+            coherent_gain: request.window.coherent_gain(),
+            detrend: request.detrend.name(),
+            samples: spectrum.samples,
+            start_s: spectrum.span[0],
+            end_s: spectrum.span[1],
+            segment_samples: spectrum.segment,
+            overlap_samples: spectrum.overlap,
+            averages: spectrum.averages,
+            columns: columns.map(|of| column(of.quantity)).collect(),
+            noise_bandwidth_bins: request.window.equivalent_noise_bandwidth(),
+            axis: axis(spectrum),
+            shaft_frequency: Some(spectrum.shaft_frequency).filter(|frequency| *frequency > 0.0),
+            band: match request.kind {
+                SpectrumKind::Envelope { band } => Some(band),
+                _ => None,
+            },
+            resampling: spectrum.resampling.as_ref().map(resampled),
+        }
+    }
+}
+
+fn axis(spectrum: &EstimatedSpectrum) -> AxisSummary {
+    let (rate, resolution) = (spectrum.rate, spectrum.resolution);
+    let bandwidth = spectrum.noise_bandwidth;
+    match spectrum.request.axis {
+        Axis::Frequency => AxisSummary::Frequency {
+            rate,
+            resolution,
+            bandwidth,
+        },
+        Axis::Order => AxisSummary::Order {
+            rate,
+            resolution,
+            bandwidth,
+        },
     }
 }
 
@@ -100,15 +179,16 @@ fn meaning(spectrum: &EstimatedSpectrum) -> String {
     format!("{what}{of}{phase}")
 }
 
-fn resampled(resampling: &Resampling) -> Value {
+fn resampled(resampling: &Resampling) -> ResamplingSummary {
     let errors = resampling.errors.iter();
-    let errors = errors.map(|(channel, error)| (channel.name().to_owned(), json!(error)));
-    json!({
-        "highest_order": 0.5 * resampling.per_revolution as f64,
-        "oversampling": resampling.oversampling,
-        "share_of_time_too_slow": resampling.coarse_share,
-        "interpolation_error": errors.collect::<Map<_, _>>(),
-        "interpolation_error_means": "root mean square of the error over that of the signal about its \
-                                      mean, extrapolated from samples left out; null: too few samples",
-    })
+    ResamplingSummary {
+        highest_order: 0.5 * resampling.per_revolution as f64,
+        oversampling: resampling.oversampling,
+        share_of_time_too_slow: resampling.coarse_share,
+        interpolation_error: errors
+            .map(|(channel, error)| (channel.name(), *error))
+            .collect(),
+        interpolation_error_means: "root mean square of the error over that of the signal about its \
+                                    mean, extrapolated from samples left out; null: too few samples",
+    }
 }

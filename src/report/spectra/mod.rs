@@ -7,7 +7,7 @@ mod shown;
 mod table;
 
 pub(super) use figure::estimated_figure;
-pub(super) use json::estimated_json;
+pub(super) use json::EstimatedSummary;
 pub(super) use shown::{ShownColumns, shown_columns, shown_places};
 pub(super) use table::write_estimated;
 

@@ -1,7 +1,7 @@
 //! One spectrum as a table.
 
-use super::super::table::{Column, TableTarget};
-use super::super::{ReportError, WholeFile};
+use super::super::table::Column;
+use super::super::{ReportError, RunFolder, WholeFile};
 use super::{names, table_name};
 use crate::analysis::{Axis, EstimatedSpectrum};
 
@@ -9,9 +9,9 @@ use crate::analysis::{Axis, EstimatedSpectrum};
 /// orders; then every column.
 pub(in super::super) fn write_estimated(
     spectrum: &EstimatedSpectrum,
-    target: TableTarget<'_>,
+    folder: &RunFolder,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    target.write(&table_name(spectrum), &columns(spectrum), |take| {
+    folder.write_rows(&table_name(spectrum), &columns(spectrum), |take| {
         let mut row = Vec::new();
         for k in 0..spectrum.bins() {
             row.clear();

@@ -45,8 +45,8 @@ pub(super) fn balls(answer: &QuasiStatic) -> Table {
         .collect();
     let lines = || balls.iter().map(|(.., line)| *line);
     let mut table = Table::default();
-    table.words("bearing", balls.iter().map(|(bearing, ..)| bearing));
-    table.words("ball", balls.iter().map(|(_, ball, _)| ball));
+    table.counts("bearing", balls.iter().map(|(bearing, ..)| *bearing as f64));
+    table.counts("ball", balls.iter().map(|(_, ball, _)| *ball as f64));
     table.numbers("azimuth_rad", lines().map(|line| line.azimuth));
     table.numbers("deformation_m", lines().map(|line| line.deformation));
     for (name, value) in CONTACT {

@@ -4,29 +4,23 @@ mod ball_table;
 mod figure;
 mod text;
 
-use std::path::{Path, PathBuf};
-
-use serde_json::Value;
+use std::path::PathBuf;
 
 pub use self::text::answer_text;
-use super::{FileSet, ReportError, RunFolder, document};
+use super::{Destination, FileSet, ReportError};
 use crate::quasi_static::QuasiStatic;
 
-/// Writes `balls.csv`, `balls.svg` and, last, `bearing.json` into `folder`; returns their paths.
+/// Writes `balls.csv`, `balls.svg` and, last, `bearing.json`; returns their paths.
 ///
 /// # Errors
 /// [`ReportError`] where a file cannot be written or drawn.
 pub fn write_answer(
-    folder: &Path,
-    title: &str,
-    scenario: &Value,
+    destination: &Destination<'_>,
     answer: &QuasiStatic,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = RunFolder::open(folder, FileSet::BEARING)?;
-    let files = vec![
-        folder.write_table("balls", &ball_table::balls(answer))?,
-        folder.write_figure(&figure::balls(title, answer))?,
-    ];
-    let json = document(title, scenario, answer);
+    let folder = destination.open(FileSet::BEARING)?;
+    let mut files = folder.write_table("balls", &ball_table::balls(answer))?;
+    files.push(folder.write_figure(&figure::balls(destination.title, answer))?);
+    let json = destination.document(answer);
     folder.commit(files, format!("{json:#}\n").as_bytes())
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::super::terminal::{Lines, decimal, digits, listed, or_dash};
+use super::super::terminal::{Lines, clearance_text, decimal, digits, listed, or_dash};
 use super::ball_table::race_name;
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::quasi_static::QuasiStatic;
@@ -95,6 +95,9 @@ fn put_stiffness(out: &mut Lines, stiffness: &Matrix5) {
 
 fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     out.put(format_args!("bearing {number}"));
+    if let Some(clearance) = &state.clearance {
+        out.line("clearance", clearance_text(clearance));
+    }
     out.line("balls loaded", state.balls_loaded);
     if let Some(life) = state.life {
         out.line("life L10r", format!("{life:.4e} million revolutions"));

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value;
 
-use super::super::document;
+use super::super::Destination;
 use crate::simulate::Model;
 use crate::steady::{Measured, Response, Steady};
 use crate::study::Variable;
@@ -36,7 +36,7 @@ struct ResponseSummary<'a> {
 
 /// Everything about a steady motion except its trace and its spectrum. The same question gives the same
 /// bytes.
-pub fn steady_json(title: &str, scenario: &Value, model: &Model, steady: &Steady) -> Value {
+pub fn steady_json(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Value {
     let measured = |error| ErrorSummary {
         error,
         tolerance: model.integrator.tolerance,
@@ -47,13 +47,12 @@ pub fn steady_json(title: &str, scenario: &Value, model: &Model, steady: &Steady
         lines: steady.lines.lines.len(),
         measured_error: steady.measured.map(measured),
     };
-    document(title, scenario, summary)
+    destination.document(summary)
 }
 
 /// The branches of a response; the motions stand in `response.csv`.
 pub fn response_json(
-    title: &str,
-    scenario: &Value,
+    destination: &Destination<'_>,
     variable: &Variable,
     branches: &[Response],
 ) -> Value {
@@ -62,5 +61,5 @@ pub fn response_json(
         unit: variable.unit,
         branches,
     };
-    document(title, scenario, summary)
+    destination.document(summary)
 }

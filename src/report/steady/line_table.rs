@@ -15,8 +15,12 @@ pub(super) fn lines(steady: &Steady, speed: f64) -> Table {
     if speed > 0.0 {
         table.numbers("order", lines().map(|line| line.frequency * TAU / speed));
     }
-    table.words("multiple_of_first", lines().map(|line| line.multiples[0]));
-    table.words("multiple_of_second", lines().map(|line| line.multiples[1]));
+    for (place, name) in ["multiple_of_first", "multiple_of_second"]
+        .into_iter()
+        .enumerate()
+    {
+        table.counts(name, lines().map(|line| f64::from(line.multiples[place])));
+    }
     for (index, channel) in steady.lines.channels.iter().enumerate() {
         table.numbers(
             amplitude_column(*channel),

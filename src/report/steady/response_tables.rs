@@ -38,18 +38,18 @@ fn numbered(branches: &[Response]) -> impl Iterator<Item = (usize, &Response)> {
 fn table(variable: &Variable, branches: &[Response], rows: &[Row<'_>], kinds: bool) -> Table {
     let points = || rows.iter().map(|(.., point)| *point);
     let mut table = Table::default();
-    table.words("branch", rows.iter().map(|(number, ..)| number));
-    table.words(
-        "multiple",
-        rows.iter().map(|(_, branch, ..)| branch.multiple),
-    );
+    table.counts("branch", rows.iter().map(|(number, ..)| *number as f64));
+    let multiples = rows
+        .iter()
+        .map(|(_, branch, ..)| f64::from(branch.multiple));
+    table.counts("multiple", multiples);
     if kinds {
         let kinds = rows.iter().filter_map(|(_, _, kind, _)| *kind);
         table.words("kind", kinds);
     }
     table.numbers(column_name(variable), points().map(|point| point.value));
     table.numbers("period_s", points().map(|point| point.period));
-    table.words("stable", points().map(|point| u8::from(point.stable)));
+    table.counts("stable", points().map(|point| f64::from(point.stable)));
     // every motion has the columns of the first
     let Some(first) = branches.first().and_then(|branch| branch.points.first()) else {
         return table;

@@ -1,49 +1,80 @@
 //! A study as JSON.
 
-use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
-use super::super::document::value;
+use serde::Serialize;
+use serde_json::Value;
+
+use super::super::Destination;
 use super::column_name;
 use crate::bearing::Around;
+use crate::quasi_static::QuasiStatic;
 use crate::study::{Study, StudyRow};
+
+/// What a study is about.
+#[derive(Serialize)]
+struct Cover<'a> {
+    /// What varies.
+    varied: Varied<'a>,
+    /// How many values it has.
+    points: usize,
+}
+
+/// A number of the scenario by its key.
+#[derive(Serialize)]
+struct Varied<'a> {
+    key: &'a str,
+    unit: &'a str,
+}
+
+/// The whole study.
+#[derive(Serialize)]
+struct Whole<'a> {
+    #[serde(flatten)]
+    cover: Cover<'a>,
+    rows: Vec<RowSummary<'a>>,
+}
+
+/// The answer at a value.
+#[derive(Serialize)]
+struct RowSummary<'a> {
+    #[serde(flatten)]
+    answer: &'a QuasiStatic,
+    /// The value, under the name of its column.
+    #[serde(flatten)]
+    value: BTreeMap<&'a str, f64>,
+    /// Every bearing all around.
+    around: &'a [Vec<Around>],
+}
+
+fn about<'a>(study: &'a Study, rows: &[StudyRow]) -> Cover<'a> {
+    Cover {
+        varied: Varied {
+            key: &study.variable.key,
+            unit: study.variable.unit,
+        },
+        points: rows.len(),
+    }
+}
 
 /// What a study is about: the scenario as it is, what varies and how often. The numbers are in the
 /// tables beside it.
-pub(super) fn cover(title: &str, scenario: &Value, study: &Study, rows: &[StudyRow]) -> Value {
-    json!({
-        "jeffcott": env!("CARGO_PKG_VERSION"),
-        "title": title,
-        "scenario": scenario,
-        "varied": { "key": study.variable.key, "unit": study.variable.unit },
-        "points": rows.len(),
-    })
+pub(super) fn cover(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
+    destination.document(about(study, rows))
 }
 
 /// The whole study with every answer.
-pub fn study_json(title: &str, scenario: &Value, study: &Study, rows: &[StudyRow]) -> Value {
+pub fn study_json(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
     let varied = column_name(&study.variable);
-    let mut whole = cover(title, scenario, study, rows);
-    whole["rows"] = rows.iter().map(|found| row(&varied, found)).collect();
-    whole
-}
-
-fn row(varied: &str, row: &StudyRow) -> Value {
-    let mut entries = value(&row.answer);
-    entries[varied] = row.value.into();
-    let around = row.around.iter();
-    entries["around"] = around
-        .map(|places| places.iter().map(place).collect::<Value>())
-        .collect();
-    entries
-}
-
-fn place(place: &Around) -> Value {
-    json!({
-        "azimuth_rad": place.azimuth,
-        "deformation_m": place.deformation,
-        "load_inner_N": place.contact.load_inner,
-        "load_outer_N": place.contact.load_outer,
-        "angle_inner_rad": place.contact.angle_inner,
-        "angle_outer_rad": place.contact.angle_outer,
+    destination.document(Whole {
+        cover: about(study, rows),
+        rows: rows
+            .iter()
+            .map(|row| RowSummary {
+                answer: &row.answer,
+                value: BTreeMap::from([(varied.as_str(), row.value)]),
+                around: &row.around,
+            })
+            .collect(),
     })
 }

@@ -1,38 +1,32 @@
 //! A study: one row a value, and the bearings all around at every value.
 
-mod around_csv;
-mod csv;
 mod figures;
 mod json;
+mod tables;
 mod text;
 
-use std::path::{Path, PathBuf};
-
-use serde_json::Value;
+use std::path::PathBuf;
 
 pub use self::json::study_json;
 pub use self::text::study_text;
-use super::{FileSet, ReportError, RunFolder};
+use super::{Destination, FileSet, ReportError};
 use crate::study::{Study, StudyRow, Variable};
 
-/// Writes `study.csv`, `around.csv`, three figures and, last, `study.json` into `folder`; returns
+/// Writes `study.csv`, `around.csv`, three figures and, last, `study.json`; returns
 /// their paths.
 ///
 /// # Errors
 /// [`ReportError`] where a file cannot be written or drawn.
 pub fn write_study(
-    folder: &Path,
-    title: &str,
-    scenario: &Value,
+    destination: &Destination<'_>,
     study: &Study,
     rows: &[StudyRow],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = RunFolder::open(folder, FileSet::STUDY)?;
+    let folder = destination.open(FileSet::STUDY)?;
     let variable = &study.variable;
-    let mut files = vec![
-        folder.write_with("study.csv", |file| csv::write(variable, rows, file))?,
-        folder.write_with("around.csv", |file| around_csv::write(variable, rows, file))?,
-    ];
+    let mut files = folder.write_table("study", &tables::answers(variable, rows))?;
+    files.extend(folder.write_table("around", &tables::around(variable, rows))?);
+    let title = destination.title;
     for figure in [
         figures::stiffness(title, variable, rows),
         figures::deformation(title, variable, rows),
@@ -40,7 +34,7 @@ pub fn write_study(
     ] {
         files.push(folder.write_figure(&figure)?);
     }
-    let cover = json::cover(title, scenario, study, rows);
+    let cover = json::cover(destination, study, rows);
     folder.commit(files, format!("{cover:#}\n").as_bytes())
 }
 

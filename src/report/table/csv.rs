@@ -23,7 +23,7 @@ impl<W: Write> CsvTable<W> {
         writeln!(writer, "{}", names.join(","))?;
         Ok(Self {
             writer,
-            kinds: columns.iter().map(|column| column.kind).collect(),
+            kinds: columns.iter().map(|column| column.kind.clone()).collect(),
             line: Vec::new(),
         })
     }
@@ -35,7 +35,7 @@ impl<W: Write> CsvTable<W> {
     pub fn row(&mut self, row: &[f64]) -> io::Result<()> {
         self.line.clear();
         for (value, kind) in row.iter().zip(&self.kinds) {
-            cell(*value, *kind, &mut self.line);
+            cell(*value, kind, &mut self.line);
             self.line.push(b',');
         }
         if let Some(last) = self.line.last_mut() {
@@ -54,7 +54,7 @@ impl<W: Write> CsvTable<W> {
     }
 }
 
-fn cell(value: f64, kind: ColumnKind, line: &mut Vec<u8>) {
+fn cell(value: f64, kind: &ColumnKind, line: &mut Vec<u8>) {
     match kind {
         ColumnKind::Number | ColumnKind::Count if value.is_nan() => {}
         ColumnKind::Number => {
@@ -66,10 +66,21 @@ fn cell(value: f64, kind: ColumnKind, line: &mut Vec<u8>) {
             let _ = write!(line, "{}", value as i64);
         }
         ColumnKind::Word(words) => {
-            let word = words.get(value as usize).copied().unwrap_or_default();
-            line.extend_from_slice(word.as_bytes());
+            let word = words.get(value as usize).map_or("", String::as_str);
+            push_word(word, line);
         }
     }
+}
+
+/// A word, between quotes where it holds what separates cells.
+fn push_word(word: &str, line: &mut Vec<u8>) {
+    if !word.contains([',', '"', '\n', '\r']) {
+        line.extend_from_slice(word.as_bytes());
+        return;
+    }
+    line.push(b'"');
+    line.extend_from_slice(word.replace('"', "\"\"").as_bytes());
+    line.push(b'"');
 }
 
 #[cfg(test)]
@@ -78,10 +89,7 @@ mod tests {
 
     #[test]
     fn numbers_keep_all_their_digits() -> Result<(), std::io::Error> {
-        let columns = [
-            Column::number("x_m"),
-            Column::of("balls", ColumnKind::Count),
-        ];
+        let columns = [Column::number("x_m"), Column::count("balls")];
         let mut table = CsvTable::new(Vec::new(), &columns)?;
         table.row(&[0.1 + 0.2, 7.0])?;
         assert_eq!(table.finish()?, b"x_m,balls\n0.30000000000000004,7\n");

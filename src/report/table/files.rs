@@ -10,7 +10,7 @@ use crate::report::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::scenario::TableFormat;
 
 /// What a table comes from, told in the files that have room for it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Origin {
     /// The scenario with its defaults, JSON.
     pub scenario: String,
@@ -19,29 +19,6 @@ pub struct Origin {
 impl Origin {
     /// Version that writes the tables.
     pub const VERSION: &'static str = env!("CARGO_PKG_VERSION");
-}
-
-/// Where whole tables are written, in which formats, and what they come from.
-#[derive(Debug, Clone, Copy)]
-pub(in crate::report) struct TableTarget<'a> {
-    pub folder: &'a RunFolder,
-    pub formats: &'a [TableFormat],
-    pub origin: &'a Origin,
-}
-
-impl TableTarget<'_> {
-    /// Writes the table `stem` in every format; `rows` gives its rows one by one.
-    pub fn write(
-        &self,
-        stem: &str,
-        columns: &[Column],
-        rows: impl FnOnce(&mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()>,
-    ) -> Result<Vec<WholeFile>, ReportError> {
-        let mut table = TableFiles::open(self.folder, stem, self.formats, columns, self.origin)?;
-        rows(&mut |row| table.row(row))
-            .map_err(ReportError::file(FileAction::Write, self.folder.path()))?;
-        table.close()
-    }
 }
 
 /// A table being written.
@@ -64,14 +41,9 @@ enum TableWriter {
 }
 
 impl TableFiles {
-    /// Begins the table `stem` in every format.
-    pub fn open(
-        folder: &RunFolder,
-        stem: &str,
-        formats: &[TableFormat],
-        columns: &[Column],
-        origin: &Origin,
-    ) -> Result<Self, ReportError> {
+    /// Begins the table `stem` in every format that the folder has its tables in.
+    pub fn open(folder: &RunFolder, stem: &str, columns: &[Column]) -> Result<Self, ReportError> {
+        let (formats, origin) = folder.tables();
         let open = |format: &TableFormat| TableFile::open(folder, stem, *format, columns, origin);
         formats.iter().map(open).collect::<Result<_, _>>().map(Self)
     }

@@ -46,7 +46,7 @@ impl<W: Write> MatTable<W> {
         mat_element::text(&mut writer, "jeffcott_version", Origin::VERSION)?;
         mat_element::text(&mut writer, "scenario_json", &ascii(&origin.scenario))?;
         for column in columns {
-            if let ColumnKind::Word(words) = column.kind {
+            if let ColumnKind::Word(words) = &column.kind {
                 mat_element::words(&mut writer, &format!("{}_names", column.name), words)?;
             }
         }
@@ -67,7 +67,7 @@ impl<W: Write> MatTable<W> {
     /// What the file system answers; more rows than a MAT-file holds.
     pub fn row(&mut self, row: &[f64]) -> io::Result<()> {
         for ((place, value), column) in row.iter().enumerate().zip(&self.columns) {
-            self.open[place * BLOCK + self.filled] = match column.kind {
+            self.open[place * BLOCK + self.filled] = match &column.kind {
                 ColumnKind::Word(_) => value + 1.0,
                 _ => *value,
             };

@@ -50,13 +50,13 @@ pub(super) fn column_start(writer: &mut impl Write, name: &str, rows: u64) -> io
 
 /// Writes a text, ASCII alone: other characters are read differently by different readers.
 pub(super) fn text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()> {
-    words(writer, name, &[text])
+    words(writer, name, &[text.to_owned()])
 }
 
 /// Writes words as the rows of a matrix of characters, filled up with blanks.
-pub(super) fn words(writer: &mut impl Write, name: &str, words: &[&str]) -> io::Result<()> {
+pub(super) fn words(writer: &mut impl Write, name: &str, words: &[String]) -> io::Result<()> {
     let width = words.iter().map(|word| word.len()).max().unwrap_or(0);
-    let letter = |word: &&str, place: usize| word.as_bytes().get(place).copied().unwrap_or(b' ');
+    let letter = |word: &String, place: usize| word.as_bytes().get(place).copied().unwrap_or(b' ');
     let letters = (0..width).flat_map(|place| words.iter().map(move |word| letter(word, place)));
     let letters: Vec<u8> = letters.flat_map(|byte| [byte, 0]).collect();
     let mut content = about(CHARACTERS, [words.len() as u64, width as u64], name);

@@ -16,7 +16,7 @@ mod whole;
 pub use self::column::{Column, ColumnKind};
 pub use self::csv::CsvTable;
 pub use self::files::Origin;
-pub(super) use self::files::{TableFiles, TableTarget};
+pub(super) use self::files::TableFiles;
 pub use self::mat::MatTable;
 #[cfg(feature = "parquet")]
 pub use self::parquet::ParquetTable;

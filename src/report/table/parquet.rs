@@ -56,7 +56,7 @@ impl<W: Write + Send> ParquetTable<W> {
         let rows = GROUP / columns.len().max(1);
         Ok(Self {
             writer: SerializedFileWriter::new(writer, schema, Arc::new(properties))?,
-            kinds: columns.iter().map(|column| column.kind).collect(),
+            kinds: columns.iter().map(|column| column.kind.clone()).collect(),
             group: columns.iter().map(|_| Vec::with_capacity(rows)).collect(),
             rows,
         })
@@ -95,7 +95,7 @@ impl<W: Write + Send> ParquetTable<W> {
         let mut group = self.writer.next_row_group()?;
         for (values, kind) in self.group.iter_mut().zip(&self.kinds) {
             if let Some(mut writer) = group.next_column()? {
-                write_column(&mut writer, values, *kind)?;
+                write_column(&mut writer, values, kind)?;
                 writer.close()?;
             }
             values.clear();
@@ -108,7 +108,7 @@ impl<W: Write + Send> ParquetTable<W> {
 fn write_column(
     writer: &mut SerializedColumnWriter<'_>,
     values: &[f64],
-    kind: ColumnKind,
+    kind: &ColumnKind,
 ) -> Result<(), ParquetError> {
     let whole = |values: &[f64]| -> Vec<i32> { values.iter().map(|value| *value as i32).collect() };
     match kind {
@@ -133,7 +133,7 @@ fn write_column(
                 .write_batch(&whole, Some(&there), None)?;
         }
         ColumnKind::Word(words) => {
-            let word = |value: &f64| words.get(*value as usize).copied().unwrap_or_default();
+            let word = |value: &f64| words.get(*value as usize).map_or("", String::as_str);
             let words: Vec<ByteArray> = values.iter().map(|value| word(value).into()).collect();
             writer
                 .typed::<ByteArrayType>()

@@ -11,7 +11,9 @@ use super::model::{ContactChoice, ModelInput};
 use super::oil::OilInput;
 use super::set::Arrangement;
 use crate::bearing::catalogue::{self, CATALOGUE, CatalogueEntry};
-use crate::bearing::{Bearing, BearingError, ContactDamping, Facing, MountedBearing, Oil, Preload};
+use crate::bearing::{
+    Bearing, BearingError, ClearanceClass, ContactDamping, Facing, MountedBearing, Oil, Preload,
+};
 use crate::physics::{Material, RaceControl};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
@@ -39,7 +41,7 @@ pub struct BearingInput {
     #[schemars(extend("examples" = ["15 mm"], "x-above" = 0.0))]
     pub spacing: Option<Quantity<Length>>,
     /// Which way along Z the shaft must move to load the bearing, or both bearings of a tandem
-    /// set. Default: "+z".
+    /// set; of a deep-groove bearing, the way its preload moves the inner ring. Default: "+z".
     pub facing: Option<Facing>,
     /// Azimuth of one ball at the start, from +X towards +Y. Default: "0 rad".
     #[serde(default)]
@@ -63,6 +65,9 @@ pub struct BearingInput {
     pub film: Option<bool>,
     /// Race control of this bearing. Default: that of `[model]`.
     pub race_control: Option<RaceControl>,
+    /// Class of the clearance of a deep-groove bearing of the catalogue, "C2", "CN", "C3", "C4" or "C5": the
+    /// middle of its range for the bore (ISO 5753-1). Default: "CN", where no clearance is given.
+    pub clearance_class: Option<ClearanceClass>,
     /// Change of the diametral clearance by fits and temperature, for instance "-5 um": negative
     /// tightens and makes the contact angle smaller. Default: "0 m".
     #[serde(default)]
@@ -125,6 +130,13 @@ impl BearingInput {
         let mounted = self.build_one(model, freedoms, problems);
         let places = self.places(problems);
         let mounted = mounted?;
+        let is_symmetric = mounted.bearing.geometry.is_symmetric();
+        if self.facing.is_some() && is_symmetric && mounted.preload == Preload::AxialOffset(0.0) {
+            problems.warn(format!(
+                "`{}` says nothing here: a deep-groove bearing without preload is alike in both directions",
+                problems.path(".facing")
+            ));
+        }
         let place = |(position, facing)| MountedBearing {
             position,
             facing,
@@ -145,6 +157,7 @@ impl BearingInput {
         let sources = Sources {
             input: &input,
             entry,
+            clearance_class: self.clearance_class,
             clearance_change: self.clearance_change.si(),
         };
         let rating = si(&self.dynamic_rating);
@@ -158,6 +171,7 @@ impl BearingInput {
             roughness: si(&self.roughness),
             limiting_speed: si(&self.limiting_speed),
             shoulder_angle: si(&self.shoulder_angle),
+            clearance_class: sources.class_taken(),
         };
         check_contact(&bearing, problems);
         self.check_law(model, problems);

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::bearing::catalogue::CatalogueEntry;
-use crate::bearing::{FreePosition, Geometry, GeometryError};
+use crate::bearing::{ClearanceClass, FreePosition, Geometry, GeometryError};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::dimension::significant;
@@ -58,6 +58,8 @@ pub struct Sources<'a> {
     pub input: &'a GeometryInput,
     /// The catalogue bearing that it overrides.
     pub entry: Option<&'a CatalogueEntry>,
+    /// Class of the clearance, where it is given.
+    pub clearance_class: Option<ClearanceClass>,
     /// Change of the diametral clearance, m.
     pub clearance_change: f64,
 }
@@ -105,13 +107,57 @@ impl Sources<'_> {
         value
     }
 
-    fn free_position(&self, problems: &mut Problems<'_>) -> Option<FreePosition> {
+    /// The class whose middle the clearance is: the one given, or else CN of a deep-groove bearing of the catalogue.
+    pub fn class_taken(&self) -> Option<ClearanceClass> {
+        let is_open = self.given_position().is_none();
+        let entry = self
+            .entry
+            .filter(|entry| is_open && entry.contact_angle_deg.is_none());
+        entry.map(|_| self.clearance_class.unwrap_or_default())
+    }
+
+    fn given_position(&self) -> Option<FreePosition> {
         let input = self.input;
-        let given = si(&input.contact_angle)
+        si(&input.contact_angle)
             .map(FreePosition::ContactAngle)
             .or_else(|| si(&input.diametral_clearance).map(FreePosition::DiametralClearance))
             .or_else(|| si(&input.radial_clearance).map(FreePosition::RadialClearance))
-            .or_else(|| self.entry.map(CatalogueEntry::free_position));
+    }
+
+    /// Refuses a class of clearance that says nothing, or something else than the geometry.
+    fn check_class(&self, problems: &mut Problems<'_>) {
+        if self.clearance_class.is_none() || self.class_taken().is_some() {
+            return;
+        }
+        let keys = ["contact_angle", "diametral_clearance", "radial_clearance"].map(at);
+        let (message, help) = match self.entry {
+            _ if self.given_position().is_some() => (
+                "the geometry says already how the races stand to each other".to_owned(),
+                "remove `clearance_class`, or the clearance or contact angle in the geometry",
+            ),
+            Some(entry) => (
+                format!(
+                    "{} is an angular contact bearing, which has no class of clearance",
+                    entry.designation
+                ),
+                "remove it; `clearance_change` and `preload` tighten the bearing",
+            ),
+            None => (
+                "a class of clearance needs the bore, which only a bearing of the catalogue has"
+                    .to_owned(),
+                "give diametral_clearance in [bearing.geometry] instead, for instance \"12 um\"",
+            ),
+        };
+        let issue = Issue::new(".clearance_class", message).help(help);
+        problems.refuse(issue.against_all(keys));
+    }
+
+    fn free_position(&self, problems: &mut Problems<'_>) -> Option<FreePosition> {
+        self.check_class(problems);
+        let class = self.clearance_class.unwrap_or_default();
+        let given = self
+            .given_position()
+            .or_else(|| self.entry.map(|entry| entry.free_position(class)));
         if given.is_none() {
             let message = format!(
                 "`{}` needs one of `contact_angle`, `diametral_clearance`, `radial_clearance`",

@@ -126,12 +126,23 @@ fn missing_key(inner: &str, table: &str, schema: &Value) -> Issue {
     let key = last(inner);
     let message = format!("{table} needs `{key}`");
     let issue = Issue::new(inner, message);
+    // in TOML the tables of a list bear the name of the list
+    let table = without_indices(inner);
     match (schema["type"].as_str(), example(schema)) {
-        (Some("object"), _) => issue.help(format!("add a table `[{inner}]`")),
-        (Some("array"), _) => issue.help(format!("add a table `[[{inner}]]`")),
-        (_, Some(example)) => issue.help(format!("for instance: {key} = {example}")),
+        (Some("object"), _) => issue.help(format!("add a table `[{table}]`")),
+        (_, Some(example)) if !example[0].is_object() => {
+            issue.help(format!("for instance: {key} = {example}"))
+        }
+        (Some("array"), _) => issue.help(format!("add a table `[[{table}]]`")),
         _ => issue,
     }
+}
+
+/// `spectrum[0].band` as `spectrum.band`.
+fn without_indices(path: &str) -> String {
+    let steps = path.split('.');
+    let names = steps.map(|step| step.split('[').next().unwrap_or_default());
+    names.collect::<Vec<_>>().join(".")
 }
 
 /// A value that the schema shows as valid.

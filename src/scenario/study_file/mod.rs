@@ -65,8 +65,16 @@ pub fn study_schema() -> &'static Value {
 /// [`ScenarioError`] with everything that is wrong, of the study or else of the scenario.
 pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
     let document = Document::open(path)?;
+    if document.is_scenario() {
+        let message = "this is a scenario, not a study file, which names one by `base`";
+        let help = "use `jeffcott run`, `bearing`, `steady`, `campbell` or `accuracy`, or write a study file";
+        let issue = Issue::new("shaft", message).help(help);
+        return Err(document.refused(issue));
+    }
     let mut problems = document.problems().about("the study");
     let input: Option<StudyFileInput> = reader::read(study_schema(), &mut problems);
+    let title = input.as_ref().and_then(|input| input.title.as_deref());
+    super::check_title(title, &mut problems);
     let base = input.as_ref().filter(|_| !problems.distrusts("base"));
     let base = base.map(|input| document.folder().join(&input.base));
     let scenario = match &base {

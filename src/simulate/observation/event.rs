@@ -11,9 +11,9 @@ use crate::keys;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum EventKind {
-    /// A ball leaves the inner race: it falls below [`crate::bearing::ContactBand::lost`].
+    /// A ball leaves the inner race: it falls below `bearing::ContactBand::lost`.
     ContactLost,
-    /// A ball meets the inner race again: it rises above [`crate::bearing::ContactBand::regained`].
+    /// A ball meets the inner race again: it rises above `bearing::ContactBand::regained`.
     ContactRegained,
     /// A preloaded bearing bears nothing axially any more: no ball touches the inner race, or the
     /// axial force has turned against the preload.

@@ -3,12 +3,15 @@
 use serde::Serialize;
 
 use super::{EventCount, EventKind, LifeHistory, LoadZone};
+use crate::bearing::Clearance;
 use crate::keys;
 
 /// What a run observed of one bearing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct BearingHistory {
+    /// Clearance of a deep-groove bearing; none of an angular contact bearing.
+    pub clearance: Option<Clearance>,
     /// Number of its balls; zero for a linear bearing, which knows none and of which nothing is
     /// observed.
     pub balls: usize,

@@ -126,6 +126,7 @@ impl<'a> Observation<'a> {
     /// What was observed, bearing by bearing.
     pub fn finish(self) -> Vec<BearingHistory> {
         let history = |bearing: BearingObserver<'_>| BearingHistory {
+            clearance: bearing.support.definition().bearing.clearance(),
             balls: bearing.support.known_balls(),
             events: bearing.counts.finish(),
             load_zone: bearing.zone.and_then(LoadZoneSums::finish),

@@ -190,3 +190,26 @@ fn a_fast_bearing_with_ball_inertia_and_films_keeps_to_ten_tolerances_or_warns()
         .replace("0.03 s", "0.02 s");
     check("jones + film", &read(&scene).model.unwrap());
 }
+
+/// Where the difference of two passes is round-off, they share most of it, and another method shows it.
+#[test]
+fn the_stated_error_holds_round_off() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios/balanced-7205c.toml");
+    let model = read(&fs::read_to_string(file).unwrap()).model.unwrap();
+    let run = |method: Method, tolerance: f64| {
+        let mut model = model.clone();
+        model.integrator.method = method;
+        model.integrator.tolerance = tolerance;
+        model.verify = true;
+        let (run, samples) = try_run(&model, 0.0);
+        (run.unwrap().measured_error.unwrap().displacement, samples)
+    };
+    let (stated, samples) = run(Method::Exponential, 1e-10);
+    let (_, others) = run(Method::Verner76, 1e-12);
+    let apart = apart(&model, &samples, &others);
+    assert!(apart <= stated, "{apart:e} is more than {stated:e}");
+    assert!(
+        stated < 4.0 * apart,
+        "{stated:e} says too much of {apart:e}"
+    );
+}

@@ -124,6 +124,7 @@ fn high_speed_case_of_a_public_program() {
         roughness: None,
         limiting_speed: None,
         shoulder_angle: None,
+        clearance_class: None,
     };
     let speed = 50_000.0 * std::f64::consts::TAU / 60.0;
     let law = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();

@@ -59,6 +59,7 @@ impl Random {
             roughness: None,
             limiting_speed: None,
             shoulder_angle: None,
+            clearance_class: None,
         }
     }
 

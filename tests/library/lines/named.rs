@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::analysis::{LineKind, Window};
+use crate::analysis::{BearingFrequencies, LineKind, Sources, Window, causes, nearest_cause};
 use crate::bearing::Support;
 use crate::rotor::load::{ChainDrive, Sprocket};
 use crate::rotor::{Load, LoadKind, Rotor};
@@ -105,5 +105,24 @@ fn a_natural_frequency_names_its_line_and_says_how_it_whirls() {
         let ratio = mode.damped_frequency / mode.frequency;
         let expected = (1.0 - mode.damping_ratio.powi(2)).sqrt();
         assert_near("damped frequency", ratio, expected, 1e-12);
+    }
+}
+
+/// Under a radial load many multiples of the ball pass stand out: they are named as far as orders of the shaft are.
+#[test]
+fn multiples_of_the_ball_pass_are_named_up_to_the_twentieth() {
+    let pass = bearing("6205").geometry.ball_pass(TAU * 24.6667);
+    let lines = causes(&Sources {
+        shaft: 24.6667,
+        bearings: vec![BearingFrequencies {
+            simulated: pass,
+            operating: pass,
+        }],
+        ..Sources::default()
+    });
+    for multiple in [7, 13, 20] {
+        let line = nearest_cause(f64::from(multiple) * pass.outer, 0.5, &lines);
+        let name = line.map(|line| line.kind.to_string());
+        assert_eq!(name, Some(format!("{multiple}×BPFO")));
     }
 }

@@ -20,6 +20,7 @@ fn crowded_bearing() -> Bearing {
         roughness: None,
         limiting_speed: None,
         shoulder_angle: None,
+        clearance_class: None,
     }
 }
 

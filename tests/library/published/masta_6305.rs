@@ -5,7 +5,7 @@
 use crate::bearing::{Bearing, Vector5};
 use crate::physics::Material;
 
-use crate::tests::support::{assert_near, assert_printed, bearing, equilibrium, mounted};
+use crate::tests::support::{assert_near, assert_printed, equilibrium, mounted, without_clearance};
 
 /// Displacement under a load, all freedoms free.
 fn displacement(load: Vector5) -> Vector5 {
@@ -16,7 +16,7 @@ fn displacement(load: Vector5) -> Vector5 {
     let bearing = Bearing {
         ring_material: steel,
         ball_material: steel,
-        ..bearing("6305")
+        ..without_clearance("6305")
     };
     equilibrium(&[mounted(bearing)], load, [true; 5])
         .expect("the load is carried")

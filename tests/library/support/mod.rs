@@ -23,6 +23,24 @@ use nalgebra::DMatrix;
 /// Micrometre in m.
 pub const MICROMETRE: f64 = 1e-6;
 
+/// A deep-groove bearing of the catalogue without clearance.
+pub fn without_clearance(designation: &str) -> Bearing {
+    let entry = catalogue::find(designation).expect("an entry");
+    let bearing = bearing(designation);
+    let geometry = Geometry::new(
+        entry.balls,
+        bearing.geometry.ball_diameter(),
+        bearing.geometry.pitch_diameter(),
+        FreePosition::DiametralClearance(0.0),
+        entry.groove_factor_inner,
+        entry.groove_factor_outer,
+    );
+    Bearing {
+        geometry: geometry.expect("a geometry"),
+        ..bearing
+    }
+}
+
 /// A catalogue bearing of bearing steel.
 pub fn bearing(designation: &str) -> Bearing {
     let entry = catalogue::find(designation).expect("a designation of the catalogue");
@@ -48,6 +66,7 @@ pub fn literature_bearing(
         roughness: None,
         limiting_speed: None,
         shoulder_angle: None,
+        clearance_class: None,
     }
 }
 
