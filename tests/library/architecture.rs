@@ -97,7 +97,8 @@ fn names(code: &str, prefix: &str) -> bool {
 #[test]
 fn every_source_file_stands_on_a_floor() {
     for (file, floor, _) in sources() {
-        let known = level(&floor).is_some() || ["internals", "lib", "main"].contains(&floor.as_str());
+        let known =
+            level(&floor).is_some() || ["internals", "lib", "main"].contains(&floor.as_str());
         assert!(known, "{} stands on no floor", file.display());
     }
 }
