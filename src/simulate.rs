@@ -11,6 +11,7 @@ mod recorded;
 mod reference;
 mod run;
 mod sampling;
+mod size;
 mod spectra;
 mod tables;
 mod warnings;
@@ -30,11 +31,13 @@ pub use observation::{
 pub(crate) use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub use recorded::{RecordedRun, UnknownColumn};
 pub use run::{MeasuredError, Run, StaticState};
+pub(crate) use size::RunSize;
 pub(crate) use tables::TableUse;
+pub(crate) use warnings::PROMISE;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 pub use crate::integrate::{Counters, IntegrateError};
-use crate::integrate::{Grid, Integration, MethodUse, SEGMENT, States, Stiffness, System};
+use crate::integrate::{Grid, Integration, MethodUse, Pace, SEGMENT, States, Stiffness, System};
 pub use crate::rotor::{
     BallContacts, DriveMoments, EnergyBalance, NaturalFrequency, RotorDefinition, RotorError,
     Sample, UnconstrainedError, Whirl, Works,
@@ -82,7 +85,7 @@ pub(crate) fn simulate_part(
     }
     let unconstrained = check_constraints(&model.rotor, &rotor)?;
     let grid = sampling::grid(model, &rotor)?;
-    let mut passes = Passes::start(model, &rotor, grid, monitor.stop);
+    let mut passes = Passes::start(model, &rotor, grid, monitor.stop, part.paces);
     let mut observers = Observers::new(model, &rotor, grid, sink, tables);
     part.go_on(&mut passes.main, passes.reference.as_mut())?;
     replay(&passes, &mut observers, monitor, part)?;
@@ -218,7 +221,13 @@ struct Passes<'a> {
 }
 
 impl<'a> Passes<'a> {
-    fn start(model: &Model, rotor: &'a Rotor, grid: Grid, stop: &'a AtomicBool) -> Self {
+    fn start(
+        model: &Model,
+        rotor: &'a Rotor,
+        grid: Grid,
+        stop: &'a AtomicBool,
+        [pace, reference_pace]: [Option<&'a Pace>; 2],
+    ) -> Self {
         let scale = rotor.motion_scale(reference_settings(model).tolerance);
         let pass = |settings| {
             let (scaling, state) = (rotor.scaling(&scale), rotor.start());
@@ -227,10 +236,11 @@ impl<'a> Passes<'a> {
         Self {
             rotor,
             grid,
-            main: pass(model.integrator),
-            reference: model
-                .verify
-                .then(|| Reference::new(pass(reference_settings(model)), rotor.states())),
+            main: pass(model.integrator).watched(pace),
+            reference: model.verify.then(|| {
+                let second = pass(reference_settings(model)).watched(reference_pace);
+                Reference::new(second, rotor.states())
+            }),
             scale,
         }
     }

@@ -3,9 +3,6 @@
 use super::{Axis, Channel, SpectrumRequest};
 use crate::rotor::Sample;
 
-/// Most samples that room is made for before they come.
-const FORESEEN: usize = 1 << 16;
-
 /// How the samples of a run follow each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SampleGrid {
@@ -114,9 +111,15 @@ impl Recording {
     pub(crate) fn until(mut self, end: f64) -> Self {
         let expected = (end - self.settle) * self.grid.rate + 2.0;
         for (_, values) in &mut self.channels {
-            values.reserve((expected as usize).min(FORESEEN));
+            // without it, or with too little, they grow as they come
+            let _ = values.try_reserve_exact(expected as usize);
         }
         self
+    }
+
+    /// Number of columns.
+    pub(crate) fn columns(&self) -> usize {
+        self.channels.len()
     }
 
     /// Whether samples must come with their accelerations.

@@ -74,19 +74,24 @@ fn too_fast(bearing: &Bearing, speed: f64) -> Option<String> {
     })
 }
 
+/// Least contact angle, rad, that is an axial load: a ball without any stands at zero but for round-off.
+const LEANING: f64 = 1e-5;
+
 /// Loaded balls of an angular contact bearing that lean against the wrong shoulders.
 fn wrong_way(bearing: &Bearing, loaded: &[(usize, &BallLine)]) -> Option<String> {
     let nominal = bearing.geometry.nominal_angle();
     if nominal == 0.0 {
         return None;
     }
-    let leaning = loaded.iter().filter(|(_, ball)| ball.inner.angle < 0.0);
+    let leaning = loaded
+        .iter()
+        .filter(|(_, ball)| ball.inner.angle < -LEANING);
     let count = leaning.clone().count();
     let (number, ball) = leaning.min_by(|a, b| a.1.inner.angle.total_cmp(&b.1.inner.angle))?;
     Some(format!(
         "loaded the wrong way: {count} of {} loaded balls have a negative contact angle, ball \
          {number} (at {:.1}°) the most with {:.2}°; an angular contact bearing of {:.1}° bears \
-         axially one way only",
+         axially one way only: turn its `facing`, or the load along z",
         loaded.len(),
         ball.azimuth.to_degrees(),
         ball.inner.angle.to_degrees(),

@@ -5,10 +5,13 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
+use super::demand::Demand;
 use super::{Outcome, stream};
-use crate::scenario::{self, ScenarioError};
+use crate::scenario::{self, Scenario, ScenarioError, StudyFile};
 
-/// Checks scenario and study files without running them; shows all that is wrong.
+/// Checks scenario and study files without running them; shows all that is wrong, and what a run takes.
+///
+/// The memory is somewhat more than a run turns out to take, the time that of its first steps carried on to its end.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott check scenarios/steady-7205c.toml\n\n\
@@ -49,19 +52,32 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 struct Checked {
     title: String,
     warnings: Vec<String>,
+    /// What it takes; none where nothing moves, or no run can begin.
+    demand: Option<Demand>,
 }
 
 fn check(file: &Path) -> Result<Checked, ScenarioError> {
     if scenario::is_study(file) {
         return scenario::load_study(file).map(|study| Checked {
+            demand: demand_of_study(&study),
             title: study.title,
             warnings: Vec::new(),
         });
     }
     scenario::load(file).map(|scenario| Checked {
+        demand: demand(&scenario),
         title: scenario.title,
         warnings: scenario.warnings,
     })
+}
+
+fn demand(scenario: &Scenario) -> Option<Demand> {
+    Demand::of(scenario, scenario.model.as_ref()?).ok()
+}
+
+fn demand_of_study(study: &StudyFile) -> Option<Demand> {
+    let first = study.model(&study.plan.values(0)).ok()?;
+    Demand::of_runs(&first, study).ok()
 }
 
 fn finding(name: &str, checked: &Result<Checked, ScenarioError>) -> Value {
@@ -71,6 +87,7 @@ fn finding(name: &str, checked: &Result<Checked, ScenarioError>) -> Value {
             "ok": true,
             "title": scenario.title,
             "warnings": scenario.warnings,
+            "demand": scenario.demand.as_ref().map(Demand::json),
             "issues": [],
         }),
         Err(error) => json!({
@@ -89,7 +106,9 @@ fn show(name: &str, checked: &Result<Checked, ScenarioError>) -> io::Result<()> 
             for warning in &scenario.warnings {
                 stream::tell(&format!("warning: {name}: {warning}\n"));
             }
-            stream::print(&format!("{name}: ok, {}\n", scenario.title))
+            let takes = scenario.demand.as_ref();
+            let takes = takes.map_or_else(String::new, |demand| format!("  {demand}\n"));
+            stream::print(&format!("{name}: ok, {}\n{takes}", scenario.title))
         }
         Err(error) => {
             stream::tell(&error.render(stream::color()));

@@ -2,19 +2,22 @@
 
 use std::io;
 use std::sync::atomic::Ordering;
+use std::sync::mpsc;
+use std::thread;
 use std::time::Instant;
 
+use super::demand::check_memory;
 use super::ending::{self, Kept};
 use super::jobs::{Answer, Failure, Files, Job};
+use super::pace::PaceWatch;
 use super::parts::Parts;
-use super::progress::Progress;
 use super::written::Written;
 use super::{Outcome, stop};
-use crate::integrate::IntegrateError;
+use crate::integrate::{IntegrateError, Pace};
 use crate::report::{self, Failure as Cause, RestartReader, RestartWriter, RunReport, RunSummary};
 use crate::scenario::Scenario;
 use crate::simulate::{
-    Earlier, Model, Monitor, Part, Run, SimulateError, Standing, StateKeeper, simulate_part,
+    Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, Standing, StateKeeper, simulate_part,
 };
 use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
 
@@ -68,6 +71,10 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let prepare = |job: &mut Job| {
         let missing = "`run` needs a table `[time]`; `jeffcott bearing` does without";
         let model = job.motion(arguments.no_verify, missing)?;
+        // what keeps a run from beginning it tells itself
+        if let Ok(size) = RunSize::of(&model) {
+            check_memory(&size, 1)?;
+        }
         arguments.written.apply(&mut job.scenario);
         let restart = arguments.parts.restart(job, &model)?;
         Ok((model, restart))
@@ -97,7 +104,9 @@ impl Motion<'_> {
         let mut report = RunReport::of(&self.job.scenario, &self.model, &self.job.folder)?;
         let (parts, resumed) = (&arguments.parts, restart.is_some());
         let mut keeper = parts.keeper(&report, self.job, &self.model)?;
+        let paces = [Pace::default(), Pace::default()];
         let mut part = Part {
+            paces: paces.each_ref().map(Some),
             earlier: restart.as_mut().map(|restart| Earlier {
                 standing: restart.standing().clone(),
                 states: restart,
@@ -107,13 +116,18 @@ impl Motion<'_> {
             ..Part::default()
         };
         let title = &self.job.scenario.title;
-        let mut progress = Progress::new(title);
         let mut monitor = Monitor {
             stop: stop::flag(),
-            progress: &mut |part| progress.show(part),
+            progress: &mut |_| {},
         };
-        let result = simulate_part(&self.model, &mut report, &mut monitor, &mut part);
-        drop(progress);
+        let watch = PaceWatch::new(self.job, &self.model, &paces);
+        let (running, ended) = mpsc::channel();
+        let result = thread::scope(|scope| {
+            // a system without a further thread runs it all the same, unwatched
+            let _ = thread::Builder::new().spawn_scoped(scope, move || watch.until(&ended));
+            let _running = running;
+            simulate_part(&self.model, &mut report, &mut monitor, &mut part)
+        });
         let (standing, counters) = (part.standing, part.counters);
         let resume = arguments.resume_command(self.job);
         match result {

@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
+use super::demand::{TooLarge, check_memory};
 use super::jobs::folder_of;
 use super::progress::Progress;
 use super::{Outcome, stop, stream};
@@ -16,7 +17,7 @@ use crate::report::many::{
 };
 use crate::report::{self, Outputs, ReportError, RunReport};
 use crate::scenario::{self, StudyFile};
-use crate::simulate::{Monitor, SimulateError, simulate};
+use crate::simulate::{Monitor, RunSize, SimulateError, simulate};
 use crate::study::many::{Maker, Schedule, Shard, Unmade, work};
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
@@ -139,6 +140,8 @@ enum Failure {
     Report(#[from] ReportError),
     #[error(transparent)]
     Simulate(#[from] SimulateError),
+    #[error(transparent)]
+    TooLarge(#[from] TooLarge),
     #[error("there is no run {number}: they count from 0 to {last}")]
     NoRun { number: u64, last: u64 },
     #[error("there is no part {number} of {count}: the study has {most} to share at most")]
@@ -166,6 +169,7 @@ impl Failure {
     fn outcome(&self) -> Outcome {
         match self {
             Self::First(_)
+            | Self::TooLarge(_)
             | Self::NoRun { .. }
             | Self::NoPart { .. }
             | Self::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }) => {
@@ -183,6 +187,8 @@ struct Task<'a> {
     folder: PathBuf,
     schedule: Schedule,
     freedoms: usize,
+    /// Of the first run, if it can begin.
+    size: Option<RunSize>,
 }
 
 impl<'a> Task<'a> {
@@ -199,6 +205,7 @@ impl<'a> Task<'a> {
             folder,
             schedule: Schedule::new(points, last, study.sweep),
             freedoms,
+            size: RunSize::of(&model).ok(),
         })
     }
 
@@ -223,6 +230,9 @@ impl<'a> Task<'a> {
     fn all(&self, maker: &Maker<'_>) -> Result<Outcome, Failure> {
         let started = Instant::now();
         let shard = self.make.shard.unwrap_or(Shard::WHOLE);
+        if let Some(size) = &self.size {
+            check_memory(size, self.threads())?;
+        }
         let most = self.schedule.chains();
         if shard.count > most.max(1) {
             let Shard { number, count } = shard;
@@ -372,6 +382,9 @@ fn outcome(digest: Option<&Digest>) -> Outcome {
 
 /// Shows what came of a study.
 fn show(title: &str, files: &[PathBuf], digest: Option<&Digest>, as_json: bool) -> io::Result<()> {
+    if let Some(warning) = digest.and_then(Digest::error_warning) {
+        stream::tell(&format!("warning: {title}: {warning}\n"));
+    }
     let paths = files.iter().map(|file| file.display().to_string());
     if as_json {
         let digest = digest.map(Digest::summary);

@@ -281,6 +281,14 @@ impl LibrarySystem<f64, DVector<f64>> for Bridge<'_> {
         let stop = block.problem.stop.load(Ordering::Relaxed);
         recorder.stopped.set(stop);
         let steps = recorder.steps(block);
+        if let Some(pace) = block.problem.pace {
+            let counters = Counters {
+                steps,
+                ..Counters::default()
+            };
+            let time = block.start + x * block.problem.scaling.time;
+            pace.note(time, &counters);
+        }
         if accepted && is_check_due(&block.problem, steps - 1, steps) {
             *recorder.hopeless.borrow_mut() = stiff(self.method, block, recorder);
         }

@@ -7,8 +7,8 @@ use super::problem::Problem;
 use super::stepper::{Start, Stepper};
 use super::stiffness::{is_check_due, stiffness};
 use super::{
-    Checkpoint, CheckpointMismatch, Counters, Grid, IntegrateError, Method, MethodUse, SEGMENT,
-    Scaling, Settings, States, Stiffness, System,
+    Checkpoint, CheckpointMismatch, Counters, Grid, IntegrateError, Method, MethodUse, Pace,
+    SEGMENT, Scaling, Settings, States, Stiffness, System,
 };
 
 /// Steps between two checks for stiffness: the implicit method's trial then costs a few per cent of them.
@@ -20,6 +20,7 @@ pub struct Integration<'a> {
     pub(super) grid: Grid,
     pub(super) settings: Settings,
     stop: &'a AtomicBool,
+    pace: Option<&'a Pace>,
     /// Scaled state where the latest block or segment ended.
     pub(super) scaled: Vec<f64>,
     /// Room for a state.
@@ -71,6 +72,7 @@ impl<'a> Integration<'a> {
             grid,
             settings,
             stop,
+            pace: None,
             scaled,
             state: state.to_vec(),
             next: 0,
@@ -80,9 +82,18 @@ impl<'a> Integration<'a> {
         }
     }
 
+    /// The same, watched from elsewhere.
+    #[must_use]
+    pub fn watched(self, pace: Option<&'a Pace>) -> Self {
+        Self { pace, ..self }
+    }
+
     pub(super) fn problem(&self) -> Problem<'_> {
         let (scaling, settings) = (&self.scaling, &self.settings);
-        Problem::over(&self.grid, self.system, scaling, settings, self.stop)
+        Problem {
+            pace: self.pace,
+            ..Problem::over(&self.grid, self.system, scaling, settings, self.stop)
+        }
     }
 
     /// What it takes to go on another time from the latest end of a segment.
@@ -224,7 +235,10 @@ impl<'a> Integration<'a> {
         let time = self.grid.time(self.next);
         let is_within = self.stepper.method().time() >= time;
         let (scaling, settings) = (&self.scaling, &self.settings);
-        let problem = Problem::over(&self.grid, self.system, scaling, settings, self.stop);
+        let problem = Problem {
+            pace: self.pace,
+            ..Problem::over(&self.grid, self.system, scaling, settings, self.stop)
+        };
         let result = self.stepper.state_at(&problem, time, &mut self.state);
         if !is_within || result.is_err() {
             self.note_progress();

@@ -3,7 +3,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::{Counters, Grid, IntegrateError, Scaling, Settings, System};
+use super::{Counters, Grid, IntegrateError, Pace, Scaling, Settings, System};
 
 /// Least first guess of a step size, in units of the scaling's time.
 const LEAST_GUESS: f64 = 1e-6;
@@ -17,6 +17,8 @@ pub(super) struct Problem<'a> {
     pub scaling: &'a Scaling,
     pub settings: &'a Settings,
     pub stop: &'a AtomicBool,
+    /// Who watches takes it from here.
+    pub pace: Option<&'a Pace>,
     /// No step ends after this, s.
     pub end: f64,
     /// Breaks nearer than this to a step's start count as standing there, s.
@@ -37,6 +39,7 @@ impl<'a> Problem<'a> {
             scaling,
             settings,
             stop,
+            pace: None,
             end: grid.time(grid.count.saturating_sub(1)),
             slack: grid.slack(),
         }
@@ -55,6 +58,9 @@ impl<'a> Problem<'a> {
         fault: bool,
     ) -> Result<(), IntegrateError> {
         let limit = self.settings.step_limit;
+        if let Some(pace) = self.pace {
+            pace.note(time, counters);
+        }
         if self.stop.load(Ordering::Relaxed) {
             return Err(IntegrateError::Interrupted { time });
         }

@@ -118,6 +118,7 @@ fn implicit_step(problem: &Problem<'_>, time: f64, deviation: &[f64], step: f64)
     let trial = Problem {
         settings: &settings,
         stop: &GOES_ON,
+        pace: None,
         end: (time + TRIAL * step).min(problem.system.next_break(time + step)),
         ..*problem
     };

@@ -14,6 +14,8 @@ pub enum FileAction {
     Read,
     /// Write into a file.
     Write,
+    /// See that a file or folder outlives a loss of power.
+    Sync,
     /// Give a finished file its name.
     Rename,
     /// Remove the file of an earlier run.
@@ -26,6 +28,7 @@ impl fmt::Display for FileAction {
             Self::Create => "create",
             Self::Read => "read",
             Self::Write => "write",
+            Self::Sync => "sync",
             Self::Rename => "rename",
             Self::Remove => "remove",
         })
@@ -45,6 +48,15 @@ pub enum ReportError {
         path: PathBuf,
         /// The answer of the system.
         source: io::Error,
+    },
+    /// Another process writes to the folder.
+    #[error(
+        "another process is writing to {}; wait for its end, or write to another folder by --out",
+        folder.display()
+    )]
+    Busy {
+        /// The folder.
+        folder: PathBuf,
     },
     /// A figure could not be drawn.
     #[error("cannot draw {figure}")]

@@ -3,7 +3,10 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
+use super::claim::Claim;
 use super::figure::Figure;
 use super::table::{Column, Origin, Table, TableFiles};
 use super::{FileAction, ReportError};
@@ -139,28 +142,60 @@ impl FileSet {
     }
 }
 
+/// Files whose content is synced at a time.
+const SYNCED_AT_A_TIME: usize = 8;
+
+/// What a killed run may leave.
+const TEMPORARY: &str = ".*.partial";
+
 /// A folder that takes the files of one run.
 ///
 /// Files are written under a temporary name and renamed together by [`RunFolder::commit`]. Until
 /// then an earlier run in the same folder stands as it was; a run that ends before leaves nothing
-/// behind, and one that is killed while it renames leaves a folder without the seal of its set.
+/// behind, and one that is killed, or loses its power, while it renames leaves a folder without the
+/// seal of its set. What a killed run leaves under temporary names the next one removes.
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
+    /// None where files are put that stand for themselves.
+    _claim: Option<Claim>,
     set: FileSet,
     formats: Vec<TableFormat>,
     origin: Origin,
 }
 
 impl RunFolder {
-    /// Opens the folder for a set of files, creating it and its parents where they are missing.
+    /// Opens the folder for a set of files and for this process alone, creating it and its parents where they are
+    /// missing.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where it cannot be created, [`ReportError::Busy`] where another process writes there.
+    pub fn open(path: &Path, set: FileSet) -> Result<Self, ReportError> {
+        let mut folder = Self::of_any(path, set)?;
+        folder._claim = Some(Claim::alone(path)?);
+        folder.remove([TEMPORARY.to_owned()])?;
+        Ok(folder)
+    }
+
+    /// Opens the folder for one part of a study, while other processes may make others.
+    ///
+    /// # Errors
+    /// As [`RunFolder::open`].
+    pub(super) fn open_for_part(path: &Path, set: FileSet) -> Result<Self, ReportError> {
+        let mut folder = Self::of_any(path, set)?;
+        folder._claim = Some(Claim::shared(path)?);
+        Ok(folder)
+    }
+
+    /// Opens the folder for files that stand for themselves, whoever else writes there.
     ///
     /// # Errors
     /// [`ReportError::File`] where it cannot be created.
-    pub fn open(path: &Path, set: FileSet) -> Result<Self, ReportError> {
+    pub(super) fn of_any(path: &Path, set: FileSet) -> Result<Self, ReportError> {
         fs::create_dir_all(path).map_err(ReportError::file(FileAction::Create, path))?;
         Ok(Self {
             path: path.to_owned(),
+            _claim: None,
             set,
             formats: vec![TableFormat::Csv],
             origin: Origin::default(),
@@ -274,15 +309,51 @@ impl RunFolder {
     pub(super) fn commit_as(
         self,
         set: FileSet,
-        mut files: Vec<WholeFile>,
+        files: Vec<WholeFile>,
         sealed: &[u8],
     ) -> Result<Vec<PathBuf>, ReportError> {
-        files.push(self.write(set.seal, sealed)?);
-        self.remove(std::iter::once(set.seal.to_owned()).chain(set.beside()))?;
-        let paths: Result<_, _> = files.into_iter().map(WholeFile::rename).collect();
-        let paths = paths?;
+        let seal = self.write(set.seal, sealed)?;
+        let paths = self.put(files, seal, set.beside())?;
         self.remove(set.spent.iter().map(|name| (*name).to_owned()))?;
         Ok(paths)
+    }
+
+    /// Gives files their names, in place of what stands there under these names and those of `earlier`: an earlier
+    /// seal goes before all of that, and `seal` gets its name after all others.
+    ///
+    /// Returns the paths of all files.
+    ///
+    /// # Errors
+    /// [`ReportError::File`]; the folder then has no seal.
+    pub(super) fn put(
+        &self,
+        files: Vec<WholeFile>,
+        seal: WholeFile,
+        earlier: impl IntoIterator<Item = String>,
+    ) -> Result<Vec<PathBuf>, ReportError> {
+        sync_files(files.iter().chain([&seal]))?;
+        let name = seal.pending.path.file_name().unwrap_or_default();
+        self.unseal(&[&name.to_string_lossy()])?;
+        self.remove(earlier)?;
+        let paths: Result<Vec<_>, _> = files.into_iter().map(WholeFile::rename).collect();
+        let mut paths = paths?;
+        sync_folder(&self.path)?;
+        paths.push(seal.rename()?);
+        sync_folder(&self.path)?;
+        Ok(paths)
+    }
+
+    /// Removes seals for good, before anything of what they seal is touched.
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where one cannot be removed.
+    pub(super) fn unseal(&self, seals: &[&str]) -> Result<(), ReportError> {
+        let stood = seals.iter().any(|seal| self.path.join(seal).exists());
+        if !stood {
+            return Ok(());
+        }
+        self.remove(seals.iter().map(|seal| (*seal).to_owned()))?;
+        sync_folder(&self.path)
     }
 
     /// Files of the folder's set, if an earlier run stands here whole.
@@ -333,9 +404,44 @@ pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
     let parent = path
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty());
-    let folder = RunFolder::open(parent.unwrap_or(Path::new(".")), FileSet::MOTION)?;
+    let folder = RunFolder::of_any(parent.unwrap_or(Path::new(".")), FileSet::MOTION)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    folder.write(&name, content)?.rename()?;
+    folder.write(&name, content)?.put()?;
+    Ok(())
+}
+
+/// Sees that the content of files outlives a loss of power, several at a time, as the device does them in one go.
+fn sync_files<'a>(files: impl IntoIterator<Item = &'a WholeFile>) -> Result<(), ReportError> {
+    let files: Vec<_> = files.into_iter().collect();
+    let next = AtomicUsize::new(0);
+    let sync = || {
+        let taken = std::iter::from_fn(|| files.get(next.fetch_add(1, Ordering::Relaxed)));
+        taken.map(|file| file.sync()).collect::<Result<(), _>>()
+    };
+    thread::scope(|scope| {
+        // where the system has no further thread, those that there are do it
+        let helpers = (1..SYNCED_AT_A_TIME.min(files.len()))
+            .map_while(|_| thread::Builder::new().spawn_scoped(scope, sync).ok());
+        let helpers: Vec<_> = helpers.collect();
+        let own = sync();
+        let theirs = helpers.into_iter().map(|helper| match helper.join() {
+            Ok(result) => result,
+            Err(panic) => std::panic::resume_unwind(panic),
+        });
+        theirs.chain([own]).collect()
+    })
+}
+
+/// Sees that the names in a folder outlive a loss of power.
+#[cfg(unix)]
+pub(super) fn sync_folder(path: &Path) -> Result<(), ReportError> {
+    let synced = File::open(path).and_then(|folder| folder.sync_all());
+    synced.map_err(ReportError::file(FileAction::Sync, path))
+}
+
+/// Such a system has no way to ask for it.
+#[cfg(not(unix))]
+pub(super) fn sync_folder(_path: &Path) -> Result<(), ReportError> {
     Ok(())
 }
 
@@ -420,6 +526,24 @@ impl WholeFile {
         self
     }
 
+    /// Gives it its name for good.
+    pub(super) fn put(self) -> Result<PathBuf, ReportError> {
+        self.sync()?;
+        let path = self.rename()?;
+        sync_folder(path.parent().unwrap_or(&path))?;
+        Ok(path)
+    }
+
+    fn sync(&self) -> Result<(), ReportError> {
+        let path = &self.pending.temporary;
+        let synced = File::options()
+            .append(true)
+            .open(path)
+            .and_then(|file| file.sync_data());
+        synced.map_err(ReportError::file(FileAction::Sync, path))
+    }
+
+    /// Gives it its name, which may be lost with the power.
     pub(super) fn rename(self) -> Result<PathBuf, ReportError> {
         let Pending { temporary, path } = &self.pending;
         fs::rename(temporary, path).map_err(ReportError::file(FileAction::Rename, path))?;

@@ -4,6 +4,7 @@ mod accuracy;
 mod ball_table;
 mod bytes;
 mod campbell;
+mod claim;
 mod columns;
 pub mod compare;
 mod contact_choice;

@@ -1,10 +1,15 @@
 //! A file as it was written: its text and the tree of its values.
 
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::Path;
 
 use super::node::Node;
 use super::problems::Problems;
 use super::{Format, Issue, ScenarioError, read_json, read_toml};
+
+/// Most bytes of a file.
+const LARGEST: u64 = 16 << 20;
 
 /// A text that is TOML or JSON.
 #[derive(Debug)]
@@ -28,8 +33,16 @@ impl Document {
 
     /// Reads a file in a language.
     pub fn open_as(path: &Path, format: Format) -> Result<Self, ScenarioError> {
-        let bytes = std::fs::read(path)
+        let bytes = bytes_of(path)
             .map_err(|error| unreadable(path, &format!("cannot read the file: {error}")))?;
+        if bytes.len() as u64 > LARGEST {
+            let message = format!(
+                "the file is larger than the {} MB that a scenario or study may have; a long load belongs into the \
+                 CSV file of a `series`",
+                LARGEST >> 20
+            );
+            return Err(unreadable(path, &message));
+        }
         let text = String::from_utf8(bytes).map_err(|error| {
             let byte = error.utf8_error().valid_up_to();
             unreadable(
@@ -93,6 +106,15 @@ impl Document {
     pub fn error(&self, issues: Vec<Issue>) -> ScenarioError {
         ScenarioError::new(&self.name, &self.text, issues)
     }
+}
+
+/// The bytes of a file, as many as it may have and one more.
+fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?
+        .take(LARGEST + 1)
+        .read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 fn unreadable(path: &Path, message: &str) -> ScenarioError {

@@ -5,6 +5,8 @@ use std::path::Path;
 
 use crate::rotor::load::{Column, SeriesError};
 
+/// Most bytes of a file.
+const LARGEST: u64 = 512 << 20;
 /// Name of the column of times.
 const TIME: &str = "t_s";
 /// Names of the columns of the freedoms, in their order.
@@ -17,6 +19,11 @@ pub(super) enum SeriesFileError {
     Unreadable(#[from] io::Error),
     #[error("it is not a file")]
     NotAFile,
+    #[error(
+        "it has {} MB, and {} MB are the most that is kept in memory; give fewer rows, or divide it in time and run \
+         the scenario for each part", bytes >> 20, LARGEST >> 20
+    )]
+    TooLarge { bytes: u64 },
     #[error("it is not CSV: {0}")]
     NotCsv(#[from] csv::Error),
     #[error("its first column must be `{TIME}`, not `{found}`")]
@@ -47,8 +54,12 @@ pub(super) enum SeriesFileError {
 
 /// Times in s and the columns beside them.
 pub(super) fn read(path: &Path) -> Result<(Vec<f64>, Vec<Column>), SeriesFileError> {
-    if !std::fs::metadata(path)?.is_file() {
+    let known = std::fs::metadata(path)?;
+    if !known.is_file() {
         return Err(SeriesFileError::NotAFile);
+    }
+    if known.len() > LARGEST {
+        return Err(SeriesFileError::TooLarge { bytes: known.len() });
     }
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::reference::reference_settings;
 use super::{BLOCK, Model, SimulateError, sampling};
-use crate::integrate::{Counters, Integration, States, System};
+use crate::integrate::{Counters, Integration, Pace, States, System};
 use crate::rotor::Rotor;
 
 /// The integration of a model, assembled and ready to be run as often as one likes.
@@ -33,17 +33,21 @@ impl<'a> BareRun<'a> {
     }
 
     /// Integrates over all samples of the model by its method and forgets the states: no second pass, no
-    /// observation of the bearings, no spectra.
+    /// observation of the bearings, no spectra. `pace` takes note of how it gets on.
     ///
     /// # Errors
     /// [`SimulateError`] as a run.
-    pub fn integrate(&self, stop: &AtomicBool) -> Result<Counters, SimulateError> {
+    pub fn integrate(
+        &self,
+        stop: &AtomicBool,
+        pace: Option<&Pace>,
+    ) -> Result<Counters, SimulateError> {
         let (model, rotor) = (self.model, &self.rotor);
         let scale = rotor.motion_scale(reference_settings(model).tolerance);
         let grid = sampling::grid(model, rotor)?;
         let (scaling, state) = (rotor.scaling(&scale), rotor.start());
         let mut integration =
-            Integration::new(rotor, scaling, grid, model.integrator, stop, &state);
+            Integration::new(rotor, scaling, grid, model.integrator, stop, &state).watched(pace);
         let mut states = States::with_capacity(rotor.states(), BLOCK);
         while integration.done() < grid.count {
             states.clear();

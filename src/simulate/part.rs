@@ -6,7 +6,7 @@ use std::io;
 
 use super::SimulateError;
 use super::reference::{Reference, ReferenceStanding};
-use crate::integrate::{Checkpoint, Counters, Integration, States};
+use crate::integrate::{Checkpoint, Counters, Integration, Pace, States};
 
 /// Keeps the states of a run, from which another part goes on.
 pub trait StateKeeper {
@@ -56,6 +56,8 @@ pub struct Part<'a> {
     pub stop_at: f64,
     /// Takes the states, where another part is to follow.
     pub keeper: Option<&'a mut dyn StateKeeper>,
+    /// Where the two passes note how they get on, for who watches them.
+    pub paces: [Option<&'a Pace>; 2],
     /// Where the run stood at its latest end of a block: set by the run.
     pub standing: Option<Standing>,
     /// Work done, also in the block that failed: set by the run.
@@ -69,6 +71,7 @@ impl Default for Part<'_> {
             earlier: None,
             stop_at: f64::INFINITY,
             keeper: None,
+            paces: [None; 2],
             standing: None,
             counters: Counters::default(),
         }

@@ -1,12 +1,14 @@
 //! What the reader of a run should know.
 
+use std::f64::consts::TAU;
+
 use super::{Model, Work};
 use crate::analysis::{Channel, Kind, Motion};
 use crate::integrate::{Method, Stiffness};
 use crate::rotor::Rotor;
 
 /// A measured error above this many tolerances is worth a warning.
-const PROMISE: f64 = 10.0;
+pub(crate) const PROMISE: f64 = 10.0;
 
 pub(super) fn warnings(
     model: &Model,
@@ -19,8 +21,9 @@ pub(super) fn warnings(
         warnings.push(format!(
             "the speed changes after the settle time of {} s: lines of shaft and bearings smear in \
              the spectra, which have no orders, and no peak is named after them; ball-pass \
-             frequencies are those at the highest speed, {} rad/s",
+             frequencies are those at the highest speed, {:.0} rpm ({:.1} rad/s)",
             model.settle,
+            rotor.highest_speed() * 60.0 / TAU,
             rotor.highest_speed()
         ));
     }

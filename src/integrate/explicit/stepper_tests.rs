@@ -41,6 +41,7 @@ fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper<Verner76> 
         scaling: &scaling,
         settings: &settings,
         stop: &stop,
+        pace: None,
         end: 100.0,
         slack: 1e-9,
     };

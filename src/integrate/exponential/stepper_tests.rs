@@ -31,6 +31,7 @@ fn after_a_step() -> ExponentialStepper {
         scaling: &scaling,
         settings: &settings,
         stop: &stop,
+        pace: None,
         end: 1.0,
         slack: 1e-9,
     };

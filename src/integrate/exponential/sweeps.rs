@@ -417,6 +417,7 @@ mod tests {
             scaling: &scaling,
             settings: &settings,
             stop: &stop,
+            pace: None,
             end: 100.0,
             slack: 1e-9,
         };

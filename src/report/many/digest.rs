@@ -9,6 +9,7 @@ use serde_json::Value;
 use super::response_peak::{ResponsePeak, peaks};
 use super::sensitivity::{Sensitivity, sensitivities};
 use crate::report::{FileAction, ReportError};
+use crate::simulate::PROMISE;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 20_000;
@@ -100,6 +101,8 @@ pub struct Digest {
     /// Rows that are drawn, every `stride`-th of those that were done.
     pub(super) rows: Vec<Row>,
     stride: u64,
+    /// Tolerance of the scenario that the runs start from.
+    tolerance: Option<f64>,
     /// Names of the numbers that the study keeps, where it names any.
     pub(super) named: Option<Vec<String>>,
     /// Whether the runs were drawn instead of standing on a grid.
@@ -119,6 +122,7 @@ impl Digest {
         let mut reader = csv::Reader::from_path(runs).map_err(refused)?;
         let names = reader.headers().map_err(refused)?.clone();
         let mut digest = Self::empty(names, axes, &identity["study"]);
+        digest.tolerance = identity["scenario"]["integrator"]["tolerance"].as_f64();
         for record in reader.records() {
             digest.read(record.map_err(refused)?);
         }
@@ -135,6 +139,7 @@ impl Digest {
             runs: 0,
             failed: 0,
             failures: Vec::new(),
+            tolerance: None,
             axes: names.iter().skip(2).take(axes).map(own).collect(),
             columns: columns.map(ColumnDigest::new).collect(),
             first: Vec::new(),
@@ -234,6 +239,21 @@ impl Digest {
     pub fn largest_error(&self) -> Option<f64> {
         let column = &self.columns[self.column("measured_error")?];
         (column.known > 0).then_some(column.highest)
+    }
+
+    /// What is to be told where a measured error is far beyond the tolerance.
+    pub fn error_warning(&self) -> Option<String> {
+        let column = &self.columns[self.column("measured_error")?];
+        let tolerance = self.tolerance?;
+        (column.known > 0 && column.highest > PROMISE * tolerance).then(|| {
+            format!(
+                "the measured error is {:.1e} of the motion in run {}, more than {PROMISE} × the tolerance \
+                 {tolerance:.0e}, and the largest of {} runs that measured it: their motion may be irregular or rest on \
+                 contact changes; trust statistics over runs rather than one of them, or lower `tolerance` in \
+                 [integrator]",
+                column.highest, column.highest_in_run, column.known
+            )
+        })
     }
 
     /// Numbers of runs whose error was measured.

@@ -210,11 +210,28 @@ fn alone(path: &Path) -> Result<File, JournalError> {
             let path = path.to_owned();
             return Err(JournalError::Busy { path });
         }
-        // a study that ended in between took the file away
-        if path.exists() {
+        // a study that ended in between took the file away, and yet another may have begun a new one
+        if is_that_of(&file, path) {
             return Ok(file);
         }
     }
+}
+
+/// Whether an open file is the one of a path.
+#[cfg(unix)]
+fn is_that_of(file: &File, path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let [open, there] = [file.metadata(), fs::metadata(path)].map(|known| {
+        let known = known.ok()?;
+        Some((known.dev(), known.ino()))
+    });
+    open.is_some() && open == there
+}
+
+/// Whether an open file is the one of a path: one that is open cannot be removed there.
+#[cfg(not(unix))]
+fn is_that_of(_file: &File, path: &Path) -> bool {
+    path.exists()
 }
 
 fn head(identity: &str, first: u64) -> Vec<u8> {

@@ -33,7 +33,7 @@ use self::ross::ross_files;
 pub use self::tables::Layout;
 use self::tables::{Table, write_header, write_rows};
 pub use self::traces::Traces;
-use self::traces::remove_stale;
+use self::traces::{has_traces, remove_stale, remove_unfinished, sync_traces};
 use crate::report::document::value;
 use crate::report::figure::Figure;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
@@ -67,7 +67,10 @@ impl<'a> StudyReport<'a> {
         anew: bool,
     ) -> Result<Self, JournalError> {
         let (shard, schedule) = part;
-        let folder = RunFolder::open(folder, FileSet::RUNS)?;
+        let folder = match shard {
+            Shard::WHOLE => RunFolder::open(folder, FileSet::RUNS)?,
+            _ => RunFolder::open_for_part(folder, FileSet::RUNS)?,
+        };
         let first = shard.chains(schedule).start;
         let path = folder.path().join(match shard {
             Shard::WHOLE => "runs.journal".to_owned(),
@@ -77,7 +80,10 @@ impl<'a> StudyReport<'a> {
         let known = json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "study": identity });
         let known = known.to_string();
         let journal = Journal::open(&path, &known, first, anew)?;
-        if *journal.done() == Done::none(first) {
+        remove_unfinished(folder.path(), &own)?;
+        if *journal.done() == Done::none(first) && (layout.keep.traces || has_traces(folder.path())) {
+            // traces are put in place one by one: what sealed those of an earlier study goes before them
+            folder.unseal(&[FileSet::RUNS.seal, &part_name("study", shard, "json")])?;
             remove_stale(folder.path(), &own, schedule.runs())?;
         }
         Ok(Self {
@@ -124,7 +130,11 @@ impl<'a> StudyReport<'a> {
             .iter()
             .filter(|table| table.is_kept(&self.layout.keep));
         for table in kept {
-            files.push(self.table(*table)?);
+            let file = self.table(*table)?;
+            if *table == Table::Traces {
+                sync_traces(self.folder.path(), file.temporary())?;
+            }
+            files.push(file);
         }
         if self.shard != Shard::WHOLE {
             return Ok((self.seal_part(files)?, None));
@@ -160,8 +170,7 @@ impl<'a> StudyReport<'a> {
         let text = value(seal);
         let name = part_name("study", self.shard, "json");
         let seal = self.folder.write(&name, format!("{text:#}\n").as_bytes())?;
-        let files = files.into_iter().chain([seal]);
-        let paths: Vec<_> = files.map(WholeFile::rename).collect::<Result<_, _>>()?;
+        let paths = self.folder.put(files, seal, [])?;
         self.journal.remove()?;
         Ok(paths)
     }

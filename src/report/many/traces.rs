@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::part::MergeError;
 use crate::report::bytes::Checksum;
+use crate::report::folder::sync_folder;
 use crate::report::sample_table::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;
@@ -25,7 +26,7 @@ pub struct Traces {
 impl Traces {
     /// Opens the folder of the traces in the folder of a study.
     pub(super) fn open(study: &Path) -> Result<Self, ReportError> {
-        let folder = RunFolder::open(&study.join(FOLDER), FileSet::RUNS)?;
+        let folder = RunFolder::of_any(&study.join(FOLDER), FileSet::RUNS)?;
         Ok(Self { folder })
     }
 
@@ -53,20 +54,63 @@ fn other(error: ReportError) -> io::Error {
     io::Error::other(error.to_string())
 }
 
+/// Whether traces stand in the folder of a study.
+pub(super) fn has_traces(study: &Path) -> bool {
+    study.join(FOLDER).exists()
+}
+
 /// Removes the traces that an earlier study has left: of the runs that are now made, and of those beyond
 /// the last.
 pub(super) fn remove_stale(study: &Path, own: &Range<u64>, count: u64) -> Result<(), ReportError> {
+    remove_where(study, ["trace-", ".csv"], |run| own.contains(&run) || run >= count)
+}
+
+/// Removes what a killed study has left of the traces of some runs.
+pub(super) fn remove_unfinished(study: &Path, own: &Range<u64>) -> Result<(), ReportError> {
+    remove_where(study, [".trace-", ".csv.partial"], |run| own.contains(&run))
+}
+
+/// Removes files that are called by a number of a run between two texts.
+fn remove_where(
+    study: &Path,
+    [before, after]: [&str; 2],
+    of: impl Fn(u64) -> bool,
+) -> Result<(), ReportError> {
     let entries = fs::read_dir(study.join(FOLDER)).into_iter().flatten();
     for path in entries.flatten().map(|entry| entry.path()) {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let number = name.strip_prefix("trace-");
-        let number = number.and_then(|rest| rest.strip_suffix(".csv"));
+        let number = name.strip_prefix(before);
+        let number = number.and_then(|rest| rest.strip_suffix(after));
         let number = number.and_then(|number| number.parse::<u64>().ok());
-        if number.is_some_and(|number| own.contains(&number) || number >= count) {
+        if number.is_some_and(&of) {
             fs::remove_file(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
         }
     }
     Ok(())
+}
+
+/// Sees that the traces that a table of them names outlive a loss of power; one that has not outlived an
+/// earlier one is found by its length.
+pub(super) fn sync_traces(study: &Path, table: &Path) -> Result<(), ReportError> {
+    let unread = |error: csv::Error| ReportError::file(FileAction::Read, table)(error.into());
+    let mut reader = csv::Reader::from_path(table).map_err(unread)?;
+    for record in reader.records() {
+        let record = record.map_err(unread)?;
+        let cell = |index: usize| record.get(index).unwrap_or_default();
+        let path = study.join(FOLDER).join(format!("trace-{}.csv", cell(0)));
+        sync_trace(&path, cell(1)).map_err(ReportError::file(FileAction::Sync, &path))?;
+    }
+    sync_folder(&study.join(FOLDER))
+}
+
+fn sync_trace(path: &Path, bytes: &str) -> io::Result<()> {
+    let file = fs::File::options().append(true).open(path)?;
+    let there = file.metadata()?.len();
+    if there.to_string() != bytes {
+        let message = format!("it has {there} of {bytes} bytes; begin the study anew with --restart");
+        return Err(io::Error::other(message));
+    }
+    file.sync_data()
 }
 
 /// The trace of one run.

@@ -46,7 +46,7 @@ impl RestartWriter {
         let path = self.file.path().to_owned();
         self.write_tail(standing)
             .map_err(ReportError::file(FileAction::Write, &path))?;
-        self.file.close()?.rename()
+        self.file.close()?.put()
     }
 
     fn write_tail(&mut self, standing: &Standing) -> io::Result<()> {

@@ -1,6 +1,7 @@
 //! The tables of a scenario file, one a file: plain structs that mirror the text, the
 //! descriptions that editors show, and what each table becomes in the model.
 
+mod axial;
 mod bearing;
 mod components;
 mod damping;

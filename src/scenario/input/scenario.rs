@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::axial;
 use super::bearing::BearingInput;
 use super::damping::{self, DampingInput};
 use super::initial::InitialInput;
@@ -27,6 +28,14 @@ use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_conta
 
 /// Largest difference of the law that is chosen, where none is given.
 const MODEL_ERROR: f64 = 1e-3;
+/// Place of z among the freedoms.
+const AXIAL: usize = 2;
+/// Most bearings, all those of sets counted.
+const MOST_BEARINGS: usize = 64;
+/// Most loads.
+const MOST_LOADS: usize = 1000;
+/// Most spectra to be estimated.
+const MOST_SPECTRA: usize = 200;
 
 /// A shaft on ball bearings, what drives and loads it, how long and how
 /// exactly to simulate it, and what to keep. What has a dimension is a string with its unit.
@@ -102,6 +111,7 @@ impl Questions {
 impl ScenarioInput {
     /// The questions, as far as nothing contradicts them.
     pub fn build(&self, problems: &mut Problems<'_>) -> Option<Questions> {
+        self.check_counts(problems)?;
         let (rotor, contact_choice) = self.chosen(self.rotor(problems), problems);
         let displacement = self.statics.displacement(&self.load, problems);
         let model = match &self.time {
@@ -119,6 +129,25 @@ impl ScenarioInput {
             contact_choice,
             oils: self.bearing.iter().flat_map(BearingInput::oils).collect(),
         })
+    }
+
+    /// Refuses more of a kind than any machine has, before room is made for them.
+    fn check_counts(&self, problems: &mut Problems<'_>) -> Option<()> {
+        let bearings = self.bearing.iter().map(BearingInput::count).sum();
+        let counts = [
+            ("bearing", bearings, MOST_BEARINGS),
+            ("load", self.load.len(), MOST_LOADS),
+            ("spectrum", self.spectrum.len(), MOST_SPECTRA),
+        ];
+        let mut all_right = true;
+        for (key, count, most) in counts {
+            if count > most {
+                all_right = false;
+                let message = format!("{count} times `[[{key}]]` are too many: at most {most}");
+                problems.refuse(Issue::new(key, message));
+            }
+        }
+        all_right.then_some(())
     }
 
     /// The rotor with the law of its contacts chosen, where the scene leaves it open.
@@ -187,6 +216,10 @@ impl ScenarioInput {
         let initial = self.initial.build(freedoms, problems);
         let speed = self.speed.build(problems)?;
         let mut points = speed.points();
+        let bearings = bearings?;
+        if freedoms.count() > AXIAL && load[AXIAL] == 0.0 && self.statics.displacement.is_none() {
+            axial::warn_where_unheld(&bearings, problems);
+        }
         Some(RotorDefinition {
             shaft,
             speed: points.next()?.speed,
@@ -197,7 +230,7 @@ impl ScenarioInput {
             load,
             loads,
             initial,
-            bearings: bearings?,
+            bearings,
         })
     }
 

@@ -86,7 +86,7 @@ pub(super) fn measure(model: &Model, stop: &AtomicBool) -> Result<Cost, Simulate
     let mut total = 0.0;
     while cost.repeats == 0 || (cost.repeats < MOST_REPEATS && total < LONG_ENOUGH) {
         let started = Instant::now();
-        cost.counters = bare.integrate(stop)?;
+        cost.counters = bare.integrate(stop, None)?;
         let seconds = started.elapsed().as_secs_f64();
         cost.seconds = cost.seconds.min(seconds);
         cost.repeats += 1;

@@ -11,8 +11,6 @@ use crate::scenario::problems::Problems;
 
 /// Longest name.
 const LONGEST_NAME: usize = 64;
-/// How a band is written.
-const BAND: &str = "for instance: band = [\"1 kHz\", \"5 kHz\"]";
 /// Fewest samples of a segment.
 const FEWEST_SAMPLES: f64 = 16.0;
 
@@ -78,7 +76,9 @@ impl SpectrumInput {
         let is_envelope = self.kind == KindChoice::Envelope;
         let issue = match (self.band.as_deref(), is_envelope) {
             (None, false) => return None,
-            (None, true) => Issue::new(".", "an envelope needs a `band`").help(BAND),
+            (None, true) => {
+                Issue::new(".", "an envelope needs a `band`").help(fitting_band(recorded.rate))
+            }
             (Some(_), false) => {
                 let message = "`band` needs kind = \"envelope\": no other spectrum has one";
                 Issue::new(inner, message).help("remove it")
@@ -92,7 +92,7 @@ impl SpectrumInput {
             }
             (Some(_), true) => {
                 let message = "`band` must be a lowest and a highest frequency";
-                Issue::new(inner, message).help(BAND)
+                Issue::new(inner, message).help(fitting_band(recorded.rate))
             }
         };
         problems.refuse(issue.against(inner));
@@ -160,13 +160,25 @@ impl SpectrumInput {
 fn wrong_band([low, high]: [f64; 2], rate: f64) -> Option<Issue> {
     if high <= low {
         let message = format!("`band` must rise: {high} Hz is not above {low} Hz");
-        return Some(Issue::new(".band", message).help(BAND));
+        return Some(Issue::new(".band", message).help(fitting_band(rate)));
     }
     (high > 0.5 * rate).then(|| {
         let message = format!(
-            "`band` reaches {high} Hz, above half the sampling rate of {} Hz",
-            significant(rate)
+            "`band` reaches {high} Hz, above {} Hz, half the sampling rate",
+            significant(0.5 * rate)
         );
-        Issue::new(".band", message).help("sample more often, in `[output]`")
+        let help = format!("{}, or sample more often, in `[output]`", fitting_band(rate));
+        Issue::new(".band", message).help(help)
     })
+}
+
+/// How a band is written that `rate` samples a second hold.
+fn fitting_band(rate: f64) -> String {
+    // one digit, rounded down
+    let round = |frequency: f64| {
+        let unit = 10_f64.powf(frequency.log10().floor());
+        significant((frequency / unit).floor() * unit)
+    };
+    let [low, high] = [0.1, 0.4].map(|part| round(part * rate));
+    format!("for instance: band = [\"{low} Hz\", \"{high} Hz\"]")
 }
