@@ -113,7 +113,10 @@ impl fmt::Display for Demand {
         let (memory, disk) = (bytes(self.size.memory), bytes(self.disk));
         let samples = self.size.samples;
         match self.runs {
-            None => write!(f, "{samples} samples, about {memory} of memory, {disk} of files")?,
+            None => write!(
+                f,
+                "{samples} samples, about {memory} of memory, {disk} of files"
+            )?,
             Some(runs) => write!(
                 f,
                 "{runs} runs of {samples} samples, about {memory} of memory for each thread, {disk} of files"
@@ -126,7 +129,11 @@ impl fmt::Display for Demand {
             Some(time) => write!(f, ", {:.0} h", time / 3600.0)?,
             None => return Ok(()),
         }
-        let thread = if self.runs.is_some() { " on one thread" } else { "" };
+        let thread = if self.runs.is_some() {
+            " on one thread"
+        } else {
+            ""
+        };
         write!(f, "{thread} at the pace of its start")
     }
 }
@@ -164,7 +171,9 @@ fn available() -> impl Iterator<Item = (f64, &'static str)> {
     };
     let addresses = || {
         let text = fs::read_to_string("/proc/self/limits").ok()?;
-        let line = text.lines().find_map(|line| line.strip_prefix("Max address space"))?;
+        let line = text
+            .lines()
+            .find_map(|line| line.strip_prefix("Max address space"))?;
         let limit: f64 = line.split_whitespace().next()?.parse().ok()?;
         Some((limit - ADDRESSES).max(0.0))
     };
@@ -172,7 +181,9 @@ fn available() -> impl Iterator<Item = (f64, &'static str)> {
         (free(), ""),
         (addresses(), " under the limit on addresses (ulimit -v)"),
     ];
-    found.into_iter().filter_map(|(there, of)| Some((there?, of)))
+    found
+        .into_iter()
+        .filter_map(|(there, of)| Some((there?, of)))
 }
 
 /// Bytes of all files of a run.
@@ -192,7 +203,11 @@ fn disk(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
         columns += DRIVE;
     }
     if output.balls {
-        let balls = model.rotor.bearings.iter().map(|bearing| bearing.bearing.geometry.balls());
+        let balls = model
+            .rotor
+            .bearings
+            .iter()
+            .map(|bearing| bearing.bearing.geometry.balls());
         columns += BALL * balls.sum::<usize>() as f64;
     }
     let mut numbers = columns * rows;

@@ -115,18 +115,24 @@ impl<'a> PaceWatch<'a> {
     fn standing(&self) -> String {
         let time = self.time();
         let duration = self.model.duration;
-        let left = self.left().map_or_else(String::new, |left| format!(", {}", in_words(left)));
+        let left = self
+            .left()
+            .map_or_else(String::new, |left| format!(", {}", in_words(left)));
         format!("t = {time:.4e} of {duration} s{}{left}", self.pass())
     }
 
     /// The pass that has moved last, if both are made.
     fn active(&self) -> usize {
-        let moved = self.span().is_some_and(|[from, to]| to.times[1] > from.times[1]);
+        let moved = self
+            .span()
+            .is_some_and(|[from, to]| to.times[1] > from.times[1]);
         usize::from(self.model.verify && moved)
     }
 
     fn time(&self) -> f64 {
-        self.looks.back().map_or(0.0, |look| look.times[self.active()])
+        self.looks
+            .back()
+            .map_or(0.0, |look| look.times[self.active()])
     }
 
     fn pass(&self) -> &'static str {

@@ -17,7 +17,8 @@ use crate::integrate::{IntegrateError, Pace};
 use crate::report::{self, Failure as Cause, RestartReader, RestartWriter, RunReport, RunSummary};
 use crate::scenario::Scenario;
 use crate::simulate::{
-    Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, Standing, StateKeeper, simulate_part,
+    Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, Standing, StateKeeper,
+    simulate_part,
 };
 use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
 

@@ -50,7 +50,7 @@ impl<'a> Take<'a> {
 ///
 /// Source: G. Fowler, L. C. Noll, K.-P. Vo, *The FNV Non-Cryptographic Hash Algorithm* (1991).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Checksum {
+pub(crate) struct Checksum {
     hash: u64,
     bytes: u64,
     /// The bytes of a word that is not whole yet.

@@ -45,6 +45,8 @@ mod units;
 pub(crate) use accuracy::{accuracy_text, write_accuracy};
 #[cfg(test)]
 pub(crate) use ball_table::{ball_columns, ball_row};
+#[cfg(test)]
+pub(crate) use bytes::Checksum;
 pub(crate) use campbell::{campbell_json, campbell_text, write_campbell};
 pub(crate) use contact_choice::contact_choice_text;
 pub(crate) use decimator::{Bucket, Decimator};

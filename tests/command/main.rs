@@ -9,6 +9,7 @@ mod bearing;
 mod compare;
 mod endings;
 mod help;
+mod killed;
 mod lines;
 mod readme;
 mod run;

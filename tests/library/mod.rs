@@ -8,6 +8,7 @@ mod accuracy;
 mod allocations;
 mod architecture;
 mod bearing_state;
+mod campaign;
 mod deep_groove;
 mod endings;
 mod equilibrium;

@@ -81,7 +81,8 @@ impl<'a> StudyReport<'a> {
         let known = known.to_string();
         let journal = Journal::open(&path, &known, first, anew)?;
         remove_unfinished(folder.path(), &own)?;
-        if *journal.done() == Done::none(first) && (layout.keep.traces || has_traces(folder.path())) {
+        if *journal.done() == Done::none(first) && (layout.keep.traces || has_traces(folder.path()))
+        {
             // traces are put in place one by one: what sealed those of an earlier study goes before them
             folder.unseal(&[FileSet::RUNS.seal, &part_name("study", shard, "json")])?;
             remove_stale(folder.path(), &own, schedule.runs())?;

@@ -62,7 +62,9 @@ pub(super) fn has_traces(study: &Path) -> bool {
 /// Removes the traces that an earlier study has left: of the runs that are now made, and of those beyond
 /// the last.
 pub(super) fn remove_stale(study: &Path, own: &Range<u64>, count: u64) -> Result<(), ReportError> {
-    remove_where(study, ["trace-", ".csv"], |run| own.contains(&run) || run >= count)
+    remove_where(study, ["trace-", ".csv"], |run| {
+        own.contains(&run) || run >= count
+    })
 }
 
 /// Removes what a killed study has left of the traces of some runs.
@@ -107,7 +109,8 @@ fn sync_trace(path: &Path, bytes: &str) -> io::Result<()> {
     let file = fs::File::options().append(true).open(path)?;
     let there = file.metadata()?.len();
     if there.to_string() != bytes {
-        let message = format!("it has {there} of {bytes} bytes; begin the study anew with --restart");
+        let message =
+            format!("it has {there} of {bytes} bytes; begin the study anew with --restart");
         return Err(io::Error::other(message));
     }
     file.sync_data()

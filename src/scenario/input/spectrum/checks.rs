@@ -167,7 +167,10 @@ fn wrong_band([low, high]: [f64; 2], rate: f64) -> Option<Issue> {
             "`band` reaches {high} Hz, above {} Hz, half the sampling rate",
             significant(0.5 * rate)
         );
-        let help = format!("{}, or sample more often, in `[output]`", fitting_band(rate));
+        let help = format!(
+            "{}, or sample more often, in `[output]`",
+            fitting_band(rate)
+        );
         Issue::new(".band", message).help(help)
     })
 }

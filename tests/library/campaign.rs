@@ -1,0 +1,574 @@
+//! Files with anything in them: scenarios, studies, load series, restart files and journals, changed at random from
+//! good ones, are taken or refused in words, without a panic and in time.
+//!
+//! Each test takes a few seconds. `JEFFCOTT_MUTANTS=20000 cargo test --lib --profile release campaign` changes each kind of
+//! file so often; the numbers drawn are the same every time.
+
+use std::fmt::Write;
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::AtomicBool;
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
+
+use tempfile::TempDir;
+
+use crate::report::many::{Layout, StudyReport};
+use crate::report::{Checksum, RestartReader, RunIdentity, RunReport};
+use crate::scenario::{self, Format, Scenario, ScenarioError};
+use crate::simulate::{
+    Model, Monitor, Part, RunSize, StateKeeper, StateSource, simulate, simulate_part,
+};
+use crate::study::many::{Schedule, Shard};
+
+/// Longest time that one file may take.
+const LONGEST: Duration = Duration::from_secs(30);
+/// Steps that a run of a changed scenario is followed for.
+const STEPS: u64 = 60;
+/// Samples of it.
+const SAMPLES: f64 = 40.0;
+
+/// How many files of each kind are made of the good ones.
+fn mutants() -> u64 {
+    let asked = std::env::var("JEFFCOTT_MUTANTS").ok();
+    asked.map_or(400, |text| text.parse().expect("a whole number"))
+}
+
+/// The same numbers every time: xorshift by Marsaglia.
+struct Chance(u64);
+
+impl Chance {
+    fn of(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % count.max(1) as u64) as usize
+    }
+
+    fn one<'a, T: ?Sized>(&mut self, of: &[&'a T]) -> &'a T {
+        of[self.below(of.len())]
+    }
+}
+
+/// What is written in place of numbers, words and lines.
+const NUMBERS: [&str; 22] = [
+    "0",
+    "-1",
+    "1e-300",
+    "1e300",
+    "nan",
+    "inf",
+    "-0.0",
+    "1e-9",
+    "1e9",
+    "3",
+    "0.5",
+    "2",
+    "1e4",
+    "-1e-6",
+    "100",
+    "64",
+    "7.5",
+    "4294967296",
+    "18446744073709551616",
+    "1e-3",
+    "0.999",
+    "9007199254740993",
+];
+const WORDS: [&str; 30] = [
+    "N",
+    "kN",
+    "mm",
+    "um",
+    "s",
+    "ms",
+    "rad/s",
+    "rpm",
+    "Hz",
+    "kHz",
+    "kg",
+    "auto",
+    "hertz",
+    "jones",
+    "linear",
+    "rodas",
+    "exponential",
+    "verner76",
+    "dopri5",
+    "dop853",
+    "+z",
+    "-z",
+    "all",
+    "radial",
+    "true",
+    "false",
+    "gn",
+    "x",
+    "tilt_x",
+    "µ",
+];
+const LINES: [&str; 26] = [
+    "[[bearing]]\ncatalogue = \"6205\"",
+    "[[load]]\nconstant = { z = \"10 N\" }",
+    "[[spectrum]]\nkind = \"whirl\"",
+    "[[spectrum]]\nkind = \"envelope\"\nband = [\"1 Hz\", \"2 Hz\"]",
+    "[[load]]\nharmonic = { amplitude = { x = \"1 N\" }, frequency = \"1 kHz\" }",
+    "[[load]]\nshock = { peak = { x = \"1e9 N\" }, duration = \"1 us\", at = \"1 ms\" }",
+    "[output]\nsample_rate = \"1 GHz\"",
+    "film = true",
+    "table = true",
+    "contact = \"auto\"",
+    "[study]\nvary = \"shaft.mass\"\nvalues = [\"1 kg\"]",
+    "preload = \"1 MN\"",
+    "spring_preload = \"1 N\"",
+    "position = \"1 m\"",
+    "[initial]\ndisplacement = { x = \"1 m\" }",
+    "cage = \"operating\"",
+    "[[load]]\nnoise = { rms = { x = \"1 N\" }, low = \"1 Hz\", high = \"1 MHz\", lines = 4096, seed = 1 }",
+    "duration = \"1e6 s\"",
+    "[damping]\nratio = 30",
+    "energy = true",
+    "balls = true",
+    "maps = true",
+    "every = 1000000",
+    "[a.b.c.d]",
+    "method = \"rodas\"",
+    "arrangement = \"tandem\"\nspacing = \"1 um\"",
+];
+
+/// A text with some of it changed.
+fn changed(text: &str, chance: &mut Chance) -> String {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for _ in 0..1 + chance.below(4) {
+        let line = chance.below(lines.len());
+        match chance.below(8) {
+            0 => drop(lines.remove(line)),
+            1 => lines.insert(line, lines[chance.below(lines.len())].clone()),
+            2 => lines.insert(line, chance.one(&LINES).to_owned()),
+            3 => {
+                let other = chance.below(lines.len());
+                lines.swap(line, other);
+            }
+            4 => lines[line] = with_byte_changed(&lines[line], chance),
+            5 => {
+                lines[line] = with_part_replaced(&lines[line], char::is_alphabetic, &WORDS, chance)
+            }
+            _ => {
+                let number = |c: char| c.is_ascii_digit() || ".e+-".contains(c);
+                lines[line] = with_part_replaced(&lines[line], number, &NUMBERS, chance);
+            }
+        }
+        if lines.is_empty() {
+            lines.push(String::new());
+        }
+    }
+    lines.join("\n")
+}
+
+fn with_byte_changed(line: &str, chance: &mut Chance) -> String {
+    let place = chance.below(line.chars().count() + 1);
+    let mut characters: Vec<char> = line.chars().collect();
+    let new = chance.one(&[
+        "\"", "[", "]", "{", "}", "=", ".", ",", "0", "a", "µ", "\u{0}", " ", "-",
+    ]);
+    characters.splice(
+        place..(place + chance.below(2)).min(characters.len()),
+        new.chars(),
+    );
+    characters.into_iter().collect()
+}
+
+/// A line with one of its stretches of some characters replaced.
+fn with_part_replaced(
+    line: &str,
+    of: impl Fn(char) -> bool,
+    by: &[&str],
+    chance: &mut Chance,
+) -> String {
+    let mut parts: Vec<String> = Vec::new();
+    let mut inside = false;
+    for c in line.chars() {
+        if parts.is_empty() || of(c) != inside {
+            parts.push(String::new());
+            inside = of(c);
+        }
+        if let Some(part) = parts.last_mut() {
+            part.push(c);
+        }
+    }
+    let places: Vec<_> = (0..parts.len())
+        .filter(|part| parts[*part].chars().all(&of))
+        .collect();
+    if let Some(place) = places.get(chance.below(places.len())) {
+        parts[*place] = chance.one(by).to_owned();
+    }
+    parts.concat()
+}
+
+/// Bytes with some of them changed, among them a text whose length stands somewhere, and their checksum made to fit once in a while.
+fn changed_bytes(
+    bytes: &[u8],
+    text: std::ops::Range<usize>,
+    length_at: impl Fn(usize) -> usize,
+    chance: &mut Chance,
+) -> Vec<u8> {
+    let mut bytes = bytes.to_vec();
+    for _ in 0..1 + chance.below(4) {
+        let place = chance.below(bytes.len());
+        match chance.below(5) {
+            0 => bytes.truncate(place),
+            1 => bytes.extend_from_within(place..),
+            2 => {
+                // lengths and numbers of eight bytes
+                let value = [0, 1, u64::MAX, 1 << 40, 1 << 31][chance.below(5)];
+                let end = (place + 8).min(bytes.len());
+                bytes[place..end].copy_from_slice(&value.to_le_bytes()[..end - place]);
+            }
+            3 if text.end <= bytes.len() => {
+                let inner = String::from_utf8_lossy(&bytes[text.clone()]).replace(',', ",\n");
+                let inner = changed(&inner, chance).replace('\n', "");
+                let length = inner.len() as u64;
+                bytes.splice(text.clone(), inner.into_bytes());
+                let place = length_at(bytes.len());
+                bytes[place..place + 8].copy_from_slice(&length.to_le_bytes());
+            }
+            _ if place < bytes.len() => bytes[place] ^= 1 << chance.below(8),
+            _ => {}
+        }
+    }
+    if chance.below(2) == 0 && bytes.len() > 8 {
+        let end = bytes.len() - 8;
+        let mut sum = Checksum::START;
+        sum.add(&bytes[..end]);
+        let sum = sum.value().to_le_bytes();
+        bytes[end..].copy_from_slice(&sum);
+    }
+    bytes
+}
+
+/// Tries `count` inputs: none panics, and none takes too long. `make` gives an input in words, `take` takes it.
+fn campaign<T: Send>(
+    count: u64,
+    make: impl Fn(&mut Chance) -> T + Sync,
+    show: impl Fn(&T) -> String + Sync,
+    take: impl Fn(&T, &mut Chance) + Sync,
+) {
+    let current = Mutex::new(String::new());
+    let (running, ended) = channel();
+    thread::scope(|scope| {
+        scope.spawn(|| {
+            let running = running;
+            for seed in 0..count {
+                let mut chance = Chance::of(seed + 1);
+                let input = make(&mut chance);
+                *current.lock().expect("a whole text") = show(&input);
+                let taken = catch_unwind(AssertUnwindSafe(|| take(&input, &mut chance)));
+                assert!(taken.is_ok(), "input {seed} panics:\n{}", show(&input));
+                running.send(()).expect("somebody waits");
+            }
+        });
+        loop {
+            match ended.recv_timeout(LONGEST) {
+                Ok(()) => {}
+                Err(RecvTimeoutError::Disconnected) => break,
+                Err(RecvTimeoutError::Timeout) => {
+                    // the thread that hangs could not be waited for
+                    eprintln!(
+                        "an input takes too long:\n{}",
+                        current.lock().expect("a whole text")
+                    );
+                    std::process::abort();
+                }
+            }
+        }
+    });
+}
+
+/// All that is wrong is told in words.
+fn assert_told(error: &ScenarioError) {
+    assert!(!error.issues.is_empty());
+    assert!(!error.render(false).trim().is_empty());
+    for issue in error.issues_json().as_array().expect("a list") {
+        assert!(
+            issue["message"]
+                .as_str()
+                .is_some_and(|text| !text.trim().is_empty()),
+            "{issue}"
+        );
+    }
+}
+
+/// Follows the first steps of a motion.
+fn begin(mut model: Model) {
+    let Ok(size) = RunSize::of(&model) else {
+        return;
+    };
+    if size.memory > 2e8 {
+        return;
+    }
+    model.duration = (model.duration * SAMPLES / size.samples as f64).min(model.duration);
+    model.settle = model.settle.min(0.5 * model.duration);
+    model.integrator.step_limit = STEPS;
+    let stop = AtomicBool::new(false);
+    let mut monitor = Monitor {
+        stop: &stop,
+        progress: &mut |_| {},
+    };
+    let mut report = Nobody;
+    match simulate(&model, &mut report, &mut monitor) {
+        Ok(run) => assert!(
+            run.warnings
+                .iter()
+                .all(|warning| !warning.trim().is_empty())
+        ),
+        Err(error) => assert!(!error.to_string().trim().is_empty()),
+    }
+}
+
+struct Nobody;
+
+impl crate::simulate::TraceSink for Nobody {
+    fn sample(&mut self, _: &crate::rotor::Sample) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+fn scenarios() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenarios")
+}
+
+fn texts(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("an entry").path());
+    let mut files: Vec<_> = entries
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .collect();
+    files.sort();
+    files
+        .iter()
+        .map(|file| fs::read_to_string(file).expect("a text"))
+        .collect()
+}
+
+#[test]
+fn changed_scenarios_are_taken_or_refused() {
+    let texts = texts(&scenarios());
+    let make = |chance: &mut Chance| changed(&texts[chance.below(texts.len())], chance);
+    campaign(
+        4 * mutants(),
+        make,
+        String::clone,
+        |text, chance| match scenario::parse(text, "mutant.toml", Format::Toml) {
+            Err(error) => assert_told(&error),
+            Ok(Scenario {
+                model: Some(model), ..
+            }) if chance.below(3) == 0 => begin(model),
+            Ok(_) => {}
+        },
+    );
+}
+
+#[test]
+fn changed_studies_are_taken_or_refused() {
+    let texts = texts(&scenarios().join("studies"));
+    let folder = TempDir::new().expect("a folder");
+    fs::create_dir(folder.path().join("studies")).expect("a folder");
+    for entry in fs::read_dir(scenarios()).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_file() {
+            fs::copy(&path, folder.path().join(path.file_name().expect("a name"))).expect("a copy");
+        }
+    }
+    let file = folder.path().join("studies/mutant.toml");
+    let make = |chance: &mut Chance| changed(&texts[chance.below(texts.len())], chance);
+    campaign(mutants(), make, String::clone, |text, _| {
+        fs::write(&file, text).expect("a written file");
+        match scenario::load_study(&file) {
+            Err(error) => assert_told(&error),
+            Ok(study) => {
+                let last = study.plan.runs().unwrap_or(u64::MAX).saturating_sub(1);
+                for point in [0, last] {
+                    if let Err(error) = study.model(&study.plan.values(point)) {
+                        assert!(!error.message.trim().is_empty());
+                    }
+                }
+            }
+        }
+    });
+}
+
+#[test]
+fn changed_load_series_are_taken_or_refused() {
+    let mut table = "t_s,x_N,z_N\n".to_owned();
+    for row in 0..12 {
+        writeln!(
+            table,
+            "{},{},{}",
+            f64::from(row) * 1e-3,
+            row % 5,
+            0.25 * f64::from(row)
+        )
+        .expect("a text");
+    }
+    let folder = TempDir::new().expect("a folder");
+    let name = folder.path().join("scene.toml").display().to_string();
+    let base = fs::read_to_string(scenarios().join("steady-7205c.toml")).expect("a scenario");
+    let scene = base + "\n[[load]]\nseries = { file = \"load.csv\" }\n";
+    fs::write(folder.path().join("load.csv"), &table).expect("a written file");
+    scenario::parse(&scene, &name, Format::Toml).expect("it is good as it is");
+    let make = |chance: &mut Chance| changed(&table, chance);
+    campaign(mutants(), make, String::clone, |text, _| {
+        fs::write(folder.path().join("load.csv"), text).expect("a written file");
+        if let Err(error) = scenario::parse(&scene, &name, Format::Toml) {
+            assert_told(&error);
+        }
+    });
+}
+
+/// A run that was stopped half way, and its restart file.
+fn stopped(folder: &Path) -> (Scenario, Vec<u8>) {
+    let text = fs::read_to_string(scenarios().join("steady-7205c.toml")).expect("a scenario");
+    let text = text.replace(
+        "samples_per_revolution = 128",
+        "samples_per_revolution = 512",
+    );
+    let scenario = scenario::parse(&text, "scene.toml", Format::Toml).expect("it is good");
+    let model = scenario.model.as_ref().expect("it moves");
+    let mut report = RunReport::of(&scenario, model, folder).expect("a folder");
+    let identity = RunIdentity {
+        scenario: &scenario.echo,
+        model,
+    };
+    let mut keeper = report.keep_states(&identity).expect("a file");
+    let stop = AtomicBool::new(false);
+    let mut monitor = Monitor {
+        stop: &stop,
+        progress: &mut |_| {},
+    };
+    let mut part = Part {
+        stop_at: 0.1,
+        keeper: Some(&mut keeper as &mut dyn StateKeeper),
+        ..Part::default()
+    };
+    simulate_part(model, &mut report, &mut monitor, &mut part).expect_err("it stops");
+    let standing = part.standing.take().expect("it stands somewhere");
+    let path = keeper.finish(&standing).expect("it is written");
+    let bytes = fs::read(path).expect("it can be read");
+    (scenario, bytes)
+}
+
+#[test]
+fn changed_restart_files_are_taken_or_refused() {
+    let folder = TempDir::new().expect("a folder");
+    let (scenario, bytes) = stopped(folder.path());
+    let model = scenario.model.as_ref().expect("it moves");
+    let identity = RunIdentity {
+        scenario: &scenario.echo,
+        model,
+    };
+    let path = folder.path().join("restart.bin");
+    // states are many and alike: few of them, and the tail behind them
+    let tail = u64::from_le_bytes(
+        bytes[bytes.len() - 16..bytes.len() - 8]
+            .try_into()
+            .expect("eight bytes"),
+    );
+    let text = bytes.len() - 16 - tail as usize..bytes.len() - 16;
+    let make = |chance: &mut Chance| changed_bytes(&bytes, text.clone(), |end| end - 16, chance);
+    let show = |bytes: &Vec<u8>| format!("a restart file of {} bytes", bytes.len());
+    campaign(mutants(), make, show, |bytes, _| {
+        fs::write(&path, bytes).expect("a written file");
+        match RestartReader::open(&path, &identity) {
+            Err(error) => assert!(!error.to_string().trim().is_empty()),
+            Ok(mut reader) => {
+                let states = reader.standing().main.scaled.len();
+                let _ = reader.fill(&mut vec![0.0; states]);
+                go_on(model, reader);
+            }
+        }
+    });
+}
+
+/// A file that is taken is gone on from, or refused there.
+fn go_on(model: &Model, mut reader: RestartReader) {
+    let standing = reader.standing().clone();
+    let stop = AtomicBool::new(false);
+    let mut monitor = Monitor {
+        stop: &stop,
+        progress: &mut |_| {},
+    };
+    let mut part = Part {
+        stop_at: standing.time,
+        earlier: Some(crate::simulate::Earlier {
+            standing,
+            states: &mut reader,
+        }),
+        ..Part::default()
+    };
+    let model = Model {
+        verify: false,
+        ..model.clone()
+    };
+    if let Err(error) = simulate_part(&model, &mut Nobody, &mut monitor, &mut part) {
+        assert!(!error.to_string().trim().is_empty());
+    }
+}
+
+#[test]
+fn changed_journals_are_gone_on_with_or_refused() {
+    let folder = TempDir::new().expect("a folder");
+    let study = scenario::load_study(&scenarios().join("studies/resonance-7205c.toml"))
+        .expect("it is good");
+    let layout = || Layout {
+        variables: &study.variables,
+        columns: &study.columns,
+        freedoms: 3,
+        keep: study.keep,
+    };
+    let schedule = Schedule::new(study.plan.runs().unwrap_or(0), 1, None);
+    let open = || {
+        StudyReport::open(
+            folder.path(),
+            "S",
+            study.echo.clone(),
+            layout(),
+            (Shard::WHOLE, &schedule),
+            false,
+        )
+    };
+    let record = |chain: u64| crate::study::many::RunRecord {
+        turn: schedule.chain(chain).next().expect("a run"),
+        values: study.plan.values(chain),
+        outcome: Err("it failed".to_owned()),
+    };
+    let mut report = open().expect("a folder");
+    for chain in 0..schedule.chains().min(20) {
+        report.add(chain, &[record(chain)]).expect("it is written");
+    }
+    drop(report);
+    let path = folder.path().join("runs.journal");
+    let bytes = fs::read(&path).expect("a journal");
+    let length = u64::from_le_bytes(bytes[8..16].try_into().expect("eight bytes")) as usize;
+    let make = |chance: &mut Chance| changed_bytes(&bytes, 16..16 + length, |_| 8, chance);
+    let show = |bytes: &Vec<u8>| format!("a journal of {} bytes", bytes.len());
+    campaign(mutants(), make, show, |bytes, chance| {
+        fs::write(&path, bytes).expect("a written file");
+        match open() {
+            Err(error) => assert!(!error.to_string().trim().is_empty()),
+            Ok(report) if chance.below(20) == 0 => {
+                if let Err(error) = report.finish() {
+                    assert!(!error.to_string().trim().is_empty());
+                }
+            }
+            Ok(_) => {}
+        }
+    });
+}
