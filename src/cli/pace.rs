@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use super::jobs::Job;
 use super::progress::Progress;
-use crate::integrate::{Counters, Pace};
+use crate::integrate::{Counters, Method, Pace};
 use crate::rotor::Rotor;
 use crate::simulate::Model;
 
@@ -24,6 +24,11 @@ const FIRST_PASS: f64 = 0.44;
 const STEPS_A_PERIOD: f64 = 100.0;
 /// Part of the trials that are rejected from which on it is worth a word.
 const MANY_REJECTED: f64 = 0.25;
+/// What steps follow that are far shorter than any natural period.
+const FASTER: &str = "they follow something faster, as balls that are pressed far harder than at rest, or contacts \
+                      that part and meet";
+const FASTER_OR_STIFF: &str = "they follow something faster, as balls that are pressed far harder than at rest, \
+                               contacts that part and meet, or strong damping (method = \"rodas\" in [integrator])";
 /// Evaluations a second below which they are costly.
 const COSTLY: f64 = 5e4;
 
@@ -35,6 +40,20 @@ struct Look {
     work: Counters,
 }
 
+/// How a run gets on at present.
+#[derive(Debug, Clone, Copy)]
+struct Present {
+    /// Time that it has come to, s, and the pass that has moved last, if both are made.
+    time: f64,
+    pass: &'static str,
+    /// The part of the work that is done, and the time left if it goes on so, s.
+    part: f64,
+    left: f64,
+    /// Mean step, s, and steps, rejected ones and evaluations a second.
+    step: f64,
+    rates: [f64; 3],
+}
+
 /// Watches a run from another thread.
 pub struct PaceWatch<'a> {
     job: &'a Job,
@@ -42,7 +61,6 @@ pub struct PaceWatch<'a> {
     paces: &'a [Pace; 2],
     started: Instant,
     looks: VecDeque<Look>,
-    is_told: bool,
 }
 
 impl<'a> PaceWatch<'a> {
@@ -54,43 +72,59 @@ impl<'a> PaceWatch<'a> {
             paces,
             started: Instant::now(),
             looks: VecDeque::new(),
-            is_told: false,
         }
     }
 
     /// Looks at the run until the other end of the channel is gone.
     pub fn until(mut self, ended: &Receiver<()>) {
         let mut progress = Progress::new(&self.job.scenario.title);
+        let mut is_told = false;
         while ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
-            self.look();
-            progress.show_with(self.part(), || self.standing());
-            if let Some(warning) = self.slowness() {
-                progress.hidden(|| self.job.warn([warning]));
-                self.is_told = true;
+            let present = self.look();
+            let (time, duration) = (present.time, self.model.duration);
+            let words = || format!(", t = {time:.4e} of {duration} s{}", present.pass);
+            progress.show_with(present.part, words);
+            let is_due = self.started.elapsed() > PATIENCE && self.looks.len() == LOOKS;
+            if is_due && !is_told && present.left > SLOW {
+                progress.hidden(|| self.job.warn([self.slowness(&present)]));
+                is_told = true;
             }
         }
     }
 
-    fn look(&mut self) {
+    fn look(&mut self) -> Present {
         let [first, second] = self.paces.each_ref().map(Pace::now);
         let mut work = first.1;
         work.add(&second.1);
-        if self.looks.len() == LOOKS {
-            self.looks.pop_front();
-        }
-        self.looks.push_back(Look {
+        let now = Look {
             at: Instant::now(),
             times: [first.0, second.0],
             work,
-        });
+        };
+        if self.looks.len() == LOOKS {
+            self.looks.pop_front();
+        }
+        self.looks.push_back(now);
+        let from = self.looks.front().copied().unwrap_or(now);
+        let seconds = (now.at - from.at).as_secs_f64();
+        let part = self.part(&now);
+        let gained = (part - self.part(&from)).max(f64::MIN_POSITIVE);
+        let active = usize::from(now.times[1] > from.times[1]);
+        let counts = |work: &Counters| [work.steps, work.rejected, work.evaluations];
+        let [then, counts] = [&from.work, &now.work].map(counts);
+        let rates = [0, 1, 2].map(|k| (counts[k] - then[k]) as f64 / seconds);
+        Present {
+            time: now.times[active],
+            pass: ["", " (second pass)"][active],
+            part,
+            left: (1.0 - part) * seconds / gained,
+            step: (now.times[active] - from.times[active]) / (rates[0] * seconds).max(1.0),
+            rates,
+        }
     }
 
     /// The part of the work that is done.
-    fn part(&self) -> f64 {
-        self.looks.back().map_or(0.0, |look| self.part_at(look))
-    }
-
-    fn part_at(&self, look: &Look) -> f64 {
+    fn part(&self, look: &Look) -> f64 {
         let [first, second] = look.times.map(|time| time / self.model.duration);
         match self.model.verify {
             true => FIRST_PASS * first + (1.0 - FIRST_PASS) * second,
@@ -98,71 +132,20 @@ impl<'a> PaceWatch<'a> {
         }
     }
 
-    /// The looks that the present pace is taken from.
-    fn span(&self) -> Option<[&Look; 2]> {
-        Some([self.looks.front()?, self.looks.back()?])
-    }
-
-    /// Time left as the run goes now, s.
-    fn left(&self) -> Option<f64> {
-        let [from, to] = self.span()?;
-        let seconds = (to.at - from.at).as_secs_f64();
-        let gained = self.part_at(to) - self.part_at(from);
-        (seconds > 0.0).then(|| (1.0 - self.part_at(to)) * seconds / gained.max(f64::MIN_POSITIVE))
-    }
-
-    /// Simulated time and what is left, in words.
-    fn standing(&self) -> String {
-        let time = self.time();
-        let duration = self.model.duration;
-        let left = self
-            .left()
-            .map_or_else(String::new, |left| format!(", {}", in_words(left)));
-        format!("t = {time:.4e} of {duration} s{}{left}", self.pass())
-    }
-
-    /// The pass that has moved last, if both are made.
-    fn active(&self) -> usize {
-        let moved = self
-            .span()
-            .is_some_and(|[from, to]| to.times[1] > from.times[1]);
-        usize::from(self.model.verify && moved)
-    }
-
-    fn time(&self) -> f64 {
-        self.looks
-            .back()
-            .map_or(0.0, |look| look.times[self.active()])
-    }
-
-    fn pass(&self) -> &'static str {
-        ["", " (second pass)"][self.active()]
-    }
-
-    /// Why the run hardly gets on, once where it does not.
-    fn slowness(&self) -> Option<String> {
-        if self.is_told || self.started.elapsed() < PATIENCE || self.looks.len() < LOOKS {
-            return None;
-        }
-        let left = self.left().filter(|left| *left > SLOW)?;
-        let [from, to] = self.span()?;
-        let steps = (to.work.steps - from.work.steps) as f64;
-        let rejected = (to.work.rejected - from.work.rejected) as f64;
-        let seconds = (to.at - from.at).as_secs_f64();
-        let evaluations = (to.work.evaluations - from.work.evaluations) as f64 / seconds;
-        let active = self.active();
-        let step = (to.times[active] - from.times[active]) / steps.max(1.0);
+    /// Why the run hardly gets on.
+    fn slowness(&self, present: &Present) -> String {
+        let [steps, rejected, evaluations] = present.rates;
         let mut told = format!(
-            "slow: at t = {:.4e} s of {} s{} after {:.0} s, {}; steps of {step:.1e} s, {:.0} a second, \
+            "slow: at t = {:.4e} s of {} s{} after {:.0} s, {}; steps of {:.1e} s, {steps:.0} a second, \
              {evaluations:.1e} evaluations a second",
-            self.time(),
+            present.time,
             self.model.duration,
-            self.pass(),
+            present.pass,
             self.started.elapsed().as_secs_f64(),
-            in_words(left),
-            steps / seconds,
+            in_words(present.left),
+            present.step,
         );
-        told += &self.what_the_steps_follow(step);
+        told += &self.what_the_steps_follow(present.step);
         if rejected > MANY_REJECTED * (steps + rejected) {
             told += &format!(
                 "; {:.0} % of the trials are rejected, as where contacts part and meet again and again or a force \
@@ -173,11 +156,9 @@ impl<'a> PaceWatch<'a> {
         if 0.0 < evaluations && evaluations < COSTLY && !self.model.table {
             told += "; the bearings are costly to evaluate: table = true in [model] compiles their balls";
         }
-        Some(
-            told + &format!(
-                "; a tolerance above {:.0e} in [integrator] takes longer steps, Ctrl-C ends the run",
-                self.model.integrator.tolerance
-            ),
+        told + &format!(
+            "; a tolerance above {:.0e} in [integrator] takes longer steps, Ctrl-C ends the run",
+            self.model.integrator.tolerance
         )
     }
 
@@ -188,20 +169,17 @@ impl<'a> PaceWatch<'a> {
         };
         let modes = rotor.natural_frequencies();
         let highest = modes.iter().map(|mode| mode.frequency).fold(0.0, f64::max);
-        if !(highest > 0.0 && step > 0.0) {
+        if highest == 0.0 || step == 0.0 {
             return String::new();
         }
         let steps = 1.0 / (highest * step);
-        if steps < STEPS_A_PERIOD {
-            return format!(
-                ": they follow the vibration, {steps:.0} steps in a period of the highest natural frequency, \
-                 {highest:.0} Hz"
-            );
-        }
+        let what = match self.model.integrator.method {
+            _ if steps < STEPS_A_PERIOD => "they follow the vibration",
+            Method::Rodas => FASTER,
+            _ => FASTER_OR_STIFF,
+        };
         format!(
-            ": {steps:.0} in a period of the highest natural frequency at rest, {highest:.0} Hz, so they follow \
-             something faster, as balls that are pressed far harder than at rest, contacts that part and meet, or \
-             strong damping (method = \"rodas\" in [integrator])"
+            ", {steps:.0} in a period of the highest natural frequency at rest, {highest:.0} Hz: {what}"
         )
     }
 }

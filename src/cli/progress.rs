@@ -9,11 +9,6 @@ const PATIENCE: Duration = Duration::from_millis(800);
 /// Steps of the bar.
 const STEPS: u64 = 1000;
 
-/// Part that is done and time left.
-const PARTS: &str = "{msg} {bar:30} {percent} %, {eta} left";
-/// The same in words of its own.
-const WORDS: &str = "{msg} {bar:30} {percent} %, {prefix}";
-
 /// Shows the part of a run that is done, on stderr where that is a terminal.
 pub struct Progress {
     title: String,
@@ -33,17 +28,18 @@ impl Progress {
 
     /// Shows that `part` (0 … 1) of the run is done.
     pub fn show(&mut self, part: f64) {
-        if let Some(bar) = self.bar(PARTS) {
-            bar.set_position((part * STEPS as f64) as u64);
-        }
+        self.show_with(part, String::new);
     }
 
     /// Shows the same with what is known of it in words.
     pub fn show_with(&mut self, part: f64, words: impl Fn() -> String) {
-        if let Some(bar) = self.bar(WORDS) {
-            bar.set_prefix(words());
-            bar.set_position((part * STEPS as f64) as u64);
+        if self.bar.is_none() && self.started.elapsed() < PATIENCE {
+            return;
         }
+        let new = || new_bar(&self.title, self.started);
+        let bar = self.bar.get_or_insert_with(new);
+        bar.set_prefix(words());
+        bar.set_position((part * STEPS as f64) as u64);
     }
 
     /// Does something that writes to the terminal, too.
@@ -52,15 +48,6 @@ impl Progress {
             Some(bar) => bar.suspend(tell),
             None => tell(),
         }
-    }
-
-    /// The bar, once a run takes long enough.
-    fn bar(&mut self, template: &str) -> Option<&ProgressBar> {
-        if self.bar.is_none() && self.started.elapsed() < PATIENCE {
-            return None;
-        }
-        let new = || new_bar(&self.title, self.started, template);
-        Some(self.bar.get_or_insert_with(new))
     }
 }
 
@@ -72,11 +59,11 @@ impl Drop for Progress {
     }
 }
 
-fn new_bar(title: &str, started: Instant, template: &str) -> ProgressBar {
+fn new_bar(title: &str, started: Instant) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::stderr())
         .with_elapsed(started.elapsed())
         .with_message(title.to_owned());
-    match ProgressStyle::with_template(template) {
+    match ProgressStyle::with_template("{msg} {bar:30} {percent} %, {eta} left{prefix}") {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }

@@ -56,7 +56,7 @@ impl<'a> Integration<'a> {
         };
         let method_use = open.then(|| MethodUse::of(system));
         let scaled = scaling.scaled(state);
-        let problem = Problem::over(&grid, system, &scaling, &settings, stop);
+        let problem = Problem::over(&grid, system, &scaling, &settings, (stop, None));
         Self {
             stepper: Stepper::new(settings.method, method_use, &problem, &start),
             checkpoint: Checkpoint {
@@ -90,10 +90,8 @@ impl<'a> Integration<'a> {
 
     pub(super) fn problem(&self) -> Problem<'_> {
         let (scaling, settings) = (&self.scaling, &self.settings);
-        Problem {
-            pace: self.pace,
-            ..Problem::over(&self.grid, self.system, scaling, settings, self.stop)
-        }
+        let watched = (self.stop, self.pace);
+        Problem::over(&self.grid, self.system, scaling, settings, watched)
     }
 
     /// What it takes to go on another time from the latest end of a segment.
@@ -235,10 +233,8 @@ impl<'a> Integration<'a> {
         let time = self.grid.time(self.next);
         let is_within = self.stepper.method().time() >= time;
         let (scaling, settings) = (&self.scaling, &self.settings);
-        let problem = Problem {
-            pace: self.pace,
-            ..Problem::over(&self.grid, self.system, scaling, settings, self.stop)
-        };
+        let watched = (self.stop, self.pace);
+        let problem = Problem::over(&self.grid, self.system, scaling, settings, watched);
         let result = self.stepper.state_at(&problem, time, &mut self.state);
         if !is_within || result.is_err() {
             self.note_progress();

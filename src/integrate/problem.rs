@@ -32,14 +32,14 @@ impl<'a> Problem<'a> {
         system: &'a dyn System,
         scaling: &'a Scaling,
         settings: &'a Settings,
-        stop: &'a AtomicBool,
+        (stop, pace): (&'a AtomicBool, Option<&'a Pace>),
     ) -> Self {
         Self {
             system,
             scaling,
             settings,
             stop,
-            pace: None,
+            pace,
             end: grid.time(grid.count.saturating_sub(1)),
             slack: grid.slack(),
         }

@@ -8,6 +8,7 @@ mod bad_scenarios;
 mod bearing;
 mod compare;
 mod endings;
+mod hard_scenes;
 mod help;
 mod killed;
 mod lines;

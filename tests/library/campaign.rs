@@ -1,15 +1,15 @@
 //! Files with anything in them: scenarios, studies, load series, restart files and journals, changed at random from
 //! good ones, are taken or refused in words, without a panic and in time.
 //!
-//! Each test takes a few seconds. `JEFFCOTT_MUTANTS=20000 cargo test --lib --profile release campaign` changes each kind of
-//! file so often; the numbers drawn are the same every time.
+//! Each test takes a few seconds. `JEFFCOTT_MUTANTS=20000 cargo test --lib campaign` changes each kind of file so often,
+//! scenarios four times as often; the numbers drawn are the same every time.
 
 use std::fmt::Write;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
@@ -360,19 +360,29 @@ fn texts(folder: &Path) -> Vec<String> {
 
 #[test]
 fn changed_scenarios_are_taken_or_refused() {
-    let texts = texts(&scenarios());
+    let hard = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/scenarios/hard");
+    let texts = [texts(&scenarios()), texts(&hard)].concat();
     let make = |chance: &mut Chance| changed(&texts[chance.below(texts.len())], chance);
+    let taken = AtomicU64::new(0);
+    let count = 4 * mutants();
     campaign(
-        4 * mutants(),
+        count,
         make,
         String::clone,
         |text, chance| match scenario::parse(text, "mutant.toml", Format::Toml) {
             Err(error) => assert_told(&error),
-            Ok(Scenario {
-                model: Some(model), ..
-            }) if chance.below(3) == 0 => begin(model),
-            Ok(_) => {}
+            Ok(scenario) => {
+                taken.fetch_add(1, Ordering::Relaxed);
+                let begun = scenario.model.filter(|_| chance.below(3) == 0);
+                begun.map_or((), begin);
+            }
         },
+    );
+    // neither are all good nor all refused
+    let taken = taken.into_inner();
+    assert!(
+        (count / 20..count / 2).contains(&taken),
+        "{taken} of {count}"
     );
 }
 

@@ -101,7 +101,7 @@ pub struct Digest {
     /// Rows that are drawn, every `stride`-th of those that were done.
     pub(super) rows: Vec<Row>,
     stride: u64,
-    /// Tolerance of the scenario that the runs start from.
+    /// Tolerance of all runs, where they have the same.
     tolerance: Option<f64>,
     /// Names of the numbers that the study keeps, where it names any.
     pub(super) named: Option<Vec<String>>,
@@ -122,7 +122,7 @@ impl Digest {
         let mut reader = csv::Reader::from_path(runs).map_err(refused)?;
         let names = reader.headers().map_err(refused)?.clone();
         let mut digest = Self::empty(names, axes, &identity["study"]);
-        digest.tolerance = identity["scenario"]["integrator"]["tolerance"].as_f64();
+        digest.tolerance = tolerance(identity);
         for record in reader.records() {
             digest.read(record.map_err(refused)?);
         }
@@ -296,6 +296,16 @@ impl Digest {
             sensitivities: &self.sensitivities,
         }
     }
+}
+
+/// Tolerance of all runs of a study; none where they have several.
+fn tolerance(identity: &Value) -> Option<f64> {
+    let lists = ["axis", "set"].map(|list| identity["study"][list].as_array());
+    let mut entries = lists.into_iter().flatten().flatten();
+    if entries.any(|entry| entry["key"] == "integrator.tolerance") {
+        return None;
+    }
+    identity["base"]["integrator"]["tolerance"].as_f64()
 }
 
 impl ColumnDigest {

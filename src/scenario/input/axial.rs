@@ -4,7 +4,9 @@ use crate::bearing::{MountedBearing, Preload};
 use crate::scenario::problems::Problems;
 
 /// Warns where all bearings bear axially the same way, and none of them is pressed that way; there is no axial load.
-pub fn warn_where_unheld(bearings: &[MountedBearing], problems: &mut Problems<'_>) {
+///
+/// `inputs` is the number of tables that describe them.
+pub fn warn_where_unheld(bearings: &[MountedBearing], inputs: usize, problems: &mut Problems<'_>) {
     let Some(first) = bearings.first() else {
         return;
     };
@@ -31,9 +33,15 @@ pub fn warn_where_unheld(bearings: &[MountedBearing], problems: &mut Problems<'_
             "a single angular contact bearing bears axially one way only and needs an axial load: with none its \
              balls lose their contact angle and hardly hold the shaft; add {load}"
         ),
-        count => format!(
-            "all {count} angular contact bearings face the same way, {way}: none holds the shaft against the others, and \
-             a preload of theirs is not borne; write facing = \"{other}\" in the last `[[bearing]]`, or add {load}"
-        ),
+        count => {
+            let turned = match inputs {
+                1 => "set arrangement = \"back-to-back\" in `bearing[0]`".to_owned(),
+                inputs => format!("write facing = \"{other}\" in `bearing[{}]`", inputs - 1),
+            };
+            format!(
+                "all {count} angular contact bearings face the same way, {way}: none holds the shaft against the \
+                 others, and a preload of theirs is not borne; {turned}, or add {load}"
+            )
+        }
     });
 }

@@ -218,7 +218,7 @@ impl ScenarioInput {
         let mut points = speed.points();
         let bearings = bearings?;
         if freedoms.count() > AXIAL && load[AXIAL] == 0.0 && self.statics.displacement.is_none() {
-            axial::warn_where_unheld(&bearings, problems);
+            axial::warn_where_unheld(&bearings, self.bearing.len(), problems);
         }
         Some(RotorDefinition {
             shaft,

@@ -1,0 +1,237 @@
+//! Scenes that are hard on the program, or that say what their writer did not mean: each ends in time, and with a word
+//! that helps.
+
+use std::io::{BufRead, BufReader};
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use tempfile::TempDir;
+
+use crate::support::{PROGRAM, done, jeffcott, root, told, verb};
+
+fn scene(name: &str) -> PathBuf {
+    root()
+        .join("tests/scenarios/hard")
+        .join(name)
+        .with_extension("toml")
+}
+
+fn answer(of: &str, name: &str, more: &[&str]) -> Output {
+    let out = TempDir::new().expect("a folder");
+    let output = verb(of, &[scene(name)], out.path(), more).output();
+    output.expect("the command starts")
+}
+
+#[track_caller]
+fn assert_says(output: &Output, parts: &[&str]) {
+    let told = told(output);
+    for part in parts {
+        assert!(told.contains(part), "`{part}` in\n{told}");
+    }
+}
+
+#[track_caller]
+fn assert_silent_on(output: &Output, part: &str) {
+    let told = told(output);
+    assert!(!told.contains(part), "`{part}` in\n{told}");
+}
+
+/// 100 times gravity for a millisecond on a preloaded pair: balls lose contact at the end of the shock.
+#[test]
+fn no_method_loops_at_one_instant() {
+    let text = std::fs::read_to_string(scene("strong-base-shock")).expect("a scene");
+    let folder = TempDir::new().expect("a folder");
+    let file = folder.path().join("scene.toml");
+    for method in [
+        "auto",
+        "verner76",
+        "exponential",
+        "rodas",
+        "dopri5",
+        "dop853",
+    ] {
+        let text = format!("{text}\nmethod = \"{method}\"\n");
+        std::fs::write(&file, text).expect("a written file");
+        let mut child = verb("run", &[&file], folder.path(), &["--no-verify"])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .expect("the command starts");
+        let started = Instant::now();
+        while child.try_wait().expect("its state").is_none() {
+            let is_late = started.elapsed() > Duration::from_secs(60);
+            if is_late {
+                child.kill().expect("it is killed");
+            }
+            assert!(!is_late, "{method} does not end");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+    }
+}
+
+#[test]
+fn a_run_that_needs_more_memory_than_there_is_is_refused_beforehand() {
+    let out = TempDir::new().expect("a folder");
+    let command = format!("ulimit -v 300000; exec '{PROGRAM}' run \"$0\" --out \"$1\"");
+    let output = Command::new("bash")
+        .args(["-c", &command])
+        .args([scene("many-samples"), out.path().to_owned()])
+        .output()
+        .expect("a shell");
+    assert_eq!(output.status.code(), Some(2), "{}", told(&output));
+    assert_says(
+        &output,
+        &[
+            "it needs about",
+            "MB are there under the limit",
+            "set spectrum = false",
+        ],
+    );
+    assert!(!out.path().join("many-samples").exists());
+}
+
+#[test]
+fn check_says_what_a_run_takes() {
+    let file = scene("many-samples");
+    let output = done(
+        jeffcott()
+            .args(["check", "--json"])
+            .arg(&file)
+            .output()
+            .expect("it starts"),
+    );
+    let found: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let demand = &found[0]["demand"];
+    assert_eq!(demand["samples"], 4_074_367);
+    let between = |key: &str, low: f64, high: f64| {
+        let value = demand[key].as_f64().expect("a number");
+        assert!((low..high).contains(&value), "{key}: {value:e}");
+    };
+    // measured: 620 MB and 1.8 GB
+    between("memory_bytes", 6e8, 8e8);
+    between("disk_bytes", 1.6e9, 2.6e9);
+    between("expected_time_s", 1.0, 200.0);
+    let output = done(
+        jeffcott()
+            .arg("check")
+            .arg(&file)
+            .output()
+            .expect("it starts"),
+    );
+    let text = crate::support::text(&output.stdout);
+    assert!(text.contains("4074367 samples, about"), "{text}");
+}
+
+/// A shock of 3e5 N on a light shaft: its motion takes hours.
+#[test]
+fn a_run_that_hardly_gets_on_says_why() {
+    let out = TempDir::new().expect("a folder");
+    let mut child = verb(
+        "run",
+        &[scene("hard-shock-on-jones-balls")],
+        out.path(),
+        &["--no-verify"],
+    )
+    .stdout(Stdio::null())
+    .stderr(Stdio::piped())
+    .spawn()
+    .expect("the command starts");
+    let lines = BufReader::new(child.stderr.take().expect("its messages")).lines();
+    let told = lines
+        .map_while(Result::ok)
+        .find(|line| line.contains("slow: at t = "));
+    child.kill().expect("it is killed");
+    child.wait().expect("its end");
+    let told = told.expect("it says that it is slow");
+    for part in [" left; steps of ", "highest natural frequency", "tolerance"] {
+        assert!(told.contains(part), "`{part}` in\n{told}");
+    }
+}
+
+#[test]
+fn a_pair_that_faces_the_same_way_is_told() {
+    let output = done(answer("run", "pair-facing-same-way", &["--no-verify"]));
+    assert_says(
+        &output,
+        &[
+            "face the same way, +z",
+            "write facing = \"-z\" in `bearing[1]`",
+        ],
+    );
+}
+
+#[test]
+fn a_single_angular_contact_bearing_without_an_axial_load_is_told() {
+    let output = done(answer("run", "radial-load-on-7205c", &["--no-verify"]));
+    assert_says(
+        &output,
+        &["needs an axial load", "constant = { z = \"500 N\" }"],
+    );
+    assert_silent_on(&output, "-0.00°");
+}
+
+#[test]
+fn a_bearing_that_is_pulled_the_wrong_way_is_told_as_the_readme_says() {
+    let output = done(answer("run", "pulled-the-wrong-way", &["--no-verify"]));
+    assert_says(&output, &["loaded the wrong way: 12 of 12"]);
+    let readme = std::fs::read_to_string(root().join("README.md")).expect("README.md");
+    let readme = readme.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(readme.contains("of which `bearing` and `run` warn"));
+}
+
+#[test]
+fn speeds_are_told_in_revolutions_a_minute() {
+    let output = done(answer("run", "run-up-24000rpm", &["--no-verify"]));
+    assert_says(&output, &["24000 rpm (2513.3 rad/s)"]);
+}
+
+#[test]
+fn the_method_that_ran_is_not_advised() {
+    let output = done(answer("run", "irregular-by-verner76", &[]));
+    assert_says(&output, &["the measured error is"]);
+    assert_silent_on(&output, "set method");
+}
+
+#[test]
+fn a_study_tells_of_an_error_far_beyond_the_tolerance() {
+    let output = done(answer("study", "two-6205-clearances", &[]));
+    assert_says(
+        &output,
+        &[
+            "the measured error is",
+            "× the tolerance 1e-8",
+            "runs that measured it",
+        ],
+    );
+}
+
+#[test]
+fn more_bearings_than_a_shaft_has_and_files_larger_than_any_are_refused() {
+    let folder = TempDir::new().expect("a folder");
+    let file = folder.path().join("scene.toml");
+    let text = std::fs::read_to_string(scene("radial-load-on-7205c")).expect("a scene");
+    let check = || {
+        let output = jeffcott()
+            .arg("check")
+            .arg(&file)
+            .output()
+            .expect("it starts");
+        assert_eq!(output.status.code(), Some(2));
+        output
+    };
+    let many = text.clone() + &"[[bearing]]\ncatalogue = \"7205C\"\n".repeat(64);
+    std::fs::write(&file, many).expect("a written file");
+    assert_says(
+        &check(),
+        &["65 times `[[bearing]]` are too many: at most 64"],
+    );
+    let many = text.clone() + &"[[load]]\nconstant = { y = \"1 N\" }\n".repeat(1000);
+    std::fs::write(&file, many).expect("a written file");
+    assert_says(
+        &check(),
+        &["1001 times `[[load]]` are too many: at most 1000"],
+    );
+    std::fs::write(&file, text + &"# much\n".repeat(3_000_000)).expect("a written file");
+    assert_says(&check(), &["larger than the 16 MB"]);
+}
