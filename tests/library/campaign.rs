@@ -374,7 +374,9 @@ fn changed_scenarios_are_taken_or_refused() {
             Ok(scenario) => {
                 taken.fetch_add(1, Ordering::Relaxed);
                 let begun = scenario.model.filter(|_| chance.below(3) == 0);
-                begun.map_or((), begin);
+                if let Some(model) = begun {
+                    begin(model);
+                }
             }
         },
     );

@@ -217,7 +217,7 @@ impl ScenarioInput {
         let speed = self.speed.build(problems)?;
         let mut points = speed.points();
         let bearings = bearings?;
-        if freedoms.count() > AXIAL && load[AXIAL] == 0.0 && self.statics.displacement.is_none() {
+        if self.time.is_some() && freedoms.count() > AXIAL && load[AXIAL] == 0.0 {
             axial::warn_where_unheld(&bearings, self.bearing.len(), problems);
         }
         Some(RotorDefinition {

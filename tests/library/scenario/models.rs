@@ -36,8 +36,8 @@ fn the_smallest_scenario_has_the_documented_defaults() {
     assert_eq!(scenario.title, "test");
     assert_eq!(
         scenario.warnings.len(),
-        1,
-        "undamped: {:?}",
+        2,
+        "undamped, and no axial load: {:?}",
         scenario.warnings
     );
     let model = scenario.model.unwrap();
