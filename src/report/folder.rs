@@ -415,8 +415,8 @@ fn sync_files<'a>(files: impl IntoIterator<Item = &'a WholeFile>) -> Result<(), 
     let files: Vec<_> = files.into_iter().collect();
     let next = AtomicUsize::new(0);
     let sync = || {
-        let taken = std::iter::from_fn(|| files.get(next.fetch_add(1, Ordering::Relaxed)));
-        taken.map(|file| file.sync()).collect::<Result<(), _>>()
+        let mut taken = std::iter::from_fn(|| files.get(next.fetch_add(1, Ordering::Relaxed)));
+        taken.try_for_each(|file| file.sync())
     };
     thread::scope(|scope| {
         // where the system has no further thread, those that there are do it
