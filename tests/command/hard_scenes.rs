@@ -70,6 +70,23 @@ fn no_method_loops_at_one_instant() {
     }
 }
 
+/// The balls' inertia grows beyond what any balance holds: their solution took trials without end.
+#[test]
+fn balls_under_any_inertia_come_to_an_end() {
+    let out = TempDir::new().expect("a folder");
+    let file = out.path().join("scene.toml");
+    let text = std::fs::read_to_string(scene("drive-beyond-any-bearing")).expect("a scene");
+    let text = text.replace(
+        "\"tolerance\" = 9e-09",
+        "\"tolerance\" = 9e-09, \"step_limit\" = 200",
+    );
+    std::fs::write(&file, text).expect("a written file");
+    let output = verb("run", &[&file], out.path(), &["--no-verify"]).output();
+    let output = output.expect("the command starts");
+    assert_eq!(output.status.code(), Some(1));
+    assert_says(&output, &["200 steps are used up"]);
+}
+
 #[test]
 fn a_run_that_needs_more_memory_than_there_is_is_refused_beforehand() {
     let out = TempDir::new().expect("a folder");

@@ -42,7 +42,9 @@ impl Ball {
             balance: balance.moved(step),
             trials,
         };
-        while let Some(inverse) = balance.slopes_inverse() {
+        while trials < MOST_TRIALS
+            && let Some(inverse) = balance.slopes_inverse()
+        {
             let centre = positions.centre;
             let mut step = apply(&inverse, balance.residual.map(|part| -part.value));
             let newton = square(step);
