@@ -84,7 +84,7 @@ fn balls_under_any_inertia_come_to_an_end() {
     let output = verb("run", &[&file], out.path(), &["--no-verify"]).output();
     let output = output.expect("the command starts");
     assert_eq!(output.status.code(), Some(1));
-    assert_says(&output, &["200 steps are used up"]);
+    assert_says(&output, &["of the 200 that integrator.step_limit allows"]);
 }
 
 #[test]
