@@ -1,5 +1,7 @@
 //! What the benches of this crate measure from inside: for them alone, without any promise.
 
+pub use super::report::run_tables::trace_columns;
+pub use super::scenario::key::time;
 pub use crate::bearing::definition::MountedBearing;
 pub use crate::bearing::law::{
     Ball, BallLaw, ContactLaw, ForceLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
@@ -8,10 +10,8 @@ pub use crate::bearing::ring::Ring;
 pub use crate::bearing::rotation::BearingRotation;
 pub use crate::bearing::support::Support;
 pub use crate::integrate::System;
-pub use crate::report::sample_table::trace_columns;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;
 pub use crate::report::table::{CsvTable, MatTable, Origin};
 pub use crate::rotor::{MotionScale, Rotor, StaticProblem};
-pub use crate::scenario::argument::time;
 pub use crate::simulate::bare::BareRun;

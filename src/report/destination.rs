@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::table::Origin;
-use super::{FileSet, ReportError, RunFolder, document};
+use super::{FileSet, ReportError, RunFolder};
 use crate::scenario::TableFormat;
 
 /// Where the files of a result go, and what they say of where it comes from.
@@ -35,4 +35,32 @@ impl Destination<'_> {
         };
         Ok(RunFolder::open(self.folder, set)?.with_tables(self.formats, origin))
     }
+}
+
+/// What every document begins with.
+#[derive(Serialize)]
+struct Document<'a, T> {
+    jeffcott: &'static str,
+    title: &'a str,
+    scenario: &'a Value,
+    #[serde(flatten)]
+    result: T,
+}
+
+/// A result with version, title and the scenario as it is, every number with its unit in its name.
+///
+/// The fields of the result's type describe the keys. What is missing is `null`. The same result gives the
+/// same bytes: there is no date in it, and no wall time but where that is the result.
+pub fn document(title: &str, scenario: &Value, result: impl Serialize) -> Value {
+    value(Document {
+        jeffcott: env!("CARGO_PKG_VERSION"),
+        title,
+        scenario,
+        result,
+    })
+}
+
+/// A part of a document.
+pub(super) fn value(result: impl Serialize) -> Value {
+    serde_json::to_value(result).expect("the keys of results are texts")
 }

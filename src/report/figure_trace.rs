@@ -1,11 +1,10 @@
 //! The trace as a figure: one panel for each freedom that moves.
 
-use super::Decimator;
 #[cfg(test)]
 use super::ReportError;
 use super::figure::{Axis, CURVE_BUCKETS, Curve, Figure, Panel, distinct};
+use super::terminal::MICRO;
 use crate::analysis::Channel;
-use crate::report::units::MICRO;
 use crate::rotor::{FREEDOMS, Sample};
 
 /// Height of up to three panels together, px.
@@ -83,4 +82,142 @@ fn axis_name(channel: Channel) -> String {
         other => other.name(),
     };
     format!("{name} in µ{}", channel.unit())
+}
+
+/// Smallest and largest value of a stretch of a curve, in the order in which they came.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bucket {
+    /// The extreme that came first: abscissa and value.
+    pub first: (f64, f64),
+    /// The extreme that came last: abscissa and value.
+    pub last: (f64, f64),
+}
+
+impl Bucket {
+    fn point(abscissa: f64, value: f64) -> Self {
+        let point = (abscissa, value);
+        Self {
+            first: point,
+            last: point,
+        }
+    }
+
+    /// Smallest value.
+    pub fn low(&self) -> f64 {
+        self.first.1.min(self.last.1)
+    }
+
+    /// Largest value.
+    pub fn high(&self) -> f64 {
+        self.first.1.max(self.last.1)
+    }
+
+    /// This and the following stretch as one.
+    fn join(self, next: Self) -> Self {
+        let [mut low, mut high] = [self.first; 2];
+        for point in [self.last, next.first, next.last] {
+            if point.1 < low.1 {
+                low = point;
+            }
+            if point.1 > high.1 {
+                high = point;
+            }
+        }
+        let (first, last) = if low.0 <= high.0 {
+            (low, high)
+        } else {
+            (high, low)
+        };
+        Self { first, last }
+    }
+}
+
+/// Keeps the envelope of a curve in at most `capacity` buckets, however long the curve becomes.
+///
+/// Every bucket stands for the same number of values; when all are full, neighbours are joined and
+/// each stands for twice as many.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Decimator {
+    capacity: usize,
+    full: Vec<Bucket>,
+    /// Values that a full bucket stands for.
+    stride: u64,
+    open: Option<Bucket>,
+    /// Values in the open bucket.
+    filled: u64,
+}
+
+impl Decimator {
+    /// An empty envelope of at most `capacity` buckets, at least two.
+    pub fn new(capacity: usize) -> Self {
+        let capacity = capacity.max(2);
+        Self {
+            capacity,
+            full: Vec::with_capacity(capacity),
+            stride: 1,
+            open: None,
+            filled: 0,
+        }
+    }
+
+    /// Takes the next value; the abscissa must not decrease. A value that is not finite is a gap.
+    pub fn push(&mut self, abscissa: f64, value: f64) {
+        if !value.is_finite() {
+            return;
+        }
+        let point = Bucket::point(abscissa, value);
+        self.open = Some(self.open.map_or(point, |bucket| bucket.join(point)));
+        self.filled += 1;
+        if self.filled == self.stride {
+            self.full.extend(self.open.take());
+            self.filled = 0;
+            if self.full.len() == self.capacity - 1 {
+                self.halve();
+            }
+        }
+    }
+
+    /// The envelope so far, in order.
+    pub fn buckets(&self) -> impl Iterator<Item = Bucket> + '_ {
+        self.full.iter().copied().chain(self.open)
+    }
+
+    /// The points of the envelope, in order.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let buckets = self.buckets();
+        buckets.flat_map(|Bucket { first, last }| [first, last])
+    }
+
+    fn halve(&mut self) {
+        let pairs = self.full.len() / 2;
+        // With an odd number the last bucket is half full again.
+        if self.full.len() % 2 == 1 {
+            self.open = self.full.pop();
+            self.filled = self.stride;
+        }
+        for pair in 0..pairs {
+            self.full[pair] = self.full[2 * pair].join(self.full[2 * pair + 1]);
+        }
+        self.full.truncate(pairs);
+        self.stride *= 2;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_buckets_keep_the_extremes() {
+        let mut envelope = Decimator::new(4);
+        for n in 0..1000 {
+            envelope.push(f64::from(n), f64::from(n % 7));
+        }
+        assert!(envelope.buckets().count() <= 4);
+        assert!(
+            envelope
+                .buckets()
+                .all(|bucket| bucket.low() == 0.0 && bucket.high() == 6.0)
+        );
+    }
 }

@@ -1,32 +1,28 @@
 //! The files of one run, from the opening of the folder to the last rename.
 
-use std::fs;
-use std::io;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 use serde_json::Value;
 
-use super::ball_table::{ball_columns, ball_row};
-use super::campbell;
-use super::events_table::{event_columns, event_row};
-use super::failure::{Failure, FailureSummary, until_failure};
-use super::figure_spectrum::frequency_limit_of;
+use super::error::{Failure, FailureSummary, until_failure};
 use super::motion::{orbit_figure, write_poincare};
 use super::page::Page;
-use super::peak_table::peak_table;
+use super::run_tables::{SampleTable, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::write_maps;
-use super::sample_table::SampleTable;
 use super::spectra::{estimated_figure, write_estimated};
-use super::spectrum_csv::{spectrum_columns, spectrum_rows};
+use super::spectrum::frequency_limit_of;
+use super::spectrum::peak_table;
+use super::spectrum::{spectrum_columns, spectrum_rows};
 use super::table::{Column, Origin, TableFiles};
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    RunSummary, TraceFigure, WholeFile, document, spectrum_figure,
+    RunSummary, TraceFigure, WholeFile, campbell, document, spectrum_figure,
 };
 use crate::analysis::Channel;
 use crate::rotor::{BallContacts, Sample};
-use crate::scenario::TableFormat;
+use crate::scenario::{Scenario, TableFormat};
 use crate::simulate::{Event, Model, Run, TraceSink};
 use crate::study::ContactChoice;
 use crate::study::campbell::Campbell;
@@ -382,5 +378,52 @@ impl TraceSink for RunReport {
             None => Ok(()),
             Some(files) => files.row(&event_row(event)),
         }
+    }
+}
+
+impl RunReport {
+    /// Opens `folder` for the run of a scenario's model, with the files that its `[output]` asks for.
+    ///
+    /// ```no_run
+    /// use std::sync::atomic::AtomicBool;
+    /// use jeffcott::report::RunReport;
+    /// use jeffcott::simulate::{Monitor, simulate};
+    ///
+    /// let scenario = jeffcott::scenario::load("scenarios/steady-7205c.toml".as_ref())?;
+    /// let model = scenario.model.as_ref().ok_or("nothing moves")?;
+    /// let mut report = RunReport::of(&scenario, model, "output/steady".as_ref())?;
+    /// let stop = AtomicBool::new(false);
+    /// let mut monitor = Monitor { stop: &stop, progress: &mut |_part| {} };
+    /// let run = simulate(model, &mut report, &mut monitor)?;
+    /// let files = report.finish(model, &run)?;
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ReportError::File`] where folder or trace cannot be created.
+    pub fn of(scenario: &Scenario, model: &Model, folder: &Path) -> Result<Self, ReportError> {
+        let Scenario {
+            title,
+            output,
+            echo,
+            contact_choice,
+            ..
+        } = scenario;
+        let outputs = Outputs {
+            trace: output.trace,
+            energy: model.energy || model.rotor.drive.is_some(),
+            drive: model.rotor.drive.is_some(),
+            balls: output.balls,
+            events: output.events,
+            spectrum: output.spectrum,
+            figures: output.figures,
+            page: output.report,
+            formats: output.formats.clone(),
+            every: output.every,
+            channels: output.channels.clone(),
+        };
+        let kept = model.rotor.shaft.freedoms.count();
+        let report = Self::open(folder, outputs, title, echo.clone(), kept)?;
+        Ok(report.with_choice(contact_choice.as_ref()))
     }
 }

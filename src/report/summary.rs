@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use super::method_use::MethodUseSummary;
 use super::motion::MotionSummary;
-use super::named_peak::NamedPeak;
 use super::run_up::MapsSummary;
 use super::spectra::EstimatedSummary;
+use super::spectrum::NamedPeak;
+use super::text::MethodUseSummary;
 use crate::analysis::Spectrum;
 use crate::simulate::{MeasuredError, Model, Run};
 use crate::study::ContactChoice;

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 
 use comfy_table::{CellAlignment, Table, presets};
 
-use super::units::MICRO;
 use crate::bearing::Clearance;
 
 /// Most characters of a line.
@@ -165,6 +164,15 @@ pub(super) fn digits(value: f64) -> String {
         format!("{value:.3e}")
     }
 }
+
+/// m → µm, rad → µrad.
+pub(super) const MICRO: f64 = 1e6;
+/// s → ms, rad → mrad, m/s → mm/s, N m → N mm.
+pub(super) const MILLI: f64 = 1e3;
+/// rad/s → revolutions a minute.
+pub(super) const PER_MINUTE: f64 = 30.0 / std::f64::consts::PI;
+/// rad/s → Hz.
+pub(super) const PER_SECOND: f64 = 0.5 / std::f64::consts::PI;
 
 #[cfg(test)]
 mod tests {

@@ -2,15 +2,18 @@
 
 use std::path::PathBuf;
 
-use super::histories::put_histories;
-use super::method_use::method_use_text;
+use serde::Serialize;
+
 use super::motion::put_motion;
-use super::table_use::put_table_use;
-use super::terminal::{Lines, decimal, listed, measured_text, significant};
+use super::terminal::{Lines, MICRO, clearance_text, decimal, listed, measured_text, significant};
 use crate::analysis::{Peak, Spectrum};
-use crate::report::units::MICRO;
+use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::rotor::Freedoms;
-use crate::simulate::{Model, Run, StaticState};
+use crate::scenario;
+use crate::simulate::{
+    BearingHistory, EventCount, EventKind, Model, Run, Spread, StaticState, TableUse,
+};
+use crate::study::{ContactChoice, Rung, RungDifference};
 
 /// Peaks shown.
 const PEAKS: usize = 8;
@@ -99,4 +102,232 @@ fn put_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>) {
         ["channel", "frequency", "order", "amplitude", "cause"],
         rows,
     );
+}
+
+/// Two lines a bearing: what its balls did, and its life.
+pub(super) fn put_histories(out: &mut Lines, bearings: &[BearingHistory]) {
+    for (index, bearing) in bearings.iter().enumerate() {
+        // one bearing needs no number
+        let name = match bearings.len() {
+            1 => String::new(),
+            _ => format!("bearing {}: ", index + 1),
+        };
+        if let Some(clearance) = &bearing.clearance {
+            out.line("clearance", format!("{name}{}", clearance_text(clearance)));
+        }
+        if let Some(zone) = &bearing.load_zone {
+            let loaded = balls_loaded(&zone.balls, bearing.balls);
+            out.line("load zone", format!("{name}{loaded}{}", losses(bearing)));
+        }
+        // the start is left out where enough remains
+        let life = bearing
+            .life
+            .map(|life| match life.after_settle.rating_life() {
+                Some(_) => life.after_settle,
+                None => life.whole_run,
+            });
+        if let Some((life, hours)) = life.and_then(|life| life.rating_life().zip(life.hours())) {
+            let text = format!("{life:.4e} million revolutions, {hours:.3e} h of this motion");
+            out.line("life L10r", name + &text);
+        }
+    }
+}
+
+/// `all 12 balls loaded` or `3 to 5 of 12 balls loaded, mean 4.21`.
+fn balls_loaded(loaded: &Spread, balls: usize) -> String {
+    if loaded.smallest == balls as f64 {
+        return format!("all {balls} balls loaded");
+    }
+    format!(
+        "{} to {} of {balls} balls loaded, mean {:.2}",
+        loaded.smallest, loaded.largest, loaded.mean
+    )
+}
+
+/// `; contact lost 12 times, from 0.1 s to 0.4 s` and the same of a preload, where they happened.
+fn losses(bearing: &BearingHistory) -> String {
+    let mut text = String::new();
+    for (kind, name) in [
+        (EventKind::ContactLost, "contact"),
+        (EventKind::PreloadLost, "preload"),
+    ] {
+        let EventCount { count, span } = bearing.events(kind);
+        match span {
+            None => {}
+            Some([time, _]) if count == 1 => text += &format!("; {name} lost once, at {time:.4} s"),
+            Some([first, last]) => {
+                text += &format!("; {name} lost {count} times, {first:.4} s to {last:.4} s");
+            }
+        }
+    }
+    text
+}
+
+/// A line or more for every bearing that was to have a table.
+pub(super) fn put_table_use(out: &mut Lines, tables: &[Option<TableUse>]) {
+    for (index, used) in tables.iter().enumerate() {
+        let Some(used) = used else { continue };
+        let says = match &used.table {
+            Ok(report) => format!(
+                "{} cells, off by {:.1e} N, {:.1e} of the largest ball load; {} samples outside it, by the exact law",
+                report.cells, report.error, report.relative_error, used.samples_outside
+            ),
+            Err(error) => format!("none, the exact law instead: {error}"),
+        };
+        out.line("table", format!("bearing {}: {says}", index + 1));
+    }
+}
+
+/// The name that scenarios have for a method.
+fn name(method: Method) -> &'static str {
+    let named = scenario::methods()
+        .iter()
+        .find(|named| named.method == method);
+    named.map_or("", |named| named.name.as_str())
+}
+
+fn why_method(first: Method) -> &'static str {
+    match first {
+        Method::Verner76 => "a ball may part from a race on this motion",
+        _ => "no ball is expected to part from a race on this motion",
+    }
+}
+
+fn why_changed(reason: ChangeReason) -> &'static str {
+    match reason {
+        ChangeReason::Crossings => "balls part from a race again and again",
+        ChangeReason::NoStep => "exponential can take no further step",
+    }
+}
+
+/// `exponential: no ball is expected to part from a race on this motion; verner76 from 1.234 ms on: …`
+pub(super) fn method_use_text(used: &MethodUse) -> String {
+    let mut line = format!("{}: {}", name(used.first), why_method(used.first));
+    if let Some((reason, time)) = used.change {
+        let [latest, why] = [name(used.latest()), why_changed(reason)];
+        line.push_str(&format!("; {latest} from {:.3} ms on: {why}", 1e3 * time));
+    }
+    line
+}
+
+/// Which method carried a run, and why.
+#[derive(Debug, Serialize)]
+pub(super) struct MethodUseSummary {
+    /// The method of the first step.
+    method: &'static str,
+    /// Why it was chosen.
+    why: &'static str,
+    /// The method that went on from it, if any.
+    change: Option<MethodChange>,
+}
+
+/// Where another method went on, and why.
+#[derive(Debug, Serialize)]
+struct MethodChange {
+    time_s: f64,
+    method: &'static str,
+    why: &'static str,
+}
+
+impl From<&MethodUse> for MethodUseSummary {
+    fn from(used: &MethodUse) -> Self {
+        Self {
+            method: name(used.first),
+            why: why_method(used.first),
+            change: used.change.map(|(reason, time)| MethodChange {
+                time_s: time,
+                method: name(used.latest()),
+                why: why_changed(reason),
+            }),
+        }
+    }
+}
+
+/// A line or two that begin as those of a run do; at most 100 columns.
+pub fn contact_choice_text(choice: &ContactChoice) -> String {
+    let mut out = Lines::default();
+    out.line(
+        "contact",
+        format!("{}: {}", choice.chosen, why_contact(choice)),
+    );
+    if choice.failure.is_none() {
+        choice
+            .rungs
+            .iter()
+            .for_each(|rung| out.more(rung_text(rung)));
+    }
+    out.text()
+}
+
+fn why_contact(choice: &ContactChoice) -> String {
+    if let Some(failure) = &choice.failure {
+        return format!("the laws could not be compared ({failure}), so the most exact one stays");
+    }
+    let allowed = format!("(allowed {:e})", choice.model_error);
+    if choice.chosen == choice.top {
+        return if choice.rungs.is_empty() {
+            "there is none that is cheaper".to_owned()
+        } else {
+            format!("none that is cheaper stays close to it {allowed}")
+        };
+    }
+    difference(choice, choice.chosen).map_or_else(String::new, |largest| {
+        format!(
+            "the cheapest within {largest:.1e} of {} {allowed}",
+            choice.top
+        )
+    })
+}
+
+fn difference(choice: &ContactChoice, rung: Rung) -> Option<f64> {
+    let found = choice.rungs.iter().find(|other| other.rung == rung)?;
+    Some(found.result.as_ref().ok()?.largest())
+}
+
+fn rung_text(rung: &RungDifference) -> String {
+    match &rung.result {
+        Ok(difference) => format!(
+            "{:<12}  force {:.1e}, change {:.1e}, stiffness {:.1e}, worst at {:.1} rad/s",
+            rung.rung.to_string(),
+            difference.force,
+            difference.change,
+            difference.stiffness,
+            difference.speed
+        ),
+        Err(reason) => format!("{:<12}  not available: {reason}", rung.rung.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bearing::{TableError, TableReport};
+
+    #[test]
+    fn a_table_tells_its_error_and_one_that_is_missing_why() {
+        let report = TableReport {
+            error: 2e-8,
+            relative_error: 1.7e-10,
+            cells: 1234,
+            evaluations: 9876,
+        };
+        let of = |table| {
+            Some(TableUse {
+                table,
+                samples_outside: 5,
+            })
+        };
+        let mut out = Lines::default();
+        let tables = [of(Ok(report)), None, of(Err(TableError::NoRegion))];
+        put_table_use(&mut out, &tables);
+        let text = out.text();
+        let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            told.contains("bearing 1: 1234 cells, off by 2.0e-8 N, 1.7e-10 of"),
+            "{told}"
+        );
+        assert!(told.contains("5 samples outside it"), "{told}");
+        assert!(told.contains("bearing 3: none"), "{told}");
+        assert!(!told.contains("bearing 2"), "{told}");
+    }
 }

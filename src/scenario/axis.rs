@@ -1,12 +1,14 @@
 //! The values that a number of a scenario takes: listed, evenly spaced or drawn.
 
-use schemars::JsonSchema;
+use std::borrow::Cow;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use super::Issue;
 use super::key::Key;
 use super::problems::Problems;
-use super::scalar::Scalar;
 use crate::study::Variable;
 use crate::study::plan::{Axis, AxisValues, Distribution, MOST_RUNS};
 
@@ -274,5 +276,24 @@ impl AxisReader<'_, '_> {
         let others = self.input.given();
         let others = others.into_iter().find_map(|(_, value)| value.as_ref());
         Some(self.key.variable(&listed.or(others)?.0))
+    }
+}
+
+/// A string or a number, as it was written.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub(super) struct Scalar(pub Value);
+
+impl JsonSchema for Scalar {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "scalar".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": ["string", "number"] })
     }
 }

@@ -4,9 +4,9 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-use super::node::Node;
+use super::node::{Node, read_json, read_toml};
 use super::problems::Problems;
-use super::{Format, Issue, ScenarioError, read_json, read_toml};
+use super::{Format, Issue, ScenarioError};
 
 /// Most bytes of a file.
 const LARGEST: u64 = 16 << 20;
@@ -58,8 +58,8 @@ impl Document {
         // places in the text count from behind a byte order mark
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let root = match format {
-            Format::Toml => read_toml::read(text),
-            Format::Json => read_json::read(text),
+            Format::Toml => read_toml(text),
+            Format::Json => read_json(text),
         };
         Ok(Self {
             root: root.map_err(|issues| ScenarioError::new(name, text, issues))?,

@@ -1,15 +1,19 @@
 //! Keys of a scenario by their paths: which there are, and which values each can have.
 
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
 use serde_json::{Map, Number, Value};
 
-use super::Issue;
 use super::dimension::{Dimension, Unit};
 use super::node::{Content, Node};
 use super::problems::Problems;
-use super::quantity;
-use super::reader::{self, Range};
+use super::reader::Range;
 use super::schema::schema;
+use super::{Issue, Scenario, quantity, questions_at, reader, without};
+use crate::rotor::RotorDefinition;
 use crate::study::Variable;
+use crate::study::accuracy::NamedMethod;
 
 /// A key whose value may be another one than that of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -215,4 +219,152 @@ pub(super) fn put(tree: &mut Value, path: &str, value: &Value) {
         };
     }
     *place = value.clone();
+}
+
+/// Tables whose numbers a motion that repeats does not depend on.
+const LEFT_OUT: [&str; 6] = ["static", "initial", "time", "integrator", "output", "study"];
+
+/// A checked scenario with one number left open.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenNumber {
+    base: Value,
+    folder: PathBuf,
+    key: Key,
+}
+
+impl OpenNumber {
+    /// The scenario with the number at a path open, for instance `speed.constant`; the files that it
+    /// names stand in `folder`.
+    ///
+    /// # Errors
+    /// [`Issue`] where there is no such number, where it is a whole number, and where the law of the
+    /// contacts may change with it.
+    pub fn new(scenario: &Scenario, path: &str, folder: &Path) -> Result<Self, Issue> {
+        let known = number_keys(&scenario.echo, &LEFT_OUT);
+        let key = find(&known, path, path).map_err(|issue| Issue {
+            message: format!("{} that its motion depends on", issue.message),
+            ..issue
+        })?;
+        let refused = |message| Err(Issue::new(path, message));
+        if key.is_whole() {
+            return refused(format!(
+                "`{path}` is a whole number: it does not change little by little"
+            ));
+        }
+        if scenario.contact_choice.is_some() {
+            return refused(format!(
+                "contact = \"auto\" may choose another law at another value of `{path}`: set the law \
+                 that it chose here"
+            ));
+        }
+        Ok(Self {
+            base: without(&scenario.echo, &["study", "output"]),
+            folder: folder.to_owned(),
+            key: key.clone(),
+        })
+    }
+
+    /// A value as it is written in a scenario, in SI units, and the number that varies, shown in the unit
+    /// that it was written in.
+    ///
+    /// # Errors
+    /// [`Issue`] where the text is none.
+    pub fn value(&self, text: &str) -> Result<(f64, Variable), Issue> {
+        let path = &self.key.path;
+        let value = self.key.typed(text, path).map_err(|issue| Issue {
+            message: format!("`{text}` is no value of `{path}`: {}", issue.message),
+            ..issue
+        })?;
+        Ok((self.key.si(&value), self.key.variable(&value)))
+    }
+
+    /// The rotor at a value in SI units.
+    ///
+    /// # Errors
+    /// [`Issue`] with what is wrong with it there.
+    pub fn rotor(&self, si: f64) -> Result<RotorDefinition, Issue> {
+        let questions = questions_at(&self.base, &self.key, si, &self.folder)?;
+        Ok(questions.motion()?.rotor)
+    }
+}
+
+/// The number in SI units that the key of a path can have.
+fn number(text: &str, path: &str, name: &str) -> Result<f64, Issue> {
+    let key = Key::named(path);
+    Ok(key.si(&key.typed(text, name)?))
+}
+
+/// A speed with its unit in rad/s, zero or positive.
+///
+/// # Errors
+/// [`Issue`] says what is wrong with the text.
+pub fn speed(text: &str) -> Result<f64, Issue> {
+    number(text, "speed.constant", "speed")
+}
+
+/// Seconds of a time with its unit, zero or positive.
+///
+/// # Errors
+/// [`Issue`] says what is wrong with the text.
+pub fn time(text: &str) -> Result<f64, Issue> {
+    number(text, "time.settle", "time")
+}
+
+/// A tolerance as a run can be asked to keep to.
+///
+/// # Errors
+/// [`Issue`] where it is none.
+pub fn tolerance(text: &str) -> Result<f64, Issue> {
+    number(text, "integrator.tolerance", "tolerance")
+}
+
+/// All methods that a scenario can name.
+pub fn methods() -> &'static [NamedMethod] {
+    static METHODS: LazyLock<Vec<NamedMethod>> = LazyLock::new(|| {
+        let words = Key::named("integrator.method").words().into_iter();
+        words.filter_map(|word| method(word).ok()).collect()
+    });
+    &METHODS
+}
+
+/// The method of a name.
+///
+/// # Errors
+/// [`Issue`] names those that there are.
+pub fn method(name: &str) -> Result<NamedMethod, Issue> {
+    let word = Key::named("integrator.method").typed(name, "method")?;
+    Ok(NamedMethod {
+        name: name.trim().to_owned(),
+        method: serde_json::from_value(word)
+            .map_err(|error| Issue::new("method", error.to_string()))?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_speed_needs_its_unit() {
+        assert_eq!(speed("500 rad/s").unwrap(), 500.0);
+        assert!(speed("500").is_err());
+    }
+
+    #[test]
+    fn a_time_needs_its_unit() {
+        assert_eq!(time("250 ms").unwrap(), 0.25);
+        assert!(time("0.25").is_err());
+    }
+
+    #[test]
+    fn a_tolerance_is_positive() {
+        assert_eq!(tolerance("1e-6"), Ok(1e-6));
+        assert!(tolerance("0").is_err());
+    }
+
+    #[test]
+    fn methods_have_the_names_of_a_scenario() {
+        let names = methods();
+        assert!(names.iter().any(|named| named.name == "dop853"));
+    }
 }

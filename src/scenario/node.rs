@@ -1,8 +1,15 @@
-//! The tree that both formats are read into: values with their places in the text.
+//! The tree that TOML and JSON (by the letter of RFC 8259) are read into: values with their places in the text.
 
 use std::ops::Range;
 
+use jsonc_parser::ast::{self, Object};
+use jsonc_parser::common::Ranged;
+use jsonc_parser::{CollectOptions, ParseOptions, parse_to_ast};
 use serde_json::Value;
+use toml::Spanned;
+use toml::de::{DeString, DeTable, DeValue};
+
+use super::problems::Issue;
 
 /// A value and where it stands.
 #[derive(Debug)]
@@ -109,5 +116,143 @@ impl Node {
             Content::List(items) => items.get(step.strip_suffix(']')?.parse::<usize>().ok()?),
             _ => None,
         }
+    }
+}
+
+const STRICT: ParseOptions = ParseOptions {
+    allow_comments: false,
+    allow_loose_object_property_names: false,
+    allow_trailing_commas: false,
+    allow_missing_commas: false,
+    allow_single_quoted_strings: false,
+    allow_hexadecimal_numbers: false,
+    allow_unary_plus_numbers: false,
+    allow_bare_decimal_point_numbers: false,
+    allow_non_finite_numbers: false,
+    allow_extended_string_escapes: false,
+};
+
+/// Reads the text, or says what keeps it from being JSON.
+pub(super) fn read_json(text: &str) -> Result<Node, Vec<Issue>> {
+    let parsed = parse_to_ast(text, &CollectOptions::default(), &STRICT).map_err(|error| {
+        let range = error.range();
+        let span = clamp(range.start, text)..clamp(range.end, text);
+        vec![Issue::new("", format!("this is not JSON: {}", error.kind())).at(Some(span))]
+    })?;
+    let Some(value) = parsed.value else {
+        return Err(vec![Issue::new("", "the file is empty")]);
+    };
+    let mut duplicates = Vec::new();
+    let root = json_node(&value, &mut duplicates);
+    if duplicates.is_empty() {
+        Ok(root)
+    } else {
+        Err(duplicates)
+    }
+}
+
+/// The nearest place not after `place` that starts a character.
+fn clamp(place: usize, text: &str) -> usize {
+    (0..=place.min(text.len()))
+        .rev()
+        .find(|place| text.is_char_boundary(*place))
+        .unwrap_or(0)
+}
+
+fn json_node(value: &ast::Value<'_>, duplicates: &mut Vec<Issue>) -> Node {
+    let content = match value {
+        ast::Value::StringLit(text) => Content::Text(text.value.to_string()),
+        ast::Value::NumberLit(number) => number_content(number.value),
+        ast::Value::BooleanLit(switch) => Content::Switch(switch.value),
+        ast::Value::NullKeyword(_) => Content::Null,
+        ast::Value::Array(array) => {
+            let items = array.elements.iter();
+            Content::List(items.map(|item| json_node(item, duplicates)).collect())
+        }
+        ast::Value::Object(object) => json_table(object, duplicates),
+    };
+    Node {
+        span: value.range().start..value.range().end,
+        content,
+    }
+}
+
+fn number_content(text: &str) -> Content {
+    match text.parse() {
+        Ok(integer) => Content::Integer(integer),
+        Err(_) => Content::Number(text.parse().unwrap_or(f64::NAN)),
+    }
+}
+
+fn json_table(object: &Object<'_>, duplicates: &mut Vec<Issue>) -> Content {
+    let mut entries: Vec<Entry> = Vec::with_capacity(object.properties.len());
+    let mut seen = std::collections::HashSet::new();
+    for property in &object.properties {
+        let key = property.name.as_str().to_owned();
+        let range = property.name.range();
+        let key_span = range.start..range.end;
+        if !seen.insert(key.clone()) {
+            let message = format!("duplicate key `{key}`");
+            duplicates.push(Issue::new(&key, message).at(Some(key_span.clone())));
+        }
+        let node = json_node(&property.value, duplicates);
+        entries.push(Entry {
+            key,
+            key_span,
+            node,
+        });
+    }
+    Content::Table(entries)
+}
+
+/// Reads the text, or says everything that keeps it from being TOML.
+pub(super) fn read_toml(text: &str) -> Result<Node, Vec<Issue>> {
+    let (root, errors) = DeTable::parse_recoverable(text);
+    if errors.is_empty() {
+        return Ok(Node {
+            span: root.span(),
+            content: toml_table(root.get_ref()),
+        });
+    }
+    let issues = errors.iter().map(|error| {
+        let message = error.message().lines().collect::<Vec<_>>().join(", ");
+        Issue::new("", format!("this is not TOML: {message}")).at(error.span())
+    });
+    Err(issues.collect())
+}
+
+fn toml_table(table: &DeTable<'_>) -> Content {
+    Content::Table(table.iter().map(entry).collect())
+}
+
+fn entry((key, value): (&Spanned<DeString<'_>>, &Spanned<DeValue<'_>>)) -> Entry {
+    Entry {
+        key: key.get_ref().to_string(),
+        key_span: key.span(),
+        node: toml_node(value),
+    }
+}
+
+fn toml_node(value: &Spanned<DeValue<'_>>) -> Node {
+    let content = match value.get_ref() {
+        DeValue::String(text) => Content::Text(text.to_string()),
+        DeValue::Integer(integer) => integer_content(integer.as_str(), integer.radix()),
+        DeValue::Float(float) => Content::Number(float.as_str().parse().unwrap_or(f64::NAN)),
+        DeValue::Boolean(switch) => Content::Switch(*switch),
+        DeValue::Datetime(_) => Content::Date,
+        DeValue::Array(items) => Content::List(items.iter().map(toml_node).collect()),
+        DeValue::Table(entries) => toml_table(entries),
+    };
+    Node {
+        span: value.span(),
+        content,
+    }
+}
+
+/// An integer beyond 64 bits is kept as the nearest number: the range check refuses it.
+fn integer_content(digits: &str, radix: u32) -> Content {
+    match i64::from_str_radix(digits, radix) {
+        Ok(integer) => Content::Integer(integer),
+        Err(_) => Content::Number(digits.parse().unwrap_or(f64::INFINITY)),
     }
 }

@@ -1,9 +1,12 @@
 //! Collects what is wrong with a scenario while it is read and checked.
 
+use std::fmt;
+use std::ops::Range;
 use std::path::Path;
 
-use super::Issue;
-use super::issue::Contradiction;
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use serde_json::{Value, json};
+
 use super::key::join;
 use super::node::Node;
 
@@ -128,5 +131,235 @@ impl<'a> Problems<'a> {
     /// The problems and the warnings.
     pub fn finish(self) -> (Vec<Issue>, Vec<String>) {
         (self.issues, self.warnings)
+    }
+}
+
+/// A problem of a scenario file, or of a value on the command line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Issue {
+    /// Key path, for instance `bearing[0].geometry.balls`; empty for the file as a whole.
+    pub path: String,
+    /// What is wrong and which rule it breaks.
+    pub message: String,
+    /// Bytes of the text to underline, where one place is to blame.
+    pub span: Option<Range<usize>>,
+    /// Further places that take part in a contradiction.
+    pub related: Vec<Range<usize>>,
+    /// What to do about it.
+    pub help: Option<String>,
+}
+
+impl std::error::Error for Issue {}
+
+impl fmt::Display for Issue {
+    /// What is wrong and what to do about it, in one line.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.message)?;
+        match &self.help {
+            Some(help) => write!(formatter, "; {help}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl Issue {
+    /// A problem of a key that has no place yet.
+    pub(super) fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
+        Self {
+            path: path.into(),
+            message: message.into(),
+            span: None,
+            related: Vec::new(),
+            help: None,
+        }
+    }
+
+    /// The same with its place in the text.
+    pub(super) fn at(mut self, span: Option<Range<usize>>) -> Self {
+        self.span = span;
+        self
+    }
+
+    /// The same with advice.
+    pub(super) fn help(mut self, advice: impl Into<String>) -> Self {
+        self.help = Some(advice.into());
+        self
+    }
+
+    /// The same with the nearest of the known words as advice, or with other advice where none is near.
+    pub(super) fn help_nearest<'a>(
+        self,
+        written: &str,
+        known: impl IntoIterator<Item = &'a str>,
+        otherwise: &str,
+    ) -> Self {
+        match nearest(written, known) {
+            Some(near) => self.help(format!("did you mean `{near}`?")),
+            None => self.help(otherwise),
+        }
+    }
+
+    /// The same as a contradiction to another key.
+    pub(super) fn against(self, path: impl Into<String>) -> Contradiction {
+        Contradiction::from(self).against(path)
+    }
+
+    /// The same as a contradiction to some keys.
+    pub(super) fn against_all(
+        self,
+        paths: impl IntoIterator<Item = impl Into<String>>,
+    ) -> Contradiction {
+        paths.into_iter().fold(self.into(), Contradiction::against)
+    }
+}
+
+/// A problem of one key together with others: these are shown too, and nothing is said where one of them is
+/// wrong itself.
+pub(super) struct Contradiction {
+    /// The problem; its path is the key to change.
+    pub issue: Issue,
+    /// Paths of the others.
+    pub others: Vec<String>,
+}
+
+impl From<Issue> for Contradiction {
+    fn from(issue: Issue) -> Self {
+        let others = Vec::new();
+        Self { issue, others }
+    }
+}
+
+impl Contradiction {
+    /// The same to one more key.
+    pub fn against(mut self, path: impl Into<String>) -> Self {
+        self.others.push(path.into());
+        self
+    }
+}
+
+/// The known word nearest to what was written, if any is near; letter case does not matter.
+pub(super) fn nearest<'a>(
+    written: &str,
+    known: impl IntoIterator<Item = &'a str>,
+) -> Option<&'a str> {
+    let written = written.to_lowercase();
+    known
+        .into_iter()
+        .map(|word| (strsim::jaro_winkler(&written, &word.to_lowercase()), word))
+        .filter(|(likeness, _)| *likeness > 0.75)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, word)| word)
+}
+
+/// More problems than this are counted, not shown.
+const MOST_SHOWN: usize = 100;
+
+/// A scenario that cannot be run: everything that is wrong with it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ScenarioError {
+    /// File name as given.
+    pub name: String,
+    /// Text of the file; empty where it could not be read.
+    pub text: String,
+    /// The problems in the order of the file, at least one.
+    pub issues: Vec<Issue>,
+}
+
+impl std::error::Error for ScenarioError {}
+
+impl fmt::Display for ScenarioError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.render(false))
+    }
+}
+
+impl ScenarioError {
+    /// Sorts the problems by their place.
+    pub(super) fn new(name: &str, text: &str, mut issues: Vec<Issue>) -> Self {
+        issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
+        Self {
+            name: name.to_owned(),
+            text: text.to_owned(),
+            issues,
+        }
+    }
+
+    /// Every problem with its line, the place underlined, and a closing count. Without colour
+    /// the text has no control sequences.
+    pub fn render(&self, color: bool) -> String {
+        let renderer = if color {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        let mut rendered = String::new();
+        for issue in self.issues.iter().take(MOST_SHOWN) {
+            rendered.push_str(&renderer.render(&[self.group(issue)]));
+            rendered.push_str("\n\n");
+        }
+        let noun = if self.issues.len() == 1 {
+            "problem"
+        } else {
+            "problems"
+        };
+        let hidden = match self.issues.len().saturating_sub(MOST_SHOWN) {
+            0 => String::new(),
+            count => format!(", {count} of them not shown"),
+        };
+        rendered + &format!("{}: {} {noun}{hidden}\n", self.name, self.issues.len())
+    }
+
+    fn group<'a>(&'a self, issue: &'a Issue) -> Group<'a> {
+        let title = Level::ERROR.primary_title(&issue.message);
+        let group = match &issue.span {
+            Some(span) => title.element(self.snippet(span, &issue.related)),
+            None => title.element(Origin::path(&self.name)),
+        };
+        match &issue.help {
+            Some(help) => group.element(Level::HELP.message(help)),
+            None => group,
+        }
+    }
+
+    fn snippet<'a>(
+        &'a self,
+        span: &Range<usize>,
+        related: &[Range<usize>],
+    ) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
+        let others = related
+            .iter()
+            .map(|other| AnnotationKind::Context.span(other.clone()));
+        Snippet::source(&self.text)
+            .path(&self.name)
+            .annotation(AnnotationKind::Primary.span(span.clone()))
+            .annotations(others)
+    }
+
+    /// The same for programs: for each problem its key, message, line, column and help.
+    pub fn issues_json(&self) -> Value {
+        let newlines = self.text.match_indices('\n').map(|(place, _)| place + 1);
+        let lines: Vec<_> = std::iter::once(0).chain(newlines).collect();
+        let issues = self.issues.iter().map(|issue| {
+            let place = issue.span.as_ref();
+            let place = place.map(|span| self.line_column(span.start, &lines));
+            json!({
+                "key": issue.path,
+                "message": issue.message,
+                "line": place.map(|(line, _)| line),
+                "column": place.map(|(_, column)| column),
+                "help": issue.help,
+            })
+        });
+        Value::Array(issues.collect())
+    }
+
+    /// Line and column of a byte, both from 1, the column in characters; `lines` holds the byte
+    /// that each line starts at.
+    fn line_column(&self, byte: usize, lines: &[usize]) -> (usize, usize) {
+        let line = lines.partition_point(|start| *start <= byte);
+        let before = &self.text.as_bytes()[lines[line - 1]..byte.min(self.text.len())];
+        (line, String::from_utf8_lossy(before).chars().count() + 1)
     }
 }

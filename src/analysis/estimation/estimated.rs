@@ -1,6 +1,6 @@
 //! A spectrum with everything that it takes to make it again.
 
-use super::unit::product;
+use super::request::product;
 use super::{Axis, SpectrumRequest};
 use crate::analysis::{Channel, Leak, TopPower};
 

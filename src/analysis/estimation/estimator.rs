@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::angle_grid::{AngleGrid, Turning};
+use super::interpolation::{AngleGrid, Turning};
 use super::interpolation::{Interpolation, Motion};
 use super::{
     Axis, EstimateError, EstimatedSpectrum, Resampling, Segment, SpectrumColumn, SpectrumKind,

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Detrend, Scaling};
+use super::Detrend;
 use crate::analysis::{Channel, Window};
 
 /// What is made of the channels.
@@ -119,5 +119,186 @@ impl SpectrumRequest {
             }
             _ => vec![channel],
         }
+    }
+}
+
+/// Scaling of a spectrum.
+///
+/// With P the power of a bin, the mean over the segments of `|Σ w x exp(−2πikn/N)|²/(Σ w)²`, and
+/// s = 2 for the image at −f that a one-sided spectrum folds in (s = 1 at zero frequency, at half the
+/// sampling rate of an even length, and in a two-sided spectrum):
+///
+/// ```text
+/// peak = s √P    peak to peak = 2 s √P    rms = √(s P)    power = s P    density = s P/ENBW
+/// ```
+///
+/// `scipy.signal.welch` calls power `scaling="spectrum"` and density `scaling="density"`; Matlab's
+/// `pwelch` calls them "power" and "psd".
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Scaling {
+    /// Amplitude.
+    Peak,
+    /// Root mean square.
+    Rms,
+    /// Twice the amplitude.
+    PeakToPeak,
+    /// Mean square: "spectrum" of SciPy, "power" of Matlab.
+    Power,
+    /// Mean square per Hz or per order: "density" of SciPy, "psd" of Matlab.
+    Density,
+}
+
+impl Scaling {
+    /// The value of a bin of power `power` that counts `sides` times, under a window of the
+    /// equivalent noise bandwidth `bandwidth` in units of the axis.
+    ///
+    /// ```
+    /// use jeffcott::analysis::Scaling;
+    /// // a cosine of amplitude 3 has (3/2)² at f and at −f
+    /// assert_eq!(Scaling::Peak.value(2.25, 2.0, 1.5), 3.0);
+    /// assert_eq!(Scaling::Power.value(2.25, 2.0, 1.5), 4.5);
+    /// assert_eq!(Scaling::Density.value(2.25, 2.0, 1.5), 3.0);
+    /// ```
+    pub fn value(self, power: f64, sides: f64, bandwidth: f64) -> f64 {
+        match self {
+            Self::Peak => sides * power.sqrt(),
+            Self::PeakToPeak => 2.0 * sides * power.sqrt(),
+            Self::Rms => (sides * power).sqrt(),
+            Self::Power => sides * power,
+            Self::Density => sides * power / bandwidth,
+        }
+    }
+
+    /// Whether values are in the unit squared.
+    pub fn is_square(self) -> bool {
+        matches!(self, Self::Power | Self::Density)
+    }
+
+    /// Name as in the files: `peak`, `rms`, `peak_to_peak`, `power`, `density`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Peak => "peak",
+            Self::Rms => "rms",
+            Self::PeakToPeak => "peak_to_peak",
+            Self::Power => "power",
+            Self::Density => "density",
+        }
+    }
+}
+
+/// Factors of a unit such as `m/s^2` or `N m`, with their powers.
+struct Factors(Vec<(String, i32)>);
+
+impl Factors {
+    /// `m/s^2` is m¹ s⁻²: the divisors stand after the slash.
+    fn read(unit: &str) -> Self {
+        let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
+        let mut factors = Self(Vec::new());
+        for (text, sign) in [(above, 1), (below, -1)] {
+            for word in text.split_whitespace() {
+                let (symbol, power) = word.split_once('^').unwrap_or((word, "1"));
+                factors.multiply(symbol, sign * power.parse::<i32>().unwrap_or(1));
+            }
+        }
+        factors
+    }
+
+    fn multiply(&mut self, symbol: &str, power: i32) {
+        match self.0.iter_mut().find(|(known, _)| known == symbol) {
+            Some((_, known)) => *known += power,
+            None => self.0.push((symbol.to_owned(), power)),
+        }
+    }
+
+    fn written(&self) -> String {
+        let side = |sign: i32| {
+            let factors = self.0.iter().filter(|(_, power)| power * sign > 0);
+            let words = factors.map(|(symbol, power)| match power.abs() {
+                1 => symbol.clone(),
+                power => format!("{symbol}^{power}"),
+            });
+            words.collect::<Vec<_>>().join(" ")
+        };
+        let (above, below) = (side(1), side(-1));
+        match (above.is_empty(), below.is_empty()) {
+            (_, true) => above,
+            (true, false) => format!("1/{below}"),
+            (false, false) => format!("{above}/{below}"),
+        }
+    }
+}
+
+/// Unit of the product of two quantities.
+pub(super) fn product(first: &str, second: &str) -> String {
+    let mut factors = Factors::read(first);
+    for (symbol, power) in Factors::read(second).0 {
+        factors.multiply(&symbol, power);
+    }
+    factors.written()
+}
+
+/// Why a spectrum could not be estimated.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum EstimateError {
+    /// The record holds no segment.
+    #[error(
+        "the record after the settle time holds {samples} samples, and a segment {needed}: make the \
+         run longer or the segment shorter"
+    )]
+    TooShort {
+        /// Samples there are.
+        samples: usize,
+        /// Samples of a segment.
+        needed: usize,
+    },
+    /// A segment of hardly any samples.
+    #[error("a segment of {samples} samples is too short: at least {needed} make a spectrum")]
+    ShortSegment {
+        /// Its samples.
+        samples: usize,
+        /// Fewest samples.
+        needed: usize,
+    },
+    /// The shaft turns back, and its angle says no more where the record is.
+    #[error("the shaft turns back at t = {time:.4e} s: there is no spectrum over its orders")]
+    TurnsBack {
+        /// Time, s.
+        time: f64,
+    },
+    /// Less than one revolution.
+    #[error(
+        "the shaft makes {turns:.2} revolutions after the settle time: a spectrum over orders needs \
+         at least one"
+    )]
+    NoRevolution {
+        /// Revolutions there are.
+        turns: f64,
+    },
+    /// Revolutions of changing length make no segments of equal time.
+    #[error(
+        "the speed changes after the settle time, and segments in revolutions are not equally long: \
+         take the spectrum over orders, or give the segment in seconds"
+    )]
+    UnevenRevolutions,
+    /// Seconds make no segments of equal angle.
+    #[error("a spectrum over orders has segments in revolutions, not in seconds")]
+    SecondsOverOrders,
+    /// The product of two channels has no amplitude.
+    #[error("a cross spectrum is a power or a density: it has no amplitude")]
+    CrossAmplitude,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::product;
+
+    #[test]
+    fn units_multiply() {
+        assert_eq!(product("m", "m"), "m^2");
+        assert_eq!(product("m/s^2", "m/s^2"), "m^2/s^4");
+        assert_eq!(product("N m", "rad/s"), "N m rad/s");
+        assert_eq!(product("N m", "m"), "N m^2");
     }
 }

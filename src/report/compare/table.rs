@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::CompareError;
 use crate::analysis::Spectrum;
-use crate::report::spectrum_csv::{spectrum_columns, spectrum_rows};
+use crate::report::spectrum::{spectrum_columns, spectrum_rows};
 
 /// A table with a header and numbers below; of a file, one row is in memory at a time.
 pub(super) struct Table {

@@ -2,15 +2,14 @@
 
 use std::collections::BTreeSet;
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::axis::{LEFT_ROOM, LETTER};
-use super::colour::{GRID, INK, graded};
-use super::layout::{LINE_OF_WORDS, MARGIN, MARGIN_ABOVE, NAMES_ROW, Part, WIDTH, strip};
-use super::png::data_uri;
-use super::{Axis, Curve, Figure, Map, Mark, Name, Panel, Point};
+use super::{Axis, Curve, Figure, GRID, INK, Map, Mark, Name, Panel, Point, graded};
 
 /// Drawing units a pixel: the library draws at whole units, so this is the sharpness of curves.
 const SCALE: u32 = 2;
@@ -297,5 +296,194 @@ fn placed(text: String, picture: &Picture) -> String {
             format!("{}<image{extent}{image}{after}", &before[..start])
         }
         None => text,
+    }
+}
+
+/// Width of a figure.
+pub(super) const WIDTH: u32 = 900;
+/// Height of the title.
+const TITLE: u32 = 40;
+/// Height of a row of names.
+pub(super) const NAMES_ROW: u32 = 22;
+/// Width of what stands before a name, and of the gap behind it.
+const BESIDE_NAME: u32 = 37;
+/// Height of a line of words.
+pub(super) const LINE_OF_WORDS: u32 = 22;
+/// Beside a plot.
+pub(super) const MARGIN: u32 = 12;
+/// Above a plot.
+pub(super) const MARGIN_ABOVE: u32 = 10;
+
+/// Width of the plot of a panel that stands alone.
+pub(in crate::report) const PLOT_WIDTH: u32 = WIDTH - LEFT_ROOM - 2 * MARGIN;
+
+/// A part of a figure.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    pub left: u32,
+    pub top: u32,
+    pub width: u32,
+    pub height: u32,
+}
+
+/// Corners of names that stand side by side in rows, and the height of all.
+pub(super) fn strip(names: &[Name], width: u32) -> (Vec<(u32, u32)>, u32) {
+    let (mut left, mut top) = (LEFT_ROOM, 0);
+    let mut corners = Vec::new();
+    for name in names {
+        let room = BESIDE_NAME + LETTER * name.text.chars().count() as u32;
+        if left > LEFT_ROOM && left + room > width {
+            (left, top) = (LEFT_ROOM, top + NAMES_ROW);
+        }
+        corners.push((left, top));
+        left += room;
+    }
+    let height = if names.is_empty() { 0 } else { top + NAMES_ROW };
+    (corners, height)
+}
+
+impl Figure {
+    /// The strip of names, the panels in their order, and the height of all.
+    pub(super) fn layout(&self) -> (Part, Vec<Part>, u32) {
+        let columns = self.columns.max(1);
+        let names = Part {
+            left: 0,
+            top: TITLE,
+            width: WIDTH,
+            height: strip(&self.names, WIDTH).1,
+        };
+        let widths = self.widths(columns);
+        let mut top = names.top + names.height;
+        let mut parts = Vec::new();
+        for row in self.panels.chunks(columns) {
+            let heights = row
+                .iter()
+                .zip(&widths)
+                .map(|(panel, width)| panel.full_height(*width));
+            let height = heights.max().unwrap_or(0);
+            let mut left = 0;
+            for width in widths.iter().take(row.len()) {
+                parts.push(Part {
+                    left,
+                    top,
+                    width: *width,
+                    height,
+                });
+                left += width;
+            }
+            top += height;
+        }
+        (names, parts, top.max(TITLE + NAMES_ROW))
+    }
+
+    /// Widths of the columns, whose plots are equally wide.
+    fn widths(&self, columns: usize) -> Vec<u32> {
+        let rooms = (0..columns).map(|column| {
+            let panels = self.panels.iter().skip(column).step_by(columns);
+            panels.map(|panel| panel.y.room_left()).max().unwrap_or(0)
+        });
+        let rooms: Vec<u32> = rooms.collect();
+        let plots = WIDTH.saturating_sub(rooms.iter().sum());
+        let widths = rooms.iter().map(|room| room + plots / columns as u32);
+        widths.collect()
+    }
+}
+
+impl Panel {
+    /// Height with all that stands above and below the plot.
+    fn full_height(&self, width: u32) -> u32 {
+        let words = LINE_OF_WORDS * self.words.len() as u32;
+        let plot = MARGIN_ABOVE + self.height + self.x.room_below();
+        self.head_height(width) + plot.max(words)
+    }
+
+    /// Height of what stands above the plot.
+    pub(super) fn head_height(&self, width: u32) -> u32 {
+        let title = if self.title.is_empty() { 0 } else { NAMES_ROW };
+        title + strip(&self.names, width).1
+    }
+}
+
+/// Bytes that a stored block of zlib holds at most.
+const BLOCK: usize = 65_535;
+
+/// PNG of one byte a pixel, row by row from the top, each the number of a colour; as base64.
+///
+/// Source: PNG, ISO/IEC 15948; zlib and deflate, RFC 1950 and 1951, here with stored blocks; base64,
+/// RFC 4648.
+pub(super) fn data_uri(width: usize, pixels: &[u8], palette: &[[u8; 3]]) -> String {
+    format!(
+        "data:image/png;base64,{}",
+        STANDARD.encode(png(width, pixels, palette))
+    )
+}
+
+fn png(width: usize, pixels: &[u8], palette: &[[u8; 3]]) -> Vec<u8> {
+    let height = pixels.len() / width.max(1);
+    let mut header = Vec::new();
+    header.extend((width as u32).to_be_bytes());
+    header.extend((height as u32).to_be_bytes());
+    // eight bits a pixel, colours by number, no filter beyond the per-row byte, not interlaced
+    header.extend([8, 3, 0, 0, 0]);
+    let mut rows = Vec::with_capacity(pixels.len() + height);
+    for row in pixels.chunks(width.max(1)) {
+        rows.push(0);
+        rows.extend(row);
+    }
+    let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
+    chunk(&mut file, b"IHDR", &header);
+    chunk(&mut file, b"PLTE", palette.as_flattened());
+    chunk(&mut file, b"IDAT", &stored(&rows));
+    chunk(&mut file, b"IEND", &[]);
+    file
+}
+
+fn chunk(file: &mut Vec<u8>, kind: &[u8; 4], content: &[u8]) {
+    file.extend((content.len() as u32).to_be_bytes());
+    let checked = file.len();
+    file.extend(kind);
+    file.extend(content);
+    let sum = crc32(&file[checked..]);
+    file.extend(sum.to_be_bytes());
+}
+
+fn stored(bytes: &[u8]) -> Vec<u8> {
+    let mut out = vec![0x78, 0x01];
+    let last = bytes.len().div_ceil(BLOCK).max(1) - 1;
+    for (index, block) in bytes.chunks(BLOCK).enumerate() {
+        let length = block.len() as u16;
+        out.push(u8::from(index == last));
+        out.extend(length.to_le_bytes());
+        out.extend((!length).to_le_bytes());
+        out.extend(block);
+    }
+    out.extend(adler32(bytes).to_be_bytes());
+    out
+}
+
+fn crc32(bytes: &[u8]) -> u32 {
+    !bytes.iter().fold(!0u32, |sum, byte| {
+        (0..8).fold(sum ^ u32::from(*byte), |sum, _| {
+            (sum >> 1) ^ (0xEDB8_8320 & (sum & 1).wrapping_neg())
+        })
+    })
+}
+
+fn adler32(bytes: &[u8]) -> u32 {
+    let (a, b) = bytes.iter().fold((1u32, 0u32), |(a, b), byte| {
+        let a = (a + u32::from(*byte)) % 65_521;
+        (a, (b + a) % 65_521)
+    });
+    (b << 16) | a
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_are_those_of_the_standards() {
+        assert_eq!(crc32(b"123456789"), 0xCBF4_3926);
+        assert_eq!(adler32(b"Wikipedia"), 0x11E6_0398);
     }
 }

@@ -1,18 +1,14 @@
 //! Figures: panels of curves, marks and cells over axes, told as data and drawn in one way.
 
 mod axis;
-mod colour;
 mod draw;
-mod layout;
-mod png;
-mod turn;
 
-pub(super) use self::axis::{Axis, ends, padded, round_ticks};
-pub(super) use self::colour::{COLOURS, GREY, WHITE, distinct, graded};
-pub(super) use self::layout::PLOT_WIDTH;
-pub(super) use self::turn::{all_around, turned};
-use super::{Decimator, ReportError};
 use plotters::style::RGBColor;
+
+use super::{Decimator, ReportError};
+
+pub(super) use axis::{Axis, ends, padded, round_ticks};
+pub(super) use draw::PLOT_WIDTH;
 
 /// Points of a curve: more cannot be seen on the width of a figure.
 pub(super) const CURVE_BUCKETS: usize = 2048;
@@ -219,5 +215,91 @@ impl Curve {
             envelope.push(at, value);
         }
         Self::line(colour, envelope.points().collect())
+    }
+}
+
+/// Colours of Okabe & Ito (2008) that are told apart by every kind of colour vision.
+const PALETTE: [RGBColor; 6] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+];
+
+/// Text and axes.
+const INK: RGBColor = RGBColor(40, 40, 40);
+/// Grid.
+const GRID: RGBColor = RGBColor(225, 225, 225);
+/// What others are measured by, and what is not stable.
+pub(in crate::report) const GREY: RGBColor = RGBColor(150, 150, 150);
+/// Paper, and text on dark maps.
+pub(in crate::report) const WHITE: RGBColor = RGBColor(255, 255, 255);
+
+/// Number of colours before they begin anew.
+pub(in crate::report) const COLOURS: usize = PALETTE.len();
+
+/// Colour number `index` of things without an order.
+pub(in crate::report) fn distinct(index: usize) -> RGBColor {
+    PALETTE[index % COLOURS]
+}
+
+/// Colour number `index` of `count` values in their order: blue over green to yellow.
+pub(in crate::report) fn graded(index: usize, count: usize) -> RGBColor {
+    /// The colour map viridis in five anchors (Smith & van der Walt, 2015).
+    const ANCHORS: [[f64; 3]; 5] = [
+        [68.0, 1.0, 84.0],
+        [59.0, 82.0, 139.0],
+        [33.0, 145.0, 140.0],
+        [94.0, 201.0, 98.0],
+        [215.0, 205.0, 40.0],
+    ];
+    let steps = count.saturating_sub(1).max(1);
+    let place = (ANCHORS.len() - 1) as f64 * index as f64 / steps as f64;
+    let below = (place as usize).min(ANCHORS.len() - 2);
+    let part = place - below as f64;
+    let mixed = |k: usize| ANCHORS[below][k] * (1.0 - part) + ANCHORS[below + 1][k] * part;
+    let [red, green, blue] = [0, 1, 2].map(|k| mixed(k).round() as u8);
+    RGBColor(red, green, blue)
+}
+
+/// A full turn, degrees.
+const TURN: f64 = 360.0;
+
+/// Values at azimuths in rad, as points over one turn in degrees.
+pub(in crate::report) fn turned(values: impl IntoIterator<Item = Point>) -> Vec<Point> {
+    let turned = |(azimuth, value): Point| (azimuth.to_degrees().rem_euclid(TURN), value);
+    let mut points: Vec<_> = values.into_iter().map(turned).collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    points
+}
+
+/// The curve through points of one turn, from its start to its end.
+pub(in crate::report) fn all_around(mut points: Vec<Point>) -> Vec<Point> {
+    let (Some(&first), Some(&last)) = (points.first(), points.last()) else {
+        return points;
+    };
+    // the line from the last point over the end of the turn to the first
+    let gap = first.0 + TURN - last.0;
+    let part = (TURN - last.0) / gap;
+    let seam = last.1 + part * (first.1 - last.1);
+    points.insert(0, (0.0, seam));
+    points.push((TURN, seam));
+    points
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turn_is_closed_at_its_seam() {
+        let points = all_around(turned([
+            (-90f64.to_radians(), 4.0),
+            (90f64.to_radians(), 2.0),
+        ]));
+        assert_eq!(points[0], (0.0, 3.0));
+        assert_eq!(points[3], (360.0, 3.0));
     }
 }

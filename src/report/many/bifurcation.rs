@@ -5,7 +5,7 @@ use std::path::Path;
 use super::digest::Digest;
 use super::figures::HEIGHT;
 use crate::report::figure::{Axis, Curve, Figure, Mark, Panel, Point, distinct, padded};
-use crate::report::units::MICRO;
+use crate::report::terminal::MICRO;
 use crate::report::{FileAction, ReportError};
 
 /// Value of the axis and place, and whether the run was come to from above.

@@ -2,7 +2,7 @@
 
 use super::digest::Digest;
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, distinct, ends};
-use crate::report::units::MICRO;
+use crate::report::terminal::MICRO;
 
 /// Height of a plot, px.
 const ROW_HEIGHT: u32 = 272;

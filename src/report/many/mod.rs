@@ -34,7 +34,7 @@ pub use self::tables::Layout;
 use self::tables::{Table, write_header, write_rows};
 pub use self::traces::Traces;
 use self::traces::{has_traces, remove_stale, remove_unfinished, sync_traces};
-use crate::report::document::value;
+use super::destination::value;
 use crate::report::figure::Figure;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder, WholeFile};
 use crate::study::many::{Keep, RunRecord, Schedule, Shard};

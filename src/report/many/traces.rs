@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use super::part::MergeError;
 use crate::report::bytes::Checksum;
 use crate::report::folder::sync_folder;
-use crate::report::sample_table::TraceCsv;
+use crate::report::run_tables::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
 use crate::rotor::Sample;
 use crate::simulate::TraceSink;

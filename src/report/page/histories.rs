@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use super::curve::{BUCKETS, Panel, curve};
 use crate::analysis::Channel;
-use crate::report::units::MICRO;
+use crate::report::terminal::MICRO;
 use crate::report::{Bucket, Decimator};
 use crate::rotor::Sample;
 

@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 pub(super) use self::frame::{Frame, figures_json};
 use self::histories::Histories;
 use self::orbit::Orbit;
-use super::figure_spectrum::frequency_limit_of;
+use super::spectrum::frequency_limit_of;
 use crate::rotor::Sample;
 use crate::simulate::Run;
 

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::curve::curve;
 use crate::analysis::{Motion, Section};
-use crate::report::units::MICRO;
+use crate::report::terminal::MICRO;
 use crate::rotor::Sample;
 
 /// Most samples that are kept.

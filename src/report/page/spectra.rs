@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use super::curve::{Panel, curve, prominent};
 use crate::analysis::{Channel, ChannelSpectrum, Peak, Spectrum};
-use crate::report::figure_spectrum::frequency_limit;
-use crate::report::units::MICRO;
+use crate::report::spectrum::frequency_limit;
+use crate::report::terminal::MICRO;
 
 /// Spectra of one unit: name of the panel, unit of the channels, unit shown, and how many of it make one
 /// of theirs.

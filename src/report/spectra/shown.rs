@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::names;
 use crate::analysis::{Axis, EstimatedSpectrum, SpectrumColumn, SpectrumKind, SpectrumQuantity};
-use crate::report::units::MICRO;
+use crate::report::terminal::MICRO;
 
 /// Columns of one unit.
 #[derive(Debug)]

@@ -1,11 +1,15 @@
 //! A table as a MAT-file of level 5: one variable a column.
+//!
+//! Data elements are those of MathWorks, "MAT-File Format": a tag of type and length, then the data, padded to eight
+//! bytes; up to four bytes stand inside the tag.
 
 use std::fmt::Write as _;
-use std::io::{self, Write};
-use std::path::Path;
+use std::fs::File;
+use std::io::{Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::{fs, io};
 
-use super::scratch::Scratch;
-use super::{Column, ColumnKind, Origin, mat_element};
+use super::{Column, ColumnKind, Origin};
 
 /// Rows that are kept in memory.
 const BLOCK: usize = 8192;
@@ -42,12 +46,12 @@ impl<W: Write> MatTable<W> {
         origin: &Origin,
         scratch: &Path,
     ) -> io::Result<Self> {
-        writer.write_all(&mat_element::header())?;
-        mat_element::text(&mut writer, "jeffcott_version", Origin::VERSION)?;
-        mat_element::text(&mut writer, "scenario_json", &ascii(&origin.scenario))?;
+        writer.write_all(&file_header())?;
+        write_text(&mut writer, "jeffcott_version", Origin::VERSION)?;
+        write_text(&mut writer, "scenario_json", &ascii(&origin.scenario))?;
         for column in columns {
             if let ColumnKind::Word(words) = &column.kind {
-                mat_element::words(&mut writer, &format!("{}_names", column.name), words)?;
+                write_words(&mut writer, &format!("{}_names", column.name), words)?;
             }
         }
         Ok(Self {
@@ -76,10 +80,10 @@ impl<W: Write> MatTable<W> {
         if self.filled < BLOCK {
             return Ok(());
         }
-        if self.rows() > mat_element::MOST_ROWS {
+        if self.rows() > MOST_ROWS {
             return Err(io::Error::other(format!(
                 "a MAT-file holds at most {} rows: write fewer (`every`) or another format",
-                mat_element::MOST_ROWS
+                MOST_ROWS
             )));
         }
         for column in self.open.chunks_exact(BLOCK) {
@@ -103,7 +107,7 @@ impl<W: Write> MatTable<W> {
         let (rows, width) = (self.rows(), self.columns.len());
         let column_bytes = size_of::<f64>() * BLOCK;
         for (place, column) in self.columns.iter().enumerate() {
-            mat_element::column_start(&mut self.writer, &column.name, rows)?;
+            column_start(&mut self.writer, &column.name, rows)?;
             self.bytes.resize(column_bytes, 0);
             for block in 0..self.full {
                 let start = (block * width as u64 + place as u64) * column_bytes as u64;
@@ -137,6 +141,134 @@ fn ascii(json: &str) -> String {
         }
     }
     text
+}
+
+/// Types of data.
+const INT8: u32 = 1;
+const UINT16: u32 = 4;
+const INT32: u32 = 5;
+const UINT32: u32 = 6;
+const DOUBLE: u32 = 9;
+const MATRIX: u32 = 14;
+
+/// Classes of arrays.
+const CHARACTERS: u32 = 4;
+const DOUBLES: u32 = 6;
+
+/// Bytes of a tag, and of what data are padded to.
+const TAG: u64 = 8;
+/// Most bytes that stand inside a tag.
+const INSIDE: usize = 4;
+
+/// Most rows of a column: the length of a matrix is a signed number of 32 bits to some readers, and
+/// the elements beside the data take less than 128 bytes.
+pub(super) const MOST_ROWS: u64 = ((1 << 31) - 128) / 8;
+
+/// The 128 bytes that a file begins with.
+pub(super) fn file_header() -> [u8; 128] {
+    let mut header = [b' '; 128];
+    let text = concat!(
+        "MATLAB 5.0 MAT-file, written by jeffcott ",
+        env!("CARGO_PKG_VERSION")
+    );
+    header[..text.len()].copy_from_slice(text.as_bytes());
+    // no data of subsystems, version 1, and the order of bytes
+    header[116..124].fill(0);
+    header[124..].copy_from_slice(&[0x00, 0x01, b'I', b'M']);
+    header
+}
+
+/// Writes all of a column of `rows` doubles but its numbers, 8 bytes each, which are to follow; they need
+/// no padding.
+pub(super) fn column_start(writer: &mut impl Write, name: &str, rows: u64) -> io::Result<()> {
+    let data = 8 * rows;
+    let about = about(DOUBLES, [rows, 1], name);
+    write_tag(writer, MATRIX, about.len() as u64 + TAG + data)?;
+    writer.write_all(&about)?;
+    write_tag(writer, DOUBLE, data)
+}
+
+/// Writes a text, ASCII alone: other characters are read differently by different readers.
+pub(super) fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()> {
+    write_words(writer, name, &[text.to_owned()])
+}
+
+/// Writes words as the rows of a matrix of characters, filled up with blanks.
+pub(super) fn write_words(writer: &mut impl Write, name: &str, words: &[String]) -> io::Result<()> {
+    let width = words.iter().map(|word| word.len()).max().unwrap_or(0);
+    let letter = |word: &String, place: usize| word.as_bytes().get(place).copied().unwrap_or(b' ');
+    let letters = (0..width).flat_map(|place| words.iter().map(move |word| letter(word, place)));
+    let letters: Vec<u8> = letters.flat_map(|byte| [byte, 0]).collect();
+    let mut content = about(CHARACTERS, [words.len() as u64, width as u64], name);
+    element(&mut content, UINT16, &letters);
+    write_tag(writer, MATRIX, content.len() as u64)?;
+    writer.write_all(&content)
+}
+
+/// Class, dimensions and name of an array.
+fn about(class: u32, [rows, columns]: [u64; 2], name: &str) -> Vec<u8> {
+    let pair = |first: u32, second: u32| [first.to_le_bytes(), second.to_le_bytes()].concat();
+    let mut bytes = Vec::new();
+    element(&mut bytes, UINT32, &pair(class, 0));
+    element(&mut bytes, INT32, &pair(rows as u32, columns as u32));
+    element(&mut bytes, INT8, name.as_bytes());
+    bytes
+}
+
+/// Appends a whole element.
+fn element(bytes: &mut Vec<u8>, kind: u32, data: &[u8]) {
+    let length = data.len() as u32;
+    if (1..=INSIDE).contains(&data.len()) {
+        bytes.extend((length << 16 | kind).to_le_bytes());
+    } else {
+        bytes.extend(kind.to_le_bytes());
+        bytes.extend(length.to_le_bytes());
+    }
+    bytes.extend(data);
+    bytes.resize(bytes.len().next_multiple_of(TAG as usize), 0);
+}
+
+fn write_tag(writer: &mut impl Write, kind: u32, length: u64) -> io::Result<()> {
+    let length = u32::try_from(length).map_err(io::Error::other)?;
+    writer.write_all(&kind.to_le_bytes())?;
+    writer.write_all(&length.to_le_bytes())
+}
+
+/// A file for writing, then reading; removed when dropped.
+#[derive(Debug)]
+pub(super) struct Scratch {
+    file: File,
+    path: PathBuf,
+}
+
+impl Scratch {
+    /// Creates the file.
+    pub fn create(path: &Path) -> io::Result<Self> {
+        let mut options = File::options();
+        options.read(true).write(true).create(true).truncate(true);
+        Ok(Self {
+            file: options.open(path)?,
+            path: path.to_owned(),
+        })
+    }
+
+    /// Appends bytes.
+    pub fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.file.write_all(bytes)
+    }
+
+    /// Fills `bytes` from the place `start`.
+    pub fn read(&mut self, start: u64, bytes: &mut [u8]) -> io::Result<()> {
+        self.file.seek(SeekFrom::Start(start))?;
+        self.file.read_exact(bytes)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        // there is nobody left to tell of a failure
+        let _ = fs::remove_file(&self.path);
+    }
 }
 
 #[cfg(test)]

@@ -3,21 +3,278 @@
 //! A row is a slice of numbers whatever the language; the kind of a column says what a number stands
 //! for. Rows are written while the run goes on, in memory that does not grow with it.
 
-mod column;
 mod csv;
-mod files;
 mod mat;
-mod mat_element;
 #[cfg(feature = "parquet")]
 mod parquet;
-mod scratch;
-mod whole;
 
-pub use self::column::{Column, ColumnKind};
-pub use self::csv::CsvTable;
-pub use self::files::Origin;
-pub(super) use self::files::TableFiles;
-pub use self::mat::MatTable;
+use std::borrow::Cow;
+use std::io;
+use std::path::PathBuf;
+
+use super::{FileAction, PartialFile, ReportError, RunFolder, WholeFile};
+use crate::scenario::TableFormat;
+
+pub use csv::CsvTable;
+pub use mat::MatTable;
 #[cfg(feature = "parquet")]
-pub use self::parquet::ParquetTable;
-pub(super) use self::whole::{Table, cell, number};
+pub use parquet::ParquetTable;
+
+/// What the numbers of a column stand for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ColumnKind {
+    /// A real number, or nothing where it is NaN.
+    Number,
+    /// A whole number, exact below 2^53, or nothing where it is NaN.
+    Count,
+    /// The word at this index.
+    Word(Vec<String>),
+}
+
+/// A column of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Column {
+    /// Quantity and unit, valid as a name in MATLAB and pandas: `x_velocity_m_s`.
+    pub name: Cow<'static, str>,
+    /// What its numbers stand for.
+    pub kind: ColumnKind,
+}
+
+impl Column {
+    /// A column of real numbers.
+    pub fn number(name: impl Into<Cow<'static, str>>) -> Self {
+        Self::of(name, ColumnKind::Number)
+    }
+
+    /// A column of whole numbers.
+    pub fn count(name: impl Into<Cow<'static, str>>) -> Self {
+        Self::of(name, ColumnKind::Count)
+    }
+
+    /// A column of words, of which a row holds the index.
+    pub fn words(
+        name: impl Into<Cow<'static, str>>,
+        words: impl IntoIterator<Item = impl Into<String>>,
+    ) -> Self {
+        let words = words.into_iter().map(Into::into).collect();
+        Self::of(name, ColumnKind::Word(words))
+    }
+
+    /// A column of a kind.
+    pub fn of(name: impl Into<Cow<'static, str>>, kind: ColumnKind) -> Self {
+        Self {
+            name: name.into(),
+            kind,
+        }
+    }
+}
+
+/// A table of named columns, all of the same length.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(in crate::report) struct Table {
+    columns: Vec<(Column, Vec<f64>)>,
+}
+
+impl Table {
+    /// Adds a column of numbers, some of which may be missing; the name ends with the unit.
+    pub fn numbers<T: Into<Option<f64>>>(
+        &mut self,
+        name: impl Into<String>,
+        values: impl IntoIterator<Item = T>,
+    ) {
+        self.add(Column::number(name.into()), values);
+    }
+
+    /// Adds a column of whole numbers, some of which may be missing.
+    pub fn counts<T: Into<Option<f64>>>(
+        &mut self,
+        name: impl Into<String>,
+        values: impl IntoIterator<Item = T>,
+    ) {
+        self.add(Column::count(name.into()), values);
+    }
+
+    /// Adds a column of words.
+    pub fn words<T: ToString>(
+        &mut self,
+        name: impl Into<String>,
+        values: impl IntoIterator<Item = T>,
+    ) {
+        let mut words: Vec<String> = Vec::new();
+        let mut index = |word: String| {
+            let known = words.iter().position(|known| *known == word);
+            known.unwrap_or_else(|| {
+                words.push(word);
+                words.len() - 1
+            })
+        };
+        let values = values
+            .into_iter()
+            .map(|value| index(value.to_string()) as f64);
+        let values = values.collect();
+        self.columns
+            .push((Column::words(name.into(), words), values));
+    }
+
+    fn add<T: Into<Option<f64>>>(&mut self, column: Column, values: impl IntoIterator<Item = T>) {
+        let values = values
+            .into_iter()
+            .map(|value| value.into().unwrap_or(f64::NAN));
+        self.columns.push((column, values.collect()));
+    }
+
+    /// The columns.
+    pub fn columns(&self) -> Vec<Column> {
+        self.columns
+            .iter()
+            .map(|(column, _)| column.clone())
+            .collect()
+    }
+
+    /// Gives the rows one by one; NaN where a number is missing.
+    ///
+    /// # Errors
+    /// What `take` answers.
+    pub fn rows(&self, take: &mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()> {
+        let rows = self.columns.first().map_or(0, |(_, values)| values.len());
+        (0..rows).try_for_each(|row| {
+            let row: Vec<f64> = self.columns.iter().map(|(_, values)| values[row]).collect();
+            take(&row)
+        })
+    }
+}
+
+/// A number in the shortest form that reads back to the same value.
+pub(in crate::report) fn number(value: f64) -> String {
+    format!("{value:?}")
+}
+
+/// A number, or an empty cell.
+pub(in crate::report) fn cell(value: Option<f64>) -> String {
+    value.map(number).unwrap_or_default()
+}
+
+/// What a table comes from, told in the files that have room for it.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Origin {
+    /// The scenario with its defaults, JSON.
+    pub scenario: String,
+}
+
+impl Origin {
+    /// Version that writes the tables.
+    pub const VERSION: &'static str = env!("CARGO_PKG_VERSION");
+}
+
+/// A table being written.
+#[derive(Debug)]
+pub(in crate::report) struct TableFiles(Vec<TableFile>);
+
+/// A table being written in one format.
+#[derive(Debug)]
+struct TableFile {
+    path: PathBuf,
+    writer: TableWriter,
+}
+
+#[derive(Debug)]
+enum TableWriter {
+    Csv(CsvTable<PartialFile>),
+    #[cfg(feature = "parquet")]
+    Parquet(ParquetTable<PartialFile>),
+    Mat(MatTable<PartialFile>),
+}
+
+impl TableFiles {
+    /// Begins the table `stem` in every format that the folder has its tables in.
+    pub fn open(folder: &RunFolder, stem: &str, columns: &[Column]) -> Result<Self, ReportError> {
+        let (formats, origin) = folder.tables();
+        let open = |format: &TableFormat| TableFile::open(folder, stem, *format, columns, origin);
+        formats.iter().map(open).collect::<Result<_, _>>().map(Self)
+    }
+
+    /// Writes a row; what goes wrong is told with the name of the file.
+    pub fn row(&mut self, row: &[f64]) -> io::Result<()> {
+        self.0.iter_mut().try_for_each(|file| file.row(row))
+    }
+
+    /// Ends the files.
+    pub fn close(self) -> Result<Vec<WholeFile>, ReportError> {
+        self.0.into_iter().map(TableFile::close).collect()
+    }
+}
+
+impl TableFile {
+    fn open(
+        folder: &RunFolder,
+        stem: &str,
+        format: TableFormat,
+        columns: &[Column],
+        origin: &Origin,
+    ) -> Result<Self, ReportError> {
+        let name = format!("{stem}.{}", format.extension());
+        let file = folder.create(&name)?;
+        let path = file.path().to_owned();
+        let writer = match format {
+            TableFormat::Csv => CsvTable::new(file, columns).map(TableWriter::Csv),
+            #[cfg(feature = "parquet")]
+            TableFormat::Parquet => {
+                ParquetTable::new(file, columns, origin).map(TableWriter::Parquet)
+            }
+            #[cfg(not(feature = "parquet"))]
+            TableFormat::Parquet => Err(io::Error::from(io::ErrorKind::Unsupported)),
+            TableFormat::Mat => {
+                let rows = folder.path().join(format!(".{name}.rows.partial"));
+                MatTable::new(file, columns, origin, &rows).map(TableWriter::Mat)
+            }
+        };
+        let writer = writer.map_err(ReportError::file(FileAction::Write, &path))?;
+        Ok(Self { path, writer })
+    }
+
+    fn row(&mut self, row: &[f64]) -> io::Result<()> {
+        let written = match &mut self.writer {
+            TableWriter::Csv(table) => table.row(row),
+            #[cfg(feature = "parquet")]
+            TableWriter::Parquet(table) => table.row(row),
+            TableWriter::Mat(table) => table.row(row),
+        };
+        written.map_err(|error| {
+            let kind = error.kind();
+            let named = ReportError::file(FileAction::Write, &self.path)(error);
+            io::Error::new(kind, named)
+        })
+    }
+
+    fn close(self) -> Result<WholeFile, ReportError> {
+        let finished = match self.writer {
+            TableWriter::Csv(table) => table.finish(),
+            #[cfg(feature = "parquet")]
+            TableWriter::Parquet(table) => table.finish(),
+            TableWriter::Mat(table) => table.finish(),
+        };
+        finished
+            .map_err(ReportError::file(FileAction::Write, &self.path))?
+            .close()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::CsvTable;
+    use super::Table;
+
+    #[test]
+    fn what_is_missing_is_an_empty_cell_and_words_may_hold_commas() {
+        let mut table = Table::default();
+        table.counts("n", [1.0, 2.0]);
+        table.numbers("x_m", [Some(0.1), None]);
+        table.words("note", ["a, \"b\"", ""]);
+        let mut csv = CsvTable::new(Vec::new(), &table.columns()).expect("memory takes everything");
+        table
+            .rows(&mut |row| csv.row(row))
+            .expect("memory takes everything");
+        let csv = csv.finish().expect("memory takes everything");
+        assert_eq!(csv, b"n,x_m,note\n1,0.1,\"a, \"\"b\"\"\"\n2,,\n");
+    }
+}

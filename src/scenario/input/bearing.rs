@@ -6,20 +6,21 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::geometry::{GeometryInput, Sources};
-use super::material::{self, MaterialInput};
-use super::model::{ContactChoice, ModelInput};
-use super::oil::OilInput;
-use super::set::Arrangement;
-use crate::bearing::catalogue::{self, CATALOGUE, CatalogueEntry};
+use super::settings::{ContactChoice, ModelInput};
+use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::bearing::{
     Bearing, BearingError, ClearanceClass, ContactDamping, Facing, MountedBearing, Oil, Preload,
+    catalogue,
 };
 use crate::physics::{Material, RaceControl};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
-use crate::scenario::nearest::nearest;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, AngularSpeed, Force, Length, Quantity, si};
+use crate::scenario::problems::nearest;
+use crate::scenario::quantity::{
+    Angle, AngularSpeed, Density, Force, Length, Pressure, PressureViscosity, Quantity, Viscosity,
+    si,
+};
 
 /// A ball bearing and its place on the shaft.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -161,11 +162,11 @@ impl BearingInput {
             clearance_change: self.clearance_change.si(),
         };
         let rating = si(&self.dynamic_rating);
-        let ring_material = material::build(self.material.as_ref(), Material::BEARING_STEEL);
+        let ring_material = material(self.material.as_ref(), Material::BEARING_STEEL);
         let bearing = Bearing {
             geometry: sources.build(freedoms, problems)?,
             ring_material,
-            ball_material: material::build(self.ball_material.as_ref(), ring_material),
+            ball_material: material(self.ball_material.as_ref(), ring_material),
             contact_stiffness: si(&input.contact_stiffness),
             dynamic_rating: rating.or(entry.map(|entry| entry.dynamic_rating)),
             roughness: si(&self.roughness),
@@ -311,4 +312,126 @@ fn check_contact(bearing: &Bearing, problems: &mut Problems<'_>) {
         };
         problems.refuse(Issue::new(key, error.to_string()));
     }
+}
+
+/// How the two bearings of a set stand to each other.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Arrangement {
+    /// O arrangement: the contact lines diverge towards the shaft axis, stiff against tilting.
+    BackToBack,
+    /// X arrangement: the contact lines converge towards the shaft axis, yielding to tilting.
+    FaceToFace,
+    /// Both bearings face the same way and share the axial load.
+    Tandem,
+}
+
+impl Arrangement {
+    /// Position in m and orientation of both bearings, `spacing` in m apart about `centre`;
+    /// `facing` is that of a tandem set.
+    ///
+    /// The contact line of a bearing that faces +z runs from ball to shaft axis towards −z: back
+    /// to back the one at the −z end faces +z.
+    pub fn places(self, centre: f64, spacing: f64, facing: Facing) -> [(f64, Facing); 2] {
+        let [low, high] = match self {
+            Self::BackToBack => [Facing::PlusZ, Facing::MinusZ],
+            Self::FaceToFace => [Facing::MinusZ, Facing::PlusZ],
+            Self::Tandem => [facing; 2],
+        };
+        [
+            (centre - 0.5 * spacing, low),
+            (centre + 0.5 * spacing, high),
+        ]
+    }
+}
+
+/// Lubricating oil at the temperature of the bearing.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OilInput {
+    /// Dynamic viscosity at ambient pressure, for instance "0.04 Pa s".
+    #[schemars(extend("x-above" = 0.0))]
+    pub viscosity: Quantity<Viscosity>,
+    /// How the viscosity grows with the pressure, for instance "22 1/GPa".
+    #[schemars(extend("x-above" = 0.0))]
+    pub pressure_viscosity: Quantity<PressureViscosity>,
+}
+
+impl OilInput {
+    /// The oil.
+    pub fn build(&self) -> Oil {
+        Oil {
+            viscosity: self.viscosity.si(),
+            pressure_viscosity: self.pressure_viscosity.si(),
+        }
+    }
+}
+
+/// Elastic constants and density.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MaterialInput {
+    /// Young's modulus, for instance "207 GPa" (the default, bearing steel) or "310 GPa"
+    /// (silicon nitride).
+    #[schemars(extend("x-minimum" = 1e3))]
+    pub youngs_modulus: Option<Quantity<Pressure>>,
+    /// Poisson's ratio, 0 to 0.5. Default: 0.3.
+    #[schemars(range(min = 0.0, max = 0.5))]
+    pub poisson_ratio: Option<f64>,
+    /// Density, for instance "7800 kg/m^3" (the default) or "3200 kg/m^3" (silicon nitride).
+    #[schemars(extend("x-above" = 0.0))]
+    pub density: Option<Quantity<Density>>,
+}
+
+/// The material; what is not given is that of `base`.
+pub fn material(input: Option<&MaterialInput>, base: Material) -> Material {
+    let Some(input) = input else { return base };
+    Material {
+        youngs_modulus: si(&input.youngs_modulus).unwrap_or(base.youngs_modulus),
+        poisson_ratio: input.poisson_ratio.unwrap_or(base.poisson_ratio),
+        density: si(&input.density).unwrap_or(base.density),
+    }
+}
+
+/// Warns where all bearings bear axially the same way, and none of them is pressed that way; there is no axial load.
+///
+/// `inputs` is the number of tables that describe them.
+pub fn warn_where_unheld(bearings: &[MountedBearing], inputs: usize, problems: &mut Problems<'_>) {
+    let Some(first) = bearings.first() else {
+        return;
+    };
+    let one_way = |mounted: &MountedBearing| {
+        mounted.facing == first.facing
+            && !mounted.bearing.geometry.is_symmetric()
+            && mounted.bearing.geometry.nominal_angle() > 0.0
+            && !matches!(mounted.preload, Preload::Spring(_))
+    };
+    if !bearings.iter().all(one_way) {
+        return;
+    }
+    let [way, other] = if first.facing.sign() > 0.0 {
+        ["+z", "-z"]
+    } else {
+        ["-z", "+z"]
+    };
+    let load = format!(
+        "a load along {way}, as in `[[load]]` constant = {{ z = \"{}500 N\" }}",
+        way.trim_end_matches('z').trim_start_matches('+')
+    );
+    problems.warn(match bearings.len() {
+        1 => format!(
+            "a single angular contact bearing bears axially one way only and needs an axial load: with none its \
+             balls lose their contact angle and hardly hold the shaft; add {load}"
+        ),
+        count => {
+            let turned = match inputs {
+                1 => "set arrangement = \"back-to-back\" in `bearing[0]`".to_owned(),
+                inputs => format!("write facing = \"{other}\" in `bearing[{}]`", inputs - 1),
+            };
+            format!(
+                "all {count} angular contact bearings face the same way, {way}: none holds the shaft against the \
+                 others, and a preload of theirs is not borne; {turned}, or add {load}"
+            )
+        }
+    });
 }

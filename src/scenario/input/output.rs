@@ -6,15 +6,12 @@ use std::num::NonZeroU64;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::time::TimeInput;
-use super::written::TableFormat;
-use crate::analysis::Channel;
-use crate::analysis::Window;
+use super::settings::TimeInput;
+use crate::analysis::{Channel, Window};
 use crate::scenario::Issue;
 use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity};
-
 use crate::simulate::{Analyses, Sampling};
 
 /// Samples per revolution where neither key is given.
@@ -280,4 +277,47 @@ fn check_window(
     ));
     let others = ["time.settle", key, "output.sample_rate"];
     problems.refuse(issue.against_all(others));
+}
+
+/// Format of the tables of a run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum TableFormat {
+    /// Comma-separated values.
+    Csv,
+    /// Apache Parquet; only where `jeffcott` is built with it.
+    Parquet,
+    /// A MAT-file of MATLAB, level 5: one variable a column.
+    Mat,
+}
+
+impl TableFormat {
+    /// All formats.
+    pub const ALL: [Self; 3] = [Self::Csv, Self::Parquet, Self::Mat];
+
+    /// Name in a scenario, and the ending of its files.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Parquet => "parquet",
+            Self::Mat => "mat",
+        }
+    }
+
+    /// Whether this build can write it.
+    pub fn is_built(self) -> bool {
+        self != Self::Parquet || cfg!(feature = "parquet")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_a_scenario() {
+        for format in TableFormat::ALL {
+            assert_eq!(serde_json::json!(format), format.extension());
+        }
+    }
 }

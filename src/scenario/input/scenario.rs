@@ -3,21 +3,20 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::axial;
-use super::bearing::BearingInput;
+use super::bearing::{BearingInput, warn_where_unheld};
+use super::components::InitialInput;
+use super::components::StaticInput;
 use super::damping::{self, DampingInput};
-use super::initial::InitialInput;
-use super::integrator::IntegratorInput;
 use super::load::{self, LoadInput, Surroundings};
-use super::model::{ContactChoice, ModelInput};
 use super::output::{Output, Turning};
+use super::settings::IntegratorInput;
+use super::settings::TimeInput;
+use super::settings::{ContactChoice, ModelInput};
 use super::shaft::ShaftInput;
+use super::shaft::TorsionInput;
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
-use super::statics::StaticInput;
 use super::study::StudyInput;
-use super::time::TimeInput;
-use super::torsion::TorsionInput;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
@@ -218,7 +217,7 @@ impl ScenarioInput {
         let mut points = speed.points();
         let bearings = bearings?;
         if self.time.is_some() && freedoms.count() > AXIAL && load[AXIAL] == 0.0 {
-            axial::warn_where_unheld(&bearings, self.bearing.len(), problems);
+            warn_where_unheld(&bearings, self.bearing.len(), problems);
         }
         Some(RotorDefinition {
             shaft,

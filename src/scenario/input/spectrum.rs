@@ -1,16 +1,19 @@
 //! `[[spectrum]]`.
 
-mod channels;
-mod checks;
+use std::borrow::Cow;
+use std::f64::consts::TAU;
 
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
-use crate::analysis::{Axis, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window};
+use crate::analysis::{
+    Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
+};
+use crate::rotor::{FREEDOMS, Freedoms};
+use crate::scenario::Issue;
+use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, Time};
-use channels::ChannelName;
-pub use checks::Recorded;
 
 /// Share of a segment that the next one holds, where none is given: as in SciPy and Matlab.
 const OVERLAP: f64 = 0.5;
@@ -171,4 +174,303 @@ impl SpectrumInput {
         };
         format!("{kind}{}{over}", self.scaling().name())
     }
+}
+
+/// A channel of one freedom.
+type OfFreedom = fn(usize) -> Channel;
+
+/// Words for the same quantity of every freedom that moves.
+const GROUPS: [(&str, OfFreedom); 4] = [
+    ("displacement", Channel::Displacement),
+    ("velocity", Channel::Velocity),
+    ("acceleration", Channel::Acceleration),
+    ("force", Channel::Force),
+];
+
+/// The name of a channel or of a group of channels.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct ChannelName(String);
+
+impl JsonSchema for ChannelName {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "channel".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let groups = GROUPS.iter().map(|(name, _)| *name);
+        let names: Vec<_> = groups.chain(every_channel().map(Channel::name)).collect();
+        json_schema!({
+            "description":
+                "A channel, named as in the columns of the trace, or a group of channels.",
+            "type": "string",
+            "enum": names,
+        })
+    }
+}
+
+/// The channels of all freedoms, each kind together.
+fn every_channel() -> impl Iterator<Item = Channel> {
+    GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of))
+}
+
+/// Freedoms of a whirl: what turns with the shaft runs from the first to the second.
+const WHIRLS: [(usize, usize); 2] = [(0, 1), (3, 4)];
+
+impl SpectrumInput {
+    /// The channels, each once, in the order of the table.
+    fn channels(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Vec<Channel> {
+        let mut channels = Vec::new();
+        for (index, ChannelName(word)) in self.channels.iter().enumerate() {
+            let found = match GROUPS.iter().find(|(name, _)| name == word) {
+                Some((_, of)) => self.group(freedoms).into_iter().map(of).collect(),
+                None => {
+                    let named: Vec<_> = every_channel().filter(|c| c.name() == word).collect();
+                    let path = format!(".channels[{index}]");
+                    for channel in &named {
+                        refuse_held(&path, *channel, freedoms, problems);
+                    }
+                    named
+                }
+            };
+            for channel in found {
+                if !channels.contains(&channel) {
+                    channels.push(channel);
+                }
+            }
+        }
+        match self.kind {
+            KindChoice::Plain | KindChoice::Envelope => {}
+            KindChoice::Whirl => refuse_single(&channels, problems),
+            KindChoice::Cross => refuse_lone(&channels, problems),
+        }
+        channels
+    }
+
+    /// Freedoms that a group stands for; in a whirl those that turn.
+    fn group(&self, freedoms: Freedoms) -> Vec<usize> {
+        let moving = 0..freedoms.count();
+        match self.kind {
+            KindChoice::Whirl => moving.filter(|freedom| *freedom != 2).collect(),
+            _ => moving.collect(),
+        }
+    }
+}
+
+/// Refuses the motion of a freedom that is held; its force is as good as any.
+fn refuse_held(path: &str, channel: Channel, freedoms: Freedoms, problems: &mut Problems<'_>) {
+    let is_force = matches!(channel, Channel::Force(_));
+    let is_held = channel
+        .freedom()
+        .is_some_and(|freedom| freedom >= freedoms.count());
+    if is_held && !is_force {
+        let message = format!("`{channel}` does not move: the shaft's `freedoms` hold it");
+        let issue =
+            Issue::new(path, message).help("leave it out, or set more freedoms in `[shaft]`");
+        problems.refuse(issue.against("shaft.freedoms"));
+    }
+}
+
+/// Refuses a whirl of anything but neighbouring pairs.
+fn refuse_single(channels: &[Channel], problems: &mut Problems<'_>) {
+    let is_pair = |pair: &[Channel]| match pair {
+        [x, y] => {
+            let freedoms = x.freedom().zip(y.freedom());
+            let same = std::mem::discriminant(x) == std::mem::discriminant(y);
+            same && freedoms.is_some_and(|freedoms| WHIRLS.contains(&freedoms))
+        }
+        _ => false,
+    };
+    if let Some(wrong) = channels.chunks(2).find(|pair| !is_pair(pair)) {
+        let names: Vec<_> = wrong.iter().map(|channel| format!("`{channel}`")).collect();
+        let message = format!(
+            "a whirl takes pairs of the x and y of one quantity, not {}",
+            names.join(" and ")
+        );
+        let issue = Issue::new(".channels", message)
+            .help("for instance: channels = [\"x\", \"y\"], or [\"force\"]");
+        problems.refuse(issue.against(".kind"));
+    }
+}
+
+/// Refuses a cross spectrum of one channel.
+fn refuse_lone(channels: &[Channel], problems: &mut Problems<'_>) {
+    if channels.len() < 2 {
+        let message = "a cross spectrum takes two channels or more: the first is the reference";
+        let issue =
+            Issue::new(".channels", message).help("for instance: channels = [\"force_x\", \"x\"]");
+        problems.refuse(issue.against(".kind"));
+    }
+}
+
+/// Longest name.
+const LONGEST_NAME: usize = 64;
+/// Fewest samples of a segment.
+const FEWEST_SAMPLES: f64 = 16.0;
+
+/// What the spectra are taken of.
+pub struct Recorded<'a> {
+    /// Freedoms that move.
+    pub freedoms: Freedoms,
+    /// Time after the settle time, s.
+    pub window: f64,
+    /// Samples a second.
+    pub rate: f64,
+    /// The key that the speed is given by.
+    pub speed: &'a str,
+    /// Highest speed, rad/s.
+    pub highest: f64,
+    /// Speed after the settle time, rad/s; zero where it changes.
+    pub steady: f64,
+}
+
+impl SpectrumInput {
+    fn check_name(&self, name: &str, earlier: &[SpectrumRequest], problems: &mut Problems<'_>) {
+        let path = match self.name {
+            Some(_) => ".name",
+            None => ".",
+        };
+        let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+        if name.is_empty() || name.len() > LONGEST_NAME || !name.chars().all(plain) {
+            let message = format!(
+                "`name` must be 1 to {LONGEST_NAME} letters, digits, `_` or `-`: a file is called by it"
+            );
+            problems.refuse(Issue::new(path, message));
+        }
+        // file names of some systems do not tell cases apart
+        let same = |request: &SpectrumRequest| request.name.eq_ignore_ascii_case(name);
+        if earlier.iter().any(same) {
+            let message = format!("there are two spectra of the name \"{name}\"");
+            let issue = Issue::new(path, message).help("give each a `name` of its own");
+            problems.refuse(issue);
+        }
+    }
+
+    fn check_scaling(&self, problems: &mut Problems<'_>) {
+        if self.kind == KindChoice::Cross && !self.scaling().is_square() {
+            let message = "a cross spectrum is the product of two channels and has no amplitude";
+            let issue =
+                Issue::new(".scaling", message).help("set scaling = \"density\" or \"power\"");
+            problems.refuse(issue.against(".kind"));
+        }
+    }
+
+    /// The band of an envelope, inside of what the samples hold.
+    fn band(&self, recorded: &Recorded<'_>, problems: &mut Problems<'_>) -> Option<[f64; 2]> {
+        let inner = ".band";
+        let is_envelope = self.kind == KindChoice::Envelope;
+        let issue = match (self.band.as_deref(), is_envelope) {
+            (None, false) => return None,
+            (None, true) => {
+                Issue::new(".", "an envelope needs a `band`").help(fitting_band(recorded.rate))
+            }
+            (Some(_), false) => {
+                let message = "`band` needs kind = \"envelope\": no other spectrum has one";
+                Issue::new(inner, message).help("remove it")
+            }
+            (Some([low, high]), true) => {
+                let band = [low.si(), high.si()];
+                match wrong_band(band, recorded.rate) {
+                    None => return Some(band),
+                    Some(issue) => issue,
+                }
+            }
+            (Some(_), true) => {
+                let message = "`band` must be a lowest and a highest frequency";
+                Issue::new(inner, message).help(fitting_band(recorded.rate))
+            }
+        };
+        problems.refuse(issue.against(inner));
+        None
+    }
+
+    fn check_segment(&self, recorded: &Recorded<'_>, problems: &mut Problems<'_>) {
+        let over = ".over";
+        let speed = recorded.speed;
+        if self.over == Axis::Order && recorded.highest == 0.0 {
+            let issue = Issue::new(over, "a shaft that stands has no orders")
+                .help("set over = \"frequency\"");
+            problems.refuse(issue.against(speed));
+        } else if self.over == Axis::Order && self.segment.is_some() {
+            let message = "a spectrum over orders has segments in revolutions, not in seconds";
+            let issue =
+                Issue::new(".segment", message).help("for instance: segment_revolutions = 16");
+            problems.refuse(issue.against(over));
+        } else if self.over == Axis::Frequency
+            && self.segment_revolutions.is_some()
+            && recorded.steady == 0.0
+        {
+            let message = "revolutions are not equally long where the speed changes or is zero";
+            let issue = Issue::new(".segment_revolutions", message)
+                .help("give `segment` in seconds, or set over = \"order\"");
+            problems.refuse(issue.against(over).against(speed));
+        } else {
+            self.check_length(recorded, problems);
+        }
+    }
+
+    /// Refuses a segment that is longer than what is recorded, or of hardly any samples, where the
+    /// number of its samples is known.
+    fn check_length(&self, recorded: &Recorded<'_>, problems: &mut Problems<'_>) {
+        let (key, samples) = match self.segment() {
+            Segment::Seconds(seconds) => ("segment", seconds * recorded.rate),
+            Segment::Samples(count) if self.over == Axis::Frequency => {
+                ("segment_samples", count as f64)
+            }
+            Segment::Revolutions(turns) if recorded.steady > 0.0 => {
+                let turn = TAU / recorded.steady * recorded.rate;
+                ("segment_revolutions", f64::from(turns) * turn)
+            }
+            _ => return,
+        };
+        let there = (recorded.window * recorded.rate).floor() + 1.0;
+        let message = if samples > there {
+            format!(
+                "a segment of {samples:.0} samples is longer than what comes after `settle`, {there:.0} \
+                 samples in {} s",
+                significant(recorded.window)
+            )
+        } else if samples < FEWEST_SAMPLES {
+            format!("the segment is too short: {samples:.0} of at least {FEWEST_SAMPLES} samples")
+        } else {
+            return;
+        };
+        let others = ["time.duration", "time.settle", "output.sample_rate"];
+        let issue = Issue::new(format!(".{key}"), message);
+        problems.refuse(issue.against_all(others));
+    }
+}
+
+/// What is wrong with a band in Hz of `rate` samples a second.
+fn wrong_band([low, high]: [f64; 2], rate: f64) -> Option<Issue> {
+    if high <= low {
+        let message = format!("`band` must rise: {high} Hz is not above {low} Hz");
+        return Some(Issue::new(".band", message).help(fitting_band(rate)));
+    }
+    (high > 0.5 * rate).then(|| {
+        let message = format!(
+            "`band` reaches {high} Hz, above {} Hz, half the sampling rate",
+            significant(0.5 * rate)
+        );
+        let help = format!(
+            "{}, or sample more often, in `[output]`",
+            fitting_band(rate)
+        );
+        Issue::new(".band", message).help(help)
+    })
+}
+
+/// How a band is written that `rate` samples a second hold.
+fn fitting_band(rate: f64) -> String {
+    // one digit, rounded down
+    let round = |frequency: f64| {
+        let unit = 10_f64.powf(frequency.log10().floor());
+        significant((frequency / unit).floor() * unit)
+    };
+    let [low, high] = [0.1, 0.4].map(|part| round(part * rate));
+    format!("for instance: band = [\"{low} Hz\", \"{high} Hz\"]")
 }

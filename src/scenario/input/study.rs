@@ -4,10 +4,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::scenario::axis::Scalar;
 use crate::scenario::axis::{AxisInput, AxisReader};
 use crate::scenario::key::{self, number_keys};
 use crate::scenario::problems::Problems;
-use crate::scenario::scalar::Scalar;
 use crate::scenario::{Issue, questions_at, without};
 use crate::study::{Study, StudyPoint};
 

@@ -9,10 +9,10 @@ use std::sync::atomic::AtomicBool;
 
 use serde::{Serialize, Serializer};
 
-use super::error::{Errors, Norm, Scale};
 use super::is_interrupted;
+use super::reference::{Cost, Trial, measure as measure_cost, observe, with};
 use super::trace::View;
-use super::trial::{Cost, Trial, measure as measure_cost, observe, with};
+use super::{Errors, Norm, Scale};
 use crate::bearing::Oil;
 use crate::keys;
 use crate::rotor::{CageMotion, Freedoms, Rotor, RotorDefinition, check_constraints};

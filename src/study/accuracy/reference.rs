@@ -1,15 +1,18 @@
 //! The truth that errors are measured against: two different methods, as exact as the scene allows.
 
 use std::sync::atomic::AtomicBool;
+use std::time::Instant;
 
-use serde::{Serialize, Serializer, ser::SerializeMap};
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 
-use super::error::{Errors, Norm, Scale};
-use super::trial::{Trial, observe, with};
-use super::{AccuracyError, NamedMethod, View, is_interrupted};
-use crate::integrate::Method;
+use super::trace::Trace;
+use super::{AccuracyError, Errors, NamedMethod, Norm, Question, Scale, View, is_interrupted};
+use crate::analysis::Peak;
+use crate::integrate::{Counters, Method};
+use crate::keys;
 use crate::rotor::{MotionScale, Rotor};
-use crate::simulate::Model;
+use crate::simulate::{BareRun, Model, Monitor, SimulateError, simulate};
 
 /// Methods that share neither coefficients nor code, those before the others first.
 const METHODS: [Method; 3] = [Method::Verner76, Method::Dop853, Method::Rodas];
@@ -208,4 +211,213 @@ fn take(
         }
     }
     Ok(taken.ok_or_else(|| "not run".to_owned()))
+}
+
+/// How much longer the next tolerance is taken to run where only one has been: an order of three.
+const FIRST_GUESS: f64 = 2.2;
+
+/// A method at a tolerance.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Row {
+    /// Name of the method.
+    pub method: String,
+    /// Tolerance asked for.
+    pub tolerance: f64,
+    /// What was measured, or why nothing was.
+    #[serde(flatten, serialize_with = "keys::or_note")]
+    pub result: Result<Measured, String>,
+}
+
+/// What was measured of a method at a tolerance.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Measured {
+    /// What the integration costs.
+    pub cost: Cost,
+    /// Largest distance from the reference.
+    #[serde(rename = "error")]
+    pub errors: Errors,
+    /// Whether the error is not above the uncertainty of the reference; in an irregular motion, whether
+    /// the statistics are within the scatter of exact runs.
+    pub within_uncertainty: bool,
+}
+
+/// The rows of one method; tolerances that would take too long are left out.
+pub(super) fn rows(
+    question: &Question<'_>,
+    method: &NamedMethod,
+    reference: &Reference,
+    view: View,
+    stop: &AtomicBool,
+) -> Result<Vec<Row>, AccuracyError> {
+    let mut rows = Vec::new();
+    let mut before: Option<f64> = None;
+    let mut expected = 0.0;
+    for &tolerance in question.tolerances {
+        let result = if expected > question.longest {
+            Err(format!(
+                "left out: would take about {expected:.1} s, more than {} s",
+                question.longest
+            ))
+        } else {
+            let model = with(question.model, method.method, tolerance);
+            match one(&model, reference, view, stop) {
+                Err(error) if is_interrupted(&error) => return Err(error.into()),
+                result => result.map_err(|error| error.to_string()),
+            }
+        };
+        if let Ok(measured) = &result {
+            let seconds = measured.cost.seconds;
+            let factor = before.map_or(FIRST_GUESS, |before| (seconds / before).clamp(1.2, 10.0));
+            expected = factor * seconds;
+            before = Some(seconds);
+        }
+        rows.push(Row {
+            method: method.name.clone(),
+            tolerance,
+            result,
+        });
+    }
+    Ok(rows)
+}
+
+fn one(
+    model: &Model,
+    reference: &Reference,
+    view: View,
+    stop: &AtomicBool,
+) -> Result<Measured, SimulateError> {
+    let trial = observe(model, view, stop)?;
+    let agreement = &reference.agreement;
+    let errors = Errors::between(
+        &trial,
+        &reference.trial,
+        &agreement.scale,
+        Norm::Largest,
+        0.0,
+    );
+    Ok(Measured {
+        cost: measure(model, stop)?,
+        errors,
+        within_uncertainty: if agreement.irregular {
+            errors.within_scatter(&agreement.scatter)
+        } else {
+            errors.within(&agreement.uncertainty)
+        },
+    })
+}
+
+/// A measurement of time ends after so many runs,
+const MOST_REPEATS: u32 = 15;
+/// or after this time in s, whichever is first; the shortest run counts.
+const LONG_ENOUGH: f64 = 0.15;
+
+/// Weakest labelled peak that is compared, relative to the strongest peak of the same unit.
+const WEAKEST_LINE: f64 = 1e-3;
+/// Peaks this many bins apart are one line.
+const SAME_LINE: f64 = 0.75;
+
+/// What came of a run.
+#[derive(Debug, Clone)]
+pub(super) struct Trial {
+    pub trace: Trace,
+    pub peaks: Vec<Peak>,
+    /// Width of a bin of the spectra, Hz.
+    pub resolution: f64,
+    /// Time of the run with its observation, s.
+    pub seconds: f64,
+}
+
+/// What a bare integration costs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Cost {
+    /// Shortest time of all repeats, s.
+    #[serde(rename = "wall_time_s")]
+    pub seconds: f64,
+    /// How often it was run.
+    pub repeats: u32,
+    /// Its work.
+    #[serde(flatten)]
+    pub counters: Counters,
+}
+
+/// The model by another method at another tolerance, without a second pass.
+pub(super) fn with(model: &Model, method: Method, tolerance: f64) -> Model {
+    let mut model = model.clone();
+    model.verify = false;
+    model.integrator.method = method;
+    model.integrator.tolerance = tolerance;
+    model
+}
+
+/// Runs a model and keeps what can be compared.
+pub(super) fn observe(
+    model: &Model,
+    view: View,
+    stop: &AtomicBool,
+) -> Result<Trial, SimulateError> {
+    let started = Instant::now();
+    let mut trace = Trace::new(view);
+    let mut monitor = Monitor {
+        stop,
+        progress: &mut |_| {},
+    };
+    let run = simulate(model, &mut trace, &mut monitor)?;
+    Ok(Trial {
+        trace,
+        resolution: run.spectrum.map_or(0.0, |spectrum| spectrum.resolution),
+        peaks: run.peaks,
+        seconds: started.elapsed().as_secs_f64(),
+    })
+}
+
+/// Measures the integration by itself, again and again where it is short.
+pub(super) fn measure(model: &Model, stop: &AtomicBool) -> Result<Cost, SimulateError> {
+    let bare = BareRun::new(model)?;
+    let mut cost = Cost {
+        seconds: f64::INFINITY,
+        repeats: 0,
+        counters: Counters::default(),
+    };
+    let mut total = 0.0;
+    while cost.repeats == 0 || (cost.repeats < MOST_REPEATS && total < LONG_ENOUGH) {
+        let started = Instant::now();
+        cost.counters = bare.integrate(stop, None)?;
+        let seconds = started.elapsed().as_secs_f64();
+        cost.seconds = cost.seconds.min(seconds);
+        cost.repeats += 1;
+        total += seconds;
+    }
+    Ok(cost)
+}
+
+impl Trial {
+    /// Largest difference in amplitude over the labelled peaks of `truth`, relative to each; 1 where a
+    /// line is missing, `None` where nothing is labelled.
+    ///
+    /// Peaks below a thousandth of the strongest of the same unit are left out.
+    pub fn line_error(&self, truth: &Self) -> Option<f64> {
+        let labelled = truth.peaks.iter().filter(|peak| peak.line.is_some());
+        let strong = labelled.filter(|peak| peak.amplitude >= WEAKEST_LINE * truth.strongest(peak));
+        let errors =
+            strong.map(|peak| (self.amplitude(peak) - peak.amplitude).abs() / peak.amplitude);
+        errors.reduce(f64::max)
+    }
+
+    fn strongest(&self, like: &Peak) -> f64 {
+        let unit = like.channel.unit();
+        let same = self.peaks.iter().filter(|peak| peak.channel.unit() == unit);
+        same.map(|peak| peak.amplitude).fold(0.0, f64::max)
+    }
+
+    /// Amplitude of the same line here; zero where there is none.
+    fn amplitude(&self, line: &Peak) -> f64 {
+        let near = |peak: &&Peak| {
+            peak.channel == line.channel
+                && (peak.frequency - line.frequency).abs() < SAME_LINE * self.resolution
+        };
+        let peaks = self.peaks.iter().filter(near);
+        peaks.map(|peak| peak.amplitude).fold(0.0, f64::max)
+    }
 }

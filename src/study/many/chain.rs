@@ -3,9 +3,9 @@
 use std::io;
 use std::sync::atomic::AtomicBool;
 
-use super::gathered::{Carried, Gathered};
 use super::numbers::NumberColumn;
 use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
+use super::record::{Carried, Gathered};
 use super::{Keep, Schedule, Turn};
 use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;

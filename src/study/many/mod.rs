@@ -1,19 +1,16 @@
 //! Many runs of one scenario: which there are, in which order, on how many threads, and what is kept.
 
 mod chain;
-mod cycles;
-mod gathered;
 mod numbers;
 mod record;
 mod schedule;
-mod workers;
 
 pub use chain::{KeptTrace, Maker, Unmade};
-pub use cycles::Cycles;
 pub use numbers::{NumberColumn, number_columns};
 pub use record::{BearingStiffness, RunRecord, TraceSeal};
+pub use schedule::Cycles;
+pub use schedule::work;
 pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
-pub use workers::work;
 
 use crate::analysis::SectionKind;
 

@@ -1,7 +1,13 @@
 //! What is kept of one run.
 
+use std::f64::consts::TAU;
+use std::io;
+
 use super::numbers::Numbers;
-use super::{Direction, Turn};
+use super::{Direction, KeptTrace, Turn};
+use crate::physics::nominal_cage_speed;
+use crate::rotor::{CageMotion, InitialPosition, InitialState, Sample};
+use crate::simulate::{Model, TraceSink};
 
 /// One run of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,4 +97,144 @@ impl RunRecord {
     pub fn direction(&self) -> Direction {
         self.turn.direction
     }
+}
+
+/// Where the next run of a chain starts.
+///
+/// The shaft has its angle at the start again. With unbalance it ends at a whole revolution, and the balls
+/// stand where the cages have brought them; without, it ends where a ball has come to the place of another,
+/// and the balls stand as they began.
+#[derive(Debug, Clone)]
+pub(super) struct Carried {
+    sample: Sample,
+    /// Azimuths of ball 0 of every bearing, rad.
+    first_balls: Vec<f64>,
+}
+
+impl Carried {
+    /// Lets a motion start there.
+    pub(super) fn start(&self, model: &mut Model) {
+        let rotor = &mut model.rotor;
+        rotor.initial = InitialState {
+            from: InitialPosition::Equilibrium,
+            displacement: self.sample.displacement.map(Some),
+            velocity: self.sample.velocity.map(Some),
+        };
+        for (bearing, azimuth) in rotor.bearings.iter_mut().zip(&self.first_balls) {
+            bearing.first_ball = *azimuth;
+        }
+    }
+}
+
+/// What is looked at while a run goes on.
+pub(super) struct Gathered {
+    end: Option<End>,
+    pub(super) trace: Option<Box<dyn KeptTrace>>,
+}
+
+impl Gathered {
+    /// Of a run that another one follows, or none.
+    pub(super) fn new(model: &Model, followed: bool, trace: Option<Box<dyn KeptTrace>>) -> Self {
+        Self {
+            end: followed.then(|| End::new(model)),
+            trace,
+        }
+    }
+
+    /// Where the next run of a chain starts.
+    pub(super) fn carried(&self, model: &Model) -> Option<Carried> {
+        self.end.as_ref()?.carried(model)
+    }
+}
+
+impl TraceSink for Gathered {
+    fn starts_at(&self) -> f64 {
+        match (&self.trace, &self.end) {
+            (None, None) => f64::INFINITY,
+            (None, Some(end)) => end.start,
+            (Some(_), _) => 0.0,
+        }
+    }
+
+    fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        if let Some(end) = &mut self.end {
+            end.take(sample);
+        }
+        match &mut self.trace {
+            Some(trace) => trace.sample(sample),
+            None => Ok(()),
+        }
+    }
+}
+
+/// Finds the sample nearest to the end of the last cycle.
+struct End {
+    /// Turns of the shaft after which the scene is as it was.
+    cycle: f64,
+    /// Time before which the last cycle cannot end, s.
+    start: f64,
+    /// Angle of the sample before.
+    before: Option<f64>,
+    whole: Option<Sample>,
+}
+
+impl End {
+    fn new(model: &Model) -> Self {
+        let cycle = cycle(model);
+        let speed = model.rotor.speed.abs();
+        let steady = model.rotor.speed_points.is_empty() && model.rotor.drive.is_none();
+        let last = match steady && speed > 0.0 {
+            // a cycle ends in every one, and the grid may end a little earlier
+            true => model.duration - 2.0 * TAU * cycle / speed,
+            false => 0.0,
+        };
+        Self {
+            cycle,
+            start: last.max(0.0),
+            before: None,
+            whole: None,
+        }
+    }
+
+    /// The first sample stands at the end of no cycle at all.
+    fn take(&mut self, sample: &Sample) {
+        let cycles = sample.angle / (TAU * self.cycle);
+        let since = self
+            .before
+            .map_or(1.0, |before| (sample.angle - before) / (TAU * self.cycle));
+        if (cycles - cycles.round()).abs() <= 0.5 * since {
+            self.whole = Some(*sample);
+        }
+        self.before = Some(sample.angle);
+    }
+
+    fn carried(&self, model: &Model) -> Option<Carried> {
+        let sample = self.whole?;
+        let rotor = &model.rotor;
+        let turned = match rotor.cage {
+            CageMotion::Rolling if rotor.shaft.eccentricity != 0.0 => sample.angle,
+            _ => 0.0,
+        };
+        let first_balls = rotor.bearings.iter().map(|bearing| {
+            let gamma = bearing.bearing.geometry.gamma();
+            (bearing.first_ball + nominal_cage_speed(turned, gamma)).rem_euclid(TAU)
+        });
+        Some(Carried {
+            sample,
+            first_balls: first_balls.collect(),
+        })
+    }
+}
+
+/// Turns of the shaft after which unbalance or, without one, the balls of the first bearing are where they
+/// were.
+fn cycle(model: &Model) -> f64 {
+    let rotor = &model.rotor;
+    let first = rotor
+        .bearings
+        .first()
+        .filter(|_| rotor.shaft.eccentricity == 0.0);
+    first.map_or(1.0, |bearing| {
+        1.0 / bearing.bearing.geometry.ball_pass(TAU).outer
+    })
 }

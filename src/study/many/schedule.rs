@@ -1,9 +1,18 @@
 //! Which runs are made together, and under which numbers.
 
+use std::collections::BTreeSet;
+use std::f64::consts::TAU;
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError, mpsc};
+use std::thread;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::analysis::SectionKind;
+use crate::bearing::ContactLaw;
+use crate::rotor::{CageMotion, RotorDefinition};
 
 /// Order of runs that each go on from where their neighbour along the last axis ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -152,6 +161,161 @@ impl Shard {
         // no product of 64 bits each is beyond 128
         let bound = |part: u64| (all * u128::from(part) / count) as u64;
         bound(self.number.saturating_sub(1))..bound(self.number)
+    }
+}
+
+/// How many tasks ahead of the oldest unfinished one another may be begun: results then come back nearly in
+/// order, and what has to be remembered to sort them does not grow with their number.
+pub const LEAD: u64 = 4096;
+
+/// The tasks that are left, and those that are being worked on.
+struct Queue<I> {
+    left: I,
+    next: Option<u64>,
+    begun: BTreeSet<u64>,
+}
+
+/// Works on `tasks`, in ascending order, on so many threads; `take` gets each result on the calling thread
+/// as it is ready, and ends the work by an error.
+///
+/// A task is begun unless `stop` is set; those begun are finished.
+///
+/// # Errors
+/// What `take` answers.
+pub fn work<R: Send, E>(
+    tasks: impl Iterator<Item = u64> + Send,
+    threads: usize,
+    stop: &AtomicBool,
+    task: impl Fn(u64) -> R + Sync,
+    mut take: impl FnMut(u64, R) -> Result<(), E>,
+) -> Result<(), E> {
+    let queue = Mutex::new(Queue {
+        left: tasks,
+        next: None,
+        begun: BTreeSet::new(),
+    });
+    let (freed, ended) = (Condvar::new(), AtomicBool::new(false));
+    let (sender, results) = mpsc::sync_channel(2 * threads.max(1));
+    thread::scope(|scope| {
+        for _ in 0..threads.max(1) {
+            let (sender, queue, freed, ended, task) =
+                (sender.clone(), &queue, &freed, &ended, &task);
+            scope.spawn(move || {
+                let stopped = || stop.load(Ordering::Relaxed) || ended.load(Ordering::Relaxed);
+                while let Some(number) = claim(queue, freed, &stopped) {
+                    let result = task(number);
+                    locked(queue).begun.remove(&number);
+                    freed.notify_all();
+                    if sender.send((number, result)).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(sender);
+        let mut outcome = Ok(());
+        for (number, result) in results {
+            if outcome.is_ok() {
+                outcome = take(number, result);
+                ended.store(outcome.is_err(), Ordering::Relaxed);
+            }
+        }
+        outcome
+    })
+}
+
+/// The next task, once it is not too far ahead of the oldest that is begun.
+fn claim<I: Iterator<Item = u64>>(
+    queue: &Mutex<Queue<I>>,
+    freed: &Condvar,
+    stopped: &impl Fn() -> bool,
+) -> Option<u64> {
+    let mut queue = locked(queue);
+    loop {
+        if stopped() {
+            return None;
+        }
+        let next = match queue.next {
+            Some(next) => next,
+            None => queue.left.next()?,
+        };
+        let oldest = queue.begun.first().copied().unwrap_or(next);
+        if next - oldest < LEAD {
+            queue.next = None;
+            queue.begun.insert(next);
+            return Some(next);
+        }
+        queue.next = Some(next);
+        queue = freed.wait(queue).unwrap_or_else(PoisonError::into_inner);
+    }
+}
+
+/// A thread that panicked held nothing half done: what it guards is whole.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// How long a run is, in revolutions of its shaft or in ball passes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cycles {
+    /// What counts as a cycle.
+    pub of: SectionKind,
+    /// Cycles that settle.
+    pub settle: u32,
+    /// Cycles after them.
+    pub kept: u32,
+}
+
+/// Why a run has no cycles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+pub enum CyclesError {
+    /// Its speed changes, or is zero.
+    #[error(
+        "cycles are counted at a constant speed above zero only; give the times by `[time]` of the base"
+    )]
+    Speed,
+    /// No ball passes.
+    #[error(
+        "no ball passes here: the cage stands or all bearings are linear; count revolutions, or set \
+         model.contact and model.cage"
+    )]
+    BallPass,
+}
+
+impl Cycles {
+    /// Settle time and duration of a run of this shaft, s.
+    ///
+    /// ```text
+    /// T = 2π/ω   T = 2π/(ω_c Z) for a pass of the first bearing's Z balls
+    /// ```
+    ///
+    /// # Errors
+    /// [`CyclesError`] where it has no such cycles.
+    pub fn times(&self, rotor: &RotorDefinition) -> Result<[f64; 2], CyclesError> {
+        let steady = rotor.speed_points.is_empty() && rotor.drive.is_none();
+        if !steady || rotor.speed <= 0.0 {
+            return Err(CyclesError::Speed);
+        }
+        let cycle = TAU / (rotor.speed * self.order(rotor)?);
+        let cycles = [self.settle, self.settle.saturating_add(self.kept)];
+        Ok(cycles.map(|count| f64::from(count) * cycle))
+    }
+
+    /// Cycles a revolution.
+    fn order(&self, rotor: &RotorDefinition) -> Result<f64, CyclesError> {
+        if self.of == SectionKind::Revolution {
+            return Ok(1.0);
+        }
+        let passing = rotor
+            .bearings
+            .iter()
+            .find(|bearing| bearing.law != ContactLaw::Linear);
+        match (rotor.cage, passing) {
+            (CageMotion::Rolling, Some(bearing)) => {
+                Ok(bearing.bearing.geometry.ball_pass(TAU).outer)
+            }
+            _ => Err(CyclesError::BallPass),
+        }
     }
 }
 

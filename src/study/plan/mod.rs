@@ -1,16 +1,12 @@
 //! Which values the numbers of a scenario take in run number i: a function of i alone.
 
-mod axis;
 mod distribution;
-mod permutation;
 mod sobol;
 
-pub use axis::{Axis, AxisValues};
-pub use distribution::Distribution;
-pub use permutation::Permutation;
-pub use sobol::{MOST_SOBOL_AXES, sobol};
-
 use crate::rotor::load::SplitMix64;
+
+pub use distribution::Distribution;
+pub use sobol::{MOST_SOBOL_AXES, sobol};
 
 /// Most runs of a study.
 pub const MOST_RUNS: u64 = 1_000_000_000;
@@ -101,6 +97,145 @@ impl Plan {
     }
 }
 
+/// The values of one number of a scenario.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// The values.
+    pub values: AxisValues,
+}
+
+/// Where the values of an axis come from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AxisValues {
+    /// A list, SI units.
+    Listed(Vec<f64>),
+    /// Evenly spaced.
+    Spaced {
+        /// First value, SI units.
+        from: f64,
+        /// Last value, SI units.
+        to: f64,
+        /// How many.
+        count: u64,
+        /// Whether by equal ratios instead of equal differences.
+        logarithmic: bool,
+    },
+    /// Drawn.
+    Drawn(Distribution),
+}
+
+impl Axis {
+    /// Number of values on a grid; zero where they are drawn.
+    pub fn length(&self) -> u64 {
+        match &self.values {
+            AxisValues::Listed(values) => values.len() as u64,
+            AxisValues::Spaced { count, .. } => *count,
+            AxisValues::Drawn(_) => 0,
+        }
+    }
+
+    /// Value number `index` of a grid; NaN where there is none.
+    pub fn value(&self, index: u64) -> f64 {
+        match &self.values {
+            AxisValues::Listed(values) => {
+                let index = usize::try_from(index).ok();
+                index
+                    .and_then(|index| values.get(index))
+                    .map_or(f64::NAN, |value| *value)
+            }
+            AxisValues::Spaced {
+                from,
+                to,
+                count,
+                logarithmic,
+            } => between(*from, *to, *logarithmic, index, count.saturating_sub(1)),
+            AxisValues::Drawn(_) => f64::NAN,
+        }
+    }
+
+    /// Value that a share of all draws does not exceed: a list is drawn from evenly, spaced values are a
+    /// uniform distribution from the first to the last (of the logarithm, where spaced by ratios).
+    pub fn quantile(&self, share: f64) -> f64 {
+        match &self.values {
+            AxisValues::Listed(values) => {
+                let index = (share * values.len() as f64) as usize;
+                let last = values.len().saturating_sub(1);
+                values.get(index.min(last)).map_or(f64::NAN, |value| *value)
+            }
+            AxisValues::Spaced {
+                from,
+                to,
+                logarithmic,
+                ..
+            } => part_way(*from, *to, *logarithmic, share),
+            AxisValues::Drawn(distribution) => distribution.quantile(share),
+        }
+    }
+}
+
+/// Value `index` of those that divide a range into `steps`, exact at both ends.
+fn between(from: f64, to: f64, logarithmic: bool, index: u64, steps: u64) -> f64 {
+    match index {
+        0 => from,
+        _ if index >= steps => to,
+        _ => part_way(from, to, logarithmic, index as f64 / steps as f64),
+    }
+}
+
+fn part_way(from: f64, to: f64, logarithmic: bool, part: f64) -> f64 {
+    if logarithmic {
+        return (from.ln() * (1.0 - part) + to.ln() * part).exp();
+    }
+    from * (1.0 - part) + to * part
+}
+
+/// Rounds of the network: the least that leave no visible pattern of Luby and Rackoff's four, and two more.
+const ROUNDS: u64 = 6;
+
+/// A permutation of 0 … n − 1 that a key decides.
+///
+/// A Feistel network permutes the next power of four; what falls outside n is sent through again.
+///
+/// Source: J. Black & P. Rogaway, *Ciphers with arbitrary finite domains*, CT-RSA 2002, cycle walking.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Permutation {
+    length: u64,
+    random: SplitMix64,
+    /// Bits of one half of a number.
+    half: u32,
+}
+
+impl Permutation {
+    /// A permutation of `length` numbers; at most 2⁶² of them.
+    pub fn new(length: u64, key: u64) -> Self {
+        let bits = u64::BITS - length.saturating_sub(1).leading_zeros();
+        Self {
+            length,
+            random: SplitMix64::new(key),
+            half: bits.div_ceil(2).max(1),
+        }
+    }
+
+    /// The place of a number below `length`.
+    pub fn of(&self, number: u64) -> u64 {
+        let mut place = self.network(number);
+        while place >= self.length {
+            place = self.network(place);
+        }
+        place
+    }
+
+    fn network(&self, number: u64) -> u64 {
+        let mask = (1_u64 << self.half) - 1;
+        let (mut left, mut right) = (number >> self.half, number & mask);
+        for round in 0..ROUNDS {
+            let mixed = left ^ (self.random.stream(round).bits(right) & mask);
+            (left, right) = (right, mixed);
+        }
+        left << self.half | right
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -119,5 +254,13 @@ mod tests {
         );
         assert_eq!(plan.runs(), Some(6));
         assert_eq!(plan.values(4), [2.0, 20.0]);
+    }
+
+    #[test]
+    fn every_place_is_taken_once() {
+        let order = Permutation::new(5, 7);
+        let mut places: Vec<u64> = (0..5).map(|i| order.of(i)).collect();
+        places.sort();
+        assert_eq!(places, [0, 1, 2, 3, 4]);
     }
 }

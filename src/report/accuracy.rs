@@ -1,0 +1,542 @@
+//! Speed against error: table for people, CSV, JSON and two figures.
+//!
+//! These files hold times, and so are the only ones that differ from one measurement to the next.
+
+use std::path::PathBuf;
+
+use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
+use super::table::Table;
+use super::terminal::{Lines, or_dash, wrapped};
+use super::terminal::{MICRO, MILLI};
+use super::{Destination, FileSet, ReportError};
+use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, LadderRow, Measured, Row};
+
+/// Writes `accuracy.csv`, `ladder.csv`, `accuracy.svg`, `ladder.svg` and, last, `accuracy.json` ; returns their paths.
+///
+/// # Errors
+/// [`ReportError`] where a file cannot be written or drawn.
+pub fn write_accuracy(
+    destination: &Destination<'_>,
+    accuracy: &Accuracy,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let folder = destination.open(FileSet::ACCURACY)?;
+    let mut files = folder.write_table("accuracy", &methods_table(accuracy))?;
+    files.extend(folder.write_table("ladder", &ladder_table(accuracy))?);
+    let title = destination.title;
+    for figure in [
+        methods_figure(title, accuracy),
+        ladder_figure(title, accuracy),
+    ] {
+        files.push(folder.write_figure(&figure)?);
+    }
+    let json = destination.document(accuracy);
+    folder.commit(files, format!("{json:#}\n").as_bytes())
+}
+
+/// A column and its value.
+type Named<T, V> = (&'static str, fn(&T) -> V);
+
+const ERRORS: [Named<Errors, Option<f64>>; 11] = [
+    ("displacement_m", |errors| Some(errors.displacement)),
+    ("displacement_relative", |errors| {
+        Some(errors.displacement_relative)
+    }),
+    ("force_N", |errors| Some(errors.force)),
+    ("force_relative", |errors| Some(errors.force_relative)),
+    ("lines_relative", |errors| errors.lines),
+    ("displacement_mean_relative", |errors| {
+        Some(errors.statistics.mean)
+    }),
+    ("displacement_rms_relative", |errors| {
+        Some(errors.statistics.rms)
+    }),
+    ("displacement_peak_relative", |errors| {
+        Some(errors.statistics.peak)
+    }),
+    ("force_mean_relative", |errors| {
+        Some(errors.force_statistics.mean)
+    }),
+    ("force_rms_relative", |errors| {
+        Some(errors.force_statistics.rms)
+    }),
+    ("force_peak_relative", |errors| {
+        Some(errors.force_statistics.peak)
+    }),
+];
+
+/// Whole numbers of a cost.
+const COUNTS: [Named<Cost, f64>; 4] = [
+    ("repeats", |cost| cost.repeats.into()),
+    ("steps", |cost| cost.counters.steps as f64),
+    ("rejected", |cost| cost.counters.rejected as f64),
+    ("evaluations", |cost| cost.counters.evaluations as f64),
+];
+
+/// Methods × tolerances.
+fn methods_table(accuracy: &Accuracy) -> Table {
+    let rows = || accuracy.rows.iter();
+    let measured = |row: &Row| row.result.as_ref().ok().copied();
+    let costs: Vec<_> = rows().map(|row| Some(measured(row)?.cost)).collect();
+    let errors: Vec<_> = rows().map(|row| Some(measured(row)?.errors)).collect();
+    let within = rows().map(|row| measured(row).map(|measured| measured.within_uncertainty));
+    let mut table = Table::default();
+    table.words("method", rows().map(|row| &row.method));
+    table.numbers("tolerance", rows().map(|row| row.tolerance));
+    add_costs(&mut table, &costs);
+    add_errors(&mut table, "error", &errors);
+    table.words("within_uncertainty", within.map(or_blank));
+    table.words(
+        "note",
+        rows().map(|row| or_blank(row.result.as_ref().err())),
+    );
+    table
+}
+
+/// The rungs.
+fn ladder_table(accuracy: &Accuracy) -> Table {
+    let rows = || accuracy.ladder.rows.iter();
+    let measured = || rows().map(|row| row.result.as_ref().ok());
+    let costs: Vec<_> = measured().map(|measured| Some(measured?.0)).collect();
+    let errors: Vec<_> = measured().map(|measured| Some(measured?.1)).collect();
+    let per_second = |cost: &Option<Cost>| Some(cost.as_ref()?.seconds / accuracy.duration);
+    let mut table = Table::default();
+    table.words("model", rows().map(|row| &row.configuration));
+    table.words("as_written", rows().map(|row| row.as_written));
+    table.numbers("wall_time_per_simulated_s", costs.iter().map(per_second));
+    add_costs(&mut table, &costs);
+    add_errors(&mut table, "difference", &errors);
+    table.words(
+        "note",
+        rows().map(|row| or_blank(row.result.as_ref().err())),
+    );
+    table
+}
+
+fn add_costs(table: &mut Table, costs: &[Option<Cost>]) {
+    let seconds = costs.iter().map(|cost| Some(cost.as_ref()?.seconds));
+    table.numbers("wall_time_s", seconds);
+    for (name, count) in COUNTS {
+        table.counts(name, costs.iter().map(|cost| cost.as_ref().map(count)));
+    }
+}
+
+fn add_errors(table: &mut Table, before: &str, errors: &[Option<Errors>]) {
+    for (name, value) in ERRORS {
+        let values = errors.iter().map(|errors| value(errors.as_ref()?));
+        table.numbers(format!("{before}_{name}"), values);
+    }
+}
+
+fn or_blank(value: Option<impl ToString>) -> String {
+    value.map(|value| value.to_string()).unwrap_or_default()
+}
+
+/// Reference, methods, ladder, and the files written; at most 100 columns.
+pub fn accuracy_text(title: &str, accuracy: &Accuracy, files: &[PathBuf]) -> String {
+    let mut out = Lines::titled(title);
+    put_reference(&mut out, &accuracy.agreement);
+    put_methods(&mut out, accuracy);
+    put_least_time(&mut out, accuracy);
+    put_ladder(&mut out, accuracy);
+    out.wrote(files)
+}
+
+fn put_reference(out: &mut Lines, agreement: &Agreement) {
+    let run = |(method, tolerance): &(String, f64)| format!("{method} at {tolerance:e}");
+    let uncertainty = &agreement.uncertainty;
+    let text = format!(
+        "{}; {} is {} of the motion off: the uncertainty ({} µm, force {} N, lines {})",
+        run(&agreement.reference),
+        run(&agreement.other),
+        short(uncertainty.displacement_relative),
+        short(MICRO * uncertainty.displacement),
+        short(uncertainty.force),
+        or_dash(uncertainty.lines.map(short))
+    );
+    out.line("reference", text);
+    let (motion, force) = (MICRO * agreement.scale.displacement, agreement.scale.force);
+    let text = format!("{motion:.4} µm of motion, {force:.4} N of change in the bearings' force");
+    out.line("relative to", text);
+    if agreement.irregular {
+        let scatter = &agreement.scatter.statistics;
+        let text = format!(
+            "two exact runs part company (small differences grow {}-fold): single traces mean nothing, \
+             their statistics do; {} exact runs scatter by mean {}, rms {}, peak {}",
+            short(agreement.growth),
+            agreement.runs,
+            short(scatter.mean),
+            short(scatter.rms),
+            short(scatter.peak)
+        );
+        out.line("irregular", text);
+    }
+}
+
+fn put_methods(out: &mut Lines, accuracy: &Accuracy) {
+    let irregular = accuracy.agreement.irregular;
+    let first = [
+        "method\n",
+        "tolerance\n",
+        "time\nms",
+        "evaluations\n",
+        "steps\n",
+        "rejected\n",
+    ];
+    let header = first.into_iter().chain(error_header(irregular));
+    let rows = accuracy.rows.iter().filter_map(|row| {
+        let measured = row.result.as_ref().ok()?;
+        Some(method_cells(row, measured, irregular))
+    });
+    out.table(header, rows);
+    let is_within = |measured: &Measured| measured.within_uncertainty;
+    let mut all = accuracy.rows.iter().map(|row| row.result.as_ref());
+    if all.any(|result| result.is_ok_and(is_within)) {
+        out.put(if irregular {
+            "≈ within the scatter of exact runs"
+        } else {
+            "≤ not above the uncertainty of the reference"
+        });
+    }
+    for row in &accuracy.rows {
+        if let Err(reason) = &row.result {
+            put_note(
+                out,
+                format!("{} at {:e}", row.method, row.tolerance),
+                reason,
+            );
+        }
+    }
+}
+
+/// Titles of three columns: of traces, or of statistics where traces mean nothing.
+fn error_header(irregular: bool) -> [&'static str; 3] {
+    if irregular {
+        ["error\nin mean", "\nin rms", "\nin peak"]
+    } else {
+        ["error\ndisplacement", "\nforce", "\nlines"]
+    }
+}
+
+fn error_cells(errors: &Errors, irregular: bool, mark: &str) -> Vec<String> {
+    if irregular {
+        let statistics = &errors.statistics;
+        return vec![
+            format!("{mark}{}", short(statistics.mean)),
+            short(statistics.rms),
+            short(statistics.peak),
+        ];
+    }
+    vec![
+        format!("{mark}{}", short(errors.displacement_relative)),
+        short(errors.force_relative),
+        or_dash(errors.lines.map(short)),
+    ]
+}
+
+fn method_cells(row: &Row, measured: &Measured, irregular: bool) -> Vec<String> {
+    let counters = &measured.cost.counters;
+    let mark = match (measured.within_uncertainty, irregular) {
+        (false, _) => "",
+        (true, false) => "≤ ",
+        (true, true) => "≈ ",
+    };
+    let mut cells = vec![
+        row.method.clone(),
+        format!("{:e}", row.tolerance),
+        time(MILLI * measured.cost.seconds),
+        counters.evaluations.to_string(),
+        counters.steps.to_string(),
+        counters.rejected.to_string(),
+    ];
+    cells.extend(error_cells(&measured.errors, irregular, mark));
+    cells
+}
+
+/// Of each decade of error, the row that stays below it in the least time.
+fn put_least_time(out: &mut Lines, accuracy: &Accuracy) {
+    if accuracy.agreement.irregular {
+        return;
+    }
+    for decade in (2..=12).step_by(2) {
+        let bound = 10f64.powi(-decade);
+        let fast = accuracy.rows.iter().filter_map(|row| {
+            let measured = row.result.as_ref().ok()?;
+            (measured.errors.displacement_relative <= bound).then_some((row, measured))
+        });
+        let best = fast.min_by(|a, b| a.1.cost.seconds.total_cmp(&b.1.cost.seconds));
+        let Some((row, measured)) = best else { break };
+        let (method, tolerance) = (&row.method, row.tolerance);
+        let time = time(MILLI * measured.cost.seconds);
+        let text = format!("soonest by {method} at {tolerance:e}: {time} ms");
+        out.line(&format!("error ≤ {bound:<5e}"), text);
+    }
+}
+
+fn put_ladder(out: &mut Lines, accuracy: &Accuracy) {
+    let vibration = if accuracy.agreement.irregular {
+        ["\nrms", "\npeak", "force\nrms"]
+    } else {
+        ["\nvibration", "\nforce", "\nlines"]
+    };
+    let header = [
+        "model, cage, freedoms\n",
+        "\n",
+        "ms per\nsimulated s",
+        "from the top\nplace",
+    ];
+    let rows = &accuracy.ladder.rows;
+    let cells = rows.iter().filter_map(|row| ladder_cells(row, accuracy));
+    out.table(header.into_iter().chain(vibration), cells);
+    out.put(
+        "relative to the rms of the top rung's vibration after the settle time; place: of its middle",
+    );
+    for row in rows {
+        if let Err(reason) = &row.result {
+            put_note(out, row.configuration.to_string(), reason);
+        }
+    }
+    out.put("");
+}
+
+fn ladder_cells(row: &LadderRow, accuracy: &Accuracy) -> Option<Vec<String>> {
+    let (cost, errors) = row.result.as_ref().ok()?;
+    let is_top = accuracy.ladder.top == Some(row.configuration);
+    let mark = match (is_top, row.as_written) {
+        (true, true) => "top, written",
+        (true, false) => "top",
+        (false, true) => "written",
+        (false, false) => "",
+    };
+    let statistics = &errors.statistics;
+    let apart = if accuracy.agreement.irregular {
+        let force = short(errors.force_statistics.rms);
+        [short(statistics.rms), short(statistics.peak), force]
+    } else {
+        let lines = or_dash(errors.lines.map(short));
+        let [vibration, force] = [errors.displacement_relative, errors.force_relative].map(short);
+        [vibration, force, lines]
+    };
+    let cells = [
+        row.configuration.to_string(),
+        mark.to_owned(),
+        time(MILLI * cost.seconds / accuracy.duration),
+        short(statistics.mean),
+    ];
+    Some(cells.into_iter().chain(apart).collect())
+}
+
+/// What could not be measured, and why.
+fn put_note(out: &mut Lines, what: String, reason: &str) {
+    out.put(format_args!("  not available: {what}"));
+    out.put(wrapped(&format!("    {reason}"), 4));
+}
+
+/// Two significant digits.
+fn short(value: f64) -> String {
+    if value == 0.0 {
+        "0".to_owned()
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
+/// Three significant digits, without a power of ten.
+fn time(value: f64) -> String {
+    let decimals = (2.0 - value.log10().floor()).clamp(0.0, 6.0) as usize;
+    format!("{value:.decimals$}")
+}
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 320;
+/// Height of a rung, px.
+const RUNG_HEIGHT: u32 = 30;
+
+/// Quantity on an axis and its name.
+type Quantity = (&'static str, fn(&Measured) -> Option<f64>);
+
+const TIME: Quantity = ("time of the integration in ms", |measured| {
+    Some(1e3 * measured.cost.seconds)
+});
+const EVALUATIONS: Quantity = ("evaluations of the right-hand side", |measured| {
+    Some(measured.cost.counters.evaluations as f64)
+});
+const STEPS: Quantity = ("steps, accepted and rejected", |measured| {
+    let counters = &measured.cost.counters;
+    Some((counters.steps + counters.rejected) as f64)
+});
+const DISPLACEMENT: Quantity = ("error in displacement", |measured| {
+    Some(measured.errors.displacement_relative)
+});
+const FORCE: Quantity = ("error in force", |measured| {
+    Some(measured.errors.force_relative)
+});
+const RMS: Quantity = ("error in rms of displacement", |measured| {
+    Some(measured.errors.statistics.rms)
+});
+const FORCE_RMS: Quantity = ("error in rms of force", |measured| {
+    Some(measured.errors.force_statistics.rms)
+});
+const LINES: Quantity = ("error in labelled lines", |measured| measured.errors.lines);
+
+/// What is plotted below and upwards, and the uncertainty of it.
+type Plotted = (Quantity, Quantity, Option<f64>);
+
+/// What is plotted over what, and the uncertainty of it: of traces, or of their rms where they mean
+/// nothing.
+fn panels(agreement: &Agreement) -> [Plotted; 5] {
+    let (scatter, uncertainty) = (&agreement.scatter, &agreement.uncertainty);
+    let (displacement, force) = if agreement.irregular {
+        let limits = (scatter.statistics.rms, scatter.force_statistics.rms);
+        ((RMS, Some(limits.0)), (FORCE_RMS, Some(limits.1)))
+    } else {
+        let limits = (
+            uncertainty.displacement_relative,
+            uncertainty.force_relative,
+        );
+        ((DISPLACEMENT, Some(limits.0)), (FORCE, Some(limits.1)))
+    };
+    [
+        (TIME, displacement.0, displacement.1),
+        (EVALUATIONS, displacement.0, displacement.1),
+        (STEPS, displacement.0, displacement.1),
+        (TIME, force.0, force.1),
+        (TIME, LINES, uncertainty.lines),
+    ]
+}
+
+/// Points of a method from the loosest tolerance to the tightest.
+fn measured<'a>(accuracy: &'a Accuracy, method: &'a str) -> impl Iterator<Item = &'a Measured> {
+    let rows = accuracy.rows.iter().filter(move |row| row.method == method);
+    rows.filter_map(|row| row.result.as_ref().ok())
+}
+
+/// Error over time, evaluations and steps, a curve a method; the uncertainty is a grey line.
+fn methods_figure(title: &str, accuracy: &Accuracy) -> Figure {
+    let mut methods: Vec<&str> = Vec::new();
+    for row in &accuracy.rows {
+        if !methods.contains(&row.method.as_str()) {
+            methods.push(&row.method);
+        }
+    }
+    let panels = panels(&accuracy.agreement).into_iter();
+    let panels = panels.map(|plotted| methods_panel(accuracy, &methods, plotted));
+    let words = Panel {
+        words: reading(accuracy),
+        ..Panel::default()
+    };
+    let names = methods.iter().enumerate().map(|(index, method)| Name {
+        mark: Some(mark(index)),
+        ..Name::new(*method, distinct(index))
+    });
+    let figure = Figure::new("accuracy.svg", title, 2, panels.chain([words]).collect());
+    figure.with_names(names)
+}
+
+fn methods_panel(accuracy: &Accuracy, methods: &[&str], plotted: Plotted) -> Panel {
+    let ((x_name, x), (y_name, y), uncertainty) = plotted;
+    let all = || {
+        accuracy
+            .rows
+            .iter()
+            .filter_map(|row| row.result.as_ref().ok())
+    };
+    let x_axis = Axis::logarithmic(x_name, all().filter_map(x));
+    let y_axis = Axis::logarithmic(y_name, all().filter_map(y));
+    let limit = uncertainty.map(|limit| {
+        let ends = [x_axis.least(), x_axis.most()];
+        Curve::line(GREY, ends.map(|end| (end, limit)).to_vec())
+    });
+    let curves = methods.iter().enumerate().map(|(index, method)| {
+        let points = measured(accuracy, method).filter_map(|row| Some((x(row)?, y(row)?)));
+        let points: Vec<_> = points.collect();
+        Curve {
+            mark: mark(index),
+            marks: points.clone(),
+            ..Curve::line(distinct(index), points)
+        }
+    });
+    Panel {
+        curves: limit.into_iter().chain(curves).collect(),
+        ..Panel::new(x_axis, y_axis, HEIGHT)
+    }
+}
+
+/// Curves beyond the colours that there are differ by their marks.
+fn mark(index: usize) -> Mark {
+    if index < COLOURS {
+        Mark::Dot
+    } else {
+        Mark::Triangle
+    }
+}
+
+/// What the figure rests on, in words.
+fn reading(accuracy: &Accuracy) -> Vec<String> {
+    let agreement = &accuracy.agreement;
+    let (method, tolerance) = &agreement.reference;
+    let (other, tightness) = &agreement.other;
+    let grey = if agreement.irregular {
+        "Grey line: scatter of exact runs, which part company here."
+    } else {
+        "Grey line: distance of the two, the uncertainty."
+    };
+    vec![
+        format!("Reference: {method} at {tolerance:e},"),
+        format!("compared with {other} at {tightness:e}."),
+        grey.to_owned(),
+        format!("Motion: {:.4} µm.", 1e6 * agreement.scale.displacement),
+        "Errors are relative to it, those of forces to their change,".to_owned(),
+        "those of lines to each line.".to_owned(),
+        "Along a curve, the tolerance falls.".to_owned(),
+    ]
+}
+
+/// A row a rung: its cost to the left, its difference from the top rung to the right.
+fn ladder_figure(title: &str, accuracy: &Accuracy) -> Figure {
+    let rows = accuracy.ladder.rows.iter();
+    let rows: Vec<&LadderRow> = rows.filter(|row| row.result.is_ok()).collect();
+    let cost = |row: &LadderRow| {
+        let (cost, _) = row.result.as_ref().ok()?;
+        Some(1e3 * cost.seconds / accuracy.duration)
+    };
+    let difference = |row: &LadderRow| {
+        let (_, errors) = row.result.as_ref().ok()?;
+        let difference = if accuracy.agreement.irregular {
+            errors.statistics.rms
+        } else {
+            errors.displacement_relative
+        };
+        (difference > 0.0).then_some(difference)
+    };
+    let costs: Vec<_> = rows.iter().map(|row| cost(row)).collect();
+    let differences: Vec<_> = rows.iter().map(|row| difference(row)).collect();
+    let name = if accuracy.agreement.irregular {
+        "difference of the rms from the top"
+    } else {
+        "vibration: rms difference from the top"
+    };
+    let rungs = || rows.iter().map(|row| row.configuration.to_string());
+    // the names stand once, to the left
+    let blank = rows.iter().map(|_| String::new());
+    let panels = vec![
+        rungs_panel("ms per simulated second", Axis::names(rungs()), &costs, 0),
+        rungs_panel(name, Axis::names(blank), &differences, 1),
+    ];
+    Figure::new("ladder.svg", title, 2, panels)
+}
+
+/// A disc a rung over one logarithmic axis; a rung without a value has none.
+fn rungs_panel(name: &str, rungs: Axis, values: &[Option<f64>], colour: usize) -> Panel {
+    let axis = Axis::logarithmic(name, values.iter().flatten().copied());
+    let height = RUNG_HEIGHT * values.len().max(1) as u32;
+    let places = values.iter().enumerate();
+    let places = places.filter_map(|(index, value)| Some(((*value)?, index as f64 + 0.5)));
+    let discs = Curve {
+        mark: Mark::Disc,
+        ..Curve::dots(distinct(colour), places.collect())
+    };
+    Panel {
+        curves: vec![discs],
+        ..Panel::new(axis, rungs, height)
+    }
+}

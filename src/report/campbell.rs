@@ -1,0 +1,282 @@
+//! Natural frequencies over the speed: tables, figure, text and JSON.
+
+use std::f64::consts::TAU;
+use std::path::PathBuf;
+
+use plotters::style::RGBColor;
+use serde::Serialize;
+use serde_json::Value;
+
+use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
+use super::table::Table;
+use super::terminal::{Lines, or_dash};
+use super::terminal::{PER_MINUTE, PER_SECOND};
+use super::{Destination, FileSet, ReportError, RunFolder, WholeFile};
+use crate::rotor::{Mode, Whirl};
+use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
+
+/// Writes `campbell.csv`, `campbell.svg` and, last, `campbell.json`; returns their paths.
+///
+/// # Errors
+/// [`ReportError`] where a file cannot be written or drawn.
+pub fn write_campbell(
+    destination: &Destination<'_>,
+    campbell: &Campbell,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let folder = destination.open(FileSet::CAMPBELL)?;
+    let files = write_files(&folder, destination.title, campbell, true)?;
+    let json = campbell_json(destination, campbell);
+    folder.commit(files, format!("{json:#}\n").as_bytes())
+}
+
+/// The table, and the figure where it is drawn.
+pub(super) fn write_files(
+    folder: &RunFolder,
+    title: &str,
+    campbell: &Campbell,
+    figure: bool,
+) -> Result<Vec<WholeFile>, ReportError> {
+    let mut files = folder.write_table("campbell", &modes(campbell))?;
+    if figure {
+        let figure = campbell_figure(title, campbell);
+        files.push(folder.write_figure(&figure)?);
+    }
+    Ok(files)
+}
+
+/// The modes, branch by branch from 1 on; the order is missing at rest.
+fn modes(campbell: &Campbell) -> Table {
+    let branches = campbell.branches.iter().enumerate();
+    let modes: Vec<_> = branches
+        .flat_map(|(index, branch)| {
+            let modes = campbell.speeds.iter().zip(&branch.modes);
+            modes.filter_map(move |(speed, mode)| Some((index + 1, *speed, mode.as_ref()?)))
+        })
+        .collect();
+    let shapes = || modes.iter().map(|(.., mode)| mode);
+    let order = |(_, speed, mode): &(usize, f64, &crate::rotor::Mode)| {
+        (*speed > 0.0).then(|| mode.damped_frequency() * TAU / speed)
+    };
+    let mut table = Table::default();
+    table.numbers("speed_rad_s", modes.iter().map(|(_, speed, _)| *speed));
+    table.counts("branch", modes.iter().map(|(branch, ..)| *branch as f64));
+    table.numbers("frequency_Hz", shapes().map(|mode| mode.damped_frequency()));
+    let undamped = shapes().map(|mode| mode.eigenvalue.norm() / TAU);
+    table.numbers("undamped_frequency_Hz", undamped);
+    table.numbers("damping_ratio", shapes().map(|mode| mode.damping_ratio()));
+    table.numbers("order", modes.iter().map(order));
+    table.words("whirl", shapes().map(|mode| mode.whirl()));
+    table.numbers("forward_share", shapes().map(|mode| mode.forward_share()));
+    table
+}
+
+/// Critical speeds and what they rest on.
+#[derive(Serialize)]
+struct CampbellSummary<'a> {
+    #[serde(rename = "from_rad_s")]
+    from: Option<&'a f64>,
+    #[serde(rename = "to_rad_s")]
+    to: Option<&'a f64>,
+    count: usize,
+    orders: &'a [f64],
+    branches: Vec<BranchSummary>,
+    least_assurance: f64,
+    critical_speeds: &'a [CriticalSpeed],
+}
+
+/// A branch by its ends.
+#[derive(Serialize)]
+struct BranchSummary {
+    whirl: Whirl,
+    #[serde(rename = "first_Hz")]
+    first: Option<f64>,
+    #[serde(rename = "last_Hz")]
+    last: Option<f64>,
+}
+
+/// Critical speeds and what they rest on; the modes stand in `campbell.csv`.
+pub fn campbell_json(destination: &Destination<'_>, campbell: &Campbell) -> Value {
+    let summary = CampbellSummary {
+        from: campbell.speeds.first(),
+        to: campbell.speeds.last(),
+        count: campbell.speeds.len(),
+        orders: &campbell.orders,
+        branches: campbell.branches.iter().map(branch).collect(),
+        least_assurance: campbell.least_assurance,
+        critical_speeds: &campbell.critical_speeds,
+    };
+    destination.document(summary)
+}
+
+fn branch(branch: &Branch) -> BranchSummary {
+    let frequency = |mode: Option<&Option<Mode>>| mode?.as_ref().map(Mode::damped_frequency);
+    BranchSummary {
+        whirl: branch.whirl(),
+        first: frequency(branch.modes.first()),
+        last: frequency(branch.modes.last()),
+    }
+}
+
+/// A table of branches, one of critical speeds, then the files written.
+pub fn campbell_text(title: &str, campbell: &Campbell, files: &[PathBuf]) -> String {
+    let mut out = Lines::titled(title);
+    put_branches(&mut out, campbell);
+    if campbell.critical_speeds.is_empty() {
+        out.put("no critical speed in the range\n");
+    } else {
+        put_critical(&mut out, campbell);
+    }
+    out.wrote(files)
+}
+
+fn put_branches(out: &mut Lines, campbell: &Campbell) {
+    let ends = [campbell.speeds.first(), campbell.speeds.last()];
+    let at = ends.map(|speed| speed.map_or(0.0, |speed| PER_MINUTE * speed));
+    let [first, last] = at.map(|speed| format!("Hz at\n{speed:.0} 1/min"));
+    let header = ["branch", "whirl", &first, &last, "damping ratio\nthere"];
+    let frequency =
+        |mode: Option<&Mode>| or_dash(mode.map(|mode| format!("{:.2}", mode.damped_frequency())));
+    let rows = campbell.branches.iter().enumerate().map(|(index, branch)| {
+        let last = branch.modes.last().and_then(Option::as_ref);
+        vec![
+            (index + 1).to_string(),
+            branch.whirl().to_string(),
+            frequency(branch.modes.first().and_then(Option::as_ref)),
+            frequency(last),
+            last.map_or_else(String::new, |mode| format!("{:.4}", mode.damping_ratio())),
+        ]
+    });
+    out.table(header, rows);
+}
+
+/// An order with up to four decimals.
+fn rounded(order: f64) -> String {
+    format!("{}", (1e4 * order).round() / 1e4)
+}
+
+fn put_critical(out: &mut Lines, campbell: &Campbell) {
+    let header = [
+        "order",
+        "branch",
+        "whirl",
+        "critical speed\n1/min",
+        "rad/s",
+        "Hz",
+        "damping ratio",
+    ];
+    let of = |branch: usize| campbell.branches.get(branch).map(Branch::whirl);
+    let rows = campbell.critical_speeds.iter().map(|found| {
+        let whirl = of(found.branch).unwrap_or(found.whirl);
+        vec![
+            rounded(found.order),
+            (found.branch + 1).to_string(),
+            whirl.to_string(),
+            format!("{:.1}", PER_MINUTE * found.speed),
+            format!("{:.3}", found.speed),
+            format!("{:.3}", found.frequency),
+            format!("{:.4}", found.damping_ratio),
+        ]
+    });
+    out.table(header, rows);
+}
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 322;
+
+/// Frequencies with the orders and critical speeds above, damping ratios below.
+fn campbell_figure(title: &str, campbell: &Campbell) -> Figure {
+    let whirls = [
+        Whirl::Forward,
+        Whirl::Backward,
+        Whirl::Straight,
+        Whirl::Axial,
+    ];
+    let present = |whirl: &Whirl| {
+        let mut branches = campbell.branches.iter();
+        branches.any(|branch| branch.whirl() == *whirl)
+    };
+    let present = whirls.into_iter().filter(present);
+    let mut names: Vec<Name> = present
+        .map(|whirl| Name::new(whirl.to_string(), colour(whirl)))
+        .collect();
+    let orders = campbell.orders.iter();
+    let orders: Vec<String> = orders.map(|order| hundredths(*order)).collect();
+    if !orders.is_empty() {
+        names.push(Name::new(format!("orders {}", orders.join(", ")), GREY));
+    }
+    let panels = vec![frequencies(campbell), damping(campbell)];
+    Figure::new("campbell.svg", title, 1, panels).with_names(names)
+}
+
+/// An order with up to two decimals.
+fn hundredths(order: f64) -> String {
+    format!("{}", (100.0 * order).round() / 100.0)
+}
+
+fn colour(whirl: Whirl) -> RGBColor {
+    distinct(match whirl {
+        Whirl::Forward => 0,
+        Whirl::Backward => 1,
+        Whirl::Straight => 2,
+        Whirl::Axial => 3,
+    })
+}
+
+fn frequencies(campbell: &Campbell) -> Panel {
+    let mut curves = branches(campbell, Mode::damped_frequency);
+    let points = curves.iter().flat_map(|curve| &curve.points);
+    let top = points.map(|point| point.1).fold(0.0, f64::max);
+    let [first, last] = ends(campbell);
+    curves.extend(campbell.orders.iter().map(|order| {
+        // up to the highest frequency, where the line leaves the figure
+        let end = last.min(1.05 * top / (order * PER_SECOND)).max(first);
+        let ends = [first, end].map(|speed| (PER_MINUTE * speed, order * speed * PER_SECOND));
+        Curve::line(GREY, ends.to_vec())
+    }));
+    curves.extend(campbell.critical_speeds.iter().map(|critical| {
+        let place = (PER_MINUTE * critical.speed, critical.frequency);
+        Curve::dots(colour(critical.whirl), vec![place])
+    }));
+    Panel::of(speeds(campbell), "natural frequency in Hz", HEIGHT, curves)
+}
+
+/// From zero on, so that what hardly changes looks so.
+fn damping(campbell: &Campbell) -> Panel {
+    let mut curves = branches(campbell, Mode::damping_ratio);
+    let [first, _] = ends(campbell);
+    curves.push(Curve::line(GREY, vec![(PER_MINUTE * first, 0.0)]));
+    Panel::of(speeds(campbell), "damping ratio", HEIGHT, curves)
+}
+
+/// First and last speed, rad/s.
+fn ends(campbell: &Campbell) -> [f64; 2] {
+    let ends = [campbell.speeds.first(), campbell.speeds.last()];
+    ends.map(|speed| speed.copied().unwrap_or(0.0))
+}
+
+/// Round speeds between the first and the last, which end the axis.
+fn speeds(campbell: &Campbell) -> Axis {
+    let [first, last] = ends(campbell).map(|speed| PER_MINUTE * speed);
+    let near = 1e-6 * (last - first);
+    let mut ticks = round_ticks(first, last);
+    ticks.retain(|tick| (first + near..last - near).contains(tick));
+    ticks.insert(0, first);
+    ticks.push(last);
+    Axis::ticked("speed in 1/min", &ticks)
+}
+
+/// Every branch, cut where it has no mode.
+fn branches(campbell: &Campbell, value: fn(&Mode) -> f64) -> Vec<Curve> {
+    let mut curves = Vec::new();
+    for branch in &campbell.branches {
+        let all = campbell.speeds.iter().zip(&branch.modes);
+        let all: Vec<_> = all
+            .map(|(speed, mode)| Some((PER_MINUTE * speed, value(mode.as_ref()?))))
+            .collect();
+        for piece in all.split(Option::is_none) {
+            let points = piece.iter().copied().flatten().collect();
+            curves.push(Curve::line(colour(branch.whirl()), points));
+        }
+    }
+    curves
+}

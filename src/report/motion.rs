@@ -1,0 +1,259 @@
+//! A steady motion: points of its sections, its orbit, and what it is like.
+
+use serde::Serialize;
+
+use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, distinct};
+use super::table::Column;
+use super::terminal::Lines;
+use super::terminal::{MICRO, MILLI};
+use super::{ReportError, RunFolder, WholeFile};
+use crate::analysis::{
+    Channel, Drift, Kind, LONGEST_PERIOD, Motion, PoincarePoint, Section, SectionKind,
+};
+use crate::rotor::FREEDOMS;
+
+/// Everything about a steady motion but its points.
+#[derive(Debug, Serialize)]
+pub(super) struct MotionSummary<'a> {
+    #[serde(flatten)]
+    motion: &'a Motion,
+    settling: Option<Settling<'a>>,
+}
+
+/// Whether a motion has settled.
+#[derive(Debug, Serialize)]
+struct Settling<'a> {
+    meaning: &'static str,
+    channel: &'static str,
+    #[serde(flatten)]
+    drift: &'a Drift,
+    /// Not known of an irregular motion, whose statistics move by themselves.
+    settled: Option<bool>,
+}
+
+impl<'a> From<&'a Motion> for MotionSummary<'a> {
+    fn from(motion: &'a Motion) -> Self {
+        let irregular = matches!(motion.recognition.kind, Kind::Irregular { .. });
+        let settling = |drift: &'a Drift| Settling {
+            meaning: "change of mean and RMS from the second to the last third, in parts of the RMS of \
+                      the motion, of the freedom that changes most",
+            channel: Channel::Displacement(drift.freedom).name(),
+            drift,
+            settled: (!irregular).then(|| drift.is_settled()),
+        };
+        Self {
+            motion,
+            settling: motion.drift.as_ref().map(settling),
+        }
+    }
+}
+
+/// Kind, settling, vibration and velocity.
+pub(super) fn put_motion(out: &mut Lines, motion: &Motion) {
+    out.line("motion", kind(&motion.recognition.kind));
+    if let Some(drift) = &motion.drift {
+        let word = match (&motion.recognition.kind, drift.is_settled()) {
+            (Kind::Irregular { .. }, _) => "wanders",
+            (_, true) => "settled",
+            (_, false) => "not settled",
+        };
+        let channel = Channel::Displacement(drift.freedom);
+        let [mean, rms] = [drift.mean, drift.rms].map(|part| 100.0 * part.abs());
+        out.more(format_args!(
+            "{word}: between thirds mean and RMS of {channel} move by {mean:.2} % and {rms:.2} %"
+        ));
+    }
+    let all = motion.statistics.iter();
+    for each in all.filter(|each| each.channel.unit() == "m") {
+        let moments = &each.moments;
+        let (Some(crest), Some(kurtosis)) = (moments.crest_factor(), moments.kurtosis()) else {
+            continue;
+        };
+        let [rms, peak] = [moments.rms(), moments.peak()].map(|part| short(MICRO * part));
+        let text =
+            format!("{rms} µm RMS, peak {peak}, crest factor {crest:.2}, kurtosis {kurtosis:.2}");
+        out.line(&format!("vibration {}", each.channel), text);
+        out.more(velocity(motion, each.channel));
+    }
+}
+
+fn kind(kind: &Kind) -> String {
+    match kind {
+        Kind::Rest => "none".to_owned(),
+        Kind::Periodic {
+            section,
+            cycles,
+            distance,
+        } => format!(
+            "repeats every {}: points come back within {distance:.1e} of the motion",
+            counted(*section, *cycles)
+        ),
+        Kind::QuasiPeriodic { section, curve } => format!(
+            "two frequencies: each {} turns by {:.4} on a closed curve, missed by {:.1e}",
+            counted(*section, 1),
+            curve.rotation,
+            curve.residual
+        ),
+        Kind::Irregular { test } => format!("irregular: 0–1 test {test:.3}"),
+        Kind::Unknown { points, test: None } => {
+            format!(
+                "neither repeats nor has two frequencies; {points} points are too few to tell more"
+            )
+        }
+        Kind::Unknown {
+            points,
+            test: Some(test),
+        } => format!(
+            "regular (0–1 test {test:.3}), but repeats neither within {LONGEST_PERIOD} cycles nor on a \
+             closed curve, in {points} points"
+        ),
+    }
+}
+
+/// `revolution`, `2 ball passes`.
+fn counted(section: SectionKind, cycles: usize) -> String {
+    let (one, many) = match section {
+        SectionKind::Revolution => ("revolution", "revolutions"),
+        SectionKind::BallPass => ("ball pass", "ball passes"),
+    };
+    match cycles {
+        1 => one.to_owned(),
+        _ => format!("{cycles} {many}"),
+    }
+}
+
+/// `0.123 mm/s RMS from 10 to 1000 Hz`.
+fn velocity(motion: &Motion, channel: Channel) -> String {
+    let Channel::Displacement(axis) = channel else {
+        return String::new();
+    };
+    let level = motion.velocity.get(axis).copied().flatten();
+    level.map_or_else(String::new, |level| {
+        let [low, high] = level.band;
+        format!(
+            "{} mm/s RMS from {low:.0} to {high:.0} Hz",
+            short(MILLI * level.rms)
+        )
+    })
+}
+
+/// Four digits.
+fn short(value: f64) -> String {
+    if (1e-2..1e4).contains(&value.abs()) {
+        format!("{value:.4}")
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+/// Writes one row a point, section by section: which section, cycles since the start, time, then
+/// displacements and velocities.
+pub(super) fn write_poincare(
+    motion: &Motion,
+    folder: &RunFolder,
+) -> Result<Vec<WholeFile>, ReportError> {
+    folder.write_rows("poincare", &columns(), |take| {
+        motion.sections.iter().try_for_each(|section| {
+            let word = match section.kind {
+                SectionKind::Revolution => 0.0,
+                SectionKind::BallPass => 1.0,
+            };
+            let mut points = section.points.iter();
+            points.try_for_each(|point| take(&row(word, point)))
+        })
+    })
+}
+
+fn columns() -> Vec<Column> {
+    let mut columns = vec![
+        Column::words("section", ["revolution", "ball_pass"]),
+        Column::count("number"),
+        Column::number("t_s"),
+    ];
+    let channels = || (0..FREEDOMS).map(Channel::Displacement);
+    columns.extend(channels().map(|channel| Column::number(channel.column())));
+    columns.extend(
+        channels()
+            .map(|channel| Column::number(format!("{channel}_velocity_{}_s", channel.unit()))),
+    );
+    columns
+}
+
+fn row(section: f64, point: &PoincarePoint) -> Vec<f64> {
+    let mut row = vec![section, point.number as f64, point.time];
+    row.extend(point.displacement.iter().chain(&point.velocity));
+    row
+}
+
+/// Height of the plot, px.
+const HEIGHT: u32 = 598;
+/// Most points of a section that are drawn: the last ones.
+const MOST_POINTS: usize = 600;
+
+/// y over x in µm at one scale, both from their means.
+pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
+    let centre = [0, 1].map(|axis| motion.statistics[axis].moments.mean());
+    let seen = |place: [f64; 2]| {
+        let [x, y] = [0, 1].map(|axis| MICRO * (place[axis] - centre[axis]));
+        (x, y)
+    };
+    let orbit = shown_orbit(motion).iter().map(|place| seen(*place));
+    let orbit = Curve {
+        fine: !matches!(motion.recognition.kind, Kind::Periodic { .. }),
+        ..Curve::line(distinct(0), orbit.collect())
+    };
+    let reach = orbit
+        .points
+        .iter()
+        .fold(0.0, |reach: f64, (x, y)| reach.max(x.abs()).max(y.abs()));
+    let up = if reach > 0.0 { 1.08 * reach } else { 1.0 };
+    // the same length for a micrometre both ways
+    let across = up * f64::from(PLOT_WIDTH) / f64::from(HEIGHT);
+    let [x, y] = [("x", centre[0], across), ("y", centre[1], up)].map(|(name, mean, reach)| {
+        let mean = MICRO * mean;
+        Axis::over(
+            format!("{name} from its mean {mean:.4} µm in µm"),
+            -reach..reach,
+        )
+    });
+    let mut names = vec![Name::new("orbit", distinct(0))];
+    let mut curves = vec![orbit];
+    for section in &motion.sections {
+        let (name, colour) = match section.kind {
+            SectionKind::Revolution => ("each revolution", distinct(1)),
+            SectionKind::BallPass => ("each ball pass", distinct(2)),
+        };
+        let from = section.points.len().saturating_sub(MOST_POINTS);
+        let points = section.points[from..].iter();
+        let places = points.map(|point| seen([point.displacement[0], point.displacement[1]]));
+        names.push(Name::new(name, colour));
+        curves.push(Curve::dots(colour, places.collect()));
+    }
+    let panel = Panel {
+        curves,
+        ..Panel::new(x, y, HEIGHT)
+    };
+    Figure::new("orbit.svg", title, 1, vec![panel]).with_names(names)
+}
+
+/// One period and a little more where the motion repeats, else all that was kept.
+fn shown_orbit(motion: &Motion) -> &[[f64; 2]] {
+    let Kind::Periodic {
+        section, cycles, ..
+    } = motion.recognition.kind
+    else {
+        return &motion.orbit;
+    };
+    let section = motion.sections.iter().find(|known| known.kind == section);
+    let samples = section.and_then(|section| samples_a_cycle(section, motion));
+    let wanted = samples.map_or(motion.orbit.len(), |samples| {
+        (samples * cycles as f64).ceil() as usize + 2
+    });
+    &motion.orbit[motion.orbit.len().saturating_sub(wanted)..]
+}
+
+fn samples_a_cycle(section: &Section, motion: &Motion) -> Option<f64> {
+    let (first, last) = (section.points.first()?, section.points.last()?);
+    let cycles = (last.number - first.number) as f64;
+    (cycles > 0.0).then(|| (last.time - first.time) / cycles * motion.rate)
+}

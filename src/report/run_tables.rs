@@ -1,0 +1,152 @@
+//! Tables that a run writes while it goes on: samples, balls, events.
+
+use std::io;
+use std::io::Write;
+
+use super::table::{Column, ColumnKind, CsvTable};
+use crate::analysis::Channel;
+use crate::bearing::BallContact;
+use crate::rotor::{BallContacts, Sample};
+use crate::simulate::{Event, EventKind, TraceSink};
+
+/// What a table shows of the samples.
+#[derive(Debug, Clone)]
+pub(super) struct SampleTable {
+    channels: Vec<Channel>,
+    /// Kept from row to row for its room.
+    row: Vec<f64>,
+}
+
+impl SampleTable {
+    /// Some channels, in their order.
+    pub fn new(channels: impl IntoIterator<Item = Channel>) -> Self {
+        Self {
+            channels: channels.into_iter().collect(),
+            row: Vec::new(),
+        }
+    }
+
+    /// Its columns.
+    pub fn columns(&self) -> Vec<Column> {
+        self.channels.iter().copied().map(column).collect()
+    }
+
+    /// Whether it shows accelerations.
+    pub fn needs_acceleration(&self) -> bool {
+        let mut channels = self.channels.iter();
+        channels.any(|channel| matches!(channel, Channel::Acceleration(_)))
+    }
+
+    /// The row of a sample; NaN where a value was not observed.
+    pub fn row(&mut self, sample: &Sample) -> &[f64] {
+        self.row.clear();
+        let values = self.channels.iter().map(|channel| channel.of(sample));
+        self.row
+            .extend(values.map(|value| value.unwrap_or(f64::NAN)));
+        &self.row
+    }
+}
+
+fn column(channel: Channel) -> Column {
+    let kind = match channel.is_count() {
+        true => ColumnKind::Count,
+        false => ColumnKind::Number,
+    };
+    Column::of(channel.column(), kind)
+}
+
+/// Columns of the trace, where no others are asked for. Forces are those of all bearings on the shaft.
+pub fn trace_columns() -> Vec<Column> {
+    Channel::of_trace().map(column).collect()
+}
+
+/// Writes samples as rows of CSV, all columns of the trace.
+#[derive(Debug)]
+pub struct TraceCsv<W: Write> {
+    table: SampleTable,
+    csv: CsvTable<W>,
+}
+
+impl<W: Write> TraceCsv<W> {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// What the writer answers.
+    pub fn new(writer: W) -> io::Result<Self> {
+        let table = SampleTable::new(Channel::of_trace());
+        Ok(Self {
+            csv: CsvTable::new(writer, &table.columns())?,
+            table,
+        })
+    }
+
+    /// Gives the writer back, with everything written.
+    ///
+    /// # Errors
+    /// What the writer answers.
+    pub fn finish(self) -> io::Result<W> {
+        self.csv.finish()
+    }
+}
+
+impl<W: Write> TraceSink for TraceCsv<W> {
+    fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        self.csv.row(self.table.row(sample))
+    }
+}
+
+/// What is written of one ball: the end of the column's name and the value.
+type BallColumn = (&'static str, fn(&BallContact) -> f64);
+
+/// Named as in the table of `jeffcott bearing`.
+const BALL: [BallColumn; 4] = [
+    ("inner_load_N", |ball| ball.load_inner),
+    ("inner_angle_rad", |ball| ball.angle_inner),
+    ("outer_load_N", |ball| ball.load_outer),
+    ("outer_angle_rad", |ball| ball.angle_outer),
+];
+
+/// Columns of a table of balls: time, shaft angle, and `bearing1_ball1_inner_load_N` … of every ball,
+/// bearings and balls counted from 1.
+pub fn ball_columns(contacts: &BallContacts) -> Vec<Column> {
+    let mut columns = vec![Column::number("t_s"), Column::number("angle_rad")];
+    for (bearing, balls) in contacts.bearings().iter().enumerate() {
+        for ball in 0..balls.balls() {
+            let name = |(end, _)| format!("bearing{}_ball{}_{end}", bearing + 1, ball + 1);
+            columns.extend(BALL.map(name).map(Column::number));
+        }
+    }
+    columns
+}
+
+/// Puts the row of a sample into `row`.
+pub fn ball_row(sample: &Sample, contacts: &BallContacts, row: &mut Vec<f64>) {
+    row.clear();
+    row.extend([sample.time, sample.angle]);
+    for balls in contacts.bearings() {
+        for contact in balls.contacts() {
+            row.extend(BALL.map(|(_, value)| value(&contact)));
+        }
+    }
+}
+
+/// Columns of `events.csv`, in their order.
+pub const EVENT_COLUMNS: [&str; 4] = ["t_s", "event", "bearing", "ball"];
+
+/// Columns of a table of events; what happens to a bearing as a whole has no ball.
+pub fn event_columns() -> [Column; 4] {
+    let [time, event, bearing, ball] = EVENT_COLUMNS;
+    [
+        Column::number(time),
+        Column::words(event, EventKind::ALL.map(EventKind::name)),
+        Column::count(bearing),
+        Column::count(ball),
+    ]
+}
+
+/// The row of an event; bearings and balls count from 1.
+pub fn event_row(event: &Event) -> [f64; 4] {
+    let ball = event.ball.map_or(f64::NAN, |ball| (ball + 1) as f64);
+    let kind = f64::from(event.kind as u8);
+    [event.time, kind, (event.bearing + 1) as f64, ball]
+}

@@ -1,0 +1,443 @@
+//! A run whose speed changes: its waterfall and its order tracks.
+
+use serde::Serialize;
+
+use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinct, graded};
+use super::spectrum::{amplitude_column, phase_column};
+use super::table::Column;
+use super::terminal::{MICRO, PER_MINUTE, PER_SECOND};
+use super::{ReportError, RunFolder, WholeFile};
+use crate::analysis::{OrderTracks, Track, TrackedOrder, Waterfall};
+use crate::simulate::Maps;
+
+/// Writes both tables, and both figures where they are drawn.
+pub(super) fn write_maps(
+    folder: &RunFolder,
+    title: &str,
+    maps: &Maps,
+    figures: bool,
+) -> Result<Vec<WholeFile>, ReportError> {
+    let mut files = write_waterfall(&maps.waterfall, folder)?;
+    files.extend(write_order_tracks(&maps.tracks, folder)?);
+    if figures && !maps.waterfall.slices.is_empty() {
+        let figure = waterfall_figure(title, maps);
+        files.push(folder.write_figure(&figure)?);
+    }
+    if figures && !maps.tracks.points.is_empty() {
+        let figure = order_figure(title, &maps.tracks);
+        files.push(folder.write_figure(&figure)?);
+    }
+    Ok(files)
+}
+
+/// What the maps of a run-up rest on.
+#[derive(Debug, Serialize)]
+pub(super) struct MapsSummary<'a> {
+    waterfall: WaterfallSummary,
+    order_tracks: TracksSummary<'a>,
+}
+
+/// How the short-time spectra were made.
+#[derive(Debug, Serialize)]
+struct WaterfallSummary {
+    window: &'static str,
+    window_s: f64,
+    samples: usize,
+    overlap_samples: usize,
+    #[serde(rename = "resolution_Hz")]
+    resolution: f64,
+    /// Frequencies of a spectrum.
+    frequencies: usize,
+    /// Number of spectra.
+    spectra: usize,
+    scaling: &'static str,
+}
+
+/// How the orders were tracked.
+#[derive(Debug, Serialize)]
+struct TracksSummary<'a> {
+    window: &'static str,
+    window_revolutions: f64,
+    points: usize,
+    orders: &'a [TrackedOrder],
+    scaling: &'static str,
+}
+
+impl<'a> From<&'a Maps> for MapsSummary<'a> {
+    fn from(maps: &'a Maps) -> Self {
+        let (waterfall, tracks) = (&maps.waterfall, &maps.tracks);
+        Self {
+            waterfall: WaterfallSummary {
+                window: "hann",
+                window_s: waterfall.window(),
+                samples: waterfall.length,
+                overlap_samples: waterfall.length - waterfall.hop,
+                resolution: waterfall.resolution,
+                frequencies: waterfall.bins(),
+                spectra: waterfall.slices.len(),
+                scaling: "one-sided, peak values; the mean is kept at frequency zero",
+            },
+            order_tracks: TracksSummary {
+                window: "hann over the angle of the shaft",
+                window_revolutions: tracks.revolutions,
+                points: tracks.points.len(),
+                orders: &tracks.orders,
+                scaling: "peak values; phase of cos(order psi + phase), psi the angle of the shaft; mean \
+                          and all orders fitted together by weighted least squares",
+            },
+        }
+    }
+}
+
+/// Writes time, mean speed and frequency, then the amplitude of every channel.
+fn write_waterfall(
+    waterfall: &Waterfall,
+    folder: &RunFolder,
+) -> Result<Vec<WholeFile>, ReportError> {
+    let mut columns = ["t_s", "speed_rad_s", "f_Hz"].map(Column::number).to_vec();
+    let channels = waterfall.channels.iter();
+    columns.extend(channels.map(|channel| Column::number(amplitude_column(*channel))));
+    folder.write_rows("waterfall", &columns, |take| {
+        let mut row = Vec::new();
+        for slice in &waterfall.slices {
+            for k in 0..waterfall.bins() {
+                row.clear();
+                row.extend([slice.time, slice.speed, k as f64 * waterfall.resolution]);
+                row.extend(slice.amplitude.iter().map(|amplitude| amplitude[k]));
+                take(&row)?;
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Height of a plot, px.
+const WATERFALL_HEIGHT: u32 = 242;
+/// Name of the file.
+const FILE: &str = "waterfall.svg";
+
+/// The spectra of several runs over what differs between them: a raster with its name a row.
+pub(in crate::report) fn runs_figure(title: &str, over: &str, rows: &[(String, Raster)]) -> Figure {
+    let panels = rows.iter().map(|(name, raster)| {
+        let loudest = raster.loudest();
+        panel(raster, loudest, heard(over, name, loudest), 1.0)
+    });
+    Figure::new(FILE, title, 1, panels.collect()).with_names(levels())
+}
+
+/// Every channel that moves over time and, with its orders, over speed.
+fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
+    let waterfall = &maps.waterfall;
+    let channels = 0..waterfall.channels.len();
+    let over_time: Vec<Raster> = channels
+        .map(|channel| Raster::over_time(waterfall, channel))
+        .collect();
+    let loudest: Vec<f64> = over_time.iter().map(Raster::loudest).collect();
+    let panels = moving(&loudest).flat_map(|channel| {
+        let (name, loudest) = (waterfall.channels[channel].name(), loudest[channel]);
+        let time = heard("time in s", name, loudest);
+        let time = panel(&over_time[channel], loudest, time, 1.0);
+        let speed = Raster::over_speed(waterfall, channel);
+        let mut speed = panel(&speed, loudest, "speed in 1/min".to_owned(), PER_MINUTE);
+        draw_orders(&mut speed, maps);
+        [time, speed]
+    });
+    Figure::new(FILE, title, 2, panels.collect()).with_names(levels())
+}
+
+/// What is below, with the loudest amplitude in m.
+fn heard(below: &str, name: &str, loudest: f64) -> String {
+    format!("{below} ({name}: loudest {:.3e} µm)", MICRO * loudest)
+}
+
+/// A raster over an axis that shows its ends times `scale`.
+fn panel(raster: &Raster, loudest: f64, below: String, scale: f64) -> Panel {
+    let [left, right] = raster.ends.map(|end| scale * end);
+    let [low, high] = raster.frequencies;
+    let x = Axis::over(below, left..right);
+    let y = Axis::over("frequency in Hz", low..high);
+    Panel {
+        map: (right > left && loudest > 0.0).then(|| raster.map(loudest)),
+        ..Panel::new(x, y, WATERFALL_HEIGHT)
+    }
+}
+
+/// Orders as lines over the speed, each with its name near its end.
+fn draw_orders(panel: &mut Panel, maps: &Maps) {
+    let (left, right, high) = (panel.x.least(), panel.x.most(), panel.y.most());
+    for order in &maps.tracks.orders {
+        // 1/min → rad/s → Hz
+        let at = |shown: f64| order.order * shown / PER_MINUTE * PER_SECOND;
+        let end = right.min(right * high / at(right));
+        let line = [left, end].map(|speed| (speed, at(speed)));
+        panel.curves.push(Curve {
+            fine: true,
+            ..Curve::line(WHITE, line.to_vec())
+        });
+        let near = left + 0.82 * (end - left);
+        let name = order.name.clone();
+        panel.labels.push(((near, at(near)), name, WHITE));
+    }
+}
+
+/// What the colours mean: some decades below the loudest cell up to it.
+fn levels() -> Vec<Name> {
+    let decades = DECADES as usize;
+    let level = |decade: usize| {
+        let text = match decades - decade {
+            0 => "1".to_owned(),
+            below if below == decades => format!("1e-{below} of the loudest of each row"),
+            below => format!("1e-{below}"),
+        };
+        Name::new(text, graded(decade, decades + 1))
+    };
+    (0..=decades).map(level).collect()
+}
+
+/// Most cells along an axis: more cannot be seen.
+pub(in crate::report) const MOST_CELLS: usize = 320;
+/// Cells along the axis of speed.
+const SPEED_CELLS: usize = 200;
+/// Decades below the loudest cell that are told apart.
+const DECADES: f64 = 4.0;
+/// A channel below this part of the loudest one does not move.
+const ROUND_OFF: f64 = 1e-9;
+/// Bins that hold the mean, which was taken away.
+const MEAN_BINS: usize = 1;
+
+/// Amplitudes over one axis and frequency.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::report) struct Raster {
+    /// Ends of the first axis, s or rad/s.
+    pub ends: [f64; 2],
+    /// Ends of the axis of frequencies, Hz.
+    pub frequencies: [f64; 2],
+    /// Columns by the first axis, each by rising frequency, m.
+    columns: Vec<Vec<f64>>,
+}
+
+impl Raster {
+    /// Of columns at even steps, each by rising frequency, m.
+    pub fn of(ends: [f64; 2], frequencies: [f64; 2], columns: Vec<Vec<f64>>) -> Self {
+        Self {
+            ends,
+            frequencies,
+            columns,
+        }
+    }
+
+    /// Over time: a column a spectrum, neighbours joined where they are too many.
+    pub fn over_time(waterfall: &Waterfall, channel: usize) -> Self {
+        let slices = &waterfall.slices;
+        let step = waterfall.window() * waterfall.hop as f64 / waterfall.length as f64;
+        let columns = slices
+            .chunks(slices.len().div_ceil(MOST_CELLS).max(1))
+            .map(|some| mean_square(waterfall, channel, some.iter()))
+            .collect();
+        let end = |slice: Option<&crate::analysis::Slice>| slice.map_or(0.0, |slice| slice.time);
+        Self {
+            ends: [
+                end(slices.first()) - 0.5 * step,
+                end(slices.last()) + 0.5 * step,
+            ],
+            frequencies: frequencies(waterfall),
+            columns,
+        }
+    }
+
+    /// Over speed: in a column all spectra of about its speed, or the nearest one where there is none.
+    pub fn over_speed(waterfall: &Waterfall, channel: usize) -> Self {
+        let slices = &waterfall.slices;
+        let speeds = slices.iter().map(|slice| slice.speed);
+        let (low, high) = speeds.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), speed| {
+            (low.min(speed), high.max(speed))
+        });
+        let step = (high - low) / SPEED_CELLS as f64;
+        let columns = (0..SPEED_CELLS).map(|cell| {
+            let middle = low + (cell as f64 + 0.5) * step;
+            let away = |speed: f64| (speed - middle).abs();
+            let nearest = slices
+                .iter()
+                .map(|slice| away(slice.speed))
+                .fold(f64::INFINITY, f64::min);
+            let reach = nearest.max(0.5 * step);
+            mean_square(
+                waterfall,
+                channel,
+                slices.iter().filter(|slice| away(slice.speed) <= reach),
+            )
+        });
+        Self {
+            ends: [low, high],
+            frequencies: frequencies(waterfall),
+            columns: columns.collect(),
+        }
+    }
+
+    /// Loudest cell but for the mean, m.
+    pub fn loudest(&self) -> f64 {
+        let cells = self
+            .columns
+            .iter()
+            .flat_map(|column| column.iter().skip(MEAN_BINS));
+        cells.copied().fold(0.0, f64::max)
+    }
+
+    /// Levels from the highest frequency down, 0 at [`DECADES`] below `loudest` or less, 255 there or above.
+    pub fn map(&self, loudest: f64) -> Map {
+        let height = self.columns.first().map_or(0, Vec::len);
+        let joined = height.div_ceil(MOST_CELLS).max(1);
+        let level = |row: usize, column: &Vec<f64>| {
+            let cells = column[row * joined..((row + 1) * joined).min(height)].iter();
+            let value = cells.copied().fold(0.0, f64::max);
+            let part = 1.0 + (value / loudest).log10() / DECADES;
+            (255.0 * part.clamp(0.0, 1.0)).round() as u8
+        };
+        let rows = (0..height.div_ceil(joined)).rev();
+        let pixels = rows.flat_map(|row| self.columns.iter().map(move |column| level(row, column)));
+        Map {
+            width: self.columns.len(),
+            levels: pixels.collect(),
+        }
+    }
+}
+
+/// Which channels are more than round-off beside the loudest, by the largest amplitude of each.
+pub(in crate::report) fn moving(loudest: &[f64]) -> impl Iterator<Item = usize> {
+    let floor = ROUND_OFF * loudest.iter().copied().fold(0.0, f64::max);
+    (0..loudest.len()).filter(move |channel| loudest[*channel] > floor)
+}
+
+/// A bin is as wide as the step of frequencies, about its middle.
+fn frequencies(waterfall: &Waterfall) -> [f64; 2] {
+    let half = 0.5 * waterfall.resolution;
+    [-half, waterfall.bins() as f64 * waterfall.resolution - half]
+}
+
+/// Root of the mean square of some spectra.
+fn mean_square<'a>(
+    waterfall: &Waterfall,
+    channel: usize,
+    slices: impl Iterator<Item = &'a crate::analysis::Slice>,
+) -> Vec<f64> {
+    let mut sums = vec![0.0; waterfall.bins()];
+    let mut count = 0.0;
+    for slice in slices {
+        count += 1.0;
+        for (sum, amplitude) in sums.iter_mut().zip(&slice.amplitude[channel]) {
+            *sum += amplitude * amplitude;
+        }
+    }
+    sums.iter().map(|sum: &f64| (sum / count).sqrt()).collect()
+}
+
+/// Height of a plot, px.
+const ORDERS_HEIGHT: u32 = 212;
+/// A phase is drawn where its order has this part of the channel's largest amplitude.
+const HEARD: f64 = 0.01;
+
+/// Writes one row a window: time, speed, then amplitude and phase of every order of every channel.
+fn write_order_tracks(
+    tracks: &OrderTracks,
+    folder: &RunFolder,
+) -> Result<Vec<WholeFile>, ReportError> {
+    folder.write_rows("order_tracks", &columns(tracks), |take| {
+        tracks.points.iter().try_for_each(|point| {
+            let tracks = point.tracks.iter().flatten();
+            let mut row = vec![point.time, point.speed];
+            row.extend(tracks.flat_map(|track| [track.amplitude, track.phase]));
+            take(&row)
+        })
+    })
+}
+
+fn columns(tracks: &OrderTracks) -> Vec<Column> {
+    let mut columns = ["t_s", "speed_rad_s"].map(Column::number).to_vec();
+    for channel in &tracks.channels {
+        for order in &tracks.orders {
+            let of = column(&order.name);
+            let names = [amplitude_column(*channel), phase_column(*channel)];
+            columns.extend(names.map(|name| Column::number(format!("{of}_{name}"))));
+        }
+    }
+    columns
+}
+
+/// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`.
+fn column(name: &str) -> String {
+    let name = name.replace(' ', "_");
+    match name.split_once('×') {
+        Some((order, "")) => format!("order_{order}"),
+        Some((multiple, of)) => format!("{of}_{multiple}x"),
+        None => name,
+    }
+}
+
+/// A row of amplitude and phase for each channel.
+fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
+    let channels = 0..tracks.channels.len();
+    let loudest = channels.map(|channel| loudest(tracks, channel));
+    let loudest: Vec<f64> = loudest.collect();
+    let panels = moving(&loudest).flat_map(|row| {
+        [
+            amplitudes(tracks, row),
+            phases(tracks, row, HEARD * loudest[row]),
+        ]
+    });
+    let names = tracks.orders.iter().map(|order| order.name.as_str());
+    let figure = Figure::new("order_tracks.svg", title, 2, panels.collect());
+    figure.with_names(Name::each(names))
+}
+
+/// Largest amplitude of any order of a channel.
+fn loudest(tracks: &OrderTracks, channel: usize) -> f64 {
+    let points = tracks.points.iter();
+    let all = points.flat_map(|point| &point.tracks[channel]);
+    all.map(|track| track.amplitude).fold(0.0, f64::max)
+}
+
+fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
+    let name = format!("amplitude of {} in µm", tracks.channels[row]);
+    let curve = |order: usize| {
+        let points = over_speed(tracks, row, order, |track| Some(MICRO * track.amplitude));
+        Curve::line(distinct(order), points)
+    };
+    let curves = (0..tracks.orders.len()).map(curve);
+    Panel::of(speeds(tracks), name, ORDERS_HEIGHT, curves.collect())
+}
+
+/// Where an order is louder than `least`, m.
+fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
+    let name = format!("phase of {} in deg", tracks.channels[row]);
+    let heard = |track: &Track| (track.amplitude > least).then(|| track.phase.to_degrees());
+    // dots, for a line would run across the figure where the angle begins anew
+    let curve = |order| Curve::dots(distinct(order), over_speed(tracks, row, order, heard));
+    Panel {
+        curves: (0..tracks.orders.len()).map(curve).collect(),
+        ..Panel::new(
+            speeds(tracks),
+            Axis::over(name, -190.0..190.0),
+            ORDERS_HEIGHT,
+        )
+    }
+}
+
+fn over_speed(
+    tracks: &OrderTracks,
+    channel: usize,
+    order: usize,
+    value: impl Fn(&Track) -> Option<f64>,
+) -> Vec<Point> {
+    let mut places = Vec::new();
+    for point in &tracks.points {
+        if let Some(value) = value(&point.tracks[channel][order]) {
+            places.push((PER_MINUTE * point.speed, value));
+        }
+    }
+    places
+}
+
+fn speeds(tracks: &OrderTracks) -> Axis {
+    let speeds = tracks.points.iter().map(|point| PER_MINUTE * point.speed);
+    Axis::spanning("speed in 1/min", speeds)
+}

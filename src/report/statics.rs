@@ -1,0 +1,340 @@
+//! The answer to a static question: text for people, JSON, CSV and a figure of the balls.
+
+use std::path::PathBuf;
+
+use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turned};
+use super::table::Table;
+use super::terminal::{Lines, clearance_text, decimal, digits, listed, or_dash};
+use super::terminal::{MICRO, MILLI};
+use super::{Destination, FileSet, ReportError};
+use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
+use crate::physics::Race;
+use crate::quasi_static::QuasiStatic;
+use crate::rotor::FREEDOMS;
+
+/// Writes `balls.csv`, `balls.svg` and, last, `bearing.json`; returns their paths.
+///
+/// # Errors
+/// [`ReportError`] where a file cannot be written or drawn.
+pub fn write_answer(
+    destination: &Destination<'_>,
+    answer: &QuasiStatic,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let folder = destination.open(FileSet::BEARING)?;
+    let mut files = folder.write_table("balls", &balls_table(answer))?;
+    files.push(folder.write_figure(&balls_figure(destination.title, answer))?);
+    let json = destination.document(answer);
+    folder.commit(files, format!("{json:#}\n").as_bytes())
+}
+
+/// A coupling below this part of its diagonal terms is what round-off left of zero.
+const ROUND_OFF: f64 = 1e-12;
+
+/// Names of the freedoms, and how displacements and forces along them are shown.
+const NAMES: [&str; FREEDOMS] = ["x", "y", "z", "θx", "θy"];
+const PLACES: [&str; FREEDOMS] = ["µm", "µm", "µm", "µrad", "µrad"];
+const FORCES: [(&str, &str); FREEDOMS] = [
+    ("Fx", "N"),
+    ("Fy", "N"),
+    ("Fz", "N"),
+    ("Mx", "N m"),
+    ("My", "N m"),
+];
+
+/// Equilibrium, stiffness and every bearing with its balls; then the files written.
+pub fn answer_text(title: &str, answer: &QuasiStatic, files: &[PathBuf]) -> String {
+    let mut out = Lines::titled(title);
+    let displacement = NAMES.iter().zip(PLACES).zip(answer.displacement);
+    let displacement = displacement
+        .map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value)));
+    out.line("equilibrium", listed(displacement));
+    let held = NAMES.iter().zip(answer.free).filter(|(_, free)| !free);
+    out.line("held", listed(held.map(|(name, _)| (*name).to_owned())));
+    let force = FORCES.iter().zip(answer.force);
+    let force = force.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(value)));
+    out.line("force", listed(force));
+    if let Some(twist) = answer.twist {
+        let (moment, angle) = (MILLI * twist.moment, MICRO * twist.angle);
+        let text = format!("Mz {} N mm, θz {} µrad", decimal(moment), decimal(angle));
+        out.line("twist", text);
+    }
+    out.line("stiffness", diagonal(&answer.stiffness));
+    out.line("condition", condition(answer.condition));
+    let steps = answer.newton_steps;
+    let search = format!("{steps} Newton steps, residual {:.1e}", answer.residual);
+    out.line("search", search);
+    put_stiffness(&mut out, &answer.stiffness);
+    for (index, state) in answer.bearings.iter().enumerate() {
+        put_bearing(&mut out, index + 1, state);
+    }
+    out.wrote(files)
+}
+
+/// K_x … K_θy in N/µm and N m/mrad.
+fn diagonal(stiffness: &Matrix5) -> String {
+    let shown = |axes: std::ops::Range<usize>, scale: f64| {
+        let term = |axis| digits(stiffness[(axis, axis)] / scale);
+        listed(axes.map(|axis| format!("K_{} {}", NAMES[axis], term(axis))))
+    };
+    let (along, about) = (shown(0..3, MICRO), shown(3..FREEDOMS, MILLI));
+    format!("{along} N/µm; {about} N m/mrad")
+}
+
+fn condition(condition: f64) -> String {
+    if condition.is_finite() {
+        digits(condition)
+    } else {
+        "infinite: the stiffness is singular".to_owned()
+    }
+}
+
+/// K, a micrometre or a milliradian a column.
+fn put_stiffness(out: &mut Lines, stiffness: &Matrix5) {
+    let columns = ["x\n/µm", "y\n/µm", "z\n/µm", "θx\n/mrad", "θy\n/mrad"];
+    let header = std::iter::once("K").chain(columns);
+    let rows = FORCES.iter().enumerate().map(|(row, (name, unit))| {
+        let cells = (0..FREEDOMS).map(|column| {
+            let scale = if column < 3 { MICRO } else { MILLI };
+            let term = stiffness[(row, column)];
+            let diagonal = stiffness[(row, row)] * stiffness[(column, column)];
+            let noise = ROUND_OFF * diagonal.abs().sqrt();
+            digits(if term.abs() < noise {
+                0.0
+            } else {
+                term / scale
+            })
+        });
+        std::iter::once(format!("{name} in {unit}"))
+            .chain(cells)
+            .collect()
+    });
+    out.table(header, rows);
+}
+
+fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
+    out.put(format_args!("bearing {number}"));
+    if let Some(clearance) = &state.clearance {
+        out.line("clearance", clearance_text(clearance));
+    }
+    out.line("balls loaded", state.balls_loaded);
+    if let Some(life) = state.life {
+        out.line("life L10r", format!("{life:.4e} million revolutions"));
+    }
+    if let Some(safety) = state.static_safety {
+        out.line("static safety", format!("{safety:.3}"));
+    }
+    let friction = &state.friction_moment;
+    let [total, load, viscous] =
+        [friction.total(), friction.load, friction.viscous].map(|moment| decimal(MILLI * moment));
+    let text = format!("{total} N mm: load {load}, viscous {viscous}");
+    out.line("friction", text);
+    let pass = &state.ball_pass;
+    let pass = format!(
+        "outer race {:.3} Hz, inner race {:.3} Hz, ball spin {:.3} Hz, cage {:.3} Hz",
+        pass.outer, pass.inner, pass.spin, pass.cage
+    );
+    out.line("ball pass", pass);
+    if let Some(shares) = &state.shares {
+        out.line("of contacts", diagonal(&shares.contacts));
+        out.line("of films", diagonal(&shares.films));
+    }
+    if !state.balls.is_empty() {
+        put_balls(out, &state.balls);
+    }
+}
+
+/// A column of the ball table: its title and its cells.
+type Column = (&'static str, fn(&BallLine) -> String);
+
+const PLACE: [Column; 7] = [
+    ("φ\ndeg", |line| {
+        format!("{:.1}", line.azimuth.to_degrees())
+    }),
+    ("Qi\nN", |line| format!("{:.1}", line.inner.load)),
+    ("Qo\nN", |line| format!("{:.1}", line.outer.load)),
+    ("αi\ndeg", |line| angle(&line.inner)),
+    ("αo\ndeg", |line| angle(&line.outer)),
+    ("δ\nµm", |line| format!("{:.3}", MICRO * line.deformation)),
+    ("pmax\nMPa", |line| {
+        format!("{:.0}", worst(line, |c| c.peak_pressure) / 1e6)
+    }),
+];
+
+const FILM: [Column; 2] = [
+    ("hmin\nµm", |line| {
+        thinnest(line, |film| Some(MICRO * film.minimum))
+    }),
+    ("λ\n", |line| thinnest(line, |film| film.lambda)),
+];
+
+const INERTIA: [Column; 3] = [
+    ("Fc\nN", |line| format!("{:.2}", line.centrifugal_force)),
+    ("Mg\nN mm", |line| {
+        format!("{:.3}", MILLI * line.gyroscopic_moment)
+    }),
+    ("control\n", |line| {
+        or_dash(line.controlling_race.map(|race| race_name(race).to_owned()))
+    }),
+];
+
+const SPIN: [Column; 1] = [("spin/\nroll", |line| {
+    format!("{:.3}", worst(line, |contact| contact.spin_to_roll.abs()))
+})];
+
+/// Ball by ball; films and inertia where the bearing has them.
+fn put_balls(out: &mut Lines, balls: &[BallLine]) {
+    let films = balls
+        .iter()
+        .any(|line| line.inner.film.or(line.outer.film).is_some());
+    let inertia = balls.iter().any(|line| line.centrifugal_force != 0.0);
+    let mut columns: Vec<&Column> = PLACE.iter().collect();
+    columns.extend(FILM.iter().filter(|_| films));
+    columns.extend(INERTIA.iter().filter(|_| inertia));
+    columns.extend(&SPIN);
+    let header = std::iter::once("ball").chain(columns.iter().map(|(title, _)| *title));
+    let rows = balls.iter().enumerate().map(|(index, line)| {
+        let cells = columns.iter().map(|(_, cell)| cell(line));
+        std::iter::once((index + 1).to_string())
+            .chain(cells)
+            .collect()
+    });
+    out.table(header, rows);
+}
+
+/// The larger value of both contacts.
+fn worst(line: &BallLine, value: fn(&RaceContact) -> f64) -> f64 {
+    value(&line.inner).max(value(&line.outer))
+}
+
+/// The smaller value of both films.
+fn thinnest(line: &BallLine, value: impl Fn(&FilmState) -> Option<f64>) -> String {
+    let films = [line.inner.film, line.outer.film].into_iter().flatten();
+    let smallest = films.filter_map(|film| value(&film)).reduce(f64::min);
+    or_dash(smallest.map(|value| format!("{value:.3}")))
+}
+
+/// The contact angle; an unloaded contact has none.
+fn angle(contact: &RaceContact) -> String {
+    let angle = || format!("{:.3}", contact.angle.to_degrees());
+    or_dash((contact.load > 0.0).then(angle))
+}
+
+/// Columns of one contact, after `inner_` or `outer_`.
+type ContactColumn = (&'static str, fn(&RaceContact) -> Option<f64>);
+
+const CONTACT: [ContactColumn; 13] = [
+    ("load_N", |contact| Some(contact.load)),
+    ("angle_rad", |contact| Some(contact.angle)),
+    ("approach_m", |contact| Some(contact.approach)),
+    ("semi_major_m", |contact| Some(contact.semi_major)),
+    ("semi_minor_m", |contact| Some(contact.semi_minor)),
+    ("peak_pressure_Pa", |contact| Some(contact.peak_pressure)),
+    ("contact_stiffness_N_m", |contact| {
+        Some(contact.contact_stiffness)
+    }),
+    ("film_central_m", |contact| {
+        contact.film.map(|film| film.central)
+    }),
+    ("film_minimum_m", |contact| {
+        contact.film.map(|film| film.minimum)
+    }),
+    ("film_stiffness_N_m", |contact| {
+        contact.film.map(|film| film.stiffness)
+    }),
+    ("film_lambda", |contact| {
+        contact.film.and_then(|film| film.lambda)
+    }),
+    ("spin_to_roll", |contact| Some(contact.spin_to_roll)),
+    ("shoulder_margin_rad", |contact| contact.shoulder_margin),
+];
+
+/// The balls of all bearings, both numbered from 1 on.
+fn balls_table(answer: &QuasiStatic) -> Table {
+    let bearings = answer.bearings.iter().enumerate();
+    let balls: Vec<(usize, usize, &BallLine)> = bearings
+        .flat_map(|(bearing, state)| {
+            let balls = state.balls.iter().enumerate();
+            balls.map(move |(ball, line)| (bearing + 1, ball + 1, line))
+        })
+        .collect();
+    let lines = || balls.iter().map(|(.., line)| *line);
+    let mut table = Table::default();
+    table.counts("bearing", balls.iter().map(|(bearing, ..)| *bearing as f64));
+    table.counts("ball", balls.iter().map(|(_, ball, _)| *ball as f64));
+    table.numbers("azimuth_rad", lines().map(|line| line.azimuth));
+    table.numbers("deformation_m", lines().map(|line| line.deformation));
+    for (name, value) in CONTACT {
+        table.numbers(
+            format!("inner_{name}"),
+            lines().map(|line| value(&line.inner)),
+        );
+    }
+    for (name, value) in CONTACT {
+        table.numbers(
+            format!("outer_{name}"),
+            lines().map(|line| value(&line.outer)),
+        );
+    }
+    table.numbers(
+        "centrifugal_force_N",
+        lines().map(|line| line.centrifugal_force),
+    );
+    table.numbers(
+        "gyroscopic_moment_N_m",
+        lines().map(|line| line.gyroscopic_moment),
+    );
+    let controlling = lines().map(|line| line.controlling_race.map(race_name).unwrap_or_default());
+    table.words("controlling_race", controlling);
+    table
+}
+
+/// `inner` or `outer`.
+fn race_name(race: Race) -> &'static str {
+    match race {
+        Race::Inner => "inner",
+        Race::Outer => "outer",
+    }
+}
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 272;
+
+/// One row of two panels for each bearing.
+fn balls_figure(title: &str, answer: &QuasiStatic) -> Figure {
+    let bearings = answer.bearings.iter().enumerate();
+    let panels = bearings.flat_map(|(index, state)| {
+        let bearing = if answer.bearings.len() > 1 {
+            format!("bearing {}: ", index + 1)
+        } else {
+            String::new()
+        };
+        panels(&bearing, state)
+    });
+    let names = Name::each(["inner race", "outer race"]);
+    Figure::new("balls.svg", title, 2, panels.collect()).with_names(names)
+}
+
+fn panels(bearing: &str, state: &BearingState) -> [Panel; 2] {
+    let panel = |name: &str, value: fn(&RaceContact) -> f64| {
+        // the outer race first: where both agree, the inner one is seen
+        let curves = vec![
+            curve(&state.balls, 1, |line| value(&line.outer)),
+            curve(&state.balls, 0, |line| value(&line.inner)),
+        ];
+        Panel::of(Axis::azimuth(), format!("{bearing}{name}"), HEIGHT, curves)
+    };
+    [
+        panel("ball load Q in N", |contact| contact.load),
+        panel("contact angle α in deg", |contact| {
+            contact.angle.to_degrees()
+        }),
+    ]
+}
+
+fn curve(balls: &[BallLine], race: usize, value: impl Fn(&BallLine) -> f64) -> Curve {
+    let marks = turned(balls.iter().map(|line| (line.azimuth, value(line))));
+    Curve {
+        marks: marks.clone(),
+        ..Curve::line(distinct(race), all_around(marks))
+    }
+}

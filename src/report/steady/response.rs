@@ -1,0 +1,128 @@
+//! Branches of steady motions over a parameter: their tables and their figure.
+
+use plotters::style::RGBColor;
+
+use crate::analysis::Channel;
+use crate::report::figure::{Axis, Curve, Figure, GREY, Name, Panel, Point, distinct};
+use crate::report::study::{axis_name, column_name};
+use crate::report::table::Table;
+use crate::report::terminal::MICRO;
+use crate::shooting::SpecialKind;
+use crate::steady::{Response, ResponsePoint, Swing};
+use crate::study::Variable;
+
+/// A motion, the branch that it is on with its number, and what happens there.
+type Row<'a> = (usize, &'a Response, Option<SpecialKind>, &'a ResponsePoint);
+
+/// A column of a displacement or force, and its value.
+type Measure = (&'static str, fn(&Swing) -> f64);
+
+/// Every motion of every branch, in their order along it.
+pub(super) fn points(variable: &Variable, branches: &[Response]) -> Table {
+    let rows = numbered(branches).flat_map(|(number, branch)| {
+        let points = branch.points.iter();
+        points.map(move |point| (number, branch, None, point))
+    });
+    table(variable, branches, &rows.collect::<Vec<_>>(), false)
+}
+
+/// Where branches turn or their motions change their kind.
+pub(super) fn specials(variable: &Variable, branches: &[Response]) -> Table {
+    let rows = numbered(branches).flat_map(|(number, branch)| {
+        let specials = branch.specials.iter();
+        specials.map(move |special| (number, branch, Some(special.kind), &special.point))
+    });
+    table(variable, branches, &rows.collect::<Vec<_>>(), true)
+}
+
+fn numbered(branches: &[Response]) -> impl Iterator<Item = (usize, &Response)> {
+    (1..).zip(branches)
+}
+
+fn table(variable: &Variable, branches: &[Response], rows: &[Row<'_>], kinds: bool) -> Table {
+    let points = || rows.iter().map(|(.., point)| *point);
+    let mut table = Table::default();
+    table.counts("branch", rows.iter().map(|(number, ..)| *number as f64));
+    let multiples = rows
+        .iter()
+        .map(|(_, branch, ..)| f64::from(branch.multiple));
+    table.counts("multiple", multiples);
+    if kinds {
+        let kinds = rows.iter().filter_map(|(_, _, kind, _)| *kind);
+        table.words("kind", kinds);
+    }
+    table.numbers(column_name(variable), points().map(|point| point.value));
+    table.numbers("period_s", points().map(|point| point.period));
+    table.counts("stable", points().map(|point| f64::from(point.stable)));
+    // every motion has the columns of the first
+    let Some(first) = branches.first().and_then(|branch| branch.points.first()) else {
+        return table;
+    };
+    let measures: [Measure; 3] = [
+        ("mean", |swing| swing.mean),
+        ("peak_to_peak", |swing| swing.peak_to_peak),
+        ("rms", |swing| swing.rms),
+    ];
+    for (index, swing) in first.swings.iter().enumerate() {
+        let column = swing.channel.column();
+        let (name, unit) = column.split_at(swing.channel.name().len());
+        for (what, measure) in measures {
+            let values = points().map(|point| point.swings.get(index).map(measure));
+            table.numbers(format!("{name}_{what}{unit}"), values);
+        }
+    }
+    for index in 0..first.multipliers.len() {
+        let values = || points().map(|point| point.multipliers.get(index));
+        let [re, im] = ["re", "im"].map(|part| format!("multiplier_{}_{part}", index + 1));
+        table.numbers(re, values().map(|value| Some(value?.re)));
+        table.numbers(im, values().map(|value| Some(value?.im)));
+    }
+    table
+}
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 242;
+
+/// A panel a displacement; what is not stable is grey, marks stand where branches turn or change.
+pub(super) fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
+    let points = || branches.iter().flat_map(|branch| &branch.points);
+    let values = points().map(|point| variable.shown(point.value));
+    let axis = Axis::spanning(axis_name(variable), values);
+    let swings = points().take(1).flat_map(|point| &point.swings);
+    let displacements = swings
+        .map(|swing| swing.channel)
+        .filter(|channel| matches!(channel, Channel::Displacement(_)));
+    let panels = displacements.enumerate().map(|(index, channel)| {
+        let name = format!("{channel} peak to peak in µ{}", channel.unit());
+        let all = branches.iter().enumerate();
+        let curves = all.flat_map(|(number, branch)| {
+            curves(branch, distinct(number), |point| {
+                let swing = point.swings.get(index);
+                let swing = swing.map_or(f64::NAN, |swing| swing.peak_to_peak);
+                (variable.shown(point.value), MICRO * swing)
+            })
+        });
+        Panel::of(axis.clone(), name, HEIGHT, curves.collect())
+    });
+    let multiples = branches.iter().map(|branch| branch.multiple);
+    let names = Name::each(multiples.map(|multiple| format!("{multiple} × the period")));
+    let unstable = Name::new("not stable", GREY);
+    let figure = Figure::new("response.svg", title, 1, panels.collect());
+    figure.with_names(names.into_iter().chain([unstable]))
+}
+
+/// A branch cut where its stability changes.
+fn curves(branch: &Response, colour: RGBColor, at: impl Fn(&ResponsePoint) -> Point) -> Vec<Curve> {
+    let mut drawn = Vec::<Curve>::new();
+    for pair in branch.points.windows(2) {
+        let colour = if pair[1].stable { colour } else { GREY };
+        match drawn.last_mut().filter(|last| last.colour == colour) {
+            Some(last) => last.points.push(at(&pair[1])),
+            None => drawn.push(Curve::line(colour, vec![at(&pair[0]), at(&pair[1])])),
+        }
+    }
+    let specials = branch.specials.iter();
+    let marks = specials.map(|special| at(&special.point)).collect();
+    drawn.push(Curve::dots(colour, marks));
+    drawn
+}

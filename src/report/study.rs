@@ -1,0 +1,459 @@
+//! A study: one row a value, and the bearings all around at every value.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use serde::Serialize;
+use serde_json::Value;
+
+use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
+use super::table::Table;
+use super::terminal::{Lines, digits};
+use super::terminal::{MICRO, MILLI};
+use super::{Destination, FileSet, ReportError};
+use crate::analysis::Channel;
+use crate::bearing::{Around, BallLine, BearingState};
+use crate::quasi_static::QuasiStatic;
+use crate::rotor::FREEDOMS;
+use crate::study::{Study, StudyRow, Variable};
+
+/// Writes `study.csv`, `around.csv`, three figures and, last, `study.json`; returns
+/// their paths.
+///
+/// # Errors
+/// [`ReportError`] where a file cannot be written or drawn.
+pub fn write_study(
+    destination: &Destination<'_>,
+    study: &Study,
+    rows: &[StudyRow],
+) -> Result<Vec<PathBuf>, ReportError> {
+    let folder = destination.open(FileSet::STUDY)?;
+    let variable = &study.variable;
+    let mut files = folder.write_table("study", &answers(variable, rows))?;
+    files.extend(folder.write_table("around", &around(variable, rows))?);
+    let title = destination.title;
+    for figure in [
+        stiffness(title, variable, rows),
+        deformation(title, variable, rows),
+        contact_angle(title, variable, rows),
+    ] {
+        files.push(folder.write_figure(&figure)?);
+    }
+    let cover = cover(destination, study, rows);
+    folder.commit(files, format!("{cover:#}\n").as_bytes())
+}
+
+/// The variable as the name of a column: `load_0_constant_z_N`.
+pub(super) fn column_name(variable: &Variable) -> String {
+    let words: Vec<_> = variable
+        .key
+        .split(['.', '[', ']'])
+        .filter(|word| !word.is_empty())
+        .collect();
+    let name = words.join("_");
+    if variable.unit.is_empty() {
+        name
+    } else {
+        format!("{name}_{}", crate::analysis::column_unit(variable.unit))
+    }
+}
+
+/// The variable as the name of an axis: `load[0].constant.z in N`.
+pub(super) fn axis_name(variable: &Variable) -> String {
+    if variable.shown_unit.is_empty() {
+        variable.key.clone()
+    } else {
+        format!("{} in {}", variable.key, variable.shown_unit)
+    }
+}
+
+/// A value of the variable in the unit that it was written in: `200 N`.
+pub(super) fn shown(variable: &Variable, value: f64) -> String {
+    let number = variable.shown(value);
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    format!("{rounded} {}", variable.shown_unit)
+        .trim_end()
+        .to_owned()
+}
+
+/// A column of the whole shaft.
+type ShaftColumn = (&'static str, fn(&StudyRow) -> Option<f64>);
+/// A column of one bearing, after `bearing_1_`.
+type BearingColumn = (&'static str, fn(&BearingState) -> Option<f64>);
+/// A column of a position around a bearing.
+type AroundColumn = (&'static str, fn(&Around) -> f64);
+
+const SHAFT: [ShaftColumn; 9] = [
+    ("K_x_N_m", |row| Some(row.answer.stiffness[(0, 0)])),
+    ("K_y_N_m", |row| Some(row.answer.stiffness[(1, 1)])),
+    ("K_z_N_m", |row| Some(row.answer.stiffness[(2, 2)])),
+    ("K_tilt_x_N_m_rad", |row| Some(row.answer.stiffness[(3, 3)])),
+    ("K_tilt_y_N_m_rad", |row| Some(row.answer.stiffness[(4, 4)])),
+    ("condition", |row| Some(row.answer.condition)),
+    ("residual", |row| Some(row.answer.residual)),
+    ("moment_z_N_m", |row| {
+        row.answer.twist.map(|twist| twist.moment)
+    }),
+    ("twist_rad", |row| row.answer.twist.map(|twist| twist.angle)),
+];
+
+const BEARING: [BearingColumn; 12] = [
+    ("balls_loaded", |state| Some(state.balls_loaded as f64)),
+    ("largest_load_inner_N", |state| {
+        largest(state, |ball| ball.inner.load)
+    }),
+    ("smallest_load_inner_N", |state| {
+        smallest(state, |ball| ball.inner.load)
+    }),
+    ("largest_load_outer_N", |state| {
+        largest(state, |ball| ball.outer.load)
+    }),
+    ("smallest_load_outer_N", |state| {
+        smallest(state, |ball| ball.outer.load)
+    }),
+    ("largest_angle_inner_rad", |state| {
+        largest(state, |ball| ball.inner.angle)
+    }),
+    ("smallest_angle_inner_rad", |state| {
+        smallest(state, |ball| ball.inner.angle)
+    }),
+    ("swing_of_angle_inner_rad", |state| {
+        let largest = largest(state, |ball| ball.inner.angle);
+        Some(largest? - smallest(state, |ball| ball.inner.angle)?)
+    }),
+    ("largest_pressure_Pa", |state| {
+        largest(state, |ball| {
+            ball.inner.peak_pressure.max(ball.outer.peak_pressure)
+        })
+    }),
+    ("life_Mrev", |state| state.life),
+    ("static_safety", |state| state.static_safety),
+    ("friction_moment_N_m", |state| {
+        Some(state.friction_moment.total())
+    }),
+];
+
+const AROUND: [AroundColumn; 6] = [
+    ("azimuth_rad", |place| place.azimuth),
+    ("deformation_m", |place| place.deformation),
+    ("load_inner_N", |place| place.contact.load_inner),
+    ("load_outer_N", |place| place.contact.load_outer),
+    ("angle_inner_rad", |place| place.contact.angle_inner),
+    ("angle_outer_rad", |place| place.contact.angle_outer),
+];
+
+/// The answer at every value.
+fn answers(variable: &Variable, rows: &[StudyRow]) -> Table {
+    let mut table = Table::default();
+    table.numbers(column_name(variable), rows.iter().map(|row| row.value));
+    for axis in 0..FREEDOMS {
+        let values = rows.iter().map(|row| row.answer.displacement[axis]);
+        table.numbers(Channel::Displacement(axis).column(), values);
+    }
+    for axis in 0..FREEDOMS {
+        let values = rows.iter().map(|row| row.answer.force[axis]);
+        table.numbers(Channel::Force(axis).column(), values);
+    }
+    for (name, value) in SHAFT {
+        table.numbers(name, rows.iter().map(value));
+    }
+    let bearings = rows.iter().map(|row| row.answer.bearings.len()).max();
+    for bearing in 0..bearings.unwrap_or(0) {
+        for (name, value) in BEARING {
+            let values = rows
+                .iter()
+                .map(|row| row.answer.bearings.get(bearing).and_then(value));
+            table.numbers(format!("bearing_{}_{name}", bearing + 1), values);
+        }
+    }
+    table
+}
+
+/// Every bearing all around at every value; bearings and positions count from 1.
+fn around(variable: &Variable, rows: &[StudyRow]) -> Table {
+    let places = rows.iter().flat_map(|row| {
+        row.around
+            .iter()
+            .enumerate()
+            .flat_map(move |(bearing, around)| {
+                let places = around.iter().enumerate();
+                places.map(move |(position, place)| (row.value, [bearing + 1, position + 1], place))
+            })
+    });
+    let places: Vec<(f64, [usize; 2], &Around)> = places.collect();
+    let mut table = Table::default();
+    table.numbers(
+        column_name(variable),
+        places.iter().map(|(value, ..)| *value),
+    );
+    for (count, name) in ["bearing", "position"].into_iter().enumerate() {
+        table.counts(
+            name,
+            places.iter().map(|(_, counts, _)| counts[count] as f64),
+        );
+    }
+    for (name, value) in AROUND {
+        table.numbers(name, places.iter().map(|(.., place)| value(place)));
+    }
+    table
+}
+
+fn largest(state: &BearingState, value: fn(&BallLine) -> f64) -> Option<f64> {
+    state.balls.iter().map(value).reduce(f64::max)
+}
+
+fn smallest(state: &BearingState, value: fn(&BallLine) -> f64) -> Option<f64> {
+    state.balls.iter().map(value).reduce(f64::min)
+}
+
+/// What a study is about.
+#[derive(Serialize)]
+struct Cover<'a> {
+    /// What varies.
+    varied: Varied<'a>,
+    /// How many values it has.
+    points: usize,
+}
+
+/// A number of the scenario by its key.
+#[derive(Serialize)]
+struct Varied<'a> {
+    key: &'a str,
+    unit: &'a str,
+}
+
+/// The whole study.
+#[derive(Serialize)]
+struct Whole<'a> {
+    #[serde(flatten)]
+    cover: Cover<'a>,
+    rows: Vec<RowSummary<'a>>,
+}
+
+/// The answer at a value.
+#[derive(Serialize)]
+struct RowSummary<'a> {
+    #[serde(flatten)]
+    answer: &'a QuasiStatic,
+    /// The value, under the name of its column.
+    #[serde(flatten)]
+    value: BTreeMap<&'a str, f64>,
+    /// Every bearing all around.
+    around: &'a [Vec<Around>],
+}
+
+fn about<'a>(study: &'a Study, rows: &[StudyRow]) -> Cover<'a> {
+    Cover {
+        varied: Varied {
+            key: &study.variable.key,
+            unit: study.variable.unit,
+        },
+        points: rows.len(),
+    }
+}
+
+/// What a study is about: the scenario as it is, what varies and how often. The numbers are in the
+/// tables beside it.
+fn cover(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
+    destination.document(about(study, rows))
+}
+
+/// The whole study with every answer.
+pub fn study_json(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
+    let varied = column_name(&study.variable);
+    destination.document(Whole {
+        cover: about(study, rows),
+        rows: rows
+            .iter()
+            .map(|row| RowSummary {
+                answer: &row.answer,
+                value: BTreeMap::from([(varied.as_str(), row.value)]),
+                around: &row.around,
+            })
+            .collect(),
+    })
+}
+
+/// Most rows shown.
+const MOST_ROWS: usize = 24;
+
+/// The values with place and stiffness of the shaft; of many, some. Then the files written.
+pub fn study_text(title: &str, study: &Study, rows: &[StudyRow], files: &[PathBuf]) -> String {
+    let mut out = Lines::titled(title);
+    let varied = study.variable.key.rsplit('.').next().unwrap_or_default();
+    let units = format!("{varied}\n{}", study.variable.shown_unit);
+    let header = [
+        units.as_str(),
+        "x\nµm",
+        "y\nµm",
+        "z\nµm",
+        "Kx\nN/µm",
+        "Ky\nN/µm",
+        "Kz\nN/µm",
+        "Kθx\nN m/mrad",
+        "Kθy\nN m/mrad",
+    ];
+    let step = rows.len().div_ceil(MOST_ROWS).max(1);
+    let cells = rows.iter().step_by(step).map(|row| cells(study, row));
+    out.table(header, cells);
+    let name = axis_name(&study.variable);
+    out.line("varied", format!("{name}: {} values", rows.len()));
+    out.wrote(files)
+}
+
+fn cells(study: &Study, row: &StudyRow) -> Vec<String> {
+    let value = shown(&study.variable, row.value);
+    let value = value.split(' ').next().unwrap_or_default().to_owned();
+    let [x, y, z, ..] = row.answer.displacement;
+    let places = [x, y, z].map(|place| format!("{:.3}", MICRO * place));
+    let stiffness = (0..5).map(|axis| {
+        let scale = if axis < 3 { MICRO } else { MILLI };
+        digits(row.answer.stiffness[(axis, axis)] / scale)
+    });
+    std::iter::once(value)
+        .chain(places)
+        .chain(stiffness)
+        .collect()
+}
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 272;
+/// Most points of a curve that are marked.
+const MOST_MARKS: usize = 40;
+/// Most values that are named.
+const MOST_NAMES: usize = 8;
+
+/// K_x, K_y, K_z and both tilts against the variable, in four panels.
+fn stiffness(title: &str, variable: &Variable, rows: &[StudyRow]) -> Figure {
+    let values = rows.iter().map(|row| variable.shown(row.value));
+    let axis = Axis::spanning(axis_name(variable), values);
+    let panel = |name: &str, axes: &[usize]| {
+        let curves = axes.iter().map(|axis| against(variable, rows, *axis));
+        Panel::of(axis.clone(), name, HEIGHT, curves.collect())
+    };
+    let panels = vec![
+        panel("K_x in N/µm", &[0]),
+        panel("K_y in N/µm", &[1]),
+        panel("K_z in N/µm", &[2]),
+        panel("K_θx, K_θy in N m/mrad", &[3, 4]),
+    ];
+    let names = Name::each(["K_x", "K_y", "K_z", "K_θx", "K_θy"]);
+    Figure::new("stiffness.svg", title, 2, panels).with_names(names)
+}
+
+/// Diagonal term `axis` of K against the variable.
+fn against(variable: &Variable, rows: &[StudyRow], axis: usize) -> Curve {
+    let scale = if axis < 3 { MICRO } else { MILLI };
+    let point = |row: &StudyRow| {
+        let stiffness = row.answer.stiffness[(axis, axis)] / scale;
+        (variable.shown(row.value), stiffness)
+    };
+    let mut points: Vec<_> = rows.iter().map(point).collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Curve::marked(distinct(axis), points, MOST_MARKS)
+}
+
+/// Deformation around every bearing, one curve a value; left as it is, right less its mean.
+fn deformation(title: &str, variable: &Variable, rows: &[StudyRow]) -> Figure {
+    let value = |place: &Around| MICRO * place.deformation;
+    let panels = (0..bearings(rows)).flat_map(|index| {
+        let curves = curves_around(rows, index, value);
+        let change = less_mean(&curves, "δ less its mean in µm");
+        [panel(rows, index, "deformation δ in µm", curves), change]
+    });
+    let figure = Figure::new("deformation.svg", title, 2, panels.collect());
+    figure.with_names(values(variable, rows))
+}
+
+/// Contact angles around every bearing, one curve a value; inner race left, outer race right, each
+/// as it is and below that less its mean.
+fn contact_angle(title: &str, variable: &Variable, rows: &[StudyRow]) -> Figure {
+    let panels = (0..bearings(rows)).flat_map(|index| {
+        let inner = curves_around(rows, index, |at| at.contact.angle_inner.to_degrees());
+        let outer = curves_around(rows, index, |at| at.contact.angle_outer.to_degrees());
+        let changes = [
+            less_mean(&inner, "inner α less its mean in deg"),
+            less_mean(&outer, "outer α less its mean in deg"),
+        ];
+        let whole = [
+            panel(rows, index, "inner angle α in deg", inner),
+            panel(rows, index, "outer angle α in deg", outer),
+        ];
+        whole.into_iter().chain(changes)
+    });
+    let figure = Figure::new("contact_angle.svg", title, 2, panels.collect());
+    figure.with_names(values(variable, rows))
+}
+
+fn bearings(rows: &[StudyRow]) -> usize {
+    rows.first().map_or(0, |row| row.around.len())
+}
+
+/// One quantity around bearing `index`, a curve a value of the variable.
+fn curves_around(rows: &[StudyRow], index: usize, value: impl Fn(&Around) -> f64) -> Vec<Curve> {
+    let curve = |(place, row): (usize, &StudyRow)| {
+        let values = row.around[index].iter().map(|at| (at.azimuth, value(at)));
+        Curve::line(graded(place, rows.len()), all_around(turned(values)))
+    };
+    rows.iter().enumerate().map(curve).collect()
+}
+
+fn panel(rows: &[StudyRow], index: usize, name: &str, curves: Vec<Curve>) -> Panel {
+    let name = if bearings(rows) > 1 {
+        format!("bearing {}: {name}", index + 1)
+    } else {
+        name.to_owned()
+    };
+    Panel::of(Axis::azimuth(), name, HEIGHT, curves)
+}
+
+/// The same curves, each less its mean around the bearing: what the load across the shaft does,
+/// however large the rest is.
+fn less_mean(curves: &[Curve], name: &str) -> Panel {
+    let curve = |curve: &Curve| {
+        // the ends only close the turn
+        let inner = curve.points.get(1..curve.points.len().max(2) - 1);
+        let inner = inner.unwrap_or_default();
+        let sum: f64 = inner.iter().map(|point| point.1).sum();
+        let mean = sum / inner.len().max(1) as f64;
+        let points = curve.points.iter();
+        Curve::line(
+            curve.colour,
+            points.map(|(at, value)| (*at, value - mean)).collect(),
+        )
+    };
+    let curves = curves.iter().map(curve).collect();
+    Panel::of(Axis::azimuth(), name, HEIGHT, curves)
+}
+
+/// What the colours of the values mean; of many, of some.
+fn values(variable: &Variable, rows: &[StudyRow]) -> Vec<Name> {
+    let count = rows.len();
+    let shown_names = shown_names(count);
+    let indices = (0..shown_names).map(|place| place * (count - 1) / (shown_names - 1).max(1));
+    indices
+        .map(|index| Name::new(shown(variable, rows[index].value), graded(index, count)))
+        .collect()
+}
+
+/// How many of `count` names are shown: of many, as many as can be evenly spaced ones.
+fn shown_names(count: usize) -> usize {
+    if count <= MOST_NAMES {
+        return count;
+    }
+    (4..=MOST_NAMES)
+        .rev()
+        .find(|shown| (count - 1).is_multiple_of(shown - 1))
+        .unwrap_or(MOST_NAMES)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shown_names;
+
+    #[test]
+    fn of_many_names_evenly_spaced_ones_are_shown() {
+        let shown = [1, 8, 9, 17, 21, 26, 24].map(shown_names);
+        assert_eq!(shown, [1, 8, 5, 5, 6, 6, 8]);
+    }
+}

@@ -1,0 +1,505 @@
+//! `[[load]]`.
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::components;
+use super::components::Components;
+use crate::bearing::Vector5;
+use crate::rotor;
+use crate::rotor::load::{
+    BaseAcceleration, ChainDrive, Harmonic, Interpolation, Noise, NoiseBand, Pace, RandomShocks,
+    Series, Shock, ShockStatistics, Sprocket,
+};
+use crate::rotor::{FREEDOMS, Freedoms, LoadKind};
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{
+    Acceleration, Angle, Force, Frequency, Length, Moment, Quantity, Time, si,
+};
+use crate::scenario::series_file::SeriesFileError;
+use crate::scenario::{Issue, series_file};
+
+/// Forces along the axes and moments about them.
+type Loads = Components<Force, Moment>;
+
+/// An external load on the shaft: exactly one kind.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = [
+    "constant", "harmonic", "shock", "random_shocks", "sprocket", "noise", "series", "base",
+]))]
+pub struct LoadInput {
+    /// Forces x, y, z (for instance z = "1000 N") and moments tilt_x, tilt_y (for instance
+    /// tilt_x = "2 N m") that act from the start on. With freedoms = "radial" the force z does
+    /// not move the shaft but sets the axial position that it is held at.
+    #[schemars(extend("examples" = [{ "z": "1000 N" }]))]
+    pub constant: Option<Loads>,
+    /// A cosine of time or of the shaft's angle.
+    pub harmonic: Option<HarmonicInput<Loads>>,
+    /// A half-sine shock, once or at a fixed interval.
+    pub shock: Option<ShockInput<Loads>>,
+    /// Half-sine shocks at random times, fixed by a seed.
+    pub random_shocks: Option<RandomShocksInput>,
+    /// The pull of a chain on a sprocket, with its polygon effect.
+    pub sprocket: Option<SprocketInput>,
+    /// Band-limited noise, fixed by a seed.
+    pub noise: Option<NoiseInput>,
+    /// A series of values from a CSV file.
+    pub series: Option<SeriesInput>,
+    /// Acceleration of the housing: −m a acts at the centre of mass.
+    pub base: Option<BaseInput>,
+    /// Where the load acts along the shaft, from the centre of mass towards +Z. A force there is
+    /// a moment as well where the tilts move. Default: "0 m".
+    #[schemars(extend("examples" = ["20 mm"]))]
+    pub position: Option<Quantity<Length>>,
+}
+
+/// What the tables of the loads need to know of the rest.
+#[derive(Clone, Copy)]
+pub struct Surroundings {
+    /// Freedoms that move.
+    pub freedoms: Freedoms,
+    /// Simulated time, s.
+    pub duration: f64,
+}
+
+/// The sum of the constant loads, N and N m, and the varying ones.
+pub fn build(
+    loads: &[LoadInput],
+    around: Surroundings,
+    problems: &mut Problems<'_>,
+) -> (Vector5, Vec<rotor::Load>) {
+    let mut total = [0.0; FREEDOMS];
+    let mut varying = Vec::new();
+    for (index, load) in loads.iter().enumerate() {
+        let (position, constant, kind) = problems.inside(format!("load[{index}]"), |problems| {
+            let position = load.position(around.freedoms, problems);
+            let constant = load.constant(around.freedoms, problems);
+            (position, constant, load.kind(around, problems))
+        });
+        total[3] -= position * constant[1];
+        total[4] += position * constant[0];
+        for (sum, part) in total.iter_mut().zip(constant) {
+            *sum += part;
+        }
+        varying.extend(kind.map(|kind| rotor::Load { kind, position }));
+    }
+    (total, varying)
+}
+
+impl LoadInput {
+    /// The place of the load; zero where no tilt moves, with a warning.
+    fn position(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> f64 {
+        let Some(position) = &self.position else {
+            return 0.0;
+        };
+        if self.base.is_some() {
+            let message = "a `base` acceleration acts at the centre of mass, not at a `position`";
+            let issue = Issue::new(".position", message);
+            problems.refuse(issue.against(".base"));
+        }
+        if freedoms != Freedoms::All {
+            let path = problems.path(".position");
+            problems.warn(format!("`{path}` has no effect: the tilts are held"));
+            return 0.0;
+        }
+        position.si()
+    }
+
+    /// The constant load; zero where it is of another kind.
+    fn constant(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Vector5 {
+        let Some(constant) = &self.constant else {
+            return [0.0; FREEDOMS];
+        };
+        // An axial load acts on a held z too, moments on held tilts do not.
+        let first_held = freedoms.count().max(3);
+        constant.refuse_held(".constant", first_held, freedoms, problems);
+        constant.values().map(|value| value.unwrap_or(0.0))
+    }
+
+    /// The varying load of whichever kind is given.
+    fn kind(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<LoadKind> {
+        let freedoms = around.freedoms;
+        if let Some(input) = &self.harmonic {
+            let harmonic = problems.inside("harmonic", |p| input.build(freedoms, p));
+            Some(LoadKind::Harmonic(harmonic))
+        } else if let Some(input) = &self.shock {
+            let shock = problems.inside("shock", |p| input.build(freedoms, p));
+            Some(LoadKind::Shock(shock))
+        } else if let Some(input) = &self.random_shocks {
+            let shocks = problems.inside("random_shocks", |p| input.build(around, p));
+            shocks.map(LoadKind::RandomShocks)
+        } else if let Some(input) = &self.sprocket {
+            Some(LoadKind::Sprocket(input.build()))
+        } else if let Some(input) = &self.noise {
+            let noise = problems.inside("noise", |p| input.build(freedoms, p));
+            noise.map(LoadKind::Noise)
+        } else if let Some(input) = &self.series {
+            let series = problems.inside("series", |p| input.build(around, p));
+            series.map(LoadKind::Series)
+        } else if let Some(input) = &self.base {
+            let base = problems.inside("base", |p| input.build(freedoms, p));
+            base.map(LoadKind::Base)
+        } else {
+            None
+        }
+    }
+}
+
+/// A value for each freedom, in an inline table.
+pub trait PerFreedom {
+    /// The given values in SI units.
+    fn given(&self) -> [Option<f64>; FREEDOMS];
+}
+
+impl PerFreedom for Loads {
+    fn given(&self) -> [Option<f64>; FREEDOMS] {
+        self.values()
+    }
+}
+
+/// The values of the freedoms that move; those of the others are refused.
+fn moving(
+    given: &impl PerFreedom,
+    path: &str,
+    freedoms: Freedoms,
+    problems: &mut Problems<'_>,
+) -> Vector5 {
+    let given = given.given();
+    for (axis, value) in given.iter().enumerate().skip(freedoms.count()) {
+        if value.is_some() {
+            let key = format!("{path}.{}", components::KEYS[axis]);
+            components::refuse_held_key(&key, freedoms, problems);
+        }
+    }
+    given.map(|value| value.unwrap_or(0.0))
+}
+
+/// Acceleration of the housing, of one of two kinds.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = ["harmonic", "shock"]))]
+pub struct BaseInput {
+    /// A cosine of time or of the shaft's angle.
+    pub harmonic: Option<HarmonicInput<Accelerations>>,
+    /// A half-sine shock, once or at a fixed interval.
+    pub shock: Option<ShockInput<Accelerations>>,
+}
+
+/// Accelerations along the axes; at least one.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("minProperties" = 1))]
+pub struct Accelerations {
+    /// Along X.
+    pub x: Option<Quantity<Acceleration>>,
+    /// Along Y.
+    pub y: Option<Quantity<Acceleration>>,
+    /// Along Z.
+    pub z: Option<Quantity<Acceleration>>,
+}
+
+impl PerFreedom for Accelerations {
+    fn given(&self) -> [Option<f64>; FREEDOMS] {
+        [si(&self.x), si(&self.y), si(&self.z), None, None]
+    }
+}
+
+impl BaseInput {
+    /// The acceleration of whichever kind is given.
+    pub fn build(
+        &self,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Option<BaseAcceleration> {
+        if let Some(input) = &self.harmonic {
+            let harmonic = problems.inside("harmonic", |p| input.build(freedoms, p));
+            return Some(BaseAcceleration::Harmonic(harmonic));
+        }
+        let input = self.shock.as_ref()?;
+        let shock = problems.inside("shock", |p| input.build(freedoms, p));
+        Some(BaseAcceleration::Shock(shock))
+    }
+}
+
+/// A cosine, either of time or of the shaft's angle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = ["frequency", "order"]))]
+pub struct HarmonicInput<A> {
+    /// Amplitude of each freedom.
+    pub amplitude: A,
+    /// Periods a second, for instance "50 Hz".
+    #[schemars(extend("examples" = ["50 Hz"], "x-minimum" = 0.0))]
+    pub frequency: Option<Quantity<Frequency>>,
+    /// Periods per revolution of the shaft, 0 to 10000.
+    #[schemars(range(min = 0.0, max = 10_000.0))]
+    pub order: Option<f64>,
+    /// Phase at the start: the load is amplitude · cos(phase) there. Default: "0 rad".
+    #[serde(default)]
+    pub phase: Quantity<Angle>,
+}
+
+impl<A: PerFreedom> HarmonicInput<A> {
+    /// The harmonic load.
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Harmonic {
+        let frequency = si(&self.frequency).unwrap_or(0.0);
+        Harmonic {
+            amplitude: moving(&self.amplitude, ".amplitude", freedoms, problems),
+            pace: self.order.map_or(Pace::Frequency(frequency), Pace::Order),
+            phase: self.phase.si(),
+        }
+    }
+}
+
+/// Noise of a flat spectrum between two frequencies, as a sum of cosines.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NoiseInput {
+    /// Root mean square in each freedom, positive.
+    #[schemars(extend("examples" = [{ "y": "100 N" }]))]
+    pub rms: Loads,
+    /// Lowest frequency.
+    #[schemars(extend("examples" = ["10 Hz"], "x-minimum" = 0.0))]
+    pub low: Quantity<Frequency>,
+    /// Highest frequency, above the lowest.
+    #[schemars(extend("examples" = ["500 Hz"], "x-minimum" = 0.0))]
+    pub high: Quantity<Frequency>,
+    /// Number of cosines in each freedom, 8 to 4096; each costs time at every step. Default: 64.
+    #[serde(default = "some_lines")]
+    #[schemars(range(min = 8, max = 4096))]
+    pub lines: u32,
+    /// Seed, a whole number: the same one gives the same noise. Default: 1.
+    #[serde(default = "first_seed")]
+    #[schemars(range(min = 0, max = 4_294_967_295_u32))]
+    pub seed: u32,
+}
+
+fn some_lines() -> u32 {
+    64
+}
+
+impl NoiseInput {
+    /// The noise, as far as nothing contradicts it.
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Noise> {
+        let (low, high) = (self.low.si(), self.high.si());
+        let rms = moving(&self.rms, ".rms", freedoms, problems);
+        for (key, _) in components::KEYS
+            .into_iter()
+            .zip(rms)
+            .filter(|(_, rms)| *rms < 0.0)
+        {
+            let message = format!("`{key}` must be positive: it is a root mean square");
+            problems.refuse(Issue::new(format!(".rms.{key}"), message));
+        }
+        if high <= low {
+            let message = format!("`high` must be above the `low` of {low} Hz");
+            let issue = Issue::new(".high", message);
+            problems.refuse(issue.against(".low"));
+            return None;
+        }
+        Some(Noise::new(&NoiseBand {
+            rms,
+            low,
+            high,
+            lines: self.lines,
+            seed: self.seed.into(),
+        }))
+    }
+}
+
+/// Most shocks of a run.
+const MOST_SHOCKS: f64 = 1e6;
+
+/// Half-sine shocks that come independently of each other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RandomShocksInput {
+    /// Peak of the largest shock in each freedom.
+    #[schemars(extend("examples" = [{ "y": "-2 kN" }]))]
+    pub peak: Loads,
+    /// Peak of the smallest shock as a part of the largest, 0 to 1; in between all are equally
+    /// likely. Default: 0.
+    #[serde(default)]
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub least: f64,
+    /// Duration of each shock, for instance "4 ms".
+    #[schemars(extend("examples" = ["4 ms"], "x-minimum" = 1e-6))]
+    pub duration: Quantity<Time>,
+    /// Mean number of shocks a second, for instance "5 Hz".
+    #[schemars(extend("examples" = ["5 Hz"], "x-minimum" = 1e-6))]
+    pub rate: Quantity<Frequency>,
+    /// Seed, a whole number: the same one gives the same shocks. Default: 1.
+    #[serde(default = "first_seed")]
+    #[schemars(range(min = 0, max = 4_294_967_295_u32))]
+    pub seed: u32,
+}
+
+/// Seed where none is given.
+fn first_seed() -> u32 {
+    1
+}
+
+impl RandomShocksInput {
+    /// The shocks of the run, unless there are too many.
+    pub fn build(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<RandomShocks> {
+        let expected = self.rate.si() * around.duration;
+        if expected > MOST_SHOCKS {
+            let message = format!(
+                "about {expected:.1e} shocks are too many: at most {MOST_SHOCKS:e} in a run"
+            );
+            let issue = Issue::new(".rate", message);
+            problems.refuse(issue.against("time.duration"));
+            return None;
+        }
+        let statistics = ShockStatistics {
+            peak: moving(&self.peak, ".peak", around.freedoms, problems),
+            least: self.least,
+            duration: self.duration.si(),
+            rate: self.rate.si(),
+            seed: self.seed.into(),
+        };
+        Some(RandomShocks::new(&statistics, around.duration))
+    }
+}
+
+/// A series of values from a CSV file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SeriesInput {
+    /// CSV file, relative to the scenario file. Its first line names the columns: `t_s` first,
+    /// then any of `x_N`, `y_N`, `z_N`, `tilt_x_N_m`, `tilt_y_N_m`. Before the first row its
+    /// values hold, after the last row those of the last.
+    #[schemars(extend("examples" = ["load.csv"]))]
+    pub file: String,
+    /// How the series is read between its rows. Default: "linear".
+    #[serde(default)]
+    pub interpolation: Interpolation,
+}
+
+impl SeriesInput {
+    /// The series, where its file is right.
+    pub fn build(&self, around: Surroundings, problems: &mut Problems<'_>) -> Option<Series> {
+        match self.read(problems.folder()) {
+            Ok((series, axes)) => {
+                let held = axes.iter().find(|axis| **axis >= around.freedoms.count());
+                if let Some(axis) = held {
+                    let message = format!(
+                        "`{}` has a column for `{}`, which `freedoms` holds",
+                        self.file,
+                        components::KEYS[*axis]
+                    );
+                    let issue = Issue::new(".file", message);
+                    problems.refuse(issue.against("shaft.freedoms"));
+                }
+                if series.end() < around.duration {
+                    problems.warn(format!(
+                        "`{}` ends at {} s; its last row is held to the end of the run",
+                        self.file,
+                        series.end()
+                    ));
+                }
+                Some(series)
+            }
+            Err(error) => {
+                let message = format!("`{}` is no load series: {error}", self.file);
+                let issue = Issue::new(".file", message);
+                problems.refuse(issue);
+                None
+            }
+        }
+    }
+
+    /// The series and the freedoms that it loads.
+    fn read(&self, folder: &Path) -> Result<(Series, Vec<usize>), SeriesFileError> {
+        let (times, columns) = series_file::read(&folder.join(&self.file))?;
+        let axes = columns.iter().map(|column| column.axis).collect();
+        let series = Series::new(times, columns, self.interpolation)?;
+        Ok((series, axes))
+    }
+}
+
+/// Half-sine shocks.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ShockInput<A> {
+    /// Peak of each freedom.
+    pub peak: A,
+    /// Duration of a shock, for instance "4 ms".
+    #[schemars(extend("examples" = ["4 ms"], "x-minimum" = 1e-6))]
+    pub duration: Quantity<Time>,
+    /// Time at which the first one begins. Default: "0 s".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["0.1 s"], "x-minimum" = 0.0))]
+    pub at: Quantity<Time>,
+    /// Time from the begin of one shock to that of the next, at least the duration. Without it
+    /// there is one shock.
+    #[schemars(extend("examples" = ["0.2 s"], "x-minimum" = 1e-6))]
+    pub every: Option<Quantity<Time>>,
+}
+
+impl<A: PerFreedom> ShockInput<A> {
+    /// The shock or shocks.
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Shock {
+        let (duration, every) = (self.duration.si(), si(&self.every));
+        if every.is_some_and(|every| every < duration) {
+            let message = format!(
+                "`every` must be at least the `duration` of {duration} s: shocks do not overlap"
+            );
+            let issue = Issue::new(".every", message);
+            problems.refuse(issue.against(".duration"));
+        }
+        Shock {
+            peak: moving(&self.peak, ".peak", freedoms, problems),
+            duration,
+            start: self.at.si(),
+            every,
+        }
+    }
+}
+
+/// A chain strand that pulls at a driving sprocket on the shaft. Constant torque is assumed: the
+/// pull is inverse to the lever, which falls and rises with every tooth.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SprocketInput {
+    /// Number of teeth that carry a joint of the chain in turn, 3 to 1000.
+    #[schemars(extend("examples" = [8]), range(min = 3, max = 1000))]
+    pub teeth: u32,
+    /// Distance of two joints of the chain, for instance "126 mm".
+    #[schemars(extend("examples" = ["126 mm"], "x-minimum" = 1e-4))]
+    pub pitch: Quantity<Length>,
+    /// Length of the free strand, from the sprocket to its next guide.
+    #[schemars(extend("examples" = ["1 m"], "x-minimum" = 1e-3))]
+    pub span: Quantity<Length>,
+    /// Mean pull of the strand; counts in the static equilibrium.
+    #[schemars(extend("examples" = ["2 kN"]))]
+    pub force: Quantity<Force>,
+    /// Direction of the pull, from +X towards +Y. Default: "0 rad", along +X.
+    #[serde(default)]
+    pub direction: Quantity<Angle>,
+    /// Number of harmonics of the meshing frequency, 1 to 64. Default: 8.
+    #[serde(default = "some_harmonics")]
+    #[schemars(range(min = 1, max = 64))]
+    pub harmonics: u32,
+}
+
+fn some_harmonics() -> u32 {
+    8
+}
+
+impl SprocketInput {
+    /// The pull of the chain.
+    pub fn build(&self) -> Sprocket {
+        Sprocket::new(&ChainDrive {
+            teeth: self.teeth,
+            pitch: self.pitch.si(),
+            span: self.span.si(),
+            force: self.force.si(),
+            direction: self.direction.si(),
+            harmonics: self.harmonics,
+        })
+    }
+}

@@ -1,0 +1,453 @@
+//! Study files: many runs of one scenario.
+
+use std::path::{Path, PathBuf};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::axis::{AxisInput, AxisReader, Scalar};
+use super::document::Document;
+use super::key::{Key, all_keys, number_keys, put};
+use super::problems::Problems;
+use super::schema::schema_of;
+use super::{Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
+use crate::analysis::SectionKind;
+use crate::simulate::Model;
+use crate::study::Variable;
+use crate::study::many::{Cycles, Keep, NumberColumn, Sweep, number_columns};
+use crate::study::plan::{Axis, AxisValues, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
+
+/// Tables of a scenario that say nothing of its motion.
+const LEFT_OUT: [&str; 2] = ["static", "study"];
+
+/// Keys of settle time and duration.
+const TIMES: [&str; 2] = ["time.settle", "time.duration"];
+
+/// Highest order of the spectra that are kept where none is given.
+const HIGHEST_ORDER: f64 = 20.0;
+
+/// A checked study: which runs there are and how each is made.
+#[derive(Debug, Clone)]
+pub struct StudyFile {
+    /// Its title, or the name of its file.
+    pub title: String,
+    /// The values of every run.
+    pub plan: Plan,
+    /// What varies, an entry an axis.
+    pub variables: Vec<Variable>,
+    /// Order in which each run goes on from its neighbour, where it does.
+    pub sweep: Option<Sweep>,
+    /// Every so many runs the error is measured; 0 on none.
+    pub verify_every: u64,
+    /// What is kept of every run beside its numbers.
+    pub keep: Keep,
+    /// The numbers that are kept of every run, in the order of the table.
+    pub columns: Vec<NumberColumn>,
+    /// The study with its defaults and the scenario that it starts from.
+    pub echo: Value,
+    base: Value,
+    folder: PathBuf,
+    keys: Vec<Key>,
+    cycles: Option<Cycles>,
+}
+
+/// JSON Schema (draft 7) of a study file.
+pub fn study_schema() -> &'static Value {
+    static SCHEMA: std::sync::LazyLock<Value> =
+        std::sync::LazyLock::new(schema_of::<StudyFileInput>);
+    &SCHEMA
+}
+
+/// Reads and checks a study file and the scenario that it starts from.
+///
+/// # Errors
+/// [`ScenarioError`] with everything that is wrong, of the study or else of the scenario.
+pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
+    let document = Document::open(path)?;
+    if document.is_scenario() {
+        let message = "this is a scenario, not a study file, which names one by `base`";
+        let help = "use `jeffcott run`, `bearing`, `steady`, `campbell` or `accuracy`, or write a study file";
+        let issue = Issue::new("shaft", message).help(help);
+        return Err(document.refused(issue));
+    }
+    let mut problems = document.problems().about("the study");
+    let input: Option<StudyFileInput> = reader::read(study_schema(), &mut problems);
+    let title = input.as_ref().and_then(|input| input.title.as_deref());
+    super::check_title(title, &mut problems);
+    let base = input.as_ref().filter(|_| !problems.distrusts("base"));
+    let base = base.map(|input| document.folder().join(&input.base));
+    let scenario = match &base {
+        Some(base) if base.exists() => Some(super::load(base)?),
+        _ => None,
+    };
+    let study = match (input, scenario, base) {
+        (Some(input), Some(scenario), Some(base)) => {
+            let title = input.title.clone().unwrap_or_else(|| document.stem());
+            let folder = base.parent().unwrap_or(Path::new("")).to_owned();
+            build(&input, &scenario, title, folder, &mut problems)
+        }
+        (Some(input), None, Some(base)) => {
+            let message = format!("there is no scenario {}", base.display());
+            let help = format!(
+                "`{}` is looked for from the folder of the study",
+                input.base
+            );
+            problems.add(Issue::new("base", message).help(help));
+            None
+        }
+        _ => None,
+    };
+    let (issues, _) = problems.finish();
+    match study {
+        Some(study) if issues.is_empty() => Ok(study),
+        _ => Err(document.error(issues)),
+    }
+}
+
+fn build(
+    input: &StudyFileInput,
+    scenario: &Scenario,
+    title: String,
+    folder: PathBuf,
+    problems: &mut Problems<'_>,
+) -> Option<StudyFile> {
+    let Some(model) = &scenario.model else {
+        let issue = Issue::new("base", "a study needs a scenario with a `[time]`");
+        problems.refuse(issue);
+        return None;
+    };
+    let columns = columns(input, model, problems);
+    let base = base_of(input, scenario, &folder, problems)?;
+    let known = number_keys(&base, &LEFT_OUT);
+    let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
+    for (index, axis) in input.axis.iter().enumerate() {
+        let path = format!("axis[{index}]");
+        let named = format!("{path}.key");
+        let key = match key::find(&known, &axis.key, &named) {
+            Ok(key) => key,
+            Err(issue) => {
+                problems.refuse(issue);
+                continue;
+            }
+        };
+        let reader = AxisReader {
+            path,
+            named,
+            input: axis,
+            key,
+            problems,
+        };
+        if let Some((axis, variable)) = reader.build() {
+            axes.push(axis);
+            variables.push(variable);
+            keys.push(key.clone());
+        }
+    }
+    let sampling = sampling(input, &axes, problems)?;
+    let plan = Plan::new(axes, sampling, input.seed);
+    check_count(&plan, input, problems);
+    check_sweep(input, problems);
+    check_cycles(input, problems);
+    let echo = json!({ "study": echo(input), "base": base });
+    problems.is_clean().then(|| StudyFile {
+        title,
+        plan,
+        variables,
+        sweep: input.sweep,
+        verify_every: input.verify_every,
+        keep: keep(input),
+        columns,
+        echo,
+        base,
+        folder,
+        keys,
+        cycles: input.cycles.as_ref().map(|cycles| Cycles {
+            of: cycles.of,
+            settle: cycles.settle,
+            kept: cycles.kept,
+        }),
+    })
+}
+
+/// The scenario with what all runs have otherwise.
+fn base_of(
+    input: &StudyFileInput,
+    scenario: &Scenario,
+    folder: &Path,
+    problems: &mut Problems<'_>,
+) -> Option<Value> {
+    let mut base = without(&scenario.echo, &["study"]);
+    let known = all_keys(&base, &LEFT_OUT);
+    for (index, set) in input.set.iter().enumerate() {
+        let path = format!("set[{index}]");
+        let key = key::find(&known, &set.key, &format!("{path}.key"))
+            .map_err(|issue| problems.refuse(issue))
+            .ok()?;
+        let value = key.read(&format!("{path}.value"), problems)?;
+        put(&mut base, &set.key, &value);
+    }
+    if let Err(issue) = questions(&base, folder) {
+        let message = format!("the base with `set`: {}", issue.message);
+        problems.refuse(Issue::new("set", message));
+        return None;
+    }
+    Some(base)
+}
+
+/// The numbers that are kept: of a scene all, or those that are named and the measured error.
+fn columns(
+    input: &StudyFileInput,
+    model: &Model,
+    problems: &mut Problems<'_>,
+) -> Vec<NumberColumn> {
+    let all = number_columns(
+        model.rotor.shaft.freedoms.count(),
+        model.rotor.bearings.len(),
+    );
+    let Some(named) = &input.keep.numbers else {
+        return all;
+    };
+    for (index, name) in named.iter().enumerate() {
+        if all.iter().all(|column| column.name != *name) {
+            let message = format!("no run of this scene has a number `{name}`");
+            let known = all.iter().map(|column| column.name.as_str());
+            let issue = Issue::new(format!("keep.numbers[{index}]"), message);
+            problems.refuse(issue.help_nearest(name, known, "for instance: \"x_rms_m\""));
+        }
+    }
+    let kept = |column: &NumberColumn| named.contains(&column.name) || column.is_error();
+    all.into_iter().filter(kept).collect()
+}
+
+fn sampling(
+    input: &StudyFileInput,
+    axes: &[Axis],
+    problems: &mut Problems<'_>,
+) -> Option<Sampling> {
+    let drawn: fn(u64) -> Sampling = match input.sampling {
+        SamplingKind::Grid => return grid(input, axes, problems),
+        SamplingKind::LatinHypercube => Sampling::LatinHypercube,
+        SamplingKind::Sobol => Sampling::Sobol,
+        SamplingKind::MonteCarlo => Sampling::MonteCarlo,
+    };
+    if input.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
+        let message = format!("Sobol's sequence has at most {MOST_SOBOL_AXES} axes");
+        let issue = Issue::new("sampling", message).help("take \"latin_hypercube\"");
+        problems.refuse(issue);
+    }
+    match input.runs {
+        Some(runs) => Some(drawn(runs)),
+        None => {
+            let issue = Issue::new("sampling", "runs that are drawn need a number of them");
+            problems.refuse(issue.help("for instance: runs = 1000"));
+            None
+        }
+    }
+}
+
+fn grid(input: &StudyFileInput, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
+    if input.runs.is_some() {
+        let issue = Issue::new("runs", "a grid has as many runs as its axes make");
+        problems.refuse(issue.help("remove it, or draw: sampling = \"sobol\""));
+    }
+    for (index, axis) in axes.iter().enumerate() {
+        if matches!(axis.values, AxisValues::Drawn(_)) {
+            let path = format!("axis[{index}].distribution");
+            let issue = Issue::new(path, "a distribution has no values for a grid");
+            let help = "set sampling = \"latin_hypercube\", \"sobol\" or \"monte_carlo\"";
+            problems.refuse(issue.help(help).against("sampling"));
+        }
+    }
+    Some(Sampling::Grid)
+}
+
+fn check_count(plan: &Plan, input: &StudyFileInput, problems: &mut Problems<'_>) {
+    let runs = plan.runs();
+    if runs.is_none_or(|runs| runs > MOST_RUNS) {
+        let shown = runs.map_or_else(|| "more than 1e19".to_owned(), |runs| runs.to_string());
+        let message = format!("the axes make {shown} runs: at most {MOST_RUNS:e} in a study");
+        let issue = Issue::new("axis", message).help("take fewer values, or draw the runs");
+        let counts = (0..input.axis.len()).map(|index| format!("axis[{index}].count"));
+        problems.refuse(issue.against_all(counts));
+    }
+}
+
+fn check_sweep(input: &StudyFileInput, problems: &mut Problems<'_>) {
+    if input.sweep.is_some() && input.sampling != SamplingKind::Grid {
+        let issue = Issue::new(
+            "sweep",
+            "runs that are drawn have no neighbours to go on from",
+        );
+        problems.refuse(issue.help("take a grid").against("sampling"));
+    }
+    if input.keep.highest_order.is_some() && !input.keep.spectra {
+        let issue = Issue::new("keep.highest_order", "no spectra are kept");
+        problems.refuse(issue.help("set spectra = true, or remove it"));
+    }
+}
+
+/// Refuses times that cycles decide.
+fn check_cycles(input: &StudyFileInput, problems: &mut Problems<'_>) {
+    let axes = input.axis.iter().map(|axis| &axis.key).enumerate();
+    let axes = axes.map(|(index, key)| (format!("axis[{index}].key"), key));
+    let sets = input.set.iter().map(|set| &set.key).enumerate();
+    let sets = sets.map(|(index, key)| (format!("set[{index}].key"), key));
+    let decided = |key: &str| TIMES.contains(&key) && input.cycles.is_some();
+    for (path, key) in axes.chain(sets).filter(|(_, key)| decided(key)) {
+        let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
+        problems.refuse(issue.help("remove one of them").against("cycles"));
+    }
+}
+
+fn keep(input: &StudyFileInput) -> Keep {
+    let keep = &input.keep;
+    Keep {
+        highest_order: keep
+            .spectra
+            .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
+        bearing_stiffness: keep.bearing_stiffness,
+        traces: keep.traces,
+        section: keep.poincare,
+    }
+}
+
+impl StudyFile {
+    /// The scenario of a run with its values put in, as JSON.
+    ///
+    /// # Errors
+    /// [`Issue`] where its values make no scenario.
+    pub fn scenario(&self, values: &[f64]) -> Result<Value, Issue> {
+        let mut scenario = self.base.clone();
+        for (key, value) in self.keys.iter().zip(values) {
+            put(&mut scenario, &key.path, &key.written(*value));
+        }
+        if let Some(cycles) = &self.cycles {
+            let rotor = questions(&scenario, &self.folder)?.motion()?.rotor;
+            let times = cycles.times(&rotor);
+            let times = times.map_err(|error| Issue::new("cycles", error.to_string()))?;
+            for (key, time) in TIMES.iter().zip(times) {
+                put(&mut scenario, key, &json!(format!("{time} s")));
+            }
+        }
+        Ok(scenario)
+    }
+
+    /// The motion of a run.
+    ///
+    /// # Errors
+    /// [`Issue`] where its values make no scenario.
+    pub fn model(&self, values: &[f64]) -> Result<Model, Issue> {
+        questions(&self.scenario(values)?, &self.folder)?.motion()
+    }
+}
+
+/// Many runs of one scenario.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(title = "jeffcott study")]
+struct StudyFileInput {
+    /// What the study is called. Default: the name of its file.
+    pub title: Option<String>,
+    /// The scenario that all runs start from, relative to this file.
+    #[schemars(extend("examples" = ["../steady-7205c.toml"]))]
+    pub base: String,
+    /// How the values of the axes are combined. Default: "grid".
+    #[serde(default)]
+    pub sampling: SamplingKind,
+    /// How many runs are drawn; only where they are drawn.
+    #[schemars(range(min = 1, max = MOST_RUNS))]
+    pub runs: Option<u64>,
+    /// Decides all that is drawn. Default: 0.
+    #[serde(default)]
+    pub seed: u64,
+    /// Every so many runs the error is measured by a second pass, from the first run on; 0 on none.
+    /// Default: 10.
+    #[serde(default = "every_tenth")]
+    pub verify_every: u64,
+    /// Whether each run goes on from where its neighbour along the last axis ended, and in which order.
+    /// Default: every run starts by itself.
+    pub sweep: Option<Sweep>,
+    /// The numbers that vary, on a grid the last one fastest.
+    #[schemars(extend("minItems" = 1, "maxItems" = 16))]
+    pub axis: Vec<AxisInput>,
+    /// What all runs have otherwise than the base.
+    #[serde(default)]
+    pub set: Vec<SetInput>,
+    /// How long every run is in cycles at its own speed, in place of the `[time]` of the base.
+    pub cycles: Option<CyclesInput>,
+    /// What is kept of every run.
+    #[serde(default)]
+    pub keep: KeepInput,
+}
+
+/// How long a run is in cycles at its own, constant speed.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct CyclesInput {
+    /// What counts as a cycle.
+    pub of: SectionKind,
+    /// Cycles that settle. Default: 0.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1_000_000_000))]
+    pub settle: u32,
+    /// Cycles after them.
+    #[schemars(range(min = 1, max = 1_000_000_000), extend("examples" = [100]))]
+    pub kept: u32,
+}
+
+fn every_tenth() -> u64 {
+    10
+}
+
+/// How the values of the axes are combined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum SamplingKind {
+    /// Every value with every other.
+    #[default]
+    Grid,
+    /// Drawn, each part of every axis once.
+    LatinHypercube,
+    /// Sobol's sequence, shifted at random.
+    Sobol,
+    /// Drawn independently.
+    MonteCarlo,
+}
+
+/// One value that all runs have.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct SetInput {
+    /// Path of the key of a number, or of a word out of several.
+    #[schemars(extend("examples" = ["time.duration", "model.contact"]))]
+    pub key: String,
+    /// Its value, written as that key is.
+    #[schemars(extend("examples" = ["0.5 s"]))]
+    pub value: Scalar,
+}
+
+/// What is kept of every run, beside its numbers.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+struct KeepInput {
+    /// Which numbers, by the names of their columns; the figures draw them in this order. The measured error
+    /// is always kept. Default: all, of which the figures draw some.
+    #[schemars(extend("minItems" = 1, "maxItems" = 64, "examples" = [["x_rms_m", "bearing_1_life_h"]]))]
+    pub numbers: Option<Vec<String>>,
+    /// Whether the amplitudes of the displacements are kept, in `spectra.csv`. Default: false.
+    pub spectra: bool,
+    /// Highest frequency of them in shaft orders. Default: 20.
+    #[schemars(range(min = 0.0))]
+    pub highest_order: Option<f64>,
+    /// Whether the trace of every run is kept, in `traces/trace-<number>.csv`; `traces.csv` says what they are
+    /// known by. Default: false.
+    pub traces: bool,
+    /// Whether stiffness and damping of every bearing at the static equilibrium are kept, in
+    /// `stiffness.csv`, and for rotor dynamics with ROSS, in `ross_*.toml`, as functions of the speed.
+    /// Default: false.
+    pub bearing_stiffness: bool,
+    /// Whether the place of the shaft is kept once a revolution or once a ball pass after the settle
+    /// time, in `poincare.csv`. Default: not.
+    pub poincare: Option<SectionKind>,
+}

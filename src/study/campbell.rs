@@ -1,0 +1,391 @@
+//! Natural frequencies over the speed: the Campbell diagram of the linearised rotor.
+
+use std::f64::consts::TAU;
+
+use serde::Serialize;
+
+use crate::keys;
+use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
+
+pub use crate::rotor::Mode;
+
+/// A question about natural frequencies over the speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CampbellQuestion {
+    /// The shaft; of its speed nothing is used.
+    pub rotor: RotorDefinition,
+    /// Lowest speed, rad/s, zero or positive.
+    pub from: f64,
+    /// Highest speed, rad/s, above the lowest.
+    pub to: f64,
+    /// Number of evenly spaced speeds, at least 2.
+    pub count: usize,
+    /// Multiples of the shaft's frequency whose crossings are sought, positive.
+    pub orders: Vec<f64>,
+}
+
+/// A mode followed over the speeds by its shape.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Branch {
+    /// The mode at every speed; none where it is overdamped or has become another.
+    pub modes: Vec<Option<Mode>>,
+}
+
+impl Branch {
+    /// How the shaft goes round in it: where it does so most clearly.
+    pub fn whirl(&self) -> Whirl {
+        let known = self.modes.iter().flatten();
+        let clearest = known.max_by(|a, b| {
+            let clear = |mode: &Mode| mode.forward_share().abs();
+            clear(a).total_cmp(&clear(b))
+        });
+        clearest.map_or(Whirl::Straight, Mode::whirl)
+    }
+}
+
+/// A speed at which a natural frequency is a multiple of the shaft's frequency.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct CriticalSpeed {
+    /// The multiple.
+    pub order: f64,
+    /// The branch, from 0.
+    #[serde(serialize_with = "keys::from_one")]
+    pub branch: usize,
+    /// The speed, rad/s.
+    #[serde(rename = "speed_rad_s")]
+    pub speed: f64,
+    /// Frequency of the damped vibration there, Hz: order × speed/2π.
+    #[serde(rename = "frequency_Hz")]
+    pub frequency: f64,
+    /// Damping ratio there.
+    pub damping_ratio: f64,
+    /// How the shaft goes round there.
+    pub whirl: Whirl,
+    /// How much more it goes round with the rotation than against it, −1 … 1.
+    pub forward_share: f64,
+}
+
+/// Natural frequencies over the speed.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Campbell {
+    /// The speeds, rad/s, rising.
+    pub speeds: Vec<f64>,
+    /// Modes that belong together, by their frequency at the lowest speed.
+    pub branches: Vec<Branch>,
+    /// The orders that were asked for.
+    pub orders: Vec<f64>,
+    /// Crossings of branches and orders, by speed.
+    pub critical_speeds: Vec<CriticalSpeed>,
+    /// The least likeness, [`Mode::assurance`], by which two modes were taken for the same.
+    pub least_assurance: f64,
+}
+
+/// Why there is no diagram.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CampbellError {
+    /// The range holds no two speeds.
+    #[error(
+        "a diagram from {from} to {to} rad/s at {count} speeds has no range: give a first speed of \
+         zero or more, a higher last one, and at least 2 speeds"
+    )]
+    Range {
+        /// First speed, rad/s.
+        from: f64,
+        /// Last speed, rad/s.
+        to: f64,
+        /// Number of speeds.
+        count: usize,
+    },
+    /// An order that no frequency has.
+    #[error("order {0}: give orders above zero")]
+    Order(f64),
+    /// The shaft cannot be assembled at a speed.
+    #[error("at {speed} rad/s: {source}")]
+    Rotor {
+        /// The speed, rad/s.
+        speed: f64,
+        /// Why.
+        source: RotorError,
+    },
+}
+
+/// Whether a diagram from one speed to another in rad/s has a range, and all orders a frequency.
+///
+/// # Errors
+/// [`CampbellError::Range`] and [`CampbellError::Order`].
+pub(crate) fn check_range(
+    [from, to]: [f64; 2],
+    count: usize,
+    orders: &[f64],
+) -> Result<(), CampbellError> {
+    let rising = from >= 0.0 && to > from && to.is_finite();
+    if !rising || count < 2 {
+        return Err(CampbellError::Range { from, to, count });
+    }
+    let wrong = |order: &&f64| !(order.is_finite() && **order > 0.0);
+    match orders.iter().find(wrong) {
+        Some(order) => Err(CampbellError::Order(*order)),
+        None => Ok(()),
+    }
+}
+
+impl CampbellQuestion {
+    /// Linearises the shaft at every speed, about the static equilibrium there, and follows its modes.
+    ///
+    /// `M q̈ + (C + ωG) q̇ + K q = 0` with K and C of the equilibrium at that speed, cages where they
+    /// start; damping of contacts is left out. Modes belong together whose shapes are most alike
+    /// ([`Mode::assurance`]); between speeds whose shapes differ too much further ones are put in. A
+    /// critical speed is found by a search for the root of `f(ω) − order ω/2π` between two speeds.
+    ///
+    /// # Errors
+    /// [`CampbellError`] where the range is empty, or the shaft has no equilibrium at a speed.
+    pub fn solve(&self) -> Result<Campbell, CampbellError> {
+        check_range([self.from, self.to], self.count, &self.orders)?;
+        let speeds = self.speeds();
+        let (branches, least_assurance) = follow(self, &speeds)?;
+        let critical_speeds = critical_speeds(self, &speeds, &branches)?;
+        Ok(Campbell {
+            speeds,
+            branches,
+            orders: self.orders.clone(),
+            critical_speeds,
+            least_assurance,
+        })
+    }
+
+    fn speeds(&self) -> Vec<f64> {
+        let step = (self.to - self.from) / (self.count - 1) as f64;
+        let inside = (0..self.count - 1).map(|index| self.from + index as f64 * step);
+        inside.chain([self.to]).collect()
+    }
+
+    /// Modes of the shaft at a speed in rad/s.
+    fn modes(&self, speed: f64) -> Result<Vec<Mode>, CampbellError> {
+        let rotor = Rotor::assemble(&self.rotor.at_constant_speed(speed));
+        match rotor {
+            Ok(rotor) => Ok(rotor.modes()),
+            Err(source) => Err(CampbellError::Rotor { speed, source }),
+        }
+    }
+}
+
+/// Shapes more alike than this are surely the same mode.
+const SURE: f64 = 0.9;
+/// Shapes less alike than this are different modes.
+const LEAST: f64 = 0.1;
+/// Halvings of the step between two speeds.
+const MOST_HALVINGS: u32 = 8;
+
+/// The mode of every branch at one speed.
+type Slots = Vec<Option<Mode>>;
+
+/// Follows all modes from the highest speed down, where gyroscopic moments tell them apart best.
+///
+/// Returns the branches, and the least likeness by which two modes were taken for the same.
+fn follow(
+    question: &CampbellQuestion,
+    speeds: &[f64],
+) -> Result<(Vec<Branch>, f64), CampbellError> {
+    let mut walk = Walk {
+        question,
+        least: 1.0,
+    };
+    let mut rows: Vec<Slots> = Vec::with_capacity(speeds.len());
+    for (index, speed) in speeds.iter().enumerate().rev() {
+        let slots = match rows.last() {
+            None => question.modes(*speed)?.into_iter().map(Some).collect(),
+            Some(above) => walk.carry(above, [speeds[index + 1], *speed], MOST_HALVINGS)?,
+        };
+        rows.push(slots);
+    }
+    rows.reverse();
+    let count = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let mut branches: Vec<Branch> = (0..count)
+        .map(|branch| Branch {
+            modes: rows
+                .iter()
+                .map(|row| row.get(branch).cloned().flatten())
+                .collect(),
+        })
+        .collect();
+    branches.sort_by(|a, b| lowest(a).total_cmp(&lowest(b)));
+    Ok((branches, walk.least))
+}
+
+/// Frequency at the lowest speed at which a branch has a mode, Hz.
+fn lowest(branch: &Branch) -> f64 {
+    let first = branch.modes.iter().flatten().next();
+    first.map_or(f64::INFINITY, Mode::damped_frequency)
+}
+
+struct Walk<'a> {
+    question: &'a CampbellQuestion,
+    least: f64,
+}
+
+impl Walk<'_> {
+    /// The branches at the second of two speeds, known at the first; in steps where they change much.
+    fn carry(
+        &mut self,
+        known: &Slots,
+        [at, to]: [f64; 2],
+        halvings: u32,
+    ) -> Result<Slots, CampbellError> {
+        let modes = self.question.modes(to)?;
+        let pairs = matches(known, &modes);
+        let least = pairs.iter().map(|pair| pair.2).fold(1.0, f64::min);
+        let lost = pairs.len() < known.iter().flatten().count().min(modes.len());
+        if halvings > 0 && (least < SURE || lost) {
+            let middle = 0.5 * (at + to);
+            let between = self.carry(known, [at, middle], halvings - 1)?;
+            return self.carry(&between, [middle, to], halvings - 1);
+        }
+        self.least = self.least.min(least);
+        Ok(placed(known.len(), modes, &pairs))
+    }
+}
+
+/// Pairs of branch and mode with their likeness, the most alike first, each in one pair only.
+fn matches(known: &Slots, modes: &[Mode]) -> Vec<(usize, usize, f64)> {
+    let mut all: Vec<(usize, usize, f64)> = Vec::new();
+    for (branch, mode) in known.iter().enumerate() {
+        let Some(mode) = mode else { continue };
+        let likeness = modes.iter().map(|other| mode.assurance(other));
+        all.extend(
+            likeness
+                .enumerate()
+                .map(|(other, like)| (branch, other, like)),
+        );
+    }
+    all.sort_by(|a, b| b.2.total_cmp(&a.2));
+    let mut pairs: Vec<(usize, usize, f64)> = Vec::new();
+    for pair in all {
+        let taken = |other: &(usize, usize, f64)| other.0 == pair.0 || other.1 == pair.1;
+        if pair.2 >= LEAST && !pairs.iter().any(taken) {
+            pairs.push(pair);
+        }
+    }
+    pairs
+}
+
+/// The modes at their branches; those that continue none begin new ones.
+fn placed(branches: usize, modes: Vec<Mode>, pairs: &[(usize, usize, f64)]) -> Slots {
+    let mut slots: Slots = vec![None; branches];
+    for (index, mode) in modes.into_iter().enumerate() {
+        match pairs.iter().find(|pair| pair.1 == index) {
+            Some((branch, ..)) => slots[*branch] = Some(mode),
+            None => slots.push(Some(mode)),
+        }
+    }
+    slots
+}
+
+/// Part of the speed to which a crossing is found.
+const FOUND: f64 = 1e-12;
+/// Trials of a search.
+const MOST_TRIALS: usize = 80;
+
+/// All crossings of branches and orders between the speeds, by speed.
+fn critical_speeds(
+    question: &CampbellQuestion,
+    speeds: &[f64],
+    branches: &[Branch],
+) -> Result<Vec<CriticalSpeed>, CampbellError> {
+    let mut found = Vec::new();
+    for (index, branch) in branches.iter().enumerate() {
+        for (pair, ends) in branch.modes.windows(2).zip(speeds.windows(2)) {
+            let (Some(low), Some(high)) = (&pair[0], &pair[1]) else {
+                continue;
+            };
+            for &order in &question.orders {
+                let crossing = Crossing {
+                    question,
+                    neighbours: [low, high],
+                    order,
+                };
+                found.extend(crossing.find([ends[0], ends[1]], index)?);
+            }
+        }
+    }
+    found.sort_by(|a: &CriticalSpeed, b| a.speed.total_cmp(&b.speed));
+    Ok(found)
+}
+
+/// A crossing of one branch and one order between two speeds.
+struct Crossing<'a> {
+    question: &'a CampbellQuestion,
+    /// The branch at both speeds.
+    neighbours: [&'a Mode; 2],
+    order: f64,
+}
+
+impl Crossing<'_> {
+    /// `f(ω) − order ω/2π`, Hz.
+    fn distance(&self, mode: &Mode, speed: f64) -> f64 {
+        mode.damped_frequency() - self.order * speed / TAU
+    }
+
+    /// The branch at a speed between its neighbours: the mode most like both.
+    fn mode(&self, speed: f64) -> Result<Option<Mode>, CampbellError> {
+        let [low, high] = self.neighbours;
+        let likeness = |mode: &Mode| low.assurance(mode) + high.assurance(mode);
+        let modes = self.question.modes(speed)?.into_iter();
+        Ok(modes.max_by(|a, b| likeness(a).total_cmp(&likeness(b))))
+    }
+
+    /// By the Illinois algorithm: an end that stays twice loses half of its weight.
+    fn find(
+        &self,
+        [mut low, mut high]: [f64; 2],
+        branch: usize,
+    ) -> Result<Option<CriticalSpeed>, CampbellError> {
+        let mut at_low = self.distance(self.neighbours[0], low);
+        let mut at_high = self.distance(self.neighbours[1], high);
+        if (at_low > 0.0) == (at_high > 0.0) {
+            return Ok(None);
+        }
+        let mut last = None;
+        let mut stayed = 0i8;
+        for _ in 0..MOST_TRIALS {
+            let speed = (low * at_high - high * at_low) / (at_high - at_low);
+            let Some(mode) = self.mode(speed)? else { break };
+            let distance = self.distance(&mode, speed);
+            last = Some(self.told(&mode, speed, branch));
+            if distance == 0.0 || high - low < FOUND * high {
+                break;
+            }
+            let upper = (distance > 0.0) == (at_high > 0.0);
+            let (end, at_end, other) = if upper {
+                (&mut high, &mut at_high, &mut at_low)
+            } else {
+                (&mut low, &mut at_low, &mut at_high)
+            };
+            let side = if upper { 1 } else { -1 };
+            let moved = (speed - *end).abs();
+            (*end, *at_end) = (speed, distance);
+            if stayed == side {
+                *other *= 0.5;
+            }
+            stayed = side;
+            if moved < FOUND * speed {
+                break;
+            }
+        }
+        Ok(last)
+    }
+
+    fn told(&self, mode: &Mode, speed: f64, branch: usize) -> CriticalSpeed {
+        CriticalSpeed {
+            order: self.order,
+            branch,
+            speed,
+            frequency: mode.damped_frequency(),
+            damping_ratio: mode.damping_ratio(),
+            whirl: mode.whirl(),
+            forward_share: mode.forward_share(),
+        }
+    }
+}
