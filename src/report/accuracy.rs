@@ -5,9 +5,8 @@
 use std::path::PathBuf;
 
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
-use super::table::Table;
-use super::terminal::{Lines, or_dash, wrapped};
-use super::terminal::{MICRO, MILLI};
+use super::table::{Named, Table};
+use super::terminal::{Lines, MICRO, MILLI, or_dash, wrapped};
 use super::{Destination, FileSet, ReportError};
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, LadderRow, Measured, Row};
 
@@ -19,53 +18,41 @@ pub fn write_accuracy(
     destination: &Destination<'_>,
     accuracy: &Accuracy,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = destination.open(FileSet::ACCURACY)?;
-    let mut files = folder.write_table("accuracy", &methods_table(accuracy))?;
-    files.extend(folder.write_table("ladder", &ladder_table(accuracy))?);
     let title = destination.title;
-    for figure in [
+    let tables = [
+        ("accuracy", methods_table(accuracy)),
+        ("ladder", ladder_table(accuracy)),
+    ];
+    let figures = [
         methods_figure(title, accuracy),
         ladder_figure(title, accuracy),
-    ] {
-        files.push(folder.write_figure(&figure)?);
-    }
-    let json = destination.document(accuracy);
-    folder.commit(files, format!("{json:#}\n").as_bytes())
+    ];
+    let document = destination.document(accuracy);
+    destination.write(FileSet::ACCURACY, tables, figures, &document)
 }
 
-/// A column and its value.
-type Named<T, V> = (&'static str, fn(&T) -> V);
-
-const ERRORS: [Named<Errors, Option<f64>>; 11] = [
-    ("displacement_m", |errors| Some(errors.displacement)),
+const ERRORS: [Named<Errors>; 11] = [
+    ("displacement_m", |errors| errors.displacement),
     ("displacement_relative", |errors| {
-        Some(errors.displacement_relative)
+        errors.displacement_relative
     }),
-    ("force_N", |errors| Some(errors.force)),
-    ("force_relative", |errors| Some(errors.force_relative)),
-    ("lines_relative", |errors| errors.lines),
+    ("force_N", |errors| errors.force),
+    ("force_relative", |errors| errors.force_relative),
+    ("lines_relative", |errors| errors.lines.unwrap_or(f64::NAN)),
     ("displacement_mean_relative", |errors| {
-        Some(errors.statistics.mean)
+        errors.statistics.mean
     }),
-    ("displacement_rms_relative", |errors| {
-        Some(errors.statistics.rms)
-    }),
+    ("displacement_rms_relative", |errors| errors.statistics.rms),
     ("displacement_peak_relative", |errors| {
-        Some(errors.statistics.peak)
+        errors.statistics.peak
     }),
-    ("force_mean_relative", |errors| {
-        Some(errors.force_statistics.mean)
-    }),
-    ("force_rms_relative", |errors| {
-        Some(errors.force_statistics.rms)
-    }),
-    ("force_peak_relative", |errors| {
-        Some(errors.force_statistics.peak)
-    }),
+    ("force_mean_relative", |errors| errors.force_statistics.mean),
+    ("force_rms_relative", |errors| errors.force_statistics.rms),
+    ("force_peak_relative", |errors| errors.force_statistics.peak),
 ];
 
 /// Whole numbers of a cost.
-const COUNTS: [Named<Cost, f64>; 4] = [
+const COUNTS: [Named<Cost>; 4] = [
     ("repeats", |cost| cost.repeats.into()),
     ("steps", |cost| cost.counters.steps as f64),
     ("rejected", |cost| cost.counters.rejected as f64),
@@ -83,7 +70,7 @@ fn methods_table(accuracy: &Accuracy) -> Table {
     table.words("method", rows().map(|row| &row.method));
     table.numbers("tolerance", rows().map(|row| row.tolerance));
     add_costs(&mut table, &costs);
-    add_errors(&mut table, "error", &errors);
+    table.named("error_", &ERRORS, errors.iter().map(Option::as_ref));
     table.words("within_uncertainty", within.map(or_blank));
     table.words(
         "note",
@@ -104,7 +91,7 @@ fn ladder_table(accuracy: &Accuracy) -> Table {
     table.words("as_written", rows().map(|row| row.as_written));
     table.numbers("wall_time_per_simulated_s", costs.iter().map(per_second));
     add_costs(&mut table, &costs);
-    add_errors(&mut table, "difference", &errors);
+    table.named("difference_", &ERRORS, errors.iter().map(Option::as_ref));
     table.words(
         "note",
         rows().map(|row| or_blank(row.result.as_ref().err())),
@@ -117,13 +104,6 @@ fn add_costs(table: &mut Table, costs: &[Option<Cost>]) {
     table.numbers("wall_time_s", seconds);
     for (name, count) in COUNTS {
         table.counts(name, costs.iter().map(|cost| cost.as_ref().map(count)));
-    }
-}
-
-fn add_errors(table: &mut Table, before: &str, errors: &[Option<Errors>]) {
-    for (name, value) in ERRORS {
-        let values = errors.iter().map(|errors| value(errors.as_ref()?));
-        table.numbers(format!("{before}_{name}"), values);
     }
 }
 
@@ -355,7 +335,7 @@ const RUNG_HEIGHT: u32 = 30;
 type Quantity = (&'static str, fn(&Measured) -> Option<f64>);
 
 const TIME: Quantity = ("time of the integration in ms", |measured| {
-    Some(1e3 * measured.cost.seconds)
+    Some(MILLI * measured.cost.seconds)
 });
 const EVALUATIONS: Quantity = ("evaluations of the right-hand side", |measured| {
     Some(measured.cost.counters.evaluations as f64)
@@ -484,7 +464,7 @@ fn reading(accuracy: &Accuracy) -> Vec<String> {
         format!("Reference: {method} at {tolerance:e},"),
         format!("compared with {other} at {tightness:e}."),
         grey.to_owned(),
-        format!("Motion: {:.4} µm.", 1e6 * agreement.scale.displacement),
+        format!("Motion: {:.4} µm.", MICRO * agreement.scale.displacement),
         "Errors are relative to it, those of forces to their change,".to_owned(),
         "those of lines to each line.".to_owned(),
         "Along a curve, the tolerance falls.".to_owned(),
@@ -497,7 +477,7 @@ fn ladder_figure(title: &str, accuracy: &Accuracy) -> Figure {
     let rows: Vec<&LadderRow> = rows.filter(|row| row.result.is_ok()).collect();
     let cost = |row: &LadderRow| {
         let (cost, _) = row.result.as_ref().ok()?;
-        Some(1e3 * cost.seconds / accuracy.duration)
+        Some(MILLI * cost.seconds / accuracy.duration)
     };
     let difference = |row: &LadderRow| {
         let (_, errors) = row.result.as_ref().ok()?;

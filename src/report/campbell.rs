@@ -9,8 +9,7 @@ use serde_json::Value;
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
 use super::table::Table;
-use super::terminal::{Lines, or_dash};
-use super::terminal::{PER_MINUTE, PER_SECOND};
+use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash};
 use super::{Destination, FileSet, ReportError, RunFolder, WholeFile};
 use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
@@ -23,13 +22,13 @@ pub fn write_campbell(
     destination: &Destination<'_>,
     campbell: &Campbell,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = destination.open(FileSet::CAMPBELL)?;
-    let files = write_files(&folder, destination.title, campbell, true)?;
-    let json = campbell_json(destination, campbell);
-    folder.commit(files, format!("{json:#}\n").as_bytes())
+    let tables = [("campbell", modes(campbell))];
+    let figures = [campbell_figure(destination.title, campbell)];
+    let document = campbell_json(destination, campbell);
+    destination.write(FileSet::CAMPBELL, tables, figures, &document)
 }
 
-/// The table, and the figure where it is drawn.
+/// Writes the table, and the figure where it is drawn, beside the files of a run.
 pub(super) fn write_files(
     folder: &RunFolder,
     title: &str,

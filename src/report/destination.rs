@@ -1,11 +1,12 @@
 //! Where the files of a result go.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 use serde_json::Value;
 
-use super::table::Origin;
+use super::figure::Figure;
+use super::table::{Origin, Table};
 use super::{FileSet, ReportError, RunFolder};
 use crate::scenario::TableFormat;
 
@@ -28,8 +29,30 @@ impl Destination<'_> {
         document(self.title, self.scenario, result)
     }
 
+    /// Writes tables and figures, and the document last; returns the paths of all files.
+    ///
+    /// # Errors
+    /// [`ReportError`] where a file cannot be written or drawn.
+    pub(super) fn write(
+        &self,
+        set: FileSet,
+        tables: impl IntoIterator<Item = (&'static str, Table)>,
+        figures: impl IntoIterator<Item = Figure>,
+        document: &Value,
+    ) -> Result<Vec<PathBuf>, ReportError> {
+        let folder = self.open(set)?;
+        let mut files = Vec::new();
+        for (stem, table) in tables {
+            files.extend(folder.write_table(stem, &table)?);
+        }
+        for figure in figures {
+            files.push(folder.write_figure(&figure)?);
+        }
+        folder.commit(files, format!("{document:#}\n").as_bytes())
+    }
+
     /// Opens the folder for a set of files.
-    pub(super) fn open(&self, set: FileSet) -> Result<RunFolder, ReportError> {
+    fn open(&self, set: FileSet) -> Result<RunFolder, ReportError> {
         let origin = Origin {
             scenario: self.scenario.to_string(),
         };

@@ -31,23 +31,19 @@ pub(crate) use accuracy::{accuracy_text, write_accuracy};
 #[cfg(test)]
 pub(crate) use bytes::Checksum;
 pub(crate) use campbell::{campbell_json, campbell_text, write_campbell};
-pub(crate) use destination::Destination;
-pub(crate) use destination::document;
+pub(crate) use destination::{Destination, document};
 pub(crate) use error::Failure;
 pub use error::{FileAction, ReportError};
-pub(crate) use figure_trace::TraceFigure;
-pub(crate) use figure_trace::{Bucket, Decimator};
+pub(crate) use figure_trace::{Bucket, Decimator, TraceFigure};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub use run_report::RunReport;
 pub(crate) use run_report::{KeptFiles, Outputs};
 pub(crate) use run_tables::EVENT_COLUMNS;
 #[cfg(test)]
-pub(crate) use run_tables::{TraceCsv, trace_columns};
-#[cfg(test)]
-pub(crate) use run_tables::{ball_columns, ball_row};
-#[cfg(test)]
-pub(crate) use run_tables::{event_columns, event_row};
+pub(crate) use run_tables::{
+    TraceCsv, ball_columns, ball_row, event_columns, event_row, trace_columns,
+};
 pub(crate) use spectrum::spectrum_figure;
 pub use spectrum::write_spectrum;
 pub(crate) use statics::{answer_text, write_answer};
@@ -61,5 +57,4 @@ pub(crate) use table::ParquetTable;
 #[cfg(test)]
 pub(crate) use table::{Column, CsvTable, MatTable, Origin};
 pub(crate) use terminal::wrapped;
-pub(crate) use text::contact_choice_text;
-pub(crate) use text::text;
+pub(crate) use text::{contact_choice_text, text};

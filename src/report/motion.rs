@@ -4,8 +4,7 @@ use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, distinct};
 use super::table::Column;
-use super::terminal::Lines;
-use super::terminal::{MICRO, MILLI};
+use super::terminal::{Lines, MICRO, MILLI};
 use super::{ReportError, RunFolder, WholeFile};
 use crate::analysis::{
     Channel, Drift, Kind, LONGEST_PERIOD, Motion, PoincarePoint, Section, SectionKind,

@@ -12,9 +12,7 @@ use super::page::Page;
 use super::run_tables::{SampleTable, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::write_maps;
 use super::spectra::{estimated_figure, write_estimated};
-use super::spectrum::frequency_limit_of;
-use super::spectrum::peak_table;
-use super::spectrum::{spectrum_columns, spectrum_rows};
+use super::spectrum::{frequency_limit_of, peak_table, spectrum_columns, spectrum_rows};
 use super::table::{Column, Origin, TableFiles};
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,

@@ -3,7 +3,7 @@
 use std::io;
 use std::io::Write;
 
-use super::table::{Column, ColumnKind, CsvTable};
+use super::table::{Column, ColumnKind, CsvTable, Table};
 use crate::analysis::Channel;
 use crate::bearing::BallContact;
 use crate::rotor::{BallContacts, Sample};
@@ -45,6 +45,16 @@ impl SampleTable {
             .extend(values.map(|value| value.unwrap_or(f64::NAN)));
         &self.row
     }
+}
+
+/// A whole trace that is there as samples.
+pub(super) fn trace_table(samples: &[Sample]) -> Table {
+    let mut table = Table::default();
+    for channel in Channel::of_trace() {
+        let values = samples.iter().map(|sample| channel.of(sample));
+        table.add(column(channel), values);
+    }
+    table
 }
 
 fn column(channel: Channel) -> Column {

@@ -3,9 +3,8 @@
 use std::path::PathBuf;
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turned};
-use super::table::Table;
-use super::terminal::{Lines, clearance_text, decimal, digits, listed, or_dash};
-use super::terminal::{MICRO, MILLI};
+use super::table::{Named, Table};
+use super::terminal::{Lines, MICRO, MILLI, clearance_text, decimal, digits, listed, or_dash};
 use super::{Destination, FileSet, ReportError};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::physics::Race;
@@ -20,11 +19,10 @@ pub fn write_answer(
     destination: &Destination<'_>,
     answer: &QuasiStatic,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = destination.open(FileSet::BEARING)?;
-    let mut files = folder.write_table("balls", &balls_table(answer))?;
-    files.push(folder.write_figure(&balls_figure(destination.title, answer))?);
-    let json = destination.document(answer);
-    folder.commit(files, format!("{json:#}\n").as_bytes())
+    let tables = [("balls", balls_table(answer))];
+    let figures = [balls_figure(destination.title, answer)];
+    let document = destination.document(answer);
+    destination.write(FileSet::BEARING, tables, figures, &document)
 }
 
 /// A coupling below this part of its diagonal terms is what round-off left of zero.
@@ -220,32 +218,40 @@ fn angle(contact: &RaceContact) -> String {
 }
 
 /// Columns of one contact, after `inner_` or `outer_`.
-type ContactColumn = (&'static str, fn(&RaceContact) -> Option<f64>);
-
-const CONTACT: [ContactColumn; 13] = [
-    ("load_N", |contact| Some(contact.load)),
-    ("angle_rad", |contact| Some(contact.angle)),
-    ("approach_m", |contact| Some(contact.approach)),
-    ("semi_major_m", |contact| Some(contact.semi_major)),
-    ("semi_minor_m", |contact| Some(contact.semi_minor)),
-    ("peak_pressure_Pa", |contact| Some(contact.peak_pressure)),
-    ("contact_stiffness_N_m", |contact| {
-        Some(contact.contact_stiffness)
-    }),
+const CONTACT: [Named<RaceContact>; 13] = [
+    ("load_N", |contact| contact.load),
+    ("angle_rad", |contact| contact.angle),
+    ("approach_m", |contact| contact.approach),
+    ("semi_major_m", |contact| contact.semi_major),
+    ("semi_minor_m", |contact| contact.semi_minor),
+    ("peak_pressure_Pa", |contact| contact.peak_pressure),
+    ("contact_stiffness_N_m", |contact| contact.contact_stiffness),
     ("film_central_m", |contact| {
-        contact.film.map(|film| film.central)
+        film(contact, |film| film.central)
     }),
     ("film_minimum_m", |contact| {
-        contact.film.map(|film| film.minimum)
+        film(contact, |film| film.minimum)
     }),
     ("film_stiffness_N_m", |contact| {
-        contact.film.map(|film| film.stiffness)
+        film(contact, |film| film.stiffness)
     }),
     ("film_lambda", |contact| {
-        contact.film.and_then(|film| film.lambda)
+        film(contact, |film| film.lambda.unwrap_or(f64::NAN))
     }),
-    ("spin_to_roll", |contact| Some(contact.spin_to_roll)),
-    ("shoulder_margin_rad", |contact| contact.shoulder_margin),
+    ("spin_to_roll", |contact| contact.spin_to_roll),
+    ("shoulder_margin_rad", |contact| {
+        contact.shoulder_margin.unwrap_or(f64::NAN)
+    }),
+];
+
+fn film(contact: &RaceContact, value: fn(&FilmState) -> f64) -> f64 {
+    contact.film.as_ref().map_or(f64::NAN, value)
+}
+
+/// Columns of a ball beside its contacts.
+const INERTIAS: [Named<BallLine>; 2] = [
+    ("centrifugal_force_N", |line| line.centrifugal_force),
+    ("gyroscopic_moment_N_m", |line| line.gyroscopic_moment),
 ];
 
 /// The balls of all bearings, both numbered from 1 on.
@@ -263,26 +269,9 @@ fn balls_table(answer: &QuasiStatic) -> Table {
     table.counts("ball", balls.iter().map(|(_, ball, _)| *ball as f64));
     table.numbers("azimuth_rad", lines().map(|line| line.azimuth));
     table.numbers("deformation_m", lines().map(|line| line.deformation));
-    for (name, value) in CONTACT {
-        table.numbers(
-            format!("inner_{name}"),
-            lines().map(|line| value(&line.inner)),
-        );
-    }
-    for (name, value) in CONTACT {
-        table.numbers(
-            format!("outer_{name}"),
-            lines().map(|line| value(&line.outer)),
-        );
-    }
-    table.numbers(
-        "centrifugal_force_N",
-        lines().map(|line| line.centrifugal_force),
-    );
-    table.numbers(
-        "gyroscopic_moment_N_m",
-        lines().map(|line| line.gyroscopic_moment),
-    );
+    table.named("inner_", &CONTACT, lines().map(|line| Some(&line.inner)));
+    table.named("outer_", &CONTACT, lines().map(|line| Some(&line.outer)));
+    table.named("", &INERTIAS, lines().map(Some));
     let controlling = lines().map(|line| line.controlling_race.map(race_name).unwrap_or_default());
     table.words("controlling_race", controlling);
     table

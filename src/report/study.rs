@@ -7,13 +7,12 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
-use super::table::Table;
-use super::terminal::{Lines, digits};
-use super::terminal::{MICRO, MILLI};
+use super::table::{Named, Table};
+use super::terminal::{Lines, MICRO, MILLI, digits};
 use super::{Destination, FileSet, ReportError};
 use crate::analysis::Channel;
 use crate::bearing::{Around, BallLine, BearingState};
-use crate::quasi_static::QuasiStatic;
+use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
 use crate::study::{Study, StudyRow, Variable};
 
@@ -27,20 +26,19 @@ pub fn write_study(
     study: &Study,
     rows: &[StudyRow],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = destination.open(FileSet::STUDY)?;
-    let variable = &study.variable;
-    let mut files = folder.write_table("study", &answers(variable, rows))?;
-    files.extend(folder.write_table("around", &around(variable, rows))?);
-    let title = destination.title;
-    for figure in [
+    let (title, variable) = (destination.title, &study.variable);
+    let tables = [
+        ("study", answers(variable, rows)),
+        ("around", around(variable, rows)),
+    ];
+    let figures = [
         stiffness(title, variable, rows),
         deformation(title, variable, rows),
         contact_angle(title, variable, rows),
-    ] {
-        files.push(folder.write_figure(&figure)?);
-    }
-    let cover = cover(destination, study, rows);
-    folder.commit(files, format!("{cover:#}\n").as_bytes())
+    ];
+    // the numbers are in the tables beside it
+    let document = destination.document(about(study, rows));
+    destination.write(FileSet::STUDY, tables, figures, &document)
 }
 
 /// The variable as the name of a column: `load_0_constant_z_N`.
@@ -76,29 +74,26 @@ pub(super) fn shown(variable: &Variable, value: f64) -> String {
         .to_owned()
 }
 
-/// A column of the whole shaft.
-type ShaftColumn = (&'static str, fn(&StudyRow) -> Option<f64>);
-/// A column of one bearing, after `bearing_1_`.
-type BearingColumn = (&'static str, fn(&BearingState) -> Option<f64>);
-/// A column of a position around a bearing.
-type AroundColumn = (&'static str, fn(&Around) -> f64);
-
-const SHAFT: [ShaftColumn; 9] = [
-    ("K_x_N_m", |row| Some(row.answer.stiffness[(0, 0)])),
-    ("K_y_N_m", |row| Some(row.answer.stiffness[(1, 1)])),
-    ("K_z_N_m", |row| Some(row.answer.stiffness[(2, 2)])),
-    ("K_tilt_x_N_m_rad", |row| Some(row.answer.stiffness[(3, 3)])),
-    ("K_tilt_y_N_m_rad", |row| Some(row.answer.stiffness[(4, 4)])),
-    ("condition", |row| Some(row.answer.condition)),
-    ("residual", |row| Some(row.answer.residual)),
-    ("moment_z_N_m", |row| {
-        row.answer.twist.map(|twist| twist.moment)
-    }),
-    ("twist_rad", |row| row.answer.twist.map(|twist| twist.angle)),
+/// Columns of the whole shaft.
+const SHAFT: [Named<QuasiStatic>; 9] = [
+    ("K_x_N_m", |answer| answer.stiffness[(0, 0)]),
+    ("K_y_N_m", |answer| answer.stiffness[(1, 1)]),
+    ("K_z_N_m", |answer| answer.stiffness[(2, 2)]),
+    ("K_tilt_x_N_m_rad", |answer| answer.stiffness[(3, 3)]),
+    ("K_tilt_y_N_m_rad", |answer| answer.stiffness[(4, 4)]),
+    ("condition", |answer| answer.condition),
+    ("residual", |answer| answer.residual),
+    ("moment_z_N_m", |answer| twist(answer, |twist| twist.moment)),
+    ("twist_rad", |answer| twist(answer, |twist| twist.angle)),
 ];
 
-const BEARING: [BearingColumn; 12] = [
-    ("balls_loaded", |state| Some(state.balls_loaded as f64)),
+fn twist(answer: &QuasiStatic, value: fn(&Twist) -> f64) -> f64 {
+    answer.twist.as_ref().map_or(f64::NAN, value)
+}
+
+/// Columns of one bearing, after `bearing_1_`.
+const BEARING: [Named<BearingState>; 12] = [
+    ("balls_loaded", |state| state.balls_loaded as f64),
     ("largest_load_inner_N", |state| {
         largest(state, |ball| ball.inner.load)
     }),
@@ -118,22 +113,32 @@ const BEARING: [BearingColumn; 12] = [
         smallest(state, |ball| ball.inner.angle)
     }),
     ("swing_of_angle_inner_rad", |state| {
-        let largest = largest(state, |ball| ball.inner.angle);
-        Some(largest? - smallest(state, |ball| ball.inner.angle)?)
+        largest(state, |ball| ball.inner.angle) - smallest(state, |ball| ball.inner.angle)
     }),
     ("largest_pressure_Pa", |state| {
         largest(state, |ball| {
             ball.inner.peak_pressure.max(ball.outer.peak_pressure)
         })
     }),
-    ("life_Mrev", |state| state.life),
-    ("static_safety", |state| state.static_safety),
-    ("friction_moment_N_m", |state| {
-        Some(state.friction_moment.total())
+    ("life_Mrev", |state| state.life.unwrap_or(f64::NAN)),
+    ("static_safety", |state| {
+        state.static_safety.unwrap_or(f64::NAN)
     }),
+    ("friction_moment_N_m", |state| state.friction_moment.total()),
 ];
 
-const AROUND: [AroundColumn; 6] = [
+/// Largest value of all balls; NaN where there are none.
+fn largest(state: &BearingState, value: fn(&BallLine) -> f64) -> f64 {
+    state.balls.iter().map(value).fold(f64::NAN, f64::max)
+}
+
+/// Smallest value of all balls; NaN where there are none.
+fn smallest(state: &BearingState, value: fn(&BallLine) -> f64) -> f64 {
+    state.balls.iter().map(value).fold(f64::NAN, f64::min)
+}
+
+/// Columns of a position around a bearing.
+const AROUND: [Named<Around>; 6] = [
     ("azimuth_rad", |place| place.azimuth),
     ("deformation_m", |place| place.deformation),
     ("load_inner_N", |place| place.contact.load_inner),
@@ -154,17 +159,12 @@ fn answers(variable: &Variable, rows: &[StudyRow]) -> Table {
         let values = rows.iter().map(|row| row.answer.force[axis]);
         table.numbers(Channel::Force(axis).column(), values);
     }
-    for (name, value) in SHAFT {
-        table.numbers(name, rows.iter().map(value));
-    }
+    table.named("", &SHAFT, rows.iter().map(|row| Some(&row.answer)));
     let bearings = rows.iter().map(|row| row.answer.bearings.len()).max();
     for bearing in 0..bearings.unwrap_or(0) {
-        for (name, value) in BEARING {
-            let values = rows
-                .iter()
-                .map(|row| row.answer.bearings.get(bearing).and_then(value));
-            table.numbers(format!("bearing_{}_{name}", bearing + 1), values);
-        }
+        let before = format!("bearing_{}_", bearing + 1);
+        let states = rows.iter().map(|row| row.answer.bearings.get(bearing));
+        table.named(&before, &BEARING, states);
     }
     table
 }
@@ -192,18 +192,8 @@ fn around(variable: &Variable, rows: &[StudyRow]) -> Table {
             places.iter().map(|(_, counts, _)| counts[count] as f64),
         );
     }
-    for (name, value) in AROUND {
-        table.numbers(name, places.iter().map(|(.., place)| value(place)));
-    }
+    table.named("", &AROUND, places.iter().map(|(.., place)| Some(*place)));
     table
-}
-
-fn largest(state: &BearingState, value: fn(&BallLine) -> f64) -> Option<f64> {
-    state.balls.iter().map(value).reduce(f64::max)
-}
-
-fn smallest(state: &BearingState, value: fn(&BallLine) -> f64) -> Option<f64> {
-    state.balls.iter().map(value).reduce(f64::min)
 }
 
 /// What a study is about.
@@ -250,12 +240,6 @@ fn about<'a>(study: &'a Study, rows: &[StudyRow]) -> Cover<'a> {
         },
         points: rows.len(),
     }
-}
-
-/// What a study is about: the scenario as it is, what varies and how often. The numbers are in the
-/// tables beside it.
-fn cover(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
-    destination.document(about(study, rows))
 }
 
 /// The whole study with every answer.

@@ -2,8 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::interpolation::{AngleGrid, Turning};
-use super::interpolation::{Interpolation, Motion};
+use super::interpolation::{AngleGrid, Interpolation, Motion, Turning};
 use super::{
     Axis, EstimateError, EstimatedSpectrum, Resampling, Segment, SpectrumColumn, SpectrumKind,
     SpectrumQuantity, SpectrumRequest, Welch, envelope,

@@ -9,9 +9,5 @@ mod welch;
 
 pub use estimated::{EstimatedSpectrum, Resampling, SpectrumColumn, SpectrumQuantity};
 pub use estimator::estimate;
-pub use request::EstimateError;
-pub use request::Scaling;
-pub use request::{Axis, Segment, SpectrumKind, SpectrumRequest};
-pub use welch::Detrend;
-pub use welch::Welch;
-pub use welch::envelope;
+pub use request::{Axis, EstimateError, Scaling, Segment, SpectrumKind, SpectrumRequest};
+pub use welch::{Detrend, Welch, envelope};

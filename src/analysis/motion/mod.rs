@@ -10,12 +10,9 @@ mod section;
 pub use closed_curve::ClosedCurve;
 #[cfg(test)]
 pub use closed_curve::closed_curve;
-pub use moments::Drift;
-pub use moments::Moments;
-pub use moments::VelocityLevel;
+pub use moments::{Drift, Moments, VelocityLevel};
 pub use period::{Kind, LONGEST_PERIOD, Recognition};
 #[cfg(test)]
 pub use period::{Series, recognise};
-pub use recorder::MotionParts;
-pub use recorder::{ChannelStatistics, Motion, MotionRecorder, MotionSettings};
+pub use recorder::{ChannelStatistics, Motion, MotionParts, MotionRecorder, MotionSettings};
 pub use section::{PoincarePoint, Section, SectionKind};

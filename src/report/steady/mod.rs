@@ -10,15 +10,12 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
-use super::run_tables::SampleTable;
-use super::spectrum::{AMPLITUDE, FREQUENCY, HEIGHT};
-use super::spectrum::{amplitude_column, phase_column};
+use super::run_tables::trace_table;
+use super::spectrum::{AMPLITUDE, FREQUENCY, HEIGHT, amplitude_column, phase_column};
 use super::study::shown;
 use super::table::Table;
-use super::terminal::MICRO;
-use super::terminal::{Lines, digits, listed, measured_text};
+use super::terminal::{Lines, MICRO, digits, listed, measured_text};
 use super::{Destination, FileSet, ReportError, TraceFigure};
-use crate::analysis::Channel;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
 use crate::steady::{Base, Measured, Response, Steady, SteadyLine, SteadyLines};
@@ -34,25 +31,19 @@ pub fn write_steady(
     model: &Model,
     steady: &Steady,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = destination.open(FileSet::STEADY)?;
+    let title = destination.title;
     let mut figure = TraceFigure::new(model.rotor.shaft.freedoms.count());
     steady.trace.iter().for_each(|sample| figure.sample(sample));
-    let mut trace = SampleTable::new(Channel::of_trace());
-    let mut files = folder.write_rows("steady_trace", &trace.columns(), |take| {
-        let mut samples = steady.trace.iter();
-        samples.try_for_each(|sample| take(trace.row(sample)))
-    })?;
-    let lines = lines(steady, model.rotor.speed);
-    files.extend(folder.write_table("steady_spectrum", &lines)?);
-    let title = destination.title;
-    for figure in [
+    let tables = [
+        ("steady_trace", trace_table(&steady.trace)),
+        ("steady_spectrum", line_table(steady, model.rotor.speed)),
+    ];
+    let figures = [
         figure.figure("steady_trace.svg", title),
         spectrum(title, &steady.lines),
-    ] {
-        files.push(folder.write_figure(&figure)?);
-    }
-    let json = steady_json(destination, model, steady);
-    folder.commit(files, format!("{json:#}\n").as_bytes())
+    ];
+    let document = steady_json(destination, model, steady);
+    destination.write(FileSet::STEADY, tables, figures, &document)
 }
 
 /// Writes `response.csv`, `response_specials.csv`, `response.svg` and, last, `response.json` ; returns their paths.
@@ -64,20 +55,18 @@ pub fn write_response(
     variable: &Variable,
     branches: &[Response],
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let folder = destination.open(FileSet::RESPONSE)?;
-    let points = response::points(variable, branches);
-    let mut files = folder.write_table("response", &points)?;
-    let specials = response::specials(variable, branches);
-    files.extend(folder.write_table("response_specials", &specials)?);
-    let figure = response::figure(destination.title, variable, branches);
-    files.push(folder.write_figure(&figure)?);
-    let json = response_json(destination, variable, branches);
-    folder.commit(files, format!("{json:#}\n").as_bytes())
+    let tables = [
+        ("response", response::points(variable, branches)),
+        ("response_specials", response::specials(variable, branches)),
+    ];
+    let figures = [response::figure(destination.title, variable, branches)];
+    let document = response_json(destination, variable, branches);
+    destination.write(FileSet::RESPONSE, tables, figures, &document)
 }
 
 /// Frequency, order of the shaft (where it turns), both multiples, then amplitude and phase of every
 /// channel.
-fn lines(steady: &Steady, speed: f64) -> Table {
+fn line_table(steady: &Steady, speed: f64) -> Table {
     let lines = || steady.lines.lines.iter();
     let mut table = Table::default();
     table.numbers("f_Hz", lines().map(|line| line.frequency));

@@ -69,6 +69,9 @@ impl Column {
     }
 }
 
+/// A column of numbers by its name, which ends with the unit, and its value; NaN where there is none.
+pub(super) type Named<T> = (&'static str, fn(&T) -> f64);
+
 /// A table of named columns, all of the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(in crate::report) struct Table {
@@ -94,6 +97,21 @@ impl Table {
         self.add(Column::count(name.into()), values);
     }
 
+    /// Adds columns of numbers by their names, after `before`; a row that is missing has none of them.
+    pub fn named<'a, T: 'a>(
+        &mut self,
+        before: &str,
+        columns: &[Named<T>],
+        rows: impl Iterator<Item = Option<&'a T>> + Clone,
+    ) {
+        for (name, value) in columns {
+            self.numbers(
+                format!("{before}{name}"),
+                rows.clone().map(|row| row.map(value)),
+            );
+        }
+    }
+
     /// Adds a column of words.
     pub fn words<T: ToString>(
         &mut self,
@@ -116,7 +134,12 @@ impl Table {
             .push((Column::words(name.into(), words), values));
     }
 
-    fn add<T: Into<Option<f64>>>(&mut self, column: Column, values: impl IntoIterator<Item = T>) {
+    /// Adds a column of any kind, some of whose values may be missing.
+    pub fn add<T: Into<Option<f64>>>(
+        &mut self,
+        column: Column,
+        values: impl IntoIterator<Item = T>,
+    ) {
         let values = values
             .into_iter()
             .map(|value| value.into().unwrap_or(f64::NAN));

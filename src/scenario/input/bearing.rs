@@ -15,8 +15,7 @@ use crate::bearing::{
 use crate::physics::{Material, RaceControl};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
-use crate::scenario::problems::Problems;
-use crate::scenario::problems::nearest;
+use crate::scenario::problems::{Problems, nearest};
 use crate::scenario::quantity::{
     Angle, AngularSpeed, Density, Force, Length, Pressure, PressureViscosity, Quantity, Viscosity,
     si,

@@ -14,6 +14,5 @@ mod spectrum;
 mod speed;
 mod study;
 
-pub use output::Output;
-pub use output::TableFormat;
+pub use output::{Output, TableFormat};
 pub use scenario::{Questions, ScenarioInput};

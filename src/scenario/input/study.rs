@@ -4,8 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::scenario::axis::Scalar;
-use crate::scenario::axis::{AxisInput, AxisReader};
+use crate::scenario::axis::{AxisInput, AxisReader, Scalar};
 use crate::scenario::key::{self, number_keys};
 use crate::scenario::problems::Problems;
 use crate::scenario::{Issue, questions_at, without};

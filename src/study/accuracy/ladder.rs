@@ -9,10 +9,9 @@ use std::sync::atomic::AtomicBool;
 
 use serde::{Serialize, Serializer};
 
-use super::is_interrupted;
 use super::reference::{Cost, Trial, measure as measure_cost, observe, with};
 use super::trace::View;
-use super::{Errors, Norm, Scale};
+use super::{Errors, Norm, Scale, is_interrupted};
 use crate::bearing::Oil;
 use crate::keys;
 use crate::rotor::{CageMotion, Freedoms, Rotor, RotorDefinition, check_constraints};

@@ -17,14 +17,11 @@ use crate::bearing::Oil;
 use crate::integrate::{IntegrateError, Method};
 use crate::rotor::{MotionScale, Rotor};
 use crate::simulate::{Model, Sampling, SimulateError};
-use reference::Reference;
-use reference::Trial;
+use reference::{Reference, Trial};
 use trace::{Distance, View};
 
 pub use ladder::{Configuration, Ladder, LadderRow};
-pub use reference::Agreement;
-pub use reference::Cost;
-pub use reference::{Measured, Row};
+pub use reference::{Agreement, Cost, Measured, Row};
 pub use trace::Statistics;
 
 /// A method and the name that scenarios call it by.

@@ -4,8 +4,9 @@ use std::io;
 use std::sync::atomic::AtomicBool;
 
 use super::numbers::NumberColumn;
-use super::record::{BearingStiffness, Line, Outcome, Point, RunRecord, TraceSeal};
-use super::record::{Carried, Gathered};
+use super::record::{
+    BearingStiffness, Carried, Gathered, Line, Outcome, Point, RunRecord, TraceSeal,
+};
 use super::{Keep, Schedule, Turn};
 use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;

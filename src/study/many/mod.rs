@@ -8,9 +8,7 @@ mod schedule;
 pub use chain::{KeptTrace, Maker, Unmade};
 pub use numbers::{NumberColumn, number_columns};
 pub use record::{BearingStiffness, RunRecord, TraceSeal};
-pub use schedule::Cycles;
-pub use schedule::work;
-pub use schedule::{Direction, Schedule, Shard, Sweep, Turn};
+pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, Turn, work};
 
 use crate::analysis::SectionKind;
 
