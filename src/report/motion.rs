@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, distinct};
 use super::table::Column;
-use super::terminal::{Lines, MICRO, MILLI};
+use super::terminal::{Lines, MICRO, MILLI, significant};
 use super::{ReportError, RunFolder, WholeFile};
 use crate::analysis::{
     Channel, Drift, Kind, LONGEST_PERIOD, Motion, PoincarePoint, Section, SectionKind,
@@ -68,7 +68,7 @@ pub(super) fn put_motion(out: &mut Lines, motion: &Motion) {
         let (Some(crest), Some(kurtosis)) = (moments.crest_factor(), moments.kurtosis()) else {
             continue;
         };
-        let [rms, peak] = [moments.rms(), moments.peak()].map(|part| short(MICRO * part));
+        let [rms, peak] = [moments.rms(), moments.peak()].map(|part| significant(MICRO * part));
         let text =
             format!("{rms} µm RMS, peak {peak}, crest factor {crest:.2}, kurtosis {kurtosis:.2}");
         out.line(&format!("vibration {}", each.channel), text);
@@ -131,18 +131,9 @@ fn velocity(motion: &Motion, channel: Channel) -> String {
         let [low, high] = level.band;
         format!(
             "{} mm/s RMS from {low:.0} to {high:.0} Hz",
-            short(MILLI * level.rms)
+            significant(MILLI * level.rms)
         )
     })
-}
-
-/// Four digits.
-fn short(value: f64) -> String {
-    if (1e-2..1e4).contains(&value.abs()) {
-        format!("{value:.4}")
-    } else {
-        format!("{value:.3e}")
-    }
 }
 
 /// Writes one row a point, section by section: which section, cycles since the start, time, then

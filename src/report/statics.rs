@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turned};
 use super::table::{Named, Table};
-use super::terminal::{Lines, MICRO, MILLI, clearance_text, decimal, digits, listed, or_dash};
+use super::terminal::{
+    Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed, or_dash,
+};
 use super::{Destination, FileSet, ReportError};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::physics::Race;
@@ -28,9 +30,7 @@ pub fn write_answer(
 /// A coupling below this part of its diagonal terms is what round-off left of zero.
 const ROUND_OFF: f64 = 1e-12;
 
-/// Names of the freedoms, and how displacements and forces along them are shown.
-const NAMES: [&str; FREEDOMS] = ["x", "y", "z", "θx", "θy"];
-const PLACES: [&str; FREEDOMS] = ["µm", "µm", "µm", "µrad", "µrad"];
+/// Forces along the freedoms, and their units.
 const FORCES: [(&str, &str); FREEDOMS] = [
     ("Fx", "N"),
     ("Fy", "N"),
@@ -42,10 +42,7 @@ const FORCES: [(&str, &str); FREEDOMS] = [
 /// Equilibrium, stiffness and every bearing with its balls; then the files written.
 pub fn answer_text(title: &str, answer: &QuasiStatic, files: &[PathBuf]) -> String {
     let mut out = Lines::titled(title);
-    let displacement = NAMES.iter().zip(PLACES).zip(answer.displacement);
-    let displacement = displacement
-        .map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value)));
-    out.line("equilibrium", listed(displacement));
+    out.line("equilibrium", displacement_text(&answer.displacement));
     let held = NAMES.iter().zip(answer.free).filter(|(_, free)| !free);
     out.line("held", listed(held.map(|(name, _)| (*name).to_owned())));
     let force = FORCES.iter().zip(answer.force);

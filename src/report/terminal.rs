@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use comfy_table::{CellAlignment, Table, presets};
 
 use crate::bearing::Clearance;
+use crate::rotor::FREEDOMS;
 
 /// Most characters of a line.
 const WIDTH: usize = 100;
@@ -112,6 +113,16 @@ pub(super) fn listed(parts: impl IntoIterator<Item = String>) -> String {
 /// A value, or a dash where there is none.
 pub(super) fn or_dash(value: Option<String>) -> String {
     value.unwrap_or_else(|| "–".to_owned())
+}
+
+/// Names of the freedoms.
+pub(super) const NAMES: [&str; FREEDOMS] = ["x", "y", "z", "θx", "θy"];
+
+/// `x 0.1 µm, y −3.2 µm, …` of the first freedoms.
+pub(super) fn displacement_text(displacement: &[f64]) -> String {
+    let units = ["µm", "µm", "µm", "µrad", "µrad"];
+    let named = NAMES.iter().zip(units).zip(displacement);
+    listed(named.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value))))
 }
 
 /// `12.5000 µm diametral, the middle of class CN`.

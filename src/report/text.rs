@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use super::motion::put_motion;
-use super::terminal::{Lines, MICRO, clearance_text, decimal, listed, measured_text, significant};
+use super::terminal::{
+    Lines, MICRO, clearance_text, displacement_text, listed, measured_text, significant,
+};
 use crate::analysis::{Peak, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
-use crate::rotor::Freedoms;
 use crate::scenario;
 use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, Run, Spread, StaticState, TableUse,
@@ -21,8 +22,8 @@ const PEAKS: usize = 8;
 /// Key numbers of a run, its strongest peaks and the files written.
 pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String {
     let mut out = Lines::titled(title);
-    let freedoms = model.rotor.shaft.freedoms;
-    out.line("equilibrium", equilibrium(&run.equilibrium, freedoms));
+    let moving = &run.equilibrium.displacement[..model.rotor.shaft.freedoms.count()];
+    out.line("equilibrium", displacement_text(moving));
     out.line("natural", natural(&run.equilibrium));
     let counters = &run.counters;
     out.line(
@@ -58,19 +59,6 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
         put_peaks(&mut out, &run.peaks, run.spectrum.as_ref());
     }
     out.wrote(files)
-}
-
-/// `x 0.1 µm, y −3.2 µm, …` of the freedoms that move.
-fn equilibrium(state: &StaticState, freedoms: Freedoms) -> String {
-    let names = [
-        ("x", "µm"),
-        ("y", "µm"),
-        ("z", "µm"),
-        ("θx", "µrad"),
-        ("θy", "µrad"),
-    ];
-    let kept = names.iter().zip(state.displacement).take(freedoms.count());
-    listed(kept.map(|((name, unit), value)| format!("{name} {} {unit}", decimal(MICRO * value))))
 }
 
 /// `512.3 Hz (ζ 0.020), …`.

@@ -10,7 +10,7 @@ use super::Issue;
 use super::key::Key;
 use super::problems::Problems;
 use crate::study::Variable;
-use crate::study::plan::{Axis, AxisValues, Distribution, MOST_RUNS};
+use crate::study::plan::{Axis, Distribution, MOST_RUNS};
 
 /// How many standard deviations a normal distribution reaches: beyond lies less than one draw in 10¹⁶.
 const REACH: f64 = 8.3;
@@ -126,11 +126,11 @@ impl AxisReader<'_, '_> {
         self.refuse_strangers();
         let values = match (&self.input.values, self.input.distribution) {
             (Some(values), _) => self.listed(values.len())?,
-            (None, Some(kind)) => AxisValues::Drawn(self.drawn(kind)?),
+            (None, Some(kind)) => Axis::Drawn(self.drawn(kind)?),
             (None, None) => self.spaced()?,
         };
         let shown = self.shown()?;
-        Some((Axis { values }, shown))
+        Some((values, shown))
     }
 
     fn at(&self, name: &str) -> String {
@@ -191,15 +191,13 @@ impl AxisReader<'_, '_> {
         None
     }
 
-    fn listed(&mut self, count: usize) -> Option<AxisValues> {
+    fn listed(&mut self, count: usize) -> Option<Axis> {
         let values = (0..count).map(|index| self.number(&format!("values[{index}]")));
         let values: Vec<_> = values.collect();
-        Some(AxisValues::Listed(
-            values.into_iter().collect::<Option<_>>()?,
-        ))
+        Some(Axis::Listed(values.into_iter().collect::<Option<_>>()?))
     }
 
-    fn spaced(&mut self) -> Option<AxisValues> {
+    fn spaced(&mut self) -> Option<Axis> {
         self.refuse_whole("count")?;
         let [from, to] = self.needed(["from", "to"])?;
         let logarithmic = self.input.spacing == Some(Spacing::Logarithmic);
@@ -209,7 +207,7 @@ impl AxisReader<'_, '_> {
             self.problems.refuse(issue);
             return None;
         }
-        Some(AxisValues::Spaced {
+        Some(Axis::Spaced {
             from,
             to,
             count: self.input.count?,

@@ -16,7 +16,7 @@ use crate::analysis::SectionKind;
 use crate::simulate::Model;
 use crate::study::Variable;
 use crate::study::many::{Cycles, Keep, NumberColumn, Sweep, number_columns};
-use crate::study::plan::{Axis, AxisValues, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
+use crate::study::plan::{Axis, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
 
 /// Tables of a scenario that say nothing of its motion.
 const LEFT_OUT: [&str; 2] = ["static", "study"];
@@ -162,11 +162,7 @@ fn build(
         base,
         folder,
         keys,
-        cycles: input.cycles.as_ref().map(|cycles| Cycles {
-            of: cycles.of,
-            settle: cycles.settle,
-            kept: cycles.kept,
-        }),
+        cycles: input.cycles,
     })
 }
 
@@ -252,7 +248,7 @@ fn grid(input: &StudyFileInput, axes: &[Axis], problems: &mut Problems<'_>) -> O
         problems.refuse(issue.help("remove it, or draw: sampling = \"sobol\""));
     }
     for (index, axis) in axes.iter().enumerate() {
-        if matches!(axis.values, AxisValues::Drawn(_)) {
+        if matches!(axis, Axis::Drawn(_)) {
             let path = format!("axis[{index}].distribution");
             let issue = Issue::new(path, "a distribution has no values for a grid");
             let help = "set sampling = \"latin_hypercube\", \"sobol\" or \"monte_carlo\"";
@@ -375,25 +371,10 @@ struct StudyFileInput {
     #[serde(default)]
     pub set: Vec<SetInput>,
     /// How long every run is in cycles at its own speed, in place of the `[time]` of the base.
-    pub cycles: Option<CyclesInput>,
+    pub cycles: Option<Cycles>,
     /// What is kept of every run.
     #[serde(default)]
     pub keep: KeepInput,
-}
-
-/// How long a run is in cycles at its own, constant speed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-struct CyclesInput {
-    /// What counts as a cycle.
-    pub of: SectionKind,
-    /// Cycles that settle. Default: 0.
-    #[serde(default)]
-    #[schemars(range(min = 0, max = 1_000_000_000))]
-    pub settle: u32,
-    /// Cycles after them.
-    #[schemars(range(min = 1, max = 1_000_000_000), extend("examples" = [100]))]
-    pub kept: u32,
 }
 
 fn every_tenth() -> u64 {

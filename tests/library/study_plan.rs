@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::analysis::SectionKind;
 use crate::study::many::{Cycles, Schedule, Shard, Sweep};
-use crate::study::plan::{Axis, AxisValues, Distribution, Plan, Sampling, sobol};
+use crate::study::plan::{Axis, Distribution, Plan, Sampling, sobol};
 
 /// scipy.stats.qmc.Sobol(d=16, scramble=False, bits=32) of SciPy 1.17.
 #[test]
@@ -76,13 +76,11 @@ fn sobols_points_are_those_of_scipy() {
 /// Every one of n parts of every axis is met once.
 #[test]
 fn a_latin_hypercube_meets_every_part_once() {
-    let axis = |to| Axis {
-        values: AxisValues::Spaced {
-            from: 0.0,
-            to,
-            count: 2,
-            logarithmic: false,
-        },
+    let axis = |to| Axis::Spaced {
+        from: 0.0,
+        to,
+        count: 2,
+        logarithmic: false,
     };
     for runs in [1, 2, 7, 64, 1000] {
         let plan = Plan::new(
@@ -103,14 +101,14 @@ fn a_latin_hypercube_meets_every_part_once() {
 /// variance 1 − 2 φ(1)/(2 Φ(1) − 1) = 0.291 124 72.
 #[test]
 fn draws_have_the_moments_of_their_distribution() {
-    let values = AxisValues::Drawn(Distribution::Normal {
+    let axis = Axis::Drawn(Distribution::Normal {
         mean: 3.0,
         deviation: 2.0,
         lowest: 1.0,
         highest: 5.0,
     });
     let runs = 4096;
-    let plan = Plan::new(vec![Axis { values }], Sampling::Sobol(runs), 9);
+    let plan = Plan::new(vec![axis], Sampling::Sobol(runs), 9);
     let drawn: Vec<f64> = (0..runs).map(|run| plan.values(run)[0]).collect();
     let mean = drawn.iter().sum::<f64>() / runs as f64;
     let variance = drawn.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / runs as f64;
@@ -122,7 +120,7 @@ fn draws_have_the_moments_of_their_distribution() {
 /// The values of a run depend on its number and the seed alone.
 #[test]
 fn another_seed_draws_other_values() {
-    let values = AxisValues::Drawn(Distribution::Uniform {
+    let axis = Axis::Drawn(Distribution::Uniform {
         lowest: 0.0,
         highest: 1.0,
     });
@@ -131,15 +129,7 @@ fn another_seed_draws_other_values() {
         Sampling::LatinHypercube(100),
         Sampling::Sobol(100),
     ] {
-        let plan = |seed| {
-            Plan::new(
-                vec![Axis {
-                    values: values.clone(),
-                }],
-                sampling,
-                seed,
-            )
-        };
+        let plan = |seed| Plan::new(vec![axis.clone()], sampling, seed);
         assert_eq!(plan(1).values(17), plan(1).values(17));
         assert_ne!(plan(1).values(17), plan(2).values(17));
     }

@@ -47,19 +47,19 @@ impl<T, R> Components<T, R> {
             si(&self.tilt_y),
         ]
     }
+}
 
-    /// Refuses what is given for the freedoms from `first_held` on: they do not move.
-    pub fn refuse_held(
-        &self,
-        path: &str,
-        first_held: usize,
-        freedoms: Freedoms,
-        problems: &mut Problems<'_>,
-    ) {
-        for (index, value) in self.values().into_iter().enumerate().skip(first_held) {
-            if value.is_some() {
-                refuse_held_key(&format!("{path}.{}", KEYS[index]), freedoms, problems);
-            }
+/// Refuses what is given for the freedoms from `first_held` on: they do not move.
+pub fn refuse_held(
+    given: &[Option<f64>; FREEDOMS],
+    path: &str,
+    first_held: usize,
+    freedoms: Freedoms,
+    problems: &mut Problems<'_>,
+) {
+    for (key, value) in KEYS.iter().zip(given).skip(first_held) {
+        if value.is_some() {
+            refuse_held_key(&format!("{path}.{key}"), freedoms, problems);
         }
     }
 }
@@ -98,20 +98,18 @@ impl InitialInput {
     /// The state at the start.
     pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> InitialState {
         let held = freedoms.count();
-        let mut state = InitialState {
-            from: self.from,
-            displacement: [None; FREEDOMS],
-            velocity: [None; FREEDOMS],
+        let mut given = |path: &str, values: Option<[Option<f64>; FREEDOMS]>| {
+            let values = values.unwrap_or_default();
+            refuse_held(&values, path, held, freedoms, problems);
+            values
         };
-        if let Some(displacement) = &self.displacement {
-            displacement.refuse_held("initial.displacement", held, freedoms, problems);
-            state.displacement = displacement.values();
+        let displacement = self.displacement.as_ref().map(Components::values);
+        let velocity = self.velocity.as_ref().map(Components::values);
+        InitialState {
+            from: self.from,
+            displacement: given("initial.displacement", displacement),
+            velocity: given("initial.velocity", velocity),
         }
-        if let Some(velocity) = &self.velocity {
-            velocity.refuse_held("initial.velocity", held, freedoms, problems);
-            state.velocity = velocity.values();
-        }
-        state
     }
 }
 

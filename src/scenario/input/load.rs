@@ -115,8 +115,9 @@ impl LoadInput {
         };
         // An axial load acts on a held z too, moments on held tilts do not.
         let first_held = freedoms.count().max(3);
-        constant.refuse_held(".constant", first_held, freedoms, problems);
-        constant.values().map(|value| value.unwrap_or(0.0))
+        let given = constant.values();
+        components::refuse_held(&given, ".constant", first_held, freedoms, problems);
+        given.map(|value| value.unwrap_or(0.0))
     }
 
     /// The varying load of whichever kind is given.
@@ -168,12 +169,7 @@ fn moving(
     problems: &mut Problems<'_>,
 ) -> Vector5 {
     let given = given.given();
-    for (axis, value) in given.iter().enumerate().skip(freedoms.count()) {
-        if value.is_some() {
-            let key = format!("{path}.{}", components::KEYS[axis]);
-            components::refuse_held_key(&key, freedoms, problems);
-        }
-    }
+    components::refuse_held(&given, path, freedoms.count(), freedoms, problems);
     given.map(|value| value.unwrap_or(0.0))
 }
 

@@ -209,11 +209,7 @@ pub(super) fn measure(
             Ok(model) => match run(&model, truth.as_ref(), settle, stop) {
                 Err(error) if is_interrupted(&error) => return Err(error),
                 Err(error) => Err(error.to_string()),
-                Ok(Ran {
-                    cost,
-                    errors,
-                    trial,
-                }) => {
+                Ok((cost, errors, trial)) => {
                     if truth.is_none() {
                         top = Some(climb.configuration);
                         let scale = vibration(&trial);
@@ -233,19 +229,13 @@ pub(super) fn measure(
     Ok(Ladder { top, rows })
 }
 
-struct Ran {
-    cost: Cost,
-    errors: Errors,
-    trial: Trial,
-}
-
 /// Runs a rung; without a `truth` it is the truth itself.
 fn run(
     model: &Model,
     truth: Option<&(Trial, Scale)>,
     from: f64,
     stop: &AtomicBool,
-) -> Result<Ran, SimulateError> {
+) -> Result<(Cost, Errors, Trial), SimulateError> {
     let rotor = Rotor::assemble(&model.rotor)?;
     let scale = rotor.motion_scale(model.integrator.tolerance);
     let view = View::new(&rotor, &scale, model.settle, super::samples(model, &rotor));
@@ -254,12 +244,7 @@ fn run(
         Some((truth, scale)) => Errors::between(&trial, truth, scale, Norm::Vibration, from),
         None => Errors::between(&trial, &trial, &vibration(&trial), Norm::Vibration, from),
     };
-    let cost = measure_cost(model, stop)?;
-    Ok(Ran {
-        cost,
-        errors,
-        trial,
-    })
+    Ok((measure_cost(model, stop)?, errors, trial))
 }
 
 /// What differences are relative to.

@@ -27,22 +27,23 @@ pub struct Statistics {
 }
 
 impl Statistics {
+    /// Each with that of another.
+    fn with(&self, other: &Self, both: fn(f64, f64) -> f64) -> Self {
+        Self {
+            mean: both(self.mean, other.mean),
+            rms: both(self.rms, other.rms),
+            peak: both(self.peak, other.peak),
+        }
+    }
+
     /// Mean, rms and peak by their distances from another's.
     fn distance(&self, other: &Self) -> Self {
-        Self {
-            mean: (self.mean - other.mean).abs(),
-            rms: (self.rms - other.rms).abs(),
-            peak: (self.peak - other.peak).abs(),
-        }
+        self.with(other, |own, other| (own - other).abs())
     }
 
     /// The larger of each.
     pub(super) fn larger(&self, other: &Self) -> Self {
-        Self {
-            mean: self.mean.max(other.mean),
-            rms: self.rms.max(other.rms),
-            peak: self.peak.max(other.peak),
-        }
+        self.with(other, f64::max)
     }
 
     fn times(&self, factor: f64) -> Self {

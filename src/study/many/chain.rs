@@ -109,12 +109,14 @@ impl Maker<'_> {
             },
             lines: lines.unwrap_or_default(),
         };
-        self.columns.iter().for_each(|column| column.ask(analyses));
+        self.columns
+            .iter()
+            .for_each(|column| (column.ask)(analyses));
     }
 
     /// Lines of the spectra; none where nothing rests on them.
     fn lines(&self) -> Option<SpectrumLines> {
-        let highest = self.columns.iter().filter_map(NumberColumn::order).max();
+        let highest = self.columns.iter().filter_map(|column| column.order).max();
         match (self.keep.highest_order, highest) {
             // round-off may put the bin of an order just beyond it
             (Some(kept), highest) => Some(SpectrumLines::UpTo(

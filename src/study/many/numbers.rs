@@ -1,211 +1,206 @@
 //! The numbers that are kept of every run.
 
-use crate::analysis::{Channel, Kind, Motion, Spectrum, column_unit};
+use std::sync::Arc;
+
+use crate::analysis::{Channel, Kind, Moments, Motion, Spectrum, column_unit};
 use crate::rotor::FREEDOMS;
-use crate::simulate::{Analyses, BallParts, EventKind, Run, Watched};
+use crate::simulate::{Analyses, BallParts, EventKind, Run};
 
 /// Multiples of the shaft frequency whose lines are kept.
 const ORDERS: [u32; 3] = [1, 2, 3];
 /// Number of freedoms that are lengths.
 const LENGTHS: usize = 3;
+/// Name of the number that is kept of every run.
+const MEASURED_ERROR: &str = "measured_error";
+
+/// How a number is found in a run; none where it has none.
+type Value = Arc<dyn Fn(&Run) -> Option<f64> + Send + Sync>;
 
 /// A number of a run: what it is called, what it rests on, and how it is found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone)]
 pub struct NumberColumn {
     /// Name with its unit as a column of a table: `x_rms_m`.
     pub name: String,
-    kind: NumberKind,
+    /// Order of the shaft whose line it is.
+    pub order: Option<u32>,
+    /// Asks for what it rests on, beside lines of spectra.
+    pub(super) ask: fn(&mut Analyses),
+    value: Value,
 }
 
-/// What a number is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum NumberKind {
-    Equilibrium(usize),
-    Stiffness(usize),
-    NaturalFrequency(usize),
-    DampingRatio(usize),
-    Mean(Channel),
-    Rms(Channel),
-    PeakToPeak(Channel),
-    Order(usize, u32),
-    Velocity(usize),
-    Period,
-    Drift,
-    LargestBallLoad,
-    FewestLoaded(usize),
-    ContactLost(usize),
-    Life(usize),
-    MeasuredError,
-    Evaluations,
+impl std::fmt::Debug for NumberColumn {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_tuple("NumberColumn").field(&self.name).finish()
+    }
+}
+
+impl NumberColumn {
+    /// Whether it is the measured error of a run.
+    pub fn is_error(&self) -> bool {
+        self.name == MEASURED_ERROR
+    }
+
+    /// The number of a run; NaN where it has none.
+    pub fn of(&self, run: &Run) -> f64 {
+        (self.value)(run).unwrap_or(f64::NAN)
+    }
 }
 
 /// The numbers of a run in the order of the columns; NaN where it has none.
 pub type Numbers = Vec<f64>;
 
+/// Columns as they are put together.
+#[derive(Default)]
+struct Columns(Vec<NumberColumn>);
+
+impl Columns {
+    fn add(
+        &mut self,
+        name: impl Into<String>,
+        ask: fn(&mut Analyses),
+        value: impl Fn(&Run) -> Option<f64> + Send + Sync + 'static,
+    ) {
+        self.0.push(NumberColumn {
+            name: name.into(),
+            order: None,
+            ask,
+            value: Arc::new(value),
+        });
+    }
+
+    /// Mean, RMS and range of a channel.
+    fn add_moments(&mut self, channel: Channel) {
+        let ask: fn(&mut Analyses) = match channel {
+            Channel::Force(_) => |asked| {
+                (asked.motion, asked.parts.forces, asked.watched.forces) = (true, true, true);
+            },
+            _ => |asked| asked.motion = true,
+        };
+        let moments: [(&str, fn(&Moments) -> f64); 3] = [
+            ("mean", Moments::mean),
+            ("rms", Moments::rms),
+            ("peak_to_peak", Moments::peak_to_peak),
+        ];
+        for (what, moment) in moments {
+            self.add(of(channel, what), ask, move |run| {
+                let mut statistics = run.motion.as_ref()?.statistics.iter();
+                let found = statistics.find(|entry| entry.channel == channel);
+                found.map(|entry| moment(&entry.moments))
+            });
+        }
+    }
+
+    /// Amplitude of a displacement at a multiple of the shaft frequency.
+    fn add_line(&mut self, freedom: usize, order: u32) {
+        let name = of(Channel::Displacement(freedom), &format!("order_{order}"));
+        self.add(name, NOTHING, move |run| {
+            order_line(run.spectrum.as_ref()?, freedom, order)
+        });
+        if let Some(added) = self.0.last_mut() {
+            added.order = Some(order);
+        }
+    }
+
+    /// What is observed of a bearing.
+    fn add_bearing(&mut self, bearing: usize) {
+        let name = |what: &str| format!("bearing_{}_{what}", bearing + 1);
+        let zone = move |run: &Run| Some(run.bearings.get(bearing)?.load_zone?.balls.smallest);
+        let lost = move |run: &Run| {
+            let history = run.bearings.get(bearing)?;
+            Some(history.events(EventKind::ContactLost).count as f64)
+        };
+        let life = move |run: &Run| run.bearings.get(bearing)?.life?.after_settle.hours();
+        self.add(
+            name("fewest_loaded"),
+            |asked| loads(asked).load_zone = true,
+            zone,
+        );
+        self.add(
+            name("contact_lost"),
+            |asked| loads(asked).events = true,
+            lost,
+        );
+        self.add(name("life_h"), |asked| loads(asked).life = true, life);
+    }
+}
+
+/// Of a number that every run has.
+const NOTHING: fn(&mut Analyses) = |_| {};
+
+/// `x_rms_m`.
+fn of(channel: Channel, what: &str) -> String {
+    format!("{channel}_{what}_{}", column_unit(channel.unit()))
+}
+
 /// Columns for scenes of so many freedoms and bearings.
 pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
-    use NumberKind::{
-        ContactLost, DampingRatio, Drift, Equilibrium, Evaluations, FewestLoaded, LargestBallLoad,
-        Life, Mean, MeasuredError, NaturalFrequency, Order, PeakToPeak, Period, Rms, Stiffness,
-        Velocity,
-    };
     let freedoms = freedoms.min(FREEDOMS);
-    let mut kinds: Vec<NumberKind> = (0..freedoms).map(Equilibrium).collect();
-    kinds.extend((0..freedoms).map(Stiffness));
-    kinds.extend((0..freedoms).flat_map(|mode| [NaturalFrequency(mode), DampingRatio(mode)]));
+    let mut columns = Columns::default();
+    for freedom in 0..freedoms {
+        let name = of(Channel::Displacement(freedom), "equilibrium");
+        columns.add(name, NOTHING, move |run| {
+            Some(run.equilibrium.displacement[freedom])
+        });
+    }
+    for freedom in 0..freedoms {
+        let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
+        let units = [force, channel].map(|channel| column_unit(channel.unit()));
+        let name = format!("stiffness_{channel}_{}", units.join("_"));
+        columns.add(name, NOTHING, move |run| {
+            Some(run.equilibrium.stiffness[freedom][freedom])
+        });
+    }
+    for mode in 0..freedoms {
+        let found = move |run: &Run| run.equilibrium.natural_frequencies.get(mode).copied();
+        let name = format!("natural_frequency_{}_Hz", mode + 1);
+        columns.add(name, NOTHING, move |run| Some(found(run)?.frequency));
+        let name = format!("damping_ratio_{}", mode + 1);
+        columns.add(name, NOTHING, move |run| Some(found(run)?.damping_ratio));
+    }
     let channels = Channel::of_freedoms(freedoms).into_iter();
-    kinds.extend(channels.flat_map(|channel| [Mean(channel), Rms(channel), PeakToPeak(channel)]));
-    let lines = |freedom| ORDERS.map(|order| Order(freedom, order));
-    kinds.extend((0..freedoms).flat_map(lines));
-    kinds.extend((0..freedoms.min(LENGTHS)).map(Velocity));
-    kinds.extend([Period, Drift, LargestBallLoad]);
-    let observed = |bearing| [FewestLoaded(bearing), ContactLost(bearing), Life(bearing)];
-    kinds.extend((0..bearings).flat_map(observed));
-    kinds.extend([MeasuredError, Evaluations]);
-    let column = |kind: NumberKind| NumberColumn {
-        name: kind.name(),
-        kind,
+    channels.for_each(|channel| columns.add_moments(channel));
+    for freedom in 0..freedoms {
+        ORDERS
+            .into_iter()
+            .for_each(|order| columns.add_line(freedom, order));
+    }
+    for freedom in 0..freedoms.min(LENGTHS) {
+        let name = of(Channel::Velocity(freedom), "rms");
+        let level = move |run: &Run| {
+            let level = run.motion.as_ref()?.velocity.get(freedom)?.as_ref();
+            level.map(|level| level.rms)
+        };
+        columns.add(
+            name,
+            |asked| (asked.motion, asked.parts.velocity) = (true, true),
+            level,
+        );
+    }
+    let kind = |asked: &mut Analyses| (asked.motion, asked.parts.kind) = (true, true);
+    columns.add("period_cycles", kind, |run| run.motion.as_ref().map(period));
+    let drift = |asked: &mut Analyses| (asked.motion, asked.parts.drift) = (true, true);
+    columns.add("drift", drift, |run| {
+        let drift = run.motion.as_ref()?.drift.as_ref();
+        drift.map(|drift| drift.largest())
+    });
+    let balls = |asked: &mut Analyses| {
+        loads(asked);
     };
-    kinds.into_iter().map(column).collect()
-}
-
-impl NumberKind {
-    /// Name with the unit.
-    fn name(self) -> String {
-        let of = |channel: Channel, what: &str| {
-            format!("{channel}_{what}_{}", column_unit(channel.unit()))
-        };
-        match self {
-            Self::Equilibrium(freedom) => of(Channel::Displacement(freedom), "equilibrium"),
-            Self::Stiffness(freedom) => {
-                let (channel, force) = (Channel::Displacement(freedom), Channel::Force(freedom));
-                let units = [force, channel].map(|channel| column_unit(channel.unit()));
-                format!("stiffness_{channel}_{}", units.join("_"))
-            }
-            Self::NaturalFrequency(mode) => format!("natural_frequency_{}_Hz", mode + 1),
-            Self::DampingRatio(mode) => format!("damping_ratio_{}", mode + 1),
-            Self::Mean(channel) => of(channel, "mean"),
-            Self::Rms(channel) => of(channel, "rms"),
-            Self::PeakToPeak(channel) => of(channel, "peak_to_peak"),
-            Self::Order(freedom, order) => {
-                of(Channel::Displacement(freedom), &format!("order_{order}"))
-            }
-            Self::Velocity(freedom) => of(Channel::Velocity(freedom), "rms"),
-            Self::Period => "period_cycles".to_owned(),
-            Self::Drift => "drift".to_owned(),
-            Self::LargestBallLoad => "largest_ball_load_N".to_owned(),
-            Self::FewestLoaded(bearing) => format!("bearing_{}_fewest_loaded", bearing + 1),
-            Self::ContactLost(bearing) => format!("bearing_{}_contact_lost", bearing + 1),
-            Self::Life(bearing) => format!("bearing_{}_life_h", bearing + 1),
-            Self::MeasuredError => "measured_error".to_owned(),
-            Self::Evaluations => "evaluations".to_owned(),
-        }
-    }
-}
-
-impl NumberColumn {
-    /// Order of the shaft whose line it is.
-    pub fn order(&self) -> Option<u32> {
-        match self.kind {
-            NumberKind::Order(_, order) => Some(order),
-            _ => None,
-        }
-    }
-
-    /// Asks for what it rests on, beside lines of spectra.
-    pub(super) fn ask(&self, analyses: &mut Analyses) {
-        let (motion, parts) = (&mut analyses.motion, &mut analyses.parts);
-        let watched = &mut analyses.watched;
-        match self.kind {
-            NumberKind::Mean(channel)
-            | NumberKind::Rms(channel)
-            | NumberKind::PeakToPeak(channel) => {
-                *motion = true;
-                if let Channel::Force(_) = channel {
-                    parts.forces = true;
-                    watched.forces = true;
-                }
-            }
-            NumberKind::Velocity(_) => (*motion, parts.velocity) = (true, true),
-            NumberKind::Period => (*motion, parts.kind) = (true, true),
-            NumberKind::Drift => (*motion, parts.drift) = (true, true),
-            NumberKind::LargestBallLoad => {
-                loads(watched);
-            }
-            NumberKind::FewestLoaded(_) => loads(watched).load_zone = true,
-            NumberKind::ContactLost(_) => loads(watched).events = true,
-            NumberKind::Life(_) => loads(watched).life = true,
-            NumberKind::Equilibrium(_)
-            | NumberKind::Stiffness(_)
-            | NumberKind::NaturalFrequency(_)
-            | NumberKind::DampingRatio(_)
-            | NumberKind::Order(..)
-            | NumberKind::MeasuredError
-            | NumberKind::Evaluations => {}
-        }
-    }
-
-    /// Whether it is the measured error of a run.
-    pub fn is_error(&self) -> bool {
-        self.kind == NumberKind::MeasuredError
-    }
-
-    /// The number of a run; NaN where it has none.
-    pub fn of(&self, run: &Run) -> f64 {
-        self.found(run).unwrap_or(f64::NAN)
-    }
-
-    fn found(&self, run: &Run) -> Option<f64> {
-        let motion = run.motion.as_ref();
-        let moments = |channel: Channel| {
-            let statistics = &motion?.statistics;
-            let found = statistics.iter().find(|entry| entry.channel == channel);
-            found.map(|entry| &entry.moments)
-        };
-        match self.kind {
-            NumberKind::Equilibrium(freedom) => Some(run.equilibrium.displacement[freedom]),
-            NumberKind::Stiffness(freedom) => Some(run.equilibrium.stiffness[freedom][freedom]),
-            NumberKind::NaturalFrequency(mode) => {
-                let modes = &run.equilibrium.natural_frequencies;
-                modes.get(mode).map(|mode| mode.frequency)
-            }
-            NumberKind::DampingRatio(mode) => {
-                let modes = &run.equilibrium.natural_frequencies;
-                modes.get(mode).map(|mode| mode.damping_ratio)
-            }
-            NumberKind::Mean(channel) => moments(channel).map(|moments| moments.mean()),
-            NumberKind::Rms(channel) => moments(channel).map(|moments| moments.rms()),
-            NumberKind::PeakToPeak(channel) => {
-                moments(channel).map(|moments| moments.peak_to_peak())
-            }
-            NumberKind::Order(freedom, order) => order_line(run.spectrum.as_ref()?, freedom, order),
-            NumberKind::Velocity(freedom) => motion?
-                .velocity
-                .get(freedom)
-                .copied()
-                .flatten()
-                .map(|level| level.rms),
-            NumberKind::Period => motion.map(period),
-            NumberKind::Drift => motion?.drift.map(|drift| drift.largest()),
-            NumberKind::LargestBallLoad => run.largest_ball_load,
-            NumberKind::FewestLoaded(bearing) => {
-                let zone = run.bearings.get(bearing)?.load_zone?;
-                Some(zone.balls.smallest)
-            }
-            NumberKind::ContactLost(bearing) => {
-                let events = run.bearings.get(bearing)?;
-                Some(events.events(EventKind::ContactLost).count as f64)
-            }
-            NumberKind::Life(bearing) => run.bearings.get(bearing)?.life?.after_settle.hours(),
-            NumberKind::MeasuredError => run.measured_error.map(|error| error.relative),
-            NumberKind::Evaluations => Some(run.counters.evaluations as f64),
-        }
-    }
+    columns.add("largest_ball_load_N", balls, |run| run.largest_ball_load);
+    (0..bearings).for_each(|bearing| columns.add_bearing(bearing));
+    columns.add(MEASURED_ERROR, NOTHING, |run| {
+        let error = run.measured_error.as_ref();
+        error.map(|error| error.relative)
+    });
+    columns.add("evaluations", NOTHING, |run| {
+        Some(run.counters.evaluations as f64)
+    });
+    columns.0
 }
 
 /// What is made of the loads of the balls, which are looked at from now on.
-fn loads(watched: &mut Watched) -> &mut BallParts {
-    watched.balls.get_or_insert(BallParts::LOADS)
+fn loads(asked: &mut Analyses) -> &mut BallParts {
+    asked.watched.balls.get_or_insert(BallParts::LOADS)
 }
 
 /// Amplitude at a multiple of the shaft frequency, where that is a bin.

@@ -255,14 +255,18 @@ fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// How long a run is, in revolutions of its shaft or in ball passes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// How long a run is in cycles at its own, constant speed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Cycles {
     /// What counts as a cycle.
     pub of: SectionKind,
-    /// Cycles that settle.
+    /// Cycles that settle. Default: 0.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1_000_000_000))]
     pub settle: u32,
     /// Cycles after them.
+    #[schemars(range(min = 1, max = 1_000_000_000), extend("examples" = [100]))]
     pub kept: u32,
 }
 

@@ -97,16 +97,9 @@ impl Plan {
     }
 }
 
-/// The values of one number of a scenario.
+/// The values that one number of a scenario takes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
-    /// The values.
-    pub values: AxisValues,
-}
-
-/// Where the values of an axis come from.
-#[derive(Debug, Clone, PartialEq)]
-pub enum AxisValues {
+pub enum Axis {
     /// A list, SI units.
     Listed(Vec<f64>),
     /// Evenly spaced.
@@ -127,48 +120,48 @@ pub enum AxisValues {
 impl Axis {
     /// Number of values on a grid; zero where they are drawn.
     pub fn length(&self) -> u64 {
-        match &self.values {
-            AxisValues::Listed(values) => values.len() as u64,
-            AxisValues::Spaced { count, .. } => *count,
-            AxisValues::Drawn(_) => 0,
+        match self {
+            Self::Listed(values) => values.len() as u64,
+            Self::Spaced { count, .. } => *count,
+            Self::Drawn(_) => 0,
         }
     }
 
     /// Value number `index` of a grid; NaN where there is none.
     pub fn value(&self, index: u64) -> f64 {
-        match &self.values {
-            AxisValues::Listed(values) => {
+        match self {
+            Self::Listed(values) => {
                 let index = usize::try_from(index).ok();
                 index
                     .and_then(|index| values.get(index))
                     .map_or(f64::NAN, |value| *value)
             }
-            AxisValues::Spaced {
+            Self::Spaced {
                 from,
                 to,
                 count,
                 logarithmic,
             } => between(*from, *to, *logarithmic, index, count.saturating_sub(1)),
-            AxisValues::Drawn(_) => f64::NAN,
+            Self::Drawn(_) => f64::NAN,
         }
     }
 
     /// Value that a share of all draws does not exceed: a list is drawn from evenly, spaced values are a
     /// uniform distribution from the first to the last (of the logarithm, where spaced by ratios).
     pub fn quantile(&self, share: f64) -> f64 {
-        match &self.values {
-            AxisValues::Listed(values) => {
+        match self {
+            Self::Listed(values) => {
                 let index = (share * values.len() as f64) as usize;
                 let last = values.len().saturating_sub(1);
                 values.get(index.min(last)).map_or(f64::NAN, |value| *value)
             }
-            AxisValues::Spaced {
+            Self::Spaced {
                 from,
                 to,
                 logarithmic,
                 ..
             } => part_way(*from, *to, *logarithmic, share),
-            AxisValues::Drawn(distribution) => distribution.quantile(share),
+            Self::Drawn(distribution) => distribution.quantile(share),
         }
     }
 }
@@ -239,14 +232,10 @@ impl Permutation {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::plan::Axis;
-    use crate::study::plan::AxisValues;
 
     #[test]
     fn a_grid_counts_its_last_axis_first() {
-        let axis = |values: &[f64]| Axis {
-            values: AxisValues::Listed(values.to_vec()),
-        };
+        let axis = |values: &[f64]| Axis::Listed(values.to_vec());
         let plan = Plan::new(
             vec![axis(&[1.0, 2.0]), axis(&[10.0, 20.0, 30.0])],
             Sampling::Grid,
