@@ -22,7 +22,6 @@ mod spectrum;
 mod statics;
 mod steady;
 mod study;
-mod summary;
 pub(crate) mod table;
 mod terminal;
 mod text;
@@ -37,8 +36,8 @@ pub use error::{FileAction, ReportError};
 pub(crate) use figure_trace::{Bucket, Decimator, TraceFigure};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
-pub use run_report::RunReport;
 pub(crate) use run_report::{KeptFiles, Outputs};
+pub use run_report::{RunReport, RunSummary};
 pub(crate) use run_tables::EVENT_COLUMNS;
 #[cfg(test)]
 pub(crate) use run_tables::{
@@ -51,7 +50,6 @@ pub(crate) use steady::{
     response_json, response_text, steady_json, steady_text, write_response, write_steady,
 };
 pub(crate) use study::{study_json, study_text, write_study};
-pub use summary::RunSummary;
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::ParquetTable;
 #[cfg(test)]

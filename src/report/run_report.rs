@@ -4,26 +4,28 @@ use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+use serde::Serialize;
 use serde_json::Value;
 
 use super::error::{Failure, FailureSummary, until_failure};
-use super::motion::{orbit_figure, write_poincare};
+use super::motion::{MotionSummary, orbit_figure, write_poincare};
 use super::page::Page;
 use super::run_tables::{SampleTable, ball_columns, ball_row, event_columns, event_row};
-use super::run_up::write_maps;
-use super::spectra::{estimated_figure, write_estimated};
-use super::spectrum::{frequency_limit_of, peak_table, spectrum_columns, spectrum_rows};
+use super::run_up::{MapsSummary, write_maps};
+use super::spectra::{EstimatedSummary, estimated_figure, write_estimated};
+use super::spectrum::{NamedPeak, frequency_limit_of, peak_table, spectrum_columns, spectrum_rows};
 use super::table::{Column, Origin, TableFiles};
+use super::text::MethodUseSummary;
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    RunSummary, TraceFigure, WholeFile, campbell, document, spectrum_figure,
+    TraceFigure, WholeFile, campbell, document, spectrum_figure,
 };
-use crate::analysis::Channel;
+use crate::analysis::{Channel, Spectrum};
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{Scenario, TableFormat};
-use crate::simulate::{Event, Model, Run, TraceSink};
+use crate::simulate::{Event, MeasuredError, Model, Run, TraceSink};
 use crate::study::ContactChoice;
-use crate::study::campbell::Campbell;
+use crate::study::campbell::{Campbell, CriticalSpeed};
 
 /// Which files a run writes besides `summary.json`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -423,5 +425,74 @@ impl RunReport {
         let kept = model.rotor.shaft.freedoms.count();
         let report = Self::open(folder, outputs, title, echo.clone(), kept)?;
         Ok(report.with_choice(contact_choice.as_ref()))
+    }
+}
+
+/// Everything that a run answers except trace and spectra: `summary.json` is `document` of it.
+#[derive(Debug, Serialize)]
+pub struct RunSummary<'a> {
+    #[serde(flatten)]
+    run: &'a Run,
+    method_use: Option<MethodUseSummary>,
+    measured_error: Option<ErrorSummary<'a>>,
+    spectrum: Option<SpectrumSummary<'a>>,
+    peaks: Vec<NamedPeak<'a>>,
+    motion: Option<MotionSummary<'a>>,
+    maps: Option<MapsSummary<'a>>,
+    spectra: Vec<EstimatedSummary<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    contact_choice: Option<&'a ContactChoice>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    critical_speeds: Option<&'a [CriticalSpeed]>,
+}
+
+/// The measured error beside what was asked for.
+#[derive(Debug, Serialize)]
+struct ErrorSummary<'a> {
+    #[serde(flatten)]
+    error: &'a MeasuredError,
+    tolerance: f64,
+    reference_share_of_evaluations: f64,
+}
+
+/// How the spectra were made.
+#[derive(Debug, Serialize)]
+struct SpectrumSummary<'a> {
+    #[serde(flatten)]
+    spectrum: &'a Spectrum,
+    scaling: &'static str,
+}
+
+impl<'a> RunSummary<'a> {
+    /// The summary of a run of a model, with the law of the contacts that was chosen for it and the natural
+    /// frequencies over the speed, where there are any.
+    pub fn new(
+        model: &Model,
+        run: &'a Run,
+        contact_choice: Option<&'a ContactChoice>,
+        campbell: Option<&'a Campbell>,
+    ) -> Self {
+        let spectrum = run.spectrum.as_ref();
+        let peaks = run.peaks.iter();
+        Self {
+            run,
+            method_use: run.method_use.as_ref().map(MethodUseSummary::from),
+            measured_error: run.measured_error.as_ref().map(|error| ErrorSummary {
+                error,
+                tolerance: model.integrator.tolerance,
+                reference_share_of_evaluations: error.share_of_evaluations(&run.counters),
+            }),
+            spectrum: spectrum.map(|spectrum| SpectrumSummary {
+                spectrum,
+                scaling: "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
+                          phase of cos(2 pi f t + phase) with t from start_s",
+            }),
+            peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
+            motion: run.motion.as_ref().map(MotionSummary::from),
+            maps: run.maps.as_ref().map(MapsSummary::from),
+            spectra: run.spectra.iter().map(EstimatedSummary::from).collect(),
+            contact_choice,
+            critical_speeds: campbell.map(|campbell| &campbell.critical_speeds[..]),
+        }
     }
 }

@@ -5,9 +5,9 @@ use std::sync::LazyLock;
 
 use serde_json::{Map, Number, Value};
 
-use super::dimension::{Dimension, Unit};
 use super::node::{Content, Node};
 use super::problems::Problems;
+use super::quantity::{Dimension, Unit};
 use super::reader::Range;
 use super::schema::schema;
 use super::{Issue, Scenario, quantity, questions_at, reader, without};

@@ -12,7 +12,6 @@
 //! ```
 
 mod axis;
-mod dimension;
 mod document;
 mod input;
 pub(crate) mod key;

@@ -1,14 +1,14 @@
-//! A number with its unit, as people write it: `"5 kg"`.
+//! A number with its unit, as people write it: `"5 kg"`; dimensions and their units, converted by one exact constant each.
 
 use std::borrow::Cow;
+use std::f64::consts::PI;
 use std::marker::PhantomData;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
-pub(super) use super::dimension::Measure;
-pub(super) use super::dimension::measure::*;
-use super::dimension::{Dimension, Unit};
+use Scale::{Per, Times};
+pub(super) use measure::*;
 
 /// Why a text is not a quantity of the dimension asked for.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -206,6 +206,163 @@ impl<D: Measure> JsonSchema for Quantity<D> {
     }
 }
 
+/// How a number in some unit becomes one in SI. Dividing by a power of ten is exact where
+/// multiplying by its inverse is not: 5 mm is 5/1e3.
+#[derive(Debug, Clone, Copy)]
+enum Scale {
+    Times(f64),
+    Per(f64),
+}
+
+/// A unit of some dimension.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Unit {
+    /// Spelling, products with one blank, powers with `^`.
+    pub symbol: &'static str,
+    scale: Scale,
+}
+
+impl Unit {
+    /// SI value of a number in this unit.
+    pub fn si(&self, number: f64) -> f64 {
+        match self.scale {
+            Times(factor) => number * factor,
+            Per(divisor) => number / divisor,
+        }
+    }
+
+    /// Number in this unit of an SI value, rounded to the digits that people read.
+    pub fn readable(&self, si: f64) -> f64 {
+        let exact = match self.scale {
+            Times(factor) => si / factor,
+            Per(divisor) => si * divisor,
+        };
+        format!("{exact:.9e}").parse().unwrap_or(exact)
+    }
+}
+
+const fn times(symbol: &'static str, factor: f64) -> Unit {
+    let scale = Times(factor);
+    Unit { symbol, scale }
+}
+
+const fn per(symbol: &'static str, divisor: f64) -> Unit {
+    let scale = Per(divisor);
+    Unit { symbol, scale }
+}
+
+/// A type that stands for one dimension.
+pub(super) trait Measure {
+    /// The dimension.
+    const DIMENSION: Dimension;
+    /// How a quantity of it is written.
+    const EXAMPLE: &'static str;
+    /// Largest magnitude in SI units that a scenario may hold, where a key sets no other limit:
+    /// far beyond any machine, and small enough that no product of such numbers overflows.
+    const LARGEST: f64;
+}
+
+/// Every dimension: its name in the code and in messages, an example, its largest magnitude in a scenario, and
+/// its units, the SI unit first.
+macro_rules! dimensions {
+    ($($name:ident $words:literal $example:literal $largest:literal [$($unit:expr),*],)*) => {
+        /// What a quantity measures.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+        pub(super) enum Dimension {
+            $($name),*
+        }
+
+        impl Dimension {
+            /// Every dimension with its name in messages and in the schema, and its units.
+            pub const ALL: &[(Self, &'static str, &'static [Unit])] =
+                &[$((Self::$name, $words, &[$($unit),*])),*];
+        }
+
+        /// Types that stand for the dimensions.
+        pub(super) mod measure {
+            use super::{Dimension, Measure};
+            $(
+                #[allow(dead_code, reason = "of some dimensions no key is, but their units are known")]
+                #[derive(Debug, Clone, Copy, PartialEq)]
+                pub(in crate::scenario) enum $name {}
+
+                impl Measure for $name {
+                    const DIMENSION: Dimension = Dimension::$name;
+                    const EXAMPLE: &'static str = $example;
+                    const LARGEST: f64 = $largest;
+                }
+            )*
+        }
+    };
+}
+
+#[rustfmt::skip]
+dimensions! {
+    Mass "mass" "5 kg" 1e9 [times("kg", 1.0), per("g", 1e3), per("mg", 1e6), times("t", 1e3), times("lb", 0.453_592_37)],
+    Length "length" "10 mm" 1e3 [times("m", 1.0), per("mm", 1e3), per("um", 1e6), per("nm", 1e9), per("cm", 1e2), times("in", 0.0254)],
+    Angle "angle" "15 deg" 1e3 [times("rad", 1.0), times("deg", PI / 180.0), per("mrad", 1e3), per("urad", 1e6)],
+    Time "time" "0.5 s" 1e7 [times("s", 1.0), per("ms", 1e3), per("us", 1e6), times("min", 60.0)],
+    Force "force" "1000 N" 1e12 [times("N", 1.0), times("kN", 1e3), times("MN", 1e6), per("mN", 1e3), times("lbf", 4.448_221_615_260_5)],
+    Moment "moment of force" "2 N m" 1e12 [times("N m", 1.0), per("N mm", 1e3), times("kN m", 1e3)],
+    Inertia "moment of inertia" "0.01 kg m^2" 1e12 [times("kg m^2", 1.0), per("kg mm^2", 1e6), per("kg cm^2", 1e4), per("g m^2", 1e3), per("g cm^2", 1e7), per("g mm^2", 1e9)],
+    AngularSpeed "angular speed" "500 rad/s" 1e5 [times("rad/s", 1.0), times("rpm", PI / 30.0), times("1/min", PI / 30.0), times("rev/s", 2.0 * PI), times("deg/s", PI / 180.0), per("mrad/s", 1e3)],
+    Velocity "velocity" "1 mm/s" 1e5 [times("m/s", 1.0), per("mm/s", 1e3), per("um/s", 1e6)],
+    Acceleration "acceleration" "10 m/s^2" 1e9 [times("m/s^2", 1.0), per("mm/s^2", 1e3), times("gn", 9.806_65)],
+    Frequency "frequency" "20 kHz" 1e9 [times("Hz", 1.0), times("kHz", 1e3), times("MHz", 1e6)],
+    Pressure "pressure" "207 GPa" 1e13 [times("Pa", 1.0), times("kPa", 1e3), times("MPa", 1e6), times("GPa", 1e9), times("N/mm^2", 1e6), times("psi", 6_894.757_293_168_361)],
+    Density "density" "7800 kg/m^3" 1e6 [times("kg/m^3", 1.0), times("g/cm^3", 1e3)],
+    Damping "damping coefficient" "200 N s/m" 1e12 [times("N s/m", 1.0), times("N s/mm", 1e3), times("kN s/m", 1e3)],
+    TiltDamping "tilt damping coefficient" "0.1 N m s/rad" 1e12 [times("N m s/rad", 1.0), times("N m s", 1.0), per("N mm s/rad", 1e3)],
+    ContactLoss "contact damping coefficient" "0.2 s/m" 1e9 [times("s/m", 1.0), times("s/mm", 1e3)],
+    ContactStiffness "contact stiffness" "1.334e10 N/m^1.5" 1e16 [times("N/m^1.5", 1.0), times("N/mm^1.5", 31_622.776_601_683_792)],
+    Stiffness "stiffness" "100 N/um" 1e12 [times("N/m", 1.0), times("N/mm", 1e3), times("N/um", 1e6), times("kN/mm", 1e6)],
+    Viscosity "viscosity" "0.04 Pa s" 1e4 [times("Pa s", 1.0), per("mPa s", 1e3), per("cP", 1e3)],
+    PressureViscosity "pressure-viscosity coefficient" "22 1/GPa" 1e-3 [times("1/Pa", 1.0), per("1/MPa", 1e6), per("1/GPa", 1e9), per("mm^2/N", 1e6)],
+    SecondMoment "second moment of area" "2.5e-8 m^4" 1e6 [times("m^4", 1.0), per("mm^4", 1e12), per("cm^4", 1e8)],
+}
+
+impl Dimension {
+    /// Name in messages and in the schema.
+    pub fn name(self) -> &'static str {
+        Self::ALL[self as usize].1
+    }
+
+    /// Units, the SI unit first.
+    pub fn units(self) -> &'static [Unit] {
+        Self::ALL[self as usize].2
+    }
+
+    /// The name with its article.
+    pub fn with_article(self) -> String {
+        let name = self.name();
+        let article = if name.starts_with('a') { "an" } else { "a" };
+        format!("{article} {name}")
+    }
+
+    /// The dimension of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        let mut all = Self::ALL.iter();
+        let found = all.find(|(_, known, _)| *known == name);
+        found.map(|(dimension, ..)| *dimension)
+    }
+
+    /// The unit of a spelling, in this dimension.
+    pub fn unit(self, spelling: &str) -> Option<&'static Unit> {
+        self.units().iter().find(|unit| unit.symbol == spelling)
+    }
+
+    /// The units as they are listed in messages.
+    pub fn unit_list(self) -> String {
+        let symbols: Vec<_> = self.units().iter().map(|unit| unit.symbol).collect();
+        symbols.join(", ")
+    }
+}
+
+/// A number with the four significant digits that a message needs.
+pub(super) fn significant(number: f64) -> f64 {
+    format!("{number:.3e}").parse().unwrap_or(number)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -257,5 +414,26 @@ mod tests {
         assert!(matches!(refusal("5,5 kg"), E::DecimalComma { .. }));
         assert!(matches!(refusal("5 kgs"), E::UnknownUnit { .. }));
         assert!(matches!(refusal("5 mm"), E::WrongDimension { .. }));
+    }
+
+    use super::*;
+
+    #[test]
+    fn no_unit_belongs_to_two_dimensions() {
+        let mut symbols: Vec<_> = Dimension::ALL
+            .iter()
+            .flat_map(|(_, _, units)| *units)
+            .map(|unit| unit.symbol)
+            .collect();
+        let count = symbols.len();
+        symbols.sort_unstable();
+        symbols.dedup();
+        assert_eq!(symbols.len(), count);
+    }
+
+    #[test]
+    fn limits_read_back_without_stray_digits() {
+        let degree = Dimension::Angle.unit("deg").unwrap();
+        assert_eq!(degree.readable(std::f64::consts::FRAC_PI_3), 60.0);
     }
 }

@@ -10,11 +10,10 @@ use serde::de::DeserializeOwned;
 use serde_json::{Map, Number, Value};
 
 use super::Issue;
-use super::dimension::Dimension;
 use super::key::join;
 use super::node::{Content, Entry, Node};
 use super::problems::{Problems, nearest};
-use super::quantity::{QuantityError, parse};
+use super::quantity::{Dimension, QuantityError, parse};
 
 /// The whole tree as a struct that `schema` describes; its required values may be examples where
 /// [`Problems`] holds an issue about them.

@@ -7,9 +7,8 @@ use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{ClearanceClass, FreePosition, Geometry, GeometryError};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
-use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Angle, ContactStiffness, Length, Quantity, si};
+use crate::scenario::quantity::{Angle, ContactStiffness, Length, Quantity, si, significant};
 
 /// Groove factor of a model in which the contact angle, and with it the groove, plays no part.
 const ANY_GROOVE_FACTOR: f64 = 0.52;

@@ -9,9 +9,8 @@ use serde::{Deserialize, Serialize};
 use super::settings::TimeInput;
 use crate::analysis::{Channel, Window};
 use crate::scenario::Issue;
-use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Frequency, Quantity};
+use crate::scenario::quantity::{Frequency, Quantity, significant};
 use crate::simulate::{Analyses, Sampling};
 
 /// Samples per revolution where neither key is given.

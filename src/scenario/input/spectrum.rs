@@ -11,9 +11,8 @@ use crate::analysis::{
 };
 use crate::rotor::{FREEDOMS, Freedoms};
 use crate::scenario::Issue;
-use crate::scenario::dimension::significant;
 use crate::scenario::problems::Problems;
-use crate::scenario::quantity::{Frequency, Quantity, Time};
+use crate::scenario::quantity::{Frequency, Quantity, Time, significant};
 
 /// Share of a segment that the next one holds, where none is given: as in SciPy and Matlab.
 const OVERLAP: f64 = 0.5;

@@ -1,12 +1,10 @@
 //! Which values the numbers of a scenario take in run number i: a function of i alone.
 
 mod distribution;
-mod sobol;
 
 use crate::rotor::load::SplitMix64;
 
 pub use distribution::Distribution;
-pub use sobol::{MOST_SOBOL_AXES, sobol};
 
 /// Most runs of a study.
 pub const MOST_RUNS: u64 = 1_000_000_000;
@@ -227,6 +225,73 @@ impl Permutation {
         }
         left << self.half | right
     }
+}
+
+/// Most axes of Sobol's sequence.
+pub const MOST_SOBOL_AXES: usize = 16;
+
+/// Bits of a coordinate.
+const BITS: usize = 32;
+
+/// Degree and coefficients of a primitive polynomial, and the first direction numbers.
+struct Direction(usize, u32, &'static [u32]);
+
+/// Axes from the second on.
+const DIRECTIONS: [Direction; MOST_SOBOL_AXES - 1] = [
+    Direction(1, 0, &[1]),
+    Direction(2, 1, &[1, 3]),
+    Direction(3, 1, &[1, 3, 1]),
+    Direction(3, 2, &[1, 1, 1]),
+    Direction(4, 1, &[1, 1, 3, 3]),
+    Direction(4, 4, &[1, 3, 5, 13]),
+    Direction(5, 2, &[1, 1, 5, 5, 17]),
+    Direction(5, 4, &[1, 1, 5, 5, 5]),
+    Direction(5, 7, &[1, 1, 7, 11, 19]),
+    Direction(5, 11, &[1, 1, 5, 1, 1]),
+    Direction(5, 13, &[1, 1, 1, 3, 11]),
+    Direction(5, 14, &[1, 3, 5, 5, 31]),
+    Direction(6, 1, &[1, 3, 3, 9, 7, 49]),
+    Direction(6, 13, &[1, 1, 1, 15, 21, 21]),
+    Direction(6, 16, &[1, 3, 1, 13, 27, 49]),
+];
+
+/// Coordinate, from 0 on and below 1, of point `index` along `axis`; the first 2³² points, and the first
+/// [`MOST_SOBOL_AXES`] axes, are told apart.
+///
+/// ```text
+/// x = ⊕ over the set bits k of the Gray code of index of v_k,
+/// v_k = a_1 v_(k−1) ⊕ … ⊕ a_(s−1) v_(k−s+1) ⊕ v_(k−s) ⊕ (v_(k−s) >> s)
+/// ```
+///
+/// Source: S. Joe & F. Y. Kuo, SIAM J. Sci. Comput. 30 (2008) 2635–2654, the table new-joe-kuo-6.
+pub fn sobol(index: u64, axis: usize) -> f64 {
+    let numbers = direction_numbers(axis % MOST_SOBOL_AXES);
+    let gray = index ^ (index >> 1);
+    let bits = numbers.iter().enumerate();
+    let set = bits.filter(|(bit, _)| gray >> bit & 1 == 1);
+    let coordinate = set.fold(0, |sum: u32, (_, number)| sum ^ number);
+    f64::from(coordinate) / 2f64.powi(BITS as i32)
+}
+
+fn direction_numbers(axis: usize) -> [u32; BITS] {
+    let mut numbers: [u32; BITS] = std::array::from_fn(|bit| 1 << (BITS - 1 - bit));
+    let Some(Direction(degree, polynomial, first)) = axis.checked_sub(1).map(|k| &DIRECTIONS[k])
+    else {
+        return numbers;
+    };
+    for bit in 0..BITS {
+        numbers[bit] = match first.get(bit) {
+            Some(start) => start << (BITS - 1 - bit),
+            None => {
+                let last = numbers[bit - degree];
+                let terms = 1..*degree;
+                let chosen = terms.filter(|term| polynomial >> (degree - 1 - term) & 1 == 1);
+                let sum = chosen.fold(0, |sum, term| sum ^ numbers[bit - term]);
+                sum ^ last ^ (last >> degree)
+            }
+        };
+    }
+    numbers
 }
 
 #[cfg(test)]
