@@ -162,7 +162,7 @@ fn put_methods(out: &mut Lines, accuracy: &Accuracy) {
         "steps\n",
         "rejected\n",
     ];
-    let header = first.into_iter().chain(error_header(irregular));
+    let header = first.into_iter().chain(titles(method_errors(irregular)));
     let rows = accuracy.rows.iter().filter_map(|row| {
         let measured = row.result.as_ref().ok()?;
         Some(method_cells(row, measured, irregular))
@@ -188,29 +188,47 @@ fn put_methods(out: &mut Lines, accuracy: &Accuracy) {
     }
 }
 
-/// Titles of three columns: of traces, or of statistics where traces mean nothing.
-fn error_header(irregular: bool) -> [&'static str; 3] {
-    if irregular {
-        ["error\nin mean", "\nin rms", "\nin peak"]
-    } else {
-        ["error\ndisplacement", "\nforce", "\nlines"]
-    }
+/// A column of errors for people: its title and its cells.
+type ErrorColumn = (&'static str, fn(&Errors) -> String);
+
+const TRACES: [ErrorColumn; 3] = [
+    ("error\ndisplacement", |errors| {
+        short(errors.displacement_relative)
+    }),
+    ("\nforce", |errors| short(errors.force_relative)),
+    ("\nlines", |errors| or_dash(errors.lines.map(short))),
+];
+const STATISTICS: [ErrorColumn; 3] = [
+    ("error\nin mean", |errors| short(errors.statistics.mean)),
+    ("\nin rms", |errors| short(errors.statistics.rms)),
+    ("\nin peak", |errors| short(errors.statistics.peak)),
+];
+
+/// Columns of a method: of traces, or of statistics where traces mean nothing.
+fn method_errors(irregular: bool) -> &'static [ErrorColumn] {
+    if irregular { &STATISTICS } else { &TRACES }
 }
 
-fn error_cells(errors: &Errors, irregular: bool, mark: &str) -> Vec<String> {
-    if irregular {
-        let statistics = &errors.statistics;
-        return vec![
-            format!("{mark}{}", short(statistics.mean)),
-            short(statistics.rms),
-            short(statistics.peak),
-        ];
-    }
-    vec![
-        format!("{mark}{}", short(errors.displacement_relative)),
-        short(errors.force_relative),
-        or_dash(errors.lines.map(short)),
-    ]
+const VIBRATION: [ErrorColumn; 4] = [
+    ("from the top\nplace", |errors| {
+        short(errors.statistics.mean)
+    }),
+    ("\nvibration", |errors| short(errors.displacement_relative)),
+    ("\nforce", |errors| short(errors.force_relative)),
+    ("\nlines", |errors| or_dash(errors.lines.map(short))),
+];
+const SPREAD: [ErrorColumn; 4] = [
+    ("from the top\nplace", |errors| {
+        short(errors.statistics.mean)
+    }),
+    ("\nrms", |errors| short(errors.statistics.rms)),
+    ("\npeak", |errors| short(errors.statistics.peak)),
+    ("force\nrms", |errors| short(errors.force_statistics.rms)),
+];
+
+/// Columns of a rung, as those of a method.
+fn rung_errors(irregular: bool) -> &'static [ErrorColumn] {
+    if irregular { &SPREAD } else { &VIBRATION }
 }
 
 fn method_cells(row: &Row, measured: &Measured, irregular: bool) -> Vec<String> {
@@ -228,7 +246,9 @@ fn method_cells(row: &Row, measured: &Measured, irregular: bool) -> Vec<String> 
         counters.steps.to_string(),
         counters.rejected.to_string(),
     ];
-    cells.extend(error_cells(&measured.errors, irregular, mark));
+    let mark = std::iter::once(mark).chain(std::iter::repeat(""));
+    let errors = method_errors(irregular).iter().zip(mark);
+    cells.extend(errors.map(|((_, cell), mark)| format!("{mark}{}", cell(&measured.errors))));
     cells
 }
 
@@ -253,20 +273,11 @@ fn put_least_time(out: &mut Lines, accuracy: &Accuracy) {
 }
 
 fn put_ladder(out: &mut Lines, accuracy: &Accuracy) {
-    let vibration = if accuracy.agreement.irregular {
-        ["\nrms", "\npeak", "force\nrms"]
-    } else {
-        ["\nvibration", "\nforce", "\nlines"]
-    };
-    let header = [
-        "model, cage, freedoms\n",
-        "\n",
-        "ms per\nsimulated s",
-        "from the top\nplace",
-    ];
+    let errors = rung_errors(accuracy.agreement.irregular);
+    let header = ["model, cage, freedoms\n", "\n", "ms per\nsimulated s"];
     let rows = &accuracy.ladder.rows;
     let cells = rows.iter().filter_map(|row| ladder_cells(row, accuracy));
-    out.table(header.into_iter().chain(vibration), cells);
+    out.table(header.into_iter().chain(titles(errors)), cells);
     out.put(
         "relative to the rms of the top rung's vibration after the settle time; place: of its middle",
     );
@@ -287,22 +298,18 @@ fn ladder_cells(row: &LadderRow, accuracy: &Accuracy) -> Option<Vec<String>> {
         (false, true) => "written",
         (false, false) => "",
     };
-    let statistics = &errors.statistics;
-    let apart = if accuracy.agreement.irregular {
-        let force = short(errors.force_statistics.rms);
-        [short(statistics.rms), short(statistics.peak), force]
-    } else {
-        let lines = or_dash(errors.lines.map(short));
-        let [vibration, force] = [errors.displacement_relative, errors.force_relative].map(short);
-        [vibration, force, lines]
-    };
     let cells = [
         row.configuration.to_string(),
         mark.to_owned(),
         time(MILLI * cost.seconds / accuracy.duration),
-        short(statistics.mean),
     ];
+    let columns = rung_errors(accuracy.agreement.irregular).iter();
+    let apart = columns.map(|(_, cell)| cell(errors));
     Some(cells.into_iter().chain(apart).collect())
+}
+
+fn titles(columns: &[ErrorColumn]) -> impl Iterator<Item = &'static str> {
+    columns.iter().map(|(title, _)| *title)
 }
 
 /// What could not be measured, and why.

@@ -1,4 +1,4 @@
-//! Where the files of a result go.
+//! Where the files of a result go, and the document that says what they rest on.
 
 use std::path::{Path, PathBuf};
 

@@ -1,4 +1,4 @@
-//! What can go wrong between a result and its file.
+//! What can go wrong between a result and its file, and what is kept of a run that cannot go on.
 
 use std::path::{Path, PathBuf};
 use std::{fmt, io};

@@ -1,4 +1,4 @@
-//! The trace as a figure: one panel for each freedom that moves.
+//! The trace as a figure, one panel for each freedom that moves: an envelope of fixed length, however long the run.
 
 #[cfg(test)]
 use super::ReportError;

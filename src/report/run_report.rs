@@ -1,4 +1,4 @@
-//! The files of one run, from the opening of the folder to the last rename.
+//! The files of one run, from the opening of the folder to the last rename, and its summary.
 
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};

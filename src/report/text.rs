@@ -1,4 +1,4 @@
-//! The few lines that a person reads after a run.
+//! The few lines that a person reads after a run: what was found, which method and law it rests on.
 
 use std::path::PathBuf;
 

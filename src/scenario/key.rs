@@ -1,4 +1,4 @@
-//! Keys of a scenario by their paths: which there are, and which values each can have.
+//! Keys of a scenario by their paths: which there are, and which values each can have, in a file or on a command line.
 
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;

@@ -1,4 +1,4 @@
-//! Collects what is wrong with a scenario while it is read and checked.
+//! What is wrong with a scenario: collected while it is read and checked, shown with the lines that it stands on.
 
 use std::fmt;
 use std::ops::Range;

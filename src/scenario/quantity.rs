@@ -416,8 +416,6 @@ mod tests {
         assert!(matches!(refusal("5 mm"), E::WrongDimension { .. }));
     }
 
-    use super::*;
-
     #[test]
     fn no_unit_belongs_to_two_dimensions() {
         let mut symbols: Vec<_> = Dimension::ALL

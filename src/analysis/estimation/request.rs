@@ -1,4 +1,4 @@
-//! What a spectrum is asked to show.
+//! What a spectrum is asked to show, and what it then shows.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

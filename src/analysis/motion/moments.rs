@@ -1,4 +1,4 @@
-//! Mean, spread and shape of a signal, a row of values at a time.
+//! Statistics of a signal: moments, RMS velocity in a band, and how they drift.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! What kind of motion the points of its sections belong to.
+//! What kind of motion the points of its sections belong to: periodic, of two frequencies, or irregular.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Draws a figure as SVG.
+//! Draws a figure as SVG: where its parts stand, curves and axes, and maps as pictures.
 
 use std::collections::BTreeSet;
 

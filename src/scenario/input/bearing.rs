@@ -1,4 +1,4 @@
-//! `[[bearing]]`.
+//! `[[bearing]]` with its materials, its oil and its arrangement in sets.
 
 use std::f64::consts::FRAC_PI_2;
 

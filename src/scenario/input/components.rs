@@ -1,4 +1,4 @@
-//! The five freedoms as keys of an inline table.
+//! The five freedoms as keys of an inline table; `[initial]` and `[static]`, which are made of such.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

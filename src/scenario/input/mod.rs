@@ -1,4 +1,4 @@
-//! The tables of a scenario file, one a file: plain structs that mirror the text, the
+//! The tables of a scenario file: plain structs that mirror the text, the
 //! descriptions that editors show, and what each table becomes in the model.
 
 mod bearing;

@@ -1,4 +1,4 @@
-//! `[shaft]`.
+//! `[shaft]` and `[shaft.torsion]`.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! `[speed]`.
+//! `[speed]` and `[speed.drive]`.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

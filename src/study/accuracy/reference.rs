@@ -1,4 +1,5 @@
-//! The truth that errors are measured against: two different methods, as exact as the scene allows.
+//! The truth that errors are measured against: two different methods, as exact as the scene allows; and the distance
+//! of every method and tolerance from it.
 
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;

@@ -13,6 +13,16 @@ const LENGTHS: usize = 3;
 /// Name of the number that is kept of every run.
 const MEASURED_ERROR: &str = "measured_error";
 
+/// A moment of a channel.
+type Moment = fn(&Moments) -> f64;
+
+/// Moments of a channel that are kept.
+const MOMENTS: [(&str, Moment); 3] = [
+    ("mean", Moments::mean),
+    ("rms", Moments::rms),
+    ("peak_to_peak", Moments::peak_to_peak),
+];
+
 /// How a number is found in a run; none where it has none.
 type Value = Arc<dyn Fn(&Run) -> Option<f64> + Send + Sync>;
 
@@ -76,12 +86,7 @@ impl Columns {
             },
             _ => |asked| asked.motion = true,
         };
-        let moments: [(&str, fn(&Moments) -> f64); 3] = [
-            ("mean", Moments::mean),
-            ("rms", Moments::rms),
-            ("peak_to_peak", Moments::peak_to_peak),
-        ];
-        for (what, moment) in moments {
+        for (what, moment) in MOMENTS {
             self.add(of(channel, what), ask, move |run| {
                 let mut statistics = run.motion.as_ref()?.statistics.iter();
                 let found = statistics.find(|entry| entry.channel == channel);

@@ -1,4 +1,4 @@
-//! What is kept of one run.
+//! What is kept of one run, and where the next one of its chain starts.
 
 use std::f64::consts::TAU;
 use std::io;

@@ -1,4 +1,4 @@
-//! Which runs are made together, and under which numbers.
+//! Which runs are made together, under which numbers, how long each is, and on how many threads.
 
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
