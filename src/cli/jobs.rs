@@ -47,6 +47,8 @@ pub struct Answer {
     pub told: String,
     /// For programs.
     pub json: Value,
+    /// Whether it leaves out a part of what was asked for, of which a warning tells.
+    pub incomplete: bool,
 }
 
 impl Files {
@@ -66,7 +68,11 @@ impl Files {
         let count = tasks.len();
         let (mut outcome, mut documents) = (Outcome::Done, Vec::new());
         for (job, task) in tasks {
-            match answer(&job, task) {
+            let answer = answer(&job, task);
+            if answer.as_ref().is_ok_and(|answer| answer.incomplete) {
+                outcome = Outcome::Failed;
+            }
+            match answer {
                 Ok(answer) if self.json => documents.push(answer.json),
                 Ok(answer) => {
                     stream::print(&answer.text)?;
@@ -201,6 +207,7 @@ impl Answer {
             text,
             told: String::new(),
             json,
+            incomplete: false,
         }
     }
 }

@@ -1,10 +1,8 @@
 //! `jeffcott steady`.
 
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
-
-use serde_json::Value;
 
 use super::jobs::{Answer, Failure, Files, Job};
 use super::progress::Progress;
@@ -62,7 +60,7 @@ pub struct Arguments {
     )]
     to: Option<String>,
     /// Most motions of a branch
-    #[arg(long, value_name = "N", requires = "over", default_value_t = 2000)]
+    #[arg(long, value_name = "N", requires = "over", default_value_t = 20_000)]
     points: usize,
     /// Leave out the motions of doubled period
     #[arg(long, requires = "over")]
@@ -78,16 +76,14 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     };
     arguments.files.answer(prepare, |job, (model, stretch)| {
         let started = Instant::now();
-        let (text, mut json, files) = match &stretch {
+        let mut answer = match &stretch {
             Some(stretch) => along(job, &model, stretch, arguments)?,
             None => alone(job, &model, arguments)?,
         };
         let seconds = started.elapsed().as_secs_f64();
-        json["wall_time_s"] = seconds.into();
-        Ok(Answer {
-            told: format!("done in {seconds:.3} s\n"),
-            ..Answer::new(text, json, &files)
-        })
+        answer.json["wall_time_s"] = seconds.into();
+        answer.told = format!("done in {seconds:.3} s\n");
+        Ok(answer)
     })
 }
 
@@ -119,10 +115,7 @@ fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure>
     }))
 }
 
-/// Text, JSON and files of an answer.
-type Found = (String, Value, Vec<PathBuf>);
-
-fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Found, Failure> {
+fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
     let destination = job.destination();
     let found = steady(&SteadyQuestion {
         model,
@@ -133,7 +126,7 @@ fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Found, Failu
     let files = report::write_steady(&destination, model, &found)?;
     let text = report::steady_text(destination.title, model, &found, &files);
     let json = report::steady_json(&destination, model, &found);
-    Ok((text, json, files))
+    Ok(Answer::new(text, json, &files))
 }
 
 fn along(
@@ -141,7 +134,7 @@ fn along(
     model: &Model,
     stretch: &Stretch,
     arguments: &Arguments,
-) -> Result<Found, Failure> {
+) -> Result<Answer, Failure> {
     let destination = job.destination();
     let mut progress = Progress::new(destination.title);
     let varied = &stretch.varied;
@@ -156,11 +149,14 @@ fn along(
     };
     let branches = response(&question, &mut |part| progress.show(part))?;
     drop(progress);
-    let lost = branches.iter().filter(|branch| branch.lost);
-    job.warn(lost.map(|branch| &branch.end));
+    let incomplete = || branches.iter().filter(|branch| branch.incomplete);
+    job.warn(incomplete().map(|branch| &branch.end));
     let variable = &stretch.variable;
     let files = report::write_response(&destination, variable, &branches)?;
     let text = report::response_text(destination.title, variable, &branches, &files);
     let json = report::response_json(&destination, variable, &branches);
-    Ok((text, json, files))
+    Ok(Answer {
+        incomplete: incomplete().next().is_some(),
+        ..Answer::new(text, json, &files)
+    })
 }

@@ -24,6 +24,8 @@ pub struct Variation {
 /// column.
 struct Augmented<'a> {
     system: &'a dyn System,
+    /// Units of the states.
+    scale: &'a [f64],
     /// Room for `∂f/∂y` and `∂f/∂t`.
     slopes: RefCell<(DMatrix<f64>, Vec<f64>)>,
 }
@@ -56,6 +58,41 @@ impl System for Augmented<'_> {
     fn next_break(&self, after: f64) -> f64 {
         self.system.next_break(after)
     }
+
+    fn event_count(&self) -> usize {
+        self.system.event_count()
+    }
+
+    fn events(&self, time: f64, all: &[f64], values: &mut [f64]) {
+        self.system
+            .events(time, &all[..self.system.states()], values);
+    }
+
+    fn event_change(&self, times: [f64; 2], all: [&[f64]; 2]) -> f64 {
+        let states = all.map(|all| &all[..self.system.states()]);
+        self.system.event_change(times, states)
+    }
+
+    /// The force of a contact grows with the power 3/2 of the depth δ, so that its stiffness is 3/2 of the force
+    /// over δ; neighbouring motions are a unit of each component apart at the start.
+    fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
+        let (own, slopes) = rate.split_at_mut(self.system.states());
+        self.system.force_jump(event, time, distance, own);
+        let length = self.scale[..own.len() / 2]
+            .iter()
+            .copied()
+            .fold(0.0, f64::max);
+        let columns = slopes.chunks_exact_mut(own.len());
+        for (column, scale) in columns.zip(self.scale) {
+            for (slope, force) in column.iter_mut().zip(&*own) {
+                *slope = 1.5 * force / distance * length / scale;
+            }
+        }
+    }
+
+    fn expects_crossings(&self) -> bool {
+        self.system.expects_crossings()
+    }
 }
 
 /// Integrates a motion from time 0 together with its slopes by the start:
@@ -79,6 +116,7 @@ pub fn variation(
     let states = system.states();
     let augmented = Augmented {
         system,
+        scale: &scaling.scale,
         slopes: RefCell::new((DMatrix::zeros(states, states), vec![0.0; states])),
     };
     let grid = Grid {
@@ -91,8 +129,8 @@ pub fn variation(
     };
     let mut start = start.to_vec();
     start.extend_from_slice(DMatrix::<f64>::identity(states, states).as_slice());
-    let scaling = augmented_scaling(scaling);
-    let mut integration = Integration::new(&augmented, scaling, grid, settings, stop, &start);
+    let units = augmented_scaling(scaling);
+    let mut integration = Integration::new(&augmented, units, grid, settings, stop, &start);
     let mut ends = States::with_capacity(start.len(), 2);
     integration.advance(2, &mut ends)?;
     let (end, slopes) = ends.as_slice()[start.len()..].split_at(states);

@@ -31,6 +31,17 @@ impl Multipliers {
         self.largest() < 1.0
     }
 
+    /// How far each is from the nearest of others, with the round-off of an eigenvalue.
+    pub fn distances(&self, others: &Self) -> Vec<f64> {
+        let (own, others) = (self.values(), others.values());
+        let round_off = f64::EPSILON * self.largest();
+        let nearest = |value: &Complex<f64>| {
+            let distances = others.iter().map(|other| (value - other).norm());
+            distances.fold(f64::INFINITY, f64::min) + round_off
+        };
+        own.iter().map(nearest).collect()
+    }
+
     /// The multipliers as complex numbers; magnitudes where arguments have no meaning.
     pub fn values(&self) -> Vec<Complex<f64>> {
         match self {

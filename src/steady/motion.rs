@@ -15,7 +15,9 @@ use crate::analysis::Channel;
 use crate::integrate::{Counters, Settings};
 use crate::keys;
 use crate::rotor::{Rotor, Sample, check_constraints};
-use crate::shooting::{Circle, Crossing, Multipliers, ReturnMap, SpecialKind, refine};
+use crate::shooting::{
+    Circle, Crossing, Multipliers, ReturnMap, Slopes, SpecialKind, multipliers, refine,
+};
 use crate::simulate::{Model, StaticState};
 
 /// Factor between the tolerances of the two searches.
@@ -40,13 +42,16 @@ pub struct SteadyQuestion<'a> {
 }
 
 /// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Measured {
     /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
     #[serde(rename = "displacement_m")]
     pub displacement: f64,
     /// The same relative to the largest excursion from the static equilibrium.
     pub relative: f64,
+    /// Error of every Floquet multiplier, in their order: its distance from that of the motion found again.
+    pub multipliers: Vec<f64>,
     /// Tolerance of the second search.
     pub reference_tolerance: f64,
 }
@@ -187,7 +192,7 @@ fn answer(
     };
     let trace = trace(&map, &flights, &sampled, question.model);
     let channels = Channel::of_freedoms(map.rotor.active_freedoms());
-    let error = measured.map_or(0.0, |error| error.relative);
+    let error = measured.as_ref().map_or(0.0, |error| error.relative);
     let noise = error.max(NOISE * solver.settings.tolerance);
     let instability = Crossing::cause(&found.multipliers);
     let warnings = warnings(&found, measured.as_ref(), solver.settings.tolerance);
@@ -282,6 +287,8 @@ fn measured(
     let tolerance = map.solver.settings.tolerance;
     let again = refine(map, found.states.clone(), &found.slopes, tolerance)?;
     let reference = sampled(map, &again.states, model, false)?;
+    let slopes = map.image(&again.states, Slopes::All)?.slopes;
+    let multipliers = multipliers(map.circle(), &slopes);
     map.solver.settings = asked;
     let place = map.rotor.equilibrium().displacement;
     let (mut displacement, mut excursion) = (0.0_f64, map.scale.length);
@@ -301,6 +308,7 @@ fn measured(
     Ok(Measured {
         displacement,
         relative: displacement / excursion,
+        multipliers: found.multipliers.distances(&multipliers),
         reference_tolerance: tolerance,
     })
 }

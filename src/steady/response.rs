@@ -110,8 +110,8 @@ pub struct Response {
     pub unrefined: Vec<ResponseUnrefined>,
     /// Why it ends, in words.
     pub end: String,
-    /// Whether it ends because it was lost.
-    pub lost: bool,
+    /// Whether it goes on beyond its last motion: it was lost, or has as many motions as asked for.
+    pub incomplete: bool,
     /// Work done.
     pub counters: Counters,
 }
@@ -263,10 +263,13 @@ fn answer(
             BranchEnd::Reached => "the parameter reached its last value".to_owned(),
             BranchEnd::CameBack => "the branch came back to the first value".to_owned(),
             BranchEnd::Closed => "the period became single again".to_owned(),
-            BranchEnd::Points => "as many motions as asked for".to_owned(),
+            BranchEnd::Points => format!(
+                "the branch goes on beyond its {} motions: raise --points, or narrow --from and --to",
+                branch.points.len()
+            ),
             BranchEnd::Lost(error) => format!("the branch was lost: {error}"),
         },
-        lost: matches!(branch.end, BranchEnd::Lost(_)),
+        incomplete: matches!(branch.end, BranchEnd::Lost(_) | BranchEnd::Points),
         counters: map.counters,
     })
 }

@@ -16,8 +16,7 @@ use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
 /// Step of a state, in sizes of the motion, over which slopes are looked at where the method gives none.
 const STATE_STEP: f64 = 1e-3;
 
-/// Slopes need be integrated no more exactly than this: they guide the search and tell multipliers to six digits,
-/// while what returns is judged by the motion itself.
+/// Slopes are integrated at least this exactly: the search and the signs of multipliers along a branch rest on them.
 const SLOPE_TOLERANCE: f64 = 1e-7;
 
 /// Makes the rotor of a value of the parameter; what is wrong with it in words.
@@ -135,7 +134,7 @@ impl<'a> RotorMap<'a> {
         };
         let (solver, period) = (&self.solver, self.places.circle.period());
         let settings = Settings {
-            tolerance: solver.settings.tolerance.max(SLOPE_TOLERANCE),
+            tolerance: solver.settings.tolerance.min(SLOPE_TOLERANCE),
             ..solver.settings
         };
         let scaling = self.scaling();

@@ -97,6 +97,32 @@ fn a_response_writes_its_branches() {
     assert_eq!(last.split(',').count(), header.split(',').count());
 }
 
+/// A branch that is cut off is no answer to what was asked: the files stand, and the exit code is 1.
+#[test]
+fn a_branch_that_goes_on_beyond_its_motions_fails_and_says_why() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = jeffcott(
+        folder.path(),
+        &[
+            "scenarios/varying-compliance-6306.toml",
+            "--over",
+            "speed.constant",
+            "--from",
+            "195 rad/s",
+            "--to",
+            "400 rad/s",
+            "--no-doubled",
+            "--points",
+            "5",
+        ],
+    );
+    assert_eq!(output.status.code(), Some(1));
+    let words = text(&output.stderr);
+    assert!(words.contains("beyond its 5 motions"), "{words}");
+    let written = folder.path().join("varying-compliance-6306/response.csv");
+    assert!(written.exists());
+}
+
 /// What is wrong with a command line is code 2, a scene without a steady motion is code 1.
 #[test]
 fn exit_codes_tell_wrong_input_from_a_scene_without_a_steady_motion() {

@@ -135,14 +135,14 @@ struct SteadySummary<'a> {
     steady: &'a Steady,
     stable: bool,
     lines: usize,
-    measured_error: Option<ErrorSummary>,
+    measured_error: Option<ErrorSummary<'a>>,
 }
 
 /// The measured error beside what was asked for.
 #[derive(Serialize)]
-struct ErrorSummary {
+struct ErrorSummary<'a> {
     #[serde(flatten)]
-    error: Measured,
+    error: &'a Measured,
     tolerance: f64,
 }
 
@@ -165,7 +165,7 @@ pub fn steady_json(destination: &Destination<'_>, model: &Model, steady: &Steady
         steady,
         stable: steady.is_stable(),
         lines: steady.lines.lines.len(),
-        measured_error: steady.measured.map(measured),
+        measured_error: steady.measured.as_ref().map(measured),
     };
     destination.document(summary)
 }
@@ -195,7 +195,7 @@ pub fn steady_text(title: &str, model: &Model, steady: &Steady, files: &[PathBuf
         out.line("forcing", forcing(base));
     }
     out.line("motion", motion(steady));
-    out.line("multipliers", multipliers(&steady.multipliers));
+    out.line("multipliers", multipliers(steady));
     out.line("stability", stability(steady));
     out.line("search", search(steady));
     if let Some(error) = &steady.measured {
@@ -269,21 +269,22 @@ fn motion(steady: &Steady) -> String {
     }
 }
 
-fn multipliers(multipliers: &Multipliers) -> String {
-    match multipliers {
-        Multipliers::Periodic(all) => {
-            let upper = all.iter().filter(|value| value.im >= 0.0);
-            let text = |value: &Complex<f64>| match value.im {
-                0.0 => format!("{:.6}", value.re),
-                im => format!("{:.6} ± {im:.6} i", value.re),
-            };
-            listed(upper.take(MULTIPLIERS).map(text))
-        }
-        Multipliers::Torus(all) => {
-            let some = all.iter().take(MULTIPLIERS);
-            listed(some.map(|size| format!("|{size:.6}|")))
-        }
-    }
+fn multipliers(steady: &Steady) -> String {
+    let torus = matches!(steady.multipliers, Multipliers::Torus(_));
+    let errors = steady.measured.iter().flat_map(|error| &error.multipliers);
+    let errors = errors.map(|error| format!(" (error {error:.0e})"));
+    let errors = errors.chain(std::iter::repeat(String::new()));
+    let values = steady.multipliers.values();
+    let upper = values
+        .iter()
+        .zip(errors)
+        .filter(|(value, _)| value.im >= 0.0);
+    let text = |(value, error): (&Complex<f64>, String)| match value.im {
+        _ if torus => format!("|{:.6}|{error}", value.re),
+        0.0 => format!("{:.6}{error}", value.re),
+        im => format!("{:.6} ± {im:.6} i{error}", value.re),
+    };
+    listed(upper.take(MULTIPLIERS).map(text))
 }
 
 fn stability(steady: &Steady) -> String {

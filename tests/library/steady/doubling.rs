@@ -75,6 +75,35 @@ fn jis_6306_has_the_swings_and_periods_of_long_runs() {
     }
 }
 
+/// The multipliers of the period of two ball passes, from variational equations integrated at 1e-13 with steps
+/// that end where balls lift off; the determinant is `exp(−∫ trace)`, here with a damping of c/m in both directions.
+#[test]
+fn multipliers_are_exact_where_balls_lift_off() {
+    for (tolerance, within) in [(1e-8, 1e-5), (1e-10, 1e-6)] {
+        let mut question = question(jis_6306(150.0));
+        question.integrator = settings(tolerance);
+        question.verify = true;
+        let steady = search(&question, Some(2)).expect("a motion");
+        let values = steady.multipliers.values();
+        let errors = steady.measured.expect("a measured error").multipliers;
+        assert!(errors.iter().all(|error| *error < within), "{errors:?}");
+        let expected = [[0.315316, 0.814069], [0.779046, 0.393980]];
+        for [re, im] in expected {
+            let near =
+                |value: &&nalgebra::Complex<f64>| (value.re - re).hypot(value.im - im) < within;
+            assert!(values.iter().any(|value| near(&value)), "{values:?}");
+        }
+        let determinant: f64 = values.iter().map(|value| value.norm()).product();
+        let trace = 2.0 * 200.0 / 20.0;
+        assert_near(
+            "determinant",
+            determinant.ln(),
+            -trace * steady.period,
+            within,
+        );
+    }
+}
+
 #[test]
 fn at_150_radians_per_second_the_single_period_has_left_through_minus_one() {
     let single = search(&question(jis_6306(150.0)), Some(1)).expect("a motion");
