@@ -106,7 +106,9 @@ pub(crate) fn simulate_part(
         measured_error: reference.and_then(|reference| reference.measured(model, &rotor, scale)),
         error_unknown: reference.and_then(Reference::failure),
     };
-    Ok(answer(model, &rotor, work, observers, unconstrained))
+    let mut warnings = unconstrained;
+    warnings.extend(observers.observation.peak_warnings(&rotor)?);
+    Ok(answer(model, &rotor, work, observers, warnings))
 }
 
 /// Shows the observers what an earlier part of the run has integrated.
@@ -173,7 +175,7 @@ fn answer(
     rotor: &Rotor,
     work: Work<'_>,
     observers: Observers<'_>,
-    unconstrained: Vec<String>,
+    mut warnings: Vec<String>,
 ) -> Run {
     let analysis = sampling::analyse(model, rotor, observers.recording.as_ref());
     let (motion, maps) = observers.recorders.finish();
@@ -181,7 +183,6 @@ fn answer(
         (Some(analysis.spectrum), analysis.peaks)
     });
     let estimated = spectra::estimated(model, observers.recording.as_ref());
-    let mut warnings = unconstrained;
     warnings.extend(warnings::warnings(model, rotor, &work, motion.as_ref()));
     let speed_changes = rotor.steady_from(model.settle).is_none();
     let whole = spectrum.as_ref();

@@ -155,6 +155,11 @@ impl Support {
         self.on_shaft(&force)
     }
 
+    /// Hertz contacts of a ball with the inner and the outer race.
+    pub(crate) fn contacts(&self) -> &[HertzContact; 2] {
+        &self.contacts
+    }
+
     /// Number of balls that [`Support::force_and_loads`] tells of; none where the bearing is frozen: a linear law
     /// knows no balls.
     pub(crate) fn known_balls(&self) -> usize {

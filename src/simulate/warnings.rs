@@ -4,8 +4,15 @@ use std::f64::consts::TAU;
 
 use super::{Model, Work};
 use crate::analysis::{Channel, Kind, Motion};
+use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
+use crate::physics::{ball_mass, centrifugal_force};
 use crate::rotor::Rotor;
+
+/// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
+const COARSEST_BALANCE: f64 = 100.0;
+/// Speed factor d_m·n, mm/min, above which the centrifugal forces of the balls move their contact angles.
+const INERTIA_FREE: f64 = 5e5;
 
 /// A measured error above this many tolerances is worth a warning.
 pub(crate) const PROMISE: f64 = 10.0;
@@ -51,6 +58,8 @@ pub(super) fn warnings(
         ));
     }
     warnings.extend(work.stiffness.as_ref().map(stiff));
+    warnings.extend(unbalance(model, rotor));
+    warnings.extend(inertia_left_out(rotor));
     warnings.extend(bearings(rotor));
     warnings.extend(motion.and_then(not_settled));
     warnings
@@ -67,6 +76,47 @@ fn bearings(rotor: &Rotor) -> Vec<String> {
         state.warnings.into_iter().map(say)
     });
     told.collect()
+}
+
+/// An eccentricity that no balanced shaft has: most often a unit mistaken.
+fn unbalance(model: &Model, rotor: &Rotor) -> Option<String> {
+    let eccentricity = model.rotor.shaft.eccentricity;
+    let grade = 1e3 * eccentricity * rotor.highest_speed().abs();
+    (grade > COARSEST_BALANCE).then(|| {
+        format!(
+            "the eccentricity of {:.4} mm gives e·ω = {grade:.0} mm/s at {:.0} rpm, beyond balance grade G \
+             {COARSEST_BALANCE} of ISO 21940-11 (shafts have G 2.5 to G 16): look at its unit",
+            1e3 * eccentricity,
+            rotor.highest_speed() * 60.0 / TAU
+        )
+    })
+}
+
+/// Bearings so fast that a law without the inertia of the balls is off.
+fn inertia_left_out(rotor: &Rotor) -> Vec<String> {
+    let fast = |(index, support): (usize, &Support)| {
+        let geometry = &support.definition().bearing.geometry;
+        let factor = 1e3 * geometry.pitch_diameter() * rotor.highest_speed().abs() * 60.0 / TAU;
+        let left_out = support.definition().law == ContactLaw::Hertz;
+        (left_out && factor > INERTIA_FREE).then(|| {
+            let speed = support.cage_ratio() * rotor.highest_speed();
+            let density = support.definition().bearing.ball_material.density;
+            let mass = ball_mass(geometry.ball_diameter(), density);
+            format!(
+                "bearing {}: contact = \"hertz\" leaves out the inertia of the balls, and d_m·n is {factor:.0} mm/min, \
+                 above {INERTIA_FREE:.0}: a ball is pressed outwards with {:.1} N; contact = \"jones\" \
+                 counts that, and gives other stiffnesses and frequencies",
+                index + 1,
+                centrifugal_force(mass, geometry.pitch_diameter(), speed)
+            )
+        })
+    };
+    rotor
+        .supports()
+        .iter()
+        .enumerate()
+        .filter_map(fast)
+        .collect()
 }
 
 fn stiff(stiffness: &Stiffness) -> String {

@@ -37,6 +37,35 @@ fn assert_silent_on(output: &Output, part: &str) {
     assert!(!told.contains(part), "`{part}` in\n{told}");
 }
 
+#[test]
+fn a_load_beyond_any_contact_of_a_ball_is_an_error_with_its_numbers() {
+    let output = answer("run", "shock-1e9", &["--no-verify"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert_says(&output, &["a ball carries 1.767e8 N", "3.97 mm", "units"]);
+}
+
+/// The races of the same scene keep a dent where the shock has 50 kN.
+#[test]
+fn pressures_over_the_motion_are_told_with_their_time() {
+    let text = std::fs::read_to_string(scene("shock-1e9")).expect("a scene");
+    let folder = TempDir::new().expect("a folder");
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, text.replace("-1e9 N", "-50 kN")).expect("a written file");
+    let output = verb("run", &[&file], folder.path(), &["--no-verify"]).output();
+    let output = output.expect("the command starts");
+    assert!(output.status.success(), "{}", told(&output));
+    assert_says(
+        &output,
+        &["bearing 1: at t = 3.", "onto the inner race", "ISO 76"],
+    );
+}
+
+#[test]
+fn speeds_where_the_inertia_of_balls_counts_are_told() {
+    let output = answer("run", "hertz-20000rpm", &["--no-verify"]);
+    assert_says(&output, &["770000 mm/min", "contact = \"jones\""]);
+}
+
 /// 100 times gravity for a millisecond on a preloaded pair: balls lose contact at the end of the shock.
 #[test]
 fn no_method_loops_at_one_instant() {

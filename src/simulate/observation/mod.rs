@@ -5,6 +5,7 @@ mod event;
 mod history;
 mod life;
 mod load_zone;
+mod peak_loads;
 
 use std::io;
 
@@ -13,13 +14,14 @@ pub use history::BearingHistory;
 pub use life::{ConsumedLife, LifeHistory};
 pub use load_zone::{LoadZone, Spread};
 
-use super::{BallParts, Model, TraceSink, Watched};
+use super::{BallParts, Model, SimulateError, TraceSink, Watched};
 use crate::bearing::{BallLoads, ContactBand, Support};
 use crate::rotor::{BallContacts, Rotor, Sample};
 use contact_watch::ContactWatch;
 use event::EventCounts;
 use life::LifeSums;
 use load_zone::LoadZoneSums;
+use peak_loads::PeakLoads;
 
 /// Watches all bearings of a rotor, sample by sample: the same samples give the same result.
 #[derive(Debug)]
@@ -39,6 +41,7 @@ struct BearingObserver<'a> {
     /// Speed in rad/s and where contacts part at it.
     band: (f64, ContactBand),
     watch: Option<ContactWatch>,
+    peaks: PeakLoads,
     counts: EventCounts,
     zone: Option<LoadZoneSums>,
     life: Option<LifeSums>,
@@ -84,6 +87,30 @@ impl<'a> Observation<'a> {
         bearings.any(|bearing| bearing.parts.early_life && bearing.life.is_some())
     }
 
+    /// What to know of how hard the balls were pressed in the run.
+    ///
+    /// # Errors
+    /// [`SimulateError::BeyondContact`] where that is beyond any contact of a ball.
+    pub fn peak_warnings(&self, rotor: &Rotor) -> Result<Vec<String>, SimulateError> {
+        let states = rotor.bearing_states(rotor.highest_speed());
+        let mut warnings = Vec::new();
+        for (index, (bearing, state)) in self.bearings.iter().zip(states).enumerate() {
+            let loads = state
+                .balls
+                .iter()
+                .map(|ball| [ball.inner.load, ball.outer.load]);
+            let at_rest = loads.fold([0.0_f64; 2], |most, load| {
+                [most[0].max(load[0]), most[1].max(load[1])]
+            });
+            warnings.extend(
+                bearing
+                    .peaks
+                    .warnings(index + 1, bearing.support, at_rest)?,
+            );
+        }
+        Ok(warnings)
+    }
+
     /// Where the rotor leaves what it observes of the balls.
     pub fn contacts(&mut self) -> &mut BallContacts {
         &mut self.contacts
@@ -117,6 +144,9 @@ impl<'a> Observation<'a> {
     fn watch(&mut self, instant: [f64; 2], sink: &mut dyn TraceSink) -> io::Result<()> {
         self.found.clear();
         for (index, bearing) in self.bearings.iter_mut().enumerate() {
+            bearing
+                .peaks
+                .take(instant[0], &self.contacts.bearings()[index]);
             bearing.watch(index, instant, &self.contacts, &mut self.found);
         }
         self.found.sort_unstable_by(Event::order);
@@ -146,6 +176,7 @@ impl<'a> BearingObserver<'a> {
             parts,
             band: (speed, support.contact_band(speed)),
             watch: (balls > 0 && parts.events).then(|| ContactWatch::new(index, balls, preloaded)),
+            peaks: PeakLoads::default(),
             counts: EventCounts::new(balls > 0, preloaded),
             zone: parts.load_zone.then(LoadZoneSums::default),
             life: rated.map(|rating| LifeSums::new(&bearing.geometry, rating, settle)),
