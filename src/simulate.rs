@@ -33,7 +33,6 @@ pub use recorded::{RecordedRun, UnknownColumn};
 pub use run::{MeasuredError, Run, StaticState};
 pub(crate) use size::RunSize;
 pub(crate) use tables::TableUse;
-pub(crate) use warnings::PROMISE;
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 pub use crate::integrate::{Counters, IntegrateError};

@@ -102,25 +102,13 @@ impl BallLines<'_> {
             contact_stiffness: spring.stiffness_under(load),
             film,
             spin_to_roll: if loaded { spin_to_roll } else { 0.0 },
-            shoulder_margin: self
-                .bearing
-                .shoulder_angle
-                .filter(|_| loaded)
-                .map(|shoulder| {
-                    let reach = half_angle(ellipse.semi_major, self.groove_radius(race));
-                    shoulder - (angle.abs() + reach)
-                }),
+            shoulder_margin: loaded
+                .then(|| {
+                    self.bearing
+                        .shoulder_margin(race, angle, ellipse.semi_major)
+                })
+                .flatten(),
         }
-    }
-
-    /// r = f D of a race, m.
-    fn groove_radius(&self, race: usize) -> f64 {
-        let geometry = &self.bearing.geometry;
-        let factors = [
-            geometry.groove_factor_inner(),
-            geometry.groove_factor_outer(),
-        ];
-        factors[race] * geometry.ball_diameter()
     }
 
     /// Films at both races under their loads in N, where a loaded ball rolls on oil.
@@ -141,10 +129,4 @@ impl BallLines<'_> {
             })
         })
     }
-}
-
-/// Half of the angle, in rad, that an ellipse of semi-axis a in m takes of a groove of radius r in m.
-fn half_angle(semi_major: f64, groove_radius: f64) -> f64 {
-    // sin ϑ = a/r
-    (semi_major / groove_radius).min(1.0).asin()
 }

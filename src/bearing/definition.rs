@@ -110,6 +110,19 @@ impl Bearing {
         })
     }
 
+    /// Angle left from the end of a contact ellipse to the shoulder of the inner (0) or the outer (1) race, rad:
+    /// `α_s − |α| − asin(a/(f D))`; negative where the ellipse is cut off, none where no shoulder is known.
+    pub(crate) fn shoulder_margin(&self, race: usize, angle: f64, semi_major: f64) -> Option<f64> {
+        let geometry = &self.geometry;
+        let factors = [
+            geometry.groove_factor_inner(),
+            geometry.groove_factor_outer(),
+        ];
+        let groove_radius = factors[race] * geometry.ball_diameter();
+        let reach = (semi_major / groove_radius).min(1.0).asin();
+        Some(self.shoulder_angle? - angle.abs() - reach)
+    }
+
     /// Hertz contact of ball and inner race, curvature at the free contact angle.
     ///
     /// # Errors

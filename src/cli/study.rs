@@ -382,7 +382,7 @@ fn outcome(digest: Option<&Digest>) -> Outcome {
 
 /// Shows what came of a study.
 fn show(title: &str, files: &[PathBuf], digest: Option<&Digest>, as_json: bool) -> io::Result<()> {
-    if let Some(warning) = digest.and_then(Digest::error_warning) {
+    for warning in digest.iter().flat_map(|digest| &digest.warnings) {
         stream::tell(&format!("warning: {title}: {warning}\n"));
     }
     let paths = files.iter().map(|file| file.display().to_string());

@@ -244,12 +244,94 @@ fn a_study_tells_of_an_error_far_beyond_the_tolerance() {
     let output = done(answer("study", "two-6205-clearances", &[]));
     assert_says(
         &output,
-        &[
-            "the measured error is",
-            "× the tolerance 1e-8",
-            "runs that measured it",
-        ],
+        &["run 0: the measured error is", "× the tolerance 1e-8"],
     );
+}
+
+/// A study warns of what a run of it warns of, those alike once, and each run's stand in the table.
+#[test]
+fn a_study_warns_as_its_runs_do() {
+    let folder = TempDir::new().expect("a folder");
+    let base = changed("steady-7205c", &[("\"0.01 mm\"", "\"1 mm\"")], &folder);
+    let study = format!(
+        "base = {:?}\n[[axis]]\nkey = \"speed.constant\"\nvalues = [\"480 rad/s\", \"490 rad/s\", \"500 rad/s\"]\n\
+         [keep]\nnumbers = [\"x_rms_m\"]\n",
+        base.file_name().expect("a name")
+    );
+    let file = folder.path().join("study.toml");
+    std::fs::write(&file, study).expect("a written file");
+    let output = verb("study", &[&file], folder.path(), &[]).output();
+    let output = done(output.expect("the command starts"));
+    assert_says(
+        &output,
+        &["run 0 and 2 more: the eccentricity of 1.0000 mm gives e·ω = 480 mm/s"],
+    );
+    let mut runs = csv::Reader::from_path(folder.path().join("study/runs.csv")).expect("runs.csv");
+    let last = runs.headers().expect("names").len() - 1;
+    assert_eq!(&runs.headers().expect("names")[last], "warnings");
+    let cells: Vec<_> = runs.records().map(|row| row.expect("a row")).collect();
+    assert!(cells[2][last].contains("e·ω = 500 mm/s"), "{cells:?}");
+}
+
+/// A shipped scenario with parts of it replaced, in a folder.
+fn changed(name: &str, parts: &[(&str, &str)], folder: &TempDir) -> PathBuf {
+    let path = root().join("scenarios").join(name).with_extension("toml");
+    let mut text = std::fs::read_to_string(path).expect("a scenario");
+    for (part, other) in parts {
+        assert!(text.contains(part), "{part}");
+        text = text.replace(part, other);
+    }
+    let file = folder.path().join("scene.toml");
+    std::fs::write(&file, text).expect("a written file");
+    file
+}
+
+#[test]
+fn doubtful_values_are_told_before_the_run() {
+    let cases = [
+        ("ratio = 0.02 ", "ratio = 0 ", "`damping.ratio` is 0"),
+        ("settle = \"0.2 s\"", "", "no `settle` in `[time]`"),
+    ];
+    for (part, other, warning) in cases {
+        let folder = TempDir::new().expect("a folder");
+        let file = changed("steady-7205c", &[(part, other)], &folder);
+        let output = jeffcott().arg("check").arg(file).output();
+        assert_says(&output.expect("the command starts"), &[warning]);
+    }
+    let folder = TempDir::new().expect("a folder");
+    let metres = ("position = \"10 mm\"", "position = \"10 m\"");
+    let output = jeffcott()
+        .arg("check")
+        .arg(changed("coal-impact-7205c", &[metres], &folder))
+        .output();
+    assert_says(
+        &output.expect("the command starts"),
+        &["9970.0 mm outside the bearings, which span 60.0 mm"],
+    );
+}
+
+/// At rest the ellipses end below the shoulders, in a shock along the axis they pass them.
+#[test]
+fn contact_ellipses_cut_off_in_the_motion_are_told_with_their_time() {
+    let folder = TempDir::new().expect("a folder");
+    let shoulder = (
+        "facing = \"+z\"",
+        "shoulder_angle = \"33 deg\"\nfacing = \"+z\"",
+    );
+    let shock = (
+        "[time]",
+        "[[load]]\nshock = { peak = { z = \"5 kN\" }, duration = \"4 ms\", at = \"0.03 s\" }\n[time]",
+    );
+    for (parts, is_cut) in [(vec![shoulder], false), (vec![shoulder, shock], true)] {
+        let file = changed("steady-7205c", &parts, &folder);
+        let output = verb("run", &[&file], folder.path(), &["--no-verify"]).output();
+        let output = done(output.expect("the command starts"));
+        let warning = "s the contact ellipse of a ball reaches";
+        match is_cut {
+            true => assert_says(&output, &["bearing 1: at t = 3.", warning, "race"]),
+            false => assert_silent_on(&output, warning),
+        }
+    }
 }
 
 #[test]

@@ -247,9 +247,9 @@ fn failed_runs_are_recorded_and_made_alone() {
     let output = study(&file, folder.path(), &[]);
     assert_eq!(output.status.code(), Some(1), "{}", told(&output));
     let rows = rows(&folder.path().join("small"));
-    let status: Vec<_> = rows.iter().map(|row| &row[row.len() - 2]).collect();
+    let status: Vec<_> = rows.iter().map(|row| &row[row.len() - 3]).collect();
     assert_eq!(status, ["done", "done", "failed"]);
-    let error = rows[2][rows[2].len() - 1].to_owned();
+    let error = rows[2][rows[2].len() - 2].to_owned();
     assert!(error.contains("settle"), "{error}");
     let alone = study(&file, folder.path(), &["--only", "2"]);
     assert_eq!(alone.status.code(), Some(1));
@@ -385,6 +385,7 @@ fn a_study_keeps_the_numbers_that_it_names() {
         "measured_error",
         "status",
         "error",
+        "warnings",
     ];
     assert_eq!(names, expected);
     let figure = fs::read_to_string(small.join("response.svg")).expect("a figure");

@@ -8,11 +8,13 @@ use serde_json::Value;
 
 use super::response_peak::{ResponsePeak, peaks};
 use super::sensitivity::{Sensitivity, sensitivities};
+use super::tables::BETWEEN_WARNINGS;
 use crate::report::{FileAction, ReportError};
-use crate::simulate::PROMISE;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 20_000;
+/// Most kinds of warnings that are told.
+const MOST_WARNINGS: usize = 20;
 /// Most failed runs that are named.
 const MOST_FAILURES: usize = 20;
 /// Runs whose rows are shown.
@@ -29,6 +31,17 @@ pub struct Failure {
     pub values: Vec<f64>,
     /// Why, in words.
     pub error: String,
+}
+
+/// A warning of one run or more, in the words of the first of them.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RunsWarned {
+    /// Number of the first run.
+    pub run: u64,
+    /// Number of runs that have the same one but for its numbers.
+    pub runs: u64,
+    /// Its words.
+    pub warning: String,
 }
 
 /// A row of the table.
@@ -69,6 +82,8 @@ pub struct DigestSummary<'a> {
     failed: u64,
     /// The first of them.
     failures: &'a [Failure],
+    /// Warnings of the runs; those that differ by their numbers alone are one.
+    warnings: &'a [RunsWarned],
     /// The largest measured error of all runs that have one.
     largest_measured_error: Option<f64>,
     runs_with_measured_error: u64,
@@ -91,6 +106,8 @@ pub struct Digest {
     pub failed: u64,
     /// The first of them.
     pub failures: Vec<Failure>,
+    /// Warnings of the runs.
+    pub warnings: Vec<RunsWarned>,
     /// The line of names.
     pub(super) names: csv::StringRecord,
     /// The first rows as they stand in the table.
@@ -101,8 +118,6 @@ pub struct Digest {
     /// Rows that are drawn, every `stride`-th of those that were done.
     pub(super) rows: Vec<Row>,
     stride: u64,
-    /// Tolerance of all runs, where they have the same.
-    tolerance: Option<f64>,
     /// Names of the numbers that the study keeps, where it names any.
     pub(super) named: Option<Vec<String>>,
     /// Whether the runs were drawn instead of standing on a grid.
@@ -122,7 +137,6 @@ impl Digest {
         let mut reader = csv::Reader::from_path(runs).map_err(refused)?;
         let names = reader.headers().map_err(refused)?.clone();
         let mut digest = Self::empty(names, axes, &identity["study"]);
-        digest.tolerance = tolerance(identity);
         for record in reader.records() {
             digest.read(record.map_err(refused)?);
         }
@@ -132,14 +146,14 @@ impl Digest {
 
     fn empty(names: csv::StringRecord, axes: usize, study: &Value) -> Self {
         let own = |name: &str| name.to_owned();
-        let numbers = names.len().saturating_sub(4 + axes);
+        let numbers = names.len().saturating_sub(5 + axes);
         let columns = names.iter().skip(2 + axes).take(numbers);
         let named = study["keep"]["numbers"].as_array();
         Self {
             runs: 0,
             failed: 0,
             failures: Vec::new(),
-            tolerance: None,
+            warnings: Vec::new(),
             axes: names.iter().skip(2).take(axes).map(own).collect(),
             columns: columns.map(ColumnDigest::new).collect(),
             first: Vec::new(),
@@ -164,17 +178,25 @@ impl Digest {
             .take(self.columns.len())
             .map(number)
             .collect();
-        match (cells.next(), cells.next()) {
-            (Some("failed"), error) => {
+        let (status, error, warnings) = (cells.next(), cells.next(), cells.next());
+        match status {
+            Some("failed") => {
                 let error = error.unwrap_or_default().to_owned();
                 self.fail(Failure { run, values, error });
             }
-            _ => self.add(Row {
-                run,
-                down: record.get(1) == Some("down"),
-                values,
-                numbers,
-            }),
+            _ => {
+                let warnings = warnings.filter(|warnings| !warnings.is_empty());
+                let warnings = warnings
+                    .into_iter()
+                    .flat_map(|all| all.split(BETWEEN_WARNINGS));
+                warnings.for_each(|warning| self.warn(run, warning));
+                self.add(Row {
+                    run,
+                    down: record.get(1) == Some("down"),
+                    values,
+                    numbers,
+                });
+            }
         }
         if self.first.len() < MOST_SHOWN {
             self.first.push(record);
@@ -186,6 +208,19 @@ impl Digest {
         self.failed += 1;
         if self.failures.len() < MOST_FAILURES {
             self.failures.push(failure);
+        }
+    }
+
+    fn warn(&mut self, run: u64, warning: &str) {
+        let same = |known: &RunsWarned| words(&known.warning).eq(words(warning));
+        match self.warnings.iter().position(same) {
+            Some(place) => self.warnings[place].runs += 1,
+            None if self.warnings.len() < MOST_WARNINGS => self.warnings.push(RunsWarned {
+                run,
+                runs: 1,
+                warning: warning.to_owned(),
+            }),
+            None => {}
         }
     }
 
@@ -241,21 +276,6 @@ impl Digest {
         (column.known > 0).then_some(column.highest)
     }
 
-    /// What is to be told where a measured error is far beyond the tolerance.
-    pub fn error_warning(&self) -> Option<String> {
-        let column = &self.columns[self.column("measured_error")?];
-        let tolerance = self.tolerance?;
-        (column.known > 0 && column.highest > PROMISE * tolerance).then(|| {
-            format!(
-                "the measured error is {:.1e} of the motion in run {}, more than {PROMISE} × the tolerance \
-                 {tolerance:.0e}, and the largest of {} runs that measured it: their motion may be irregular or rest on \
-                 contact changes; trust statistics over runs rather than one of them, or lower `tolerance` in \
-                 [integrator]",
-                column.highest, column.highest_in_run, column.known
-            )
-        })
-    }
-
     /// Numbers of runs whose error was measured.
     pub fn measured(&self) -> u64 {
         let column = self.column("measured_error");
@@ -288,6 +308,7 @@ impl Digest {
             runs: self.runs,
             failed: self.failed,
             failures: &self.failures,
+            warnings: &self.warnings,
             largest_measured_error: self.largest_error(),
             runs_with_measured_error: self.measured(),
             numbers: known.map(|column| (column.name.as_str(), column)).collect(),
@@ -298,14 +319,25 @@ impl Digest {
     }
 }
 
-/// Tolerance of all runs of a study; none where they have several.
-fn tolerance(identity: &Value) -> Option<f64> {
-    let lists = ["axis", "set"].map(|list| identity["study"][list].as_array());
-    let mut entries = lists.into_iter().flatten().flatten();
-    if entries.any(|entry| entry["key"] == "integrator.tolerance") {
-        return None;
+/// The words of a warning that are no numbers.
+fn words(warning: &str) -> impl Iterator<Item = &str> {
+    let digits = |word: &&str| word.contains(|letter: char| letter.is_ascii_digit());
+    warning.split_whitespace().filter(move |word| !digits(word))
+}
+
+impl std::fmt::Display for RunsWarned {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.runs {
+            1 => write!(f, "run {}: {}", self.run, self.warning),
+            runs => write!(
+                f,
+                "run {} and {} more: {}",
+                self.run,
+                runs - 1,
+                self.warning
+            ),
+        }
     }
-    identity["base"]["integrator"]["tolerance"].as_f64()
 }
 
 impl ColumnDigest {

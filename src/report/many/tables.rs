@@ -10,6 +10,9 @@ use crate::report::table::{cell, number};
 use crate::study::Variable;
 use crate::study::many::{BearingStiffness, Keep, NumberColumn, RunRecord, TraceSeal};
 
+/// What stands between two warnings of a run.
+pub(super) const BETWEEN_WARNINGS: &str = " | ";
+
 /// A table of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Table {
@@ -81,7 +84,7 @@ impl Layout<'_> {
                 let turn = ["direction".to_owned()];
                 let variables = self.variables.iter().map(column_name);
                 let numbers = self.columns.iter().map(|column| column.name.clone());
-                let ends = ["status", "error"].map(str::to_owned);
+                let ends = ["status", "error", "warnings"].map(str::to_owned);
                 let start = run.chain(turn).chain(variables);
                 start.chain(numbers).chain(ends).collect()
             }
@@ -155,12 +158,13 @@ impl Layout<'_> {
                 // what a run does not have is an empty cell
                 let known = |value: &f64| cell(Some(*value).filter(|value| !value.is_nan()));
                 row.extend(outcome.numbers.iter().map(known));
-                row.extend(["done".to_owned(), String::new()]);
+                let warnings = outcome.warnings.join(BETWEEN_WARNINGS);
+                row.extend(["done".to_owned(), String::new(), warnings]);
             }
             Err(message) => {
                 row.extend(self.columns.iter().map(|_| String::new()));
                 let message = message.replace(['\n', '\r'], " ");
-                row.extend(["failed".to_owned(), message]);
+                row.extend(["failed".to_owned(), message, String::new()]);
             }
         }
         row

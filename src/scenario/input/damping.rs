@@ -99,6 +99,11 @@ pub fn build(
     if let Some(coefficients) = &input.coefficients {
         coefficients.build(freedoms, problems)
     } else if let Some(ratio) = input.ratio {
+        if ratio == 0.0 {
+            problems.warn(
+                "`damping.ratio` is 0: a free vibration does not decay, the start is never forgotten",
+            );
+        }
         Model::Ratio(ratio)
     } else if let Some(time) = &input.stiffness_time {
         Model::StiffnessTime(time.si())

@@ -23,6 +23,8 @@ use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_conta
 
 /// Largest difference of the law that is chosen, where none is given.
 const MODEL_ERROR: f64 = 1e-3;
+/// How far outside the bearings a position is doubtful, in spans of theirs or pitch diameters.
+const FAR: f64 = 10.0;
 /// Place of z among the freedoms.
 const AXIAL: usize = 2;
 /// Most bearings, all those of sets counted.
@@ -215,6 +217,9 @@ impl ScenarioInput {
         if self.time.is_some() && freedoms.count() > AXIAL && load[AXIAL] == 0.0 {
             warn_where_unheld(&bearings, self.bearing.len(), problems);
         }
+        if freedoms == Freedoms::All {
+            self.warn_of_far_positions(&bearings, problems);
+        }
         Some(RotorDefinition {
             shaft,
             speed: points.next()?.speed,
@@ -254,6 +259,34 @@ impl ScenarioInput {
             ..bearing
         };
         Some(sets?.into_iter().flatten().map(damped).collect())
+    }
+
+    /// Warns where the centre of mass or a load stands far outside the bearings: most often a unit mistaken.
+    fn warn_of_far_positions(&self, bearings: &[MountedBearing], problems: &mut Problems<'_>) {
+        let positions = bearings.iter().map(|bearing| bearing.position);
+        let first = positions.clone().fold(f64::INFINITY, f64::min);
+        let last = positions.fold(f64::NEG_INFINITY, f64::max);
+        let diameters = bearings
+            .iter()
+            .map(|bearing| bearing.bearing.geometry.pitch_diameter());
+        let reach = FAR * diameters.fold(last - first, f64::max);
+        let load = |(index, load): (usize, &LoadInput)| {
+            let position = load.position.as_ref()?.si();
+            Some((format!("the load at `load[{index}].position`"), position))
+        };
+        let loads = self.load.iter().enumerate().filter_map(load);
+        for (what, position) in std::iter::once(("the centre of mass".to_owned(), 0.0)).chain(loads)
+        {
+            let outside = (first - position).max(position - last);
+            if outside > reach {
+                problems.warn(format!(
+                    "{what} stands {:.1} mm outside the bearings, which span {:.1} mm: look at the units of \
+                     the positions",
+                    1e3 * outside,
+                    1e3 * (last - first)
+                ));
+            }
+        }
     }
 
     /// Refuses a race control that no bearing's law knows.
@@ -299,6 +332,12 @@ impl ScenarioInput {
             steady: turning.steady,
         };
         let spectra = spectrum::build(&self.spectrum, &recorded, problems);
+        if self.output.spectrum && problems.node("time.settle").is_none() {
+            problems.warn(
+                "no `settle` in `[time]`: the spectra hold what decays after the start; set it to where that is gone \
+                 (0 s keeps it)",
+            );
+        }
         let changes = driven || !speed.is_constant();
         let analyses = self
             .output

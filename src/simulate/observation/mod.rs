@@ -48,11 +48,12 @@ struct BearingObserver<'a> {
 }
 
 impl<'a> Observation<'a> {
-    /// With the contact angles of the balls where somebody needs them.
+    /// With the contact angles of the balls where somebody needs them, or a shoulder bounds them.
     pub fn new(model: &Model, rotor: &'a Rotor, angles: bool) -> Self {
         let Watched { forces, balls } = model.analyses.watched;
+        let bounded = |support: &Support| support.definition().bearing.shoulder_angle.is_some();
         let contacts = match balls {
-            Some(_) if angles => rotor.ball_contacts(),
+            Some(_) if angles || rotor.supports().iter().any(bounded) => rotor.ball_contacts(),
             Some(_) => rotor.ball_loads(),
             None => rotor.unwatched_balls(forces),
         };
@@ -95,18 +96,7 @@ impl<'a> Observation<'a> {
         let states = rotor.bearing_states(rotor.highest_speed());
         let mut warnings = Vec::new();
         for (index, (bearing, state)) in self.bearings.iter().zip(states).enumerate() {
-            let loads = state
-                .balls
-                .iter()
-                .map(|ball| [ball.inner.load, ball.outer.load]);
-            let at_rest = loads.fold([0.0_f64; 2], |most, load| {
-                [most[0].max(load[0]), most[1].max(load[1])]
-            });
-            warnings.extend(
-                bearing
-                    .peaks
-                    .warnings(index + 1, bearing.support, at_rest)?,
-            );
+            warnings.extend(bearing.peaks.warnings(index + 1, bearing.support, &state)?);
         }
         Ok(warnings)
     }
@@ -144,9 +134,8 @@ impl<'a> Observation<'a> {
     fn watch(&mut self, instant: [f64; 2], sink: &mut dyn TraceSink) -> io::Result<()> {
         self.found.clear();
         for (index, bearing) in self.bearings.iter_mut().enumerate() {
-            bearing
-                .peaks
-                .take(instant[0], &self.contacts.bearings()[index]);
+            let balls = &self.contacts.bearings()[index];
+            bearing.peaks.take(instant[0], balls, bearing.support);
             bearing.watch(index, instant, &self.contacts, &mut self.found);
         }
         self.found.sort_unstable_by(Event::order);

@@ -1,25 +1,40 @@
 //! The hardest that balls are pressed in a run, and whether Hertz contact still means something there.
 
-use crate::bearing::{BallLoads, PERMISSIBLE_PRESSURE, Support};
+use crate::bearing::{BallLine, BallLoads, BearingState, PERMISSIBLE_PRESSURE, Support};
 use crate::simulate::SimulateError;
 
 const RACES: [&str; 2] = ["inner", "outer"];
 
-/// Largest load of a ball at each race of a bearing, N, and its time, s.
+/// What the balls of a bearing came to at each race, and when, s.
 #[derive(Debug, Default)]
-pub(super) struct PeakLoads([(f64, f64); 2]);
+pub(super) struct PeakLoads {
+    /// Largest load, N.
+    load: [(f64, f64); 2],
+    /// Farthest reach of a contact ellipse over the shoulder, rad.
+    overhang: [(f64, f64); 2],
+}
 
 impl PeakLoads {
-    pub fn take(&mut self, time: f64, balls: &BallLoads) {
-        for (peak, &load) in self.0.iter_mut().zip(&balls.largest) {
-            if load > peak.0 {
-                *peak = (load, time);
+    pub fn take(&mut self, time: f64, balls: &BallLoads, support: &Support) {
+        for (peak, &load) in self.load.iter_mut().zip(&balls.largest) {
+            raise(peak, load, time);
+        }
+        let bearing = &support.definition().bearing;
+        if bearing.shoulder_angle.is_none() {
+            return;
+        }
+        for (race, contact) in support.contacts().iter().enumerate() {
+            let ends = balls.load[race].iter().zip(&balls.angle[race]);
+            for (&load, &angle) in ends.filter(|(load, _)| **load > 0.0) {
+                let semi_major = contact.ellipse(load).semi_major;
+                let margin = bearing.shoulder_margin(race, angle, semi_major);
+                raise(&mut self.overhang[race], -margin.unwrap_or(0.0), time);
             }
         }
     }
 
-    /// What to know of the peaks in a bearing of a number; nothing where the static equilibrium is as hard pressed,
-    /// which has its own warnings.
+    /// What to know of the peaks in a bearing of a number; nothing where the static equilibrium, whose state is
+    /// given, is as hard pressed: that has its own warnings.
     ///
     /// # Errors
     /// [`SimulateError::BeyondContact`] where a ball is pressed into its races by more than its radius.
@@ -27,12 +42,12 @@ impl PeakLoads {
         &self,
         number: usize,
         support: &Support,
-        at_rest: [f64; 2],
+        at_rest: &BearingState,
     ) -> Result<Vec<String>, SimulateError> {
         let radius = 0.5 * support.definition().bearing.geometry.ball_diameter();
         let mut warnings = Vec::new();
         for (race, contact) in support.contacts().iter().enumerate() {
-            let (load, time) = self.0[race];
+            let (load, time) = self.load[race];
             let ellipse = contact.ellipse(load);
             if ellipse.approach > radius {
                 return Err(SimulateError::BeyondContact {
@@ -43,7 +58,11 @@ impl PeakLoads {
                     radius,
                 });
             }
-            let known = contact.ellipse(at_rest[race]).peak_pressure > PERMISSIBLE_PRESSURE;
+            let there = |ball: &BallLine| [ball.inner, ball.outer][race];
+            let mut static_contacts = at_rest.balls.iter().map(there);
+            let known = static_contacts
+                .clone()
+                .any(|contact| contact.peak_pressure > PERMISSIBLE_PRESSURE);
             if ellipse.peak_pressure > PERMISSIBLE_PRESSURE && !known {
                 warnings.push(format!(
                     "bearing {number}: at t = {time:.4e} s a ball is pressed onto the {} race with {load:.0} N, \
@@ -53,7 +72,23 @@ impl PeakLoads {
                     PERMISSIBLE_PRESSURE / 1e6
                 ));
             }
+            let (overhang, time) = self.overhang[race];
+            let known = static_contacts.any(|contact| contact.shoulder_margin < Some(0.0));
+            if overhang > 0.0 && !known {
+                warnings.push(format!(
+                    "bearing {number}: at t = {time:.4e} s the contact ellipse of a ball reaches {:.2}° past the shoulder \
+                     of the {} race: the edge is pressed harder than the model knows",
+                    overhang.to_degrees(),
+                    RACES[race]
+                ));
+            }
         }
         Ok(warnings)
+    }
+}
+
+fn raise(peak: &mut (f64, f64), value: f64, time: f64) {
+    if value > peak.0 {
+        *peak = (value, time);
     }
 }

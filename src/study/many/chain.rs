@@ -105,7 +105,7 @@ impl Maker<'_> {
             maps: false,
             watched: Watched {
                 forces: false,
-                balls: self.traces.map(|_| BallParts::LOADS),
+                balls: Some(BallParts::LOADS),
             },
             lines: lines.unwrap_or_default(),
         };
@@ -197,6 +197,7 @@ impl Maker<'_> {
                 Vec::new()
             },
             trace: None,
+            warnings: run.warnings.clone(),
         }
     }
 }

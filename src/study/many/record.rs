@@ -33,6 +33,8 @@ pub struct Outcome {
     pub stiffness: Vec<BearingStiffness>,
     /// What its trace is known by, where it is kept.
     pub trace: Option<TraceSeal>,
+    /// What a reader should know of it, each with its numbers.
+    pub warnings: Vec<String>,
 }
 
 /// What the trace of a run is known by wherever it goes.

@@ -36,8 +36,8 @@ fn the_smallest_scenario_has_the_documented_defaults() {
     assert_eq!(scenario.title, "test");
     assert_eq!(
         scenario.warnings.len(),
-        2,
-        "undamped, and no axial load: {:?}",
+        3,
+        "undamped, no axial load, no settle time: {:?}",
         scenario.warnings
     );
     let model = scenario.model.unwrap();
