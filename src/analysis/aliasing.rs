@@ -1,23 +1,11 @@
-//! What stands near half the sampling rate, and so folds; and what is too small to fold.
+//! What stands near half the sampling rate, and so folds.
 
 use nalgebra::Complex;
 
-use super::{Channel, ChannelSpectrum, Window};
+use super::{ChannelSpectrum, Window};
 
-/// A swing below this part of its reference is numerical noise.
-const NOISE: f64 = 1e-9;
 /// Where the top of the frequencies begins, of half the sampling rate.
 const TOP: f64 = 0.9;
-
-/// Amplitude below which a channel is at rest: a part of its mean; of what has no mean, velocities and
-/// accelerations, of their SI unit.
-pub fn rest_amplitude(channel: Channel, mean: f64) -> f64 {
-    let reference = match channel {
-        Channel::Velocity(_) | Channel::Acceleration(_) => 1.0,
-        _ => mean.abs(),
-    };
-    NOISE * reference
-}
 
 /// Power of a signal, its mean left out, and how much of it stands at the top of the frequencies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,12 +14,12 @@ pub struct TopPower {
     pub total: f64,
     /// Power in the top tenth of the frequencies below half the sampling rate.
     pub top: f64,
-    /// Power below which the signal is at rest.
+    /// Power below which the signal is round-off.
     pub rest: f64,
 }
 
 impl TopPower {
-    /// Of powers at bins 0, 1, … under a window; the amplitude `rest` is rest.
+    /// Of powers at bins 0, 1, … under a window; amplitudes below `rest` are round-off.
     ///
     /// What a signal holds above half its sampling rate is folded below it, first into the top. A
     /// spectrum that has fallen off there folds little; one that has not is sampled too seldom.

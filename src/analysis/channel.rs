@@ -196,6 +196,17 @@ impl Channel {
         }
     }
 
+    /// The quantity of a column of a trace or of a spectrum by its name, as `x_m` or `x_amplitude_m`.
+    pub(crate) fn of_column(name: &str) -> Option<Self> {
+        const SCALINGS: [&str; 3] = ["_amplitude_", "_peak_", "_rms_"];
+        let is_of = |channel: &Self| {
+            let rest = name.strip_prefix(channel.name());
+            let of_spectrum = |rest: &str| SCALINGS.iter().any(|scaling| rest.starts_with(scaling));
+            *name == channel.column() || rest.is_some_and(of_spectrum)
+        };
+        Self::all().find(is_of)
+    }
+
     /// Name and unit as a value of a result.
     pub(crate) fn serialize_with_unit<S: Serializer>(
         &self,

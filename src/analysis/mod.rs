@@ -7,6 +7,7 @@ mod estimation;
 mod leakage;
 mod line_kind;
 mod motion;
+mod noise_floor;
 mod order_sums;
 mod peaks;
 mod recording;
@@ -16,7 +17,7 @@ mod transform;
 mod whole_spectrum;
 mod window;
 
-pub(crate) use aliasing::{TopPower, rest_amplitude};
+pub(crate) use aliasing::TopPower;
 pub(crate) use causes::other_causes;
 pub use causes::{BearingFrequencies, Line, Sources, causes, nearest_cause};
 pub use channel::Channel;
@@ -36,6 +37,7 @@ pub use motion::{
 pub(crate) use motion::{LONGEST_PERIOD, MotionParts, MotionRecorder, MotionSettings};
 #[cfg(test)]
 pub(crate) use motion::{Series, closed_curve, recognise};
+pub(crate) use noise_floor::{NoiseFloor, magnitude};
 #[cfg(test)]
 pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;

@@ -13,9 +13,6 @@ pub const MOST_PEAKS: usize = 12;
 /// A peak below this part of the channel's strongest is not reported.
 const RELATIVE_THRESHOLD: f64 = 1e-6;
 
-/// A peak below this part of the channel's largest component, mean included, is numerical noise.
-const NOISE: f64 = 1e-9;
-
 /// A local maximum of an amplitude spectrum.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -37,18 +34,18 @@ pub struct Peak {
 
 /// Peaks of one channel, strongest first, each with its nearest cause.
 ///
-/// `resolution` is the width of a bin in Hz.
+/// `resolution` is the width of a bin in Hz; amplitudes below `floor` are round-off.
 pub(super) fn peaks(
     channel: Channel,
     transform: &Transform,
     resolution: f64,
     causes: &[Line],
+    floor: f64,
 ) -> Vec<Peak> {
-    let noise = NOISE * transform.largest();
     let hann = HannSpectrum::new(transform);
     let found = strongest_first(hann.maxima().filter_map(|k| hann.refine(k)).collect());
     let strongest = found.first().map_or(0.0, |peak| peak.amplitude);
-    let threshold = noise.max(RELATIVE_THRESHOLD * strongest);
+    let threshold = floor.max(RELATIVE_THRESHOLD * strongest);
     found
         .into_iter()
         .take_while(|peak| peak.amplitude > threshold)

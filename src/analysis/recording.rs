@@ -1,6 +1,6 @@
 //! The columns of a run that spectra are taken of.
 
-use super::{Axis, Channel, SpectrumRequest};
+use super::{Axis, Channel, NoiseFloor, SpectrumRequest, magnitude};
 use crate::rotor::Sample;
 
 /// How the samples of a run follow each other.
@@ -144,6 +144,13 @@ impl Recording {
         let mut channels = self.channels.iter();
         let found = channels.find(|(known, _)| *known == channel);
         found.map_or(&[], |(_, values)| values)
+    }
+
+    /// Noise floor of the columns.
+    pub(super) fn noise_floor(&self) -> NoiseFloor {
+        let channels = self.channels.iter();
+        let magnitudes = channels.map(|(channel, values)| (*channel, magnitude(values)));
+        NoiseFloor::of(magnitudes, self.grid.rate)
     }
 
     /// Number of samples recorded of every column.

@@ -4,14 +4,15 @@ use std::f64::consts::PI;
 
 use serde::Serialize;
 
-use super::{Channel, Transform, Window};
+use super::{Channel, NoiseFloor, Transform, Window, magnitude};
 
 /// Amplitude and phase of one channel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChannelSpectrum {
     /// The quantity.
     pub channel: Channel,
-    /// One-sided amplitudes (peak values) at the spectrum's frequencies.
+    /// One-sided amplitudes (peak values) at the spectrum's frequencies; zero but for the mean where all are
+    /// round-off.
     pub amplitude: Vec<f64>,
     /// Phases in rad of `cos(2πft + phase)`, time counted from the start of the window; none where only
     /// amplitudes were asked for.
@@ -31,6 +32,17 @@ impl ChannelSpectrum {
             amplitude,
             phase,
         }
+    }
+
+    /// With no amplitude but the mean where none reaches up to a noise floor.
+    #[must_use]
+    pub(crate) fn above(mut self, floor: &NoiseFloor) -> Self {
+        let lines = self.amplitude.get_mut(1..).unwrap_or_default();
+        if magnitude(lines) < floor.below(self.channel) {
+            lines.fill(0.0);
+            self.phase.iter_mut().skip(1).for_each(|phase| *phase = 0.0);
+        }
+        self
     }
 }
 
@@ -71,6 +83,15 @@ impl Spectrum {
     /// Frequency of bin `k` as a multiple of the shaft frequency, if the shaft turns.
     pub fn order(&self, k: usize) -> Option<f64> {
         (self.shaft_frequency > 0.0).then(|| self.frequency(k) / self.shaft_frequency)
+    }
+
+    /// Noise floor of its channels.
+    pub(crate) fn noise_floor(&self) -> NoiseFloor {
+        let magnitudes = self
+            .channels
+            .iter()
+            .map(|entry| (entry.channel, magnitude(&entry.amplitude)));
+        NoiseFloor::of(magnitudes, self.resolution * self.length as f64)
     }
 
     /// Spectrum of one channel, if it was recorded.

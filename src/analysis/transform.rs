@@ -147,11 +147,6 @@ impl Transform {
         self.windowed(k, window).arg()
     }
 
-    /// Largest magnitude of a bin: a scale of the signal, mean included.
-    pub(super) fn largest(&self) -> f64 {
-        self.bins.iter().map(|bin| bin.norm()).fold(0.0, f64::max)
-    }
-
     fn has_image(&self, k: usize) -> bool {
         k > 0 && 2 * k < self.length
     }

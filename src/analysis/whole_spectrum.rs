@@ -30,14 +30,21 @@ impl Recording {
         causes: &[Line],
     ) -> Option<Analysis> {
         let (mut spectrum, skipped) = self.frame(window)?;
-        let plan = plan(spectrum.length);
+        let (plan, floor) = (plan(spectrum.length), self.noise_floor());
         let mut found = Vec::new();
         for &channel in channels {
             let values = self.channel(channel)[skipped..].to_vec();
             let transform = Transform::by_plan(values, plan.as_ref());
-            found.extend(peaks(channel, &transform, spectrum.resolution, causes));
+            let least = floor.below(channel);
+            found.extend(peaks(
+                channel,
+                &transform,
+                spectrum.resolution,
+                causes,
+                least,
+            ));
             let entry = ChannelSpectrum::new(channel, transform, window);
-            spectrum.channels.push(entry);
+            spectrum.channels.push(entry.above(&floor));
         }
         Some(Analysis {
             spectrum,
@@ -54,7 +61,7 @@ impl Recording {
         highest_order: f64,
     ) -> Option<Spectrum> {
         let (mut spectrum, skipped) = self.frame(window)?;
-        let plan = plan(spectrum.length);
+        let (plan, floor) = (plan(spectrum.length), self.noise_floor());
         for &channel in channels {
             let values = self.channel(channel)[skipped..].to_vec();
             let transform = Transform::by_plan(values, plan.as_ref());
@@ -69,11 +76,12 @@ impl Recording {
                 .take_while(is_kept)
                 .map(|k| transform.amplitude(k, window));
             let amplitude = mean.map(f64::abs).into_iter().chain(lines).collect();
-            spectrum.channels.push(ChannelSpectrum {
+            let entry = ChannelSpectrum {
                 channel,
                 amplitude,
                 phase: Vec::new(),
-            });
+            };
+            spectrum.channels.push(entry.above(&floor));
         }
         Some(spectrum)
     }
@@ -88,12 +96,15 @@ impl Recording {
             return self.lines(channels, window, f64::from(highest) * (1.0 + 1e-9));
         }
         let (mut spectrum, skipped) = self.frame(window)?;
-        let sums = OrderSums::new(block, highest);
+        let (sums, floor) = (OrderSums::new(block, highest), self.noise_floor());
         spectrum.resolution = spectrum.shaft_frequency;
-        let of_channel = |&channel: &Channel| ChannelSpectrum {
-            channel,
-            amplitude: sums.amplitudes(&self.channel(channel)[skipped..]),
-            phase: Vec::new(),
+        let of_channel = |&channel: &Channel| {
+            let entry = ChannelSpectrum {
+                channel,
+                amplitude: sums.amplitudes(&self.channel(channel)[skipped..]),
+                phase: Vec::new(),
+            };
+            entry.above(&floor)
         };
         spectrum.channels.extend(channels.iter().map(of_channel));
         Some(spectrum)

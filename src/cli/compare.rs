@@ -17,7 +17,9 @@ const RELATIVE: f64 = 1e-6;
 ///
 /// Columns are matched by name, rows by number. Values agree where
 /// |a − b| ≤ absolute + relative · max|column|. Phases are compared modulo 2π, and only where the
-/// amplitude is beyond its own tolerance.
+/// amplitude is beyond its own tolerance. Unless a tolerance is zero, differences below 1e-11 of the largest value
+/// among all displacements, velocities, accelerations or forces (tilts and moments through 10 mm) are round-off and
+/// count as none.
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Example:\n  jeffcott compare output/old output/new --relative 1e-4 --column \

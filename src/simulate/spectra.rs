@@ -3,7 +3,7 @@
 use super::Model;
 use crate::analysis::{
     Axis, Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Leak, Recording, Spectrum,
-    SpectrumColumn, SpectrumQuantity, TopPower, Window, estimate, leak, rest_amplitude,
+    SpectrumColumn, SpectrumQuantity, TopPower, Window, estimate, leak,
 };
 
 /// A share of the power in the top tenth of the frequencies that is worth a warning: what folds is
@@ -57,18 +57,15 @@ pub(super) fn warnings(
 
 /// Channels with their power, and that in the top tenth of the frequencies.
 fn top_powers(spectrum: &Spectrum) -> Vec<(Channel, TopPower)> {
+    let floor = spectrum.noise_floor();
     let of = |entry: &ChannelSpectrum| {
-        let rest = rest_amplitude(entry.channel, mean(entry));
+        let rest = floor.below(entry.channel);
         (
             entry.channel,
             TopPower::of_channel(entry, spectrum.window, rest),
         )
     };
     spectrum.channels.iter().map(of).collect()
-}
-
-fn mean(entry: &ChannelSpectrum) -> f64 {
-    entry.amplitude.first().copied().unwrap_or(0.0)
 }
 
 fn estimated_top_powers(spectrum: &EstimatedSpectrum) -> Vec<(Channel, TopPower)> {
@@ -106,16 +103,11 @@ fn leakage(spectrum: &Spectrum) -> Option<String> {
     if spectrum.window != Window::Rectangular {
         return None;
     }
-    let rest = |unit| {
-        let entries = spectrum.channels.iter();
-        let same = entries.filter(|entry| entry.channel.unit() == unit);
-        let rests = same.map(|entry| rest_amplitude(entry.channel, mean(entry)));
-        rests.fold(0.0, f64::max)
-    };
+    let floor = spectrum.noise_floor();
     let entries = spectrum.channels.iter();
     let leaks = entries.filter_map(|entry| {
         let channel = entry.channel;
-        Some((channel, leak(&entry.amplitude, rest(channel.unit()))?))
+        Some((channel, leak(&entry.amplitude, floor.below(channel))?))
     });
     let (channel, leak) = furthest(leaks)?;
     Some(

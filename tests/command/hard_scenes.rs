@@ -286,6 +286,46 @@ fn changed(name: &str, parts: &[(&str, &str)], folder: &TempDir) -> PathBuf {
     file
 }
 
+/// The axial and the tilting motion of a symmetric pair are round-off, 1e-19 m and 1e-18 rad: no line, no crest factor,
+/// no aliasing, no difference between runs.
+#[test]
+fn round_off_is_no_vibration() {
+    let out = TempDir::new().expect("a folder");
+    let text = std::fs::read_to_string(scene("symmetric-pair")).expect("a scene");
+    for (name, tolerance) in [("first", "1e-8"), ("second", "1e-9")] {
+        let file = out.path().join(name).with_extension("toml");
+        std::fs::write(&file, text.replace("1e-8", tolerance)).expect("a written file");
+        let output = verb("run", &[&file], out.path(), &[]).output();
+        let output = done(output.expect("the command starts"));
+        assert_silent_on(&output, "aliasing");
+    }
+    let first = out.path().join("first");
+    let peaks = std::fs::read_to_string(first.join("peaks.csv")).expect("peaks.csv");
+    let mut channels: Vec<_> = peaks.lines().skip(1).collect();
+    channels.retain(|line| !line.starts_with("x,") && !line.starts_with("y,"));
+    assert_eq!(channels.len(), 2, "{peaks}");
+    let forces = ["force_x,", "force_y,"];
+    for (line, force) in channels.iter().zip(forces) {
+        assert!(line.starts_with(force), "{peaks}");
+    }
+    let summary = std::fs::read_to_string(first.join("summary.json")).expect("summary.json");
+    let summary: serde_json::Value = serde_json::from_str(&summary).expect("JSON");
+    for entry in summary["motion"]["statistics"].as_array().expect("a list") {
+        let channel = entry["channel"].as_str().expect("a name");
+        let moves = ["x_m", "y_m", "force_x_N", "force_y_N"].contains(&channel);
+        assert_eq!(entry["crest_factor"].is_number(), moves, "{entry}");
+    }
+    let compare = |more: &[&str]| {
+        let mut command = jeffcott();
+        command
+            .arg("compare")
+            .args([first.clone(), out.path().join("second")]);
+        command.args(more).output().expect("the command starts")
+    };
+    done(compare(&["--relative", "1e-4"]));
+    assert_eq!(compare(&["--relative", "0"]).status.code(), Some(1));
+}
+
 #[test]
 fn doubtful_values_are_told_before_the_run() {
     let cases = [

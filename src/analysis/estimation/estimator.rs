@@ -8,7 +8,7 @@ use super::{
     SpectrumQuantity, SpectrumRequest, Welch, envelope,
 };
 
-use crate::analysis::{Channel, Leak, Recording, TopPower, Window, leak, rest_amplitude};
+use crate::analysis::{Channel, Leak, NoiseFloor, Recording, TopPower, Window, leak};
 
 /// A segment of fewer samples makes no spectrum: the widest window mixes nine bins.
 const FEWEST_SAMPLES: usize = 16;
@@ -40,6 +40,7 @@ pub fn estimate(
         welch: &welch,
         bandwidth: request.window.equivalent_noise_bandwidth() * resolution,
         bins: record.bins(segment),
+        floor: recording.noise_floor(),
     };
     let first = match request.kind {
         SpectrumKind::Whirl => -(columns.below() as isize),
@@ -222,6 +223,7 @@ struct Columns<'a> {
     bandwidth: f64,
     /// Bins of a one-sided spectrum.
     bins: usize,
+    floor: NoiseFloor,
 }
 
 impl Columns<'_> {
@@ -270,11 +272,18 @@ impl Columns<'_> {
         };
         let mut columns = vec![SpectrumColumn {
             top_power: self.top_power(channel, &powers, signal),
-            leak: self.leak(channel, &powers, signal),
+            leak: self.leak(channel, &powers),
             ..column(SpectrumQuantity::Value(channel), self.one_sided(&powers))
         }];
+        let rests = is_at_rest(signal, self.floor.below(channel));
+        if rests {
+            columns[0].values.fill(0.0);
+        }
         if has_phase {
             phases.truncate(self.bins);
+            if rests {
+                phases.fill(0.0);
+            }
             columns.push(column(SpectrumQuantity::Phase(channel), phases));
         }
         columns
@@ -287,7 +296,7 @@ impl Columns<'_> {
         if !is_plain || self.record.resampling.is_some() {
             return None;
         }
-        let (welch, rest) = (self.welch, rest_amplitude(channel, mean(signal)));
+        let (welch, rest) = (self.welch, self.floor.below(channel));
         let of = |powers: &[f64], window| {
             let powers = powers.iter().enumerate();
             let powers: Vec<f64> = powers.map(|(k, power)| welch.sides(k) * power).collect();
@@ -304,14 +313,13 @@ impl Columns<'_> {
         })
     }
 
-    fn leak(&self, channel: Channel, powers: &[f64], signal: &[f64]) -> Option<Leak> {
+    fn leak(&self, channel: Channel, powers: &[f64]) -> Option<Leak> {
         if self.request.window != Window::Rectangular {
             return None;
         }
         let powers = powers.iter().take(self.bins).enumerate();
         let peaks = powers.map(|(k, power)| self.welch.sides(k) * power.sqrt());
-        let rest = rest_amplitude(channel, mean(signal));
-        leak(&peaks.collect::<Vec<_>>(), rest)
+        leak(&peaks.collect::<Vec<_>>(), self.floor.below(channel))
     }
 
     /// Bins below zero frequency of a two-sided spectrum.
@@ -358,8 +366,10 @@ impl Columns<'_> {
     }
 }
 
-fn mean(signal: &[f64]) -> f64 {
-    signal.iter().sum::<f64>() / signal.len() as f64
+/// Whether a signal is nowhere further from its mean than round-off.
+fn is_at_rest(signal: &[f64], floor: f64) -> bool {
+    let mean = signal.iter().sum::<f64>() / signal.len() as f64;
+    signal.iter().all(|value| (value - mean).abs() < floor)
 }
 
 fn column(quantity: SpectrumQuantity, values: Vec<f64>) -> SpectrumColumn {

@@ -34,6 +34,8 @@ pub struct Moments {
     powers: [f64; 3],
     lowest: f64,
     highest: f64,
+    /// Vibration below it is round-off.
+    floor: f64,
 }
 
 impl Serialize for Moments {
@@ -57,6 +59,7 @@ impl Default for Moments {
             powers: [0.0; 3],
             lowest: f64::INFINITY,
             highest: f64::NEG_INFINITY,
+            floor: 0.0,
         }
     }
 }
@@ -78,6 +81,7 @@ impl Moments {
             powers: sums(values, of_powers),
             lowest: values.iter().copied().fold(f64::INFINITY, f64::min),
             highest: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+            floor: 0.0,
         });
     }
 
@@ -135,16 +139,33 @@ impl Moments {
         (self.highest - self.lowest).max(0.0)
     }
 
+    /// Takes a vibration of an RMS below `floor` for none.
+    #[must_use]
+    pub(super) fn above(self, floor: f64) -> Self {
+        Self { floor, ..self }
+    }
+
+    /// Largest magnitude of the values; zero of none.
+    pub(super) fn magnitude(&self) -> f64 {
+        self.highest.max(-self.lowest).max(0.0)
+    }
+
+    /// Whether there is a vibration, above round-off where a floor of it is known.
+    fn vibrates(&self) -> bool {
+        let rms = self.rms();
+        rms > 0.0 && rms >= self.floor
+    }
+
     /// Peak over RMS; none without vibration.
     pub fn crest_factor(&self) -> Option<f64> {
-        let rms = self.rms();
-        (rms > 0.0).then(|| self.peak() / rms)
+        self.vibrates().then(|| self.peak() / self.rms())
     }
 
     /// Fourth moment over the square of the second, 3 for Gaussian noise; none without vibration.
     pub fn kurtosis(&self) -> Option<f64> {
         let [second, _, fourth] = self.powers;
-        (second > 0.0).then(|| self.count * fourth / (second * second))
+        self.vibrates()
+            .then(|| self.count * fourth / (second * second))
     }
 }
 

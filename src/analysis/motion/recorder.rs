@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::moments::{Drift, DriftRecorder, Moments, VelocityLevel, velocity_level};
 use super::period::{Kind, Recognition, Series, recognise};
 use super::section::{NODES, PoincarePoint, Section, SectionKind};
-use crate::analysis::Channel;
+use crate::analysis::{Channel, NoiseFloor};
 use crate::keys;
 use crate::rotor::{FREEDOMS, Sample};
 
@@ -225,11 +225,18 @@ impl MotionRecorder {
         };
         let drift = self.drift.as_ref();
         let drift = drift.and_then(|drift| drift.finish(&self.settings.levers, place));
+        let magnitudes = self.statistics.iter();
+        let magnitudes = magnitudes.map(|each| (each.channel, each.moments.magnitude()));
+        let floor = NoiseFloor::of(magnitudes, self.settings.rate);
+        let mut statistics = self.statistics;
+        for ChannelStatistics { channel, moments } in &mut statistics {
+            *moments = moments.above(floor.below(*channel));
+        }
         let velocity = self.velocity.into_iter();
         Some(Motion {
             start,
             end,
-            statistics: self.statistics,
+            statistics,
             velocity: velocity
                 .map(|values| velocity_level(values, self.settings.rate))
                 .collect(),

@@ -1,11 +1,18 @@
 //! Compares two spectra by their strongest lines, wherever these stand on the frequency axes.
 
-use super::rule::{distance, judgement};
+use super::rule::{Scales, distance, judgement};
 use super::table::Table;
 use super::{ColumnComparison, CompareError, Difference, Rules, TableComparison, Tolerance};
 
-/// What a column of amplitudes has in its name.
-const AMPLITUDE: &str = "_amplitude_";
+/// What a column of amplitudes, powers or densities has in its name.
+const SCALINGS: [&str; 6] = [
+    "_amplitude_",
+    "_peak_",
+    "_rms_",
+    "_peak_to_peak_",
+    "_power_",
+    "_density_",
+];
 /// Round-off of frequencies that are a bin apart.
 const ROUND_OFF: f64 = 1e-9;
 
@@ -23,10 +30,15 @@ struct Line {
     amplitude: f64,
 }
 
-/// Whether a table has amplitudes over frequency.
+/// Whether a column has lines.
+fn has_lines(name: &str) -> bool {
+    SCALINGS.iter().any(|scaling| name.contains(scaling))
+}
+
+/// Whether a table has amplitudes, powers or densities over frequency or order.
 pub(super) fn is_spectrum(table: &Table) -> bool {
     let columns = table.columns();
-    columns[0] == "f_Hz" && columns.iter().any(|name| name.contains(AMPLITUDE))
+    ["f_Hz", "order"].contains(&columns[0].as_str()) && columns.iter().any(|name| has_lines(name))
 }
 
 /// Compares the `count` strongest lines of every column of amplitudes of either spectrum with the
@@ -44,10 +56,7 @@ pub(super) fn compare_lines(
     let bin = spectra[0].bin().max(spectra[1].bin()) * (1.0 + ROUND_OFF);
     let (mut columns, mut differences, mut partial) = (Vec::new(), Vec::new(), Vec::new());
     for (own, other) in [(0, 1), (1, 0)] {
-        let names = spectra[own]
-            .names
-            .iter()
-            .filter(|name| name.contains(AMPLITUDE));
+        let names = spectra[own].names.iter().filter(|name| has_lines(name));
         for name in names {
             if spectra[other].column(name).is_none() {
                 partial.push(Difference::Column {
@@ -86,7 +95,7 @@ fn compare_column(
     let scale = spectra.each_ref().map(|spectrum| spectrum.largest(&name));
     let scale = scale[0].max(scale[1]);
     let tolerance = rules.tolerances.of(&name);
-    let allowed = tolerance.allowed(scale);
+    let allowed = tolerance.allowed(scale) + floor(spectra, &name, tolerance);
     let lines = spectra
         .each_ref()
         .map(|spectrum| spectrum.lines(&name, allowed));
@@ -113,6 +122,15 @@ fn compare_column(
         }
     }
     alone
+}
+
+/// Amplitude of a column that is round-off, by all columns of both spectra.
+fn floor(spectra: &[Lined; 2], name: &str, tolerance: Tolerance) -> f64 {
+    let columns = spectra
+        .iter()
+        .flat_map(|spectrum| spectrum.names.iter().map(String::as_str));
+    let largest = |name: &str| spectra[0].largest(name).max(spectra[1].largest(name));
+    Scales::of(columns.map(|name| (name, name)), largest, 0.0).floor(name, tolerance)
 }
 
 impl Line {

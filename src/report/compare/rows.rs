@@ -1,6 +1,6 @@
 //! Compares two tables row by row, reading each twice and keeping one row in memory.
 
-use super::rule::{Place, Rule};
+use super::rule::{Place, Rule, Scales};
 use super::table::Table;
 use super::{ColumnComparison, CompareError, Difference, Rules, Tolerances};
 
@@ -51,8 +51,16 @@ pub(super) fn compare_rows(
             every: first.max(second),
         }),
     }
-    let scale = |place: Place| extents[0].scales[place.first].max(extents[1].scales[place.second]);
-    let columns = shared.rules(scale, &rules.tolerances);
+    let largest =
+        |place: Place| extents[0].scales[place.first].max(extents[1].scales[place.second]);
+    let rate = match known.first() {
+        Some(axis) if axis == "t_s" => extents[0].rate().max(extents[1].rate()),
+        _ => 0.0,
+    };
+    let columns = shared.rules(
+        &Scales::of(shared.named(), largest, rate),
+        &rules.tolerances,
+    );
     for table in &mut tables {
         table.rewind()?;
     }
@@ -135,10 +143,13 @@ impl Shared {
         tables.iter().flat_map(missing).collect()
     }
 
-    fn rules(&self, scale: impl Fn(Place) -> f64, tolerances: &Tolerances) -> Vec<Rule> {
-        let named = || self.0.iter().map(|(name, place)| (name.as_str(), *place));
-        named()
-            .map(|(name, place)| Rule::new(name, named(), &scale, place, tolerances))
+    fn named(&self) -> impl Iterator<Item = (&str, Place)> {
+        self.0.iter().map(|(name, place)| (name.as_str(), *place))
+    }
+
+    fn rules(&self, scales: &Scales<impl Fn(Place) -> f64>, tolerances: &Tolerances) -> Vec<Rule> {
+        self.named()
+            .map(|(name, place)| Rule::new(name, self.named(), scales, place, tolerances))
             .collect()
     }
 }
@@ -164,6 +175,12 @@ struct Extent {
 }
 
 impl Extent {
+    /// Rows for one of the first column; zero of a single one.
+    fn rate(&self) -> f64 {
+        let step = self.start[1] - self.start[0];
+        if step > 0.0 { step.recip() } else { 0.0 }
+    }
+
     /// N where `other` can hold the first of every N rows of this, one otherwise.
     fn thinned_to(&self, other: &Self) -> u64 {
         let step = |extent: &Self| extent.start[1] - extent.start[0];

@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::{Tolerance, Tolerances};
+use crate::analysis::{Channel, NoiseFloor};
 
 /// Where a column stands in the two tables.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +25,38 @@ pub(super) struct Judgement {
     pub needed: f64,
 }
 
+/// What the columns of two tables are measured by.
+pub(super) struct Scales<F> {
+    /// Largest magnitude of a column in both tables.
+    pub largest: F,
+    /// What of them is round-off.
+    floor: NoiseFloor,
+}
+
+impl<F> Scales<F> {
+    /// Of columns with their names and places, `rate` rows a second.
+    pub fn of<'a, P: Copy>(
+        columns: impl Iterator<Item = (&'a str, P)>,
+        largest: F,
+        rate: f64,
+    ) -> Self
+    where
+        F: Fn(P) -> f64,
+    {
+        let of_column = |(name, place)| Some((Channel::of_column(name)?, largest(place)));
+        let floor = NoiseFloor::of(columns.filter_map(of_column), rate);
+        Self { largest, floor }
+    }
+
+    /// Difference of a column that is round-off; zero where equal values are asked for.
+    pub fn floor(&self, name: &str, tolerance: Tolerance) -> f64 {
+        match Channel::of_column(name) {
+            Some(channel) if !tolerance.is_exact() => self.floor.below(channel),
+            _ => 0.0,
+        }
+    }
+}
+
 /// What is compared of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Rule {
@@ -33,6 +66,8 @@ pub(super) enum Rule {
         tolerance: Tolerance,
         /// Largest magnitude of the column.
         scale: f64,
+        /// Difference that is round-off.
+        floor: f64,
     },
     /// An angle, modulo 2π, where the amplitude is significant.
     Phase {
@@ -46,12 +81,11 @@ pub(super) enum Rule {
 }
 
 impl Rule {
-    /// The rule of column `name`; `scale` is the largest magnitude of a column in both tables,
-    /// `place` tells where a column stands that both have.
+    /// The rule of column `name`, which stands at `place`.
     pub fn new<'a>(
         name: &str,
         columns: impl Iterator<Item = (&'a str, Place)>,
-        scale: impl Fn(Place) -> f64,
+        scales: &Scales<impl Fn(Place) -> f64>,
         place: Place,
         tolerances: &Tolerances,
     ) -> Self {
@@ -65,12 +99,14 @@ impl Rule {
         match amplitude {
             None => Self::Value {
                 tolerance,
-                scale: scale(place),
+                scale: (scales.largest)(place),
+                floor: scales.floor(name, tolerance),
             },
             Some((other, amplitude)) => Self::Phase {
                 tolerance,
                 amplitude,
-                amplitude_allowed: tolerances.of(other).allowed(scale(amplitude)),
+                amplitude_allowed: tolerances.of(other).allowed((scales.largest)(amplitude))
+                    + scales.floor(other, tolerances.of(other)),
             },
         }
     }
@@ -79,9 +115,11 @@ impl Rule {
     pub fn judge(&self, place: Place, first: &[f64], second: &[f64]) -> Option<Judgement> {
         let (a, b) = (first[place.first], second[place.second]);
         match *self {
-            Self::Value { tolerance, scale } => {
-                Some(judgement(distance(a, b), tolerance, scale, 0.0))
-            }
+            Self::Value {
+                tolerance,
+                scale,
+                floor,
+            } => Some(judgement(distance(a, b), tolerance, scale, floor)),
             Self::Phase {
                 tolerance,
                 amplitude,

@@ -29,6 +29,11 @@ impl Tolerance {
         Ok(Self { relative, absolute })
     }
 
+    /// Whether values must be equal.
+    pub(super) fn is_exact(self) -> bool {
+        self.relative == 0.0 && self.absolute == 0.0
+    }
+
     /// Difference allowed in a column whose largest magnitude is `scale`.
     ///
     /// ```

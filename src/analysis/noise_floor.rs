@@ -1,0 +1,89 @@
+//! What is too small to be more than round-off.
+
+use std::f64::consts::PI;
+
+use super::Channel;
+
+/// Part of the largest value of a family of quantities below which one of them is round-off: results of the same
+/// scene on another machine, or by another order of operations, differ by about this much.
+const ROUND_OFF: f64 = 1e-11;
+/// Length by which tilts are compared with displacements and moments with forces, m: the order of the radius of a
+/// bearing.
+const ARM: f64 = 0.01;
+
+/// Noise floor of the columns of a run: amplitudes below it are round-off.
+///
+/// It is 1e-11 of the largest value, mean included, in the family of a quantity: displacements with tilts (through a
+/// length of 10 mm), velocities, accelerations, forces with moments. Velocities and accelerations of a shaft at rest
+/// have a floor too: that of the displacements at half the sampling rate. Energies, moments of the drive, angles and
+/// counts have none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct NoiseFloor {
+    /// Largest displacement in m, velocity in m/s, acceleration in m/s², force in N.
+    largest: [f64; 4],
+}
+
+impl NoiseFloor {
+    /// Of columns with their largest magnitudes, `rate` samples a second; zero where that is unknown.
+    pub fn of(columns: impl IntoIterator<Item = (Channel, f64)>, rate: f64) -> Self {
+        let mut largest = [0.0_f64; 4];
+        for (channel, magnitude) in columns {
+            if let Some((family, length)) = family(channel) {
+                largest[family] = largest[family].max(magnitude / length);
+            }
+        }
+        let highest = PI * rate;
+        largest[1] = largest[1].max(highest * largest[0]);
+        largest[2] = largest[2].max(highest * largest[1]);
+        Self { largest }
+    }
+
+    /// Amplitude below which a column shows round-off, in its unit.
+    pub fn below(&self, channel: Channel) -> f64 {
+        family(channel).map_or(0.0, |(family, length)| {
+            ROUND_OFF * self.largest[family] * length
+        })
+    }
+}
+
+/// Family of a quantity, and what one of its SI unit is in that of the family.
+fn family(channel: Channel) -> Option<(usize, f64)> {
+    let [angular, moment] = [1.0 / ARM, ARM];
+    let (family, freedom, of_rotation) = match channel {
+        Channel::Displacement(freedom) => (0, freedom, angular),
+        Channel::Velocity(freedom) => (1, freedom, angular),
+        Channel::Acceleration(freedom) => (2, freedom, angular),
+        Channel::Force(freedom) => (3, freedom, moment),
+        _ => return None,
+    };
+    Some((family, if freedom < 3 { 1.0 } else { of_rotation }))
+}
+
+/// Largest magnitude of some values.
+pub(crate) fn magnitude(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_family_has_one_floor() {
+        let columns = [
+            (Channel::Displacement(2), 20e-6),
+            (Channel::Displacement(3), 1e-19),
+            (Channel::Velocity(0), 0.0),
+            (Channel::Force(2), 1000.0),
+            (Channel::Force(4), 1e-13),
+        ];
+        let floor = NoiseFloor::of(columns, 10e3);
+        let close = |value: f64, expected: f64| assert!((value / expected - 1.0).abs() < 1e-12);
+        close(floor.below(Channel::Displacement(0)), 2e-16);
+        close(floor.below(Channel::Displacement(4)), 2e-14);
+        close(floor.below(Channel::Velocity(1)), 2e-16 * PI * 1e4);
+        close(floor.below(Channel::Force(0)), 1e-8);
+        close(floor.below(Channel::Force(3)), 1e-10);
+        assert_eq!(floor.below(Channel::Energy(0)), 0.0);
+    }
+}
