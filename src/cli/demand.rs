@@ -189,7 +189,7 @@ fn available() -> impl Iterator<Item = (f64, &'static str)> {
 /// Bytes of all files of a run.
 fn disk(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
     let output = &scenario.output;
-    let rows = size.samples as f64 / output.every.get() as f64;
+    let rows = size.samples as f64 / output.written_of(size.samples as f64).get() as f64;
     let mut columns = 0.0;
     if output.trace {
         let chosen = output.channels.as_ref().map(|channels| channels.len() + 1);
@@ -211,7 +211,7 @@ fn disk(scenario: &Scenario, model: &Model, size: &RunSize) -> f64 {
         columns += BALL * balls.sum::<usize>() as f64;
     }
     let mut numbers = columns * rows;
-    if output.spectrum {
+    if model.spectrum.is_some() {
         // amplitude and phase of every column at half as many frequencies as samples
         let part = 1.0 - model.settle / model.duration;
         numbers += 0.5 * (2.0 * size.columns as f64 + 2.0) * size.samples as f64 * part;

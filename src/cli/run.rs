@@ -103,6 +103,7 @@ impl Motion<'_> {
     ) -> Result<Answer, Failure> {
         let started = Instant::now();
         let mut report = RunReport::of(&self.job.scenario, &self.model, &self.job.folder)?;
+        self.tell_of_thinning();
         let (parts, resumed) = (&arguments.parts, restart.is_some());
         let mut keeper = parts.keeper(&report, self.job, &self.model)?;
         let paces = [Pace::default(), Pace::default()];
@@ -149,6 +150,21 @@ impl Motion<'_> {
                 Err(ending::failed(&error, &kept).into())
             }
             Err(other) => Err(other.into()),
+        }
+    }
+
+    /// Says where the tables leave samples out though nobody asked for it.
+    fn tell_of_thinning(&self) {
+        let output = &self.job.scenario.output;
+        let written = output.written_of(self.model.samples());
+        if output.every.is_none() && output.trace && written.get() > 1 {
+            self.job.tell(
+                "note",
+                &format!(
+                    "the trace holds one of every {written} samples, at most 100 000 rows; `every` in [output], or \
+                     --every, asks for more or fewer"
+                ),
+            );
         }
     }
 

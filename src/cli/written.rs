@@ -49,7 +49,7 @@ impl Written {
             echo["formats"] = json!(output.formats);
         }
         if let Some(every) = self.every {
-            output.every = every;
+            output.every = Some(every);
             echo["every"] = json!(every);
         }
         if !self.channels.is_empty() {

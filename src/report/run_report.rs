@@ -415,11 +415,11 @@ impl RunReport {
             drive: model.rotor.drive.is_some(),
             balls: output.balls,
             events: output.events,
-            spectrum: output.spectrum,
+            spectrum: model.spectrum.is_some(),
             figures: output.figures,
             page: output.report,
             formats: output.formats.clone(),
-            every: output.every,
+            every: output.written_of(model.samples()),
             channels: output.channels.clone(),
         };
         let kept = model.rotor.shaft.freedoms.count();

@@ -53,3 +53,10 @@ pub struct Model {
     /// Spectra to estimate besides; without any, nothing is recorded for them.
     pub(crate) spectra: Vec<SpectrumRequest>,
 }
+
+impl Model {
+    /// Number of samples, not rounded.
+    pub(crate) fn samples(&self) -> f64 {
+        self.duration * self.sampling.rate(self.rotor.highest_speed())
+    }
+}

@@ -226,10 +226,31 @@ fn a_bearing_that_is_pulled_the_wrong_way_is_told_as_the_readme_says() {
     assert!(readme.contains("of which `bearing` and `run` warn"));
 }
 
+/// A run-up has no plain spectrum, and a trace of 100 000 rows at most, unless more is asked for.
 #[test]
-fn speeds_are_told_in_revolutions_a_minute() {
-    let output = done(answer("run", "run-up-24000rpm", &["--no-verify"]));
+fn a_run_up_writes_what_people_look_at() {
+    let out = TempDir::new().expect("a folder");
+    let run = |spectrum: &str, more: &[&str]| {
+        let text = std::fs::read_to_string(scene("run-up-24000rpm")).expect("a scene");
+        let text = text.replace("[output]", &format!("[output]\nspectrum = {spectrum}"));
+        let text = text.replace("spectrum = none\n", "");
+        let file = out.path().join("scene.toml");
+        std::fs::write(&file, text).expect("a written file");
+        let output = verb("run", &[&file], out.path(), more).output();
+        done(output.expect("the command starts"))
+    };
+    let rows = || {
+        let trace = std::fs::File::open(out.path().join("scene/trace.csv")).expect("trace.csv");
+        BufReader::new(trace).lines().count() - 1
+    };
+    let spectrum = out.path().join("scene/spectrum.csv");
+    let output = run("none", &["--no-verify"]);
+    assert_says(&output, &["note: ", "at most 100 000 rows", "--every"]);
+    assert!(!spectrum.exists() && (50_000..=100_000).contains(&rows()));
+    let output = run("true", &["--no-verify", "--every", "1"]);
     assert_says(&output, &["24000 rpm (2513.3 rad/s)"]);
+    assert_silent_on(&output, "at most 100 000 rows");
+    assert!(spectrum.exists() && rows() > 200_000);
 }
 
 #[test]

@@ -15,6 +15,8 @@ use crate::simulate::{Analyses, Sampling};
 
 /// Samples per revolution where neither key is given.
 const SAMPLES_PER_REVOLUTION: u32 = 128;
+/// Most rows that the trace has by default.
+const MOST_ROWS: f64 = 1e5;
 /// Most samples of a run.
 const MOST_SAMPLES: f64 = 1e9;
 /// Most rows of a MAT-file of level 5, whose variables take less than 2 GiB each.
@@ -48,9 +50,9 @@ pub struct Output {
     /// Whether every loss and return of contact and preload is written, to `events.csv`; they are
     /// counted in the summary either way. Default: true.
     pub events: bool,
-    /// Whether spectra are taken, in `spectrum.csv`; those of `[[spectrum]]` are either way. Default:
-    /// true.
-    pub spectrum: bool,
+    /// Whether spectra are taken, in `spectrum.csv`; those of `[[spectrum]]` are either way. Default: where the
+    /// speed is constant after the settle time; while it changes, lines smear, and `maps` has short-time spectra.
+    pub spectrum: Option<bool>,
     /// Whether figures are drawn. Default: true.
     pub figures: bool,
     /// Whether `report.html` is written, one page that shows the run in a browser. Default: true.
@@ -67,9 +69,10 @@ pub struct Output {
     #[schemars(extend("minItems" = 1))]
     pub formats: Vec<TableFormat>,
     /// Of how many samples one is written to the trace and the tables beside it, beginning with the
-    /// first; spectra, figures and the summary rest on all samples. Default: 1.
+    /// first; spectra, figures and the summary rest on all samples. Default: so many that at most 100 000 rows are
+    /// written.
     #[schemars(range(min = 1, max = 1_000_000))]
-    pub every: NonZeroU64,
+    pub every: Option<NonZeroU64>,
     /// What the written trace shows beside the time, in this order. Default: everything.
     #[schemars(extend("minItems" = 1))]
     pub channels: Option<Vec<Channel>>,
@@ -84,6 +87,8 @@ pub struct Turning<'a> {
     pub highest: f64,
     /// Speed after the settle time, rad/s; zero where it changes.
     pub steady: f64,
+    /// Whether it is constant there.
+    pub is_steady: bool,
 }
 
 impl Default for Output {
@@ -96,19 +101,31 @@ impl Default for Output {
             energy: false,
             balls: false,
             events: true,
-            spectrum: true,
+            spectrum: None,
             figures: true,
             report: true,
             motion: None,
             maps: None,
             formats: vec![TableFormat::Csv],
-            every: NonZeroU64::MIN,
+            every: None,
             channels: None,
         }
     }
 }
 
 impl Output {
+    /// Whether spectra are taken of a run whose speed is constant after the settle time, or changes.
+    pub fn takes_spectra(&self, steady: bool) -> bool {
+        self.spectrum.unwrap_or(steady)
+    }
+
+    /// Of how many samples one is written, of a number of samples.
+    pub fn written_of(&self, samples: f64) -> NonZeroU64 {
+        let least = (samples / MOST_ROWS).ceil() as u64;
+        self.every
+            .unwrap_or(NonZeroU64::new(least).unwrap_or(NonZeroU64::MIN))
+    }
+
     /// Refuses formats that this build cannot write, and what is asked for twice.
     pub(super) fn check_written(&self, problems: &mut Problems<'_>) {
         for (index, format) in self.formats.iter().enumerate() {
@@ -151,7 +168,7 @@ impl Output {
         };
         let rate = sampling.rate(speed);
         self.check_count(rate, key, time, problems);
-        if self.spectrum && time.window() > 0.0 {
+        if self.takes_spectra(turning.is_steady) && time.window() > 0.0 {
             // where the speed changes, a spectrum rests on no revolution
             check_window((key, turning.steady), rate, time, problems);
         }
@@ -182,7 +199,7 @@ impl Output {
             problems.refuse(issue.against("speed.constant"));
         }
         Analyses {
-            motion: steady && self.motion.unwrap_or(self.spectrum),
+            motion: steady && self.motion.unwrap_or(self.takes_spectra(true)),
             maps: changes && self.maps.unwrap_or(self.figures),
             ..Analyses::default()
         }
@@ -233,7 +250,7 @@ impl Output {
                 Issue::new("time.duration", message).help("shorten it or sample less often");
             problems.refuse(issue.against(key).against(speed));
         }
-        let rows = count / self.every.get() as f64;
+        let rows = count / self.written_of(count).get() as f64;
         if self.trace && rows > MOST_MAT_ROWS && self.formats.contains(&TableFormat::Mat) {
             let message = format!(
                 "{rows:.3e} rows are too many for a MAT-file, which holds {MOST_MAT_ROWS:e}"

@@ -321,7 +321,9 @@ impl ScenarioInput {
             key: self.speed.path(),
             highest: rotor.highest_speed(),
             steady: steady.filter(|_| !driven).unwrap_or(0.0),
+            is_steady: steady.is_some() && !driven,
         };
+        let spectra_taken = self.output.takes_spectra(turning.is_steady);
         let sampling = self.output.sampling(turning, time, problems)?;
         let recorded = Recorded {
             freedoms: rotor.shaft.freedoms,
@@ -332,7 +334,7 @@ impl ScenarioInput {
             steady: turning.steady,
         };
         let spectra = spectrum::build(&self.spectrum, &recorded, problems);
-        if self.output.spectrum && problems.node("time.settle").is_none() {
+        if spectra_taken && problems.node("time.settle").is_none() {
             problems.warn(
                 "no `settle` in `[time]`: the spectra hold what decays after the start; set it to where that is gone \
                  (0 s keeps it)",
@@ -351,7 +353,7 @@ impl ScenarioInput {
             verify: self.integrator.verify,
             energy: self.output.energy,
             table: self.model.table,
-            spectrum: self.output.spectrum.then_some(self.output.window),
+            spectrum: spectra_taken.then_some(self.output.window),
             analyses,
             spectra,
         })

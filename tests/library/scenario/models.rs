@@ -118,7 +118,11 @@ fn a_spectrum_that_is_not_wanted_is_not_planned() {
         "{SMALLEST}{BEARING}[output]\nspectrum = false\nfigures = false\n"
     ));
     assert!(scenario.model.unwrap().spectrum.is_none());
-    assert!(scenario.output.trace && !scenario.output.spectrum && !scenario.output.figures);
+    assert!(
+        scenario.output.trace
+            && scenario.output.spectrum == Some(false)
+            && !scenario.output.figures
+    );
 }
 
 #[test]
