@@ -177,6 +177,11 @@ impl Decimator {
         }
     }
 
+    /// Whether every bucket holds a single value.
+    pub fn is_whole(&self) -> bool {
+        self.stride == 1
+    }
+
     /// The envelope so far, in order.
     pub fn buckets(&self) -> impl Iterator<Item = Bucket> + '_ {
         self.full.iter().copied().chain(self.open)

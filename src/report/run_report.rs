@@ -374,6 +374,9 @@ impl TraceSink for RunReport {
     }
 
     fn event(&mut self, event: &Event) -> io::Result<()> {
+        if let Some(page) = &mut self.page {
+            page.event();
+        }
         match &mut self.events {
             None => Ok(()),
             Some(files) => files.row(&event_row(event)),

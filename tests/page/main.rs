@@ -60,6 +60,11 @@ impl Shown {
     /// The document once its scripts have run, and what the browser said meanwhile; `None` without a
     /// browser.
     fn in_browser(&self) -> Option<(String, String)> {
+        self.opened(&self.page)
+    }
+
+    /// The same of another file, which may look into the page.
+    fn opened(&self, file: &Path) -> Option<(String, String)> {
         let chromium = ["chromium", "chromium-browser", "google-chrome"]
             .into_iter()
             .find(|name| Command::new(name).arg("--version").output().is_ok())?;
@@ -68,6 +73,7 @@ impl Shown {
                 "--headless",
                 "--no-sandbox",
                 "--disable-gpu",
+                "--allow-file-access-from-files",
                 "--disable-quic",
                 "--no-first-run",
                 "--disable-background-networking",
@@ -81,7 +87,7 @@ impl Shown {
                 "--user-data-dir={}",
                 self.folder.path().join("browser").display()
             ))
-            .arg(format!("file://{}", self.page.display()))
+            .arg(format!("file://{}", file.display()))
             .output()
             .expect("the browser starts");
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
@@ -110,6 +116,29 @@ fn document(shown: &Shown) -> Option<String> {
         .expect("a time");
     assert!(ready < LONGEST, "ready after {ready} ms");
     Some(document)
+}
+
+/// A frame of 400 px that tells how far its page reaches beyond it.
+const NARROW: &str = r#"<iframe id="page" src="report.html" width="400" height="900"></iframe><p id="told"></p><script>
+const frame = document.getElementById("page");
+frame.onload = () => setTimeout(() => {
+  const { scrollWidth, clientWidth } = frame.contentDocument.documentElement;
+  document.getElementById("told").textContent = `beyond by ${scrollWidth - clientWidth} px`;
+}, 1000);
+</script>"#;
+
+#[test]
+fn no_page_scrolls_sideways_on_a_telephone() {
+    for name in ["back-to-back-7205c", "run-up-7205c"] {
+        let shown = run(&shipped(name));
+        let frame = shown.page.with_file_name("narrow.html");
+        fs::write(&frame, NARROW).expect("a written file");
+        let Some((document, _)) = shown.opened(&frame) else {
+            eprintln!("skipped: no Chromium is installed");
+            return;
+        };
+        assert!(document.contains(">beyond by 0 px<"), "{name}: {document}");
+    }
 }
 
 /// Opened from disk, the page shows the numbers of the summary, every curve and the named lines.

@@ -7,18 +7,23 @@ use serde_json::{Value, json};
 /// Buckets of a curve over time: twice as many points. A wide screen shows fewer.
 pub(super) const BUCKETS: usize = 3072;
 
-/// A curve: its name, and its points as little-endian 32-bit floats in base64.
+/// A curve: its name, and its points as little-endian floats in base64, abscissas of 64 and values of 32 bits.
 pub(super) fn curve(name: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Value {
-    let (mut abscissas, mut values) = (Vec::new(), Vec::new());
-    for (abscissa, value) in points {
-        abscissas.extend((abscissa as f32).to_le_bytes());
-        values.extend((value as f32).to_le_bytes());
-    }
+    let (abscissas, values): (Vec<f64>, Vec<f64>) = points.into_iter().unzip();
+    let wide: Vec<u8> = abscissas.iter().flat_map(|x| x.to_le_bytes()).collect();
     json!({
         "name": name,
-        "abscissas": STANDARD.encode(abscissas),
-        "values": STANDARD.encode(values),
+        "abscissas": STANDARD.encode(wide),
+        "values": narrow(values),
     })
+}
+
+/// Values as little-endian 32-bit floats in base64.
+pub(super) fn narrow(values: impl IntoIterator<Item = f64>) -> String {
+    let bytes = values
+        .into_iter()
+        .flat_map(|value| (value as f32).to_le_bytes());
+    STANDARD.encode(bytes.collect::<Vec<_>>())
 }
 
 /// Curves over one axis.

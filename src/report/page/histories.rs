@@ -1,18 +1,39 @@
 //! What is drawn over time.
 
-use serde_json::Value;
+use std::collections::VecDeque;
 
-use super::curve::{BUCKETS, Panel, curve};
+use serde_json::{Value, json};
+
+use super::curve::{BUCKETS, Panel, curve, narrow};
 use crate::analysis::Channel;
 use crate::report::terminal::MICRO;
 use crate::report::{Bucket, Decimator};
 use crate::rotor::Sample;
 
-/// A column of the samples over time.
+/// Samples at the end that are shown one by one.
+const LAST: usize = 2048;
+/// Samples before and after an event that are.
+const AROUND: usize = 256;
+/// Events around which they are: the first ones.
+const MOST_EVENTS: usize = 4;
+
+/// A column of the samples over time: whole where it is short; of a long run the band that it stays in, and in full
+/// its end and what is around events.
 #[derive(Debug, Clone)]
 struct History {
     channel: Channel,
     envelope: Decimator,
+    /// Times and values of the last samples.
+    last: VecDeque<(f64, f64)>,
+    /// The same around events.
+    stretches: Vec<Vec<(f64, f64)>>,
+}
+
+/// A place of a history: its value, or the lowest and the highest value around it.
+struct Place {
+    time: f64,
+    value: f64,
+    band: [f64; 2],
 }
 
 /// What is drawn beside displacements and forces, with its name on the page.
@@ -28,6 +49,8 @@ const FURTHER: [(Channel, &str); 5] = [
 #[derive(Debug, Clone)]
 pub(super) struct Histories {
     histories: Vec<History>,
+    /// Samples that the stretch around an event still takes.
+    open: usize,
 }
 
 impl Histories {
@@ -38,9 +61,27 @@ impl Histories {
         let history = |channel| History {
             channel,
             envelope: Decimator::new(BUCKETS),
+            last: VecDeque::with_capacity(LAST),
+            stretches: Vec::new(),
         };
         Self {
             histories: moving.chain(further).map(history).collect(),
+            open: 0,
+        }
+    }
+
+    /// Takes note of an event since the last sample.
+    pub fn event(&mut self) {
+        if self.open > 0 {
+            return;
+        }
+        for history in &mut self.histories {
+            if history.stretches.len() < MOST_EVENTS {
+                let before = history.last.len().saturating_sub(AROUND);
+                let before = history.last.iter().skip(before).copied();
+                history.stretches.push(before.collect());
+                self.open = AROUND;
+            }
         }
     }
 
@@ -48,9 +89,10 @@ impl Histories {
     pub fn sample(&mut self, sample: &Sample) {
         for history in &mut self.histories {
             if let Some(value) = history.channel.of(sample) {
-                history.envelope.push(sample.time, value);
+                history.take(sample.time, value, self.open > 0);
             }
         }
+        self.open = self.open.saturating_sub(1);
     }
 
     /// One panel each, but for what is unknown and for what says nothing because it never changes.
@@ -61,6 +103,57 @@ impl Histories {
 }
 
 impl History {
+    fn take(&mut self, time: f64, value: f64, near_event: bool) {
+        self.envelope.push(time, value);
+        if self.last.len() == LAST {
+            self.last.pop_front();
+        }
+        self.last.push_back((time, value));
+        if let Some(stretch) = self.stretches.last_mut().filter(|_| near_event) {
+            stretch.push((time, value));
+        }
+    }
+
+    /// The stretches that are known sample by sample, in order, none over another.
+    fn in_full(&self) -> Vec<Vec<(f64, f64)>> {
+        let last = self.last.iter().copied().collect();
+        let mut until = f64::NEG_INFINITY;
+        let mut stretches: Vec<Vec<(f64, f64)>> = Vec::new();
+        for mut stretch in self.stretches.iter().cloned().chain([last]) {
+            stretch.retain(|(time, _)| *time > until);
+            until = stretch.last().map_or(until, |(time, _)| *time);
+            stretches.push(stretch);
+        }
+        stretches.retain(|stretch| !stretch.is_empty());
+        stretches
+    }
+
+    /// Values where they are known one by one, elsewhere the band: joining the extremes of a bucket by lines would
+    /// show a wave that there is not.
+    fn places(&self) -> Vec<Place> {
+        let stretches = self.in_full();
+        let known = |time: f64| {
+            let mut stretches = stretches.iter();
+            stretches.any(|stretch| stretch[0].0 <= time && time <= stretch[stretch.len() - 1].0)
+        };
+        let band = self.envelope.buckets().flat_map(|bucket| {
+            [bucket.first.0, bucket.last.0].map(|time| Place {
+                time,
+                value: f64::NAN,
+                band: [bucket.low(), bucket.high()],
+            })
+        });
+        let single = stretches.iter().flatten().map(|(time, value)| Place {
+            time: *time,
+            value: *value,
+            band: [f64::NAN; 2],
+        });
+        let band = band.filter(|place| !known(place.time));
+        let mut places: Vec<Place> = band.chain(single).collect();
+        places.sort_by(|a, b| a.time.total_cmp(&b.time));
+        places
+    }
+
     /// Displacements and forces always tell; anything else only where it changes.
     fn tells(&self) -> bool {
         let mut values = self.envelope.buckets();
@@ -86,13 +179,53 @@ impl History {
             shown: None,
             logarithmic: false,
         };
-        let points = self.envelope.buckets().flat_map(distinct);
-        let points = points.map(|(time, value)| (time, scale * value));
-        panel.json(vec![curve(name, points)], Vec::new())
+        if self.envelope.is_whole() {
+            let points = self.envelope.buckets().map(|bucket| bucket.first);
+            let points = points.map(|(time, value)| (time, scale * value));
+            return panel.json(vec![curve(name, points)], Vec::new());
+        }
+        let places = self.places();
+        let points = places.iter().map(|place| (place.time, scale * place.value));
+        let mut json = panel.json(vec![curve(name, points)], Vec::new());
+        let edge = |side: usize| narrow(places.iter().map(|place| scale * place.band[side]));
+        json["band"] = json!({ "low": edge(0), "high": edge(1) });
+        json
     }
 }
 
-/// The extremes of a bucket, once where it holds a single value.
-fn distinct(Bucket { first, last }: Bucket) -> impl Iterator<Item = (f64, f64)> {
-    std::iter::once(first).chain((first != last).then_some(last))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A long wave is a band, its last samples and those around an event are itself.
+    #[test]
+    fn a_long_history_shows_no_wave_that_there_is_not() {
+        let wave = |time: f64| (std::f64::consts::TAU * 50.0 * time).sin();
+        let mut histories = Histories::new(1);
+        for n in 0..200_000 {
+            let time = f64::from(n) * 1e-3 / 6.4;
+            if n == 100_000 {
+                histories.event();
+            }
+            histories.sample(&Sample {
+                time,
+                displacement: [wave(time), 0.0, 0.0, 0.0, 0.0],
+                ..Sample::default()
+            });
+        }
+        let places = histories.histories[0].places();
+        let known = places.iter().filter(|place| !place.value.is_nan());
+        assert_eq!(known.clone().count(), LAST + 2 * AROUND);
+        for place in known {
+            assert_eq!(place.value, wave(place.time));
+        }
+        for place in places.iter().filter(|place| place.value.is_nan()) {
+            assert!(
+                place.band[0] < -0.9 && place.band[1] > 0.9,
+                "{}",
+                place.time
+            );
+        }
+        assert!(places.is_sorted_by(|a, b| a.time <= b.time));
+    }
 }

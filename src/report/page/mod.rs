@@ -48,6 +48,11 @@ impl Page {
         self.orbit.sample(sample);
     }
 
+    /// Takes note of an event since the last sample.
+    pub fn event(&mut self) {
+        self.histories.event();
+    }
+
     /// Writes the page of a run whose numbers stand in `summary`; `figures` are shown as they are, each an SVG
     /// with its name.
     pub fn write(

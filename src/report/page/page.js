@@ -12,11 +12,10 @@
     return `${number(value * factor)} ${name}`;
   };
 
-  function floats(base64) {
-    const text = atob(base64);
-    const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
-    return Array.from(new Float32Array(bytes.buffer));
-  }
+  const bytes = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer;
+  const places = (base64) => Array.from(new Float64Array(bytes(base64)));
+  /** Values; null where there is none. */
+  const floats = (base64) => Array.from(new Float32Array(bytes(base64)), (v) => (Number.isNaN(v) ? null : v));
 
   // Charts.
 
@@ -82,14 +81,18 @@
   }
 
   function options(panel, width, height, data) {
-    const series = panel.curves.map((curve, index) => ({
-      label: named(curve.name), stroke: colour(`--c${index % 6}`), width: 1.25,
+    const line = (label, index, width) => ({
+      label, stroke: colour(`--c${index % 6}`), width,
       value: (_, value) => (value === null ? "–" : `${number(value)}${panel.unit ? ` ${panel.unit}` : ""}`),
       points: { show: false },
-    }));
+    });
+    const series = panel.curves.map((curve, index) => line(named(curve.name), index, 1.25));
+    // where not every sample is shown, between its lowest and its highest value
+    const bands = panel.band ? [{ series: [series.length + 2, series.length + 1], fill: `${colour("--c0")}55` }] : [];
+    if (panel.band) series.push(line("lowest", 0, 0.5), line("highest", 0, 0.5));
     const [abscissa, abscissaUnit] = panel.over;
     const settings = {
-      width, height, legend: { live: true }, axes: axes(panel),
+      width, height, legend: { live: true }, axes: axes(panel), bands,
       series: [{ label: abscissa, value: (_, v) => (v === null ? "–" : `${number(v, 7)} ${abscissaUnit}`) }, ...series],
       scales: { x: { time: false, ...(panel.shown ? { min: data[0][0], max: panel.shown } : {}) }, y: panel.logarithmic ? { distr: 3, range: () => decades(data.slice(1)) }
         : { range: (_, low, high) => (low === null ? [-1, 1] : padded(low, high)) } },
@@ -163,7 +166,8 @@
   function addChart(panel, group, height, last = true) {
     const holder = element("div", { class: "chart", tabindex: "0", role: "group",
       "aria-label": `${named(panel.name)} over ${panel.over[0]}; arrow keys move, plus and minus zoom, 0 shows all, comma and full stop read points` });
-    const data = [floats(panel.curves[0].abscissas), ...panel.curves.map((curve) => floats(curve.values))];
+    const data = [places(panel.curves[0].abscissas), ...panel.curves.map((curve) => floats(curve.values))];
+    if (panel.band) data.push(floats(panel.band.low), floats(panel.band.high));
     const chart = { panel: { ...panel, group, last }, holder, height: last ? height + 20 : height, data };
     if (panel.logarithmic) chart.data = [data[0], ...data.slice(1).map((curve) => curve.map((v) => (v > 0 ? v : null)))];
     holder.addEventListener("keydown", (event) => keys(chart, event));
@@ -173,12 +177,12 @@
   }
 
   const hint = () => element("p", { class: "quiet screen" },
-    "Drag to zoom, double click to see all. With the keyboard: Tab to a chart, ← → move, + − zoom, 0 shows all, , and . read points, Enter on a name hides its curve.");
+    "Drag to zoom, double click to see all. With the keyboard: Tab to a chart, ← → move, + − zoom, 0 shows all, , and . read points, Enter on a name hides its curve. Of a long run a filled band shows between which values a curve stays; its end, and what is around the first events, is drawn sample by sample.");
 
   // The orbit.
 
   function orbitFigure({ revolutions, curve }) {
-    const [xs, ys] = [floats(curve.abscissas), floats(curve.values)];
+    const [xs, ys] = [places(curve.abscissas), floats(curve.values)];
     if (xs.length < 2) return null;
     const bounds = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
     const [[left, right], [low, high]] = [bounds(xs), bounds(ys)];
@@ -204,7 +208,7 @@
     const told = ["the last " + number(revolutions, 3) + " revolutions, seen along −Z"];
     (sections ?? []).forEach((section, index) => {
       const name = `var(--c${1 + (index % 5)})`;
-      const [px, py] = [floats(section.abscissas), floats(section.values)];
+      const [px, py] = [places(section.abscissas), floats(section.values)];
       px.forEach((x, i) => {
         const [cx_, cy_] = place(x, py[i]);
         image.append(drawn("circle", { cx: cx_.toFixed(2), cy: cy_.toFixed(2), r: 2.2, fill: name }));
@@ -309,7 +313,9 @@
 
   function largestOf(name) {
     const panel = histories.find((entry) => entry.name === name);
-    return panel ? floats(panel.curves[0].values).reduce((a, b) => Math.max(a, b), 0) : null;
+    if (!panel) return null;
+    const values = [panel.curves[0].values, ...(panel.band ? [panel.band.high] : [])].flatMap(floats);
+    return values.reduce((a, b) => Math.max(a, b), 0);
   }
 
   function keyNumbers() {
