@@ -1,8 +1,5 @@
 //! A study answers the same question as the scenario with each value written into it.
 
-use std::fs;
-use std::path::Path;
-
 use crate::quasi_static::quasi_static;
 use crate::scenario::{self, Format, Scenario};
 
@@ -105,25 +102,4 @@ fn a_value_without_an_answer_is_named() {
         message.starts_with("load[0].constant.z = 500000 kN: no static equilibrium"),
         "{message}"
     );
-}
-
-#[test]
-fn every_study_of_the_readme_is_right() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let readme = fs::read_to_string(root.join("README.md")).expect("README.md");
-    let blocks = readme.split("```toml\n").skip(1);
-    let blocks = blocks.filter_map(|rest| rest.split("```").next());
-    let studies: Vec<&str> = blocks.filter(|text| text.starts_with("base = ")).collect();
-    assert!(!studies.is_empty());
-    for study in studies {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let base = study.split('"').nth(1).expect("the name of a scenario");
-        let shipped = root.join("scenarios").join(base);
-        fs::copy(shipped, folder.path().join(base)).expect("a shipped scenario");
-        let file = folder.path().join("readme.toml");
-        fs::write(&file, study).expect("a writable folder");
-        if let Err(error) = scenario::load_study(&file) {
-            panic!("{}", error.render(false));
-        }
-    }
 }
