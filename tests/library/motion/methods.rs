@@ -41,13 +41,15 @@ fn begin(model: &Model, method: Method, tolerance: f64) -> (Run, Vec<Sample>) {
     (run.expect("a scenario that runs"), samples)
 }
 
+/// Scenes whose balls part from the races at every passage: methods whose steps do not end there may miss ten tolerances.
+const PARTING: [&str; 2] = ["fan-6205.toml", "varying-compliance-6306.toml"];
+
 /// Each method keeps to ten of its tolerances, or the run warns that it does not; and the error that
 /// it measures by itself is the one that the other methods find.
 #[test]
 fn explicit_and_implicit_methods_give_the_same_trace_of_every_scenario() {
     let files = shipped();
     assert!(files.len() >= 9, "{files:?}");
-    let mut warned = 0;
     for file in files {
         let name = file
             .file_name()
@@ -81,7 +83,7 @@ fn explicit_and_implicit_methods_give_the_same_trace_of_every_scenario() {
                 .iter()
                 .any(|warning| warning.contains("measured error"))
             {
-                warned += 1;
+                assert!(PARTING.contains(&name.as_str()), "{name}, {method:?} warns");
             } else {
                 assert!(
                     apart <= 10.0 * tolerance * motion,
@@ -90,5 +92,4 @@ fn explicit_and_implicit_methods_give_the_same_trace_of_every_scenario() {
             }
         }
     }
-    assert!(warned <= 2, "{warned} runs miss ten tolerances");
 }
