@@ -3,7 +3,7 @@
 use std::io;
 
 use super::jobs::{Answer, Failure, Files, Job};
-use super::{Outcome, stream};
+use super::{Outcome, terminal};
 use crate::report;
 use crate::scenario;
 use crate::study::campbell::{self, CampbellQuestion};
@@ -45,7 +45,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         arguments.count as usize,
         &arguments.orders,
     ) {
-        stream::tell(&format!("error: {error}\n"));
+        terminal::tell(&format!("error: {error}\n"));
         return Ok(Outcome::WrongInput);
     }
     arguments

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::demand::Demand;
-use super::{Outcome, stream};
+use super::{Outcome, terminal};
 use crate::scenario::{self, Scenario, ScenarioError, StudyFile};
 
 /// Checks scenario and study files without running them; shows all that is wrong, and what a run takes.
@@ -43,7 +43,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         }
     }
     if arguments.json {
-        stream::print(&format!("{:#}\n", Value::Array(findings)))?;
+        terminal::print(&format!("{:#}\n", Value::Array(findings)))?;
     }
     Ok(outcome)
 }
@@ -104,14 +104,14 @@ fn show(name: &str, checked: &Result<Checked, ScenarioError>) -> io::Result<()> 
     match checked {
         Ok(scenario) => {
             for warning in &scenario.warnings {
-                stream::tell(&format!("warning: {name}: {warning}\n"));
+                terminal::tell(&format!("warning: {name}: {warning}\n"));
             }
             let takes = scenario.demand.as_ref();
             let takes = takes.map_or_else(String::new, |demand| format!("  {demand}\n"));
-            stream::print(&format!("{name}: ok, {}\n{takes}", scenario.title))
+            terminal::print(&format!("{name}: ok, {}\n{takes}", scenario.title))
         }
         Err(error) => {
-            stream::tell(&error.render(stream::color()));
+            terminal::tell(&error.render(terminal::color()));
             Ok(())
         }
     }

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::io::{self, ErrorKind};
 use std::path::PathBuf;
 
-use super::{Outcome, stream};
+use super::{Outcome, terminal};
 use crate::report::compare::{
     CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison_figure,
 };
@@ -94,7 +94,7 @@ fn number(text: &str) -> Result<f64, String> {
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     match comparison(arguments) {
         Err(message) => {
-            stream::tell(&message);
+            terminal::tell(&message);
             Ok(Outcome::WrongInput)
         }
         Ok(comparison) => {
@@ -112,7 +112,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 fn comparison(arguments: &Arguments) -> Result<Comparison, String> {
     let file = arguments.tolerances.as_deref().map(ToleranceFile::load);
     let file = file.transpose();
-    let file = file.map_err(|error| error.render(stream::color()))?;
+    let file = file.map_err(|error| error.render(terminal::color()))?;
     let rules = Rules {
         tolerances: tolerances(arguments, file.as_ref()).map_err(|error| message(&error))?,
         worst: arguments.worst.into(),
@@ -153,7 +153,7 @@ fn placed(error: &CompareError, file: Option<&ToleranceFile>) -> String {
     if let (CompareError::UnknownColumn { name, known }, Some(file)) = (error, file)
         && let Some(placed) = file.unused(name, known)
     {
-        return placed.render(stream::color());
+        return placed.render(terminal::color());
     }
     message(error)
 }
@@ -165,7 +165,7 @@ fn show(comparison: &Comparison, json: bool) -> io::Result<()> {
     } else {
         format!("{comparison}\n")
     };
-    match stream::print(&text) {
+    match terminal::print(&text) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         printed => printed,
     }

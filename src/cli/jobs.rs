@@ -4,11 +4,12 @@ use std::collections::HashMap;
 use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::{Outcome, stream};
-use crate::report::Destination;
+use super::{Outcome, terminal};
+use crate::report::{self, Destination};
 use crate::scenario::{self, Scenario};
 use crate::simulate::Model;
 
@@ -62,7 +63,17 @@ impl Files {
         prepare: impl Fn(&mut Job) -> Result<T, Failure>,
         answer: impl Fn(&Job, T) -> Result<Answer, Failure>,
     ) -> io::Result<Outcome> {
-        let Some(tasks) = self.jobs().and_then(|jobs| tasks(jobs, prepare)) else {
+        let prepared = |mut job: Job| match prepare(&mut job) {
+            Ok(task) => Some((job, task)),
+            Err(failure) => {
+                job.tell("error", &failure.to_string());
+                None
+            }
+        };
+        let jobs = self.jobs().into_iter().flatten();
+        let tasks: Vec<_> = jobs.map(prepared).collect();
+        let tasks: Option<Vec<_>> = tasks.into_iter().collect();
+        let Some(tasks) = tasks.filter(|tasks| !tasks.is_empty()) else {
             return Ok(Outcome::WrongInput);
         };
         let count = tasks.len();
@@ -75,8 +86,8 @@ impl Files {
             match answer {
                 Ok(answer) if self.json => documents.push(answer.json),
                 Ok(answer) => {
-                    stream::print(&answer.text)?;
-                    stream::tell(&answer.told);
+                    terminal::summarise(&answer.text)?;
+                    terminal::remark(&answer.told);
                 }
                 Err(failure) => {
                     let message = failure.to_string();
@@ -87,7 +98,7 @@ impl Files {
             }
         }
         if self.json {
-            stream::print(&document(count, documents))?;
+            terminal::print(&document(count, documents))?;
         }
         Ok(outcome)
     }
@@ -102,7 +113,7 @@ impl Files {
             let scenario = match scenario::load(file) {
                 Ok(scenario) => scenario,
                 Err(error) => {
-                    stream::tell(&error.render(stream::color()));
+                    terminal::tell(&error.render(terminal::color()));
                     complete = false;
                     continue;
                 }
@@ -112,7 +123,7 @@ impl Files {
                 continue;
             };
             if let Some(other) = folders.insert(folder.clone(), file) {
-                stream::tell(&format!(
+                terminal::tell(&format!(
                     "error: {name} and {} would both write to {}; rename one or run them apart\n",
                     other.display(),
                     folder.display()
@@ -136,7 +147,7 @@ impl Files {
 pub fn folder_of(file: &Path, out: &Path) -> Option<PathBuf> {
     let name = file.file_stem().unwrap_or_default();
     if name.is_empty() || name == "." || name == ".." {
-        stream::tell(&format!(
+        terminal::tell(&format!(
             "error: {}: the folder of the results is called like the file without its ending, and {name:?} is no name \
              for a folder: rename the file\n",
             file.display()
@@ -144,22 +155,6 @@ pub fn folder_of(file: &Path, out: &Path) -> Option<PathBuf> {
         return None;
     }
     Some(out.join(name))
-}
-
-/// The jobs with what they need; `None` where one lacks it, after telling of all of them.
-fn tasks<T>(
-    jobs: Vec<Job>,
-    prepare: impl Fn(&mut Job) -> Result<T, Failure>,
-) -> Option<Vec<(Job, T)>> {
-    let task = |mut job: Job| match prepare(&mut job) {
-        Ok(task) => Some((job, task)),
-        Err(failure) => {
-            job.tell("error", &failure.to_string());
-            None
-        }
-    };
-    let tasks: Vec<_> = jobs.into_iter().map(task).collect();
-    tasks.into_iter().collect()
 }
 
 impl Job {
@@ -185,9 +180,15 @@ impl Job {
         Ok(model)
     }
 
+    /// What is said of the law of the contacts, where it was to be chosen.
+    pub fn contact_choice_text(&self) -> String {
+        let choice = self.scenario.contact_choice.as_ref();
+        choice.map(report::contact_choice_text).unwrap_or_default()
+    }
+
     /// Tells of something about the file.
     pub fn tell(&self, kind: &str, message: &str) {
-        stream::tell(&format!("{kind}: {}: {message}\n", self.name));
+        terminal::tell(&format!("{kind}: {}: {message}\n", self.name));
     }
 
     /// Tells warnings.
@@ -209,6 +210,14 @@ impl Answer {
             json,
             incomplete: false,
         }
+    }
+
+    /// The same with the time that it took.
+    pub fn timed(mut self, started: Instant) -> Self {
+        let seconds = started.elapsed().as_secs_f64();
+        self.json["wall_time_s"] = seconds.into();
+        self.told = format!("done in {seconds:.3} s\n");
+        self
     }
 }
 

@@ -10,8 +10,8 @@ use serde_json::{Value, json};
 
 use super::demand::{TooLarge, check_memory};
 use super::jobs::folder_of;
-use super::progress::Progress;
-use super::{Outcome, stop, stream};
+use super::terminal::Progress;
+use super::{Outcome, terminal};
 use crate::report::many::{
     Digest, JournalError, Layout, MergeError, StudyReport, merge as merge_parts,
 };
@@ -107,7 +107,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let study = match scenario::load_study(file) {
         Ok(study) => study,
         Err(error) => {
-            stream::tell(&error.render(stream::color()));
+            terminal::tell(&error.render(terminal::color()));
             return Ok(Outcome::WrongInput);
         }
     };
@@ -123,7 +123,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         Ok(outcome) => Ok(outcome),
         Err(Failure::Output(error)) => Err(error),
         Err(failure) => {
-            stream::tell(&format!("error: {name}: {failure}\n"));
+            terminal::tell(&format!("error: {name}: {failure}\n"));
             Ok(failure.outcome())
         }
     }
@@ -219,7 +219,7 @@ impl<'a> Task<'a> {
             traces: None,
             columns: &self.study.columns,
             model: &model,
-            stop: stop::flag(),
+            stop: terminal::stop(),
         };
         match self.make.only {
             Some(number) => self.only(number, &maker),
@@ -260,7 +260,7 @@ impl<'a> Task<'a> {
             let of = |chain| self.schedule.runs_of(chain..chain + 1);
             let runs = chains.clone().filter(|chain| kept.holds(*chain)).map(of);
             let runs: u64 = runs.map(|runs| runs.end - runs.start).sum();
-            stream::tell(&format!("going on behind {runs} runs that are done\n"));
+            terminal::tell(&format!("going on behind {runs} runs that are done\n"));
         }
         let traces = report.traces()?;
         let keep = |run| match &traces {
@@ -276,7 +276,7 @@ impl<'a> Task<'a> {
         work(
             left,
             self.threads(),
-            stop::flag(),
+            terminal::stop(),
             |chain| maker.chain(chain),
             |chain, records| -> Result<(), Failure> {
                 let records = match records {
@@ -301,7 +301,7 @@ impl<'a> Task<'a> {
         let seconds = started.elapsed().as_secs_f64();
         show(title, &files, digest.as_ref(), self.make.json)?;
         let rate = runs as f64 / seconds;
-        stream::tell(&format!(
+        terminal::tell(&format!(
             "{runs} runs in {seconds:.3} s, {rate:.4} a second\n"
         ));
         Ok(outcome(digest.as_ref()))
@@ -344,13 +344,13 @@ impl<'a> Task<'a> {
         let mut report = RunReport::open(&folder, outputs, &title, scenario, self.freedoms)?;
         let mut progress = Progress::new(&title);
         let mut monitor = Monitor {
-            stop: stop::flag(),
+            stop: terminal::stop(),
             progress: &mut |part| progress.show(part),
         };
         let run = simulate(&model, &mut report, &mut monitor)?;
         drop(progress);
         let files = report.finish(&model, &run)?;
-        stream::print(&report::text(&title, &model, &run, &files))?;
+        terminal::print(&report::text(&title, &model, &run, &files))?;
         Ok(Outcome::Done)
     }
 }
@@ -363,7 +363,7 @@ impl Merge {
                 Ok(outcome(Some(&digest)))
             }
             Err(error) => {
-                stream::tell(&format!("error: {}: {error}\n", self.folder.display()));
+                terminal::tell(&format!("error: {}: {error}\n", self.folder.display()));
                 Ok(match error {
                     MergeError::Report(_) => Outcome::Failed,
                     _ => Outcome::WrongInput,
@@ -383,19 +383,19 @@ fn outcome(digest: Option<&Digest>) -> Outcome {
 /// Shows what came of a study.
 fn show(title: &str, files: &[PathBuf], digest: Option<&Digest>, as_json: bool) -> io::Result<()> {
     for warning in digest.iter().flat_map(|digest| &digest.warnings) {
-        stream::tell(&format!("warning: {title}: {warning}\n"));
+        terminal::tell(&format!("warning: {title}: {warning}\n"));
     }
     let paths = files.iter().map(|file| file.display().to_string());
     if as_json {
         let digest = digest.map(Digest::summary);
         let paths: Value = paths.collect();
         let document = json!({ "title": title, "digest": digest, "files": paths });
-        return stream::print(&format!("{document:#}\n"));
+        return terminal::print(&format!("{document:#}\n"));
     }
     let mut text = format!("{title}\n");
     if let Some(digest) = digest {
         text += &digest.text();
     }
     paths.for_each(|path| text += &format!("  wrote {path}\n"));
-    stream::print(&text)
+    terminal::print(&text)
 }
