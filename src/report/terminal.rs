@@ -71,17 +71,33 @@ impl Lines {
     }
 
     /// The files that were written, and all as one text.
-    pub fn wrote(mut self, files: &[PathBuf]) -> String {
-        for file in files {
-            self.line("wrote", file.display());
-        }
-        self.0
+    pub fn wrote(self, files: &[PathBuf]) -> String {
+        self.0 + &wrote(files)
     }
 
     /// All as one text.
     pub fn text(self) -> String {
         self.0
     }
+}
+
+/// The files that were written, in one line: their folder, then their names.
+pub fn wrote(files: &[PathBuf]) -> String {
+    let Some(folder) = files.first().and_then(|file| file.parent()) else {
+        return String::new();
+    };
+    let inside = |file: &PathBuf| {
+        let name = file.strip_prefix(folder).unwrap_or(file);
+        name.display().to_string()
+    };
+    let names: Vec<_> = files.iter().map(inside).collect();
+    let mut out = Lines::default();
+    let folder = folder.join("");
+    out.line(
+        "wrote",
+        format!("{} {}", folder.display(), names.join(", ")),
+    );
+    out.0
 }
 
 /// A table without rules, everything but its first column to the right.
