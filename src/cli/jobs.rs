@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
 use crate::report::{self, Destination};
-use crate::scenario::{self, Scenario};
+use crate::scenario::{self, STDIN, STDIN_NAME, Scenario};
 use crate::simulate::Model;
 
 /// Why a job failed, in words.
@@ -19,7 +19,7 @@ pub type Failure = Box<dyn Error>;
 /// Scenario files, and where and how the answers to them are given.
 #[derive(Debug, clap::Args)]
 pub struct Files {
-    /// Scenario files, .toml or .json
+    /// Scenario files, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Folder that the folders of the results are written to
@@ -32,7 +32,9 @@ pub struct Files {
 
 /// A checked scenario and where its results go.
 pub struct Job {
-    /// Name of the file as given.
+    /// The file as given.
+    pub file: PathBuf,
+    /// What messages call it.
     pub name: String,
     /// What it says.
     pub scenario: Scenario,
@@ -109,7 +111,7 @@ impl Files {
         let mut folders: HashMap<PathBuf, &Path> = HashMap::new();
         let mut complete = true;
         for file in &self.files {
-            let name = file.display().to_string();
+            let name = name_of(file);
             let scenario = match scenario::load(file) {
                 Ok(scenario) => scenario,
                 Err(error) => {
@@ -131,6 +133,7 @@ impl Files {
                 complete = false;
             }
             let job = Job {
+                file: file.clone(),
                 name,
                 scenario,
                 folder,
@@ -142,10 +145,19 @@ impl Files {
     }
 }
 
+/// What messages call a file.
+pub fn name_of(file: &Path) -> String {
+    match file == Path::new(STDIN) {
+        true => STDIN_NAME.to_owned(),
+        false => file.display().to_string(),
+    }
+}
+
 /// The folder of a file's results in `out`, called like the file without its ending; none, after telling, where that is
 /// no name.
 pub fn folder_of(file: &Path, out: &Path) -> Option<PathBuf> {
-    let name = file.file_stem().unwrap_or_default();
+    let shown = name_of(file);
+    let name = Path::new(&shown).file_stem().unwrap_or_default();
     if name.is_empty() || name == "." || name == ".." {
         terminal::tell(&format!(
             "error: {}: the folder of the results is called like the file without its ending, and {name:?} is no name \
@@ -189,6 +201,11 @@ impl Job {
     /// Tells of something about the file.
     pub fn tell(&self, kind: &str, message: &str) {
         terminal::tell(&format!("{kind}: {}: {message}\n", self.name));
+    }
+
+    /// Tells what is good to know, unless quiet is asked for.
+    pub fn note(&self, message: &str) {
+        terminal::remark(&format!("note: {}: {message}\n", self.name));
     }
 
     /// Tells warnings.

@@ -12,6 +12,7 @@ mod compare;
 mod demand;
 mod describe;
 mod jobs;
+mod new;
 mod pace;
 mod parts;
 mod run;
@@ -31,7 +32,7 @@ use clap::{Parser, Subcommand};
     name = "jeffcott",
     version,
     arg_required_else_help = true,
-    after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml"
+    after_help = "Examples:\n  jeffcott new shaft.toml\n  jeffcott run shaft.toml --open"
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -42,6 +43,7 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Verb {
+    New(new::Arguments),
     Run(run::Arguments),
     Steady(steady::Arguments),
     Bearing(bearing::Arguments),
@@ -91,6 +93,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     manner.set();
     let outcome = match verb {
+        Verb::New(arguments) => new::run(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Steady(arguments) => steady::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),

@@ -43,6 +43,9 @@ pub struct Arguments {
     /// Leave out the second pass, which measures the error, whatever `[integrator] verify` says
     #[arg(long)]
     no_verify: bool,
+    /// Open the page in a browser when it is written
+    #[arg(long)]
+    open: bool,
     #[command(flatten)]
     written: Written,
     #[command(flatten)]
@@ -58,7 +61,8 @@ impl Arguments {
         };
         let verify = if self.no_verify { " --no-verify" } else { "" };
         let written = &self.written;
-        format!("jeffcott run {}{out}{verify}{written} --resume", job.name)
+        let file = job.file.display();
+        format!("jeffcott run {file}{out}{verify}{written} --resume")
     }
 }
 
@@ -131,7 +135,7 @@ impl Motion<'_> {
         let (standing, counters) = (part.standing, part.counters);
         let resume = arguments.resume_command(self.job);
         match result {
-            Ok(run) => self.finish(report, run, started),
+            Ok(run) => self.finish(report, run, started, arguments.open),
             Err(SimulateError::Stopped { time }) => {
                 let kept = Kept::of(keeper, standing)?;
                 Ok(parts::stopped(title, time, kept.as_ref(), &resume))
@@ -156,13 +160,10 @@ impl Motion<'_> {
         let output = &self.job.scenario.output;
         let written = output.written_of(self.model.samples());
         if output.every.is_none() && output.trace && written.get() > 1 {
-            self.job.tell(
-                "note",
-                &format!(
-                    "the trace holds one of every {written} samples, at most 100 000 rows; `every` in [output], or \
-                     --every, asks for more or fewer"
-                ),
-            );
+            self.job.note(&format!(
+                "the trace holds one of every {written} samples, at most 100 000 rows; `every` in [output], or \
+                 --every, asks for more or fewer"
+            ));
         }
     }
 
@@ -186,7 +187,13 @@ impl Motion<'_> {
         question.solve().map_err(refused).ok()
     }
 
-    fn finish(&self, report: RunReport, mut run: Run, started: Instant) -> Result<Answer, Failure> {
+    fn finish(
+        &self,
+        report: RunReport,
+        mut run: Run,
+        started: Instant,
+        opens: bool,
+    ) -> Result<Answer, Failure> {
         let Scenario {
             title,
             echo,
@@ -198,6 +205,9 @@ impl Motion<'_> {
         let files = report
             .with_campbell(campbell.clone())
             .finish(&self.model, &run)?;
+        if opens {
+            terminal::open_page(&files);
+        }
         let text = report::text(title, &self.model, &run, &files);
         let text = text + &self.job.contact_choice_text();
         let choice = contact_choice.as_ref();

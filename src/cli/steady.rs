@@ -96,7 +96,7 @@ fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure>
     let Some(((over, from), to)) = over.as_ref().zip(from.as_ref()).zip(to.as_ref()) else {
         return Ok(None);
     };
-    let folder = Path::new(&job.name).parent().unwrap_or(Path::new(""));
+    let folder = job.file.parent().unwrap_or(Path::new(""));
     let varied = OpenNumber::new(&job.scenario, over, folder)?;
     let ((first, variable), (last, _)) = (varied.value(from)?, varied.value(to)?);
     if first == last {

@@ -10,7 +10,7 @@ use std::time::Instant;
 use serde_json::json;
 
 use super::demand::check_memory;
-use super::jobs::folder_of;
+use super::jobs::{folder_of, name_of};
 use super::terminal::Progress;
 use super::{Outcome, terminal};
 use crate::report::many::{
@@ -61,7 +61,7 @@ struct Merge {
 
 #[derive(Debug, clap::Args)]
 struct Make {
-    /// Study file, .toml or .json
+    /// Study file, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     file: Option<PathBuf>,
     /// Folder that the folder of the study is written to
@@ -76,6 +76,9 @@ struct Make {
     /// Make part I of N; `jeffcott study merge` puts them together
     #[arg(long, value_name = "I/N", value_parser = shard)]
     shard: Option<Shard>,
+    /// Open the page in a browser when it is written
+    #[arg(long, conflicts_with_all = ["shard", "only"])]
+    open: bool,
     /// Begin anew, whatever runs an earlier attempt has kept
     #[arg(long)]
     restart: bool,
@@ -124,7 +127,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         Failure::Failed(message) => (Outcome::Failed, message),
         Failure::Output(error) => return Err(error),
     };
-    terminal::tell(&format!("error: {}: {message}\n", file.display()));
+    terminal::tell(&format!("error: {}: {message}\n", name_of(file)));
     Ok(outcome)
 }
 
@@ -296,6 +299,9 @@ impl<'a> Task<'a> {
         let (files, digest) = report.finish().map_err(failed)?;
         let runs = self.runs_of(shard.chains(&self.schedule));
         let seconds = started.elapsed().as_secs_f64();
+        if self.make.open {
+            terminal::open_page(&files);
+        }
         let outcome = show(title, &files, digest.as_ref(), self.make.json)?;
         let rate = runs as f64 / seconds;
         terminal::remark(&format!(

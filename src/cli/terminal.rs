@@ -1,14 +1,17 @@
 //! The terminal: results on stdout, messages and progress on stderr, and Ctrl-C.
 
 use std::io::{self, ErrorKind, IsTerminal, Write};
-use std::process::ExitCode;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitCode, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Once, OnceLock};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::Outcome;
+use crate::report;
 
 /// How much is told, and in which colours: options of every verb.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
@@ -43,12 +46,10 @@ impl Manner {
     /// Takes the manner for the rest of the process.
     pub fn set(self) {
         let _ = MANNER.set(self);
+        if self.verbose {
+            report::tell_details();
+        }
     }
-}
-
-/// Whether somebody wants to know how an answer was computed.
-pub fn is_verbose() -> bool {
-    manner().verbose
 }
 
 /// Whether messages are coloured.
@@ -117,6 +118,54 @@ pub fn stop() -> &'static AtomicBool {
         let _ = ctrlc::set_handler(|| STOP.store(true, Ordering::Relaxed));
     });
     &STOP
+}
+
+/// Opens the page among the files of a result; says so where there is none.
+pub fn open_page(files: &[PathBuf]) {
+    match files.iter().find(|file| file.ends_with("report.html")) {
+        Some(page) => open(page),
+        None => tell("warning: there is no page to open: [output] has report = false\n"),
+    }
+}
+
+/// Opens a page in a browser: that of `$BROWSER`, or the one that the system has for pages; where there is none, says
+/// so.
+fn open(page: &Path) {
+    let named = std::env::var_os("BROWSER").filter(|name| !name.is_empty());
+    let system = if cfg!(target_os = "macos") {
+        "open"
+    } else if cfg!(windows) {
+        "explorer"
+    } else {
+        "xdg-open"
+    };
+    let browser = named.unwrap_or_else(|| system.into());
+    let mut command = Command::new(&browser);
+    command.arg(page).stdin(Stdio::null());
+    command.stdout(Stdio::null()).stderr(Stdio::null());
+    let refused = match command.spawn().map(|child| refusal(child)) {
+        Ok(None) => return,
+        Ok(Some(status)) => status.to_string(),
+        Err(error) => error.to_string(),
+    };
+    tell(&format!(
+        "warning: {} does not open the page ({refused}): open {} in a browser, or name one in $BROWSER\n",
+        browser.display(),
+        page.display()
+    ));
+}
+
+/// How a browser ended if it ends at once without success; one that goes on shows the page.
+fn refusal(mut browser: Child) -> Option<ExitStatus> {
+    let started = Instant::now();
+    while started.elapsed() < PATIENCE {
+        match browser.try_wait() {
+            Ok(Some(status)) => return (!status.success()).then_some(status),
+            Ok(None) => thread::sleep(Duration::from_millis(20)),
+            Err(_) => return None,
+        }
+    }
+    None
 }
 
 /// A run shorter than this shows no bar.

@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use comfy_table::{CellAlignment, Table, presets};
 
@@ -30,6 +31,14 @@ pub fn wrapped(text: &str, indent: usize) -> String {
     out
 }
 
+/// Whether texts say how the answers were computed.
+static DETAILS: AtomicBool = AtomicBool::new(false);
+
+/// Lets all texts from here on say how the answers were computed, too: methods, steps, evaluations.
+pub fn tell_details() {
+    DETAILS.store(true, Ordering::Relaxed);
+}
+
 /// Where the text of a named line begins.
 const INDENT: usize = 16;
 
@@ -53,6 +62,13 @@ impl Lines {
         let text = text.to_string();
         if !text.is_empty() {
             self.put(wrapped(&format!("  {name:<13} {text}"), INDENT));
+        }
+    }
+
+    /// A line on how the answer was computed, where somebody wants to know.
+    pub fn detail(&mut self, name: &str, text: impl Display) {
+        if DETAILS.load(Ordering::Relaxed) {
+            self.line(name, text);
         }
     }
 

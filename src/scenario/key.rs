@@ -85,12 +85,15 @@ pub(super) fn find<'k>(known: &'k [Key], path: &str, place: &str) -> Result<&'k 
 }
 
 impl Key {
-    /// The key of a path without lists.
+    /// The key of a path, where `bearing[]` stands for any bearing.
     pub fn named(path: &str) -> Self {
-        let steps = path.split('.');
+        let step = |table: &'static Value, step: &str| match step.strip_suffix("[]") {
+            Some(list) => &table["properties"][list]["items"],
+            None => &table["properties"][step],
+        };
         Self {
             path: path.to_owned(),
-            schema: steps.fold(schema(), |table, step| &table["properties"][step]),
+            schema: path.split('.').fold(schema(), step),
         }
     }
 
@@ -288,8 +291,12 @@ impl OpenNumber {
     }
 }
 
-/// The number in SI units that the key of a path can have.
-fn number(text: &str, path: &str, name: &str) -> Result<f64, Issue> {
+/// The number in SI units that the key of a path can have; in it `load[]` stands for any load. `name` is what messages
+/// call it.
+///
+/// # Errors
+/// [`Issue`] says what is wrong with the text.
+pub fn number(text: &str, path: &str, name: &str) -> Result<f64, Issue> {
     let key = Key::named(path);
     Ok(key.si(&key.typed(text, name)?))
 }

@@ -168,7 +168,7 @@ impl fmt::Display for Issue {
 
 impl Issue {
     /// A problem of a key that has no place yet.
-    pub(super) fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
+    pub(crate) fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
         Self {
             path: path.into(),
             message: message.into(),

@@ -299,7 +299,7 @@ macro_rules! dimensions {
 #[rustfmt::skip]
 dimensions! {
     Mass "mass" "5 kg" 1e9 [times("kg", 1.0), per("g", 1e3), per("mg", 1e6), times("t", 1e3), times("lb", 0.453_592_37)],
-    Length "length" "10 mm" 1e3 [times("m", 1.0), per("mm", 1e3), per("um", 1e6), per("nm", 1e9), per("cm", 1e2), times("in", 0.0254)],
+    Length "length" "10 mm" 1e3 [times("m", 1.0), per("mm", 1e3), per("um", 1e6), per("nm", 1e9), per("cm", 1e2), times("in", 0.0254), per("mil", 1e3 / 0.0254)],
     Angle "angle" "15 deg" 1e3 [times("rad", 1.0), times("deg", PI / 180.0), per("mrad", 1e3), per("urad", 1e6)],
     Time "time" "0.5 s" 1e7 [times("s", 1.0), per("ms", 1e3), per("us", 1e6), times("min", 60.0)],
     Force "force" "1000 N" 1e12 [times("N", 1.0), times("kN", 1e3), times("MN", 1e6), per("mN", 1e3), times("lbf", 4.448_221_615_260_5)],
@@ -377,6 +377,12 @@ mod tests {
         assert_eq!(si("20 um", Dimension::Length), 20e-6);
         assert_eq!(si("22 1/GPa", Dimension::PressureViscosity), 22e-9);
         assert_eq!(si("207 GPa", Dimension::Pressure), 207e9);
+    }
+
+    #[test]
+    fn a_mil_is_a_thousandth_of_an_inch() {
+        let error = si("1 mil", Dimension::Length) - 25.4e-6;
+        assert!(error.abs() < 1e-20, "{error:e}");
     }
 
     #[test]

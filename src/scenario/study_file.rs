@@ -64,7 +64,11 @@ pub fn study_schema() -> &'static Value {
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong, of the study or else of the scenario.
 pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
-    let document = Document::open(path)?;
+    check_study(&Document::open(path)?)
+}
+
+/// Checks a study and the scenario that it starts from.
+pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioError> {
     if document.is_scenario() {
         let message = "this is a scenario, not a study file, which names one by `base`";
         let help = "use `jeffcott run`, `bearing`, `steady`, `campbell` or `accuracy`, or write a study file";
