@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::Issue;
-use super::key::Key;
+use super::key::{Key, KeyPaths};
 use super::problems::Problems;
 use crate::study::Variable;
 use crate::study::plan::{Axis, Distribution, MOST_RUNS};
@@ -16,13 +16,14 @@ use crate::study::plan::{Axis, Distribution, MOST_RUNS};
 const REACH: f64 = 8.3;
 
 /// One number of the base that takes many values: by a list, evenly spaced or drawn.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["values", "count", "distribution"]))]
 pub struct AxisInput {
-    /// Path of its key, for instance "speed.constant" or "bearing[0].preload".
+    /// Path of its key, for instance "speed.constant" or "bearing[0].preload"; "bearing[*].preload", or a list of
+    /// paths, changes several keys together.
     #[schemars(extend("examples" = ["speed.constant"]))]
-    pub key: String,
+    pub key: KeyPaths,
     /// The values, each written as that key is.
     #[schemars(extend("minItems" = 1, "maxItems" = 1_000_000))]
     pub values: Option<Vec<Scalar>>,
@@ -72,6 +73,24 @@ pub enum DistributionKind {
 }
 
 impl AxisInput {
+    /// An axis without values.
+    pub fn of(key: KeyPaths) -> Self {
+        Self {
+            key,
+            values: None,
+            from: None,
+            to: None,
+            count: None,
+            spacing: None,
+            distribution: None,
+            mean: None,
+            deviation: None,
+            mode: None,
+            lowest: None,
+            highest: None,
+        }
+    }
+
     /// The values that are given one by one, by their keys.
     fn given(&self) -> [(&'static str, &Option<Scalar>); 7] {
         [

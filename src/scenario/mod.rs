@@ -171,7 +171,7 @@ fn check_title(title: Option<&str>, problems: &mut Problems<'_>) {
 /// What a scenario asks with one number put in; the files that it names stand in `folder`.
 fn questions_at(base: &Value, key: &Key, si: f64, folder: &Path) -> Result<Questions, Issue> {
     let (mut scenario, value) = (base.clone(), key.written(si));
-    key::put(&mut scenario, &key.path, &value);
+    key.put(&mut scenario, &value);
     questions(&scenario, folder).map_err(|issue| Issue {
         message: format!("with {} = {value}: {}", key.path, issue.message),
         ..issue

@@ -71,8 +71,16 @@ impl Reader<'_, '_> {
         if !choices.is_empty() {
             return self.choice(&node.content, &choices);
         }
-        if self.schema["type"].is_array() {
-            return self.scalar(&node.content);
+        if let Some(types) = self.schema["type"].as_array() {
+            return match &node.content {
+                Content::List(items) if types.contains(&"array".into()) => self.list(items),
+                content if types.contains(&"number".into()) => self.scalar(content),
+                Content::Text(text) => Some(Value::String(text.clone())),
+                _ => self.refuse(&format!(
+                    "`{}` must be a string or a list of strings",
+                    self.key()
+                )),
+            };
         }
         match (self.schema["type"].as_str()?, &node.content) {
             ("object", Content::Table(entries)) => self.table(entries),
