@@ -35,7 +35,7 @@ pub struct Arguments {
     #[arg(long, value_name = "NAME")]
     bearing: Option<String>,
     /// Distance of the two bearings; "0 mm" is a single one [default: 100 mm]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     span: Option<String>,
     /// Radial load beside the weight, downwards [default: 0 N]
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
@@ -45,62 +45,46 @@ pub struct Arguments {
     axial: Option<String>,
 }
 
-/// A quantity that a scenario is made of.
-struct Question {
-    /// The option that gives it.
-    option: &'static str,
-    /// What is asked on a terminal.
-    text: &'static str,
-    /// The key that it is a value of; none of the bearing.
-    key: Option<&'static str>,
-}
-
-/// Asks for what no option gives, where somebody is there to answer.
-struct Dialogue {
-    asks: bool,
-}
-
-impl Dialogue {
-    /// The answer as it is written and as a number in SI units; zero of the bearing.
-    fn answer(
-        &self,
-        question: &Question,
-        given: Option<&String>,
-        default: &str,
-    ) -> Result<(String, f64), Issue> {
-        let check = |text: &str| {
-            let text = text.trim().to_owned();
-            let value = match question.key {
-                Some(key) => scenario::number(&text, key, question.option)?,
-                None => check_bearing(&text).map(|()| 0.0)?,
-            };
-            Ok((text, value))
+/// The answer to a question as it is written and as a number in SI units: what an option gives, or else what
+/// somebody on a terminal says, or else the default. `check` makes the number.
+fn answer(
+    given: Option<&String>,
+    question: &str,
+    default: &str,
+    check: impl Fn(&str) -> Result<f64, Issue>,
+) -> Result<(String, f64), Issue> {
+    let checked = |text: &str| Ok((text.trim().to_owned(), check(text.trim())?));
+    if let Some(text) = given {
+        return checked(text);
+    }
+    if !(io::stdin().is_terminal() && io::stderr().is_terminal()) {
+        return checked(default);
+    }
+    loop {
+        terminal::tell(&format!("{question} [{default}]: "));
+        let mut line = String::new();
+        let count = io::stdin().lock().read_line(&mut line);
+        let text = match (count, line.trim()) {
+            (Ok(0) | Err(_), _) => return Err(Issue::new("", "no answer")),
+            (_, "") => default,
+            (_, text) => text,
         };
-        if let Some(text) = given {
-            return check(text);
-        }
-        if !self.asks {
-            return check(default);
-        }
-        loop {
-            terminal::tell(&format!("{} [{default}]: ", question.text));
-            let mut line = String::new();
-            let count = io::stdin().lock().read_line(&mut line);
-            let text = match (count, line.trim()) {
-                (Ok(0) | Err(_), _) => return Err(Issue::new(question.option, "no answer")),
-                (_, "") => default,
-                (_, text) => text,
-            };
-            match check(text) {
-                Ok(answer) => return Ok(answer),
-                Err(issue) => terminal::tell(&format!("{issue}\n")),
-            }
+        match checked(text) {
+            Ok(answer) => return Ok(answer),
+            Err(issue) => terminal::tell(&format!("{issue}\n")),
         }
     }
 }
 
-/// Refuses a bearing that no scenario can name.
-fn check_bearing(name: &str) -> Result<(), Issue> {
+/// A distance, m; zero or positive.
+fn distance(text: &str) -> Result<f64, Issue> {
+    let span = scenario::number(text, "bearing[].position", "span")?;
+    let refused = || Issue::new("span", "a distance is zero or positive");
+    (span >= 0.0).then_some(span).ok_or_else(refused)
+}
+
+/// Refuses a bearing that no scenario can name; it has no number.
+fn check_bearing(name: &str) -> Result<f64, Issue> {
     let scenario = format!(
         "shaft = {{ mass = \"1 kg\", freedoms = \"radial\" }}\nspeed = {{ constant = \"0 rpm\" }}\n\
          bearing = [{{ catalogue = {} }}]\n",
@@ -110,7 +94,7 @@ fn check_bearing(name: &str) -> Result<(), Issue> {
     let issue = checked
         .err()
         .and_then(|error| error.issues.into_iter().next());
-    issue.map_or(Ok(()), Err)
+    issue.map_or(Ok(0.0), Err)
 }
 
 /// A text as TOML has it.
@@ -135,50 +119,54 @@ struct Answers {
 /// Asks, writes the scenario and says what comes next.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let file = &arguments.file;
-    let printed = file == Path::new(STDIN);
-    let refuse = |message: &str| {
-        terminal::tell(&format!("error: {}: {message}\n", file.display()));
-        Ok(Outcome::WrongInput)
+    let name = file.display();
+    let is_printed = file == Path::new(STDIN);
+    let refuse = |outcome, message: &str| {
+        terminal::tell(&format!("error: {name}: {message}\n"));
+        Ok(outcome)
     };
-    if !printed && file.extension().is_none_or(|extension| extension != "toml") {
-        return refuse("a scenario that is written ends in .toml");
+    if !is_printed && file.extension().is_none_or(|extension| extension != "toml") {
+        return refuse(
+            Outcome::WrongInput,
+            "a scenario that is written ends in .toml",
+        );
     }
-    if !printed && file.exists() {
-        return refuse("it is there already, and stays as it is: give another name");
+    if !is_printed && file.exists() {
+        return refuse(Outcome::WrongInput, THERE);
     }
-    let text = match Answers::of(arguments) {
-        Ok(answers) => answers.scenario(),
-        Err(issue) => return refuse(&issue.to_string()),
+    let answers = match Answers::of(arguments) {
+        Ok(answers) => answers,
+        Err(issue) => return refuse(Outcome::WrongInput, &issue.to_string()),
     };
-    let (text, scenario) = match text {
-        Ok(text) => text,
+    let (text, scenario) = match answers.scenario() {
+        Ok(written) => written,
         Err(error) => {
             terminal::tell(&error.render(terminal::color()));
             return Ok(Outcome::WrongInput);
         }
     };
     for warning in &scenario.warnings {
-        terminal::tell(&format!("warning: {}: {warning}\n", file.display()));
+        terminal::tell(&format!("warning: {name}: {warning}\n"));
     }
-    if printed {
+    if is_printed {
         terminal::print(&text)?;
         return Ok(Outcome::Done);
     }
     match write_new(file, &text) {
-        Ok(()) => {
-            let name = file.display();
-            terminal::summarise(&format!("wrote {name}; next: jeffcott run {name}\n"))?;
-            Ok(Outcome::Done)
-        }
+        Ok(()) => terminal::summarise(&format!("wrote {name}; next: jeffcott run {name}\n"))
+            .map(|()| Outcome::Done),
         Err(error) if error.kind() == ErrorKind::AlreadyExists => {
-            refuse("it is there already, and stays as it is: give another name")
+            refuse(Outcome::WrongInput, THERE)
         }
-        Err(error) => {
-            terminal::tell(&format!("error: {}: {error}\n", file.display()));
-            Ok(Outcome::Failed)
-        }
+        Err(error) => refuse(Outcome::Failed, &error.to_string()),
     }
 }
+
+/// The scenario with the names of its values between `@`.
+const TEMPLATE: &str = include_str!("new.toml");
+
+/// Why nothing is written over.
+const THERE: &str = "it is there already, and stays as it is: give another name";
 
 fn write_new(file: &Path, text: &str) -> io::Result<()> {
     let mut options = OpenOptions::new();
@@ -188,30 +176,30 @@ fn write_new(file: &Path, text: &str) -> io::Result<()> {
 
 impl Answers {
     fn of(arguments: &Arguments) -> Result<Self, Issue> {
-        let dialogue = Dialogue {
-            asks: io::stdin().is_terminal() && io::stderr().is_terminal(),
-        };
-        let ask = |option, text, key, given: &Option<String>, default: &str| {
-            let question = Question { option, text, key };
-            dialogue.answer(&question, given.as_ref(), default)
-        };
-        let mass = "Mass of all that moves with the shaft";
-        let (mass, _) = ask("mass", mass, Some("shaft.mass"), &arguments.mass, "5 kg")?;
-        let key = Some("speed.constant");
-        let (speed, omega) = ask("speed", "Speed", key, &arguments.speed, "3000 rpm")?;
-        let bearing = "Bearing, as `jeffcott catalogue` lists it";
-        let (bearing, _) = ask("bearing", bearing, None, &arguments.bearing, "6205")?;
-        let span = "Distance of two such bearings; 0 mm for one alone";
-        let key = Some("bearing[].position");
-        let (_, span) = ask("span", span, key, &arguments.span, "100 mm")?;
-        let radial = "Radial load beside the weight, downwards";
-        let key = Some("load[].constant.y");
-        let (radial, down) = ask("radial", radial, key, &arguments.radial, "0 N")?;
+        let Arguments {
+            mass,
+            speed,
+            bearing,
+            span,
+            radial,
+            axial,
+            ..
+        } = arguments;
+        let number = |key, name| move |text: &str| scenario::number(text, key, name);
+        let text = "Mass of all that moves with the shaft";
+        let (mass, _) = answer(mass.as_ref(), text, "5 kg", number("shaft.mass", "mass"))?;
+        let key = number("speed.constant", "speed");
+        let (speed, omega) = answer(speed.as_ref(), "Speed", "3000 rpm", key)?;
+        let text = "Bearing, as `jeffcott catalogue` lists it";
+        let (bearing, _) = answer(bearing.as_ref(), text, "6205", check_bearing)?;
+        let text = "Distance of two such bearings; 0 mm for one alone";
+        let (_, span) = answer(span.as_ref(), text, "100 mm", distance)?;
+        let text = "Radial load beside the weight, downwards";
+        let key = number("load[].constant.y", "radial");
+        let (radial, down) = answer(radial.as_ref(), text, "0 N", key)?;
         let default = if span == 0.0 { "200 N" } else { "0 N" };
-        let (axial, along) = ask("axial", "Axial load", key, &arguments.axial, default)?;
-        if span < 0.0 {
-            return Err(Issue::new("span", "a distance is zero or positive"));
-        }
+        let key = number("load[].constant.z", "axial");
+        let (axial, along) = answer(axial.as_ref(), "Axial load", default, key)?;
         let stem = arguments.file.file_stem().unwrap_or_default();
         Ok(Self {
             title: match stem.to_str() {
@@ -245,73 +233,65 @@ impl Answers {
 
     /// The text; two angular contact bearings such as `pair` are set against each other.
     fn text(&self, pair: Option<&MountedBearing>) -> String {
-        let Self {
-            title,
-            mass,
-            speed,
-            bearing,
-            span,
-            ..
-        } = self;
         let [omega, ..] = self.numbers;
-        let [title, mass, speed] = [title, mass, speed].map(|text| quoted(text));
-        let (eccentricity, grade) = match omega > 0.0 {
+        let (settle, duration) = times(omega);
+        let (eccentricity, grade, sampling) = match omega > 0.0 {
             true => (
                 6.3e3 / omega,
                 format!("balance grade G 6.3 at {}", self.speed),
+                "# samples_per_revolution = 128",
             ),
-            false => (10.0, "nothing shows it at rest".to_owned()),
+            false => (
+                10.0,
+                "nothing shows it at rest".to_owned(),
+                "sample_rate = \"20 kHz\" # a standing shaft makes no revolutions to sample",
+            ),
         };
-        let (settle, duration) = times(omega);
-        let sampling = match omega > 0.0 {
-            true => "# samples_per_revolution = 128",
-            false => "sample_rate = \"20 kHz\" # a standing shaft makes no revolutions to sample",
+        let values = [
+            ("title", quoted(&self.title)),
+            ("mass", quoted(&self.mass)),
+            ("eccentricity", format!("{eccentricity:.3}")),
+            ("grade", grade),
+            ("speed", quoted(&self.speed)),
+            ("bearings", self.bearings(pair)),
+            ("loads", self.loads()),
+            ("duration", duration.to_string()),
+            ("settle", settle.to_string()),
+            ("sampling", sampling.to_owned()),
+        ];
+        let fill = |text: String, (name, value): (&str, String)| {
+            text.replace(&format!("@{name}@"), &value)
         };
-        let bearings = match (pair, *span > 0.0) {
-            (_, false) => one_bearing(bearing, "0 mm", ""),
-            (None, true) => {
-                let [low, high] = [-500.0 * span, 500.0 * span].map(|at| format!("{at:.6} mm"));
-                one_bearing(bearing, &trimmed(&low), "")
-                    + &one_bearing(bearing, &trimmed(&high), "")
+        values.into_iter().fold(TEMPLATE.to_owned(), fill)
+    }
+
+    fn bearings(&self, pair: Option<&MountedBearing>) -> String {
+        // in millimetres; nanometres are fine enough
+        let rounded = |length: f64| (1e6 * length).round() / 1e6;
+        let bearing = |position: f64, more: &str| {
+            let position = rounded(position);
+            format!(
+                "[[bearing]]\ncatalogue = {}\nposition = \"{position} mm\"\n{more}",
+                quoted(&self.bearing)
+            )
+        };
+        let span = rounded(1e3 * self.span);
+        match pair {
+            None if span > 0.0 => {
+                format!("{}\n{}", bearing(-0.5 * span, ""), bearing(0.5 * span, ""))
             }
-            (Some(pair), true) => {
-                let rating = pair.bearing.dynamic_rating.unwrap_or(1e4);
-                let more = format!(
-                    "arrangement = \"back-to-back\" # or \"face-to-face\", \"tandem\"\nspacing = \"{}\"\n\
-                     preload = \"{:.0} N\" # light: 1 % of the dynamic load rating\n",
-                    trimmed(&format!("{:.6} mm", 1e3 * span)),
-                    0.01 * rating
-                );
-                one_bearing(bearing, "0 mm", &more)
+            None => bearing(0.0, ""),
+            Some(pair) => {
+                let preload = 0.01 * pair.bearing.dynamic_rating.unwrap_or(1e4);
+                bearing(
+                    0.0,
+                    &format!(
+                        "arrangement = \"back-to-back\" # or \"face-to-face\", \"tandem\"\nspacing = \"{span} mm\"\n\
+                         preload = \"{preload:.0} N\" # light: 1 % of the dynamic load rating\n"
+                    ),
+                )
             }
-        };
-        format!(
-            "# Written by `jeffcott new`. Change what you like: `jeffcott check` says what does not fit, and\n\
-             # `jeffcott schema` lets an editor complete and explain all keys.\n\
-             title = {title}\n\n\
-             [shaft]\n\
-             mass = {mass}\n\
-             eccentricity = \"{eccentricity:.3} um\" # of the centre of mass: {grade}\n\
-             # \"all\" lets the shaft tilt, too, and needs inertia_transverse and inertia_polar\n\
-             freedoms = \"translational\"\n\
-             gravity = true # along -y; false for a shaft that stands upright\n\n\
-             [speed]\n\
-             constant = {speed}\n\
-             # a run-up instead: from = \"0 rpm\", to = {speed}, over = \"2 s\"\n\n\
-             # Positions count from the centre of mass along the shaft, +z.\n\
-             {bearings}\
-             [model]\n\
-             contact = \"hertz\" # \"jones\" for fast bearings: it knows the inertia of the balls\n\n\
-             [damping]\n\
-             ratio = 0.03 # of critical damping; measured on ball bearings: 0.02 to 0.04\n\n\
-             {loads}\
-             [time]\n\
-             duration = \"{duration} s\"\n\
-             settle = \"{settle} s\" # what the start leaves has decayed by then; spectra come after it\n\n\
-             [output]\n\
-             {sampling}\n",
-            loads = self.loads(),
-        )
+        }
     }
 
     fn loads(&self) -> String {
@@ -328,37 +308,19 @@ impl Answers {
             parts.push(format!("z = {}", quoted(&self.axial)));
         }
         match &parts[..] {
-            [] => "# A load: [[load]] with constant = { y = \"-300 N\", z = \"200 N\" }\n\n"
-                .to_owned(),
-            _ => format!("[[load]]\nconstant = {{ {} }}\n\n", parts.join(", ")),
+            [] => "# A load: [[load]] with constant = { y = \"-300 N\", z = \"200 N\" }".to_owned(),
+            _ => format!("[[load]]\nconstant = {{ {} }}", parts.join(", ")),
         }
     }
 }
 
-fn one_bearing(name: &str, position: &str, more: &str) -> String {
-    format!(
-        "[[bearing]]\ncatalogue = {}\nposition = \"{position}\"\n{more}\n",
-        quoted(name)
-    )
-}
-
 /// Settle time and duration, s: ten revolutions each, and 0.2 s and 0.3 s unless that are more than 500.
 fn times(omega: f64) -> (f64, f64) {
-    let revolution = if omega > 0.0 { TAU / omega } else { 0.0 };
-    let [settle, window] = [0.2_f64, 0.3].map(|least| match revolution > 0.0 {
-        true => least.min(500.0 * revolution).max(10.0 * revolution),
+    let [settle, window] = [0.2_f64, 0.3].map(|least| match omega > 0.0 {
+        true => least.min(500.0 * TAU / omega).max(10.0 * TAU / omega),
         false => least,
     });
     // whole milliseconds, so that the file is easy to read
     let rounded = |time: f64| (1e3 * time).ceil() / 1e3;
     (rounded(settle), rounded(settle + window))
-}
-
-/// A number with its unit without closing zeros.
-fn trimmed(quantity: &str) -> String {
-    let (number, unit) = quantity.split_once(' ').unwrap_or((quantity, ""));
-    format!(
-        "{} {unit}",
-        number.trim_end_matches('0').trim_end_matches('.')
-    )
 }

@@ -234,8 +234,7 @@ impl<'a> Task<'a> {
         let started = Instant::now();
         let shard = self.make.shard.unwrap_or(Shard::WHOLE);
         if let Some(size) = &self.size {
-            let enough = check_memory(size, self.threads());
-            enough.map_err(|error| Failure::Wrong(error.to_string()))?;
+            check_memory(size, self.threads()).map_err(Failure::Wrong)?;
         }
         let most = self.schedule.chains();
         if shard.count > most.max(1) {

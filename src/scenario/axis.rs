@@ -16,7 +16,7 @@ use crate::study::plan::{Axis, Distribution, MOST_RUNS};
 const REACH: f64 = 8.3;
 
 /// One number of the base that takes many values: by a list, evenly spaced or drawn.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["values", "count", "distribution"]))]
 pub struct AxisInput {
@@ -73,24 +73,6 @@ pub enum DistributionKind {
 }
 
 impl AxisInput {
-    /// An axis without values.
-    pub fn of(key: KeyPaths) -> Self {
-        Self {
-            key,
-            values: None,
-            from: None,
-            to: None,
-            count: None,
-            spacing: None,
-            distribution: None,
-            mean: None,
-            deviation: None,
-            mode: None,
-            lowest: None,
-            highest: None,
-        }
-    }
-
     /// The values that are given one by one, by their keys.
     fn given(&self) -> [(&'static str, &Option<Scalar>); 7] {
         [

@@ -36,6 +36,12 @@ pub(super) enum KeyPaths {
     Several(Vec<String>),
 }
 
+impl Default for KeyPaths {
+    fn default() -> Self {
+        Self::Several(Vec::new())
+    }
+}
+
 impl KeyPaths {
     /// All of them.
     pub fn all(&self) -> &[String] {

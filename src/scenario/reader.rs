@@ -408,19 +408,46 @@ fn readable(number: f64) -> String {
     }
 }
 
+/// What keeps a text from being the quantity that the schema asks for.
 fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
-    let key = last(path);
-    let Some(dimension) = schema["x-dimension"].as_str().and_then(Dimension::named) else {
+    let dimension = schema["x-dimension"].as_str();
+    let Some(dimension) = dimension.and_then(Dimension::named) else {
         return Ok(());
     };
-    let parsed = parse(text, dimension).map_err(|error| refusal(error, dimension, schema, path))?;
+    let (key, text) = (last(path), text.trim());
+    let units = format!("units of {}: {}", dimension.name(), dimension.unit_list());
+    let refuse = |message: String| Issue::new(path, format!("`{key}`{message}"));
+    let parsed = match parse(text, dimension) {
+        Ok(parsed) => parsed,
+        Err(QuantityError::NoUnit) => return Err(needs_unit(schema, path).help(units)),
+        Err(QuantityError::NoNumber) => {
+            let example = as_in(schema);
+            return Err(refuse(format!(" needs a number and a unit, {example}")));
+        }
+        Err(QuantityError::NotFinite) => {
+            return Err(refuse(format!(" must be finite, not `{text}`")));
+        }
+        Err(QuantityError::DecimalComma) => {
+            let remedy = "has a decimal comma; the decimal sign is a point";
+            return Err(refuse(format!(": `{text}` {remedy}")));
+        }
+        Err(QuantityError::UnknownUnit(unit)) => {
+            let symbols = dimension.units().iter().map(|unit| unit.symbol);
+            let near = nearest(&unit, symbols).map(|near| format!("did you mean `{near}`? "));
+            let issue = refuse(format!(": `{unit}` is not a unit of {}", dimension.name()));
+            return Err(issue.help(near.unwrap_or_default() + &units));
+        }
+        Err(QuantityError::WrongDimension(found)) => {
+            let [due, found] = [dimension, found].map(Dimension::with_article);
+            return Err(refuse(format!(" is {due}, but `{text}` is {found}")).help(units));
+        }
+    };
     let range = Range::of_quantity(schema);
     if range.contains(parsed.si) {
         return Ok(());
     }
     let words = range.words(|limit| parsed.unit.readable(limit), parsed.unit.symbol);
-    let message = format!("`{key}` must be {words}, not {}", text.trim());
-    Err(Issue::new(path, message))
+    Err(refuse(format!(" must be {words}, not {text}")))
 }
 
 fn needs_unit(schema: &Value, path: &str) -> Issue {
@@ -430,42 +457,6 @@ fn needs_unit(schema: &Value, path: &str) -> Issue {
 
 fn as_in(schema: &Value) -> String {
     format!("as in {}", schema["examples"][0])
-}
-
-fn refusal(error: QuantityError, dimension: Dimension, schema: &Value, path: &str) -> Issue {
-    let key = last(path);
-    let units = format!("units of {}: {}", dimension.name(), dimension.unit_list());
-    match error {
-        QuantityError::NoUnit { .. } => needs_unit(schema, path).help(units),
-        QuantityError::NoNumber { .. } => {
-            let message = format!("`{key}` needs a number and a unit, {}", as_in(schema));
-            Issue::new(path, message)
-        }
-        QuantityError::NotFinite { text } => {
-            Issue::new(path, format!("`{key}` must be finite, not `{text}`"))
-        }
-        QuantityError::UnknownUnit { unit } => {
-            let symbols = dimension.units().iter().map(|unit| unit.symbol);
-            let help = match nearest(&unit, symbols) {
-                Some(known) => format!("did you mean `{known}`? {units}"),
-                None => units,
-            };
-            Issue::new(
-                path,
-                format!("`{key}`: `{unit}` is not a unit of {}", dimension.name()),
-            )
-            .help(help)
-        }
-        QuantityError::WrongDimension { text, found } => {
-            let message = format!(
-                "`{key}` is {}, but `{text}` is {}",
-                dimension.with_article(),
-                found.with_article()
-            );
-            Issue::new(path, message).help(units)
-        }
-        QuantityError::DecimalComma { .. } => Issue::new(path, format!("`{key}`: {error}")),
-    }
 }
 
 fn missing_key(inner: &str, table: &str, schema: &Value) -> Issue {

@@ -61,7 +61,7 @@ impl StudyInput {
             from: self.from.clone(),
             to: self.to.clone(),
             count: self.count.map(u64::from),
-            ..AxisInput::of(self.vary.clone())
+            ..AxisInput::default()
         };
         let reader = AxisReader {
             path: "study".to_owned(),
