@@ -3,8 +3,8 @@
 use std::io;
 
 use super::jobs::{Answer, Failure, Files, Job};
-use super::progress::Progress;
-use super::{Outcome, stop};
+use super::terminal::Progress;
+use super::{Outcome, terminal};
 use crate::report;
 use crate::scenario;
 use crate::simulate::Model;
@@ -51,13 +51,11 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 }
 
 fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
-    let scenario = &job.scenario;
     let accuracy = measure(job, model, arguments)?;
     let destination = job.destination();
     let files = report::write_accuracy(&destination, &accuracy)?;
-    let choice = scenario.contact_choice.as_ref();
-    let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
-    let text = report::accuracy_text(destination.title, &accuracy, &files) + &chosen;
+    let text = report::accuracy_text(destination.title, &accuracy, &files);
+    let text = text + &job.contact_choice_text();
     let json = destination.document(&accuracy);
     Ok(Answer::new(text, json, &files))
 }
@@ -84,7 +82,7 @@ fn measure(job: &Job, model: &Model, arguments: &Arguments) -> Result<Accuracy, 
         longest: arguments.longest,
     };
     question.measure(&mut Watch {
-        stop: stop::flag(),
+        stop: terminal::stop(),
         progress: &mut |part| progress.show(part),
     })
 }

@@ -39,14 +39,12 @@ fn answer(job: &Job) -> Result<Answer, Failure> {
     let answer = quasi_static(&job.scenario.question)?;
     job.warn(&answer.warnings);
     let files = report::write_answer(&destination, &answer)?;
-    let choice = job.scenario.contact_choice.as_ref();
-    let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
-    let text = report::answer_text(destination.title, &answer, &files) + &chosen;
-    let shown = Shown {
+    let text = report::answer_text(destination.title, &answer, &files);
+    let text = text + &job.contact_choice_text();
+    let json = destination.document(Shown {
         answer: &answer,
-        contact_choice: choice,
-    };
-    let json = destination.document(shown);
+        contact_choice: job.scenario.contact_choice.as_ref(),
+    });
     Ok(Answer::new(text, json, &files))
 }
 

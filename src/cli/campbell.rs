@@ -1,9 +1,11 @@
 //! `jeffcott campbell`.
 
+use std::f64::consts::TAU;
 use std::io;
 
 use super::jobs::{Answer, Failure, Files, Job};
-use super::{Outcome, stream};
+use super::{Outcome, terminal};
+use crate::physics::BallPass;
 use crate::report;
 use crate::scenario;
 use crate::study::campbell::{self, CampbellQuestion};
@@ -15,7 +17,7 @@ use crate::study::campbell::{self, CampbellQuestion};
 #[derive(Debug, clap::Args)]
 #[command(
     after_help = "Examples:\n  jeffcott campbell scenarios/back-to-back-7205c.toml --to \"60000 rpm\"\n  \
-                  jeffcott campbell shaft.toml --from \"1000 rpm\" --to \"9000 rpm\" --orders 1,2,4.8\n\n\
+                  jeffcott campbell shaft.toml --from \"1000 rpm\" --to \"9000 rpm\" --orders 1,2,bpfo\n\n\
                   Each file writes to DIR/<its name without ending>/: campbell.csv, campbell.svg and,\n\
                   last, campbell.json.\n\n\
                   Exit code: 0 all diagrams are drawn, 1 a shaft has no equilibrium at a speed or a file\n\
@@ -33,19 +35,49 @@ pub struct Arguments {
     /// Number of speeds
     #[arg(long, value_name = "N", default_value_t = 61, value_parser = clap::value_parser!(u32).range(2..=100_000))]
     count: u32,
-    /// Multiples of the shaft's frequency whose crossings are critical speeds
-    #[arg(long, value_name = "A,B", value_delimiter = ',', default_value = "1")]
-    orders: Vec<f64>,
+    /// Multiples of the shaft's frequency whose crossings are critical speeds: numbers, and "bpfo", "bpfi", "ftf"
+    /// and "bsf" for those of the bearings at their free contact angles
+    #[arg(long, value_name = "A,B", value_delimiter = ',', default_value = "1", value_parser = order)]
+    orders: Vec<Order>,
+}
+
+/// A multiple of the shaft's frequency, or what is one of every bearing.
+#[derive(Debug, Clone, Copy)]
+enum Order {
+    Number(f64),
+    OfBearings(&'static str, fn(&BallPass) -> f64),
+}
+
+/// Orders of bearings by their names.
+const OF_BEARINGS: [(&str, fn(&BallPass) -> f64); 4] = [
+    ("bpfo", |pass| pass.outer),
+    ("bpfi", |pass| pass.inner),
+    ("ftf", |pass| pass.cage),
+    ("bsf", |pass| pass.spin),
+];
+
+fn order(text: &str) -> Result<Order, String> {
+    let text = text.trim();
+    let named = OF_BEARINGS
+        .iter()
+        .find(|(name, _)| text.eq_ignore_ascii_case(name));
+    if let Some((name, of)) = named {
+        return Ok(Order::OfBearings(name, *of));
+    }
+    let refused = |_| "give a number, \"bpfo\", \"bpfi\", \"ftf\" or \"bsf\"".to_owned();
+    text.parse().map(Order::Number).map_err(refused)
 }
 
 /// Checks the range and all files, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    if let Err(error) = campbell::check_range(
-        [arguments.from, arguments.to],
-        arguments.count as usize,
-        &arguments.orders,
-    ) {
-        stream::tell(&format!("error: {error}\n"));
+    let numbers = arguments.orders.iter().filter_map(|order| match order {
+        Order::Number(number) => Some(*number),
+        Order::OfBearings(..) => None,
+    });
+    let numbers: Vec<_> = numbers.collect();
+    let range = [arguments.from, arguments.to];
+    if let Err(error) = campbell::check_range(range, arguments.count as usize, &numbers) {
+        terminal::tell(&format!("error: {error}\n"));
         return Ok(Outcome::WrongInput);
     }
     arguments
@@ -60,11 +92,41 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
         from: arguments.from,
         to: arguments.to,
         count: arguments.count as usize,
-        orders: arguments.orders.clone(),
+        orders: orders(job, arguments),
     };
     let campbell = question.solve()?;
     let files = report::write_campbell(&destination, &campbell)?;
     let text = report::campbell_text(destination.title, &campbell, &files);
     let json = report::campbell_json(&destination, &campbell);
     Ok(Answer::new(text, json, &files))
+}
+
+/// The orders as numbers, each once; says which number an order of the bearings is.
+fn orders(job: &Job, arguments: &Arguments) -> Vec<f64> {
+    let mut orders: Vec<f64> = Vec::new();
+    let mut put = |order: f64| {
+        let is_new = !orders.contains(&order);
+        if is_new {
+            orders.push(order);
+        }
+        is_new
+    };
+    for order in &arguments.orders {
+        match order {
+            Order::Number(number) => drop(put(*number)),
+            Order::OfBearings(name, of) => {
+                let bearings = job.scenario.question.rotor.bearings.iter();
+                for (number, mounted) in (1..).zip(bearings) {
+                    // of a shaft that turns once a second
+                    let number_of = of(&mounted.bearing.geometry.ball_pass(TAU));
+                    if put(number_of) {
+                        job.note(&format!(
+                            "{name} of bearing {number} is order {number_of:.4}"
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    orders
 }

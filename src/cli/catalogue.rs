@@ -5,7 +5,7 @@ use std::io;
 use comfy_table::{Table, presets};
 use serde_json::{Value, json};
 
-use super::{Outcome, stream};
+use super::{Outcome, terminal};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::report::wrapped;
 
@@ -26,7 +26,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     } else {
         format!("{}\n\nSources\n{}", table().trim_fmt(), sources())
     };
-    stream::print(&text)?;
+    terminal::print(&text)?;
     Ok(Outcome::Done)
 }
 

@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::demand::Demand;
-use super::{Outcome, stream};
-use crate::scenario::{self, Scenario, ScenarioError, StudyFile};
+use super::jobs::name_of;
+use super::{Outcome, terminal};
+use crate::scenario::{self, Loaded, ScenarioError, StudyFile};
+use crate::simulate::Model;
 
 /// Checks scenario and study files without running them; shows all that is wrong, and what a run takes.
 ///
@@ -18,7 +20,7 @@ use crate::scenario::{self, Scenario, ScenarioError, StudyFile};
                         Exit code: 0 all files are right, 2 a file is wrong."
 )]
 pub struct Arguments {
-    /// Scenario or study files, .toml or .json
+    /// Scenario or study files, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Print the findings as JSON
@@ -35,7 +37,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         if checked.is_err() {
             outcome = Outcome::WrongInput;
         }
-        let name = file.display().to_string();
+        let name = name_of(file);
         if arguments.json {
             findings.push(finding(&name, &checked));
         } else {
@@ -43,7 +45,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         }
     }
     if arguments.json {
-        stream::print(&format!("{:#}\n", Value::Array(findings)))?;
+        terminal::print(&format!("{:#}\n", Value::Array(findings)))?;
     }
     Ok(outcome)
 }
@@ -57,22 +59,22 @@ struct Checked {
 }
 
 fn check(file: &Path) -> Result<Checked, ScenarioError> {
-    if scenario::is_study(file) {
-        return scenario::load_study(file).map(|study| Checked {
+    Ok(match scenario::load_any(file)? {
+        Loaded::Study(study) => Checked {
             demand: demand_of_study(&study),
             title: study.title,
             warnings: Vec::new(),
-        });
-    }
-    scenario::load(file).map(|scenario| Checked {
-        demand: demand(&scenario),
-        title: scenario.title,
-        warnings: scenario.warnings,
+        },
+        Loaded::Scenario(scenario) => {
+            let model = scenario.model.as_ref();
+            let of_speed = model.map(Model::speed_warnings).unwrap_or_default();
+            Checked {
+                demand: model.and_then(|model| Demand::of(&scenario, model).ok()),
+                title: scenario.title,
+                warnings: [scenario.warnings, of_speed].concat(),
+            }
+        }
     })
-}
-
-fn demand(scenario: &Scenario) -> Option<Demand> {
-    Demand::of(scenario, scenario.model.as_ref()?).ok()
 }
 
 fn demand_of_study(study: &StudyFile) -> Option<Demand> {
@@ -104,14 +106,14 @@ fn show(name: &str, checked: &Result<Checked, ScenarioError>) -> io::Result<()> 
     match checked {
         Ok(scenario) => {
             for warning in &scenario.warnings {
-                stream::tell(&format!("warning: {name}: {warning}\n"));
+                terminal::tell(&format!("warning: {name}: {warning}\n"));
             }
             let takes = scenario.demand.as_ref();
             let takes = takes.map_or_else(String::new, |demand| format!("  {demand}\n"));
-            stream::print(&format!("{name}: ok, {}\n{takes}", scenario.title))
+            terminal::summarise(&format!("{name}: ok, {}\n{takes}", scenario.title))
         }
         Err(error) => {
-            stream::tell(&error.render(stream::color()));
+            terminal::tell(&error.render(terminal::color()));
             Ok(())
         }
     }

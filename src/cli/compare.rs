@@ -4,7 +4,7 @@ use std::error::Error;
 use std::io::{self, ErrorKind};
 use std::path::PathBuf;
 
-use super::{Outcome, stream};
+use super::{Outcome, terminal};
 use crate::report::compare::{
     CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison_figure,
 };
@@ -42,7 +42,7 @@ pub struct Arguments {
     absolute: Option<f64>,
     /// Another tolerance for one column; may be given several times
     #[arg(long = "column", value_name = "NAME=R[,A]", value_parser = column)]
-    columns: Vec<Column>,
+    columns: Vec<(String, Tolerance)>,
     /// Tolerances from a file: `relative`, `absolute`, and `[[column]]` with `name`, `relative` and
     /// `absolute`; options on the command line go before it
     #[arg(long, value_name = "FILE.toml")]
@@ -66,43 +66,33 @@ pub struct Arguments {
     json: bool,
 }
 
-/// A tolerance for one column.
-#[derive(Debug, Clone)]
-struct Column {
-    name: String,
-    tolerance: Tolerance,
-}
-
-fn column(text: &str) -> Result<Column, Box<dyn Error + Send + Sync>> {
+/// The tolerance of one column.
+fn column(text: &str) -> Result<(String, Tolerance), Box<dyn Error + Send + Sync>> {
     let (name, tolerance) = text
         .split_once('=')
         .ok_or("expected NAME=R or NAME=R,A, as in x_m=1e-4,1e-12")?;
     let (relative, absolute) = tolerance.split_once(',').unwrap_or((tolerance, "0"));
-    Ok(Column {
-        name: name.trim().to_owned(),
-        tolerance: Tolerance::new(number(relative)?, number(absolute)?)?,
-    })
-}
-
-fn number(text: &str) -> Result<f64, String> {
-    let text = text.trim();
-    text.parse()
-        .map_err(|_| format!("{text:?} is not a number"))
+    let number = |text: &str| {
+        let text = text.trim();
+        let refused = |_| format!("{text:?} is not a number");
+        text.parse().map_err(refused)
+    };
+    let tolerance = Tolerance::new(number(relative)?, number(absolute)?)?;
+    Ok((name.trim().to_owned(), tolerance))
 }
 
 /// Compares and prints the worst places of every column.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     match comparison(arguments) {
         Err(message) => {
-            stream::tell(&message);
+            terminal::tell(&message);
             Ok(Outcome::WrongInput)
         }
         Ok(comparison) => {
             show(&comparison, arguments.json)?;
-            Ok(if comparison.agrees() {
-                Outcome::Done
-            } else {
-                Outcome::Differs
+            Ok(match comparison.agrees() {
+                true => Outcome::Done,
+                false => Outcome::Differs,
             })
         }
     }
@@ -112,7 +102,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 fn comparison(arguments: &Arguments) -> Result<Comparison, String> {
     let file = arguments.tolerances.as_deref().map(ToleranceFile::load);
     let file = file.transpose();
-    let file = file.map_err(|error| error.render(stream::color()))?;
+    let file = file.map_err(|error| error.render(terminal::color()))?;
     let rules = Rules {
         tolerances: tolerances(arguments, file.as_ref()).map_err(|error| message(&error))?,
         worst: arguments.worst.into(),
@@ -134,18 +124,19 @@ fn tolerances(
     arguments: &Arguments,
     file: Option<&ToleranceFile>,
 ) -> Result<Tolerances, CompareError> {
-    let from_file = |part: fn(&ToleranceFile) -> Option<f64>| file.and_then(part);
-    let relative = arguments.relative.or(from_file(|file| file.relative));
-    let absolute = arguments.absolute.or(from_file(|file| file.absolute));
+    let file = file.map(|file| &file.input);
+    let relative = arguments.relative.or(file.and_then(|file| file.relative));
+    let absolute = arguments.absolute.or(file.and_then(|file| file.absolute));
     let default = Tolerance::new(relative.unwrap_or(RELATIVE), absolute.unwrap_or(0.0))?;
     let mut tolerances = Tolerances::uniform(default);
-    for (name, relative, absolute) in file.iter().flat_map(|file| &file.columns) {
-        tolerances = tolerances.with_column(name, Tolerance::new(*relative, *absolute)?);
+    for column in file.iter().flat_map(|file| &file.column) {
+        let tolerance = Tolerance::new(column.relative, column.absolute)?;
+        tolerances = tolerances.with_column(&column.name, tolerance);
     }
-    let columns = arguments.columns.iter();
-    Ok(columns.fold(tolerances, |tolerances, column| {
-        tolerances.with_column(&column.name, column.tolerance)
-    }))
+    for (name, tolerance) in &arguments.columns {
+        tolerances = tolerances.with_column(name, *tolerance);
+    }
+    Ok(tolerances)
 }
 
 /// A column that no table has is shown where the file names it.
@@ -153,7 +144,7 @@ fn placed(error: &CompareError, file: Option<&ToleranceFile>) -> String {
     if let (CompareError::UnknownColumn { name, known }, Some(file)) = (error, file)
         && let Some(placed) = file.unused(name, known)
     {
-        return placed.render(stream::color());
+        return placed.render(terminal::color());
     }
     message(error)
 }
@@ -165,7 +156,11 @@ fn show(comparison: &Comparison, json: bool) -> io::Result<()> {
     } else {
         format!("{comparison}\n")
     };
-    match stream::print(&text) {
+    let printed = match json {
+        true => terminal::print(&text),
+        false => terminal::summarise(&text),
+    };
+    match printed {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         printed => printed,
     }

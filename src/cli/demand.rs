@@ -46,21 +46,6 @@ pub struct Demand {
     time: Option<f64>,
 }
 
-/// A run that demands more memory than there is.
-#[derive(Debug, thiserror::Error)]
-#[error(
-    "it needs about {} of memory and {} are there{of}: {:.3e} samples of {} columns are kept for the spectra; \
-     set spectrum = false in [output], sample less often, or make `settle` longer or `duration` shorter{fewer}",
-    bytes(*.needed), bytes(*.there), .size.samples as f64, .size.columns
-)]
-pub struct TooLarge {
-    needed: f64,
-    there: f64,
-    of: &'static str,
-    size: RunSize,
-    fewer: String,
-}
-
 impl Demand {
     /// Of a scenario that moves; takes a look at its first steps.
     ///
@@ -141,22 +126,24 @@ impl fmt::Display for Demand {
 /// Refuses what needs more memory than there is, `at_once` of it at a time.
 ///
 /// # Errors
-/// [`TooLarge`].
-pub fn check_memory(size: &RunSize, at_once: usize) -> Result<(), TooLarge> {
+/// What is needed and what is there, in words.
+pub fn check_memory(size: &RunSize, at_once: usize) -> Result<(), String> {
     let needed = size.memory * at_once as f64;
-    match available().find(|(there, _)| *there < needed) {
-        None => Ok(()),
-        Some((there, of)) => Err(TooLarge {
-            needed,
-            there,
-            of,
-            size: *size,
-            fewer: match (there / size.memory) as usize {
-                fewer if fewer >= 1 && at_once > 1 => format!(", or --threads {fewer}"),
-                _ => String::new(),
-            },
-        }),
-    }
+    let Some((there, of)) = available().find(|(there, _)| *there < needed) else {
+        return Ok(());
+    };
+    let fewer = match (there / size.memory) as usize {
+        fewer if fewer >= 1 && at_once > 1 => format!(", or --threads {fewer}"),
+        _ => String::new(),
+    };
+    Err(format!(
+        "it needs about {} of memory and {} are there{of}: {:.3e} samples of {} columns are kept for the spectra; \
+         set spectrum = false in [output], sample less often, or make `settle` longer or `duration` shorter{fewer}",
+        bytes(needed),
+        bytes(there),
+        size.samples as f64,
+        size.columns
+    ))
 }
 
 /// Bytes that the process may still take, each with what says so; nothing where the system does not tell.

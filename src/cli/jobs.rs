@@ -4,12 +4,13 @@ use std::collections::HashMap;
 use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::{Outcome, stream};
-use crate::report::Destination;
-use crate::scenario::{self, Scenario};
+use super::{Outcome, terminal};
+use crate::report::{self, Destination};
+use crate::scenario::{self, STDIN, STDIN_NAME, Scenario};
 use crate::simulate::Model;
 
 /// Why a job failed, in words.
@@ -18,7 +19,7 @@ pub type Failure = Box<dyn Error>;
 /// Scenario files, and where and how the answers to them are given.
 #[derive(Debug, clap::Args)]
 pub struct Files {
-    /// Scenario files, .toml or .json
+    /// Scenario files, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
     /// Folder that the folders of the results are written to
@@ -31,7 +32,9 @@ pub struct Files {
 
 /// A checked scenario and where its results go.
 pub struct Job {
-    /// Name of the file as given.
+    /// The file as given.
+    pub file: PathBuf,
+    /// What messages call it.
     pub name: String,
     /// What it says.
     pub scenario: Scenario,
@@ -62,7 +65,17 @@ impl Files {
         prepare: impl Fn(&mut Job) -> Result<T, Failure>,
         answer: impl Fn(&Job, T) -> Result<Answer, Failure>,
     ) -> io::Result<Outcome> {
-        let Some(tasks) = self.jobs().and_then(|jobs| tasks(jobs, prepare)) else {
+        let prepared = |mut job: Job| match prepare(&mut job) {
+            Ok(task) => Some((job, task)),
+            Err(failure) => {
+                job.tell("error", &failure.to_string());
+                None
+            }
+        };
+        let jobs = self.jobs().into_iter().flatten();
+        let tasks: Vec<_> = jobs.map(prepared).collect();
+        let tasks: Option<Vec<_>> = tasks.into_iter().collect();
+        let Some(tasks) = tasks.filter(|tasks| !tasks.is_empty()) else {
             return Ok(Outcome::WrongInput);
         };
         let count = tasks.len();
@@ -75,8 +88,8 @@ impl Files {
             match answer {
                 Ok(answer) if self.json => documents.push(answer.json),
                 Ok(answer) => {
-                    stream::print(&answer.text)?;
-                    stream::tell(&answer.told);
+                    terminal::summarise(&answer.text)?;
+                    terminal::remark(&answer.told);
                 }
                 Err(failure) => {
                     let message = failure.to_string();
@@ -87,7 +100,7 @@ impl Files {
             }
         }
         if self.json {
-            stream::print(&document(count, documents))?;
+            terminal::print(&document(count, documents))?;
         }
         Ok(outcome)
     }
@@ -98,11 +111,11 @@ impl Files {
         let mut folders: HashMap<PathBuf, &Path> = HashMap::new();
         let mut complete = true;
         for file in &self.files {
-            let name = file.display().to_string();
+            let name = name_of(file);
             let scenario = match scenario::load(file) {
                 Ok(scenario) => scenario,
                 Err(error) => {
-                    stream::tell(&error.render(stream::color()));
+                    terminal::tell(&error.render(terminal::color()));
                     complete = false;
                     continue;
                 }
@@ -112,7 +125,7 @@ impl Files {
                 continue;
             };
             if let Some(other) = folders.insert(folder.clone(), file) {
-                stream::tell(&format!(
+                terminal::tell(&format!(
                     "error: {name} and {} would both write to {}; rename one or run them apart\n",
                     other.display(),
                     folder.display()
@@ -120,6 +133,7 @@ impl Files {
                 complete = false;
             }
             let job = Job {
+                file: file.clone(),
                 name,
                 scenario,
                 folder,
@@ -131,12 +145,21 @@ impl Files {
     }
 }
 
+/// What messages call a file.
+pub fn name_of(file: &Path) -> String {
+    match file == Path::new(STDIN) {
+        true => STDIN_NAME.to_owned(),
+        false => file.display().to_string(),
+    }
+}
+
 /// The folder of a file's results in `out`, called like the file without its ending; none, after telling, where that is
 /// no name.
 pub fn folder_of(file: &Path, out: &Path) -> Option<PathBuf> {
-    let name = file.file_stem().unwrap_or_default();
+    let shown = name_of(file);
+    let name = Path::new(&shown).file_stem().unwrap_or_default();
     if name.is_empty() || name == "." || name == ".." {
-        stream::tell(&format!(
+        terminal::tell(&format!(
             "error: {}: the folder of the results is called like the file without its ending, and {name:?} is no name \
              for a folder: rename the file\n",
             file.display()
@@ -144,22 +167,6 @@ pub fn folder_of(file: &Path, out: &Path) -> Option<PathBuf> {
         return None;
     }
     Some(out.join(name))
-}
-
-/// The jobs with what they need; `None` where one lacks it, after telling of all of them.
-fn tasks<T>(
-    jobs: Vec<Job>,
-    prepare: impl Fn(&mut Job) -> Result<T, Failure>,
-) -> Option<Vec<(Job, T)>> {
-    let task = |mut job: Job| match prepare(&mut job) {
-        Ok(task) => Some((job, task)),
-        Err(failure) => {
-            job.tell("error", &failure.to_string());
-            None
-        }
-    };
-    let tasks: Vec<_> = jobs.into_iter().map(task).collect();
-    tasks.into_iter().collect()
 }
 
 impl Job {
@@ -185,9 +192,20 @@ impl Job {
         Ok(model)
     }
 
+    /// What is said of the law of the contacts, where it was to be chosen.
+    pub fn contact_choice_text(&self) -> String {
+        let choice = self.scenario.contact_choice.as_ref();
+        choice.map(report::contact_choice_text).unwrap_or_default()
+    }
+
     /// Tells of something about the file.
     pub fn tell(&self, kind: &str, message: &str) {
-        stream::tell(&format!("{kind}: {}: {message}\n", self.name));
+        terminal::tell(&format!("{kind}: {}: {message}\n", self.name));
+    }
+
+    /// Tells what is good to know, unless quiet is asked for.
+    pub fn note(&self, message: &str) {
+        terminal::remark(&format!("note: {}: {message}\n", self.name));
     }
 
     /// Tells warnings.
@@ -209,6 +227,14 @@ impl Answer {
             json,
             incomplete: false,
         }
+    }
+
+    /// The same with the time that it took.
+    pub fn timed(mut self, started: Instant) -> Self {
+        let seconds = started.elapsed().as_secs_f64();
+        self.json["wall_time_s"] = seconds.into();
+        self.told = format!("done in {seconds:.3} s\n");
+        self
     }
 }
 

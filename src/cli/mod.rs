@@ -9,20 +9,16 @@ mod campbell;
 mod catalogue;
 mod check;
 mod compare;
-mod completions;
 mod demand;
-mod ending;
+mod describe;
 mod jobs;
-mod man;
+mod new;
 mod pace;
 mod parts;
-mod progress;
 mod run;
-mod schema;
 mod steady;
-mod stop;
-mod stream;
 mod study;
+mod terminal;
 mod written;
 
 use std::ffi::OsString;
@@ -36,15 +32,18 @@ use clap::{Parser, Subcommand};
     name = "jeffcott",
     version,
     arg_required_else_help = true,
-    after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml"
+    after_help = "Examples:\n  jeffcott new shaft.toml\n  jeffcott run shaft.toml --open"
 )]
 struct Arguments {
     #[command(subcommand)]
     verb: Verb,
+    #[command(flatten)]
+    manner: terminal::Manner,
 }
 
 #[derive(Debug, Subcommand)]
 enum Verb {
+    New(new::Arguments),
     Run(run::Arguments),
     Steady(steady::Arguments),
     Bearing(bearing::Arguments),
@@ -54,9 +53,9 @@ enum Verb {
     Check(check::Arguments),
     Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
-    Schema(schema::Arguments),
-    Completions(completions::Arguments),
-    Man(man::Arguments),
+    Schema(describe::Schema),
+    Completions(describe::Completions),
+    Man(describe::Manual),
 }
 
 /// How a verb ended.
@@ -80,8 +79,8 @@ impl From<Outcome> for ExitCode {
 
 /// Runs the command line, the name of the program first.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let verb = match Arguments::try_parse_from(arguments) {
-        Ok(arguments) => arguments.verb,
+    let Arguments { verb, manner } = match Arguments::try_parse_from(arguments) {
+        Ok(arguments) => arguments,
         Err(usage) => {
             // A closed terminal is no reason to fail: the exit code already tells.
             let _ = usage.print();
@@ -92,7 +91,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             };
         }
     };
+    manner.set();
     let outcome = match verb {
+        Verb::New(arguments) => new::run(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
         Verb::Steady(arguments) => steady::run(&arguments),
         Verb::Bearing(arguments) => bearing::run(&arguments),
@@ -102,9 +103,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
-        Verb::Schema(arguments) => schema::run(&arguments),
-        Verb::Completions(arguments) => completions::run(&arguments),
-        Verb::Man(arguments) => man::run(&arguments),
+        Verb::Schema(arguments) => describe::schema(&arguments),
+        Verb::Completions(arguments) => describe::completions(&arguments),
+        Verb::Man(arguments) => describe::manual(&arguments),
     };
-    stream::finish(outcome)
+    terminal::finish(outcome)
 }

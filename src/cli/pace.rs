@@ -5,7 +5,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 use super::jobs::Job;
-use super::progress::Progress;
+use super::terminal::Progress;
 use crate::integrate::{Counters, Method, Pace};
 use crate::rotor::Rotor;
 use crate::simulate::Model;

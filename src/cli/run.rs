@@ -7,20 +7,18 @@ use std::thread;
 use std::time::Instant;
 
 use super::demand::check_memory;
-use super::ending::{self, Kept};
 use super::jobs::{Answer, Failure, Files, Job};
 use super::pace::PaceWatch;
-use super::parts::Parts;
+use super::parts::{self, Kept, Parts};
 use super::written::Written;
-use super::{Outcome, stop};
+use super::{Outcome, terminal};
 use crate::integrate::{IntegrateError, Pace};
-use crate::report::{self, Failure as Cause, RestartReader, RestartWriter, RunReport, RunSummary};
+use crate::report::{self, Failure as Cause, RestartReader, RunReport, RunSummary};
 use crate::scenario::Scenario;
 use crate::simulate::{
-    Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, Standing, StateKeeper,
-    simulate_part,
+    Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, StateKeeper, simulate_part,
 };
-use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
+use crate::study::campbell::{Campbell, CampbellQuestion};
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
@@ -45,6 +43,9 @@ pub struct Arguments {
     /// Leave out the second pass, which measures the error, whatever `[integrator] verify` says
     #[arg(long)]
     no_verify: bool,
+    /// Open the page in a browser when it is written
+    #[arg(long)]
+    open: bool,
     #[command(flatten)]
     written: Written,
     #[command(flatten)]
@@ -60,7 +61,8 @@ impl Arguments {
         };
         let verify = if self.no_verify { " --no-verify" } else { "" };
         let written = &self.written;
-        format!("jeffcott run {}{out}{verify}{written} --resume", job.name)
+        let file = job.file.display();
+        format!("jeffcott run {file}{out}{verify}{written} --resume")
     }
 }
 
@@ -81,7 +83,7 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
         Ok((model, restart))
     };
     arguments.files.answer(prepare, |job, (model, restart)| {
-        if stop::flag().load(Ordering::Relaxed) {
+        if terminal::stop().load(Ordering::Relaxed) {
             return Err("interrupted before it began".into());
         }
         Motion { job, model }.run(restart, arguments)
@@ -104,8 +106,8 @@ impl Motion<'_> {
         let started = Instant::now();
         let mut report = RunReport::of(&self.job.scenario, &self.model, &self.job.folder)?;
         self.tell_of_thinning();
-        let (parts, resumed) = (&arguments.parts, restart.is_some());
-        let mut keeper = parts.keeper(&report, self.job, &self.model)?;
+        let (asked, resumed) = (&arguments.parts, restart.is_some());
+        let mut keeper = asked.keeper(&report, self.job, &self.model)?;
         let paces = [Pace::default(), Pace::default()];
         let mut part = Part {
             paces: paces.each_ref().map(Some),
@@ -113,13 +115,13 @@ impl Motion<'_> {
                 standing: restart.standing().clone(),
                 states: restart,
             }),
-            stop_at: parts.stop_at(),
+            stop_at: asked.stop_at(),
             keeper: keeper.as_mut().map(|keeper| keeper as &mut dyn StateKeeper),
             ..Part::default()
         };
         let title = &self.job.scenario.title;
         let mut monitor = Monitor {
-            stop: stop::flag(),
+            stop: terminal::stop(),
             progress: &mut |_| {},
         };
         let watch = PaceWatch::new(self.job, &self.model, &paces);
@@ -133,21 +135,21 @@ impl Motion<'_> {
         let (standing, counters) = (part.standing, part.counters);
         let resume = arguments.resume_command(self.job);
         match result {
-            Ok(run) => self.finish(report, run, started),
+            Ok(run) => self.finish(report, run, started, arguments.open),
             Err(SimulateError::Stopped { time }) => {
-                let kept = kept(keeper, standing)?;
-                Ok(ending::stopped(title, time, kept.as_ref(), &resume))
+                let kept = Kept::of(keeper, standing)?;
+                Ok(parts::stopped(title, time, kept.as_ref(), &resume))
             }
             Err(SimulateError::Integrate(error @ IntegrateError::Interrupted { .. })) => {
-                let kept = kept(keeper, standing)?;
-                Err(ending::interrupted(&error, kept.as_ref(), resumed, &resume).into())
+                let kept = Kept::of(keeper, standing)?;
+                Err(parts::interrupted(&error, kept.as_ref(), resumed, &resume).into())
             }
             Err(SimulateError::Integrate(error)) => {
                 let kept = report.fail(&Cause {
                     error: &error,
                     counters,
                 })?;
-                Err(ending::failed(&error, &kept).into())
+                Err(parts::failed(&error, &kept).into())
             }
             Err(other) => Err(other.into()),
         }
@@ -158,22 +160,18 @@ impl Motion<'_> {
         let output = &self.job.scenario.output;
         let written = output.written_of(self.model.samples());
         if output.every.is_none() && output.trace && written.get() > 1 {
-            self.job.tell(
-                "note",
-                &format!(
-                    "the trace holds one of every {written} samples, at most 100 000 rows; `every` in [output], or \
-                     --every, asks for more or fewer"
-                ),
-            );
+            self.job.note(&format!(
+                "the trace holds one of every {written} samples, at most 100 000 rows; `every` in [output], or \
+                 --every, asks for more or fewer"
+            ));
         }
     }
 
-    /// Natural frequencies up to the highest speed, where the run is mapped.
-    fn campbell(&self, run: &Run) -> Result<Option<Campbell>, CampbellError> {
+    /// Natural frequencies up to the highest speed, where the run is mapped; where there is no diagram the run
+    /// tells why.
+    fn campbell(&self, run: &mut Run) -> Option<Campbell> {
         let highest = self.model.rotor.highest_speed();
-        let Some(maps) = run.maps.as_ref().filter(|_| highest > 0.0) else {
-            return Ok(None);
-        };
+        let maps = run.maps.as_ref().filter(|_| highest > 0.0)?;
         let orders = maps.tracks.orders.iter();
         let question = CampbellQuestion {
             rotor: self.model.rotor.clone(),
@@ -182,56 +180,39 @@ impl Motion<'_> {
             count: CAMPBELL_SPEEDS,
             orders: orders.map(|order| order.order).collect(),
         };
-        question.solve().map(Some)
+        let refused = |error| {
+            let warning = format!("there is no diagram of natural frequencies: {error}");
+            run.warnings.push(warning);
+        };
+        question.solve().map_err(refused).ok()
     }
 
-    /// The same; where there is no diagram the run tells why.
-    fn campbell_or_warning(&self, run: &mut Run) -> Option<Campbell> {
-        self.campbell(run).unwrap_or_else(|error| {
-            run.warnings.push(format!(
-                "there is no diagram of natural frequencies: {error}"
-            ));
-            None
-        })
-    }
-
-    fn finish(&self, report: RunReport, mut run: Run, started: Instant) -> Result<Answer, Failure> {
+    fn finish(
+        &self,
+        report: RunReport,
+        mut run: Run,
+        started: Instant,
+        opens: bool,
+    ) -> Result<Answer, Failure> {
         let Scenario {
             title,
             echo,
             contact_choice,
             ..
         } = &self.job.scenario;
-        let campbell = self.campbell_or_warning(&mut run);
+        let campbell = self.campbell(&mut run);
         self.job.warn(&run.warnings);
         let files = report
             .with_campbell(campbell.clone())
             .finish(&self.model, &run)?;
-        let seconds = started.elapsed().as_secs_f64();
-        let mut text = report::text(title, &self.model, &run, &files);
+        if opens {
+            terminal::open_page(&files);
+        }
+        let text = report::text(title, &self.model, &run, &files);
+        let text = text + &self.job.contact_choice_text();
         let choice = contact_choice.as_ref();
-        text += &choice.map(report::contact_choice_text).unwrap_or_default();
         let summary = RunSummary::new(&self.model, &run, choice, campbell.as_ref());
-        let mut json = report::document(title, echo, summary);
-        json["wall_time_s"] = seconds.into();
-        Ok(Answer {
-            told: format!("done in {seconds:.3} s\n"),
-            ..Answer::new(text, json, &files)
-        })
+        let json = report::document(title, echo, summary);
+        Ok(Answer::new(text, json, &files).timed(started))
     }
-}
-
-/// The restart file of a run that was stopped, and its samples; none where no states were kept.
-fn kept(
-    keeper: Option<RestartWriter>,
-    standing: Option<Standing>,
-) -> Result<Option<Kept>, report::ReportError> {
-    let Some((keeper, standing)) = keeper.zip(standing) else {
-        return Ok(None);
-    };
-    Ok(Some(Kept {
-        samples: standing.main.next,
-        time: standing.time,
-        path: keeper.finish(&standing)?,
-    }))
 }

@@ -5,8 +5,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use super::jobs::{Answer, Failure, Files, Job};
-use super::progress::Progress;
-use super::{Outcome, stop};
+use super::terminal::Progress;
+use super::{Outcome, terminal};
 use crate::report;
 use crate::scenario::OpenNumber;
 use crate::simulate::Model;
@@ -76,14 +76,11 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     };
     arguments.files.answer(prepare, |job, (model, stretch)| {
         let started = Instant::now();
-        let mut answer = match &stretch {
+        let answer = match &stretch {
             Some(stretch) => along(job, &model, stretch, arguments)?,
             None => alone(job, &model, arguments)?,
         };
-        let seconds = started.elapsed().as_secs_f64();
-        answer.json["wall_time_s"] = seconds.into();
-        answer.told = format!("done in {seconds:.3} s\n");
-        Ok(answer)
+        Ok(answer.timed(started))
     })
 }
 
@@ -99,7 +96,7 @@ fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure>
     let Some(((over, from), to)) = over.as_ref().zip(from.as_ref()).zip(to.as_ref()) else {
         return Ok(None);
     };
-    let folder = Path::new(&job.name).parent().unwrap_or(Path::new(""));
+    let folder = job.file.parent().unwrap_or(Path::new(""));
     let varied = OpenNumber::new(&job.scenario, over, folder)?;
     let ((first, variable), (last, _)) = (varied.value(from)?, varied.value(to)?);
     if first == last {
@@ -120,7 +117,7 @@ fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fail
     let found = steady(&SteadyQuestion {
         model,
         multiple: arguments.period,
-        stop: stop::flag(),
+        stop: terminal::stop(),
     })?;
     job.warn(&found.warnings);
     let files = report::write_steady(&destination, model, &found)?;
@@ -145,7 +142,7 @@ fn along(
         multiple: arguments.period.unwrap_or(1),
         points: arguments.points,
         doubled: !arguments.no_doubled,
-        stop: stop::flag(),
+        stop: terminal::stop(),
     };
     let branches = response(&question, &mut |part| progress.show(part))?;
     drop(progress);

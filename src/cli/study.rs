@@ -2,22 +2,23 @@
 
 use std::io;
 use std::num::NonZeroUsize;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Instant;
 
-use serde_json::{Value, json};
+use serde_json::json;
 
-use super::demand::{TooLarge, check_memory};
-use super::jobs::folder_of;
-use super::progress::Progress;
-use super::{Outcome, stop, stream};
+use super::demand::check_memory;
+use super::jobs::{folder_of, name_of};
+use super::terminal::Progress;
+use super::{Outcome, terminal};
 use crate::report::many::{
     Digest, JournalError, Layout, MergeError, StudyReport, merge as merge_parts,
 };
-use crate::report::{self, Outputs, ReportError, RunReport};
+use crate::report::{self, Outputs, RunReport};
 use crate::scenario::{self, StudyFile};
-use crate::simulate::{Monitor, RunSize, SimulateError, simulate};
+use crate::simulate::{Monitor, RunSize, simulate};
 use crate::study::many::{Maker, Schedule, Shard, Unmade, work};
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
@@ -60,7 +61,7 @@ struct Merge {
 
 #[derive(Debug, clap::Args)]
 struct Make {
-    /// Study file, .toml or .json
+    /// Study file, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     file: Option<PathBuf>,
     /// Folder that the folder of the study is written to
@@ -75,6 +76,9 @@ struct Make {
     /// Make part I of N; `jeffcott study merge` puts them together
     #[arg(long, value_name = "I/N", value_parser = shard)]
     shard: Option<Shard>,
+    /// Open the page in a browser when it is written
+    #[arg(long, conflicts_with_all = ["shard", "only"])]
+    open: bool,
     /// Begin anew, whatever runs an earlier attempt has kept
     #[arg(long)]
     restart: bool,
@@ -107,77 +111,71 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let study = match scenario::load_study(file) {
         Ok(study) => study,
         Err(error) => {
-            stream::tell(&error.render(stream::color()));
+            terminal::tell(&error.render(terminal::color()));
             return Ok(Outcome::WrongInput);
         }
     };
-    let name = file.display().to_string();
     let Some(folder) = folder_of(file, &make.out) else {
         return Ok(Outcome::WrongInput);
     };
-    let told = match Task::new(&study, make, folder) {
-        Ok(task) => task.run(),
-        Err(failure) => Err(failure),
+    let failure = match Task::new(&study, make, folder).and_then(|task| task.run()) {
+        Ok(outcome) => return Ok(outcome),
+        Err(failure) => failure,
     };
-    match told {
-        Ok(outcome) => Ok(outcome),
-        Err(Failure::Output(error)) => Err(error),
-        Err(failure) => {
-            stream::tell(&format!("error: {name}: {failure}\n"));
-            Ok(failure.outcome())
-        }
+    let (outcome, message) = match failure {
+        Failure::Wrong(message) => (Outcome::WrongInput, message),
+        Failure::Failed(message) => (Outcome::Failed, message),
+        Failure::Output(error) => return Err(error),
+    };
+    terminal::tell(&format!("error: {}: {message}\n", name_of(file)));
+    Ok(outcome)
+}
+
+/// Why a study did not come to its end.
+enum Failure {
+    /// It cannot be made as it is asked for.
+    Wrong(String),
+    /// Something failed on the way.
+    Failed(String),
+    /// What stdout does not take.
+    Output(io::Error),
+}
+
+/// What failed on the way, in words.
+fn failed(reason: impl ToString) -> Failure {
+    Failure::Failed(reason.to_string())
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        Self::Output(error)
     }
 }
 
-/// Why a study did not come to its end, in words.
-#[derive(Debug, thiserror::Error)]
-enum Failure {
-    #[error("the first point of the study is no scenario: {0}")]
-    First(String),
-    #[error(transparent)]
-    Journal(#[from] JournalError),
-    #[error(transparent)]
-    Report(#[from] ReportError),
-    #[error(transparent)]
-    Simulate(#[from] SimulateError),
-    #[error(transparent)]
-    TooLarge(#[from] TooLarge),
-    #[error("there is no run {number}: they count from 0 to {last}")]
-    NoRun { number: u64, last: u64 },
-    #[error("there is no part {number} of {count}: the study has {most} to share at most")]
-    NoPart { number: u64, count: u64, most: u64 },
-    #[error("run {number}: {message}")]
-    Run { number: u64, message: String },
-    #[error("{0}; with that mended the same command goes on from what is done")]
-    Trace(io::Error),
-    #[error("interrupted; the same command goes on from what is done")]
-    Interrupted,
-    #[error(transparent)]
-    Output(#[from] io::Error),
+impl From<JournalError> for Failure {
+    fn from(error: JournalError) -> Self {
+        match error {
+            JournalError::Other { .. } | JournalError::Unreadable { .. } => {
+                Self::Wrong(error.to_string())
+            }
+            _ => failed(error),
+        }
+    }
 }
 
 impl From<Unmade> for Failure {
     fn from(unmade: Unmade) -> Self {
         match unmade {
-            Unmade::Stopped => Self::Interrupted,
-            Unmade::Trace(error) => Self::Trace(error),
+            Unmade::Stopped => interrupted(),
+            Unmade::Trace(error) => failed(format!(
+                "{error}; with that mended the same command goes on from what is done"
+            )),
         }
     }
 }
 
-impl Failure {
-    fn outcome(&self) -> Outcome {
-        match self {
-            Self::First(_)
-            | Self::TooLarge(_)
-            | Self::NoRun { .. }
-            | Self::NoPart { .. }
-            | Self::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }) => {
-                Outcome::WrongInput
-            }
-            _ => Outcome::Failed,
-        }
-    }
+fn interrupted() -> Failure {
+    failed("interrupted; the same command goes on from what is done")
 }
 
 /// A checked study and what is asked of it.
@@ -197,7 +195,12 @@ impl<'a> Task<'a> {
         let points = plan.runs().unwrap_or(u64::MAX);
         let last = plan.axes().last().map_or(1, |axis| axis.length());
         let first = study.model(&plan.values(0));
-        let model = first.map_err(|error| Failure::First(error.message))?;
+        let model = first.map_err(|error| {
+            let message = error.message;
+            Failure::Wrong(format!(
+                "the first point of the study is no scenario: {message}"
+            ))
+        })?;
         let freedoms = model.rotor.shaft.freedoms.count();
         Ok(Self {
             study,
@@ -219,7 +222,7 @@ impl<'a> Task<'a> {
             traces: None,
             columns: &self.study.columns,
             model: &model,
-            stop: stop::flag(),
+            stop: terminal::stop(),
         };
         match self.make.only {
             Some(number) => self.only(number, &maker),
@@ -231,16 +234,14 @@ impl<'a> Task<'a> {
         let started = Instant::now();
         let shard = self.make.shard.unwrap_or(Shard::WHOLE);
         if let Some(size) = &self.size {
-            check_memory(size, self.threads())?;
+            check_memory(size, self.threads()).map_err(Failure::Wrong)?;
         }
         let most = self.schedule.chains();
         if shard.count > most.max(1) {
             let Shard { number, count } = shard;
-            return Err(Failure::NoPart {
-                number,
-                count,
-                most,
-            });
+            return Err(Failure::Wrong(format!(
+                "there is no part {number} of {count}: the study has {most} to share at most"
+            )));
         }
         let layout = Layout {
             variables: &self.study.variables,
@@ -255,14 +256,14 @@ impl<'a> Task<'a> {
         let chains = shard.chains(&self.schedule);
         let count = chains.end - chains.start;
         let kept = report.done().clone();
-        let mut done = (chains.clone()).filter(|chain| kept.holds(*chain)).count() as u64;
+        let is_done = |chain: &u64| kept.holds(*chain);
+        let mut done = chains.clone().filter(is_done).count() as u64;
         if done > 0 {
-            let of = |chain| self.schedule.runs_of(chain..chain + 1);
-            let runs = chains.clone().filter(|chain| kept.holds(*chain)).map(of);
-            let runs: u64 = runs.map(|runs| runs.end - runs.start).sum();
-            stream::tell(&format!("going on behind {runs} runs that are done\n"));
+            let runs = chains.clone().filter(is_done);
+            let runs: u64 = runs.map(|chain| self.runs_of(chain..chain + 1)).sum();
+            terminal::remark(&format!("going on behind {runs} runs that are done\n"));
         }
-        let traces = report.traces()?;
+        let traces = report.traces().map_err(failed)?;
         let keep = |run| match &traces {
             Some(traces) => traces.begin(run),
             None => Err(io::ErrorKind::Unsupported.into()),
@@ -272,11 +273,10 @@ impl<'a> Task<'a> {
             ..*maker
         };
         let mut progress = Progress::new(title);
-        let left = chains.filter(|chain| !kept.holds(*chain));
         work(
-            left,
+            chains.filter(|chain| !is_done(chain)),
             self.threads(),
-            stop::flag(),
+            terminal::stop(),
             |chain| maker.chain(chain),
             |chain, records| -> Result<(), Failure> {
                 let records = match records {
@@ -285,7 +285,7 @@ impl<'a> Task<'a> {
                     Err(Unmade::Stopped) => return Ok(()),
                     Err(unmade) => return Err(unmade.into()),
                 };
-                report.add(chain, &records)?;
+                report.add(chain, &records).map_err(failed)?;
                 done += 1;
                 progress.show(done as f64 / count as f64);
                 Ok(())
@@ -293,18 +293,26 @@ impl<'a> Task<'a> {
         )?;
         drop(progress);
         if done < count {
-            return Err(Failure::Interrupted);
+            return Err(interrupted());
         }
-        let (files, digest) = report.finish()?;
-        let runs = self.schedule.runs_of(shard.chains(&self.schedule));
-        let runs = runs.end - runs.start;
+        let (files, digest) = report.finish().map_err(failed)?;
+        let runs = self.runs_of(shard.chains(&self.schedule));
         let seconds = started.elapsed().as_secs_f64();
-        show(title, &files, digest.as_ref(), self.make.json)?;
+        if self.make.open {
+            terminal::open_page(&files);
+        }
+        let outcome = show(title, &files, digest.as_ref(), self.make.json)?;
         let rate = runs as f64 / seconds;
-        stream::tell(&format!(
+        terminal::remark(&format!(
             "{runs} runs in {seconds:.3} s, {rate:.4} a second\n"
         ));
-        Ok(outcome(digest.as_ref()))
+        Ok(outcome)
+    }
+
+    /// Number of runs of some chains.
+    fn runs_of(&self, chains: Range<u64>) -> u64 {
+        let runs = self.schedule.runs_of(chains);
+        runs.end - runs.start
     }
 
     /// Threads that make runs: as many as asked for, or as the machine has.
@@ -317,10 +325,11 @@ impl<'a> Task<'a> {
     fn only(&self, number: u64, maker: &Maker<'_>) -> Result<Outcome, Failure> {
         let last = self.schedule.runs().saturating_sub(1);
         if number > last {
-            return Err(Failure::NoRun { number, last });
+            let message = format!("there is no run {number}: they count from 0 to {last}");
+            return Err(Failure::Wrong(message));
         }
-        let failed = |message| Failure::Run { number, message };
-        let model = maker.alone(number)?.map_err(failed)?;
+        let no_run = |message| failed(format!("run {number}: {message}"));
+        let model = maker.alone(number)?.map_err(no_run)?;
         let title = format!("{}, run {number}", self.study.title);
         let turn = self.schedule.chain(self.schedule.chain_of(number));
         let point = turn
@@ -339,18 +348,19 @@ impl<'a> Task<'a> {
             ..Outputs::default()
         };
         let scenario = self.study.scenario(&values);
-        let scenario = scenario.map_err(|error| failed(error.message))?;
+        let scenario = scenario.map_err(|error| no_run(error.message))?;
         let folder = self.folder.join(format!("run-{number}"));
-        let mut report = RunReport::open(&folder, outputs, &title, scenario, self.freedoms)?;
+        let report = RunReport::open(&folder, outputs, &title, scenario, self.freedoms);
+        let mut report = report.map_err(failed)?;
         let mut progress = Progress::new(&title);
         let mut monitor = Monitor {
-            stop: stop::flag(),
+            stop: terminal::stop(),
             progress: &mut |part| progress.show(part),
         };
-        let run = simulate(&model, &mut report, &mut monitor)?;
+        let run = simulate(&model, &mut report, &mut monitor).map_err(failed)?;
         drop(progress);
-        let files = report.finish(&model, &run)?;
-        stream::print(&report::text(&title, &model, &run, &files))?;
+        let files = report.finish(&model, &run).map_err(failed)?;
+        terminal::summarise(&report::text(&title, &model, &run, &files))?;
         Ok(Outcome::Done)
     }
 }
@@ -358,12 +368,9 @@ impl<'a> Task<'a> {
 impl Merge {
     fn run(&self) -> io::Result<Outcome> {
         match merge_parts(&self.folder) {
-            Ok((files, digest)) => {
-                show("merged", &files, Some(&digest), self.json)?;
-                Ok(outcome(Some(&digest)))
-            }
+            Ok((files, digest)) => show("merged", &files, Some(&digest), self.json),
             Err(error) => {
-                stream::tell(&format!("error: {}: {error}\n", self.folder.display()));
+                terminal::tell(&format!("error: {}: {error}\n", self.folder.display()));
                 Ok(match error {
                     MergeError::Report(_) => Outcome::Failed,
                     _ => Outcome::WrongInput,
@@ -373,29 +380,28 @@ impl Merge {
     }
 }
 
-fn outcome(digest: Option<&Digest>) -> Outcome {
-    match digest {
+/// Shows what came of a study; some of its runs may have failed.
+fn show(
+    title: &str,
+    files: &[PathBuf],
+    digest: Option<&Digest>,
+    as_json: bool,
+) -> io::Result<Outcome> {
+    for warning in digest.iter().flat_map(|digest| &digest.warnings) {
+        terminal::tell(&format!("warning: {title}: {warning}\n"));
+    }
+    if as_json {
+        let paths = files.iter().map(|file| file.display().to_string());
+        let (digest, paths) = (digest.map(Digest::summary), paths.collect::<Vec<_>>());
+        let document = json!({ "title": title, "digest": digest, "files": paths });
+        terminal::print(&format!("{document:#}\n"))?;
+    } else {
+        let digest = digest.map(Digest::text).unwrap_or_default();
+        let wrote = report::wrote(files);
+        terminal::summarise(&format!("{title}\n{digest}{wrote}"))?;
+    }
+    Ok(match digest {
         Some(digest) if digest.failed > 0 => Outcome::Failed,
         _ => Outcome::Done,
-    }
-}
-
-/// Shows what came of a study.
-fn show(title: &str, files: &[PathBuf], digest: Option<&Digest>, as_json: bool) -> io::Result<()> {
-    for warning in digest.iter().flat_map(|digest| &digest.warnings) {
-        stream::tell(&format!("warning: {title}: {warning}\n"));
-    }
-    let paths = files.iter().map(|file| file.display().to_string());
-    if as_json {
-        let digest = digest.map(Digest::summary);
-        let paths: Value = paths.collect();
-        let document = json!({ "title": title, "digest": digest, "files": paths });
-        return stream::print(&format!("{document:#}\n"));
-    }
-    let mut text = format!("{title}\n");
-    if let Some(digest) = digest {
-        text += &digest.text();
-    }
-    paths.for_each(|path| text += &format!("  wrote {path}\n"));
-    stream::print(&text)
+    })
 }

@@ -54,5 +54,5 @@ pub(crate) use study::{study_json, study_text, write_study};
 pub(crate) use table::ParquetTable;
 #[cfg(test)]
 pub(crate) use table::{Column, CsvTable, MatTable, Origin};
-pub(crate) use terminal::wrapped;
+pub(crate) use terminal::{tell_details, wrapped, wrote};
 pub(crate) use text::{contact_choice_text, text};

@@ -57,7 +57,7 @@ pub fn answer_text(title: &str, answer: &QuasiStatic, files: &[PathBuf]) -> Stri
     out.line("condition", condition(answer.condition));
     let steps = answer.newton_steps;
     let search = format!("{steps} Newton steps, residual {:.1e}", answer.residual);
-    out.line("search", search);
+    out.detail("search", search);
     put_stiffness(&mut out, &answer.stiffness);
     for (index, state) in answer.bearings.iter().enumerate() {
         put_bearing(&mut out, index + 1, state);

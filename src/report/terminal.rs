@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use comfy_table::{CellAlignment, Table, presets};
 
@@ -30,6 +31,14 @@ pub fn wrapped(text: &str, indent: usize) -> String {
     out
 }
 
+/// Whether texts say how the answers were computed.
+static DETAILS: AtomicBool = AtomicBool::new(false);
+
+/// Lets all texts from here on say how the answers were computed, too: methods, steps, evaluations.
+pub fn tell_details() {
+    DETAILS.store(true, Ordering::Relaxed);
+}
+
 /// Where the text of a named line begins.
 const INDENT: usize = 16;
 
@@ -56,6 +65,13 @@ impl Lines {
         }
     }
 
+    /// A line on how the answer was computed, where somebody wants to know.
+    pub fn detail(&mut self, name: &str, text: impl Display) {
+        if DETAILS.load(Ordering::Relaxed) {
+            self.line(name, text);
+        }
+    }
+
     /// More of the line before.
     pub fn more(&mut self, text: impl Display) {
         self.line("", text);
@@ -71,17 +87,33 @@ impl Lines {
     }
 
     /// The files that were written, and all as one text.
-    pub fn wrote(mut self, files: &[PathBuf]) -> String {
-        for file in files {
-            self.line("wrote", file.display());
-        }
-        self.0
+    pub fn wrote(self, files: &[PathBuf]) -> String {
+        self.0 + &wrote(files)
     }
 
     /// All as one text.
     pub fn text(self) -> String {
         self.0
     }
+}
+
+/// The files that were written, in one line: their folder, then their names.
+pub fn wrote(files: &[PathBuf]) -> String {
+    let Some(folder) = files.first().and_then(|file| file.parent()) else {
+        return String::new();
+    };
+    let inside = |file: &PathBuf| {
+        let name = file.strip_prefix(folder).unwrap_or(file);
+        name.display().to_string()
+    };
+    let names: Vec<_> = files.iter().map(inside).collect();
+    let mut out = Lines::default();
+    let folder = folder.join("");
+    out.line(
+        "wrote",
+        format!("{} {}", folder.display(), names.join(", ")),
+    );
+    out.0
 }
 
 /// A table without rules, everything but its first column to the right.

@@ -26,7 +26,7 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
     out.line("equilibrium", displacement_text(moving));
     out.line("natural", natural(&run.equilibrium));
     let counters = &run.counters;
-    out.line(
+    out.detail(
         "integration",
         format_args!(
             "{} steps, {} rejected, {} evaluations, {} samples",
@@ -34,7 +34,7 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
         ),
     );
     if let Some(used) = &run.method_use {
-        out.line("method", method_use_text(used));
+        out.detail("method", method_use_text(used));
     }
     put_table_use(&mut out, &run.tables);
     if let Some(error) = &run.measured_error {
@@ -42,9 +42,12 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
         let tolerances = [model.integrator.tolerance, error.reference_tolerance];
         out.line("error", measured_text(sizes, tolerances));
         let share = 100.0 * error.share_of_evaluations(&run.counters);
-        out.more(format_args!(
-            "by a second pass: {share:.0} % of all evaluations; --no-verify saves them"
-        ));
+        out.detail(
+            "",
+            format_args!(
+                "by a second pass: {share:.0} % of all evaluations; --no-verify saves them"
+            ),
+        );
     }
     if let Some(energy) = &run.energy {
         let (residual, relative) = (energy.largest_residual, energy.relative_residual);

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::Issue;
-use super::key::Key;
+use super::key::{Key, KeyPaths};
 use super::problems::Problems;
 use crate::study::Variable;
 use crate::study::plan::{Axis, Distribution, MOST_RUNS};
@@ -20,9 +20,10 @@ const REACH: f64 = 8.3;
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-exactly-one" = ["values", "count", "distribution"]))]
 pub struct AxisInput {
-    /// Path of its key, for instance "speed.constant" or "bearing[0].preload".
+    /// Path of its key, for instance "speed.constant" or "bearing[0].preload"; "bearing[*].preload", or a list of
+    /// paths, changes several keys together.
     #[schemars(extend("examples" = ["speed.constant"]))]
-    pub key: String,
+    pub key: KeyPaths,
     /// The values, each written as that key is.
     #[schemars(extend("minItems" = 1, "maxItems" = 1_000_000))]
     pub values: Option<Vec<Scalar>>,

@@ -11,6 +11,11 @@ use super::{Format, Issue, ScenarioError};
 /// Most bytes of a file.
 const LARGEST: u64 = 16 << 20;
 
+/// What stands for standard input where a file is asked for.
+pub(crate) const STDIN: &str = "-";
+/// What messages call standard input, and results that come of it.
+pub(crate) const STDIN_NAME: &str = "stdin";
+
 /// A text that is TOML or JSON.
 #[derive(Debug)]
 pub(super) struct Document {
@@ -21,8 +26,17 @@ pub(super) struct Document {
 }
 
 impl Document {
-    /// Reads a file in the language that the end of its name tells.
+    /// Reads a file in the language that the end of its name tells; `-` is standard input, whose JSON begins with a
+    /// brace.
     pub fn open(path: &Path) -> Result<Self, ScenarioError> {
+        if path == Path::new(STDIN) {
+            let text = text_of(path)?;
+            let format = match text.trim_start().starts_with('{') {
+                true => Format::Json,
+                false => Format::Toml,
+            };
+            return Self::parse(&text, STDIN_NAME, format);
+        }
         let extension = path.extension().map(|end| end.to_ascii_lowercase());
         match extension.as_ref().and_then(|end| end.to_str()) {
             Some("toml") => Self::open_as(path, Format::Toml),
@@ -33,24 +47,7 @@ impl Document {
 
     /// Reads a file in a language.
     pub fn open_as(path: &Path, format: Format) -> Result<Self, ScenarioError> {
-        let bytes = bytes_of(path)
-            .map_err(|error| unreadable(path, &format!("cannot read the file: {error}")))?;
-        if bytes.len() as u64 > LARGEST {
-            let message = format!(
-                "the file is larger than the {} MB that a scenario or study may have; a long load belongs into the \
-                 CSV file of a `series`",
-                LARGEST >> 20
-            );
-            return Err(unreadable(path, &message));
-        }
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let byte = error.utf8_error().valid_up_to();
-            unreadable(
-                path,
-                &format!("the file is not UTF-8 text: byte {byte} is wrong"),
-            )
-        })?;
-        Self::parse(&text, &path.display().to_string(), format)
+        Self::parse(&text_of(path)?, &path.display().to_string(), format)
     }
 
     /// Reads a text; `name` is what messages call it.
@@ -108,12 +105,33 @@ impl Document {
     }
 }
 
+/// The text of a file of a size that can be kept.
+fn text_of(path: &Path) -> Result<String, ScenarioError> {
+    let bytes = bytes_of(path)
+        .map_err(|error| unreadable(path, &format!("cannot read the file: {error}")))?;
+    if bytes.len() as u64 > LARGEST {
+        let message = format!(
+            "the file is larger than the {} MB that a scenario or study may have; a long load belongs into the \
+             CSV file of a `series`",
+            LARGEST >> 20
+        );
+        return Err(unreadable(path, &message));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let byte = error.utf8_error().valid_up_to();
+        let message = format!("the file is not UTF-8 text: byte {byte} is wrong");
+        unreadable(path, &message)
+    })
+}
+
 /// The bytes of a file, as many as it may have and one more.
 fn bytes_of(path: &Path) -> io::Result<Vec<u8>> {
+    let source: &mut dyn Read = match path == Path::new(STDIN) {
+        true => &mut io::stdin(),
+        false => &mut File::open(path)?,
+    };
     let mut bytes = Vec::new();
-    File::open(path)?
-        .take(LARGEST + 1)
-        .read_to_end(&mut bytes)?;
+    source.take(LARGEST + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 

@@ -1,8 +1,11 @@
 //! Keys of a scenario by their paths: which there are, and which values each can have, in a file or on a command line.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Number, Value};
 
 use super::node::{Content, Node};
@@ -15,12 +18,57 @@ use crate::rotor::RotorDefinition;
 use crate::study::Variable;
 use crate::study::accuracy::NamedMethod;
 
-/// A key whose value may be another one than that of the file.
+/// A key whose value may be another one than that of the file, or several that change together.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Key {
-    /// Its path, for instance `bearing[0].preload`.
+    /// Its path as somebody wrote it, for instance `bearing[0].preload` or `bearing[*].preload`.
     pub path: String,
+    /// Where its value stands.
+    places: Vec<String>,
     schema: &'static Value,
+}
+
+/// The path of a key, or the paths of several that change together; `*` stands for every entry of a list.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub(super) enum KeyPaths {
+    One(String),
+    Several(Vec<String>),
+}
+
+impl Default for KeyPaths {
+    fn default() -> Self {
+        Self::Several(Vec::new())
+    }
+}
+
+impl KeyPaths {
+    /// All of them.
+    pub fn all(&self) -> &[String] {
+        match self {
+            Self::One(path) => std::slice::from_ref(path),
+            Self::Several(paths) => paths,
+        }
+    }
+}
+
+impl JsonSchema for KeyPaths {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "key_paths".into()
+    }
+
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": ["string", "array"],
+            "items": { "type": "string" },
+            "minItems": 1,
+            "maxItems": 64,
+        })
+    }
 }
 
 /// Every key of a number outside some tables; lists have as many entries as `given` has.
@@ -44,8 +92,7 @@ fn collect(
     left_out: &[&str],
     keys: &mut Vec<Key>,
 ) {
-    let path = path.to_owned();
-    let key = Key { path, schema };
+    let key = Key::at(path, schema);
     for (name, property) in schema["properties"].as_object().into_iter().flatten() {
         let inner = join(&key.path, name);
         if !left_out.contains(&inner.as_str()) {
@@ -72,26 +119,78 @@ pub(super) fn join(table: &str, key: &str) -> String {
     }
 }
 
-/// The key of a path among those known, or an issue about `place`, where the path is given.
-pub(super) fn find<'k>(known: &'k [Key], path: &str, place: &str) -> Result<&'k Key, Issue> {
-    known.iter().find(|key| key.path == path).ok_or_else(|| {
-        let paths = known.iter().map(|key| key.path.as_str());
-        Issue::new(place, format!("the scenario has no number `{path}`")).help_nearest(
-            path,
-            paths,
-            "for instance: \"speed.constant\"",
-        )
-    })
+/// The key of some paths among those known, or an issue about `place`, where they are given.
+pub(super) fn find(known: &[Key], paths: &[String], place: &str) -> Result<Key, Issue> {
+    let mut found: Option<Key> = None;
+    for path in paths {
+        let mut matching = known
+            .iter()
+            .filter(|key| matches(path, &key.path))
+            .peekable();
+        if matching.peek().is_none() {
+            let paths = known.iter().map(|key| key.path.as_str());
+            let issue = Issue::new(place, format!("the scenario has no number `{path}`"));
+            return Err(issue.help_nearest(path, paths, "for instance: \"speed.constant\""));
+        }
+        for key in matching {
+            let all = found.get_or_insert_with(|| Key {
+                path: paths.join(" and "),
+                places: Vec::new(),
+                schema: key.schema,
+            });
+            if all.measure() != key.measure() {
+                let message = format!("`{}` and `{path}` cannot have one value", paths[0]);
+                let issue = Issue::new(place, message);
+                return Err(issue.help("keys that change together measure the same"));
+            }
+            all.places.push(key.path.clone());
+        }
+    }
+    found.ok_or_else(|| Issue::new(place, "it names no key"))
+}
+
+/// Whether a path is one of those that a pattern stands for.
+fn matches(pattern: &str, path: &str) -> bool {
+    let [mut pattern, mut path] = [pattern, path].map(|path| path.split(['.', '[']));
+    loop {
+        match (pattern.next(), path.next()) {
+            (None, None) => return true,
+            (Some("*]"), Some(step)) if step.ends_with(']') => {}
+            (Some(asked), Some(step)) if asked == step => {}
+            _ => return false,
+        }
+    }
 }
 
 impl Key {
-    /// The key of a path without lists.
+    /// The key of a path, where `bearing[]` stands for any bearing.
     pub fn named(path: &str) -> Self {
-        let steps = path.split('.');
+        let step = |table: &'static Value, step: &str| match step.strip_suffix("[]") {
+            Some(list) => &table["properties"][list]["items"],
+            None => &table["properties"][step],
+        };
+        Self::at(path, path.split('.').fold(schema(), step))
+    }
+
+    fn at(path: &str, schema: &'static Value) -> Self {
         Self {
             path: path.to_owned(),
-            schema: steps.fold(schema(), |table, step| &table["properties"][step]),
+            places: vec![path.to_owned()],
+            schema,
         }
+    }
+
+    /// Puts a value where it stands in a scenario.
+    pub fn put(&self, scenario: &mut Value, value: &Value) {
+        for place in &self.places {
+            put(scenario, place, value);
+        }
+    }
+
+    /// What two keys must have in common to have one value.
+    fn measure(&self) -> (&Value, &Value, Vec<&'static str>) {
+        let of = |name: &str| &self.schema[name];
+        (of("type"), of("x-dimension"), self.words())
     }
 
     /// The value that stands at a path of the file that is read, if this key can have it.
@@ -233,15 +332,15 @@ pub struct OpenNumber {
 }
 
 impl OpenNumber {
-    /// The scenario with the number at a path open, for instance `speed.constant`; the files that it
-    /// names stand in `folder`.
+    /// The scenario with the number at a path open, for instance `speed.constant` or `bearing[*].preload`; the files
+    /// that it names stand in `folder`.
     ///
     /// # Errors
     /// [`Issue`] where there is no such number, where it is a whole number, and where the law of the
     /// contacts may change with it.
     pub fn new(scenario: &Scenario, path: &str, folder: &Path) -> Result<Self, Issue> {
         let known = number_keys(&scenario.echo, &LEFT_OUT);
-        let key = find(&known, path, path).map_err(|issue| Issue {
+        let key = find(&known, &[path.to_owned()], path).map_err(|issue| Issue {
             message: format!("{} that its motion depends on", issue.message),
             ..issue
         })?;
@@ -260,7 +359,7 @@ impl OpenNumber {
         Ok(Self {
             base: without(&scenario.echo, &["study", "output"]),
             folder: folder.to_owned(),
-            key: key.clone(),
+            key,
         })
     }
 
@@ -288,8 +387,12 @@ impl OpenNumber {
     }
 }
 
-/// The number in SI units that the key of a path can have.
-fn number(text: &str, path: &str, name: &str) -> Result<f64, Issue> {
+/// The number in SI units that the key of a path can have; in it `load[]` stands for any load. `name` is what messages
+/// call it.
+///
+/// # Errors
+/// [`Issue`] says what is wrong with the text.
+pub fn number(text: &str, path: &str, name: &str) -> Result<f64, Issue> {
     let key = Key::named(path);
     Ok(key.si(&key.typed(text, name)?))
 }
@@ -343,6 +446,37 @@ pub fn method(name: &str) -> Result<NamedMethod, Issue> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_star_stands_for_every_entry_of_a_list() {
+        assert!(matches("bearing[*].preload", "bearing[12].preload"));
+        assert!(matches("load[0].constant.z", "load[0].constant.z"));
+        assert!(!matches(
+            "bearing[*].preload",
+            "bearing[0].geometry.preload"
+        ));
+        assert!(!matches("load[*].constant.z", "load[0].constant"));
+        assert!(!matches("bearing.*", "bearing[0]"));
+    }
+
+    #[test]
+    fn keys_that_change_together_measure_the_same() {
+        let given = serde_json::json!({ "bearing": [{}, {}], "load": [{ "constant": {} }] });
+        let known = number_keys(&given, &[]);
+        let found = |paths: &[&str]| {
+            let paths: Vec<_> = paths.iter().map(|path| (*path).to_owned()).collect();
+            find(&known, &paths, "key")
+        };
+        let both = found(&["bearing[*].preload", "load[0].constant.z"]).unwrap();
+        assert_eq!(both.places.len(), 3);
+        let mut scenario = given.clone();
+        both.put(&mut scenario, &"5 N".into());
+        assert_eq!(scenario["bearing"][1]["preload"], "5 N");
+        assert_eq!(scenario["load"][0]["constant"]["z"], "5 N");
+        let refused = found(&["bearing[*].preload", "bearing[*].position"]).unwrap_err();
+        assert!(refused.message.contains("cannot have one value"));
+        assert!(found(&["bearing[7].preload"]).is_err());
+    }
 
     #[test]
     fn a_speed_needs_its_unit() {

@@ -39,11 +39,13 @@ use key::Key;
 use node::Node;
 use problems::Problems;
 
+pub(crate) use document::{STDIN, STDIN_NAME};
 pub(crate) use input::{Output, TableFormat};
 pub use key::methods;
-pub(crate) use key::{OpenNumber, method, speed, time, tolerance};
+pub(crate) use key::{OpenNumber, method, number, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
 pub use schema::schema;
+use study_file::check_study;
 pub(crate) use study_file::{StudyFile, load_study, study_schema};
 pub(crate) use tolerance_file::ToleranceFile;
 
@@ -89,9 +91,24 @@ pub fn load(path: &Path) -> Result<Scenario, ScenarioError> {
     check(&Document::open(path)?)
 }
 
-/// Whether a file can be read and is a study file, not a scenario.
-pub fn is_study(path: &Path) -> bool {
-    Document::open(path).is_ok_and(|document| document.is_study())
+/// A scenario or a study.
+pub(crate) enum Loaded {
+    /// A scenario.
+    Scenario(Box<Scenario>),
+    /// A study.
+    Study(Box<StudyFile>),
+}
+
+/// Reads and checks a scenario or study file.
+///
+/// # Errors
+/// As [`load`].
+pub(crate) fn load_any(path: &Path) -> Result<Loaded, ScenarioError> {
+    let document = Document::open(path)?;
+    if document.is_study() {
+        return check_study(&document).map(|study| Loaded::Study(study.into()));
+    }
+    check(&document).map(|scenario| Loaded::Scenario(scenario.into()))
 }
 
 /// Reads and checks the text of a scenario; `name` is what messages call it.
@@ -154,7 +171,7 @@ fn check_title(title: Option<&str>, problems: &mut Problems<'_>) {
 /// What a scenario asks with one number put in; the files that it names stand in `folder`.
 fn questions_at(base: &Value, key: &Key, si: f64, folder: &Path) -> Result<Questions, Issue> {
     let (mut scenario, value) = (base.clone(), key.written(si));
-    key::put(&mut scenario, &key.path, &value);
+    key.put(&mut scenario, &value);
     questions(&scenario, folder).map_err(|issue| Issue {
         message: format!("with {} = {value}: {}", key.path, issue.message),
         ..issue

@@ -91,9 +91,9 @@ impl<'a> Problems<'a> {
     }
 
     /// Adds a problem of a checked value, unless a key that it rests on has one already.
-    pub fn refuse(&mut self, problem: impl Into<Contradiction>) {
-        let Contradiction { mut issue, others } = problem.into();
+    pub fn refuse(&mut self, mut issue: Issue) {
         issue.path = self.path(&issue.path);
+        let others = std::mem::take(&mut issue.others);
         let others: Vec<_> = others.iter().map(|path| self.path(path)).collect();
         let mut paths = std::iter::once(&issue.path).chain(&others);
         if paths.any(|path| self.distrusts(path)) {
@@ -148,6 +148,9 @@ pub struct Issue {
     pub related: Vec<Range<usize>>,
     /// What to do about it.
     pub help: Option<String>,
+    /// Paths of the keys that it contradicts: they are shown too, and nothing is said where one of them is
+    /// wrong itself.
+    pub(super) others: Vec<String>,
 }
 
 impl std::error::Error for Issue {}
@@ -165,13 +168,14 @@ impl fmt::Display for Issue {
 
 impl Issue {
     /// A problem of a key that has no place yet.
-    pub(super) fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
+    pub(crate) fn new(path: impl Into<String>, message: impl Into<String>) -> Self {
         Self {
             path: path.into(),
             message: message.into(),
             span: None,
             related: Vec::new(),
             help: None,
+            others: Vec::new(),
         }
     }
 
@@ -201,40 +205,14 @@ impl Issue {
     }
 
     /// The same as a contradiction to another key.
-    pub(super) fn against(self, path: impl Into<String>) -> Contradiction {
-        Contradiction::from(self).against(path)
+    pub(super) fn against(mut self, path: impl Into<String>) -> Self {
+        self.others.push(path.into());
+        self
     }
 
     /// The same as a contradiction to some keys.
-    pub(super) fn against_all(
-        self,
-        paths: impl IntoIterator<Item = impl Into<String>>,
-    ) -> Contradiction {
-        paths.into_iter().fold(self.into(), Contradiction::against)
-    }
-}
-
-/// A problem of one key together with others: these are shown too, and nothing is said where one of them is
-/// wrong itself.
-pub(super) struct Contradiction {
-    /// The problem; its path is the key to change.
-    pub issue: Issue,
-    /// Paths of the others.
-    pub others: Vec<String>,
-}
-
-impl From<Issue> for Contradiction {
-    fn from(issue: Issue) -> Self {
-        let others = Vec::new();
-        Self { issue, others }
-    }
-}
-
-impl Contradiction {
-    /// The same to one more key.
-    pub fn against(mut self, path: impl Into<String>) -> Self {
-        self.others.push(path.into());
-        self
+    pub(super) fn against_all(self, paths: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        paths.into_iter().fold(self, Self::against)
     }
 }
 

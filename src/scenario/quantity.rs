@@ -11,20 +11,15 @@ use Scale::{Per, Times};
 pub(super) use measure::*;
 
 /// Why a text is not a quantity of the dimension asked for.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum QuantityError {
-    #[error("`{text}` does not start with a number")]
-    NoNumber { text: String },
-    #[error("`{text}` has a decimal comma; the decimal sign is a point")]
-    DecimalComma { text: String },
-    #[error("`{text}` has no unit")]
-    NoUnit { text: String },
-    #[error("`{text}` is not a finite number")]
-    NotFinite { text: String },
-    #[error("`{unit}` is not a unit")]
-    UnknownUnit { unit: String },
-    #[error("`{text}` is {}", found.with_article())]
-    WrongDimension { text: String, found: Dimension },
+    NoNumber,
+    /// The decimal sign is a point.
+    DecimalComma,
+    NoUnit,
+    NotFinite,
+    UnknownUnit(String),
+    WrongDimension(Dimension),
 }
 
 /// A parsed quantity.
@@ -38,42 +33,32 @@ pub(super) struct Parsed {
 
 /// Reads a number and a unit of the given dimension.
 pub(super) fn parse(text: &str, dimension: Dimension) -> Result<Parsed, QuantityError> {
-    let owned = || text.trim().to_owned();
     let (number, rest) = split_number(text.trim());
     let Ok(number) = number.parse::<f64>() else {
         let word = text.trim().trim_start_matches(['+', '-']);
-        return Err(
-            match word.get(..3).map(str::to_ascii_lowercase).as_deref() {
-                Some("nan" | "inf") => QuantityError::NotFinite { text: owned() },
-                _ => QuantityError::NoNumber { text: owned() },
-            },
-        );
+        let word = word.get(..3).map(str::to_ascii_lowercase);
+        return Err(match word.as_deref() {
+            Some("nan" | "inf") => QuantityError::NotFinite,
+            _ => QuantityError::NoNumber,
+        });
     };
     if rest.is_empty() {
-        return Err(QuantityError::NoUnit { text: owned() });
+        return Err(QuantityError::NoUnit);
     }
     if rest.starts_with(',') {
-        return Err(QuantityError::DecimalComma { text: owned() });
+        return Err(QuantityError::DecimalComma);
     }
     let spelling = normalise(rest);
     let Some(unit) = dimension.unit(&spelling) else {
         let mut all = Dimension::ALL.iter();
         let owner = all.find(|(each, ..)| each.unit(&spelling).is_some());
-        return Err(match owner {
-            Some((found, ..)) => QuantityError::WrongDimension {
-                text: owned(),
-                found: *found,
-            },
-            None => QuantityError::UnknownUnit {
-                unit: rest.trim().to_owned(),
-            },
-        });
+        let unknown = || QuantityError::UnknownUnit(rest.trim().to_owned());
+        return Err(owner.map_or_else(unknown, |owner| QuantityError::WrongDimension(owner.0)));
     };
     let si = unit.si(number);
-    if si.is_finite() {
-        Ok(Parsed { si, unit })
-    } else {
-        Err(QuantityError::NotFinite { text: owned() })
+    match si.is_finite() {
+        true => Ok(Parsed { si, unit }),
+        false => Err(QuantityError::NotFinite),
     }
 }
 
@@ -161,13 +146,13 @@ impl<D: Measure> Default for Quantity<D> {
 }
 
 impl<D: Measure> TryFrom<String> for Quantity<D> {
-    type Error = QuantityError;
+    type Error = &'static str;
 
-    fn try_from(text: String) -> Result<Self, QuantityError> {
-        let si = parse(&text, D::DIMENSION)?.si;
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        let parsed = parse(&text, D::DIMENSION);
         Ok(Self {
+            si: parsed.map_err(|_| "it is no quantity")?.si,
             text,
-            si,
             dimension: PhantomData,
         })
     }
@@ -299,7 +284,7 @@ macro_rules! dimensions {
 #[rustfmt::skip]
 dimensions! {
     Mass "mass" "5 kg" 1e9 [times("kg", 1.0), per("g", 1e3), per("mg", 1e6), times("t", 1e3), times("lb", 0.453_592_37)],
-    Length "length" "10 mm" 1e3 [times("m", 1.0), per("mm", 1e3), per("um", 1e6), per("nm", 1e9), per("cm", 1e2), times("in", 0.0254)],
+    Length "length" "10 mm" 1e3 [times("m", 1.0), per("mm", 1e3), per("um", 1e6), per("nm", 1e9), per("cm", 1e2), times("in", 0.0254), per("mil", 1e3 / 0.0254)],
     Angle "angle" "15 deg" 1e3 [times("rad", 1.0), times("deg", PI / 180.0), per("mrad", 1e3), per("urad", 1e6)],
     Time "time" "0.5 s" 1e7 [times("s", 1.0), per("ms", 1e3), per("us", 1e6), times("min", 60.0)],
     Force "force" "1000 N" 1e12 [times("N", 1.0), times("kN", 1e3), times("MN", 1e6), per("mN", 1e3), times("lbf", 4.448_221_615_260_5)],
@@ -380,6 +365,12 @@ mod tests {
     }
 
     #[test]
+    fn a_mil_is_a_thousandth_of_an_inch() {
+        let error = si("1 mil", Dimension::Length) - 25.4e-6;
+        assert!(error.abs() < 1e-20, "{error:e}");
+    }
+
+    #[test]
     fn spellings_of_one_unit_agree() {
         for text in ["3 um", "3 µm", "3 μm", "3um", " +3.0e0  um "] {
             assert_eq!(si(text, Dimension::Length), 3e-6, "{text}");
@@ -405,15 +396,15 @@ mod tests {
     fn what_is_no_quantity_says_why() {
         use QuantityError as E;
         let refusal = |text| parse(text, Dimension::Mass).unwrap_err();
-        assert!(matches!(refusal("5"), E::NoUnit { .. }));
-        assert!(matches!(refusal("heavy"), E::NoNumber { .. }));
-        assert!(matches!(refusal(""), E::NoNumber { .. }));
-        assert!(matches!(refusal("+"), E::NoNumber { .. }));
-        assert!(matches!(refusal("-inf kg"), E::NotFinite { .. }));
-        assert!(matches!(refusal("1e999 kg"), E::NotFinite { .. }));
-        assert!(matches!(refusal("5,5 kg"), E::DecimalComma { .. }));
-        assert!(matches!(refusal("5 kgs"), E::UnknownUnit { .. }));
-        assert!(matches!(refusal("5 mm"), E::WrongDimension { .. }));
+        assert!(matches!(refusal("5"), E::NoUnit));
+        assert!(matches!(refusal("heavy"), E::NoNumber));
+        assert!(matches!(refusal(""), E::NoNumber));
+        assert!(matches!(refusal("+"), E::NoNumber));
+        assert!(matches!(refusal("-inf kg"), E::NotFinite));
+        assert!(matches!(refusal("1e999 kg"), E::NotFinite));
+        assert!(matches!(refusal("5,5 kg"), E::DecimalComma));
+        assert!(matches!(refusal("5 kgs"), E::UnknownUnit(_)));
+        assert!(matches!(refusal("5 mm"), E::WrongDimension(_)));
     }
 
     #[test]

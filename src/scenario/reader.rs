@@ -31,42 +31,12 @@ pub(super) fn value(
     path: &str,
     problems: &mut Problems<'_>,
 ) -> Option<Value> {
-    if schema.get("x-dimension").is_some() {
-        return quantity(node, schema, path, problems);
-    }
-    let choices = choices(schema);
-    if !choices.is_empty() {
-        return choice(node, &choices, &schema["successors"], path, problems);
-    }
-    if schema["type"].is_array() {
-        return scalar(node, path, problems);
-    }
-    match (schema["type"].as_str()?, &node.content) {
-        ("object", Content::Table(entries)) => table(node, entries, schema, path, problems),
-        ("array", Content::List(items)) => list(node, items, schema, path, problems),
-        ("string", Content::Text(text)) => Some(Value::String(text.clone())),
-        ("boolean", Content::Switch(switch)) => Some(Value::Bool(*switch)),
-        ("integer" | "number", Content::Integer(integer)) => {
-            let number = Number::from(*integer);
-            in_range(*integer as f64, number, node, schema, path, problems)
-        }
-        ("integer", Content::Number(number)) if number.fract() == 0.0 && number.abs() < 1e15 => {
-            let whole = Number::from(*number as i64);
-            in_range(*number, whole, node, schema, path, problems)
-        }
-        ("number", Content::Number(number)) => match Number::from_f64(*number) {
-            Some(finite) => in_range(*number, finite, node, schema, path, problems),
-            None => {
-                let message = format!("`{}` must be a finite number", last(path));
-                problems.add(Issue::new(path, message).at(Some(node.span.clone())));
-                None
-            }
-        },
-        (expected, content) => {
-            problems.add(wrong_type(expected, content, path).at(Some(node.span.clone())));
-            None
-        }
-    }
+    let mut reader = Reader {
+        schema,
+        path,
+        problems,
+    };
+    reader.value(node)
 }
 
 /// The key at the end of a path.
@@ -74,6 +44,274 @@ pub(super) fn last(path: &str) -> &str {
     let key = path.rsplit('.').next().unwrap_or(path);
     key.split('[').next().unwrap_or(key)
 }
+
+/// The words that an enumeration allows.
+pub(super) fn choices(schema: &Value) -> Vec<&str> {
+    let plain = schema["enum"].as_array().into_iter().flatten();
+    let documented = schema["oneOf"].as_array().into_iter().flatten();
+    plain
+        .chain(documented.map(|variant| &variant["const"]))
+        .filter_map(Value::as_str)
+        .collect()
+}
+
+/// A key while it is read.
+struct Reader<'a, 'p> {
+    schema: &'a Value,
+    path: &'a str,
+    problems: &'a mut Problems<'p>,
+}
+
+impl Reader<'_, '_> {
+    fn value(&mut self, node: &Node) -> Option<Value> {
+        if self.schema.get("x-dimension").is_some() {
+            return self.quantity(&node.content);
+        }
+        let choices = choices(self.schema);
+        if !choices.is_empty() {
+            return self.choice(&node.content, &choices);
+        }
+        if let Some(types) = self.schema["type"].as_array() {
+            return match &node.content {
+                Content::List(items) if types.contains(&"array".into()) => self.list(items),
+                content if types.contains(&"number".into()) => self.scalar(content),
+                Content::Text(text) => Some(Value::String(text.clone())),
+                _ => self.refuse(&format!(
+                    "`{}` must be a string or a list of strings",
+                    self.key()
+                )),
+            };
+        }
+        match (self.schema["type"].as_str()?, &node.content) {
+            ("object", Content::Table(entries)) => self.table(entries),
+            ("array", Content::List(items)) => self.list(items),
+            ("string", Content::Text(text)) => Some(Value::String(text.clone())),
+            ("boolean", Content::Switch(switch)) => Some(Value::Bool(*switch)),
+            ("integer" | "number", Content::Integer(integer)) => {
+                self.in_range(*integer as f64, (*integer).into())
+            }
+            ("integer", Content::Number(number))
+                if number.fract() == 0.0 && number.abs() < 1e15 =>
+            {
+                self.in_range(*number, (*number as i64).into())
+            }
+            ("number", Content::Number(number)) => match Number::from_f64(*number) {
+                Some(finite) => self.in_range(*number, finite),
+                None => self.refuse(&format!("`{}` must be a finite number", self.key())),
+            },
+            (expected, content) => {
+                let issue = wrong_type(expected, content, self.path);
+                self.problems.add(issue.at(Some(node.span.clone())));
+                None
+            }
+        }
+    }
+
+    fn key(&self) -> &str {
+        last(self.path)
+    }
+
+    /// Adds a problem of the key, which then has no value.
+    fn refuse(&mut self, message: &str) -> Option<Value> {
+        self.problems.add(Issue::new(self.path, message));
+        None
+    }
+
+    /// A quantity or a number, whose key is known only later.
+    fn scalar(&mut self, content: &Content) -> Option<Value> {
+        let value = match content {
+            Content::Text(text) => Some(Value::from(text.clone())),
+            Content::Integer(integer) => Some(Value::from(*integer)),
+            Content::Number(number) => Number::from_f64(*number).map(Value::Number),
+            _ => None,
+        };
+        let message = "must be a finite number, or a number and a unit in quotes";
+        value.or_else(|| self.refuse(&format!("`{}` {message}", self.key())))
+    }
+
+    fn in_range(&mut self, number: f64, value: Number) -> Option<Value> {
+        let range = Range::of_number(self.schema);
+        if range.contains(number) {
+            return Some(Value::Number(value));
+        }
+        let words = range.words(|limit| limit, "");
+        self.refuse(&format!("`{}` must be {words}, not {value}", self.key()))
+    }
+
+    /// One of some words; the schema's `successors` has those that took the place of words that are gone.
+    fn choice(&mut self, content: &Content, choices: &[&str]) -> Option<Value> {
+        let written = match content {
+            Content::Text(text) if choices.contains(&text.as_str()) => {
+                return Some(Value::String(text.clone()));
+            }
+            Content::Text(text) => text.as_str(),
+            _ => "",
+        };
+        let words: Vec<_> = choices.iter().map(|word| format!("\"{word}\"")).collect();
+        let message = format!("`{}` must be one of {}", self.key(), words.join(", "));
+        let mut issue = Issue::new(self.path, message);
+        let successor = self.schema["successors"][written].as_str();
+        let near = || nearest(written, choices.iter().copied());
+        issue.help = successor
+            .map(|word| format!("\"{written}\" is no longer there; \"{word}\" takes its place"))
+            .or_else(|| near().map(|word| format!("did you mean \"{word}\"?")));
+        self.problems.add(issue);
+        None
+    }
+
+    fn list(&mut self, items: &[Node]) -> Option<Value> {
+        let count = items.len() as u64;
+        let limit = |name: &str| self.schema[name].as_u64();
+        if limit("minItems").is_some_and(|least| count < least) {
+            return self.refuse(&format!("`{}` must have at least one entry", self.key()));
+        }
+        if let Some(most) = limit("maxItems").filter(|most| count > *most) {
+            return self.refuse(&format!(
+                "`{}` must have at most {most} entries",
+                self.key()
+            ));
+        }
+        let read = |(index, item)| {
+            let path = format!("{}[{index}]", self.path);
+            value(item, &self.schema["items"], &path, self.problems)
+        };
+        let values: Vec<_> = items.iter().enumerate().map(read).collect();
+        let values: Option<Vec<_>> = values.into_iter().collect();
+        values.map(Value::Array)
+    }
+
+    /// The text of the quantity, if it is one of the right dimension and in its range.
+    fn quantity(&mut self, content: &Content) -> Option<Value> {
+        let checked = match content {
+            Content::Text(text) => {
+                check(text, self.schema, self.path).map(|()| Value::from(text.clone()))
+            }
+            Content::Integer(_) | Content::Number(_) => Err(needs_unit(self.schema, self.path)),
+            other => {
+                let message = format!(
+                    "`{}` must be a number and a unit in quotes, not {}",
+                    self.key(),
+                    other.kind()
+                );
+                Err(Issue::new(self.path, message).help(as_in(self.schema)))
+            }
+        };
+        checked.map_err(|issue| self.problems.add(issue)).ok()
+    }
+
+    /// The table with every key that is right, its required keys filled up by examples.
+    fn table(&mut self, entries: &[Entry]) -> Option<Value> {
+        let properties = self.schema["properties"].as_object()?;
+        let given: HashSet<_> = entries.iter().map(|entry| entry.key.as_str()).collect();
+        let mut values = Map::new();
+        for entry in entries {
+            match properties.get(&entry.key) {
+                Some(property) => {
+                    let inner = join(self.path, &entry.key);
+                    if let Some(value) = value(&entry.node, property, &inner, self.problems) {
+                        values.insert(entry.key.clone(), value);
+                    }
+                }
+                None => self.unknown_key(entry, &given, properties),
+            }
+        }
+        for (extension, one_is_due) in [("x-at-most-one", false), ("x-exactly-one", true)] {
+            if let Some(group) = self.schema[extension].as_array() {
+                let group: Vec<_> = group.iter().filter_map(Value::as_str).collect();
+                self.exclusive_keys(entries, &group, one_is_due);
+            }
+        }
+        if entries.is_empty() && self.schema["minProperties"].as_u64() == Some(1) {
+            let known = properties.keys().map(String::as_str);
+            let known = quoted(known, ", ");
+            self.refuse(&format!(
+                "{} needs at least one of {known}",
+                self.table_name()
+            ));
+        }
+        let complete = self.fill_required(&given, &mut values);
+        complete.then_some(Value::Object(values))
+    }
+
+    /// What the table is called: `[shaft]`, or the file as a whole.
+    fn table_name(&self) -> String {
+        match self.path {
+            "" => self.problems.subject().to_owned(),
+            path => format!("`{path}`"),
+        }
+    }
+
+    /// Reports the required keys that are missing and puts examples in place of those that are
+    /// missing or wrong; false where there is none to put.
+    fn fill_required(&mut self, given: &HashSet<&str>, values: &mut Map<String, Value>) -> bool {
+        let required = self.schema["required"].as_array().into_iter().flatten();
+        let mut complete = true;
+        for key in required.filter_map(Value::as_str) {
+            let inner = join(self.path, key);
+            let property = &self.schema["properties"][key];
+            if !given.contains(key) && !self.problems.distrusts(&inner) {
+                let issue = missing_key(&inner, &self.table_name(), property);
+                self.problems.add(issue);
+            }
+            if !values.contains_key(key) {
+                match example(property) {
+                    Some(example) => drop(values.insert(key.to_owned(), example)),
+                    None => complete = false,
+                }
+            }
+        }
+        complete
+    }
+
+    fn unknown_key(&mut self, entry: &Entry, given: &HashSet<&str>, known: &Map<String, Value>) {
+        let key = &entry.key;
+        let message = format!("{} has no key `{key}`", self.table_name());
+        let known = known.keys().map(String::as_str);
+        let known = known.filter(|known| !known.starts_with('$'));
+        let free = known.clone().filter(|known| !given.contains(known));
+        let gone = GONE.iter().find(|(gone, _)| gone == key);
+        let help = match (gone, nearest(key, free)) {
+            (Some((_, help)), _) => (*help).to_owned(),
+            (None, Some(known)) => {
+                self.problems.distrust(&join(self.path, known));
+                format!("did you mean `{known}`?")
+            }
+            (None, None) => format!("it knows {}", quoted(known, ", ")),
+        };
+        let issue = Issue::new(join(self.path, key), message).help(help);
+        self.problems.add(issue.at(Some(entry.key_span.clone())));
+    }
+
+    /// Refuses several keys of a group of which a table may have one only, or none where one is due.
+    fn exclusive_keys(&mut self, entries: &[Entry], group: &[&str], one_is_due: bool) {
+        let is_one = |entry: &&Entry| group.contains(&entry.key.as_str());
+        let given: Vec<_> = entries.iter().filter(is_one).collect();
+        let distrusted = |key: &&str| self.problems.distrusts(&join(self.path, key));
+        match given[..] {
+            [] if one_is_due && !group.iter().any(distrusted) => {
+                let group = quoted(group.iter().copied(), ", ");
+                self.refuse(&format!("{} needs one of {group}", self.table_name()));
+            }
+            [_, second, ..] => {
+                let keys = given.iter().map(|entry| entry.key.as_str());
+                let keys = quoted(keys, " and ");
+                let message = format!("{} cannot have {keys} together", self.table_name());
+                let path = join(self.path, &second.key);
+                let mut issue = Issue::new(path, message).help("keep one of them");
+                let others = given.iter().filter(|entry| entry.key != second.key);
+                issue.related = others.map(|entry| entry.key_span.clone()).collect();
+                self.problems.add(issue.at(Some(second.key_span.clone())));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Keys that are gone, and what to do about them.
+const GONE: [(&str, &str); 1] = [(
+    "side_by_side",
+    "leave it out: every run is integrated by itself",
+)];
 
 fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
     let key = last(path);
@@ -102,122 +340,6 @@ fn wrong_type(expected: &str, content: &Content, path: &str) -> Issue {
     let mut issue = Issue::new(path, format!("`{key}` must be {due}, not {given}"));
     issue.help = help;
     issue
-}
-
-/// A quantity or a number, whose key is known only later.
-fn scalar(node: &Node, path: &str, problems: &mut Problems<'_>) -> Option<Value> {
-    let value = match &node.content {
-        Content::Text(text) => Some(Value::from(text.clone())),
-        Content::Integer(integer) => Some(Value::from(*integer)),
-        Content::Number(number) => Number::from_f64(*number).map(Value::Number),
-        _ => None,
-    };
-    if value.is_none() {
-        let message = format!(
-            "`{}` must be a finite number, or a number and a unit in quotes",
-            last(path)
-        );
-        problems.add(Issue::new(path, message).at(Some(node.span.clone())));
-    }
-    value
-}
-
-fn in_range(
-    number: f64,
-    value: Number,
-    node: &Node,
-    schema: &Value,
-    path: &str,
-    problems: &mut Problems<'_>,
-) -> Option<Value> {
-    let range = Range::of_number(schema);
-    if range.contains(number) {
-        return Some(Value::Number(value));
-    }
-    let message = format!(
-        "`{}` must be {}, not {value}",
-        last(path),
-        range.words(|limit| limit, "")
-    );
-    problems.add(Issue::new(path, message).at(Some(node.span.clone())));
-    None
-}
-
-/// The words that an enumeration allows.
-pub(super) fn choices(schema: &Value) -> Vec<&str> {
-    let plain = schema["enum"].as_array().into_iter().flatten();
-    let documented = schema["oneOf"].as_array().into_iter().flatten();
-    plain
-        .chain(documented.map(|variant| &variant["const"]))
-        .filter_map(Value::as_str)
-        .collect()
-}
-
-/// One of some words; `successors` has those that took the place of words that are gone.
-fn choice(
-    node: &Node,
-    choices: &[&str],
-    successors: &Value,
-    path: &str,
-    problems: &mut Problems<'_>,
-) -> Option<Value> {
-    let quoted: Vec<_> = choices.iter().map(|word| format!("\"{word}\"")).collect();
-    let key = last(path);
-    let written = match &node.content {
-        Content::Text(text) if choices.contains(&text.as_str()) => {
-            return Some(Value::String(text.clone()));
-        }
-        Content::Text(text) => text.as_str(),
-        _ => "",
-    };
-    let message = format!("`{key}` must be one of {}", quoted.join(", "));
-    let mut issue = Issue::new(path, message).at(Some(node.span.clone()));
-    issue.help = successors[written]
-        .as_str()
-        .map(|word| format!("\"{written}\" is no longer there; \"{word}\" takes its place"))
-        .or_else(|| {
-            let near = nearest(written, choices.iter().copied());
-            near.map(|word| format!("did you mean \"{word}\"?"))
-        });
-    problems.add(issue);
-    None
-}
-
-fn list(
-    node: &Node,
-    items: &[Node],
-    schema: &Value,
-    path: &str,
-    problems: &mut Problems<'_>,
-) -> Option<Value> {
-    if schema["minItems"]
-        .as_u64()
-        .is_some_and(|least| (items.len() as u64) < least)
-    {
-        let message = format!("`{}` must have at least one entry", last(path));
-        problems.add(Issue::new(path, message).at(Some(node.span.clone())));
-        return None;
-    }
-    if let Some(most) = schema["maxItems"].as_u64()
-        && items.len() as u64 > most
-    {
-        let message = format!("`{}` must have at most {most} entries", last(path));
-        problems.add(Issue::new(path, message).at(Some(node.span.clone())));
-        return None;
-    }
-    let read = |(index, item)| {
-        value(
-            item,
-            &schema["items"],
-            &format!("{path}[{index}]"),
-            problems,
-        )
-    };
-    let values: Vec<_> = items.iter().enumerate().map(read).collect();
-    values
-        .into_iter()
-        .collect::<Option<Vec<_>>>()
-        .map(Value::Array)
 }
 
 /// Limits of a number.
@@ -286,38 +408,46 @@ fn readable(number: f64) -> String {
     }
 }
 
-/// The text of the quantity, if it is one of the right dimension and in its range.
-fn quantity(node: &Node, schema: &Value, path: &str, problems: &mut Problems<'_>) -> Option<Value> {
-    let checked = match &node.content {
-        Content::Text(text) => check(text, schema, path).map(|()| Value::from(text.clone())),
-        Content::Integer(_) | Content::Number(_) => Err(needs_unit(schema, path)),
-        content => {
-            let message = format!(
-                "`{}` must be a number and a unit in quotes, not {}",
-                last(path),
-                content.kind()
-            );
-            Err(Issue::new(path, message).help(as_in(schema)))
-        }
-    };
-    checked
-        .map_err(|issue| problems.add(issue.at(Some(node.span.clone()))))
-        .ok()
-}
-
+/// What keeps a text from being the quantity that the schema asks for.
 fn check(text: &str, schema: &Value, path: &str) -> Result<(), Issue> {
-    let key = last(path);
-    let Some(dimension) = schema["x-dimension"].as_str().and_then(Dimension::named) else {
+    let dimension = schema["x-dimension"].as_str();
+    let Some(dimension) = dimension.and_then(Dimension::named) else {
         return Ok(());
     };
-    let parsed = parse(text, dimension).map_err(|error| refusal(error, dimension, schema, path))?;
+    let (key, text) = (last(path), text.trim());
+    let units = format!("units of {}: {}", dimension.name(), dimension.unit_list());
+    let refuse = |message: String| Issue::new(path, format!("`{key}`{message}"));
+    let parsed = match parse(text, dimension) {
+        Ok(parsed) => parsed,
+        Err(QuantityError::NoUnit) => return Err(needs_unit(schema, path).help(units)),
+        Err(QuantityError::NoNumber) => {
+            let example = as_in(schema);
+            return Err(refuse(format!(" needs a number and a unit, {example}")));
+        }
+        Err(QuantityError::NotFinite) => {
+            return Err(refuse(format!(" must be finite, not `{text}`")));
+        }
+        Err(QuantityError::DecimalComma) => {
+            let remedy = "has a decimal comma; the decimal sign is a point";
+            return Err(refuse(format!(": `{text}` {remedy}")));
+        }
+        Err(QuantityError::UnknownUnit(unit)) => {
+            let symbols = dimension.units().iter().map(|unit| unit.symbol);
+            let near = nearest(&unit, symbols).map(|near| format!("did you mean `{near}`? "));
+            let issue = refuse(format!(": `{unit}` is not a unit of {}", dimension.name()));
+            return Err(issue.help(near.unwrap_or_default() + &units));
+        }
+        Err(QuantityError::WrongDimension(found)) => {
+            let [due, found] = [dimension, found].map(Dimension::with_article);
+            return Err(refuse(format!(" is {due}, but `{text}` is {found}")).help(units));
+        }
+    };
     let range = Range::of_quantity(schema);
     if range.contains(parsed.si) {
         return Ok(());
     }
     let words = range.words(|limit| parsed.unit.readable(limit), parsed.unit.symbol);
-    let message = format!("`{key}` must be {words}, not {}", text.trim());
-    Err(Issue::new(path, message))
+    Err(refuse(format!(" must be {words}, not {text}")))
 }
 
 fn needs_unit(schema: &Value, path: &str) -> Issue {
@@ -327,153 +457,6 @@ fn needs_unit(schema: &Value, path: &str) -> Issue {
 
 fn as_in(schema: &Value) -> String {
     format!("as in {}", schema["examples"][0])
-}
-
-fn refusal(error: QuantityError, dimension: Dimension, schema: &Value, path: &str) -> Issue {
-    let key = last(path);
-    let units = format!("units of {}: {}", dimension.name(), dimension.unit_list());
-    match error {
-        QuantityError::NoUnit { .. } => needs_unit(schema, path).help(units),
-        QuantityError::NoNumber { .. } => {
-            let message = format!("`{key}` needs a number and a unit, {}", as_in(schema));
-            Issue::new(path, message)
-        }
-        QuantityError::NotFinite { text } => {
-            Issue::new(path, format!("`{key}` must be finite, not `{text}`"))
-        }
-        QuantityError::UnknownUnit { unit } => {
-            let symbols = dimension.units().iter().map(|unit| unit.symbol);
-            let help = match nearest(&unit, symbols) {
-                Some(known) => format!("did you mean `{known}`? {units}"),
-                None => units,
-            };
-            Issue::new(
-                path,
-                format!("`{key}`: `{unit}` is not a unit of {}", dimension.name()),
-            )
-            .help(help)
-        }
-        QuantityError::WrongDimension { text, found } => {
-            let message = format!(
-                "`{key}` is {}, but `{text}` is {}",
-                dimension.with_article(),
-                found.with_article()
-            );
-            Issue::new(path, message).help(units)
-        }
-        QuantityError::DecimalComma { .. } => Issue::new(path, format!("`{key}`: {error}")),
-    }
-}
-
-/// The table with every key that is right, its required keys filled up by examples.
-fn table(
-    node: &Node,
-    entries: &[Entry],
-    schema: &Value,
-    path: &str,
-    problems: &mut Problems<'_>,
-) -> Option<Value> {
-    let properties = schema["properties"].as_object()?;
-    let given: HashSet<_> = entries.iter().map(|entry| entry.key.as_str()).collect();
-    let mut values = Map::new();
-    for entry in entries {
-        match properties.get(&entry.key) {
-            Some(property) => {
-                let inner = join(path, &entry.key);
-                if let Some(value) = value(&entry.node, property, &inner, problems) {
-                    values.insert(entry.key.clone(), value);
-                }
-            }
-            None => unknown_key(entry, &given, properties, path, problems),
-        }
-    }
-    exclusive_keys(node, entries, schema, path, problems);
-    if entries.is_empty() && schema["minProperties"].as_u64() == Some(1) {
-        let known: Vec<_> = properties.keys().map(String::as_str).collect();
-        let message = format!(
-            "{} needs at least one of {}",
-            table_name(path, problems),
-            quoted(&known, ", ")
-        );
-        problems.add(Issue::new(path, message).at(place_of(node, path)));
-    }
-    let complete = fill_required(node, &given, &mut values, schema, path, problems);
-    complete.then_some(Value::Object(values))
-}
-
-/// Reports the required keys that are missing and puts examples in place of those that are
-/// missing or wrong; false where there is none to put.
-fn fill_required(
-    node: &Node,
-    given: &HashSet<&str>,
-    values: &mut Map<String, Value>,
-    schema: &Value,
-    path: &str,
-    problems: &mut Problems<'_>,
-) -> bool {
-    let required = schema["required"].as_array().into_iter().flatten();
-    let mut complete = true;
-    for key in required.filter_map(Value::as_str) {
-        let inner = join(path, key);
-        let property = &schema["properties"][key];
-        if !given.contains(key) && !problems.distrusts(&inner) {
-            problems.add(
-                missing_key(&inner, &table_name(path, problems), property).at(place_of(node, path)),
-            );
-        }
-        if !values.contains_key(key) {
-            match example(property) {
-                Some(example) => drop(values.insert(key.to_owned(), example)),
-                None => complete = false,
-            }
-        }
-    }
-    complete
-}
-
-/// What a table is called: `[shaft]`, or the file as a whole.
-fn table_name(path: &str, problems: &Problems<'_>) -> String {
-    if path.is_empty() {
-        problems.subject().to_owned()
-    } else {
-        format!("`{path}`")
-    }
-}
-
-/// The place to underline for what a table lacks; the whole file has none.
-fn place_of(node: &Node, path: &str) -> Option<std::ops::Range<usize>> {
-    (!path.is_empty()).then(|| node.span.clone())
-}
-
-/// Keys that are gone, and what to do about them.
-const GONE: [(&str, &str); 1] = [(
-    "side_by_side",
-    "leave it out: every run is integrated by itself",
-)];
-
-fn unknown_key(
-    entry: &Entry,
-    given: &HashSet<&str>,
-    properties: &Map<String, Value>,
-    path: &str,
-    problems: &mut Problems<'_>,
-) {
-    let key = &entry.key;
-    let message = format!("{} has no key `{key}`", table_name(path, problems));
-    let known = properties.keys().map(String::as_str);
-    let known: Vec<_> = known.filter(|known| !known.starts_with('$')).collect();
-    let free = known.iter().copied().filter(|known| !given.contains(known));
-    let gone = GONE.iter().find(|(gone, _)| gone == key);
-    let help = match (gone, nearest(key, free)) {
-        (Some((_, help)), _) => (*help).to_owned(),
-        (None, Some(known)) => {
-            problems.distrust(&join(path, known));
-            format!("did you mean `{known}`?")
-        }
-        (None, None) => format!("it knows {}", quoted(&known, ", ")),
-    };
-    let issue = Issue::new(join(path, key), message).help(help);
-    problems.add(issue.at(Some(entry.key_span.clone())));
 }
 
 fn missing_key(inner: &str, table: &str, schema: &Value) -> Issue {
@@ -505,52 +488,8 @@ fn example(schema: &Value) -> Option<Value> {
     shown.or_else(|| choices(schema).first().map(|word| Value::from(*word)))
 }
 
-/// The keys of which a table may have one only, and those of which it must have one.
-fn exclusive_keys(
-    node: &Node,
-    entries: &[Entry],
-    schema: &Value,
-    path: &str,
-    problems: &mut Problems<'_>,
-) {
-    for (extension, one_is_due) in [("x-at-most-one", false), ("x-exactly-one", true)] {
-        let Some(group) = schema[extension].as_array() else {
-            continue;
-        };
-        let group: Vec<_> = group.iter().filter_map(Value::as_str).collect();
-        let given: Vec<_> = entries
-            .iter()
-            .filter(|entry| group.contains(&entry.key.as_str()))
-            .collect();
-        let expected = group.iter().any(|key| problems.distrusts(&join(path, key)));
-        if given.is_empty() && one_is_due && !expected {
-            let message = format!(
-                "{} needs one of {}",
-                table_name(path, problems),
-                quoted(&group, ", ")
-            );
-            problems.add(Issue::new(path, message).at(place_of(node, path)));
-        }
-        if given.len() > 1 {
-            let keys: Vec<_> = given.iter().map(|entry| entry.key.as_str()).collect();
-            let message = format!(
-                "{} cannot have {} together",
-                table_name(path, problems),
-                quoted(&keys, " and ")
-            );
-            let mut issue = Issue::new(join(path, keys[1]), message).help("keep one of them");
-            issue.related = given
-                .iter()
-                .filter(|entry| entry.key != keys[1])
-                .map(|entry| entry.key_span.clone())
-                .collect();
-            problems.add(issue.at(Some(given[1].key_span.clone())));
-        }
-    }
-}
-
 /// Keys in quotes, joined.
-fn quoted(keys: &[&str], between: &str) -> String {
-    let quoted: Vec<_> = keys.iter().map(|key| format!("`{key}`")).collect();
+fn quoted<'a>(keys: impl Iterator<Item = &'a str>, between: &str) -> String {
+    let quoted: Vec<_> = keys.map(|key| format!("`{key}`")).collect();
     quoted.join(between)
 }

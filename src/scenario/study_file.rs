@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 
 use super::axis::{AxisInput, AxisReader, Scalar};
 use super::document::Document;
-use super::key::{Key, all_keys, number_keys, put};
+use super::key::{Key, KeyPaths, all_keys, number_keys, put};
 use super::problems::Problems;
 use super::schema::schema_of;
 use super::{Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
@@ -64,7 +64,11 @@ pub fn study_schema() -> &'static Value {
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong, of the study or else of the scenario.
 pub fn load_study(path: &Path) -> Result<StudyFile, ScenarioError> {
-    let document = Document::open(path)?;
+    check_study(&Document::open(path)?)
+}
+
+/// Checks a study and the scenario that it starts from.
+pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioError> {
     if document.is_scenario() {
         let message = "this is a scenario, not a study file, which names one by `base`";
         let help = "use `jeffcott run`, `bearing`, `steady`, `campbell` or `accuracy`, or write a study file";
@@ -124,7 +128,7 @@ fn build(
     for (index, axis) in input.axis.iter().enumerate() {
         let path = format!("axis[{index}]");
         let named = format!("{path}.key");
-        let key = match key::find(&known, &axis.key, &named) {
+        let key = match key::find(&known, axis.key.all(), &named) {
             Ok(key) => key,
             Err(issue) => {
                 problems.refuse(issue);
@@ -135,13 +139,13 @@ fn build(
             path,
             named,
             input: axis,
-            key,
+            key: &key,
             problems,
         };
         if let Some((axis, variable)) = reader.build() {
             axes.push(axis);
             variables.push(variable);
-            keys.push(key.clone());
+            keys.push(key);
         }
     }
     let sampling = sampling(input, &axes, problems)?;
@@ -177,11 +181,11 @@ fn base_of(
     let known = all_keys(&base, &LEFT_OUT);
     for (index, set) in input.set.iter().enumerate() {
         let path = format!("set[{index}]");
-        let key = key::find(&known, &set.key, &format!("{path}.key"))
+        let key = key::find(&known, set.key.all(), &format!("{path}.key"))
             .map_err(|issue| problems.refuse(issue))
             .ok()?;
         let value = key.read(&format!("{path}.value"), problems)?;
-        put(&mut base, &set.key, &value);
+        key.put(&mut base, &value);
     }
     if let Err(issue) = questions(&base, folder) {
         let message = format!("the base with `set`: {}", issue.message);
@@ -289,8 +293,14 @@ fn check_cycles(input: &StudyFileInput, problems: &mut Problems<'_>) {
     let axes = axes.map(|(index, key)| (format!("axis[{index}].key"), key));
     let sets = input.set.iter().map(|set| &set.key).enumerate();
     let sets = sets.map(|(index, key)| (format!("set[{index}].key"), key));
-    let decided = |key: &str| TIMES.contains(&key) && input.cycles.is_some();
-    for (path, key) in axes.chain(sets).filter(|(_, key)| decided(key)) {
+    if input.cycles.is_none() {
+        return;
+    }
+    let named = axes.chain(sets).filter_map(|(path, keys)| {
+        let key = keys.all().iter().find(|key| TIMES.contains(&key.as_str()));
+        Some((path, key?))
+    });
+    for (path, key) in named {
         let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
         problems.refuse(issue.help("remove one of them").against("cycles"));
     }
@@ -316,7 +326,7 @@ impl StudyFile {
     pub fn scenario(&self, values: &[f64]) -> Result<Value, Issue> {
         let mut scenario = self.base.clone();
         for (key, value) in self.keys.iter().zip(values) {
-            put(&mut scenario, &key.path, &key.written(*value));
+            key.put(&mut scenario, &key.written(*value));
         }
         if let Some(cycles) = &self.cycles {
             let rotor = questions(&scenario, &self.folder)?.motion()?.rotor;
@@ -400,9 +410,10 @@ enum SamplingKind {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct SetInput {
-    /// Path of the key of a number, or of a word out of several.
+    /// Path of the key of a number, or of a word out of several; "bearing[*].contact", or a list of paths, sets
+    /// several keys.
     #[schemars(extend("examples" = ["time.duration", "model.contact"]))]
-    pub key: String,
+    pub key: KeyPaths,
     /// Its value, written as that key is.
     #[schemars(extend("examples" = ["0.5 s"]))]
     pub value: Scalar,

@@ -12,42 +12,38 @@ use super::{Format, Issue, ScenarioError, reader};
 /// Tolerances of a comparison.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
-struct TolerancesInput {
+pub struct TolerancesInput {
     /// Allowed difference as part of the largest magnitude in the column.
     #[schemars(range(min = 0))]
-    relative: Option<f64>,
+    pub relative: Option<f64>,
     /// Allowed difference in the unit of the column, added to the relative one.
     #[schemars(range(min = 0))]
-    absolute: Option<f64>,
+    pub absolute: Option<f64>,
     /// Other tolerances of single columns, one `[[column]]` for each.
-    column: Vec<ColumnInput>,
+    pub column: Vec<ColumnInput>,
 }
 
 /// Tolerance of one column.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-struct ColumnInput {
+pub struct ColumnInput {
     /// Its name.
     #[schemars(extend("examples" = ["x_m"]))]
-    name: String,
+    pub name: String,
     /// Allowed difference as part of the largest magnitude in the column.
     #[schemars(range(min = 0), extend("examples" = [1e-6]))]
-    relative: f64,
+    pub relative: f64,
     /// Allowed difference in the unit of the column, added to the relative one. Default: 0.
     #[serde(default)]
     #[schemars(range(min = 0))]
-    absolute: f64,
+    pub absolute: f64,
 }
 
-/// What a file of tolerances says.
+/// A file of tolerances.
 #[derive(Debug)]
 pub struct ToleranceFile {
-    /// Relative tolerance of all columns.
-    pub relative: Option<f64>,
-    /// Absolute tolerance of all columns.
-    pub absolute: Option<f64>,
-    /// Name, relative and absolute tolerance of single columns.
-    pub columns: Vec<(String, f64, f64)>,
+    /// What it says.
+    pub input: TolerancesInput,
     document: Document,
 }
 
@@ -76,28 +72,20 @@ impl ToleranceFile {
         if !issues.is_empty() {
             return Err(document.error(issues));
         }
-        let column = |column: ColumnInput| (column.name, column.relative, column.absolute);
-        Ok(Self {
-            relative: input.relative,
-            absolute: input.absolute,
-            columns: input.column.into_iter().map(column).collect(),
-            document,
-        })
+        Ok(Self { input, document })
     }
 
     /// What is wrong where a column is named that no table has; `None` where the file does not name it.
     pub fn unused(&self, column: &str, known: &[String]) -> Option<ScenarioError> {
-        let mut columns = self.columns.iter();
-        let index = columns.position(|(name, ..)| name == column)?;
+        let mut columns = self.input.column.iter();
+        let index = columns.position(|named| named.name == column)?;
         let message = format!("no table has a column {column:?}");
         let issue = Issue::new(format!("column[{index}].name"), message).help_nearest(
             column,
             known.iter().map(String::as_str),
             &format!("there are: {}", known.join(", ")),
         );
-        let mut problems = self.document.problems();
-        problems.refuse(issue);
-        Some(self.document.error(problems.finish().0))
+        Some(self.document.refused(issue))
     }
 }
 
@@ -113,7 +101,13 @@ mod tests {
     fn columns_are_read_and_unknown_keys_refused() {
         let text = "relative = 1e-4\n[[column]]\nname = \"x_m\"\nrelative = 1e-2\n";
         let file = parse(text).expect("tolerances");
-        assert_eq!(file.columns, [("x_m".to_owned(), 1e-2, 0.0)]);
+        let [column] = &file.input.column[..] else {
+            panic!("one column")
+        };
+        assert_eq!(
+            (&*column.name, column.relative, column.absolute),
+            ("x_m", 1e-2, 0.0)
+        );
         assert!(parse("relativ = 1e-4").is_err());
     }
 }

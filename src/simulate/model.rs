@@ -3,9 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::Analyses;
+use super::warnings::of_speed;
 use crate::analysis::{SpectrumRequest, Window};
 use crate::integrate::Settings;
-use crate::rotor::RotorDefinition;
+use crate::rotor::{Rotor, RotorDefinition};
 
 /// How often the motion is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,5 +59,11 @@ impl Model {
     /// Number of samples, not rounded.
     pub(crate) fn samples(&self) -> f64 {
         self.duration * self.sampling.rate(self.rotor.highest_speed())
+    }
+
+    /// What is told of its highest speed before anything moves; nothing where it cannot be assembled.
+    pub(crate) fn speed_warnings(&self) -> Vec<String> {
+        let rotor = Rotor::assemble(&self.rotor);
+        rotor.map_or_else(|_| Vec::new(), |rotor| of_speed(self, &rotor))
     }
 }

@@ -58,11 +58,16 @@ pub(super) fn warnings(
         ));
     }
     warnings.extend(work.stiffness.as_ref().map(stiff));
-    warnings.extend(unbalance(model, rotor));
-    warnings.extend(inertia_left_out(rotor));
-    warnings.extend(bearings(rotor));
+    warnings.extend(of_speed(model, rotor));
     warnings.extend(motion.and_then(not_settled));
     warnings
+}
+
+/// What is told of the highest speed before anything moves.
+pub(super) fn of_speed(model: &Model, rotor: &Rotor) -> Vec<String> {
+    let unbalance = unbalance(model, rotor).into_iter();
+    let inertia = inertia_left_out(rotor).into_iter();
+    unbalance.chain(inertia).chain(bearings(rotor)).collect()
 }
 
 /// What the bearings say of themselves at the static equilibrium and the highest speed.

@@ -113,7 +113,7 @@ fn a_run_tells_what_its_second_pass_costs_and_can_leave_it_out() {
         let summary = folder.path().join("output/scene/summary.json");
         (out(&output), json(&summary))
     };
-    let (text, verified) = run(&[]);
+    let (text, verified) = run(&["-v"]);
     assert!(text.contains("% of all evaluations"), "{text}");
     let error = &verified["measured_error"];
     let share = error["reference_share_of_evaluations"].as_f64().unwrap();

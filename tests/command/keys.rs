@@ -71,6 +71,9 @@ fn kind(node: &Value, units: &mut Units) -> String {
         let words = choices.iter().map(|choice| code(&choice["const"]));
         return words.collect::<Vec<_>>().join(", ");
     }
+    if node["items"].is_object() && node["type"].is_array() {
+        return "text, or list: text".to_owned();
+    }
     if node["type"].is_array() {
         return "as the key it stands for".to_owned();
     }

@@ -14,6 +14,8 @@ mod help;
 mod keys;
 mod killed;
 mod lines;
+mod new;
+mod options;
 mod run;
 mod schema;
 mod seed;

@@ -746,3 +746,37 @@ fn the_schema_of_studies_is_up_to_date() {
         "run `jeffcott schema --study > scenarios/study.schema.json`"
     );
 }
+
+#[test]
+fn an_axis_changes_several_keys_together() {
+    let base = scenarios().join("back-to-back-7205c.toml");
+    let stiffness = |key: &str| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("together.toml");
+        let text = format!(
+            "base = '{}'\nverify_every = 0\n[[axis]]\nkey = {key}\nvalues = ['200 N', '400 N']\n\
+             [[set]]\nkey = ['time.settle', 'initial.velocity.x']\nvalue = '0.01 s'\n",
+            base.display()
+        );
+        // settle time and duration measure the same, a velocity does not
+        fs::write(&file, &text).expect("a writable folder");
+        let refused = told(&study(&file, folder.path(), &[]));
+        assert!(refused.contains("cannot have one value"), "{refused}");
+        let times = "[[set]]\nkey = 'time.settle'\nvalue = '0.01 s'\n\
+                     [[set]]\nkey = 'time.duration'\nvalue = '0.03 s'\n";
+        let (axes, _) = text.split_once("[[set]]").expect("a table");
+        fs::write(&file, format!("{axes}{times}")).expect("a writable folder");
+        done(study(&file, folder.path(), &[]));
+        let runs = folder.path().join("together/runs.csv");
+        column(&runs, "stiffness_z_N_m")
+    };
+    let both = stiffness("'bearing[*].preload'");
+    let listed = stiffness("['bearing[0].preload', 'bearing[1].preload']");
+    let first = stiffness("'bearing[0].preload'");
+    assert_eq!(both, listed);
+    assert_eq!(both[0], first[0]);
+    assert!(
+        both[1] > first[1] && first[1] > first[0],
+        "{both:?} {first:?}"
+    );
+}

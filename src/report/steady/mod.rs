@@ -197,7 +197,7 @@ pub fn steady_text(title: &str, model: &Model, steady: &Steady, files: &[PathBuf
     out.line("motion", motion(steady));
     out.line("multipliers", multipliers(steady));
     out.line("stability", stability(steady));
-    out.line("search", search(steady));
+    out.detail("search", search(steady));
     if let Some(error) = &steady.measured {
         let sizes = [error.displacement, error.relative];
         let tolerances = [model.integrator.tolerance, error.reference_tolerance];

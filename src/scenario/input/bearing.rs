@@ -266,7 +266,10 @@ impl BearingInput {
                 if self.facing.is_some() && arrangement != Arrangement::Tandem {
                     let message = "`facing` is for \"tandem\": the two bearings of this set face \
                                    each other or away";
-                    let issue = Issue::new(".facing", message).help("remove it");
+                    let issue = Issue::new(".facing", message).help(
+                        "remove it: \"back-to-back\" faces +z at its lower end and -z at its upper end, \
+                         \"face-to-face\" the other way round; for anything else write two `[[bearing]]` tables",
+                    );
                     problems.refuse(issue.against(".arrangement"));
                 }
                 Some(arrangement.places(centre, spacing.si(), facing).to_vec())

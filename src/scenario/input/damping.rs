@@ -82,6 +82,10 @@ pub struct Coefficients {
     pub tilt: Option<Quantity<TiltDamping>>,
 }
 
+/// What comes of no damping, and what to write.
+const UNDAMPED: &str = "a free vibration does not decay, the start is never forgotten and stands in the spectra; shafts \
+                        on ball bearings have ratio = 0.02 to 0.04 in [damping]";
+
 /// The damping; none, with a warning, where the table is absent.
 pub fn build(
     input: Option<&DampingInput>,
@@ -90,9 +94,7 @@ pub fn build(
 ) -> Model {
     let Some(input) = input else {
         if !problems.distrusts("damping") {
-            problems.warn(
-                "no `[damping]`: a free vibration does not decay, the start is never forgotten",
-            );
+            problems.warn(format!("no `[damping]`: {UNDAMPED}"));
         }
         return Model::Undamped;
     };
@@ -100,9 +102,7 @@ pub fn build(
         coefficients.build(freedoms, problems)
     } else if let Some(ratio) = input.ratio {
         if ratio == 0.0 {
-            problems.warn(
-                "`damping.ratio` is 0: a free vibration does not decay, the start is never forgotten",
-            );
+            problems.warn(format!("`damping.ratio` is 0: {UNDAMPED}"));
         }
         Model::Ratio(ratio)
     } else if let Some(time) = &input.stiffness_time {

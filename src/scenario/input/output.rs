@@ -78,17 +78,17 @@ pub struct Output {
     pub channels: Option<Vec<Channel>>,
 }
 
-/// How the shaft turns, as far as sampling asks.
+/// How the shaft turns, as far as samples and spectra ask.
 #[derive(Clone, Copy)]
 pub struct Turning<'a> {
     /// The key that says so.
     pub key: &'a str,
     /// Highest speed, rad/s.
     pub highest: f64,
-    /// Speed after the settle time, rad/s; zero where it changes.
-    pub steady: f64,
-    /// Whether it is constant there.
-    pub is_steady: bool,
+    /// Speed after the settle time, rad/s; none where it changes.
+    pub steady: Option<f64>,
+    /// Whether it changes at all.
+    pub changes: bool,
 }
 
 impl Default for Output {
@@ -168,21 +168,16 @@ impl Output {
         };
         let rate = sampling.rate(speed);
         self.check_count(rate, key, time, problems);
-        if self.takes_spectra(turning.is_steady) && time.window() > 0.0 {
+        if self.takes_spectra(turning.steady.is_some()) && time.window() > 0.0 {
             // where the speed changes, a spectrum rests on no revolution
-            check_window((key, turning.steady), rate, time, problems);
+            check_window((key, turning.steady.unwrap_or(0.0)), rate, time, problems);
         }
         Some(sampling)
     }
 
-    /// What is made of the samples beside the spectra: `steady` tells whether the speed is constant after
-    /// the settle time, `changes` whether it changes at all.
-    pub(super) fn analyses(
-        &self,
-        steady: bool,
-        changes: bool,
-        problems: &mut Problems<'_>,
-    ) -> Analyses {
+    /// What is made of the samples beside the spectra.
+    pub(super) fn analyses(&self, turning: Turning<'_>, problems: &mut Problems<'_>) -> Analyses {
+        let (steady, changes) = (turning.steady.is_some(), turning.changes);
         if self.motion == Some(true) && !steady {
             let message =
                 "the speed changes after `settle`: only a motion at constant speed has a period";

@@ -320,18 +320,16 @@ impl ScenarioInput {
         let turning = Turning {
             key: self.speed.path(),
             highest: rotor.highest_speed(),
-            steady: steady.filter(|_| !driven).unwrap_or(0.0),
-            is_steady: steady.is_some() && !driven,
+            steady: steady.filter(|_| !driven),
+            changes: driven || !speed.is_constant(),
         };
-        let spectra_taken = self.output.takes_spectra(turning.is_steady);
+        let spectra_taken = self.output.takes_spectra(turning.steady.is_some());
         let sampling = self.output.sampling(turning, time, problems)?;
         let recorded = Recorded {
             freedoms: rotor.shaft.freedoms,
             window: time.window(),
             rate: sampling.rate(turning.highest),
-            speed: turning.key,
-            highest: turning.highest,
-            steady: turning.steady,
+            turning,
         };
         let spectra = spectrum::build(&self.spectrum, &recorded, problems);
         if spectra_taken && problems.node("time.settle").is_none() {
@@ -340,10 +338,7 @@ impl ScenarioInput {
                  (0 s keeps it)",
             );
         }
-        let changes = driven || !speed.is_constant();
-        let analyses = self
-            .output
-            .analyses(steady.is_some() && !driven, changes, problems);
+        let analyses = self.output.analyses(turning, problems);
         Some(Model {
             rotor,
             duration: time.duration.si(),

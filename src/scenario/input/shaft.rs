@@ -103,8 +103,14 @@ impl ShaftInput {
             }
             if moves && self.freedoms == Freedoms::All && inertia.is_none() {
                 let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
-                let issue = Issue::new(path, message)
-                    .help(format!("for instance: {key} = \"0.01 kg m^2\""));
+                let body = match key {
+                    "inertia_polar" => "m·d²/8 about its axis",
+                    _ => "m·(3·d² + 4·l²)/48 across it",
+                };
+                let issue = Issue::new(path, message).help(format!(
+                    "a CAD program prints it; a solid cylinder of diameter d and length l has {body}; or hold the \
+                     tilts: freedoms = \"translational\""
+                ));
                 problems.refuse(issue.against("shaft.freedoms"));
             }
         }

@@ -6,6 +6,7 @@ use std::f64::consts::TAU;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
+use super::output::Turning;
 use crate::analysis::{
     Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
 };
@@ -319,12 +320,8 @@ pub struct Recorded<'a> {
     pub window: f64,
     /// Samples a second.
     pub rate: f64,
-    /// The key that the speed is given by.
-    pub speed: &'a str,
-    /// Highest speed, rad/s.
-    pub highest: f64,
-    /// Speed after the settle time, rad/s; zero where it changes.
-    pub steady: f64,
+    /// How the shaft turns.
+    pub turning: Turning<'a>,
 }
 
 impl SpectrumInput {
@@ -389,8 +386,8 @@ impl SpectrumInput {
 
     fn check_segment(&self, recorded: &Recorded<'_>, problems: &mut Problems<'_>) {
         let over = ".over";
-        let speed = recorded.speed;
-        if self.over == Axis::Order && recorded.highest == 0.0 {
+        let (speed, turns) = (recorded.turning.key, recorded.turning.highest > 0.0);
+        if self.over == Axis::Order && !turns {
             let issue = Issue::new(over, "a shaft that stands has no orders")
                 .help("set over = \"frequency\"");
             problems.refuse(issue.against(speed));
@@ -401,7 +398,7 @@ impl SpectrumInput {
             problems.refuse(issue.against(over));
         } else if self.over == Axis::Frequency
             && self.segment_revolutions.is_some()
-            && recorded.steady == 0.0
+            && recorded.turning.steady.is_none_or(|speed| speed == 0.0)
         {
             let message = "revolutions are not equally long where the speed changes or is zero";
             let issue = Issue::new(".segment_revolutions", message)
@@ -420,8 +417,11 @@ impl SpectrumInput {
             Segment::Samples(count) if self.over == Axis::Frequency => {
                 ("segment_samples", count as f64)
             }
-            Segment::Revolutions(turns) if recorded.steady > 0.0 => {
-                let turn = TAU / recorded.steady * recorded.rate;
+            Segment::Revolutions(turns) => {
+                let Some(speed) = recorded.turning.steady.filter(|speed| *speed > 0.0) else {
+                    return;
+                };
+                let turn = TAU / speed * recorded.rate;
                 ("segment_revolutions", f64::from(turns) * turn)
             }
             _ => return,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::scenario::axis::{AxisInput, AxisReader, Scalar};
-use crate::scenario::key::{self, number_keys};
+use crate::scenario::key::{self, KeyPaths, number_keys};
 use crate::scenario::problems::Problems;
 use crate::scenario::{Issue, questions_at, without};
 use crate::study::{Study, StudyPoint};
@@ -17,9 +17,10 @@ use crate::study::{Study, StudyPoint};
 #[schemars(extend("x-exactly-one" = ["values", "count"]))]
 pub struct StudyInput {
     /// Path of the key that takes the values, for instance "load[0].constant.z",
-    /// "speed.constant" or "bearing[0].preload".
+    /// "speed.constant" or "bearing[0].preload"; "bearing[*].preload", or a list of paths, changes several keys
+    /// together.
     #[schemars(extend("examples" = ["speed.constant"]))]
-    pub vary: String,
+    pub vary: KeyPaths,
     /// The values, each written as that key is, for instance ["200 N", "400 N"].
     #[schemars(extend("minItems" = 1, "maxItems" = 10_000))]
     pub values: Option<Vec<Scalar>>,
@@ -52,7 +53,7 @@ impl StudyInput {
     pub fn build(&self, scenario: &Value, problems: &mut Problems<'_>) -> Option<Study> {
         let base = without(scenario, &LEFT_OUT);
         let known = number_keys(&base, &LEFT_OUT);
-        let key = key::find(&known, &self.vary, "study.vary")
+        let key = key::find(&known, self.vary.all(), "study.vary")
             .map_err(|issue| problems.refuse(self.unknown(issue)))
             .ok()?;
         let input = AxisInput {
@@ -66,14 +67,14 @@ impl StudyInput {
             path: "study".to_owned(),
             named: "study.vary".to_owned(),
             input: &input,
-            key,
+            key: &key,
             problems,
         };
         let (axis, variable) = reader.build()?;
         let mut points = Vec::new();
         for index in 0..axis.length() {
             let value = axis.value(index);
-            let questions = questions_at(&base, key, value, problems.folder());
+            let questions = questions_at(&base, &key, value, problems.folder());
             let refused = |issue: Issue| {
                 let path = self.place(index, axis.length());
                 problems.refuse(Issue { path, ..issue });
@@ -90,11 +91,12 @@ impl StudyInput {
 
     /// The issue of a number that there is none of, or that plays no part.
     fn unknown(&self, issue: Issue) -> Issue {
-        let table = self.vary.split(['.', '[']).next().unwrap_or_default();
-        if !LEFT_OUT.contains(&table) {
-            return issue;
-        }
-        let message = format!("`{}` plays no part in a static question", self.vary);
+        let left_out = self.vary.all().iter().find(|path| {
+            let table = path.split(['.', '[']).next().unwrap_or_default();
+            LEFT_OUT.contains(&table)
+        });
+        let Some(path) = left_out else { return issue };
+        let message = format!("`{path}` plays no part in a static question");
         Issue { message, ..issue }
     }
 

@@ -1,0 +1,147 @@
+//! What the command says about its files and about itself: `jeffcott schema`, `completions` and `man`.
+
+use std::io;
+use std::path::PathBuf;
+
+use clap::{Arg, CommandFactory};
+use clap_complete::Shell;
+use clap_mangen::Man;
+
+use super::{Outcome, terminal};
+use crate::report::write_whole;
+use crate::scenario;
+
+/// Prints the JSON Schema of scenario files, or of study files, for editors.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  jeffcott schema > scenario.schema.json")]
+pub struct Schema {
+    /// That of study files
+    #[arg(long)]
+    study: bool,
+}
+
+/// Prints what lets a shell complete verbs, options and their values.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  jeffcott completions bash > ~/.local/share/bash-completion/completions/jeffcott\n  \
+                  jeffcott completions zsh > ~/.zfunc/_jeffcott\n  \
+                  jeffcott completions fish > ~/.config/fish/completions/jeffcott.fish"
+)]
+pub struct Completions {
+    /// The shell
+    #[arg(value_name = "SHELL")]
+    shell: Shell,
+}
+
+/// Writes the manual: one page of the command, and one a verb.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Examples:\n  jeffcott man | man -l -\n  jeffcott man --out ~/.local/share/man/man1"
+)]
+pub struct Manual {
+    /// Write jeffcott.1 and jeffcott-VERB.1 to this folder; otherwise the page of the command is printed
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// Prints the schema.
+pub fn schema(arguments: &Schema) -> io::Result<Outcome> {
+    let schema = match arguments.study {
+        true => scenario::study_schema(),
+        false => scenario::schema(),
+    };
+    terminal::print(&format!("{schema:#}\n"))?;
+    Ok(Outcome::Done)
+}
+
+/// Prints the completions.
+pub fn completions(arguments: &Completions) -> io::Result<Outcome> {
+    let mut command = super::Arguments::command();
+    let mut script = Vec::new();
+    clap_complete::generate(arguments.shell, &mut command, "jeffcott", &mut script);
+    terminal::print(&String::from_utf8_lossy(&script))?;
+    Ok(Outcome::Done)
+}
+
+/// Prints the page of the command, or writes all pages and prints their paths.
+pub fn manual(arguments: &Manual) -> io::Result<Outcome> {
+    let mut command = super::Arguments::command();
+    command.build();
+    let Some(folder) = &arguments.out else {
+        terminal::print(&String::from_utf8_lossy(&page(command)?))?;
+        return Ok(Outcome::Done);
+    };
+    let verbs = command.get_subcommands().cloned();
+    let verbs = verbs.filter(|verb| verb.get_name() != "help");
+    for subject in verbs.chain([command.clone()]) {
+        let name = subject.get_display_name().unwrap_or(subject.get_name());
+        let path = folder.join(format!("{name}.1"));
+        if let Err(error) = write_whole(&path, &page(subject.clone())?) {
+            terminal::tell(&format!("error: {error}\n"));
+            return Ok(Outcome::Failed);
+        }
+        terminal::print(&format!("{}\n", path.display()))?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// The page of a verb or of the command, with the names of values in its synopsis.
+fn page(command: clap::Command) -> io::Result<Vec<u8>> {
+    let synopsis = synopsis(&command);
+    let mut page = Vec::new();
+    Man::new(command).render(&mut page)?;
+    let page = String::from_utf8_lossy(&page);
+    let mut lines: Vec<_> = page.lines().collect();
+    if let Some(heading) = lines.iter().position(|line| *line == ".SH SYNOPSIS") {
+        lines[heading + 1] = &synopsis;
+    }
+    Ok((lines.join("\n") + "\n").into_bytes())
+}
+
+/// How a verb is called, in roff: `jeffcott campbell [--from SPEED] --to SPEED FILE...`.
+fn synopsis(command: &clap::Command) -> String {
+    let name = command.get_bin_name().unwrap_or(command.get_name());
+    let options = command.get_opts().chain(flags(command));
+    let all = options.chain(command.get_positionals());
+    let arguments: String = all
+        .map(|argument| format!(" {}", usage(argument)))
+        .collect();
+    let verb = match command.has_subcommands() {
+        true => " \\fICOMMAND\\fR",
+        false => "",
+    };
+    format!("\\fB{name}\\fR{arguments}{verb}")
+}
+
+/// Options that take no value.
+fn flags(command: &clap::Command) -> impl Iterator<Item = &Arg> {
+    let all = command.get_arguments();
+    all.filter(|argument| !argument.is_positional() && !argument.get_action().takes_values())
+}
+
+/// `[--from SPEED]` in roff.
+fn usage(argument: &Arg) -> String {
+    let short = argument
+        .get_short()
+        .map(|short| format!("\\fB\\-{short}\\fR"));
+    let long = argument.get_long().map(|long| long.replace('-', "\\-"));
+    let long = long.map(|long| format!("\\fB\\-\\-{long}\\fR"));
+    let names: Vec<_> = short.into_iter().chain(long).collect();
+    let mut usage = names.join("|");
+    if argument.get_action().takes_values() {
+        let values = argument.get_value_names().into_iter().flatten();
+        let values: Vec<_> = values.map(|value| format!("\\fI{value}\\fR")).collect();
+        let blank = if usage.is_empty() { "" } else { " " };
+        usage += &format!("{blank}{}", values.join(" "));
+    }
+    let count = argument
+        .get_num_args()
+        .map_or(1, |range| range.max_values());
+    if argument.is_positional() && count > 1 {
+        usage += "...";
+    }
+    match argument.is_required_set() {
+        true => usage,
+        false => format!("[{usage}]"),
+    }
+}

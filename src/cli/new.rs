@@ -1,0 +1,326 @@
+//! `jeffcott new`.
+
+use std::f64::consts::TAU;
+use std::fs::OpenOptions;
+use std::io::{self, BufRead, ErrorKind, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::{Outcome, terminal};
+use crate::bearing::MountedBearing;
+use crate::scenario::{self, Format, Issue, STDIN, Scenario, ScenarioError};
+
+/// Writes a commented scenario of a shaft on one bearing or two, ready to run and to be changed.
+///
+/// What no option gives is asked for on a terminal; elsewhere, and for an empty answer, the default is taken. Two deep
+/// groove bearings stand as they are, two angular contact bearings back to back with a light preload.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:\n  jeffcott new shaft.toml\n  \
+                  jeffcott new fan.toml --mass \"8 kg\" --speed \"1500 rpm\" --bearing 6205 --span \"150 mm\" \\\n    \
+                  --radial \"300 N\" --axial \"0 N\"\n\n\
+                  Exit code: 0 the scenario is written, 1 it cannot be written, 2 an option is wrong or the\n\
+                  file is there already.")]
+pub struct Arguments {
+    /// File to write, .toml, which must not be there yet; "-" prints the scenario
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// Mass of all that moves with the shaft [default: 5 kg]
+    #[arg(long, value_name = "MASS")]
+    mass: Option<String>,
+    /// Speed [default: 3000 rpm]
+    #[arg(long, value_name = "SPEED")]
+    speed: Option<String>,
+    /// Bearing of the catalogue [default: 6205]
+    #[arg(long, value_name = "NAME")]
+    bearing: Option<String>,
+    /// Distance of the two bearings; "0 mm" is a single one [default: 100 mm]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    span: Option<String>,
+    /// Radial load beside the weight, downwards [default: 0 N]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    radial: Option<String>,
+    /// Axial load, along +Z [default: 0 N; 200 N of a single bearing]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true)]
+    axial: Option<String>,
+}
+
+/// The answer to a question as it is written and as a number in SI units: what an option gives, or else what
+/// somebody on a terminal says, or else the default. `check` makes the number.
+fn answer(
+    given: Option<&String>,
+    question: &str,
+    default: &str,
+    check: impl Fn(&str) -> Result<f64, Issue>,
+) -> Result<(String, f64), Issue> {
+    let checked = |text: &str| Ok((text.trim().to_owned(), check(text.trim())?));
+    if let Some(text) = given {
+        return checked(text);
+    }
+    if !(io::stdin().is_terminal() && io::stderr().is_terminal()) {
+        return checked(default);
+    }
+    loop {
+        terminal::tell(&format!("{question} [{default}]: "));
+        let mut line = String::new();
+        let count = io::stdin().lock().read_line(&mut line);
+        let text = match (count, line.trim()) {
+            (Ok(0) | Err(_), _) => return Err(Issue::new("", "no answer")),
+            (_, "") => default,
+            (_, text) => text,
+        };
+        match checked(text) {
+            Ok(answer) => return Ok(answer),
+            Err(issue) => terminal::tell(&format!("{issue}\n")),
+        }
+    }
+}
+
+/// A distance, m; zero or positive.
+fn distance(text: &str) -> Result<f64, Issue> {
+    let span = scenario::number(text, "bearing[].position", "span")?;
+    let refused = || Issue::new("span", "a distance is zero or positive");
+    (span >= 0.0).then_some(span).ok_or_else(refused)
+}
+
+/// Refuses a bearing that no scenario can name; it has no number.
+fn check_bearing(name: &str) -> Result<f64, Issue> {
+    let scenario = format!(
+        "shaft = {{ mass = \"1 kg\", freedoms = \"radial\" }}\nspeed = {{ constant = \"0 rpm\" }}\n\
+         bearing = [{{ catalogue = {} }}]\n",
+        quoted(name)
+    );
+    let checked = scenario::parse(&scenario, "the scenario", Format::Toml);
+    let issue = checked
+        .err()
+        .and_then(|error| error.issues.into_iter().next());
+    issue.map_or(Ok(0.0), Err)
+}
+
+/// A text as TOML has it.
+fn quoted(text: &str) -> String {
+    Value::from(text).to_string()
+}
+
+/// What was answered, as it is written.
+struct Answers {
+    title: String,
+    mass: String,
+    speed: String,
+    bearing: String,
+    /// Distance of two bearings, m; zero of one.
+    span: f64,
+    radial: String,
+    axial: String,
+    /// Speed, rad/s, radial and axial load, N.
+    numbers: [f64; 3],
+}
+
+/// Asks, writes the scenario and says what comes next.
+pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
+    let file = &arguments.file;
+    let name = file.display();
+    let is_printed = file == Path::new(STDIN);
+    let refuse = |outcome, message: &str| {
+        terminal::tell(&format!("error: {name}: {message}\n"));
+        Ok(outcome)
+    };
+    if !is_printed && file.extension().is_none_or(|extension| extension != "toml") {
+        return refuse(
+            Outcome::WrongInput,
+            "a scenario that is written ends in .toml",
+        );
+    }
+    if !is_printed && file.exists() {
+        return refuse(Outcome::WrongInput, THERE);
+    }
+    let answers = match Answers::of(arguments) {
+        Ok(answers) => answers,
+        Err(issue) => return refuse(Outcome::WrongInput, &issue.to_string()),
+    };
+    let (text, scenario) = match answers.scenario() {
+        Ok(written) => written,
+        Err(error) => {
+            terminal::tell(&error.render(terminal::color()));
+            return Ok(Outcome::WrongInput);
+        }
+    };
+    for warning in &scenario.warnings {
+        terminal::tell(&format!("warning: {name}: {warning}\n"));
+    }
+    if is_printed {
+        terminal::print(&text)?;
+        return Ok(Outcome::Done);
+    }
+    match write_new(file, &text) {
+        Ok(()) => terminal::summarise(&format!("wrote {name}; next: jeffcott run {name}\n"))
+            .map(|()| Outcome::Done),
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+            refuse(Outcome::WrongInput, THERE)
+        }
+        Err(error) => refuse(Outcome::Failed, &error.to_string()),
+    }
+}
+
+/// The scenario with the names of its values between `@`.
+const TEMPLATE: &str = include_str!("new.toml");
+
+/// Why nothing is written over.
+const THERE: &str = "it is there already, and stays as it is: give another name";
+
+fn write_new(file: &Path, text: &str) -> io::Result<()> {
+    let mut options = OpenOptions::new();
+    let mut file = options.write(true).create_new(true).open(file)?;
+    file.write_all(text.as_bytes())
+}
+
+impl Answers {
+    fn of(arguments: &Arguments) -> Result<Self, Issue> {
+        let Arguments {
+            mass,
+            speed,
+            bearing,
+            span,
+            radial,
+            axial,
+            ..
+        } = arguments;
+        let number = |key, name| move |text: &str| scenario::number(text, key, name);
+        let text = "Mass of all that moves with the shaft";
+        let (mass, _) = answer(mass.as_ref(), text, "5 kg", number("shaft.mass", "mass"))?;
+        let key = number("speed.constant", "speed");
+        let (speed, omega) = answer(speed.as_ref(), "Speed", "3000 rpm", key)?;
+        let text = "Bearing, as `jeffcott catalogue` lists it";
+        let (bearing, _) = answer(bearing.as_ref(), text, "6205", check_bearing)?;
+        let text = "Distance of two such bearings; 0 mm for one alone";
+        let (_, span) = answer(span.as_ref(), text, "100 mm", distance)?;
+        let text = "Radial load beside the weight, downwards";
+        let key = number("load[].constant.y", "radial");
+        let (radial, down) = answer(radial.as_ref(), text, "0 N", key)?;
+        let default = if span == 0.0 { "200 N" } else { "0 N" };
+        let key = number("load[].constant.z", "axial");
+        let (axial, along) = answer(axial.as_ref(), "Axial load", default, key)?;
+        let stem = arguments.file.file_stem().unwrap_or_default();
+        Ok(Self {
+            title: match stem.to_str() {
+                Some(STDIN) | None => "shaft".to_owned(),
+                Some(stem) => stem.to_owned(),
+            },
+            mass,
+            speed,
+            bearing,
+            span,
+            radial,
+            axial,
+            numbers: [omega, down, along],
+        })
+    }
+
+    /// The text of the scenario, and what it says.
+    fn scenario(&self) -> Result<(String, Scenario), ScenarioError> {
+        let parse = |text: &str| scenario::parse(text, "the scenario", Format::Toml);
+        let plain = self.text(None);
+        let scenario = parse(&plain)?;
+        let bearings = &scenario.question.rotor.bearings;
+        match &bearings[..] {
+            [first, _] if !first.bearing.geometry.is_symmetric() => {
+                let text = self.text(Some(first));
+                parse(&text).map(|scenario| (text, scenario))
+            }
+            _ => Ok((plain, scenario)),
+        }
+    }
+
+    /// The text; two angular contact bearings such as `pair` are set against each other.
+    fn text(&self, pair: Option<&MountedBearing>) -> String {
+        let [omega, ..] = self.numbers;
+        let (settle, duration) = times(omega);
+        let (eccentricity, grade, sampling) = match omega > 0.0 {
+            true => (
+                6.3e3 / omega,
+                format!("balance grade G 6.3 at {}", self.speed),
+                "# samples_per_revolution = 128",
+            ),
+            false => (
+                10.0,
+                "nothing shows it at rest".to_owned(),
+                "sample_rate = \"20 kHz\" # a standing shaft makes no revolutions to sample",
+            ),
+        };
+        let values = [
+            ("title", quoted(&self.title)),
+            ("mass", quoted(&self.mass)),
+            ("eccentricity", format!("{eccentricity:.3}")),
+            ("grade", grade),
+            ("speed", quoted(&self.speed)),
+            ("bearings", self.bearings(pair)),
+            ("loads", self.loads()),
+            ("duration", duration.to_string()),
+            ("settle", settle.to_string()),
+            ("sampling", sampling.to_owned()),
+        ];
+        let fill = |text: String, (name, value): (&str, String)| {
+            text.replace(&format!("@{name}@"), &value)
+        };
+        values.into_iter().fold(TEMPLATE.to_owned(), fill)
+    }
+
+    fn bearings(&self, pair: Option<&MountedBearing>) -> String {
+        // in millimetres; nanometres are fine enough
+        let rounded = |length: f64| (1e6 * length).round() / 1e6;
+        let bearing = |position: f64, more: &str| {
+            let position = rounded(position);
+            format!(
+                "[[bearing]]\ncatalogue = {}\nposition = \"{position} mm\"\n{more}",
+                quoted(&self.bearing)
+            )
+        };
+        let span = rounded(1e3 * self.span);
+        match pair {
+            None if span > 0.0 => {
+                format!("{}\n{}", bearing(-0.5 * span, ""), bearing(0.5 * span, ""))
+            }
+            None => bearing(0.0, ""),
+            Some(pair) => {
+                let preload = 0.01 * pair.bearing.dynamic_rating.unwrap_or(1e4);
+                bearing(
+                    0.0,
+                    &format!(
+                        "arrangement = \"back-to-back\" # or \"face-to-face\", \"tandem\"\nspacing = \"{span} mm\"\n\
+                         preload = \"{preload:.0} N\" # light: 1 % of the dynamic load rating\n"
+                    ),
+                )
+            }
+        }
+    }
+
+    fn loads(&self) -> String {
+        let [_, down, along] = self.numbers;
+        let mut parts = Vec::new();
+        if down != 0.0 {
+            let turned = match self.radial.strip_prefix('-') {
+                Some(upwards) => upwards.to_owned(),
+                None => format!("-{}", self.radial.trim_start_matches('+')),
+            };
+            parts.push(format!("y = {}", quoted(&turned)));
+        }
+        if along != 0.0 {
+            parts.push(format!("z = {}", quoted(&self.axial)));
+        }
+        match &parts[..] {
+            [] => "# A load: [[load]] with constant = { y = \"-300 N\", z = \"200 N\" }".to_owned(),
+            _ => format!("[[load]]\nconstant = {{ {} }}", parts.join(", ")),
+        }
+    }
+}
+
+/// Settle time and duration, s: ten revolutions each, and 0.2 s and 0.3 s unless that are more than 500.
+fn times(omega: f64) -> (f64, f64) {
+    let [settle, window] = [0.2_f64, 0.3].map(|least| match omega > 0.0 {
+        true => least.min(500.0 * TAU / omega).max(10.0 * TAU / omega),
+        false => least,
+    });
+    // whole milliseconds, so that the file is easy to read
+    let rounded = |time: f64| (1e3 * time).ceil() / 1e3;
+    (rounded(settle), rounded(settle + window))
+}
