@@ -60,7 +60,7 @@ const COUNTS: [Named<Cost>; 4] = [
 ];
 
 /// Methods × tolerances.
-fn methods_table(accuracy: &Accuracy) -> Table {
+fn methods_table(accuracy: &Accuracy) -> Table<'static> {
     let rows = || accuracy.rows.iter();
     let measured = |row: &Row| row.result.as_ref().ok().copied();
     let costs: Vec<_> = rows().map(|row| Some(measured(row)?.cost)).collect();
@@ -80,7 +80,7 @@ fn methods_table(accuracy: &Accuracy) -> Table {
 }
 
 /// The rungs.
-fn ladder_table(accuracy: &Accuracy) -> Table {
+fn ladder_table(accuracy: &Accuracy) -> Table<'static> {
     let rows = || accuracy.ladder.rows.iter();
     let measured = || rows().map(|row| row.result.as_ref().ok());
     let costs: Vec<_> = measured().map(|measured| Some(measured?.0)).collect();
@@ -99,7 +99,7 @@ fn ladder_table(accuracy: &Accuracy) -> Table {
     table
 }
 
-fn add_costs(table: &mut Table, costs: &[Option<Cost>]) {
+fn add_costs(table: &mut Table<'_>, costs: &[Option<Cost>]) {
     let seconds = costs.iter().map(|cost| Some(cost.as_ref()?.seconds));
     table.numbers("wall_time_s", seconds);
     for (name, count) in COUNTS {

@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
 use super::table::Table;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash};
-use super::{Destination, FileSet, ReportError, RunFolder, WholeFile};
+use super::{Destination, FileSet, ReportError};
 use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
 
@@ -23,28 +23,13 @@ pub fn write_campbell(
     campbell: &Campbell,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let tables = [("campbell", modes(campbell))];
-    let figures = [campbell_figure(destination.title, campbell)];
+    let figures = [figure(destination.title, campbell)];
     let document = campbell_json(destination, campbell);
     destination.write(FileSet::CAMPBELL, tables, figures, &document)
 }
 
-/// Writes the table, and the figure where it is drawn, beside the files of a run.
-pub(super) fn write_files(
-    folder: &RunFolder,
-    title: &str,
-    campbell: &Campbell,
-    figure: bool,
-) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = folder.write_table("campbell", &modes(campbell))?;
-    if figure {
-        let figure = campbell_figure(title, campbell);
-        files.push(folder.write_figure(&figure)?);
-    }
-    Ok(files)
-}
-
 /// The modes, branch by branch from 1 on; the order is missing at rest.
-fn modes(campbell: &Campbell) -> Table {
+pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
     let branches = campbell.branches.iter().enumerate();
     let modes: Vec<_> = branches
         .flat_map(|(index, branch)| {
@@ -183,7 +168,7 @@ fn put_critical(out: &mut Lines, campbell: &Campbell) {
 const HEIGHT: u32 = 322;
 
 /// Frequencies with the orders and critical speeds above, damping ratios below.
-fn campbell_figure(title: &str, campbell: &Campbell) -> Figure {
+pub(super) fn figure(title: &str, campbell: &Campbell) -> Figure {
     let whirls = [
         Whirl::Forward,
         Whirl::Backward,

@@ -33,10 +33,10 @@ impl Destination<'_> {
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn.
-    pub(super) fn write(
+    pub(super) fn write<'a>(
         &self,
         set: FileSet,
-        tables: impl IntoIterator<Item = (&'static str, Table)>,
+        tables: impl IntoIterator<Item = (&'static str, Table<'a>)>,
         figures: impl IntoIterator<Item = Figure>,
         document: &Value,
     ) -> Result<Vec<PathBuf>, ReportError> {

@@ -8,7 +8,7 @@ use std::thread;
 
 use super::claim::Claim;
 use super::figure::Figure;
-use super::table::{Column, Origin, Table, TableFiles};
+use super::table::{Origin, Table, TableFiles};
 use super::{FileAction, ReportError};
 use crate::scenario::TableFormat;
 
@@ -272,24 +272,11 @@ impl RunFolder {
     pub(super) fn write_table(
         &self,
         stem: &str,
-        table: &Table,
+        table: &Table<'_>,
     ) -> Result<Vec<WholeFile>, ReportError> {
-        self.write_rows(stem, &table.columns(), |take| table.rows(take))
-    }
-
-    /// Writes the table `stem` in every format; `rows` gives its rows one by one.
-    ///
-    /// # Errors
-    /// As [`RunFolder::write_table`].
-    pub(super) fn write_rows(
-        &self,
-        stem: &str,
-        columns: &[Column],
-        rows: impl FnOnce(&mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()>,
-    ) -> Result<Vec<WholeFile>, ReportError> {
-        let mut files = TableFiles::open(self, stem, columns)?;
-        rows(&mut |row| files.row(row))
-            .map_err(ReportError::file(FileAction::Write, &self.path))?;
+        let mut files = TableFiles::open(self, stem, &table.columns())?;
+        let written = table.rows(&mut |row| files.row(row));
+        written.map_err(ReportError::file(FileAction::Write, &self.path))?;
         files.close()
     }
 

@@ -6,10 +6,11 @@ mod campbell;
 mod claim;
 pub mod compare;
 mod destination;
+mod envelope;
 mod error;
 mod figure;
-mod figure_trace;
 mod folder;
+mod histories;
 pub(crate) mod many;
 mod motion;
 mod page;
@@ -18,7 +19,6 @@ mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
 mod spectra;
-mod spectrum;
 mod statics;
 mod steady;
 mod study;
@@ -31,10 +31,13 @@ pub(crate) use accuracy::{accuracy_text, write_accuracy};
 pub(crate) use bytes::Checksum;
 pub(crate) use campbell::{campbell_json, campbell_text, write_campbell};
 pub(crate) use destination::{Destination, document};
+#[cfg(test)]
+pub(crate) use envelope::Decimator;
 pub(crate) use error::Failure;
 pub use error::{FileAction, ReportError};
-pub(crate) use figure_trace::{Bucket, Decimator, TraceFigure};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
+#[cfg(test)]
+pub(crate) use histories::Histories;
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub(crate) use run_report::{KeptFiles, Outputs};
 pub use run_report::{RunReport, RunSummary};
@@ -43,8 +46,8 @@ pub(crate) use run_tables::EVENT_COLUMNS;
 pub(crate) use run_tables::{
     TraceCsv, ball_columns, ball_row, event_columns, event_row, trace_columns,
 };
-pub(crate) use spectrum::spectrum_figure;
-pub use spectrum::write_spectrum;
+pub(crate) use spectra::spectrum_figure;
+pub use spectra::write_spectrum;
 pub(crate) use statics::{answer_text, write_answer};
 pub(crate) use steady::{
     response_json, response_text, steady_json, steady_text, write_response, write_steady,

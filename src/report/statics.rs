@@ -252,7 +252,7 @@ const INERTIAS: [Named<BallLine>; 2] = [
 ];
 
 /// The balls of all bearings, both numbered from 1 on.
-fn balls_table(answer: &QuasiStatic) -> Table {
+fn balls_table(answer: &QuasiStatic) -> Table<'static> {
     let bearings = answer.bearings.iter().enumerate();
     let balls: Vec<(usize, usize, &BallLine)> = bearings
         .flat_map(|(bearing, state)| {

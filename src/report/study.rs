@@ -148,7 +148,7 @@ const AROUND: [Named<Around>; 6] = [
 ];
 
 /// The answer at every value.
-fn answers(variable: &Variable, rows: &[StudyRow]) -> Table {
+fn answers(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
     let mut table = Table::default();
     table.numbers(column_name(variable), rows.iter().map(|row| row.value));
     for axis in 0..FREEDOMS {
@@ -170,7 +170,7 @@ fn answers(variable: &Variable, rows: &[StudyRow]) -> Table {
 }
 
 /// Every bearing all around at every value; bearings and positions count from 1.
-fn around(variable: &Variable, rows: &[StudyRow]) -> Table {
+fn around(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
     let places = rows.iter().flat_map(|row| {
         row.around
             .iter()

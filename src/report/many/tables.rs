@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use crate::analysis::Channel;
 use crate::report::bytes::{Put, Take};
-use crate::report::spectrum::amplitude_column;
+use crate::report::spectra::amplitude_column;
 use crate::report::study::column_name;
 use crate::report::table::{cell, number};
 use crate::study::Variable;

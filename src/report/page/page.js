@@ -1,7 +1,7 @@
 
 (() => {
   const { element, drawn, section, table, tiles, number, drawnFigure } = page;
-  const { summary, balls, histories, orbit, sections, spectra, furtherSpectra, figures } = page.data;
+  const { summary, balls, histories, orbit, spectra, furtherSpectra, figures } = page.data;
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
     moment_x: "moment x", moment_y: "moment y" };
   const named = (name) => names[name] ?? name;
@@ -181,7 +181,7 @@
 
   // The orbit.
 
-  function orbitFigure({ revolutions, curve }) {
+  function orbitFigure({ whole, curve, sections }) {
     const [xs, ys] = [places(curve.abscissas), floats(curve.values)];
     if (xs.length < 2) return null;
     const bounds = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
@@ -205,8 +205,8 @@
       image.append(drawn("text", { x: margin - 5, y: y + 4, "text-anchor": "end" }, tick.text));
     }
     image.append(drawn("path", { d: path, fill: "none", stroke: "var(--c0)", "stroke-width": "1.2" }));
-    const told = ["the last " + number(revolutions, 3) + " revolutions, seen along −Z"];
-    (sections ?? []).forEach((section, index) => {
+    const told = [`${whole ? "one period" : "the end of the run"}, seen along −Z`];
+    sections.forEach((section, index) => {
       const name = `var(--c${1 + (index % 5)})`;
       const [px, py] = [places(section.abscissas), floats(section.values)];
       px.forEach((x, i) => {
@@ -422,7 +422,7 @@
       section("motion", "Motion", hint(), ...histories.map((panel, index) =>
         addChart(panel, "time", 170, index === histories.length - 1)));
     }
-    const orbitDrawn = orbitFigure(orbit);
+    const orbitDrawn = orbit && orbitFigure(orbit);
     if (orbitDrawn) section("orbit", "Orbit", orbitDrawn);
     if (summary.motion) section("statistics", "Statistics", statistics(summary.motion));
     if (figures.length) section("maps", "Maps", ...figures.map(drawnFigure));

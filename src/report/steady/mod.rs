@@ -10,12 +10,13 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use super::histories::Histories;
 use super::run_tables::trace_table;
-use super::spectrum::{AMPLITUDE, FREQUENCY, HEIGHT, amplitude_column, phase_column};
+use super::spectra::{amplitude_column, phase_column};
 use super::study::shown;
 use super::table::Table;
-use super::terminal::{Lines, MICRO, digits, listed, measured_text};
-use super::{Destination, FileSet, ReportError, TraceFigure};
+use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_unit};
+use super::{Destination, FileSet, ReportError};
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
 use crate::steady::{Base, Measured, Response, Steady, SteadyLine, SteadyLines};
@@ -32,7 +33,7 @@ pub fn write_steady(
     steady: &Steady,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let title = destination.title;
-    let mut figure = TraceFigure::new(model.rotor.shaft.freedoms.count());
+    let mut figure = Histories::new(model.rotor.shaft.freedoms.count());
     steady.trace.iter().for_each(|sample| figure.sample(sample));
     let tables = [
         ("steady_trace", trace_table(&steady.trace)),
@@ -66,7 +67,7 @@ pub fn write_response(
 
 /// Frequency, order of the shaft (where it turns), both multiples, then amplitude and phase of every
 /// channel.
-fn line_table(steady: &Steady, speed: f64) -> Table {
+fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
     let lines = || steady.lines.lines.iter();
     let mut table = Table::default();
     table.numbers("f_Hz", lines().map(|line| line.frequency));
@@ -92,6 +93,9 @@ fn line_table(steady: &Steady, speed: f64) -> Table {
     table
 }
 
+/// Height of a plot, px.
+const HEIGHT: u32 = 480;
+
 /// Amplitudes of x, y and z (those that move) over frequency.
 fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
     let channels = lines.channels.iter().enumerate();
@@ -100,7 +104,7 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
         .collect();
     let all = || lengths.iter().flat_map(|(index, _)| tips(lines, *index));
     let strongest = all().map(|(_, amplitude)| amplitude).fold(0.0, f64::max);
-    let amplitudes = Axis::below(AMPLITUDE, strongest);
+    let amplitudes = Axis::below("amplitude in µm", strongest);
     let floor = amplitudes.least();
     let shown = all().filter(|(_, amplitude)| *amplitude > floor);
     let highest = shown.map(|(frequency, _)| frequency).fold(0.0, f64::max);
@@ -116,7 +120,11 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
     });
     let panel = Panel {
         curves: strokes.collect(),
-        ..Panel::new(Axis::over(FREQUENCY, 0.0..limit), amplitudes, HEIGHT)
+        ..Panel::new(
+            Axis::over("frequency in Hz", 0.0..limit),
+            amplitudes,
+            HEIGHT,
+        )
     };
     let names = Name::each(lengths.iter().map(|(_, channel)| channel.name()));
     Figure::new("steady_spectrum.svg", title, 1, vec![panel]).with_names(names)
@@ -317,16 +325,12 @@ fn search(steady: &Steady) -> String {
 fn put_swings(out: &mut Lines, steady: &Steady) {
     let header = ["swing", "mean", "peak to peak", "rms", "unit"];
     let rows = steady.swings.iter().map(|swing| {
-        let (scale, unit) = match swing.channel.unit() {
-            "m" => (MICRO, "µm"),
-            "rad" => (MICRO, "µrad"),
-            unit => (1.0, unit),
-        };
+        let (unit, scale) = shown_unit(swing.channel.unit());
         let numbers =
             [swing.mean, swing.peak_to_peak, swing.rms].map(|value| digits(scale * value));
         std::iter::once(swing.channel.name().to_owned())
             .chain(numbers)
-            .chain([unit.to_owned()])
+            .chain([unit])
             .collect()
     });
     out.table(header, rows);

@@ -18,7 +18,7 @@ type Row<'a> = (usize, &'a Response, Option<SpecialKind>, &'a ResponsePoint);
 type Measure = (&'static str, fn(&Swing) -> f64);
 
 /// Every motion of every branch, in their order along it.
-pub(super) fn points(variable: &Variable, branches: &[Response]) -> Table {
+pub(super) fn points(variable: &Variable, branches: &[Response]) -> Table<'static> {
     let rows = numbered(branches).flat_map(|(number, branch)| {
         let points = branch.points.iter();
         points.map(move |point| (number, branch, None, point))
@@ -27,7 +27,7 @@ pub(super) fn points(variable: &Variable, branches: &[Response]) -> Table {
 }
 
 /// Where branches turn or their motions change their kind.
-pub(super) fn specials(variable: &Variable, branches: &[Response]) -> Table {
+pub(super) fn specials(variable: &Variable, branches: &[Response]) -> Table<'static> {
     let rows = numbered(branches).flat_map(|(number, branch)| {
         let specials = branch.specials.iter();
         specials.map(move |special| (number, branch, Some(special.kind), &special.point))
@@ -39,7 +39,12 @@ fn numbered(branches: &[Response]) -> impl Iterator<Item = (usize, &Response)> {
     (1..).zip(branches)
 }
 
-fn table(variable: &Variable, branches: &[Response], rows: &[Row<'_>], kinds: bool) -> Table {
+fn table(
+    variable: &Variable,
+    branches: &[Response],
+    rows: &[Row<'_>],
+    kinds: bool,
+) -> Table<'static> {
     let points = || rows.iter().map(|(.., point)| *point);
     let mut table = Table::default();
     table.counts("branch", rows.iter().map(|(number, ..)| *number as f64));
