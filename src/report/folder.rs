@@ -1,12 +1,11 @@
 //! The folder of a run: either the whole of one run stands there, or it does not look whole.
 
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use super::claim::Claim;
 use super::figure::Figure;
 use super::table::{Origin, Table, TableFiles};
 use super::{FileAction, ReportError};
@@ -536,4 +535,54 @@ impl WholeFile {
         fs::rename(temporary, path).map_err(ReportError::file(FileAction::Rename, path))?;
         Ok(path.clone())
     }
+}
+
+/// A lock on a folder. The system takes it back when the process ends, however it ends.
+#[derive(Debug)]
+struct Claim {
+    _locked: File,
+}
+
+impl Claim {
+    /// For this process alone.
+    ///
+    /// # Errors
+    /// [`ReportError::Busy`] where another one writes there.
+    fn alone(folder: &Path) -> Result<Self, ReportError> {
+        Self::by(File::try_lock, folder)
+    }
+
+    /// Together with others that share it.
+    ///
+    /// # Errors
+    /// [`ReportError::Busy`] where another one has it alone.
+    fn shared(folder: &Path) -> Result<Self, ReportError> {
+        Self::by(File::try_lock_shared, folder)
+    }
+
+    fn by(
+        lock: impl Fn(&File) -> Result<(), TryLockError>,
+        folder: &Path,
+    ) -> Result<Self, ReportError> {
+        let locked = lockable(folder).map_err(ReportError::file(FileAction::Create, folder))?;
+        match lock(&locked) {
+            Err(TryLockError::WouldBlock) => Err(ReportError::Busy {
+                folder: folder.to_owned(),
+            }),
+            // a file system that knows no locks has none to respect
+            _ => Ok(Self { _locked: locked }),
+        }
+    }
+}
+
+/// What is locked: the folder itself, which leaves nothing behind.
+#[cfg(unix)]
+fn lockable(folder: &Path) -> io::Result<File> {
+    File::open(folder)
+}
+
+/// What is locked: a file of its own, as folders cannot be.
+#[cfg(not(unix))]
+fn lockable(folder: &Path) -> io::Result<File> {
+    File::create(folder.join(".lock"))
 }

@@ -1,9 +1,8 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
 mod accuracy;
-mod bytes;
 mod campbell;
-mod claim;
+mod checksum;
 pub mod compare;
 mod destination;
 mod envelope;
@@ -27,9 +26,9 @@ mod terminal;
 mod text;
 
 pub(crate) use accuracy::{accuracy_text, write_accuracy};
-#[cfg(test)]
-pub(crate) use bytes::Checksum;
 pub(crate) use campbell::{campbell_json, campbell_text, write_campbell};
+#[cfg(test)]
+pub(crate) use checksum::Checksum;
 pub(crate) use destination::{Destination, document};
 #[cfg(test)]
 pub(crate) use envelope::Decimator;

@@ -62,8 +62,6 @@ pub(crate) struct Panel {
     pub labels: Vec<(Point, String, RGBColor)>,
     /// Places with a name, which are left out where they would cover one before them.
     pub peaks: Vec<(Point, String)>,
-    /// Lines that stand in the place of a plot.
-    pub words: Vec<String>,
 }
 
 /// A line through points, and marks.
