@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::{Outcome, stream};
-use crate::report::Destination;
+use crate::report::{Destination, Written};
 use crate::scenario::{self, Scenario};
 use crate::simulate::Model;
 
@@ -209,6 +209,13 @@ impl Answer {
             json,
             incomplete: false,
         }
+    }
+}
+
+/// An answer that is told as it is written.
+impl From<Written> for Answer {
+    fn from(written: Written) -> Self {
+        Self::new(written.text, written.json, &written.files)
     }
 }
 

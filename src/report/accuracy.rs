@@ -2,33 +2,35 @@
 //!
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
-use std::path::PathBuf;
-
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, or_dash, wrapped};
-use super::{Destination, FileSet, ReportError};
+use super::{Destination, FileSet, Findings};
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, LadderRow, Measured, Row};
 
-/// Writes `accuracy.csv`, `ladder.csv`, `accuracy.svg`, `ladder.svg` and, last, `accuracy.json` ; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_accuracy(
+/// Reference, methods and ladder of a measurement.
+pub fn accuracy_findings<'a>(
     destination: &Destination<'_>,
-    accuracy: &Accuracy,
-) -> Result<Vec<PathBuf>, ReportError> {
+    accuracy: &'a Accuracy,
+) -> Findings<'a> {
     let title = destination.title;
-    let tables = [
-        ("accuracy", methods_table(accuracy)),
-        ("ladder", ladder_table(accuracy)),
-    ];
-    let figures = [
-        methods_figure(title, accuracy),
-        ladder_figure(title, accuracy),
-    ];
-    let document = destination.document(accuracy);
-    destination.write(FileSet::ACCURACY, tables, figures, &document)
+    let mut text = Lines::titled(title);
+    put_reference(&mut text, &accuracy.agreement);
+    put_methods(&mut text, accuracy);
+    put_ladder(&mut text, accuracy);
+    Findings {
+        set: FileSet::ACCURACY,
+        tables: vec![
+            ("accuracy", methods_table(accuracy)),
+            ("ladder", ladder_table(accuracy)),
+        ],
+        figures: vec![
+            methods_figure(title, accuracy),
+            ladder_figure(title, accuracy),
+        ],
+        document: destination.document(accuracy),
+        text,
+    }
 }
 
 const ERRORS: [Named<Errors>; 11] = [
@@ -109,15 +111,6 @@ fn add_costs(table: &mut Table<'_>, costs: &[Option<Cost>]) {
 
 fn or_blank(value: Option<impl ToString>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
-}
-
-/// Reference, methods, ladder, and the files written; at most 100 columns.
-pub fn accuracy_text(title: &str, accuracy: &Accuracy, files: &[PathBuf]) -> String {
-    let mut out = Lines::titled(title);
-    put_reference(&mut out, &accuracy.agreement);
-    put_methods(&mut out, accuracy);
-    put_ladder(&mut out, accuracy);
-    out.wrote(files)
 }
 
 fn put_reference(out: &mut Lines, agreement: &Agreement) {

@@ -1,7 +1,6 @@
 //! A study: one row a value, and the bearings all around at every value.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
 
 use serde::Serialize;
 use serde_json::Value;
@@ -9,36 +8,34 @@ use serde_json::Value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, digits};
-use super::{Destination, FileSet, ReportError};
+use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::bearing::{Around, BallLine, BearingState};
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
 use crate::study::{Study, StudyRow, Variable};
 
-/// Writes `study.csv`, `around.csv`, three figures and, last, `study.json`; returns
-/// their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_study(
+/// The answers of a study, and the bearings all around; the numbers stand in the tables alone.
+pub fn study_findings<'a>(
     destination: &Destination<'_>,
     study: &Study,
-    rows: &[StudyRow],
-) -> Result<Vec<PathBuf>, ReportError> {
+    rows: &'a [StudyRow],
+) -> Findings<'a> {
     let (title, variable) = (destination.title, &study.variable);
-    let tables = [
-        ("study", answers(variable, rows)),
-        ("around", around(variable, rows)),
-    ];
-    let figures = [
-        stiffness(title, variable, rows),
-        deformation(title, variable, rows),
-        contact_angle(title, variable, rows),
-    ];
-    // the numbers are in the tables beside it
-    let document = destination.document(about(study, rows));
-    destination.write(FileSet::STUDY, tables, figures, &document)
+    Findings {
+        set: FileSet::STUDY,
+        tables: vec![
+            ("study", answers(variable, rows)),
+            ("around", around(variable, rows)),
+        ],
+        figures: vec![
+            stiffness(title, variable, rows),
+            deformation(title, variable, rows),
+            contact_angle(title, variable, rows),
+        ],
+        document: destination.document(about(study, rows)),
+        text: text(title, study, rows),
+    }
 }
 
 /// The variable as the name of a column: `load_0_constant_z_N`.
@@ -261,8 +258,8 @@ pub fn study_json(destination: &Destination<'_>, study: &Study, rows: &[StudyRow
 /// Most rows shown.
 const MOST_ROWS: usize = 24;
 
-/// The values with place and stiffness of the shaft; of many, some. Then the files written.
-pub fn study_text(title: &str, study: &Study, rows: &[StudyRow], files: &[PathBuf]) -> String {
+/// The values with place and stiffness of the shaft; of many, some.
+fn text(title: &str, study: &Study, rows: &[StudyRow]) -> Lines {
     let mut out = Lines::titled(title);
     let varied = study.variable.key.rsplit('.').next().unwrap_or_default();
     let units = format!("{varied}\n{}", study.variable.shown_unit);
@@ -282,7 +279,7 @@ pub fn study_text(title: &str, study: &Study, rows: &[StudyRow], files: &[PathBu
     out.table(header, cells);
     let name = axis_name(&study.variable);
     out.line("varied", format!("{name}: {} values", rows.len()));
-    out.wrote(files)
+    out
 }
 
 fn cells(study: &Study, row: &StudyRow) -> Vec<String> {
