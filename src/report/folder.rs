@@ -65,10 +65,21 @@ impl FileSet {
     /// What the answer to a static question leaves; a study of the same name does not outlive it.
     pub const BEARING: Self = Self {
         seal: "bearing.json",
+        ..Self::STATIC
+    };
+    /// What a study of static questions leaves; a single answer of the same name does not outlive it.
+    pub const STUDY: Self = Self {
+        seal: "study.json",
+        ..Self::STATIC
+    };
+    /// What both leave.
+    const STATIC: Self = Self {
+        seal: "",
         tables: &["balls", "study", "around"],
         others: &[
-            "balls.svg",
+            "bearing.json",
             "study.json",
+            "balls.svg",
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
@@ -118,26 +129,13 @@ impl FileSet {
         others: &["response.svg"],
         spent: &[],
     };
-    /// What a study leaves; a single answer of the same name does not outlive it.
-    pub const STUDY: Self = Self {
-        seal: "study.json",
-        tables: &["study", "around", "balls"],
-        others: &[
-            "stiffness.svg",
-            "deformation.svg",
-            "contact_angle.svg",
-            "bearing.json",
-            "balls.svg",
-        ],
-        spent: &[],
-    };
-
     /// Names of what may stand beside the seal.
     fn beside(self) -> impl Iterator<Item = String> {
         let tables = self.tables.iter().flat_map(|stem| {
             TableFormat::ALL.map(|format| format!("{stem}.{}", format.extension()))
         });
-        tables.chain(self.others.iter().map(|name| (*name).to_owned()))
+        let others = self.others.iter().filter(move |name| **name != self.seal);
+        tables.chain(others.map(|name| (*name).to_owned()))
     }
 }
 

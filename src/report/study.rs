@@ -1,10 +1,8 @@
 //! A study: one row a value, and the bearings all around at every value.
 
-use std::collections::BTreeMap;
+use serde_json::{Map, Value, json};
 
-use serde::Serialize;
-use serde_json::Value;
-
+use super::destination::value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, digits};
@@ -193,66 +191,32 @@ fn around(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
     table
 }
 
-/// What a study is about.
-#[derive(Serialize)]
-struct Cover<'a> {
-    /// What varies.
-    varied: Varied<'a>,
-    /// How many values it has.
-    points: usize,
+/// What a study is about: the number that varies by its key, and how many values it has.
+fn about(study: &Study, rows: &[StudyRow]) -> Map<String, Value> {
+    let Variable { key, unit, .. } = &study.variable;
+    let about = [
+        ("varied", json!({ "key": key, "unit": unit })),
+        ("points", json!(rows.len())),
+    ];
+    about
+        .map(|(key, value)| (key.to_owned(), value))
+        .into_iter()
+        .collect()
 }
 
-/// A number of the scenario by its key.
-#[derive(Serialize)]
-struct Varied<'a> {
-    key: &'a str,
-    unit: &'a str,
-}
-
-/// The whole study.
-#[derive(Serialize)]
-struct Whole<'a> {
-    #[serde(flatten)]
-    cover: Cover<'a>,
-    rows: Vec<RowSummary<'a>>,
-}
-
-/// The answer at a value.
-#[derive(Serialize)]
-struct RowSummary<'a> {
-    #[serde(flatten)]
-    answer: &'a QuasiStatic,
-    /// The value, under the name of its column.
-    #[serde(flatten)]
-    value: BTreeMap<&'a str, f64>,
-    /// Every bearing all around.
-    around: &'a [Vec<Around>],
-}
-
-fn about<'a>(study: &'a Study, rows: &[StudyRow]) -> Cover<'a> {
-    Cover {
-        varied: Varied {
-            key: &study.variable.key,
-            unit: study.variable.unit,
-        },
-        points: rows.len(),
-    }
-}
-
-/// The whole study with every answer.
+/// The whole study: at every value, which stands under the name of its column, the answer and every bearing all
+/// around.
 pub fn study_json(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
     let varied = column_name(&study.variable);
-    destination.document(Whole {
-        cover: about(study, rows),
-        rows: rows
-            .iter()
-            .map(|row| RowSummary {
-                answer: &row.answer,
-                value: BTreeMap::from([(varied.as_str(), row.value)]),
-                around: &row.around,
-            })
-            .collect(),
-    })
+    let rows_of = rows.iter().map(|row| {
+        let mut json = value(&row.answer);
+        json[&varied] = json!(row.value);
+        json["around"] = json!(row.around);
+        json
+    });
+    let mut whole = about(study, rows);
+    whole.insert("rows".to_owned(), rows_of.collect());
+    destination.document(whole)
 }
 
 /// Most rows shown.
