@@ -120,6 +120,17 @@ impl Decimator {
         Some([first.first.0, last.last.0])
     }
 
+    /// Lowest and highest value.
+    pub fn range(&self) -> Option<[f64; 2]> {
+        let values = self.buckets().map(|bucket| [bucket.low(), bucket.high()]);
+        values.reduce(|[low, high], next| [low.min(next[0]), high.max(next[1])])
+    }
+
+    /// Largest magnitude.
+    pub fn magnitude(&self) -> f64 {
+        self.range().map_or(0.0, |[low, high]| high.max(-low))
+    }
+
     fn halve(&mut self) {
         let pairs = self.full.len() / 2;
         // With an odd number the last bucket is half full again.

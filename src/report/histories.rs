@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use serde_json::{Value, json};
 
-use super::envelope::{BUCKETS, Bucket, Decimator};
+use super::envelope::{BUCKETS, Decimator};
 use super::figure::{Axis, Curve, Figure, Panel, distinct};
 use super::page::{PagePanel, curve, narrow};
 use super::terminal::{MICRO, NAMES, shown_unit};
@@ -19,6 +19,8 @@ const PANEL_HEIGHT: u32 = 120;
 const LAST: usize = 2048;
 /// Samples before and after an event that are.
 const AROUND: usize = 256;
+/// What changes by less than this part of the largest value of its unit does not change.
+const ROUND_OFF: f64 = 1e-9;
 /// Events around which they are: the first ones.
 const MOST_EVENTS: usize = 4;
 
@@ -127,10 +129,25 @@ impl Histories {
         Figure::new(file, title, 1, panels.collect())
     }
 
-    /// One panel of the page each, but for what is unknown and for what says nothing because it never changes.
+    /// One panel of the page each, but for what is unknown and for what does not change: no more than round-off
+    /// beside the largest value of its unit.
     pub(super) fn page_panels(&self) -> Vec<Value> {
-        let told = self.histories.iter().filter(|history| history.tells());
-        told.map(History::page_panel).collect()
+        let magnitude = |unit: &str| {
+            let alike = self.histories.iter();
+            let alike = alike.filter(|history| history.channel.unit() == unit);
+            alike
+                .map(|history| history.envelope.magnitude())
+                .fold(0.0, f64::max)
+        };
+        let changes = |history: &&History| {
+            let round_off = ROUND_OFF * magnitude(history.channel.unit());
+            history
+                .envelope
+                .range()
+                .is_some_and(|[low, high]| high - low > round_off)
+        };
+        let changing = self.histories.iter().filter(changes);
+        changing.map(History::page_panel).collect()
     }
 }
 
@@ -184,16 +201,6 @@ impl History {
         let mut places: Vec<Place> = band.chain(single).collect();
         places.sort_by(|a, b| a.time.total_cmp(&b.time));
         places
-    }
-
-    /// Displacements and forces always tell; anything else only where it changes.
-    fn tells(&self) -> bool {
-        let mut values = self.envelope.buckets();
-        let Some(first) = values.next() else {
-            return false;
-        };
-        let constant = |bucket: Bucket| bucket.low() == first.low() && bucket.high() == first.low();
-        self.channel.freedom().is_some() || !(constant(first) && values.all(constant))
     }
 
     fn page_panel(&self) -> Value {

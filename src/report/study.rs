@@ -7,10 +7,11 @@ use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, grad
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, digits};
 use super::{Destination, FileSet, Findings};
-use crate::analysis::Channel;
+use crate::analysis::{Channel, column_unit};
 use crate::bearing::{Around, BallLine, BearingState};
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
+use crate::scenario::si_units;
 use crate::study::{Study, StudyRow, Variable};
 
 /// The answers of a study, and the bearings all around; the numbers stand in the tables alone.
@@ -38,25 +39,49 @@ pub fn study_findings<'a>(
 
 /// The variable as the name of a column: `load_0_constant_z_N`.
 pub(super) fn column_name(variable: &Variable) -> String {
-    let words: Vec<_> = variable
-        .key
-        .split(['.', '[', ']'])
-        .filter(|word| !word.is_empty())
-        .collect();
-    let name = words.join("_");
-    if variable.unit.is_empty() {
-        name
-    } else {
-        format!("{name}_{}", crate::analysis::column_unit(variable.unit))
+    key_column(&variable.key, variable.unit)
+}
+
+fn key_column(key: &str, unit: &str) -> String {
+    let words = key.split(['.', '[', ']']);
+    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+    match unit {
+        "" => words.join("_"),
+        unit => format!("{}_{}", words.join("_"), column_unit(unit)),
     }
 }
 
-/// The variable as the name of an axis: `load[0].constant.z in N`.
+/// The unit that the column of a key ends with; empty of a plain number.
+pub(super) fn unit_of_column(key: &str, column: &str) -> &'static str {
+    let mut units = si_units();
+    let found = units.find(|unit| key_column(key, unit) == column);
+    found.unwrap_or_default()
+}
+
+/// The variable as the name of an axis: `load 1, z in N`.
 pub(super) fn axis_name(variable: &Variable) -> String {
-    if variable.shown_unit.is_empty() {
-        variable.key.clone()
-    } else {
-        format!("{} in {}", variable.key, variable.shown_unit)
+    axis_label(&variable.key, variable.shown_unit)
+}
+
+/// A key in words with a unit: `speed in rad/s`, `radial clearance of bearing 1 in µm`.
+pub(super) fn axis_label(key: &str, unit: &str) -> String {
+    let (table, rest) = key.split_once('.').unwrap_or((key, "constant"));
+    let table = match table.trim_end_matches(']').split_once('[') {
+        Some((table, index)) => {
+            let number = index.parse().map_or(1, |index: usize| index + 1);
+            format!("{table} {number}")
+        }
+        None => table.to_owned(),
+    };
+    let last = rest.rsplit('.').next().unwrap_or(rest).replace('_', " ");
+    let words = match (rest, last.as_str()) {
+        ("constant", _) => table,
+        (_, "x" | "y" | "z" | "tilt x" | "tilt y") => format!("{table}, {last}"),
+        _ => format!("{last} of {table}"),
+    };
+    match unit {
+        "" => words.replace('_', " "),
+        unit => format!("{} in {unit}", words.replace('_', " ")),
     }
 }
 
@@ -241,8 +266,14 @@ fn text(title: &str, study: &Study, rows: &[StudyRow]) -> Lines {
     let step = rows.len().div_ceil(MOST_ROWS).max(1);
     let cells = rows.iter().step_by(step).map(|row| cells(study, row));
     out.table(header, cells);
-    let name = axis_name(&study.variable);
-    out.line("varied", format!("{name}: {} values", rows.len()));
+    let Variable {
+        key, shown_unit, ..
+    } = &study.variable;
+    let unit = match *shown_unit {
+        "" => String::new(),
+        unit => format!(" in {unit}"),
+    };
+    out.line("varied", format!("{key}{unit}: {} values", rows.len()));
     out
 }
 
@@ -394,7 +425,27 @@ fn shown_names(count: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::shown_names;
+    use super::{axis_label, shown_names, unit_of_column};
+
+    #[test]
+    fn an_axis_says_in_words_what_its_key_is() {
+        let labels = [
+            ("speed.constant", "rad/s", "speed in rad/s"),
+            ("load[0].constant.z", "N", "load 1, z in N"),
+            ("shaft.mass", "kg", "mass of shaft in kg"),
+            (
+                "bearing[1].geometry.radial_clearance",
+                "µm",
+                "radial clearance of bearing 2 in µm",
+            ),
+            ("damping.ratio", "", "ratio of damping"),
+        ];
+        for (key, unit, label) in labels {
+            assert_eq!(axis_label(key, unit), label);
+        }
+        let unit = unit_of_column("speed.constant", "speed_constant_rad_s");
+        assert_eq!(unit, "rad/s");
+    }
 
     #[test]
     fn of_many_names_evenly_spaced_ones_are_shown() {

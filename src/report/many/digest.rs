@@ -10,6 +10,8 @@ use super::each_row;
 use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
 use super::tables::BETWEEN_WARNINGS;
 use crate::report::ReportError;
+use crate::report::study::{axis_label, unit_of_column};
+use crate::report::terminal::shown_unit;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 20_000;
@@ -114,6 +116,8 @@ pub struct Digest {
     pub(super) first: Vec<csv::StringRecord>,
     /// Names of the axes as columns.
     pub(super) axes: Vec<String>,
+    /// What the axes are called for people, and by what their values are multiplied for that.
+    pub(super) labels: Vec<(String, f64)>,
     pub(super) columns: Vec<ColumnDigest>,
     /// Rows that are drawn, every `stride`-th of those that were done.
     pub(super) rows: Vec<Row>,
@@ -141,7 +145,14 @@ impl Digest {
     }
 
     fn empty(names: csv::StringRecord, study: &Value) -> Self {
-        let axes = study["axis"].as_array().map_or(0, Vec::len);
+        let keys = study["axis"].as_array().map_or(&[][..], Vec::as_slice);
+        let axes = keys.len();
+        let columns = names.iter().skip(2);
+        let labels = keys.iter().zip(columns).map(|(axis, column)| {
+            let key = axis["key"].as_str().unwrap_or_default();
+            let (unit, factor) = shown_unit(unit_of_column(key, column));
+            (axis_label(key, &unit), factor)
+        });
         let own = |name: &str| name.to_owned();
         let numbers = names.len().saturating_sub(5 + axes);
         let columns = names.iter().skip(2 + axes).take(numbers);
@@ -152,6 +163,7 @@ impl Digest {
             failures: Vec::new(),
             warnings: Vec::new(),
             axes: names.iter().skip(2).take(axes).map(own).collect(),
+            labels: labels.collect(),
             columns: columns.map(ColumnDigest::new).collect(),
             first: Vec::new(),
             rows: Vec::new(),

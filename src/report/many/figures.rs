@@ -98,7 +98,7 @@ impl Digest {
 
     /// Numbers along the only axis, by direction.
     pub(super) fn response(&self, title: &str) -> Option<Figure> {
-        let [axis] = &self.axes[..] else {
+        let [(axis, _)] = &self.labels[..] else {
             return None;
         };
         let ends = self.ends(0)?;
@@ -107,20 +107,24 @@ impl Digest {
             let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
             Panel::of(Axis::spanning(axis, ends), shown.title, ROW_HEIGHT, curves)
         });
-        let down = self.rows.iter().filter(|row| row.down).count();
-        let names: &[&str] = if down > 0 && down < self.rows.len() {
-            &["up", "down"]
-        } else {
-            &["runs"]
-        };
         let figure = Figure::new("response.svg", title, 2, panels.collect());
-        Some(figure.with_names(Name::each(names.iter().copied())))
+        Some(figure.with_names(self.directions()))
+    }
+
+    /// What the colours mean: how a run came to its value.
+    fn directions(&self) -> Vec<Name> {
+        let down = self.rows.iter().filter(|row| row.down).count();
+        if down > 0 && down < self.rows.len() {
+            Name::each(["up", "down"])
+        } else {
+            Name::each(["runs"])
+        }
     }
 
     fn curve(&self, shown: &Shown, down: bool) -> Option<Curve> {
         let rows = self.rows.iter().filter(|row| row.down == down);
         let mut points: Vec<_> = rows
-            .map(|row| (row.values[0], shown.factor() * row.numbers[shown.column]))
+            .map(|row| (self.at(row, 0), shown.factor() * row.numbers[shown.column]))
             .filter(|(_, value)| value.is_finite())
             .collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -135,7 +139,7 @@ impl Digest {
         title: &str,
         points: &Path,
     ) -> Result<Option<Figure>, ReportError> {
-        let ([axis], Some([low, high])) = (&self.axes[..], self.ends(0)) else {
+        let ([(axis, _)], Some([low, high])) = (&self.labels[..], self.ends(0)) else {
             return Ok(None);
         };
         // of every displacement: value of the axis and place in µm, up and down
@@ -146,7 +150,7 @@ impl Digest {
             for (place, name) in names.iter().enumerate().skip(2) {
                 if let Some(name) = name.strip_suffix("_m") {
                     let places = found.entry(name.to_owned()).or_default();
-                    let point = (row.values[0], MICRO * number_in(&record, place));
+                    let point = (self.at(row, 0), MICRO * number_in(&record, place));
                     places[usize::from(row.down)].push(point);
                 }
             }
@@ -171,7 +175,8 @@ impl Digest {
             curves: dots.collect(),
             ..Panel::new(Axis::over(axis, low..high), heights, HEIGHT)
         };
-        Ok(Some(Figure::new("bifurcation.svg", title, 1, vec![panel])))
+        let figure = Figure::new("bifurcation.svg", title, 1, vec![panel]);
+        Ok(Some(figure.with_names(self.directions())))
     }
 
     /// What the study names, or else vibration, over both axes of a grid.
@@ -179,7 +184,7 @@ impl Digest {
         if self.axes.len() != 2 || self.drawn || !self.is_complete() {
             return None;
         }
-        let edges = [0, 1].map(|axis| edges(self.rows.iter().map(|row| row.values[axis])));
+        let edges = [0, 1].map(|axis| edges(self.rows.iter().map(|row| self.at(row, axis))));
         let [Some(x), Some(y)] = edges else {
             return None;
         };
@@ -205,7 +210,7 @@ impl Digest {
             let value = value(row);
             let [across, up] = [0, 1].map(|axis| {
                 let (values, edges) = edges[axis];
-                let place = values.partition_point(|known| *known < row.values[axis]);
+                let place = values.partition_point(|known| *known < self.at(row, axis));
                 [edges[place], edges[place + 1]]
             });
             let corners = [(across[0], up[0]), (across[1], up[1])];
@@ -213,7 +218,7 @@ impl Digest {
         });
         let [x, y] = [0, 1].map(|axis| {
             let edges = &edges[axis].1;
-            Axis::over(&self.axes[axis], edges[0]..edges[edges.len() - 1])
+            Axis::over(&self.labels[axis].0, edges[0]..edges[edges.len() - 1])
         });
         Panel {
             title: shown.title.clone(),
@@ -233,7 +238,12 @@ impl Digest {
                 let correlations = sensitivity.rank_correlation.iter();
                 let mut axes: Vec<_> = correlations.collect();
                 axes.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-                let name = |axis: &str| format!("{} by {axis}", sensitivity.number);
+                let name = |axis: &str| {
+                    let place = self.axes.iter().position(|known| known == axis);
+                    let label = place.map_or(axis, |place| self.labels[place].0.as_str());
+                    let label = label.split(" in ").next().unwrap_or(label);
+                    format!("{} by {label}", sensitivity.number)
+                };
                 bars.extend(axes.into_iter().map(|(axis, part)| (name(axis), *part)));
             }
         }
@@ -261,9 +271,14 @@ impl Digest {
         Some(Figure::new("sensitivity.svg", &title, 1, vec![panel]))
     }
 
-    /// Least and largest value of an axis.
+    /// Value of an axis in a row, in the unit of its label.
+    pub(super) fn at(&self, row: &Row, axis: usize) -> f64 {
+        self.labels[axis].1 * row.values[axis]
+    }
+
+    /// Least and largest value of an axis, in the unit of its label.
     pub(super) fn ends(&self, axis: usize) -> Option<[f64; 2]> {
-        let ends = ends(self.rows.iter().map(|row| row.values[axis]));
+        let ends = ends(self.rows.iter().map(|row| self.at(row, axis)));
         ends.filter(|[low, high]| low < high)
     }
 }

@@ -35,7 +35,7 @@ impl Digest {
         title: &str,
         spectra: &Path,
     ) -> Result<Option<Figure>, ReportError> {
-        let ([axis], Some(ends), false) = (&self.axes[..], self.ends(0), self.drawn) else {
+        let ([(axis, _)], Some(ends), false) = (&self.labels[..], self.ends(0), self.drawn) else {
             return Ok(None);
         };
         let mut highest = 0.0_f64;
@@ -78,7 +78,7 @@ fn each_run(
         };
         let spectra = current.get_or_insert_with(|| Spectra {
             run,
-            at: row.values[0],
+            at: digest.at(row, 0),
             frequencies: Vec::new(),
             amplitudes: vec![Vec::new(); channels.len()],
         });

@@ -1,6 +1,7 @@
 //! The spectra of a run: tables of values and of named peaks, and what is shown of them.
 
 use std::borrow::Cow;
+use std::f64::consts::TAU;
 use std::io;
 use std::io::Write;
 
@@ -10,7 +11,7 @@ use super::shown::{FREQUENCY, ShownPeak, ShownSpectrum};
 use crate::analysis::{Channel, Peak, Spectrum, column_unit};
 use crate::report::figure::Figure;
 use crate::report::table::{CsvTable, Table};
-use crate::report::terminal::shown_unit;
+use crate::report::terminal::{MICRO, MILLI, shown_unit};
 use crate::simulate::Run;
 
 /// Writes one row a frequency: `f_Hz`, `order` (where the shaft turns), then amplitude and phase of
@@ -140,14 +141,41 @@ const GROUPS: [(&str, &str); 4] = [
     ("moment", "N m"),
 ];
 
-/// What is shown: amplitudes of channels of one unit together, with their named peaks.
+/// What is shown: velocities of the lengths, then amplitudes of channels of one unit together, with their named
+/// peaks.
 pub(in crate::report) fn shown_spectra<'a>(
     spectrum: &'a Spectrum,
     peaks: &[Peak],
 ) -> Vec<ShownSpectrum<'a>> {
     let groups = GROUPS.iter();
     let groups = groups.filter_map(|(name, unit)| shown_group(spectrum, peaks, name, unit));
-    groups.collect()
+    let groups: Vec<_> = groups.collect();
+    let velocity = groups.iter().find(|group| group.name == "displacement");
+    let velocity = velocity.map(|group| velocity_of(spectrum, group));
+    velocity.into_iter().chain(groups).collect()
+}
+
+/// Velocities of displacements: 2πf times their amplitudes.
+fn velocity_of<'a>(spectrum: &Spectrum, group: &ShownSpectrum<'a>) -> ShownSpectrum<'a> {
+    let columns = group.columns.iter().map(|(name, values)| {
+        let values = values.iter().enumerate();
+        let rates = values.map(|(k, value)| TAU * spectrum.frequency(k) * value);
+        (name.clone(), Cow::Owned(rates.collect()))
+    });
+    let peaks = group.peaks.iter().map(|peak| ShownPeak {
+        height: MILLI / MICRO * TAU * peak.at * peak.height,
+        ..peak.clone()
+    });
+    ShownSpectrum {
+        name: "velocity".to_owned(),
+        quantity: group.quantity.clone(),
+        unit: "mm/s".to_owned(),
+        factor: MILLI,
+        shown: group.shown.clone(),
+        columns: columns.collect(),
+        peaks: peaks.collect(),
+        ..*group
+    }
 }
 
 fn shown_group<'a>(

@@ -41,7 +41,7 @@ pub(in crate::report) struct ShownSpectrum<'a> {
 }
 
 /// A peak that has a name.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(in crate::report) struct ShownPeak {
     /// Which column it is of.
     pub column: usize,
