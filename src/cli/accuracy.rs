@@ -53,11 +53,9 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
     let accuracy = measure(job, model, arguments)?;
     let destination = job.destination();
-    let files = report::write_accuracy(&destination, &accuracy)?;
-    let text = report::accuracy_text(destination.title, &accuracy, &files);
-    let text = text + &job.contact_choice_text();
-    let json = destination.document(&accuracy);
-    Ok(Answer::new(text, json, &files))
+    let written = destination.write(report::accuracy_findings(&destination, &accuracy))?;
+    let text = written.text + &job.contact_choice_text();
+    Ok(Answer::new(text, written.json, &written.files))
 }
 
 fn measure(job: &Job, model: &Model, arguments: &Arguments) -> Result<Accuracy, AccuracyError> {

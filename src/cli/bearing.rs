@@ -38,14 +38,13 @@ fn answer(job: &Job) -> Result<Answer, Failure> {
     let destination = job.destination();
     let answer = quasi_static(&job.scenario.question)?;
     job.warn(&answer.warnings);
-    let files = report::write_answer(&destination, &answer)?;
-    let text = report::answer_text(destination.title, &answer, &files);
-    let text = text + &job.contact_choice_text();
+    let written = destination.write(report::answer_findings(&destination, &answer))?;
+    let text = written.text + &job.contact_choice_text();
     let json = destination.document(Shown {
         answer: &answer,
         contact_choice: job.scenario.contact_choice.as_ref(),
     });
-    Ok(Answer::new(text, json, &files))
+    Ok(Answer::new(text, json, &written.files))
 }
 
 /// What is printed as JSON.
@@ -67,8 +66,7 @@ fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {
         let warnings = row.answer.warnings.iter();
         job.warn(warnings.map(|warning| format!("{place}: {warning}")));
     }
-    let files = report::write_study(&destination, study, &rows)?;
-    let text = report::study_text(destination.title, study, &rows, &files);
+    let written = destination.write(report::study_findings(&destination, study, &rows))?;
     let json = report::study_json(&destination, study, &rows);
-    Ok(Answer::new(text, json, &files))
+    Ok(Answer::new(written.text, json, &written.files))
 }

@@ -95,10 +95,8 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
         orders: orders(job, arguments),
     };
     let campbell = question.solve()?;
-    let files = report::write_campbell(&destination, &campbell)?;
-    let text = report::campbell_text(destination.title, &campbell, &files);
-    let json = report::campbell_json(&destination, &campbell);
-    Ok(Answer::new(text, json, &files))
+    let written = destination.write(report::campbell_findings(&destination, &campbell))?;
+    Ok(Answer::from(written))
 }
 
 /// The orders as numbers, each once; says which number an order of the bearings is.

@@ -9,7 +9,7 @@ use std::time::Instant;
 use serde_json::{Value, json};
 
 use super::{Outcome, terminal};
-use crate::report::{self, Destination};
+use crate::report::{self, Destination, Written};
 use crate::scenario::{self, STDIN, STDIN_NAME, Scenario};
 use crate::simulate::Model;
 
@@ -235,6 +235,13 @@ impl Answer {
         self.json["wall_time_s"] = seconds.into();
         self.told = format!("done in {seconds:.3} s\n");
         self
+    }
+}
+
+/// An answer that is told as it is written.
+impl From<Written> for Answer {
+    fn from(written: Written) -> Self {
+        Self::new(written.text, written.json, &written.files)
     }
 }
 

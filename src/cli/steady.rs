@@ -120,10 +120,8 @@ fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fail
         stop: terminal::stop(),
     })?;
     job.warn(&found.warnings);
-    let files = report::write_steady(&destination, model, &found)?;
-    let text = report::steady_text(destination.title, model, &found, &files);
-    let json = report::steady_json(&destination, model, &found);
-    Ok(Answer::new(text, json, &files))
+    let written = destination.write(report::steady_findings(&destination, model, &found))?;
+    Ok(Answer::from(written))
 }
 
 fn along(
@@ -149,11 +147,10 @@ fn along(
     let incomplete = || branches.iter().filter(|branch| branch.incomplete);
     job.warn(incomplete().map(|branch| &branch.end));
     let variable = &stretch.variable;
-    let files = report::write_response(&destination, variable, &branches)?;
-    let text = report::response_text(destination.title, variable, &branches, &files);
-    let json = report::response_json(&destination, variable, &branches);
+    let findings = report::response_findings(&destination, variable, &branches);
+    let written = destination.write(findings)?;
     Ok(Answer {
         incomplete: incomplete().next().is_some(),
-        ..Answer::new(text, json, &files)
+        ..Answer::from(written)
     })
 }

@@ -2,33 +2,35 @@
 //!
 //! These files hold times, and so are the only ones that differ from one measurement to the next.
 
-use std::path::PathBuf;
-
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, or_dash, wrapped};
-use super::{Destination, FileSet, ReportError};
+use super::{Destination, FileSet, Findings};
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, LadderRow, Measured, Row};
 
-/// Writes `accuracy.csv`, `ladder.csv`, `accuracy.svg`, `ladder.svg` and, last, `accuracy.json` ; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_accuracy(
+/// Reference, methods and ladder of a measurement.
+pub fn accuracy_findings<'a>(
     destination: &Destination<'_>,
-    accuracy: &Accuracy,
-) -> Result<Vec<PathBuf>, ReportError> {
+    accuracy: &'a Accuracy,
+) -> Findings<'a> {
     let title = destination.title;
-    let tables = [
-        ("accuracy", methods_table(accuracy)),
-        ("ladder", ladder_table(accuracy)),
-    ];
-    let figures = [
-        methods_figure(title, accuracy),
-        ladder_figure(title, accuracy),
-    ];
-    let document = destination.document(accuracy);
-    destination.write(FileSet::ACCURACY, tables, figures, &document)
+    let mut text = Lines::titled(title);
+    put_reference(&mut text, &accuracy.agreement);
+    put_methods(&mut text, accuracy);
+    put_ladder(&mut text, accuracy);
+    Findings {
+        set: FileSet::ACCURACY,
+        tables: vec![
+            ("accuracy", methods_table(accuracy)),
+            ("ladder", ladder_table(accuracy)),
+        ],
+        figures: vec![
+            methods_figure(title, accuracy),
+            ladder_figure(title, accuracy),
+        ],
+        document: destination.document(accuracy),
+        text,
+    }
 }
 
 const ERRORS: [Named<Errors>; 11] = [
@@ -60,7 +62,7 @@ const COUNTS: [Named<Cost>; 4] = [
 ];
 
 /// Methods × tolerances.
-fn methods_table(accuracy: &Accuracy) -> Table {
+fn methods_table(accuracy: &Accuracy) -> Table<'static> {
     let rows = || accuracy.rows.iter();
     let measured = |row: &Row| row.result.as_ref().ok().copied();
     let costs: Vec<_> = rows().map(|row| Some(measured(row)?.cost)).collect();
@@ -80,7 +82,7 @@ fn methods_table(accuracy: &Accuracy) -> Table {
 }
 
 /// The rungs.
-fn ladder_table(accuracy: &Accuracy) -> Table {
+fn ladder_table(accuracy: &Accuracy) -> Table<'static> {
     let rows = || accuracy.ladder.rows.iter();
     let measured = || rows().map(|row| row.result.as_ref().ok());
     let costs: Vec<_> = measured().map(|measured| Some(measured?.0)).collect();
@@ -99,7 +101,7 @@ fn ladder_table(accuracy: &Accuracy) -> Table {
     table
 }
 
-fn add_costs(table: &mut Table, costs: &[Option<Cost>]) {
+fn add_costs(table: &mut Table<'_>, costs: &[Option<Cost>]) {
     let seconds = costs.iter().map(|cost| Some(cost.as_ref()?.seconds));
     table.numbers("wall_time_s", seconds);
     for (name, count) in COUNTS {
@@ -109,16 +111,6 @@ fn add_costs(table: &mut Table, costs: &[Option<Cost>]) {
 
 fn or_blank(value: Option<impl ToString>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
-}
-
-/// Reference, methods, ladder, and the files written; at most 100 columns.
-pub fn accuracy_text(title: &str, accuracy: &Accuracy, files: &[PathBuf]) -> String {
-    let mut out = Lines::titled(title);
-    put_reference(&mut out, &accuracy.agreement);
-    put_methods(&mut out, accuracy);
-    put_least_time(&mut out, accuracy);
-    put_ladder(&mut out, accuracy);
-    out.wrote(files)
 }
 
 fn put_reference(out: &mut Lines, agreement: &Agreement) {
@@ -252,26 +244,6 @@ fn method_cells(row: &Row, measured: &Measured, irregular: bool) -> Vec<String> 
     cells
 }
 
-/// Of each decade of error, the row that stays below it in the least time.
-fn put_least_time(out: &mut Lines, accuracy: &Accuracy) {
-    if accuracy.agreement.irregular {
-        return;
-    }
-    for decade in (2..=12).step_by(2) {
-        let bound = 10f64.powi(-decade);
-        let fast = accuracy.rows.iter().filter_map(|row| {
-            let measured = row.result.as_ref().ok()?;
-            (measured.errors.displacement_relative <= bound).then_some((row, measured))
-        });
-        let best = fast.min_by(|a, b| a.1.cost.seconds.total_cmp(&b.1.cost.seconds));
-        let Some((row, measured)) = best else { break };
-        let (method, tolerance) = (&row.method, row.tolerance);
-        let time = time(MILLI * measured.cost.seconds);
-        let text = format!("soonest by {method} at {tolerance:e}: {time} ms");
-        out.line(&format!("error ≤ {bound:<5e}"), text);
-    }
-}
-
 fn put_ladder(out: &mut Lines, accuracy: &Accuracy) {
     let errors = rung_errors(accuracy.agreement.irregular);
     let header = ["model, cage, freedoms\n", "\n", "ms per\nsimulated s"];
@@ -363,31 +335,29 @@ const RMS: Quantity = ("error in rms of displacement", |measured| {
 const FORCE_RMS: Quantity = ("error in rms of force", |measured| {
     Some(measured.errors.force_statistics.rms)
 });
-const LINES: Quantity = ("error in labelled lines", |measured| measured.errors.lines);
-
 /// What is plotted below and upwards, and the uncertainty of it.
-type Plotted = (Quantity, Quantity, Option<f64>);
+type Plotted = (Quantity, Quantity, f64);
 
 /// What is plotted over what, and the uncertainty of it: of traces, or of their rms where they mean
 /// nothing.
-fn panels(agreement: &Agreement) -> [Plotted; 5] {
+fn panels(agreement: &Agreement) -> [Plotted; 4] {
     let (scatter, uncertainty) = (&agreement.scatter, &agreement.uncertainty);
-    let (displacement, force) = if agreement.irregular {
-        let limits = (scatter.statistics.rms, scatter.force_statistics.rms);
-        ((RMS, Some(limits.0)), (FORCE_RMS, Some(limits.1)))
+    let [displacement, force] = if agreement.irregular {
+        [
+            (RMS, scatter.statistics.rms),
+            (FORCE_RMS, scatter.force_statistics.rms),
+        ]
     } else {
-        let limits = (
-            uncertainty.displacement_relative,
-            uncertainty.force_relative,
-        );
-        ((DISPLACEMENT, Some(limits.0)), (FORCE, Some(limits.1)))
+        [
+            (DISPLACEMENT, uncertainty.displacement_relative),
+            (FORCE, uncertainty.force_relative),
+        ]
     };
     [
         (TIME, displacement.0, displacement.1),
         (EVALUATIONS, displacement.0, displacement.1),
         (STEPS, displacement.0, displacement.1),
         (TIME, force.0, force.1),
-        (TIME, LINES, uncertainty.lines),
     ]
 }
 
@@ -407,16 +377,17 @@ fn methods_figure(title: &str, accuracy: &Accuracy) -> Figure {
     }
     let panels = panels(&accuracy.agreement).into_iter();
     let panels = panels.map(|plotted| methods_panel(accuracy, &methods, plotted));
-    let words = Panel {
-        words: reading(accuracy),
-        ..Panel::default()
-    };
     let names = methods.iter().enumerate().map(|(index, method)| Name {
         mark: Some(mark(index)),
         ..Name::new(*method, distinct(index))
     });
-    let figure = Figure::new("accuracy.svg", title, 2, panels.chain([words]).collect());
-    figure.with_names(names)
+    let grey = if accuracy.agreement.irregular {
+        "scatter of exact runs, which part company"
+    } else {
+        "uncertainty of the reference"
+    };
+    let figure = Figure::new("accuracy.svg", title, 2, panels.collect());
+    figure.with_names(names.chain([Name::new(grey, GREY)]))
 }
 
 fn methods_panel(accuracy: &Accuracy, methods: &[&str], plotted: Plotted) -> Panel {
@@ -429,10 +400,8 @@ fn methods_panel(accuracy: &Accuracy, methods: &[&str], plotted: Plotted) -> Pan
     };
     let x_axis = Axis::logarithmic(x_name, all().filter_map(x));
     let y_axis = Axis::logarithmic(y_name, all().filter_map(y));
-    let limit = uncertainty.map(|limit| {
-        let ends = [x_axis.least(), x_axis.most()];
-        Curve::line(GREY, ends.map(|end| (end, limit)).to_vec())
-    });
+    let ends = [x_axis.least(), x_axis.most()];
+    let limit = Curve::line(GREY, ends.map(|end| (end, uncertainty)).to_vec());
     let curves = methods.iter().enumerate().map(|(index, method)| {
         let points = measured(accuracy, method).filter_map(|row| Some((x(row)?, y(row)?)));
         let points: Vec<_> = points.collect();
@@ -443,7 +412,7 @@ fn methods_panel(accuracy: &Accuracy, methods: &[&str], plotted: Plotted) -> Pan
         }
     });
     Panel {
-        curves: limit.into_iter().chain(curves).collect(),
+        curves: std::iter::once(limit).chain(curves).collect(),
         ..Panel::new(x_axis, y_axis, HEIGHT)
     }
 }
@@ -455,27 +424,6 @@ fn mark(index: usize) -> Mark {
     } else {
         Mark::Triangle
     }
-}
-
-/// What the figure rests on, in words.
-fn reading(accuracy: &Accuracy) -> Vec<String> {
-    let agreement = &accuracy.agreement;
-    let (method, tolerance) = &agreement.reference;
-    let (other, tightness) = &agreement.other;
-    let grey = if agreement.irregular {
-        "Grey line: scatter of exact runs, which part company here."
-    } else {
-        "Grey line: distance of the two, the uncertainty."
-    };
-    vec![
-        format!("Reference: {method} at {tolerance:e},"),
-        format!("compared with {other} at {tightness:e}."),
-        grey.to_owned(),
-        format!("Motion: {:.4} µm.", MICRO * agreement.scale.displacement),
-        "Errors are relative to it, those of forces to their change,".to_owned(),
-        "those of lines to each line.".to_owned(),
-        "Along a curve, the tolerance falls.".to_owned(),
-    ]
 }
 
 /// A row a rung: its cost to the left, its difference from the top rung to the right.

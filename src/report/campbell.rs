@@ -1,50 +1,48 @@
 //! Natural frequencies over the speed: tables, figure, text and JSON.
 
 use std::f64::consts::TAU;
-use std::path::PathBuf;
 
 use plotters::style::RGBColor;
 use serde::Serialize;
-use serde_json::Value;
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
 use super::table::Table;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash};
-use super::{Destination, FileSet, ReportError, RunFolder, WholeFile};
+use super::{Destination, FileSet, Findings};
 use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
 
-/// Writes `campbell.csv`, `campbell.svg` and, last, `campbell.json`; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_campbell(
+/// Branches and critical speeds.
+pub fn campbell_findings<'a>(
     destination: &Destination<'_>,
-    campbell: &Campbell,
-) -> Result<Vec<PathBuf>, ReportError> {
-    let tables = [("campbell", modes(campbell))];
-    let figures = [campbell_figure(destination.title, campbell)];
-    let document = campbell_json(destination, campbell);
-    destination.write(FileSet::CAMPBELL, tables, figures, &document)
-}
-
-/// Writes the table, and the figure where it is drawn, beside the files of a run.
-pub(super) fn write_files(
-    folder: &RunFolder,
-    title: &str,
-    campbell: &Campbell,
-    figure: bool,
-) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = folder.write_table("campbell", &modes(campbell))?;
-    if figure {
-        let figure = campbell_figure(title, campbell);
-        files.push(folder.write_figure(&figure)?);
+    campbell: &'a Campbell,
+) -> Findings<'a> {
+    let mut text = Lines::titled(destination.title);
+    put_branches(&mut text, campbell);
+    if campbell.critical_speeds.is_empty() {
+        text.put("no critical speed in the range\n");
+    } else {
+        put_critical(&mut text, campbell);
     }
-    Ok(files)
+    Findings {
+        set: FileSet::CAMPBELL,
+        tables: vec![("campbell", modes(campbell))],
+        figures: vec![figure(destination.title, campbell)],
+        document: destination.document(CampbellSummary {
+            from: campbell.speeds.first(),
+            to: campbell.speeds.last(),
+            count: campbell.speeds.len(),
+            orders: &campbell.orders,
+            branches: campbell.branches.iter().map(branch).collect(),
+            least_assurance: campbell.least_assurance,
+            critical_speeds: &campbell.critical_speeds,
+        }),
+        text,
+    }
 }
 
 /// The modes, branch by branch from 1 on; the order is missing at rest.
-fn modes(campbell: &Campbell) -> Table {
+pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
     let branches = campbell.branches.iter().enumerate();
     let modes: Vec<_> = branches
         .flat_map(|(index, branch)| {
@@ -93,20 +91,6 @@ struct BranchSummary {
     last: Option<f64>,
 }
 
-/// Critical speeds and what they rest on; the modes stand in `campbell.csv`.
-pub fn campbell_json(destination: &Destination<'_>, campbell: &Campbell) -> Value {
-    let summary = CampbellSummary {
-        from: campbell.speeds.first(),
-        to: campbell.speeds.last(),
-        count: campbell.speeds.len(),
-        orders: &campbell.orders,
-        branches: campbell.branches.iter().map(branch).collect(),
-        least_assurance: campbell.least_assurance,
-        critical_speeds: &campbell.critical_speeds,
-    };
-    destination.document(summary)
-}
-
 fn branch(branch: &Branch) -> BranchSummary {
     let frequency = |mode: Option<&Option<Mode>>| mode?.as_ref().map(Mode::damped_frequency);
     BranchSummary {
@@ -114,18 +98,6 @@ fn branch(branch: &Branch) -> BranchSummary {
         first: frequency(branch.modes.first()),
         last: frequency(branch.modes.last()),
     }
-}
-
-/// A table of branches, one of critical speeds, then the files written.
-pub fn campbell_text(title: &str, campbell: &Campbell, files: &[PathBuf]) -> String {
-    let mut out = Lines::titled(title);
-    put_branches(&mut out, campbell);
-    if campbell.critical_speeds.is_empty() {
-        out.put("no critical speed in the range\n");
-    } else {
-        put_critical(&mut out, campbell);
-    }
-    out.wrote(files)
 }
 
 fn put_branches(out: &mut Lines, campbell: &Campbell) {
@@ -183,7 +155,7 @@ fn put_critical(out: &mut Lines, campbell: &Campbell) {
 const HEIGHT: u32 = 322;
 
 /// Frequencies with the orders and critical speeds above, damping ratios below.
-fn campbell_figure(title: &str, campbell: &Campbell) -> Figure {
+pub(super) fn figure(title: &str, campbell: &Campbell) -> Figure {
     let whirls = [
         Whirl::Forward,
         Whirl::Backward,

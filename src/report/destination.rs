@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use super::figure::Figure;
 use super::table::{Origin, Table};
+use super::terminal::Lines;
 use super::{FileSet, ReportError, RunFolder};
 use crate::scenario::TableFormat;
 
@@ -29,35 +30,57 @@ impl Destination<'_> {
         document(self.title, self.scenario, result)
     }
 
-    /// Writes tables and figures, and the document last; returns the paths of all files.
+    /// Writes tables and figures, and the document last.
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn.
-    pub(super) fn write(
-        &self,
-        set: FileSet,
-        tables: impl IntoIterator<Item = (&'static str, Table)>,
-        figures: impl IntoIterator<Item = Figure>,
-        document: &Value,
-    ) -> Result<Vec<PathBuf>, ReportError> {
-        let folder = self.open(set)?;
-        let mut files = Vec::new();
-        for (stem, table) in tables {
-            files.extend(folder.write_table(stem, &table)?);
-        }
-        for figure in figures {
-            files.push(folder.write_figure(&figure)?);
-        }
-        folder.commit(files, format!("{document:#}\n").as_bytes())
-    }
-
-    /// Opens the folder for a set of files.
-    fn open(&self, set: FileSet) -> Result<RunFolder, ReportError> {
+    pub fn write(&self, findings: Findings<'_>) -> Result<Written, ReportError> {
         let origin = Origin {
             scenario: self.scenario.to_string(),
         };
-        Ok(RunFolder::open(self.folder, set)?.with_tables(self.formats, origin))
+        let folder = RunFolder::open(self.folder, findings.set)?;
+        let folder = folder.with_tables(self.formats, origin);
+        let mut files = Vec::new();
+        for (stem, table) in findings.tables {
+            files.extend(folder.write_table(stem, &table)?);
+        }
+        for figure in findings.figures {
+            files.push(folder.write_figure(&figure)?);
+        }
+        let document = findings.document;
+        let files = folder.commit(files, format!("{document:#}\n").as_bytes())?;
+        Ok(Written {
+            text: findings.text.wrote(&files),
+            json: document,
+            files,
+        })
     }
+}
+
+/// What a verb has found, in every form in which it is told.
+#[derive(Debug)]
+pub struct Findings<'a> {
+    /// The files that it is made of.
+    pub(super) set: FileSet,
+    /// Tables by their names without ending.
+    pub(super) tables: Vec<(&'static str, Table<'a>)>,
+    /// Figures.
+    pub(super) figures: Vec<Figure>,
+    /// The document that seals the files.
+    pub(super) document: Value,
+    /// What people read.
+    pub(super) text: Lines,
+}
+
+/// Findings whose files are written.
+#[derive(Debug)]
+pub struct Written {
+    /// For people, with the files.
+    pub text: String,
+    /// The document.
+    pub json: Value,
+    /// Paths of the files.
+    pub files: Vec<PathBuf>,
 }
 
 /// What every document begins with.

@@ -1,14 +1,13 @@
 //! The folder of a run: either the whole of one run stands there, or it does not look whole.
 
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use super::claim::Claim;
 use super::figure::Figure;
-use super::table::{Column, Origin, Table, TableFiles};
+use super::table::{Origin, Table, TableFiles};
 use super::{FileAction, ReportError};
 use crate::scenario::TableFormat;
 
@@ -66,10 +65,21 @@ impl FileSet {
     /// What the answer to a static question leaves; a study of the same name does not outlive it.
     pub const BEARING: Self = Self {
         seal: "bearing.json",
+        ..Self::STATIC
+    };
+    /// What a study of static questions leaves; a single answer of the same name does not outlive it.
+    pub const STUDY: Self = Self {
+        seal: "study.json",
+        ..Self::STATIC
+    };
+    /// What both leave.
+    const STATIC: Self = Self {
+        seal: "",
         tables: &["balls", "study", "around"],
         others: &[
-            "balls.svg",
+            "bearing.json",
             "study.json",
+            "balls.svg",
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
@@ -119,26 +129,13 @@ impl FileSet {
         others: &["response.svg"],
         spent: &[],
     };
-    /// What a study leaves; a single answer of the same name does not outlive it.
-    pub const STUDY: Self = Self {
-        seal: "study.json",
-        tables: &["study", "around", "balls"],
-        others: &[
-            "stiffness.svg",
-            "deformation.svg",
-            "contact_angle.svg",
-            "bearing.json",
-            "balls.svg",
-        ],
-        spent: &[],
-    };
-
     /// Names of what may stand beside the seal.
     fn beside(self) -> impl Iterator<Item = String> {
         let tables = self.tables.iter().flat_map(|stem| {
             TableFormat::ALL.map(|format| format!("{stem}.{}", format.extension()))
         });
-        tables.chain(self.others.iter().map(|name| (*name).to_owned()))
+        let others = self.others.iter().filter(move |name| **name != self.seal);
+        tables.chain(others.map(|name| (*name).to_owned()))
     }
 }
 
@@ -272,24 +269,11 @@ impl RunFolder {
     pub(super) fn write_table(
         &self,
         stem: &str,
-        table: &Table,
+        table: &Table<'_>,
     ) -> Result<Vec<WholeFile>, ReportError> {
-        self.write_rows(stem, &table.columns(), |take| table.rows(take))
-    }
-
-    /// Writes the table `stem` in every format; `rows` gives its rows one by one.
-    ///
-    /// # Errors
-    /// As [`RunFolder::write_table`].
-    pub(super) fn write_rows(
-        &self,
-        stem: &str,
-        columns: &[Column],
-        rows: impl FnOnce(&mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()>,
-    ) -> Result<Vec<WholeFile>, ReportError> {
-        let mut files = TableFiles::open(self, stem, columns)?;
-        rows(&mut |row| files.row(row))
-            .map_err(ReportError::file(FileAction::Write, &self.path))?;
+        let mut files = TableFiles::open(self, stem, &table.columns())?;
+        let written = table.rows(&mut |row| files.row(row));
+        written.map_err(ReportError::file(FileAction::Write, &self.path))?;
         files.close()
     }
 
@@ -549,4 +533,54 @@ impl WholeFile {
         fs::rename(temporary, path).map_err(ReportError::file(FileAction::Rename, path))?;
         Ok(path.clone())
     }
+}
+
+/// A lock on a folder. The system takes it back when the process ends, however it ends.
+#[derive(Debug)]
+struct Claim {
+    _locked: File,
+}
+
+impl Claim {
+    /// For this process alone.
+    ///
+    /// # Errors
+    /// [`ReportError::Busy`] where another one writes there.
+    fn alone(folder: &Path) -> Result<Self, ReportError> {
+        Self::by(File::try_lock, folder)
+    }
+
+    /// Together with others that share it.
+    ///
+    /// # Errors
+    /// [`ReportError::Busy`] where another one has it alone.
+    fn shared(folder: &Path) -> Result<Self, ReportError> {
+        Self::by(File::try_lock_shared, folder)
+    }
+
+    fn by(
+        lock: impl Fn(&File) -> Result<(), TryLockError>,
+        folder: &Path,
+    ) -> Result<Self, ReportError> {
+        let locked = lockable(folder).map_err(ReportError::file(FileAction::Create, folder))?;
+        match lock(&locked) {
+            Err(TryLockError::WouldBlock) => Err(ReportError::Busy {
+                folder: folder.to_owned(),
+            }),
+            // a file system that knows no locks has none to respect
+            _ => Ok(Self { _locked: locked }),
+        }
+    }
+}
+
+/// What is locked: the folder itself, which leaves nothing behind.
+#[cfg(unix)]
+fn lockable(folder: &Path) -> io::Result<File> {
+    File::open(folder)
+}
+
+/// What is locked: a file of its own, as folders cannot be.
+#[cfg(not(unix))]
+fn lockable(folder: &Path) -> io::Result<File> {
+    File::create(folder.join(".lock"))
 }

@@ -1,24 +1,24 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
 mod accuracy;
-mod bytes;
 mod campbell;
-mod claim;
+mod checksum;
 pub mod compare;
 mod destination;
+mod envelope;
 mod error;
 mod figure;
-mod figure_trace;
 mod folder;
+mod histories;
 pub(crate) mod many;
 mod motion;
 mod page;
+mod response;
 mod restart;
 mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
 mod spectra;
-mod spectrum;
 mod statics;
 mod steady;
 mod study;
@@ -26,15 +26,19 @@ pub(crate) mod table;
 mod terminal;
 mod text;
 
-pub(crate) use accuracy::{accuracy_text, write_accuracy};
+pub(crate) use accuracy::accuracy_findings;
+pub(crate) use campbell::campbell_findings;
 #[cfg(test)]
-pub(crate) use bytes::Checksum;
-pub(crate) use campbell::{campbell_json, campbell_text, write_campbell};
-pub(crate) use destination::{Destination, document};
+pub(crate) use checksum::Checksum;
+pub(crate) use destination::{Destination, Findings, Written, document};
+#[cfg(test)]
+pub(crate) use envelope::Decimator;
 pub(crate) use error::Failure;
 pub use error::{FileAction, ReportError};
-pub(crate) use figure_trace::{Bucket, Decimator, TraceFigure};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
+#[cfg(test)]
+pub(crate) use histories::Histories;
+pub(crate) use response::response_findings;
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub(crate) use run_report::{KeptFiles, Outputs};
 pub use run_report::{RunReport, RunSummary};
@@ -43,13 +47,11 @@ pub(crate) use run_tables::EVENT_COLUMNS;
 pub(crate) use run_tables::{
     TraceCsv, ball_columns, ball_row, event_columns, event_row, trace_columns,
 };
-pub(crate) use spectrum::spectrum_figure;
-pub use spectrum::write_spectrum;
-pub(crate) use statics::{answer_text, write_answer};
-pub(crate) use steady::{
-    response_json, response_text, steady_json, steady_text, write_response, write_steady,
-};
-pub(crate) use study::{study_json, study_text, write_study};
+pub(crate) use spectra::spectrum_figure;
+pub use spectra::write_spectrum;
+pub(crate) use statics::answer_findings;
+pub(crate) use steady::steady_findings;
+pub(crate) use study::{study_findings, study_json};
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::ParquetTable;
 #[cfg(test)]

@@ -2,13 +2,10 @@
 
 use serde::Serialize;
 
-use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, distinct};
-use super::table::Column;
+use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, Point, distinct};
+use super::table::Table;
 use super::terminal::{Lines, MICRO, MILLI, significant};
-use super::{ReportError, RunFolder, WholeFile};
-use crate::analysis::{
-    Channel, Drift, Kind, LONGEST_PERIOD, Motion, PoincarePoint, Section, SectionKind,
-};
+use crate::analysis::{Channel, Drift, Kind, LONGEST_PERIOD, Motion, Section, SectionKind};
 use crate::rotor::FREEDOMS;
 
 /// Everything about a steady motion but its points.
@@ -136,63 +133,78 @@ fn velocity(motion: &Motion, channel: Channel) -> String {
     })
 }
 
-/// Writes one row a point, section by section: which section, cycles since the start, time, then
-/// displacements and velocities.
-pub(super) fn write_poincare(
-    motion: &Motion,
-    folder: &RunFolder,
-) -> Result<Vec<WholeFile>, ReportError> {
-    folder.write_rows("poincare", &columns(), |take| {
-        motion.sections.iter().try_for_each(|section| {
-            let word = match section.kind {
-                SectionKind::Revolution => 0.0,
-                SectionKind::BallPass => 1.0,
-            };
-            let mut points = section.points.iter();
-            points.try_for_each(|point| take(&row(word, point)))
-        })
-    })
+/// One row a point, section by section: which section, cycles since the start, time, then displacements and
+/// velocities.
+pub(super) fn poincare_table(motion: &Motion) -> Table<'static> {
+    let sections = motion.sections.iter();
+    let points: Vec<_> = sections
+        .flat_map(|section| section.points.iter().map(|point| (section.kind, point)))
+        .collect();
+    let places = || points.iter().map(|(_, point)| point);
+    let mut table = Table::default();
+    table.words("section", points.iter().map(|(kind, _)| kind));
+    table.counts("number", places().map(|point| point.number as f64));
+    table.numbers("t_s", places().map(|point| point.time));
+    for freedom in 0..FREEDOMS {
+        let column = Channel::Displacement(freedom).column();
+        table.numbers(column, places().map(|point| point.displacement[freedom]));
+    }
+    for freedom in 0..FREEDOMS {
+        let column = Channel::Velocity(freedom).column();
+        table.numbers(column, places().map(|point| point.velocity[freedom]));
+    }
+    table
 }
 
-fn columns() -> Vec<Column> {
-    let mut columns = vec![
-        Column::words("section", ["revolution", "ball_pass"]),
-        Column::count("number"),
-        Column::number("t_s"),
-    ];
-    let channels = || (0..FREEDOMS).map(Channel::Displacement);
-    columns.extend(channels().map(|channel| Column::number(channel.column())));
-    columns.extend(
-        channels()
-            .map(|channel| Column::number(format!("{channel}_velocity_{}_s", channel.unit()))),
-    );
-    columns
+/// Most points of a section that are drawn: the last ones.
+const MOST_POINTS: usize = 600;
+
+/// The path of the shaft's centre, x and y in µm.
+pub(super) struct Orbit {
+    /// One period and a little more where the motion repeats, else all that was kept.
+    pub path: Vec<Point>,
+    pub is_whole_period: bool,
+    /// Where it stands once a cycle of every section.
+    pub sections: Vec<(SectionKind, Vec<Point>)>,
 }
 
-fn row(section: f64, point: &PoincarePoint) -> Vec<f64> {
-    let mut row = vec![section, point.number as f64, point.time];
-    row.extend(point.displacement.iter().chain(&point.velocity));
-    row
+impl Orbit {
+    /// Of a motion.
+    pub fn of(motion: &Motion) -> Self {
+        let point = |x: f64, y: f64| (MICRO * x, MICRO * y);
+        let sections = motion.sections.iter().map(|section| {
+            let from = section.points.len().saturating_sub(MOST_POINTS);
+            let points = section.points[from..].iter();
+            let places = points.map(|place| point(place.displacement[0], place.displacement[1]));
+            (section.kind, places.collect())
+        });
+        let path = shown_orbit(motion).iter();
+        Self {
+            path: path.map(|[x, y]| point(*x, *y)).collect(),
+            is_whole_period: matches!(motion.recognition.kind, Kind::Periodic { .. }),
+            sections: sections.collect(),
+        }
+    }
 }
 
 /// Height of the plot, px.
 const HEIGHT: u32 = 598;
-/// Most points of a section that are drawn: the last ones.
-const MOST_POINTS: usize = 600;
 
 /// y over x in µm at one scale, both from their means.
 pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
-    let centre = [0, 1].map(|axis| motion.statistics[axis].moments.mean());
-    let seen = |place: [f64; 2]| {
-        let [x, y] = [0, 1].map(|axis| MICRO * (place[axis] - centre[axis]));
-        (x, y)
+    let centre = [0, 1].map(|axis| MICRO * motion.statistics[axis].moments.mean());
+    let seen = |points: Vec<Point>| -> Vec<Point> {
+        let points = points.into_iter();
+        points
+            .map(|(x, y)| (x - centre[0], y - centre[1]))
+            .collect()
     };
-    let orbit = shown_orbit(motion).iter().map(|place| seen(*place));
-    let orbit = Curve {
-        fine: !matches!(motion.recognition.kind, Kind::Periodic { .. }),
-        ..Curve::line(distinct(0), orbit.collect())
+    let orbit = Orbit::of(motion);
+    let path = Curve {
+        fine: !orbit.is_whole_period,
+        ..Curve::line(distinct(0), seen(orbit.path))
     };
-    let reach = orbit
+    let reach = path
         .points
         .iter()
         .fold(0.0, |reach: f64, (x, y)| reach.max(x.abs()).max(y.abs()));
@@ -200,24 +212,20 @@ pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
     // the same length for a micrometre both ways
     let across = up * f64::from(PLOT_WIDTH) / f64::from(HEIGHT);
     let [x, y] = [("x", centre[0], across), ("y", centre[1], up)].map(|(name, mean, reach)| {
-        let mean = MICRO * mean;
         Axis::over(
             format!("{name} from its mean {mean:.4} µm in µm"),
             -reach..reach,
         )
     });
     let mut names = vec![Name::new("orbit", distinct(0))];
-    let mut curves = vec![orbit];
-    for section in &motion.sections {
-        let (name, colour) = match section.kind {
+    let mut curves = vec![path];
+    for (kind, points) in orbit.sections {
+        let (name, colour) = match kind {
             SectionKind::Revolution => ("each revolution", distinct(1)),
             SectionKind::BallPass => ("each ball pass", distinct(2)),
         };
-        let from = section.points.len().saturating_sub(MOST_POINTS);
-        let points = section.points[from..].iter();
-        let places = points.map(|point| seen([point.displacement[0], point.displacement[1]]));
         names.push(Name::new(name, colour));
-        curves.push(Curve::dots(colour, places.collect()));
+        curves.push(Curve::dots(colour, seen(points)));
     }
     let panel = Panel {
         curves,

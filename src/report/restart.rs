@@ -11,7 +11,6 @@
 //! All numbers are little endian. States come before the tail, which is known last: a run writes them as it goes, and
 //! memory does not grow with it. A file that is not whole has no fitting checksum at its end.
 
-use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -19,7 +18,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::bytes::{Checksum, Put, Take};
+use super::checksum::Checksum;
 use super::{FileAction, PartialFile, ReportError, RunFolder};
 use crate::simulate::{Model, Standing, StateKeeper, StateSource};
 
@@ -222,7 +221,7 @@ impl RestartWriter {
             standing: standing.clone(),
         })?;
         self.bytes.extend(&tail);
-        self.bytes.put_u64(tail.len() as u64);
+        self.bytes.extend((tail.len() as u64).to_le_bytes());
         self.write()?;
         self.file.write_all(&self.checksum.value().to_le_bytes())
     }
@@ -238,9 +237,8 @@ impl RestartWriter {
 
 impl StateKeeper for RestartWriter {
     fn keep(&mut self, states: &[f64]) -> io::Result<()> {
-        for value in states {
-            self.bytes.put_f64(*value);
-        }
+        let bytes = states.iter().flat_map(|value| value.to_le_bytes());
+        self.bytes.extend(bytes);
         self.write().map_err(|error| {
             let kind = error.kind();
             let named = ReportError::file(FileAction::Write, self.file.path())(error);
@@ -251,6 +249,8 @@ impl StateKeeper for RestartWriter {
 
 /// Bytes read at a time.
 const PIECE: usize = 1 << 16;
+/// Where the states begin, behind the magic.
+const START: u64 = MAGIC.len() as u64;
 /// Bytes of magic, length of the tail and checksum.
 const FRAME: u64 = 24;
 
@@ -259,7 +259,6 @@ const FRAME: u64 = 24;
 pub struct RestartReader {
     standing: Standing,
     states: BufReader<File>,
-    bytes: Vec<u8>,
 }
 
 impl RestartReader {
@@ -268,26 +267,21 @@ impl RestartReader {
     /// # Errors
     /// [`RestartError`] says what is wrong with it and what to do.
     pub fn open(path: &Path, identity: &RunIdentity<'_>) -> Result<Self, RestartError> {
-        let refused = |source: io::Error| {
-            let path = path.to_owned();
-            match source.kind() {
-                ErrorKind::NotFound => RestartError::Missing { path },
-                _ => RestartError::Unreadable { path, source },
-            }
+        let owned = || path.to_owned();
+        let refused = |source: io::Error| match source.kind() {
+            ErrorKind::NotFound => RestartError::Missing { path: owned() },
+            _ => RestartError::Unreadable {
+                path: owned(),
+                source,
+            },
         };
         let damaged = |what: &str| RestartError::Damaged {
-            path: path.to_owned(),
+            path: owned(),
             what: what.to_owned(),
         };
-        let file = File::open(path).map_err(refused)?;
-        let mut file = BufReader::with_capacity(PIECE, file);
-        let mut magic = Vec::new();
-        let mut start = file.by_ref().take(MAGIC.len() as u64);
-        start.read_to_end(&mut magic).map_err(refused)?;
-        if magic != MAGIC {
-            return Err(RestartError::Foreign {
-                path: path.to_owned(),
-            });
+        let mut file = BufReader::with_capacity(PIECE, File::open(path).map_err(refused)?);
+        if bytes_at(&mut file, 0, START).map_err(refused)? != MAGIC {
+            return Err(RestartError::Foreign { path: owned() });
         }
         let length = file.seek(SeekFrom::End(0)).map_err(refused)?;
         let Some(inside) = length.checked_sub(FRAME) else {
@@ -296,23 +290,20 @@ impl RestartReader {
         if !is_whole(&mut file, length - 8).map_err(refused)? {
             return Err(damaged("it is cut, or its checksum does not fit"));
         }
-        let tail_length = number_at(&mut file, length - 16).map_err(refused)?;
         let unfitting = || damaged("its parts do not fit together");
-        let states = inside.checked_sub(tail_length).ok_or_else(unfitting)?;
-        let tail = bytes_at(&mut file, MAGIC.len() as u64 + states, tail_length);
-        let tail: Value =
-            serde_json::from_slice(&tail.map_err(refused)?).map_err(|_| unfitting())?;
-        let standing = owned(tail, path, identity)?.ok_or_else(unfitting)?;
+        let tail = number_at(&mut file, length - 16).map_err(refused)?;
+        let states = inside.checked_sub(tail).ok_or_else(unfitting)?;
+        let tail = bytes_at(&mut file, START + states, tail).map_err(refused)?;
+        let tail = serde_json::from_slice(&tail).map_err(|_| unfitting())?;
+        let standing = standing_of(tail, path, identity)?.ok_or_else(unfitting)?;
         let sample = (standing.main.scaled.len() * size_of::<f64>()) as u64;
         if standing.main.next.checked_mul(sample) != Some(states) {
             return Err(unfitting());
         }
-        file.seek(SeekFrom::Start(MAGIC.len() as u64))
-            .map_err(refused)?;
+        file.seek(SeekFrom::Start(START)).map_err(refused)?;
         Ok(Self {
             standing,
             states: file,
-            bytes: Vec::new(),
         })
     }
 
@@ -324,37 +315,30 @@ impl RestartReader {
 
 impl StateSource for RestartReader {
     fn fill(&mut self, states: &mut [f64]) -> io::Result<()> {
-        self.bytes.resize(size_of_val(states), 0);
-        self.states.read_exact(&mut self.bytes)?;
-        let mut take = Take(&self.bytes);
-        for state in states {
-            *state = take.f64().ok_or(ErrorKind::UnexpectedEof)?;
-        }
-        Ok(())
+        let mut bytes = [0; size_of::<f64>()];
+        states.iter_mut().try_for_each(|state| {
+            self.states.read_exact(&mut bytes)?;
+            *state = f64::from_le_bytes(bytes);
+            Ok(())
+        })
     }
 }
 
 /// Whether the checksum that stands after so many bytes is theirs.
-fn is_whole(file: &mut BufReader<File>, mut left: u64) -> io::Result<bool> {
-    let (mut checksum, mut piece) = (Checksum::START, [0; PIECE]);
+fn is_whole(file: &mut BufReader<File>, count: u64) -> io::Result<bool> {
+    let mut checksum = Checksum::START;
     file.rewind()?;
-    while left > 0 {
-        let count = left.min(PIECE as u64) as usize;
-        file.read_exact(&mut piece[..count])?;
-        checksum.add(&piece[..count]);
-        left -= count as u64;
-    }
-    let end = file.stream_position()?;
-    Ok(number_at(file, end)? == checksum.value())
+    io::copy(&mut file.by_ref().take(count), &mut checksum)?;
+    Ok(number_at(file, count)? == checksum.value())
 }
 
 fn number_at(file: &mut BufReader<File>, position: u64) -> io::Result<u64> {
-    let mut bytes = [0; 8];
-    file.seek(SeekFrom::Start(position))?;
-    file.read_exact(&mut bytes)?;
+    let bytes = bytes_at(file, position, 8)?.try_into();
+    let bytes = bytes.map_err(|_| ErrorKind::UnexpectedEof)?;
     Ok(u64::from_le_bytes(bytes))
 }
 
+/// So many bytes, or as many as there are.
 fn bytes_at(file: &mut BufReader<File>, position: u64, count: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.seek(SeekFrom::Start(position))?;
@@ -366,7 +350,7 @@ fn bytes_at(file: &mut BufReader<File>, position: u64, count: u64) -> io::Result
 ///
 /// # Errors
 /// [`RestartError`] where the file belongs to another run.
-fn owned(
+fn standing_of(
     tail: Value,
     path: &Path,
     identity: &RunIdentity<'_>,

@@ -8,17 +8,21 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::error::{Failure, FailureSummary, until_failure};
-use super::motion::{MotionSummary, orbit_figure, write_poincare};
-use super::page::Page;
-use super::run_tables::{SampleTable, ball_columns, ball_row, event_columns, event_row};
-use super::run_up::{MapsSummary, write_maps};
-use super::spectra::{EstimatedSummary, estimated_figure, write_estimated};
-use super::spectrum::{NamedPeak, frequency_limit_of, peak_table, spectrum_columns, spectrum_rows};
-use super::table::{Column, Origin, TableFiles};
+use super::figure::Figure;
+use super::histories::Histories;
+use super::motion::{MotionSummary, orbit_figure, poincare_table};
+use super::page::write_page;
+use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
+use super::run_up::{MapsSummary, maps_figures, tracks_table, write_waterfall};
+use super::spectra::{
+    EstimatedSummary, NamedPeak, estimated_figure, estimated_table, frequency_limit_of, peak_table,
+    spectrum_table, table_name,
+};
+use super::table::{Origin, Table, TableFiles};
 use super::text::MethodUseSummary;
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    TraceFigure, WholeFile, campbell, document, spectrum_figure,
+    WholeFile, campbell, document, spectrum_figure,
 };
 use crate::analysis::{Channel, Spectrum};
 use crate::rotor::{BallContacts, Sample};
@@ -83,14 +87,12 @@ pub struct RunReport {
     title: String,
     scenario: Value,
     outputs: Outputs,
-    trace: Option<(SampleTable, TableFiles)>,
-    /// Energy and drive.
-    tables: Vec<(SampleTable, TableFiles)>,
+    /// The trace first, if it is written, then energy and drive.
+    tables: Vec<SampleFiles>,
     /// Begun with the first sample, which knows the balls.
     balls: Option<TableFiles>,
     events: Option<TableFiles>,
-    figure: Option<TraceFigure>,
-    page: Option<Page>,
+    histories: Option<Histories>,
     samples: u64,
     /// Kept from row to row for its room.
     row: Vec<f64>,
@@ -115,62 +117,34 @@ impl RunReport {
         let origin = Origin {
             scenario: scenario.to_string(),
         };
-        let mut report = Self {
-            folder: RunFolder::open(folder, FileSet::MOTION)?.with_tables(&outputs.formats, origin),
+        let folder = RunFolder::open(folder, FileSet::MOTION)?;
+        let folder = folder.with_tables(&outputs.formats, origin);
+        let trace: Vec<Channel> = match &outputs.channels {
+            Some(channels) => [Channel::Time].iter().chain(channels).copied().collect(),
+            None => Channel::of_trace().collect(),
+        };
+        let tables = [
+            (outputs.trace, "trace", trace),
+            (outputs.energy, "energy", Channel::of_energy().collect()),
+            (outputs.drive, "drive", Channel::of_drive().collect()),
+        ];
+        let tables = tables.into_iter().filter(|(is_written, ..)| *is_written);
+        let tables = tables.map(|(_, stem, channels)| SampleFiles::open(&folder, stem, channels));
+        let events = || TableFiles::open(&folder, "events", &event_columns());
+        Ok(Self {
+            tables: tables.collect::<Result<_, _>>()?,
+            balls: None,
+            events: outputs.events.then(events).transpose()?,
+            histories: (outputs.figures || outputs.page).then(|| Histories::new(freedoms)),
+            folder,
             title: title.to_owned(),
             scenario,
-            trace: None,
-            tables: Vec::new(),
-            balls: None,
-            events: None,
-            figure: outputs.figures.then(|| TraceFigure::new(freedoms)),
-            page: outputs.page.then(|| Page::new(freedoms)),
             outputs,
             samples: 0,
             row: Vec::new(),
             contact_choice: None,
             campbell: None,
-        };
-        report.open_tables()?;
-        Ok(report)
-    }
-
-    /// Begins the tables whose columns are known before the run.
-    fn open_tables(&mut self) -> Result<(), ReportError> {
-        if self.outputs.trace {
-            let table = match &self.outputs.channels {
-                Some(channels) => {
-                    SampleTable::new([Channel::Time].into_iter().chain(channels.iter().copied()))
-                }
-                None => SampleTable::new(Channel::of_trace()),
-            };
-            self.trace = Some(self.open_samples("trace", table)?);
-        }
-        if self.outputs.energy {
-            let table = self.open_samples("energy", SampleTable::new(Channel::of_energy()))?;
-            self.tables.push(table);
-        }
-        if self.outputs.drive {
-            let table = self.open_samples("drive", SampleTable::new(Channel::of_drive()))?;
-            self.tables.push(table);
-        }
-        if self.outputs.events {
-            self.events = Some(self.open_table("events", &event_columns())?);
-        }
-        Ok(())
-    }
-
-    fn open_samples(
-        &self,
-        stem: &str,
-        table: SampleTable,
-    ) -> Result<(SampleTable, TableFiles), ReportError> {
-        let files = self.open_table(stem, &table.columns())?;
-        Ok((table, files))
-    }
-
-    fn open_table(&self, stem: &str, columns: &[Column]) -> Result<TableFiles, ReportError> {
-        TableFiles::open(&self.folder, stem, columns)
+        })
     }
 
     /// Whether the sample that was taken last goes to the tables.
@@ -210,17 +184,16 @@ impl RunReport {
     /// [`ReportError`] where a file cannot be written.
     pub(crate) fn fail(self, failure: &Failure<'_>) -> Result<KeptFiles, ReportError> {
         let earlier = self.folder.standing();
-        let formats = self.trace.is_some().then_some(&self.outputs.formats[..]);
-        let names: Vec<String> = formats
-            .unwrap_or_default()
-            .iter()
-            .map(|format| until_failure(*format))
-            .collect();
-        let summary = FailureSummary::new(failure, self.samples, &names, &earlier);
+        let trace = self.tables.into_iter().next();
+        let trace = trace.filter(|_| self.outputs.trace);
+        let files = trace.map(|trace| trace.files.close()).transpose()?;
+        let names = self.outputs.formats.iter();
+        let names: Vec<String> = names.map(|format| until_failure(*format)).collect();
+        let files = files.into_iter().flatten().zip(&names);
+        let files: Vec<_> = files.map(|(file, name)| file.named(name)).collect();
+        let kept = &names[..files.len()];
+        let summary = FailureSummary::new(failure, self.samples, kept, &earlier);
         let json = document(&self.title, &self.scenario, summary);
-        let trace = self.trace.map(|(_, files)| files.close()).transpose()?;
-        let files = trace.into_iter().flatten().zip(&names);
-        let files = files.map(|(file, name)| file.named(name)).collect();
         let sealed = format!("{json:#}\n");
         Ok(KeptFiles {
             files: self
@@ -238,71 +211,76 @@ impl RunReport {
         let (choice, campbell) = (self.contact_choice.as_ref(), self.campbell.as_ref());
         let summary = RunSummary::new(model, run, choice, campbell);
         let summary = document(&self.title, &self.scenario, summary);
-        let folder = &self.folder;
         let mut files = Vec::new();
-        let trace = self.trace.map(|(_, files)| files);
-        let tables = self.tables.into_iter().map(|(_, files)| files);
-        let tables = trace
-            .into_iter()
-            .chain(self.balls)
-            .chain(self.events)
-            .chain(tables);
-        for table in tables {
+        let figures = self.figures(run);
+        let streamed = self.tables.into_iter().map(|table| table.files);
+        for table in streamed.chain(self.balls).chain(self.events) {
             files.extend(table.close()?);
         }
-        if let Some(figure) = self.figure {
-            let figure = figure.figure("trace.svg", &self.title);
-            files.push(self.folder.write_figure(&figure)?);
+        let folder = &self.folder;
+        for (stem, table) in tables(run, self.outputs.spectrum, self.campbell.as_ref()) {
+            files.extend(folder.write_table(&stem, &table)?);
         }
-        if let Some(spectrum) = &run.spectrum {
-            if self.outputs.spectrum {
-                let columns = spectrum_columns(spectrum);
-                let rows =
-                    |take: &mut dyn FnMut(&[f64]) -> io::Result<()>| spectrum_rows(spectrum, take);
-                files.extend(folder.write_rows("spectrum", &columns, rows)?);
-                let peaks = peak_table(&run.peaks, spectrum);
-                files.extend(folder.write_table("peaks", &peaks)?);
-            }
-            if self.outputs.figures {
-                let svg = spectrum_figure(&self.title, spectrum, &run.peaks)?;
-                files.push(self.folder.write("spectrum.svg", svg.as_bytes())?);
-            }
-        }
-        if let Some(motion) = &run.motion {
-            files.extend(write_poincare(motion, folder)?);
-            if self.outputs.figures {
-                let figure = orbit_figure(&self.title, motion);
-                files.push(self.folder.write_figure(&figure)?);
-            }
-        }
-        let (title, figures) = (&self.title, self.outputs.figures);
         if let Some(maps) = &run.maps {
-            files.extend(write_maps(folder, title, maps, figures)?);
+            files.extend(write_waterfall(&maps.waterfall, folder)?);
         }
-        if let Some(campbell) = &self.campbell {
-            files.extend(campbell::write_files(
-                &self.folder,
-                title,
-                campbell,
-                figures,
-            )?);
+        for figure in figures {
+            files.push(folder.write_figure(&figure)?);
         }
-        let limit = frequency_limit_of(run);
-        for spectrum in &run.spectra {
-            files.extend(write_estimated(spectrum, folder)?);
-            if self.outputs.figures {
-                let figure = estimated_figure(title, spectrum, limit);
-                files.push(self.folder.write_figure(&figure)?);
-            }
-        }
-        if let Some(page) = &self.page {
+        if let Some(histories) = self.histories.filter(|_| self.outputs.page) {
             let figures = shown_figures(&files)?;
-            let write = |file: &mut PartialFile| page.write(&summary, run, &figures, file);
-            files.push(self.folder.write_with("report.html", write)?);
+            let write =
+                |file: &mut PartialFile| write_page(&summary, run, &histories, &figures, file);
+            files.push(folder.write_with("report.html", write)?);
         }
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())
     }
+
+    /// What is drawn of a run.
+    fn figures(&self, run: &Run) -> Vec<Figure> {
+        let title = &self.title;
+        if !self.outputs.figures {
+            return Vec::new();
+        }
+        let trace = self.histories.iter();
+        let mut figures: Vec<_> = trace
+            .map(|histories| histories.figure("trace.svg", title))
+            .collect();
+        let spectrum = run.spectrum.iter();
+        figures.extend(spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks)));
+        let motion = run.motion.iter();
+        figures.extend(motion.map(|motion| orbit_figure(title, motion)));
+        figures.extend(run.maps.iter().flat_map(|maps| maps_figures(title, maps)));
+        let campbell = self.campbell.iter();
+        figures.extend(campbell.map(|campbell| campbell::figure(title, campbell)));
+        let limit = frequency_limit_of(run);
+        let spectra = run.spectra.iter();
+        figures.extend(spectra.map(|spectrum| estimated_figure(title, spectrum, limit)));
+        figures
+    }
+}
+
+/// Tables of a run that are known at its end, but for the waterfall, which is too long to be held twice.
+fn tables<'a>(
+    run: &'a Run,
+    with_spectrum: bool,
+    campbell: Option<&'a Campbell>,
+) -> Vec<(String, Table<'a>)> {
+    let mut tables = Vec::new();
+    if let Some(spectrum) = run.spectrum.as_ref().filter(|_| with_spectrum) {
+        tables.push(("spectrum".to_owned(), spectrum_table(spectrum)));
+        tables.push(("peaks".to_owned(), peak_table(&run.peaks, spectrum)));
+    }
+    let motion = run.motion.iter();
+    tables.extend(motion.map(|motion| ("poincare".to_owned(), poincare_table(motion))));
+    let maps = run.maps.iter();
+    tables.extend(maps.map(|maps| ("order_tracks".to_owned(), tracks_table(&maps.tracks))));
+    let campbell = campbell.into_iter();
+    tables.extend(campbell.map(|campbell| ("campbell".to_owned(), campbell::modes(campbell))));
+    let spectra = run.spectra.iter();
+    tables.extend(spectra.map(|spectrum| (table_name(spectrum), estimated_table(spectrum))));
+    tables
 }
 
 /// Figures that the page shows as they are: what its own charts do not.
@@ -331,8 +309,7 @@ pub struct KeptFiles {
 
 impl TraceSink for RunReport {
     fn needs_acceleration(&self) -> bool {
-        let trace = self.trace.as_ref();
-        trace.is_some_and(|(table, _)| table.needs_acceleration())
+        self.tables.iter().any(SampleFiles::needs_acceleration)
     }
 
     fn needs_contact_angles(&self) -> bool {
@@ -341,19 +318,14 @@ impl TraceSink for RunReport {
 
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
         self.samples += 1;
-        if let Some(figure) = &mut self.figure {
-            figure.sample(sample);
-        }
-        if let Some(page) = &mut self.page {
-            page.sample(sample);
+        if let Some(histories) = &mut self.histories {
+            histories.sample(sample);
         }
         if !self.keeps_sample() {
             return Ok(());
         }
-        for (table, files) in self.trace.iter_mut().chain(&mut self.tables) {
-            files.row(table.row(sample))?;
-        }
-        Ok(())
+        let mut tables = self.tables.iter_mut();
+        tables.try_for_each(|table| table.sample(sample))
     }
 
     fn balls(&mut self, sample: &Sample, balls: &BallContacts) -> io::Result<()> {
@@ -361,7 +333,7 @@ impl TraceSink for RunReport {
             return Ok(());
         }
         if self.balls.is_none() {
-            let files = self.open_table("trace_balls", &ball_columns(balls));
+            let files = TableFiles::open(&self.folder, "trace_balls", &ball_columns(balls));
             self.balls = Some(files.map_err(io::Error::other)?);
         }
         match &mut self.balls {
@@ -374,8 +346,8 @@ impl TraceSink for RunReport {
     }
 
     fn event(&mut self, event: &Event) -> io::Result<()> {
-        if let Some(page) = &mut self.page {
-            page.event();
+        if let Some(histories) = &mut self.histories {
+            histories.event();
         }
         match &mut self.events {
             None => Ok(()),

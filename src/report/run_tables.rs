@@ -3,32 +3,36 @@
 use std::io;
 use std::io::Write;
 
-use super::table::{Column, ColumnKind, CsvTable, Table};
+use super::table::{Column, ColumnKind, CsvTable, Table, TableFiles};
+use super::{ReportError, RunFolder};
 use crate::analysis::Channel;
 use crate::bearing::BallContact;
 use crate::rotor::{BallContacts, Sample};
 use crate::simulate::{Event, EventKind, TraceSink};
 
-/// What a table shows of the samples.
-#[derive(Debug, Clone)]
-pub(super) struct SampleTable {
+/// A table of samples that is being written.
+#[derive(Debug)]
+pub(super) struct SampleFiles {
     channels: Vec<Channel>,
     /// Kept from row to row for its room.
     row: Vec<f64>,
+    /// Its files.
+    pub files: TableFiles,
 }
 
-impl SampleTable {
-    /// Some channels, in their order.
-    pub fn new(channels: impl IntoIterator<Item = Channel>) -> Self {
-        Self {
-            channels: channels.into_iter().collect(),
+impl SampleFiles {
+    /// Begins a table of some channels, in their order.
+    pub fn open(
+        folder: &RunFolder,
+        stem: &str,
+        channels: Vec<Channel>,
+    ) -> Result<Self, ReportError> {
+        let columns: Vec<_> = channels.iter().copied().map(column).collect();
+        Ok(Self {
+            files: TableFiles::open(folder, stem, &columns)?,
+            channels,
             row: Vec::new(),
-        }
-    }
-
-    /// Its columns.
-    pub fn columns(&self) -> Vec<Column> {
-        self.channels.iter().copied().map(column).collect()
+        })
     }
 
     /// Whether it shows accelerations.
@@ -37,18 +41,21 @@ impl SampleTable {
         channels.any(|channel| matches!(channel, Channel::Acceleration(_)))
     }
 
-    /// The row of a sample; NaN where a value was not observed.
-    pub fn row(&mut self, sample: &Sample) -> &[f64] {
-        self.row.clear();
-        let values = self.channels.iter().map(|channel| channel.of(sample));
-        self.row
-            .extend(values.map(|value| value.unwrap_or(f64::NAN)));
-        &self.row
+    /// Writes the row of a sample.
+    pub fn sample(&mut self, sample: &Sample) -> io::Result<()> {
+        put_row(self.channels.iter().copied(), sample, &mut self.row);
+        self.files.row(&self.row)
     }
 }
 
+/// Puts channels of a sample into `row`; NaN where a value was not observed.
+fn put_row(channels: impl Iterator<Item = Channel>, sample: &Sample, row: &mut Vec<f64>) {
+    row.clear();
+    row.extend(channels.map(|channel| channel.of(sample).unwrap_or(f64::NAN)));
+}
+
 /// A whole trace that is there as samples.
-pub(super) fn trace_table(samples: &[Sample]) -> Table {
+pub(super) fn trace_table(samples: &[Sample]) -> Table<'static> {
     let mut table = Table::default();
     for channel in Channel::of_trace() {
         let values = samples.iter().map(|sample| channel.of(sample));
@@ -73,7 +80,7 @@ pub fn trace_columns() -> Vec<Column> {
 /// Writes samples as rows of CSV, all columns of the trace.
 #[derive(Debug)]
 pub struct TraceCsv<W: Write> {
-    table: SampleTable,
+    row: Vec<f64>,
     csv: CsvTable<W>,
 }
 
@@ -83,10 +90,9 @@ impl<W: Write> TraceCsv<W> {
     /// # Errors
     /// What the writer answers.
     pub fn new(writer: W) -> io::Result<Self> {
-        let table = SampleTable::new(Channel::of_trace());
         Ok(Self {
-            csv: CsvTable::new(writer, &table.columns())?,
-            table,
+            csv: CsvTable::new(writer, &trace_columns())?,
+            row: Vec::new(),
         })
     }
 
@@ -101,7 +107,8 @@ impl<W: Write> TraceCsv<W> {
 
 impl<W: Write> TraceSink for TraceCsv<W> {
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.csv.row(self.table.row(sample))
+        put_row(Channel::of_trace(), sample, &mut self.row);
+        self.csv.row(&self.row)
     }
 }
 

@@ -3,31 +3,20 @@
 use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinct, graded};
-use super::spectrum::{amplitude_column, phase_column};
-use super::table::Column;
+use super::spectra::{amplitude_column, phase_column};
+use super::table::{Column, Table, TableFiles};
 use super::terminal::{MICRO, PER_MINUTE, PER_SECOND};
-use super::{ReportError, RunFolder, WholeFile};
+use super::{FileAction, ReportError, RunFolder, WholeFile};
 use crate::analysis::{OrderTracks, Track, TrackedOrder, Waterfall};
 use crate::simulate::Maps;
 
-/// Writes both tables, and both figures where they are drawn.
-pub(super) fn write_maps(
-    folder: &RunFolder,
-    title: &str,
-    maps: &Maps,
-    figures: bool,
-) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = write_waterfall(&maps.waterfall, folder)?;
-    files.extend(write_order_tracks(&maps.tracks, folder)?);
-    if figures && !maps.waterfall.slices.is_empty() {
-        let figure = waterfall_figure(title, maps);
-        files.push(folder.write_figure(&figure)?);
-    }
-    if figures && !maps.tracks.points.is_empty() {
-        let figure = order_figure(title, &maps.tracks);
-        files.push(folder.write_figure(&figure)?);
-    }
-    Ok(files)
+/// What is drawn of the maps, as far as they are not empty.
+pub(super) fn maps_figures(title: &str, maps: &Maps) -> Vec<Figure> {
+    let waterfall = !maps.waterfall.slices.is_empty();
+    let tracks = !maps.tracks.points.is_empty();
+    let waterfall = waterfall.then(|| waterfall_figure(title, maps));
+    let tracks = tracks.then(|| order_figure(title, &maps.tracks));
+    waterfall.into_iter().chain(tracks).collect()
 }
 
 /// What the maps of a run-up rest on.
@@ -90,25 +79,25 @@ impl<'a> From<&'a Maps> for MapsSummary<'a> {
 }
 
 /// Writes time, mean speed and frequency, then the amplitude of every channel.
-fn write_waterfall(
+pub(super) fn write_waterfall(
     waterfall: &Waterfall,
     folder: &RunFolder,
 ) -> Result<Vec<WholeFile>, ReportError> {
     let mut columns = ["t_s", "speed_rad_s", "f_Hz"].map(Column::number).to_vec();
     let channels = waterfall.channels.iter();
     columns.extend(channels.map(|channel| Column::number(amplitude_column(*channel))));
-    folder.write_rows("waterfall", &columns, |take| {
-        let mut row = Vec::new();
-        for slice in &waterfall.slices {
-            for k in 0..waterfall.bins() {
-                row.clear();
-                row.extend([slice.time, slice.speed, k as f64 * waterfall.resolution]);
-                row.extend(slice.amplitude.iter().map(|amplitude| amplitude[k]));
-                take(&row)?;
-            }
+    let mut files = TableFiles::open(folder, "waterfall", &columns)?;
+    let mut row = Vec::new();
+    for slice in &waterfall.slices {
+        for k in 0..waterfall.bins() {
+            row.clear();
+            row.extend([slice.time, slice.speed, k as f64 * waterfall.resolution]);
+            row.extend(slice.amplitude.iter().map(|amplitude| amplitude[k]));
+            let written = files.row(&row);
+            written.map_err(ReportError::file(FileAction::Write, folder.path()))?;
         }
-        Ok(())
-    })
+    }
+    files.close()
 }
 
 /// Height of a plot, px.
@@ -336,31 +325,25 @@ const ORDERS_HEIGHT: u32 = 212;
 /// A phase is drawn where its order has this part of the channel's largest amplitude.
 const HEARD: f64 = 0.01;
 
-/// Writes one row a window: time, speed, then amplitude and phase of every order of every channel.
-fn write_order_tracks(
-    tracks: &OrderTracks,
-    folder: &RunFolder,
-) -> Result<Vec<WholeFile>, ReportError> {
-    folder.write_rows("order_tracks", &columns(tracks), |take| {
-        tracks.points.iter().try_for_each(|point| {
-            let tracks = point.tracks.iter().flatten();
-            let mut row = vec![point.time, point.speed];
-            row.extend(tracks.flat_map(|track| [track.amplitude, track.phase]));
-            take(&row)
-        })
-    })
-}
-
-fn columns(tracks: &OrderTracks) -> Vec<Column> {
-    let mut columns = ["t_s", "speed_rad_s"].map(Column::number).to_vec();
-    for channel in &tracks.channels {
-        for order in &tracks.orders {
+/// One row a window: time, speed, then amplitude and phase of every order of every channel.
+pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
+    let points = || tracks.points.iter();
+    let mut table = Table::default();
+    table.numbers("t_s", points().map(|point| point.time));
+    table.numbers("speed_rad_s", points().map(|point| point.speed));
+    for (row, channel) in tracks.channels.iter().enumerate() {
+        for (index, order) in tracks.orders.iter().enumerate() {
             let of = column(&order.name);
-            let names = [amplitude_column(*channel), phase_column(*channel)];
-            columns.extend(names.map(|name| Column::number(format!("{of}_{name}"))));
+            let track = || points().map(|point| &point.tracks[row][index]);
+            let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)];
+            table.numbers(
+                format!("{of}_{amplitude}"),
+                track().map(|track| track.amplitude),
+            );
+            table.numbers(format!("{of}_{phase}"), track().map(|track| track.phase));
         }
     }
-    columns
+    table
 }
 
 /// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`.

@@ -1,30 +1,26 @@
 //! The answer to a static question: text for people, JSON, CSV and a figure of the balls.
 
-use std::path::PathBuf;
-
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turned};
 use super::table::{Named, Table};
 use super::terminal::{
     Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed, or_dash,
 };
-use super::{Destination, FileSet, ReportError};
+use super::{Destination, FileSet, Findings};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::physics::Race;
 use crate::quasi_static::QuasiStatic;
 use crate::rotor::FREEDOMS;
 
-/// Writes `balls.csv`, `balls.svg` and, last, `bearing.json`; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_answer(
-    destination: &Destination<'_>,
-    answer: &QuasiStatic,
-) -> Result<Vec<PathBuf>, ReportError> {
-    let tables = [("balls", balls_table(answer))];
-    let figures = [balls_figure(destination.title, answer)];
-    let document = destination.document(answer);
-    destination.write(FileSet::BEARING, tables, figures, &document)
+/// Equilibrium, stiffness and every bearing with its balls.
+pub fn answer_findings<'a>(destination: &Destination<'_>, answer: &'a QuasiStatic) -> Findings<'a> {
+    let title = destination.title;
+    Findings {
+        set: FileSet::BEARING,
+        tables: vec![("balls", balls_table(answer))],
+        figures: vec![balls_figure(title, answer)],
+        document: destination.document(answer),
+        text: text(title, answer),
+    }
 }
 
 /// A coupling below this part of its diagonal terms is what round-off left of zero.
@@ -39,8 +35,7 @@ const FORCES: [(&str, &str); FREEDOMS] = [
     ("My", "N m"),
 ];
 
-/// Equilibrium, stiffness and every bearing with its balls; then the files written.
-pub fn answer_text(title: &str, answer: &QuasiStatic, files: &[PathBuf]) -> String {
+fn text(title: &str, answer: &QuasiStatic) -> Lines {
     let mut out = Lines::titled(title);
     out.line("equilibrium", displacement_text(&answer.displacement));
     let held = NAMES.iter().zip(answer.free).filter(|(_, free)| !free);
@@ -62,7 +57,7 @@ pub fn answer_text(title: &str, answer: &QuasiStatic, files: &[PathBuf]) -> Stri
     for (index, state) in answer.bearings.iter().enumerate() {
         put_bearing(&mut out, index + 1, state);
     }
-    out.wrote(files)
+    out
 }
 
 /// K_x … K_θy in N/µm and N m/mrad.
@@ -252,7 +247,7 @@ const INERTIAS: [Named<BallLine>; 2] = [
 ];
 
 /// The balls of all bearings, both numbered from 1 on.
-fn balls_table(answer: &QuasiStatic) -> Table {
+fn balls_table(answer: &QuasiStatic) -> Table<'static> {
     let bearings = answer.bearings.iter().enumerate();
     let balls: Vec<(usize, usize, &BallLine)> = bearings
         .flat_map(|(bearing, state)| {

@@ -1,67 +1,87 @@
 //! A study: one row a value, and the bearings all around at every value.
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use serde_json::{Map, Value, json};
 
-use serde::Serialize;
-use serde_json::Value;
-
+use super::destination::value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, digits};
-use super::{Destination, FileSet, ReportError};
-use crate::analysis::Channel;
+use super::{Destination, FileSet, Findings};
+use crate::analysis::{Channel, column_unit};
 use crate::bearing::{Around, BallLine, BearingState};
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
+use crate::scenario::si_units;
 use crate::study::{Study, StudyRow, Variable};
 
-/// Writes `study.csv`, `around.csv`, three figures and, last, `study.json`; returns
-/// their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_study(
+/// The answers of a study, and the bearings all around; the numbers stand in the tables alone.
+pub fn study_findings<'a>(
     destination: &Destination<'_>,
     study: &Study,
-    rows: &[StudyRow],
-) -> Result<Vec<PathBuf>, ReportError> {
+    rows: &'a [StudyRow],
+) -> Findings<'a> {
     let (title, variable) = (destination.title, &study.variable);
-    let tables = [
-        ("study", answers(variable, rows)),
-        ("around", around(variable, rows)),
-    ];
-    let figures = [
-        stiffness(title, variable, rows),
-        deformation(title, variable, rows),
-        contact_angle(title, variable, rows),
-    ];
-    // the numbers are in the tables beside it
-    let document = destination.document(about(study, rows));
-    destination.write(FileSet::STUDY, tables, figures, &document)
+    Findings {
+        set: FileSet::STUDY,
+        tables: vec![
+            ("study", answers(variable, rows)),
+            ("around", around(variable, rows)),
+        ],
+        figures: vec![
+            stiffness(title, variable, rows),
+            deformation(title, variable, rows),
+            contact_angle(title, variable, rows),
+        ],
+        document: destination.document(about(study, rows)),
+        text: text(title, study, rows),
+    }
 }
 
 /// The variable as the name of a column: `load_0_constant_z_N`.
 pub(super) fn column_name(variable: &Variable) -> String {
-    let words: Vec<_> = variable
-        .key
-        .split(['.', '[', ']'])
-        .filter(|word| !word.is_empty())
-        .collect();
-    let name = words.join("_");
-    if variable.unit.is_empty() {
-        name
-    } else {
-        format!("{name}_{}", crate::analysis::column_unit(variable.unit))
+    key_column(&variable.key, variable.unit)
+}
+
+fn key_column(key: &str, unit: &str) -> String {
+    let words = key.split(['.', '[', ']']);
+    let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
+    match unit {
+        "" => words.join("_"),
+        unit => format!("{}_{}", words.join("_"), column_unit(unit)),
     }
 }
 
-/// The variable as the name of an axis: `load[0].constant.z in N`.
+/// The unit that the column of a key ends with; empty of a plain number.
+pub(super) fn unit_of_column(key: &str, column: &str) -> &'static str {
+    let mut units = si_units();
+    let found = units.find(|unit| key_column(key, unit) == column);
+    found.unwrap_or_default()
+}
+
+/// The variable as the name of an axis: `load 1, z in N`.
 pub(super) fn axis_name(variable: &Variable) -> String {
-    if variable.shown_unit.is_empty() {
-        variable.key.clone()
-    } else {
-        format!("{} in {}", variable.key, variable.shown_unit)
+    axis_label(&variable.key, variable.shown_unit)
+}
+
+/// A key in words with a unit: `speed in rad/s`, `radial clearance of bearing 1 in µm`.
+pub(super) fn axis_label(key: &str, unit: &str) -> String {
+    let (table, rest) = key.split_once('.').unwrap_or((key, "constant"));
+    let table = match table.trim_end_matches(']').split_once('[') {
+        Some((table, index)) => {
+            let number = index.parse().map_or(1, |index: usize| index + 1);
+            format!("{table} {number}")
+        }
+        None => table.to_owned(),
+    };
+    let last = rest.rsplit('.').next().unwrap_or(rest).replace('_', " ");
+    let words = match (rest, last.as_str()) {
+        ("constant", _) => table,
+        (_, "x" | "y" | "z" | "tilt x" | "tilt y") => format!("{table}, {last}"),
+        _ => format!("{last} of {table}"),
+    };
+    match unit {
+        "" => words.replace('_', " "),
+        unit => format!("{} in {unit}", words.replace('_', " ")),
     }
 }
 
@@ -148,7 +168,7 @@ const AROUND: [Named<Around>; 6] = [
 ];
 
 /// The answer at every value.
-fn answers(variable: &Variable, rows: &[StudyRow]) -> Table {
+fn answers(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
     let mut table = Table::default();
     table.numbers(column_name(variable), rows.iter().map(|row| row.value));
     for axis in 0..FREEDOMS {
@@ -170,7 +190,7 @@ fn answers(variable: &Variable, rows: &[StudyRow]) -> Table {
 }
 
 /// Every bearing all around at every value; bearings and positions count from 1.
-fn around(variable: &Variable, rows: &[StudyRow]) -> Table {
+fn around(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
     let places = rows.iter().flat_map(|row| {
         row.around
             .iter()
@@ -196,73 +216,39 @@ fn around(variable: &Variable, rows: &[StudyRow]) -> Table {
     table
 }
 
-/// What a study is about.
-#[derive(Serialize)]
-struct Cover<'a> {
-    /// What varies.
-    varied: Varied<'a>,
-    /// How many values it has.
-    points: usize,
+/// What a study is about: the number that varies by its key, and how many values it has.
+fn about(study: &Study, rows: &[StudyRow]) -> Map<String, Value> {
+    let Variable { key, unit, .. } = &study.variable;
+    let about = [
+        ("varied", json!({ "key": key, "unit": unit })),
+        ("points", json!(rows.len())),
+    ];
+    about
+        .map(|(key, value)| (key.to_owned(), value))
+        .into_iter()
+        .collect()
 }
 
-/// A number of the scenario by its key.
-#[derive(Serialize)]
-struct Varied<'a> {
-    key: &'a str,
-    unit: &'a str,
-}
-
-/// The whole study.
-#[derive(Serialize)]
-struct Whole<'a> {
-    #[serde(flatten)]
-    cover: Cover<'a>,
-    rows: Vec<RowSummary<'a>>,
-}
-
-/// The answer at a value.
-#[derive(Serialize)]
-struct RowSummary<'a> {
-    #[serde(flatten)]
-    answer: &'a QuasiStatic,
-    /// The value, under the name of its column.
-    #[serde(flatten)]
-    value: BTreeMap<&'a str, f64>,
-    /// Every bearing all around.
-    around: &'a [Vec<Around>],
-}
-
-fn about<'a>(study: &'a Study, rows: &[StudyRow]) -> Cover<'a> {
-    Cover {
-        varied: Varied {
-            key: &study.variable.key,
-            unit: study.variable.unit,
-        },
-        points: rows.len(),
-    }
-}
-
-/// The whole study with every answer.
+/// The whole study: at every value, which stands under the name of its column, the answer and every bearing all
+/// around.
 pub fn study_json(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Value {
     let varied = column_name(&study.variable);
-    destination.document(Whole {
-        cover: about(study, rows),
-        rows: rows
-            .iter()
-            .map(|row| RowSummary {
-                answer: &row.answer,
-                value: BTreeMap::from([(varied.as_str(), row.value)]),
-                around: &row.around,
-            })
-            .collect(),
-    })
+    let rows_of = rows.iter().map(|row| {
+        let mut json = value(&row.answer);
+        json[&varied] = json!(row.value);
+        json["around"] = json!(row.around);
+        json
+    });
+    let mut whole = about(study, rows);
+    whole.insert("rows".to_owned(), rows_of.collect());
+    destination.document(whole)
 }
 
 /// Most rows shown.
 const MOST_ROWS: usize = 24;
 
-/// The values with place and stiffness of the shaft; of many, some. Then the files written.
-pub fn study_text(title: &str, study: &Study, rows: &[StudyRow], files: &[PathBuf]) -> String {
+/// The values with place and stiffness of the shaft; of many, some.
+fn text(title: &str, study: &Study, rows: &[StudyRow]) -> Lines {
     let mut out = Lines::titled(title);
     let varied = study.variable.key.rsplit('.').next().unwrap_or_default();
     let units = format!("{varied}\n{}", study.variable.shown_unit);
@@ -280,9 +266,15 @@ pub fn study_text(title: &str, study: &Study, rows: &[StudyRow], files: &[PathBu
     let step = rows.len().div_ceil(MOST_ROWS).max(1);
     let cells = rows.iter().step_by(step).map(|row| cells(study, row));
     out.table(header, cells);
-    let name = axis_name(&study.variable);
-    out.line("varied", format!("{name}: {} values", rows.len()));
-    out.wrote(files)
+    let Variable {
+        key, shown_unit, ..
+    } = &study.variable;
+    let unit = match *shown_unit {
+        "" => String::new(),
+        unit => format!(" in {unit}"),
+    };
+    out.line("varied", format!("{key}{unit}: {} values", rows.len()));
+    out
 }
 
 fn cells(study: &Study, row: &StudyRow) -> Vec<String> {
@@ -433,7 +425,27 @@ fn shown_names(count: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::shown_names;
+    use super::{axis_label, shown_names, unit_of_column};
+
+    #[test]
+    fn an_axis_says_in_words_what_its_key_is() {
+        let labels = [
+            ("speed.constant", "rad/s", "speed in rad/s"),
+            ("load[0].constant.z", "N", "load 1, z in N"),
+            ("shaft.mass", "kg", "mass of shaft in kg"),
+            (
+                "bearing[1].geometry.radial_clearance",
+                "µm",
+                "radial clearance of bearing 2 in µm",
+            ),
+            ("damping.ratio", "", "ratio of damping"),
+        ];
+        for (key, unit, label) in labels {
+            assert_eq!(axis_label(key, unit), label);
+        }
+        let unit = unit_of_column("speed.constant", "speed_constant_rad_s");
+        assert_eq!(unit, "rad/s");
+    }
 
     #[test]
     fn of_many_names_evenly_spaced_ones_are_shown() {

@@ -208,6 +208,15 @@ pub(super) fn digits(value: f64) -> String {
     }
 }
 
+/// The unit that values are shown in, and how many of it make one of theirs.
+pub(super) fn shown_unit(unit: &str) -> (String, f64) {
+    match unit {
+        "m" => ("µm".to_owned(), MICRO),
+        "rad" => ("µrad".to_owned(), MICRO),
+        _ => (unit.replace("^2", "²"), 1.0),
+    }
+}
+
 /// m → µm, rad → µrad.
 pub(super) const MICRO: f64 = 1e6;
 /// s → ms, rad → mrad, m/s → mm/s, N m → N mm.

@@ -343,6 +343,11 @@ impl Dimension {
     }
 }
 
+/// The SI unit of every dimension.
+pub(crate) fn si_units() -> impl Iterator<Item = &'static str> {
+    Dimension::ALL.iter().map(|(_, _, units)| units[0].symbol)
+}
+
 /// A number with the four significant digits that a message needs.
 pub(super) fn significant(number: f64) -> f64 {
     format!("{number:.3e}").parse().unwrap_or(number)

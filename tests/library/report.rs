@@ -11,8 +11,8 @@ use crate::bearing::{ContactLaw, MountedBearing, catalogue};
 use crate::integrate::{Counters, Method, Settings};
 use crate::physics::ball_pass_frequencies;
 use crate::report::{
-    CsvTable, Decimator, FileAction, FileSet, Outputs, ReportError, RunFolder, RunReport, TraceCsv,
-    TraceFigure, ball_columns, ball_row, event_columns, event_row, spectrum_figure, text,
+    CsvTable, Decimator, FileAction, FileSet, Histories, Outputs, ReportError, RunFolder,
+    RunReport, TraceCsv, ball_columns, ball_row, event_columns, event_row, spectrum_figure, text,
     trace_columns, write_spectrum,
 };
 use crate::rotor::{
@@ -473,11 +473,12 @@ fn the_summary_names_units_and_causes() {
 
 #[test]
 fn figures_are_well_formed_and_say_what_they_show() {
-    let mut figure = TraceFigure::new(3);
-    samples().iter().for_each(|sample| figure.sample(sample));
+    let mut histories = Histories::new(3);
+    samples().iter().for_each(|sample| histories.sample(sample));
     let run = run();
-    let trace = figure.draw(TITLE).unwrap();
-    let spectrum = spectrum_figure(TITLE, run.spectrum.as_ref().unwrap(), &run.peaks).unwrap();
+    let trace = histories.figure("trace.svg", TITLE).svg().unwrap();
+    let spectrum = spectrum_figure(TITLE, run.spectrum.as_ref().unwrap(), &run.peaks);
+    let spectrum = spectrum.svg().unwrap();
     for svg in [&trace, &spectrum] {
         assert!(
             svg.starts_with("<svg width=\"900\" height=\"") && svg.contains("viewBox=\"0 0 1800 ")
@@ -492,17 +493,18 @@ fn figures_are_well_formed_and_say_what_they_show() {
 
 #[test]
 fn figures_of_nothing_are_drawn_empty() {
-    assert!(TraceFigure::new(5).draw("").is_ok());
-    let mut figure = TraceFigure::new(2);
-    figure.sample(&samples()[0]);
-    assert!(figure.draw("one sample").is_ok());
+    let drawn = |histories: &Histories| histories.figure("trace.svg", "").svg();
+    assert!(drawn(&Histories::new(5)).is_ok());
+    let mut histories = Histories::new(2);
+    histories.sample(&samples()[0]);
+    assert!(drawn(&histories).is_ok());
     let mut spectrum = run().spectrum.unwrap();
     for entry in &mut spectrum.channels {
         entry.amplitude.fill(0.0);
     }
-    assert!(spectrum_figure("rest", &spectrum, &[]).is_ok());
+    assert!(spectrum_figure("rest", &spectrum, &[]).svg().is_ok());
     spectrum.channels.clear();
-    assert!(spectrum_figure("no channels", &spectrum, &[]).is_ok());
+    assert!(spectrum_figure("no channels", &spectrum, &[]).svg().is_ok());
 }
 
 #[test]

@@ -150,7 +150,6 @@ fn a_browser_draws_every_part_of_the_page() {
     };
     for section in [
         "numbers",
-        "warnings",
         "equilibrium",
         "motion",
         "orbit",
@@ -164,9 +163,9 @@ fn a_browser_draws_every_part_of_the_page() {
             "{section}"
         );
     }
-    // five displacements, five forces, the largest ball load; four spectra
+    // what changes: displacements, forces, the largest ball load; five spectra
     let charts = document.matches("class=\"uplot").count();
-    assert!(charts >= 15, "{charts} charts");
+    assert!(charts >= 14, "{charts} charts");
     // two bearings with their balls, and the orbit
     assert_eq!(document.matches("<svg").count(), 3);
     let summary = json(&shown.page.with_file_name("summary.json"));
@@ -181,6 +180,42 @@ fn a_browser_draws_every_part_of_the_page() {
         document.contains(&format!("{frequency:.2} Hz")),
         "{frequency}"
     );
+}
+
+/// What a person asks first is answered before anything is opened.
+#[test]
+fn the_first_screen_answers() {
+    let shown = run(&shipped("steady-7205c"));
+    let Some(document) = document(&shown) else {
+        return;
+    };
+    let (_, first) = document
+        .split_once("<section id=\"numbers\"")
+        .expect("key numbers");
+    let (first, rest) = first
+        .split_once("<section id=\"spectra\"")
+        .expect("a spectrum");
+    let summary = json(&shown.page.with_file_name("summary.json"));
+    let speed = summary["scenario"]["speed"]["constant"].as_str();
+    for text in [
+        speed.expect("a speed as it was written"),
+        "vibration velocity, x",
+        "vibration velocity, y",
+        " mm/s",
+        "RMS, 10 to 1000 Hz",
+        "repeats every",
+        "life L10r",
+        "measured error",
+        "strongest lines",
+        "1×",
+    ] {
+        assert!(first.contains(text), "{text} is not on the first screen");
+    }
+    let (spectrum, rest) = rest.split_once("</section>").expect("its end");
+    assert!(spectrum.contains("aria-label=\"velocity over frequency"));
+    // the rest waits to be opened
+    let sections = rest.matches("<section").count();
+    assert_eq!(rest.matches("<details><summary><h2>").count(), sections);
 }
 
 /// The spectra that a scenario asks for besides have charts on the page and a figure each.

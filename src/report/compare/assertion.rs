@@ -3,9 +3,8 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use super::paths::compare_tables;
 use super::table::Table;
-use super::{CompareError, Comparison, Rules};
+use super::{CompareError, Comparison, Rules, compare_tables};
 use crate::analysis::Spectrum;
 
 /// A spectrum, or the file that holds one.
@@ -65,7 +64,11 @@ pub fn spectra_close(
     let compared = || {
         let tables = [first.table(first_name)?, second.table(second_name)?];
         let name = format!("{first_name} against {second_name}");
-        let comparison = Comparison::of(compare_tables(name, tables, rules)?);
+        let comparison = Comparison::new(
+            vec![compare_tables(name, &tables, rules)?],
+            Vec::new(),
+            rules,
+        );
         comparison.check_names(rules)?;
         Ok(comparison)
     };

@@ -5,10 +5,8 @@ use std::path::{Path, PathBuf};
 
 use super::table::Table;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
-use crate::report::figure::{
-    Axis, CURVE_BUCKETS, Curve, Figure, Name, Panel, Point, distinct, ends,
-};
-use crate::report::{Decimator, write_whole};
+use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
+use crate::report::write_whole;
 
 /// Most columns that are shown.
 const MOST_COLUMNS: usize = 4;
@@ -16,6 +14,8 @@ const MOST_COLUMNS: usize = 4;
 const HEIGHT: u32 = 166;
 /// Amplitudes are shown down to this part of the largest, −140 dB.
 const SMALLEST: f64 = 1e-7;
+/// Places closer than this part of them are one.
+const SAME_PLACE: f64 = 1e-9;
 
 /// Writes a figure of the columns that are furthest apart as SVG: to the left both curves, to the right
 /// their difference, with the places of the comparison marked. Amplitudes of spectra stand in dB of the
@@ -38,8 +38,8 @@ pub fn write_comparison_figure(
                 path.to_owned()
             }
         };
-        let curves = Overlay::read([&inside(first), &inside(second)], &column.name)?;
-        panels.extend(curves.panels(column));
+        let tables = [Table::open(&inside(first))?, Table::open(&inside(second))?];
+        panels.extend(both_panels(&tables, column));
     }
     let title = format!("{} and {}", first.display(), second.display());
     let figure = Figure::new("comparison", &title, 2, panels);
@@ -70,118 +70,73 @@ fn furthest(comparison: &Comparison) -> Vec<(&TableComparison, &ColumnComparison
     shown.map(|(_, found)| found).collect()
 }
 
-/// A column of two tables.
-struct Overlay {
-    /// Name of the first column.
-    axis: String,
-    curves: [Decimator; 2],
-    /// Where both stand at the same places.
-    difference: Option<Decimator>,
-    /// Largest magnitude.
-    scale: f64,
+/// The panel of both curves and that of the difference.
+fn both_panels(tables: &[Table; 2], column: &ColumnComparison) -> [Panel; 2] {
+    let name = &column.name;
+    let curves = tables.each_ref().map(|table| points(table, name));
+    let axis = Axis::spanning(
+        tables[0].names()[0].as_str(),
+        curves.iter().flatten().map(|(at, _)| *at),
+    );
+    let marks = column.places.iter();
+    let marks = marks.map(|worst| (worst.at, apart(worst.first, worst.second, name)));
+    let marks: Vec<Point> = marks.collect();
+    let mut difference = differences(&curves, name);
+    if difference.len() < 2 {
+        difference.clone_from(&marks);
+    }
+    let (unit, size) = power(difference.iter().map(|point| point.1));
+    let scaled = |points: Vec<Point>| {
+        points
+            .into_iter()
+            .map(move |(at, value)| (at, value / size))
+    };
+    let change = Curve {
+        marks: scaled(marks).collect(),
+        ..Curve::envelope(distinct(2), scaled(difference))
+    };
+    let scale = tables[0].largest(name).max(tables[1].largest(name));
+    let (values, shown) = shown_values(name, scale);
+    let curves = curves.iter().enumerate().map(|(index, curve)| {
+        let points = curve.iter().map(|(at, value)| (*at, shown(*value)));
+        Curve::envelope(distinct(index), points)
+    });
+    [
+        Panel::of(axis.clone(), values, HEIGHT, curves.collect()),
+        Panel::of(axis, format!("b − a{unit}"), HEIGHT, vec![change]),
+    ]
 }
 
-impl Overlay {
-    fn read(paths: [&Path; 2], name: &str) -> Result<Self, CompareError> {
-        let mut overlay = Self {
-            axis: String::new(),
-            curves: [Decimator::new(CURVE_BUCKETS), Decimator::new(CURVE_BUCKETS)],
-            difference: Some(Decimator::new(CURVE_BUCKETS)),
-            scale: 0.0,
-        };
-        let [mut first, mut second] =
-            [Column::open(paths[0], name)?, Column::open(paths[1], name)?];
-        overlay.axis.clone_from(&first.table.columns()[0]);
-        let (mut a, mut b) = (first.next()?, second.next()?);
-        // both in the order of the axis; a place that only one has belongs to its own curve
-        while a.is_some() || b.is_some() {
-            let gap = a
-                .zip(b)
-                .map(|(a, b)| (a.0 - b.0) / a.0.abs().max(b.0.abs()).max(f64::MIN_POSITIVE));
-            let (take_a, take_b) = match gap {
-                None => (a.is_some(), b.is_some()),
-                Some(gap) if gap.abs() < 1e-9 || gap.is_nan() => (true, true),
-                Some(gap) => (gap < 0.0, gap > 0.0),
-            };
-            overlay.push(a.filter(|_| take_a), b.filter(|_| take_b), name);
-            if take_a {
-                a = first.next()?;
-            }
-            if take_b {
-                b = second.next()?;
-            }
-        }
-        let common = |difference: &Decimator| difference.buckets().count() > 1;
-        overlay.difference = overlay.difference.filter(common);
-        Ok(overlay)
-    }
+fn points(table: &Table, name: &str) -> Vec<Point> {
+    let values = table.column(name).unwrap_or_default();
+    table
+        .axis()
+        .iter()
+        .copied()
+        .zip(values.iter().copied())
+        .collect()
+}
 
-    fn push(&mut self, a: Option<(f64, f64)>, b: Option<(f64, f64)>, name: &str) {
-        for (curve, point) in self.curves.iter_mut().zip([a, b]) {
-            if let Some((at, value)) = point {
-                curve.push(at, value);
-                if value.is_finite() {
-                    self.scale = self.scale.max(value.abs());
-                }
-            }
-        }
-        if let (Some((at, a)), Some((_, b)), Some(difference)) = (a, b, &mut self.difference) {
-            difference.push(at, apart(a, b, name));
-        }
-    }
+/// b − a where both stand at the same places.
+fn differences([first, second]: &[Vec<Point>; 2], name: &str) -> Vec<Point> {
+    let mut others = second.iter().peekable();
+    let pairs = first.iter().filter_map(|(at, a)| {
+        let near = SAME_PLACE * at.abs();
+        while others.next_if(|(other, _)| *other < at - near).is_some() {}
+        let (_, b) = others.next_if(|(other, _)| *other <= at + near)?;
+        Some((*at, apart(*a, *b, name)))
+    });
+    pairs.collect()
+}
 
-    /// The panel of both curves and that of the difference.
-    fn panels(&self, column: &ColumnComparison) -> [Panel; 2] {
-        let name = &column.name;
-        let differences = column.places.iter();
-        let marks: Vec<_> = differences
-            .map(|worst| (worst.at, apart(worst.first, worst.second, name)))
-            .collect();
-        let curve = match &self.difference {
-            Some(difference) => difference.points().collect(),
-            None => marks.clone(),
-        };
-        let (unit, size) = power(curve.iter().map(|point| point.1));
-        let scaled = |points: Vec<Point>| -> Vec<Point> {
-            let points = points.into_iter();
-            points.map(|(at, value)| (at, value / size)).collect()
-        };
-        let difference = Curve {
-            marks: scaled(marks),
-            ..Curve::line(distinct(2), scaled(curve))
-        };
-        let (values, curves) = self.both(name);
-        let shown = self.curves.iter().flat_map(Decimator::points);
-        let axis = Axis::spanning(&self.axis, shown.map(|(at, _)| at));
-        let change = format!("b − a{unit}");
-        [
-            Panel::of(axis.clone(), values, HEIGHT, curves),
-            Panel::of(axis, change, HEIGHT, vec![difference]),
-        ]
+/// What the axis of both curves shows: its name, and how a value stands there.
+fn shown_values(name: &str, scale: f64) -> (String, Box<dyn Fn(f64) -> f64>) {
+    if name.contains("_amplitude_") && scale > 0.0 {
+        let decibel = move |value: f64| 20.0 * (value / scale).max(SMALLEST).log10();
+        return (format!("{name}, dB"), Box::new(decibel));
     }
-
-    /// Both curves, and what their axis shows.
-    fn both(&self, name: &str) -> (String, Vec<Curve>) {
-        let in_decibel = name.contains("_amplitude_") && self.scale > 0.0;
-        let (unit, size) = power([self.scale].into_iter());
-        let shown = |value: f64| {
-            if in_decibel {
-                20.0 * (value / self.scale).max(SMALLEST).log10()
-            } else {
-                value / size
-            }
-        };
-        let curve = |(index, curve): (usize, &Decimator)| {
-            let points = curve.points().map(|(at, value)| (at, shown(value)));
-            Curve::line(distinct(index), points.collect())
-        };
-        let name = if in_decibel {
-            format!("{name}, dB")
-        } else {
-            format!("{name}{unit}")
-        };
-        (name, self.curves.iter().enumerate().map(curve).collect())
-    }
+    let (unit, size) = power([scale].into_iter());
+    (format!("{name}{unit}"), Box::new(move |value| value / size))
 }
 
 /// b − a, of phases the shorter way round.
@@ -202,29 +157,5 @@ fn power(values: impl Iterator<Item = f64>) -> (String, f64) {
     match 3 * (largest.log10() / 3.0).floor() as i32 {
         0 => (String::new(), 1.0),
         exponent => (format!(" / 1e{exponent}"), 10f64.powi(exponent)),
-    }
-}
-
-/// A column of a file beside its first.
-struct Column {
-    table: Table,
-    place: usize,
-    row: Vec<f64>,
-}
-
-impl Column {
-    fn open(path: &Path, name: &str) -> Result<Self, CompareError> {
-        let table = Table::open(path)?;
-        let place = table.columns().iter().position(|column| column == name);
-        Ok(Self {
-            place: place.unwrap_or(0),
-            table,
-            row: Vec::new(),
-        })
-    }
-
-    fn next(&mut self) -> Result<Option<(f64, f64)>, CompareError> {
-        let more = self.table.read(&mut self.row)?;
-        Ok(more.then(|| (self.row[0], self.row[self.place])))
     }
 }

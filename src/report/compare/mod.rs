@@ -30,28 +30,124 @@
 //! ```
 
 mod assertion;
-mod column;
-mod difference;
 mod error;
 mod events;
 mod figure;
-mod json;
 mod lines;
-mod paths;
+mod result;
 mod rows;
-mod rule;
 mod rules;
 mod table;
 mod text;
-mod tolerance;
+
+use std::fs;
+use std::path::Path;
+
+use self::events::{compare_events, is_events};
+use self::lines::{compare_lines, is_spectrum};
+use self::rows::compare_rows;
+use self::table::Table;
 
 pub use assertion::{ComparedSpectrum, spectra_close};
-pub use column::{ColumnComparison, Worst};
-pub use difference::Difference;
 pub use error::CompareError;
 pub(crate) use figure::write_comparison_figure;
-pub use paths::{Comparison, compare};
-pub use rows::TableComparison;
-pub use rules::Rules;
+pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
+pub use rules::{Rules, Tolerance, Tolerances};
 
-pub use tolerance::{Tolerance, Tolerances};
+/// Tables of a run folder.
+const TABLES: [&str; 3] = ["trace.csv", "spectrum.csv", "events.csv"];
+/// Those that are compared by lines.
+const SPECTRA: [&str; 1] = ["spectrum.csv"];
+
+/// Compares two CSV files, or `trace.csv`, `spectrum.csv` and `events.csv` of two run folders.
+///
+/// # Errors
+/// [`CompareError`] where there is nothing to compare; that results differ is no error.
+pub fn compare(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison, CompareError> {
+    for path in [first, second] {
+        fs::metadata(path).map_err(|source| CompareError::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+    }
+    let comparison = match (first.is_dir(), second.is_dir()) {
+        (true, true) => compare_folders(first, second, rules)?,
+        (false, false) => {
+            let name = first.display().to_string();
+            Comparison::new(
+                vec![compare_files(name, [first, second], rules)?],
+                Vec::new(),
+                rules,
+            )
+        }
+        (first_is_folder, _) => {
+            let (folder, file) = match first_is_folder {
+                true => (first, second),
+                false => (second, first),
+            };
+            return Err(CompareError::FolderAndFile {
+                folder: folder.to_owned(),
+                file: file.to_owned(),
+            });
+        }
+    };
+    comparison.check_names(rules)?;
+    Ok(comparison)
+}
+
+/// Compares two files of whatever they hold; `name` is what the result calls them.
+fn compare_files(
+    name: String,
+    paths: [&Path; 2],
+    rules: &Rules,
+) -> Result<TableComparison, CompareError> {
+    if paths.iter().all(|path| is_events(path)) {
+        return compare_events(name, paths, rules);
+    }
+    let tables = [Table::open(paths[0])?, Table::open(paths[1])?];
+    compare_tables(name, &tables, rules)
+}
+
+/// Compares two tables of numbers, by lines where that is asked for.
+fn compare_tables(
+    name: String,
+    tables: &[Table; 2],
+    rules: &Rules,
+) -> Result<TableComparison, CompareError> {
+    let Some(count) = rules.lines else {
+        return Ok(compare_rows(name, tables, rules));
+    };
+    match tables.iter().find(|table| !is_spectrum(table)) {
+        Some(table) => Err(CompareError::NoLines {
+            path: table.path.clone(),
+        }),
+        None => Ok(compare_lines(name, tables, count, rules)),
+    }
+}
+
+fn compare_folders(first: &Path, second: &Path, rules: &Rules) -> Result<Comparison, CompareError> {
+    let only = |path: &Path| Difference::partial(format!("only one run has {}", path.display()));
+    let (mut tables, mut partial) = (Vec::new(), Vec::new());
+    let names = if rules.lines.is_some() {
+        &SPECTRA[..]
+    } else {
+        &TABLES[..]
+    };
+    for name in names {
+        let (left, right) = (first.join(name), second.join(name));
+        match (left.exists(), right.exists()) {
+            (true, true) => tables.push(compare_files((*name).to_owned(), [&left, &right], rules)?),
+            (true, false) => partial.push(only(&left)),
+            (false, true) => partial.push(only(&right)),
+            (false, false) => {}
+        }
+    }
+    if tables.is_empty() && (partial.is_empty() || rules.common) {
+        return Err(CompareError::NoTables {
+            first: first.to_owned(),
+            second: second.to_owned(),
+            names: names.join(", "),
+        });
+    }
+    Ok(Comparison::new(tables, partial, rules))
+}

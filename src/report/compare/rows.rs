@@ -1,264 +1,235 @@
-//! Compares two tables row by row, reading each twice and keeping one row in memory.
+//! Compares two tables row by row.
 
-use super::rule::{Place, Rule, Scales};
+use std::f64::consts::{PI, TAU};
+
 use super::table::Table;
-use super::{ColumnComparison, CompareError, Difference, Rules, Tolerances};
-
-/// What the comparison of two tables found.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct TableComparison {
-    /// Name of the file in a run folder, or of the first file.
-    pub name: String,
-    /// Columns that both tables have, in the order of the first.
-    pub columns: Vec<ColumnComparison>,
-    /// What keeps the tables from being compared value by value.
-    pub differences: Vec<Difference>,
-    /// What only one of them has and is not asked for.
-    pub left_out: Vec<Difference>,
-    /// Names of the columns of both tables.
-    pub(super) known: Vec<String>,
-}
-
-impl TableComparison {
-    /// Whether both tables have the same columns and rows, and all values agree.
-    pub fn agrees(&self) -> bool {
-        self.differences.is_empty() && self.columns.iter().all(ColumnComparison::agrees)
-    }
-}
+use super::{ColumnComparison, Difference, Rules, TableComparison, Tolerance, Worst};
+use crate::analysis::{Channel, NoiseFloor};
 
 /// Compares two tables row by row; `name` is what the result calls them.
-pub(super) fn compare_rows(
-    name: String,
-    mut tables: [Table; 2],
-    rules: &Rules,
-) -> Result<TableComparison, CompareError> {
-    let shared = Shared::of(&tables);
-    let known = known_columns(&tables);
-    let [left, right] = &mut tables;
-    let extents = [extent(left)?, extent(right)?];
-    let steps = steps(&known, &extents);
-    let mut differences = Vec::new();
-    let mut partial = shared.only_in_one(&tables);
-    match steps {
-        [1, 1] if extents[0].rows != extents[1].rows => differences.push(Difference::Rows {
-            first: extents[0].rows,
-            second: extents[1].rows,
-        }),
-        [1, 1] => {}
-        [first, second] => partial.push(Difference::Thinned {
-            thinned: tables[usize::from(first > 1)].path().to_owned(),
-            every: first.max(second),
-        }),
-    }
-    let largest =
-        |place: Place| extents[0].scales[place.first].max(extents[1].scales[place.second]);
-    let rate = match known.first() {
-        Some(axis) if axis == "t_s" => extents[0].rate().max(extents[1].rate()),
-        _ => 0.0,
-    };
-    let columns = shared.rules(
-        &Scales::of(shared.named(), largest, rate),
-        &rules.tolerances,
-    );
-    for table in &mut tables {
-        table.rewind()?;
-    }
-    let columns = judge_rows(&shared, &columns, &mut tables, steps, rules.worst)?;
+pub(super) fn compare_rows(name: String, tables: &[Table; 2], rules: &Rules) -> TableComparison {
+    let alone = Table::alone(tables);
+    let mut differences: Vec<_> = alone
+        .map(|(table, name)| Difference::column(&table.path, name))
+        .collect();
+    let rows = MatchedRows::of(tables);
+    differences.extend(rows.difference(tables));
+    let scales = Scales::of(tables);
+    let shared = tables[0].names().iter();
+    let shared = shared.filter_map(|name| Some((name, pair(tables, name)?)));
+    let columns: Vec<_> = shared
+        .map(|(name, values)| {
+            let mut column = ColumnComparison::new(name, rules);
+            rows.compare(&mut column, tables, values, &scales, rules);
+            column
+        })
+        .collect();
+    let known = Table::known(tables);
     let axis = columns.first().filter(|column| !column.agrees());
     if let Some(axis) = axis.filter(|axis| known.first() == Some(&axis.name)) {
-        differences.push(Difference::Axis {
-            name: axis.name.clone(),
-        });
+        differences.push(Difference::new(format!(
+            "the axes {} differ: rows are matched by number and stand for different places",
+            axis.name
+        )));
     }
-    Ok(TableComparison::new(
-        name,
-        columns,
-        known,
-        differences,
-        partial,
-        rules,
-    ))
+    TableComparison::new(name, columns, known, differences, rules)
 }
 
-impl TableComparison {
-    /// What only one table has is a difference, or left out.
-    pub(super) fn new(
-        name: String,
-        columns: Vec<ColumnComparison>,
-        known: Vec<String>,
-        mut differences: Vec<Difference>,
-        mut partial: Vec<Difference>,
-        rules: &Rules,
-    ) -> Self {
-        if !rules.common {
-            differences.append(&mut partial);
-        }
-        Self {
-            name,
-            columns,
-            differences,
-            left_out: partial,
-            known,
-        }
-    }
+/// A column that both tables have.
+fn pair<'a>([first, second]: &'a [Table; 2], name: &str) -> Option<[&'a [f64]; 2]> {
+    Some([first.column(name)?, second.column(name)?])
 }
 
-/// How many rows of each table stand for one row that is compared: more than one of a trace where the
-/// other is one of every so many of its samples.
-fn steps(known: &[String], [first, second]: &[Extent; 2]) -> [u64; 2] {
-    if known.first().is_none_or(|axis| axis != "t_s") {
-        return [1, 1];
-    }
-    [first.thinned_to(second), second.thinned_to(first)]
+/// Which rows of two tables stand for each other: every so many of either.
+struct MatchedRows {
+    steps: [usize; 2],
+    rows: [usize; 2],
 }
 
-/// Columns that both tables have.
-struct Shared(Vec<(String, Place)>);
-
-impl Shared {
-    fn of([first, second]: &[Table; 2]) -> Self {
-        let names = first.columns().iter().enumerate();
-        let places = names.filter_map(|(index, name)| {
-            let other = second.columns().iter().position(|other| other == name)?;
-            let place = Place {
-                first: index,
-                second: other,
-            };
-            Some((name.clone(), place))
-        });
-        Self(places.collect())
-    }
-
-    fn only_in_one(&self, tables: &[Table; 2]) -> Vec<Difference> {
-        let missing = |table: &Table| -> Vec<Difference> {
-            let own = table.columns().iter();
-            own.filter(|name| !self.0.iter().any(|(shared, _)| shared == *name))
-                .map(|name| Difference::Column {
-                    name: name.clone(),
-                    only_in: table.path().to_owned(),
-                })
-                .collect()
+impl MatchedRows {
+    /// More than one of a trace where the other is one of every so many of its samples.
+    fn of(tables: &[Table; 2]) -> Self {
+        let rows = tables.each_ref().map(|table| table.axis().len());
+        let [first, second] = tables.each_ref().map(step);
+        let steps = match first.zip(second) {
+            Some((first, second)) => [
+                thinning(second / first, rows),
+                thinning(first / second, [rows[1], rows[0]]),
+            ],
+            None => [1, 1],
         };
-        tables.iter().flat_map(missing).collect()
+        Self { steps, rows }
     }
 
-    fn named(&self) -> impl Iterator<Item = (&str, Place)> {
-        self.0.iter().map(|(name, place)| (name.as_str(), *place))
-    }
-
-    fn rules(&self, scales: &Scales<impl Fn(Place) -> f64>, tolerances: &Tolerances) -> Vec<Rule> {
-        self.named()
-            .map(|(name, place)| Rule::new(name, self.named(), scales, place, tolerances))
-            .collect()
-    }
-}
-
-fn known_columns([first, second]: &[Table; 2]) -> Vec<String> {
-    let mut known = first.columns().to_vec();
-    let further = second.columns().iter();
-    known.extend(
-        further
-            .filter(|name| !first.columns().contains(name))
-            .cloned(),
-    );
-    known
-}
-
-/// What a table holds, on the whole.
-struct Extent {
-    rows: u64,
-    /// Largest finite magnitude of every column.
-    scales: Vec<f64>,
-    /// First column of the first two rows.
-    start: [f64; 2],
-}
-
-impl Extent {
-    /// Rows for one of the first column; zero of a single one.
-    fn rate(&self) -> f64 {
-        let step = self.start[1] - self.start[0];
-        if step > 0.0 { step.recip() } else { 0.0 }
-    }
-
-    /// N where `other` can hold the first of every N rows of this, one otherwise.
-    fn thinned_to(&self, other: &Self) -> u64 {
-        let step = |extent: &Self| extent.start[1] - extent.start[0];
-        let ratio = (step(other) / step(self)).round();
-        if !(ratio > 1.0 && ratio < self.rows as f64) {
-            return 1;
-        }
-        match ratio as u64 {
-            every if self.rows.div_ceil(every) == other.rows => every,
-            _ => 1,
+    fn difference(&self, tables: &[Table; 2]) -> Option<Difference> {
+        let [first, second] = self.rows;
+        match self.steps {
+            [1, 1] if first == second => None,
+            [1, 1] => Some(Difference::new(format!(
+                "{first} rows against {second}: the first {} are compared",
+                first.min(second)
+            ))),
+            [own, other] => Some(Difference::partial(format!(
+                "{} holds one of every {} samples: these are compared",
+                tables[usize::from(own > 1)].path.display(),
+                own.max(other)
+            ))),
         }
     }
-}
 
-fn extent(table: &mut Table) -> Result<Extent, CompareError> {
-    let mut extent = Extent {
-        rows: 0,
-        scales: vec![0.0; table.columns().len()],
-        start: [0.0; 2],
-    };
-    let mut row = Vec::new();
-    while table.read(&mut row)? {
-        if let Some(start) = extent.start.get_mut(extent.rows as usize) {
-            *start = row[0];
-        }
-        extent.rows += 1;
-        for (scale, value) in extent.scales.iter_mut().zip(&row) {
-            if value.is_finite() {
-                *scale = scale.max(value.abs());
-            }
-        }
-    }
-    if extent.rows == 0 {
-        return Err(CompareError::Empty {
-            path: table.path().to_owned(),
+    /// Judges the values of a column; a phase modulo 2π, where its amplitude is significant.
+    fn compare(
+        &self,
+        column: &mut ColumnComparison,
+        tables: &[Table; 2],
+        values: [&[f64]; 2],
+        scales: &Scales<'_>,
+        rules: &Rules,
+    ) {
+        let name = column.name.clone();
+        let tolerance = rules.tolerances.of(&name);
+        let (scale, floor) = (scales.largest(&name), scales.floor(&name, tolerance));
+        let amplitude = amplitude_of(&name, tables).map(|(amplitude, sizes)| {
+            let own = rules.tolerances.of(amplitude);
+            let allowed = own.allowed(scales.largest(amplitude)) + scales.floor(amplitude, own);
+            (sizes, allowed)
         });
-    }
-    Ok(extent)
-}
-
-fn judge_rows(
-    shared: &Shared,
-    rules: &[Rule],
-    tables: &mut [Table; 2],
-    steps: [u64; 2],
-    room: usize,
-) -> Result<Vec<ColumnComparison>, CompareError> {
-    let names = shared.0.iter().map(|(name, _)| name);
-    let mut columns: Vec<_> = names
-        .map(|name| ColumnComparison::new(name, room))
-        .collect();
-    let mut row = 0;
-    each_pair(tables, steps, |first, second| {
-        row += 1;
-        for ((column, (_, place)), rule) in columns.iter_mut().zip(&shared.0).zip(rules) {
-            if let Some(judgement) = rule.judge(*place, first, second) {
-                let values = [first[place.first], second[place.second]];
-                column.take(row, first[0], values, judgement);
-            }
-        }
-    })?;
-    Ok(columns)
-}
-
-/// Gives the rows that stand for each other.
-fn each_pair(
-    [left, right]: &mut [Table; 2],
-    [left_step, right_step]: [u64; 2],
-    mut take: impl FnMut(&[f64], &[f64]),
-) -> Result<(), CompareError> {
-    let (mut first, mut second, mut unused) = (Vec::new(), Vec::new(), Vec::new());
-    while left.read(&mut first)? && right.read(&mut second)? {
-        take(&first, &second);
-        for (table, step) in [(&mut *left, left_step), (&mut *right, right_step)] {
-            for _ in 1..step {
-                table.read(&mut unused)?;
-            }
+        let counts = [0, 1].map(|table| self.rows[table].div_ceil(self.steps[table]));
+        for row in 0..counts[0].min(counts[1]) {
+            let at = self.steps.map(|step| row * step);
+            let of = |values: [&[f64]; 2]| [values[0][at[0]], values[1][at[1]]];
+            let [a, b] = of(values);
+            let judgement = match amplitude {
+                None => Judgement::of(distance(a, b), tolerance, scale, floor),
+                Some((sizes, allowed)) => {
+                    let [a_size, b_size] = of(sizes);
+                    let size = a_size.max(b_size);
+                    // the phase of nothing says nothing
+                    if size <= allowed || size.is_nan() {
+                        continue;
+                    }
+                    Judgement::of(turn(distance(a, b)), tolerance, PI, allowed / size)
+                }
+            };
+            judgement.put(column, row as u64 + 1, tables[0].axis()[at[0]], [a, b]);
         }
     }
-    Ok(())
+}
+
+/// The amplitude that a phase belongs to.
+fn amplitude_of<'a>(name: &str, tables: &'a [Table; 2]) -> Option<(&'a str, [&'a [f64]; 2])> {
+    let prefix = format!("{}_amplitude_", name.strip_suffix("_phase_rad")?);
+    let mut names = tables[0].names().iter();
+    let found = names.find(|name| name.starts_with(&prefix) && pair(tables, name).is_some())?;
+    Some((found, pair(tables, found)?))
+}
+
+/// Time between two samples of a trace, s.
+fn step(table: &Table) -> Option<f64> {
+    let is_trace = table.names().first().is_some_and(|axis| axis == "t_s");
+    match table.axis() {
+        [first, second, ..] if is_trace => Some(second - first),
+        _ => None,
+    }
+}
+
+/// N where the second table can hold the first of every N rows of the first, one otherwise.
+fn thinning(ratio: f64, [rows, others]: [usize; 2]) -> usize {
+    let every = ratio.round();
+    let can_be = every > 1.0 && every < rows as f64 && rows.div_ceil(every as usize) == others;
+    if can_be { every as usize } else { 1 }
+}
+
+/// What the columns of two tables are measured by.
+pub(super) struct Scales<'a> {
+    tables: &'a [Table; 2],
+    /// What of them is round-off.
+    floor: NoiseFloor,
+}
+
+impl<'a> Scales<'a> {
+    /// Of all their columns.
+    pub fn of(tables: &'a [Table; 2]) -> Self {
+        let rates = tables.iter().filter_map(step).filter(|step| *step > 0.0);
+        let rate = rates.map(f64::recip).fold(0.0, f64::max);
+        let names = tables.iter().flat_map(Table::names);
+        let channels =
+            names.filter_map(|name| Some((Channel::of_column(name)?, largest(tables, name))));
+        Self {
+            floor: NoiseFloor::of(channels, rate),
+            tables,
+        }
+    }
+
+    /// Largest magnitude of a column in both tables.
+    pub fn largest(&self, name: &str) -> f64 {
+        largest(self.tables, name)
+    }
+
+    /// Difference of a column that is round-off; zero where equal values are asked for.
+    pub fn floor(&self, name: &str, tolerance: Tolerance) -> f64 {
+        match Channel::of_column(name) {
+            Some(channel) if !tolerance.is_exact() => self.floor.below(channel),
+            _ => 0.0,
+        }
+    }
+}
+
+fn largest([first, second]: &[Table; 2], name: &str) -> f64 {
+    first.largest(name).max(second.largest(name))
+}
+
+/// A difference, what is allowed, and the relative tolerance that alone would allow it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Judgement {
+    difference: f64,
+    allowed: f64,
+    needed: f64,
+}
+
+impl Judgement {
+    /// On a difference that may be as large as the tolerance of `scale` and something `more`.
+    pub fn of(difference: f64, tolerance: Tolerance, scale: f64, more: f64) -> Self {
+        let beyond = difference - more;
+        Self {
+            difference,
+            allowed: tolerance.allowed(scale) + more,
+            needed: if beyond > 0.0 { beyond / scale } else { 0.0 },
+        }
+    }
+
+    /// Notes it in its column.
+    pub fn put(self, column: &mut ColumnComparison, row: u64, at: f64, [first, second]: [f64; 2]) {
+        let place = Worst {
+            row,
+            at,
+            first,
+            second,
+            difference: self.difference,
+            allowed: self.allowed,
+        };
+        column.take(place, self.needed);
+    }
+}
+
+/// |a − b|; zero for equal infinities and for two NaN, infinite where only one is a number.
+pub(super) fn distance(a: f64, b: f64) -> f64 {
+    if a == b || (a.is_nan() && b.is_nan()) {
+        return 0.0;
+    }
+    let difference = (a - b).abs();
+    if difference.is_nan() {
+        f64::INFINITY
+    } else {
+        difference
+    }
+}
+
+/// The shorter way round the circle.
+fn turn(angle: f64) -> f64 {
+    if angle.is_infinite() {
+        return angle;
+    }
+    let angle = angle.rem_euclid(TAU);
+    angle.min(TAU - angle)
 }

@@ -1,6 +1,86 @@
-//! How two results are compared.
+//! How two results are compared, and how far their values may be apart.
 
-use super::{Tolerance, Tolerances};
+use super::CompareError;
+
+/// Allowed difference: `absolute + relative · max|column|`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance {
+    relative: f64,
+    absolute: f64,
+}
+
+impl Tolerance {
+    /// A millionth of the largest magnitude in the column.
+    pub const DEFAULT: Self = Self {
+        relative: 1e-6,
+        absolute: 0.0,
+    };
+
+    /// Checks both parts; `absolute` is in the unit of the column.
+    ///
+    /// # Errors
+    /// [`CompareError::Tolerance`] where one is negative or not finite.
+    pub fn new(relative: f64, absolute: f64) -> Result<Self, CompareError> {
+        for (kind, value) in [("relative", relative), ("absolute", absolute)] {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(CompareError::Tolerance { kind, value });
+            }
+        }
+        Ok(Self { relative, absolute })
+    }
+
+    /// Whether values must be equal.
+    pub(super) fn is_exact(self) -> bool {
+        self.relative == 0.0 && self.absolute == 0.0
+    }
+
+    /// Difference allowed in a column whose largest magnitude is `scale`.
+    ///
+    /// ```
+    /// use jeffcott::report::compare::Tolerance;
+    /// assert_eq!(Tolerance::new(0.5, 1.0)?.allowed(4.0), 3.0);
+    /// # Ok::<(), jeffcott::report::compare::CompareError>(())
+    /// ```
+    pub fn allowed(self, scale: f64) -> f64 {
+        self.absolute + self.relative * scale
+    }
+}
+
+/// The tolerance of every column.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tolerances {
+    default: Tolerance,
+    columns: Vec<(String, Tolerance)>,
+}
+
+impl Tolerances {
+    /// The same tolerance for all columns.
+    pub fn uniform(default: Tolerance) -> Self {
+        Self {
+            default,
+            columns: Vec::new(),
+        }
+    }
+
+    /// Another tolerance for the column `name`; the last one given counts.
+    #[must_use]
+    pub fn with_column(mut self, name: &str, tolerance: Tolerance) -> Self {
+        self.columns.push((name.to_owned(), tolerance));
+        self
+    }
+
+    /// Tolerance of the column `name`.
+    pub fn of(&self, name: &str) -> Tolerance {
+        let mut own = self.columns.iter().rev();
+        own.find(|(column, _)| column == name)
+            .map_or(self.default, |(_, tolerance)| *tolerance)
+    }
+
+    /// Names of the columns that have a tolerance of their own.
+    pub(super) fn named(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(|(name, _)| name.as_str())
+    }
+}
 
 /// How two results are compared.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,149 +1,130 @@
-//! A table of numbers, read row by row: a CSV file, or a spectrum in memory.
+//! A table of numbers in memory: a CSV file, or a spectrum.
 
+use std::collections::HashSet;
 use std::fs::File;
 use std::path::{Path, PathBuf};
 
 use super::CompareError;
 use crate::analysis::Spectrum;
-use crate::report::spectrum::{spectrum_columns, spectrum_rows};
+use crate::report::spectra::spectrum_table;
 
-/// A table with a header and numbers below; of a file, one row is in memory at a time.
+/// A table with a header and numbers below, at least one row.
 pub(super) struct Table {
-    path: PathBuf,
-    columns: Vec<String>,
-    rows: Rows,
-}
-
-/// Where the rows come from.
-enum Rows {
-    File(Box<FileRows>),
-    /// All numbers row by row, and how many of them are read.
-    Memory(Vec<f64>, usize),
-}
-
-struct FileRows {
-    reader: csv::Reader<File>,
-    /// Place of the first row.
-    start: csv::Position,
-    record: csv::StringRecord,
+    /// Its file, or what messages call it.
+    pub path: PathBuf,
+    names: Vec<String>,
+    /// Numbers column by column; NaN where one is missing.
+    columns: Vec<Vec<f64>>,
 }
 
 impl Table {
-    /// Opens the file and reads its header.
+    /// Reads a file.
     pub fn open(path: &Path) -> Result<Self, CompareError> {
-        let file = File::open(path).map_err(|source| CompareError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
-        let mut reader = csv::ReaderBuilder::new()
-            .trim(csv::Trim::All)
-            .from_reader(file);
-        let header = reader.headers().map_err(|source| bad_csv(path, source))?;
-        let columns: Vec<String> = header.iter().map(str::to_owned).collect();
-        if columns.is_empty() {
+        let bad = |source| bad_csv(path, source);
+        let mut reader = reader(path)?;
+        let header = reader.headers().map_err(bad)?;
+        let names: Vec<String> = header.iter().map(str::to_owned).collect();
+        let mut earlier = HashSet::new();
+        if let Some(twice) = names.iter().find(|name| !earlier.insert(*name)) {
+            return Err(CompareError::Duplicate {
+                path: path.to_owned(),
+                column: twice.clone(),
+            });
+        }
+        let mut columns = vec![Vec::new(); names.len()];
+        for record in reader.records() {
+            let record = record.map_err(bad)?;
+            for (place, column) in columns.iter_mut().enumerate() {
+                column.push(number(path, &record, place, &names[place])?);
+            }
+        }
+        if columns.first().is_none_or(Vec::is_empty) {
             return Err(CompareError::Empty {
                 path: path.to_owned(),
             });
         }
-        if let Some(column) = first_duplicate(&columns) {
-            return Err(CompareError::Duplicate {
-                path: path.to_owned(),
-                column: column.to_owned(),
-            });
-        }
         Ok(Self {
             path: path.to_owned(),
+            names,
             columns,
-            rows: Rows::File(Box::new(FileRows {
-                start: reader.position().clone(),
-                reader,
-                record: csv::StringRecord::new(),
-            })),
         })
     }
 
     /// The table of a spectrum, as its file would be; `name` is what messages call it.
     pub fn of_spectrum(name: &str, spectrum: &Spectrum) -> Self {
-        let columns = spectrum_columns(spectrum).into_iter();
-        let mut numbers = Vec::new();
-        // keeping rows cannot fail
-        let _ = spectrum_rows(spectrum, |row| {
-            numbers.extend_from_slice(row);
-            Ok(())
-        });
+        let (names, columns) = spectrum_table(spectrum).into_numbers();
         Self {
             path: PathBuf::from(name),
-            columns: columns.map(|column| column.name.into_owned()).collect(),
-            rows: Rows::Memory(numbers, 0),
+            names,
+            columns,
         }
     }
 
     /// Names of the columns.
-    pub fn columns(&self) -> &[String] {
-        &self.columns
+    pub fn names(&self) -> &[String] {
+        &self.names
     }
 
-    /// Path of the file.
-    pub fn path(&self) -> &Path {
-        &self.path
+    /// The first column: times or frequencies.
+    pub fn axis(&self) -> &[f64] {
+        self.columns.first().map_or(&[], Vec::as_slice)
     }
 
-    /// Goes back to the first row; a pipe cannot.
-    pub fn rewind(&mut self) -> Result<(), CompareError> {
-        match &mut self.rows {
-            Rows::Memory(_, read) => {
-                *read = 0;
-                Ok(())
-            }
-            Rows::File(rows) => {
-                let start = rows.start.clone();
-                let sought = rows.reader.seek(start);
-                sought.map_err(|source| bad_csv(&self.path, source))
-            }
-        }
+    /// A column by its name.
+    pub fn column(&self, name: &str) -> Option<&[f64]> {
+        let place = self.names.iter().position(|known| known == name)?;
+        Some(&self.columns[place])
     }
 
-    /// Reads the next row into `row`; `false` at the end.
-    pub fn read(&mut self, row: &mut Vec<f64>) -> Result<bool, CompareError> {
-        row.clear();
-        match &mut self.rows {
-            Rows::Memory(numbers, read) => {
-                let rest = numbers.get(*read..).unwrap_or_default();
-                row.extend(rest.iter().take(self.columns.len()));
-                *read += row.len();
-                Ok(!row.is_empty())
-            }
-            Rows::File(rows) => rows.read(&self.path, &self.columns, row),
-        }
+    /// Largest finite magnitude of a column; zero where there is none.
+    pub fn largest(&self, name: &str) -> f64 {
+        let values = self.column(name).unwrap_or_default().iter();
+        let sizes = values.map(|value| value.abs());
+        sizes.filter(|size| size.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// What only one of two tables has, with the table that has it.
+    pub fn alone<'a>(tables: &'a [Self; 2]) -> impl Iterator<Item = (&'a Self, &'a String)> {
+        [(0, 1), (1, 0)].into_iter().flat_map(move |(own, other)| {
+            let names = tables[own].names.iter();
+            let alone = names.filter(move |name| !tables[other].names.contains(name));
+            alone.map(move |name| (&tables[own], name))
+        })
+    }
+
+    /// Names of the columns of both tables, in the order of the first.
+    pub fn known([first, second]: &[Self; 2]) -> Vec<String> {
+        let further = second.names.iter();
+        let further = further.filter(|name| !first.names.contains(name));
+        first.names.iter().chain(further).cloned().collect()
     }
 }
 
-impl FileRows {
-    fn read(
-        &mut self,
-        path: &Path,
-        columns: &[String],
-        row: &mut Vec<f64>,
-    ) -> Result<bool, CompareError> {
-        let more = self.reader.read_record(&mut self.record);
-        if !more.map_err(|source| bad_csv(path, source))? {
-            return Ok(false);
-        }
-        for (text, column) in self.record.iter().zip(columns) {
-            // an empty cell is a value that is missing
-            let number = match text {
-                "" => Ok(f64::NAN),
-                text => text.parse(),
-            };
-            row.push(number.map_err(|_| CompareError::Number {
-                path: path.to_owned(),
-                line: self.record.position().map_or(0, csv::Position::line),
-                column: column.clone(),
-                text: text.to_owned(),
-            })?);
-        }
-        Ok(true)
+/// Reads the rows of a CSV file.
+pub(super) fn reader(path: &Path) -> Result<csv::Reader<File>, CompareError> {
+    let opened = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .from_path(path);
+    opened.map_err(|source| bad_csv(path, source))
+}
+
+/// The number at a place of a row; an empty cell is a value that is missing.
+pub(super) fn number(
+    path: &Path,
+    record: &csv::StringRecord,
+    place: usize,
+    column: &str,
+) -> Result<f64, CompareError> {
+    let text = record.get(place).unwrap_or_default();
+    if text.is_empty() {
+        return Ok(f64::NAN);
     }
+    text.parse().map_err(|_| CompareError::Number {
+        path: path.to_owned(),
+        line: record.position().map_or(0, csv::Position::line),
+        column: column.to_owned(),
+        text: text.to_owned(),
+    })
 }
 
 /// A failure to read is told apart from a file that is not CSV.
@@ -156,12 +137,4 @@ pub(super) fn bad_csv(path: &Path, source: csv::Error) -> CompareError {
         path,
         source: source.into(),
     }
-}
-
-fn first_duplicate(columns: &[String]) -> Option<&str> {
-    let mut earlier = std::collections::HashSet::new();
-    columns
-        .iter()
-        .map(String::as_str)
-        .find(|column| !earlier.insert(*column))
 }

@@ -33,12 +33,7 @@ impl Comparison {
     fn is_partial(&self) -> bool {
         let of_tables = self.tables.iter().flat_map(|table| &table.differences);
         let mut all = self.differences.iter().chain(of_tables);
-        all.any(|difference| {
-            matches!(
-                difference,
-                Difference::File { .. } | Difference::Column { .. } | Difference::Thinned { .. }
-            )
-        })
+        all.any(|difference| difference.only_in_one)
     }
 
     /// The column that is furthest from agreeing.

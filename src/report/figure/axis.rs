@@ -22,7 +22,7 @@ pub(super) const LETTER: u32 = 7;
 
 /// An axis of a panel; of a logarithmic one, ends and ticks are decimal logarithms.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(in crate::report) struct Axis {
+pub(crate) struct Axis {
     /// Quantity and unit; none where another panel shows them.
     pub name: String,
     ends: [f64; 2],

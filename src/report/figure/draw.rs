@@ -113,13 +113,6 @@ fn draw_panel(
     width: u32,
     pictures: &mut Vec<Picture>,
 ) -> Result<(), DrawError> {
-    for (line, words) in panel.words.iter().enumerate() {
-        let top = MARGIN_ABOVE + LINE_OF_WORDS * line as u32;
-        write(area, words, (LEFT_ROOM, top), font(13))?;
-    }
-    if !panel.words.is_empty() {
-        return Ok(());
-    }
     let (head, plot) = area.split_vertically(px(panel.head_height(width)) as i32);
     if !panel.title.is_empty() {
         write(&head, &panel.title, (width / 2, 4), font(15).pos(CENTRED))?;
@@ -307,8 +300,6 @@ const TITLE: u32 = 40;
 pub(super) const NAMES_ROW: u32 = 22;
 /// Width of what stands before a name, and of the gap behind it.
 const BESIDE_NAME: u32 = 37;
-/// Height of a line of words.
-pub(super) const LINE_OF_WORDS: u32 = 22;
 /// Beside a plot.
 pub(super) const MARGIN: u32 = 12;
 /// Above a plot.
@@ -392,9 +383,7 @@ impl Figure {
 impl Panel {
     /// Height with all that stands above and below the plot.
     fn full_height(&self, width: u32) -> u32 {
-        let words = LINE_OF_WORDS * self.words.len() as u32;
-        let plot = MARGIN_ABOVE + self.height + self.x.room_below();
-        self.head_height(width) + plot.max(words)
+        self.head_height(width) + MARGIN_ABOVE + self.height + self.x.room_below()
     }
 
     /// Height of what stands above the plot.

@@ -5,20 +5,18 @@ mod draw;
 
 use plotters::style::RGBColor;
 
-use super::{Decimator, ReportError};
+use super::ReportError;
+use super::envelope::{BUCKETS, Decimator};
 
 pub(super) use axis::{Axis, ends, padded, round_ticks};
 pub(super) use draw::PLOT_WIDTH;
 
-/// Points of a curve: more cannot be seen on the width of a figure.
-pub(super) const CURVE_BUCKETS: usize = 2048;
-
 /// A place in the units of the axes.
-pub(super) type Point = (f64, f64);
+pub(crate) type Point = (f64, f64);
 
 /// A figure: a title, what its colours mean, and panels row by row.
 #[derive(Debug, Clone)]
-pub(super) struct Figure {
+pub(crate) struct Figure {
     /// Name of its file.
     pub file: String,
     /// What stands above it.
@@ -33,7 +31,7 @@ pub(super) struct Figure {
 
 /// What a colour means.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Name {
+pub(crate) struct Name {
     pub text: String,
     pub colour: RGBColor,
     /// What stands at the points of its curve, if that tells it apart.
@@ -42,7 +40,7 @@ pub(super) struct Name {
 
 /// Curves and marks over two axes.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Panel {
+pub(crate) struct Panel {
     /// What stands above it, if anything.
     pub title: String,
     /// What the colours mean in this panel.
@@ -64,13 +62,11 @@ pub(super) struct Panel {
     pub labels: Vec<(Point, String, RGBColor)>,
     /// Places with a name, which are left out where they would cover one before them.
     pub peaks: Vec<(Point, String)>,
-    /// Lines that stand in the place of a plot.
-    pub words: Vec<String>,
 }
 
 /// A line through points, and marks.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Curve {
+pub(crate) struct Curve {
     pub colour: RGBColor,
     /// Points that straight lines join.
     pub points: Vec<Point>,
@@ -84,7 +80,7 @@ pub(super) struct Curve {
 
 /// What marks a point.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) enum Mark {
+pub(crate) enum Mark {
     /// One of many points.
     Spot,
     #[default]
@@ -96,7 +92,7 @@ pub(super) enum Mark {
 
 /// Levels row by row from the top, 0 to 255, in the colours of [`graded`].
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Map {
+pub(crate) struct Map {
     /// Levels in a row.
     pub width: usize,
     pub levels: Vec<u8>,
@@ -210,7 +206,7 @@ impl Curve {
 
     /// The envelope of a curve of any length.
     pub fn envelope(colour: RGBColor, points: impl IntoIterator<Item = Point>) -> Self {
-        let mut envelope = Decimator::new(CURVE_BUCKETS);
+        let mut envelope = Decimator::new(BUCKETS);
         for (at, value) in points {
             envelope.push(at, value);
         }

@@ -6,10 +6,12 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::response_peak::{ResponsePeak, peaks};
-use super::sensitivity::{Sensitivity, sensitivities};
+use super::each_row;
+use super::statistics::{ResponsePeak, Sensitivity, peaks, sensitivities};
 use super::tables::BETWEEN_WARNINGS;
-use crate::report::{FileAction, ReportError};
+use crate::report::ReportError;
+use crate::report::study::{axis_label, unit_of_column};
+use crate::report::terminal::shown_unit;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 20_000;
@@ -114,6 +116,8 @@ pub struct Digest {
     pub(super) first: Vec<csv::StringRecord>,
     /// Names of the axes as columns.
     pub(super) axes: Vec<String>,
+    /// What the axes are called for people, and by what their values are multiplied for that.
+    pub(super) labels: Vec<(String, f64)>,
     pub(super) columns: Vec<ColumnDigest>,
     /// Rows that are drawn, every `stride`-th of those that were done.
     pub(super) rows: Vec<Row>,
@@ -129,22 +133,26 @@ pub struct Digest {
 impl Digest {
     /// Reads the table of runs of a study.
     pub(super) fn of(runs: &Path, identity: &Value) -> Result<Self, ReportError> {
-        let refused = |error: csv::Error| {
-            let error = std::io::Error::other(error.to_string());
-            ReportError::file(FileAction::Read, runs)(error)
-        };
-        let axes = identity["study"]["axis"].as_array().map_or(0, Vec::len);
-        let mut reader = csv::Reader::from_path(runs).map_err(refused)?;
-        let names = reader.headers().map_err(refused)?.clone();
-        let mut digest = Self::empty(names, axes, &identity["study"]);
-        for record in reader.records() {
-            digest.read(record.map_err(refused)?);
-        }
+        let study = &identity["study"];
+        let mut digest = None;
+        each_row(runs, |names, record| {
+            let digest = digest.get_or_insert_with(|| Self::empty(names.clone(), study));
+            digest.read(record);
+        })?;
+        let mut digest = digest.unwrap_or_else(|| Self::empty(csv::StringRecord::new(), study));
         digest.finish();
         Ok(digest)
     }
 
-    fn empty(names: csv::StringRecord, axes: usize, study: &Value) -> Self {
+    fn empty(names: csv::StringRecord, study: &Value) -> Self {
+        let keys = study["axis"].as_array().map_or(&[][..], Vec::as_slice);
+        let axes = keys.len();
+        let columns = names.iter().skip(2);
+        let labels = keys.iter().zip(columns).map(|(axis, column)| {
+            let key = axis["key"].as_str().unwrap_or_default();
+            let (unit, factor) = shown_unit(unit_of_column(key, column));
+            (axis_label(key, &unit), factor)
+        });
         let own = |name: &str| name.to_owned();
         let numbers = names.len().saturating_sub(5 + axes);
         let columns = names.iter().skip(2 + axes).take(numbers);
@@ -155,6 +163,7 @@ impl Digest {
             failures: Vec::new(),
             warnings: Vec::new(),
             axes: names.iter().skip(2).take(axes).map(own).collect(),
+            labels: labels.collect(),
             columns: columns.map(ColumnDigest::new).collect(),
             first: Vec::new(),
             rows: Vec::new(),
@@ -264,6 +273,12 @@ impl Digest {
     /// A column by its name.
     pub(super) fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column.name == name)
+    }
+
+    /// The row of a run, if it is among those that are drawn.
+    pub(super) fn row(&self, run: u64) -> Option<&Row> {
+        let found = self.rows.binary_search_by_key(&run, |row| row.run);
+        found.ok().map(|place| &self.rows[place])
     }
 
     pub(super) fn sensitivities(&self) -> &[Sensitivity] {

@@ -1,15 +1,35 @@
-//! What is drawn of a study, and its numbers along an axis.
+//! What is drawn of a study: numbers along an axis and over two, places of the shaft, rank correlations.
 
-use super::digest::Digest;
-use crate::report::figure::{Axis, Curve, Figure, Name, Panel, distinct, ends};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::digest::{Digest, Row};
+use super::{each_row, number_in};
+use crate::report::ReportError;
+use crate::report::figure::{
+    Axis, Curve, Figure, GREY, Mark, Name, Panel, Point, distinct, ends, graded, padded,
+};
 use crate::report::terminal::MICRO;
 
 /// Height of a plot, px.
 const ROW_HEIGHT: u32 = 272;
 /// Height of a plot that stands alone, px.
-pub(super) const HEIGHT: u32 = 480;
+const HEIGHT: u32 = 480;
 /// Most points of a curve that are marked.
 const MOST_MARKS: usize = 60;
+/// Steps of colour in a map.
+const SHADES: usize = 64;
+/// Most maps below each other.
+const MOST_MAPS: usize = 8;
+/// Height of one of several maps, px.
+const MAP_HEIGHT: u32 = 300;
+
+/// The values of an axis in order, and the edges halfway between them.
+type Edges = (Vec<f64>, Vec<f64>);
+
+/// Height of a bar, px.
+const BAR: u32 = 26;
+
 /// What the figures show where a study names nothing: name of the column, what it is called.
 const SHOWN: [(&str, &str); 8] = [
     ("x_rms_m", "x, RMS in µm"),
@@ -78,7 +98,7 @@ impl Digest {
 
     /// Numbers along the only axis, by direction.
     pub(super) fn response(&self, title: &str) -> Option<Figure> {
-        let [axis] = &self.axes[..] else {
+        let [(axis, _)] = &self.labels[..] else {
             return None;
         };
         let ends = self.ends(0)?;
@@ -87,20 +107,24 @@ impl Digest {
             let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
             Panel::of(Axis::spanning(axis, ends), shown.title, ROW_HEIGHT, curves)
         });
-        let down = self.rows.iter().filter(|row| row.down).count();
-        let names: &[&str] = if down > 0 && down < self.rows.len() {
-            &["up", "down"]
-        } else {
-            &["runs"]
-        };
         let figure = Figure::new("response.svg", title, 2, panels.collect());
-        Some(figure.with_names(Name::each(names.iter().copied())))
+        Some(figure.with_names(self.directions()))
+    }
+
+    /// What the colours mean: how a run came to its value.
+    fn directions(&self) -> Vec<Name> {
+        let down = self.rows.iter().filter(|row| row.down).count();
+        if down > 0 && down < self.rows.len() {
+            Name::each(["up", "down"])
+        } else {
+            Name::each(["runs"])
+        }
     }
 
     fn curve(&self, shown: &Shown, down: bool) -> Option<Curve> {
         let rows = self.rows.iter().filter(|row| row.down == down);
         let mut points: Vec<_> = rows
-            .map(|row| (row.values[0], shown.factor() * row.numbers[shown.column]))
+            .map(|row| (self.at(row, 0), shown.factor() * row.numbers[shown.column]))
             .filter(|(_, value)| value.is_finite())
             .collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -109,9 +133,169 @@ impl Digest {
         (!points.is_empty()).then(|| Curve::marked(colour, points, most_marks))
     }
 
-    /// Least and largest value of an axis.
+    /// Places of the shaft over the only axis: the displacement that is spread most, by direction.
+    pub(super) fn bifurcation(
+        &self,
+        title: &str,
+        points: &Path,
+    ) -> Result<Option<Figure>, ReportError> {
+        let ([(axis, _)], Some([low, high])) = (&self.labels[..], self.ends(0)) else {
+            return Ok(None);
+        };
+        // of every displacement: value of the axis and place in µm, up and down
+        let mut found: BTreeMap<String, [Vec<Point>; 2]> = BTreeMap::new();
+        each_row(points, |names, record| {
+            let run = number_in(&record, 0) as u64;
+            let Some(row) = self.row(run) else { return };
+            for (place, name) in names.iter().enumerate().skip(2) {
+                if let Some(name) = name.strip_suffix("_m") {
+                    let places = found.entry(name.to_owned()).or_default();
+                    let point = (self.at(row, 0), MICRO * number_in(&record, place));
+                    places[usize::from(row.down)].push(point);
+                }
+            }
+        })?;
+        let range = |places: &[Vec<Point>; 2]| padded(places.iter().flatten().map(|point| point.1));
+        let spread = |places: &[Vec<Point>; 2]| {
+            let range = range(places);
+            range.end - range.start
+        };
+        let widest = found
+            .into_iter()
+            .max_by(|a, b| spread(&a.1).total_cmp(&spread(&b.1)));
+        let Some((name, places)) = widest else {
+            return Ok(None);
+        };
+        let heights = Axis::over(format!("{name} in µm"), range(&places));
+        let dots = places.into_iter().enumerate().map(|(down, places)| Curve {
+            mark: Mark::Spot,
+            ..Curve::dots(distinct(down), places)
+        });
+        let panel = Panel {
+            curves: dots.collect(),
+            ..Panel::new(Axis::over(axis, low..high), heights, HEIGHT)
+        };
+        let figure = Figure::new("bifurcation.svg", title, 1, vec![panel]);
+        Ok(Some(figure.with_names(self.directions())))
+    }
+
+    /// What the study names, or else vibration, over both axes of a grid.
+    pub(super) fn map(&self, title: &str) -> Option<Figure> {
+        if self.axes.len() != 2 || self.drawn || !self.is_complete() {
+            return None;
+        }
+        let edges = [0, 1].map(|axis| edges(self.rows.iter().map(|row| self.at(row, axis))));
+        let [Some(x), Some(y)] = edges else {
+            return None;
+        };
+        let mut shown = self.shown();
+        shown.truncate(if self.named.is_some() { MOST_MAPS } else { 1 });
+        let height = if shown.len() > 1 { MAP_HEIGHT } else { HEIGHT };
+        let panels = shown
+            .iter()
+            .map(|shown| self.mapped(shown, [&x, &y], height));
+        (!shown.is_empty()).then(|| Figure::new("map.svg", title, 1, panels.collect()))
+    }
+
+    /// One number in every cell of the grid.
+    fn mapped(&self, shown: &Shown, edges: [&Edges; 2], height: u32) -> Panel {
+        let value = |row: &Row| shown.factor() * row.numbers[shown.column];
+        let range = padded(self.rows.iter().map(value));
+        let span = range.end - range.start;
+        let shade = |value: f64| {
+            let step = (value - range.start) / span * SHADES as f64;
+            graded((step as usize).min(SHADES - 1), SHADES)
+        };
+        let cells = self.rows.iter().filter_map(|row| {
+            let value = value(row);
+            let [across, up] = [0, 1].map(|axis| {
+                let (values, edges) = edges[axis];
+                let place = values.partition_point(|known| *known < self.at(row, axis));
+                [edges[place], edges[place + 1]]
+            });
+            let corners = [(across[0], up[0]), (across[1], up[1])];
+            value.is_finite().then(|| (corners, shade(value)))
+        });
+        let [x, y] = [0, 1].map(|axis| {
+            let edges = &edges[axis].1;
+            Axis::over(&self.labels[axis].0, edges[0]..edges[edges.len() - 1])
+        });
+        Panel {
+            title: shown.title.clone(),
+            cells: cells.collect(),
+            bar: Some(Axis::over("", range.clone())),
+            ..Panel::new(x, y, height)
+        }
+    }
+
+    /// How much the numbers shown follow each axis.
+    pub(super) fn tornado(&self, title: &str) -> Option<Figure> {
+        let shown: Vec<_> = self.shown().iter().map(|shown| shown.column).collect();
+        let mut bars = Vec::new();
+        for sensitivity in self.sensitivities() {
+            let is_shown = |column: &usize| self.columns[*column].name == sensitivity.number;
+            if shown.iter().any(is_shown) {
+                let correlations = sensitivity.rank_correlation.iter();
+                let mut axes: Vec<_> = correlations.collect();
+                axes.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+                let name = |axis: &str| {
+                    let place = self.axes.iter().position(|known| known == axis);
+                    let label = place.map_or(axis, |place| self.labels[place].0.as_str());
+                    let label = label.split(" in ").next().unwrap_or(label);
+                    format!("{} by {label}", sensitivity.number)
+                };
+                bars.extend(axes.into_iter().map(|(axis, part)| (name(axis), *part)));
+            }
+        }
+        if bars.is_empty() {
+            return None;
+        }
+        let count = bars.len();
+        let cells = bars.iter().enumerate().map(|(index, (_, part))| {
+            let top = index as f64;
+            let colour = distinct(usize::from(*part < 0.0));
+            ([(0.0, top + 0.15), (*part, top + 0.85)], colour)
+        });
+        let cells = cells.collect();
+        let zero = Curve::line(GREY, vec![(0.0, 0.0), (0.0, count as f64)]);
+        let panel = Panel {
+            cells,
+            curves: vec![zero],
+            ..Panel::new(
+                Axis::over("rank correlation", -1.05..1.05),
+                Axis::names(bars.into_iter().map(|(name, _)| name)),
+                BAR * count as u32,
+            )
+        };
+        let title = format!("{title}: rank correlation");
+        Some(Figure::new("sensitivity.svg", &title, 1, vec![panel]))
+    }
+
+    /// Value of an axis in a row, in the unit of its label.
+    pub(super) fn at(&self, row: &Row, axis: usize) -> f64 {
+        self.labels[axis].1 * row.values[axis]
+    }
+
+    /// Least and largest value of an axis, in the unit of its label.
     pub(super) fn ends(&self, axis: usize) -> Option<[f64; 2]> {
-        let ends = ends(self.rows.iter().map(|row| row.values[axis]));
+        let ends = ends(self.rows.iter().map(|row| self.at(row, axis)));
         ends.filter(|[low, high]| low < high)
     }
+}
+
+/// The values of an axis in order, and the edges halfway between them.
+fn edges(values: impl Iterator<Item = f64>) -> Option<Edges> {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    let [first, second, ..] = values[..] else {
+        return None;
+    };
+    let last = values[values.len() - 1];
+    let before = values[values.len() - 2];
+    let inner = values.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+    let start = std::iter::once(first - 0.5 * (second - first));
+    let end = std::iter::once(last + 0.5 * (last - before));
+    let edges = start.chain(inner).chain(end).collect();
+    Some((values, edges))
 }

@@ -2,18 +2,27 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::{self, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use crate::report::bytes::{Checksum, Put, Take};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use crate::report::checksum::Checksum;
 use crate::report::{FileAction, ReportError};
 
-const MAGIC: [u8; 8] = *b"jcJourn3";
+/// Version of the form: a line that says whose journal it is, then a line a task.
+const FORM: u32 = 4;
 
-/// Bytes of an entry before its content: task, length, and after it the checksum.
-const HEAD: usize = 16;
-/// Longest content that is believed.
-const LONGEST: u64 = 1 << 32;
+/// The first line.
+#[derive(Debug, Deserialize)]
+struct Head {
+    journal: u32,
+    /// All that tells its study from others.
+    identity: Value,
+    /// Number of the first task.
+    first: u64,
+}
 
 /// Tasks of a study that are done.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -106,7 +115,7 @@ impl Journal {
     /// its study from others; `anew` throws away what stands there.
     pub(super) fn open(
         path: &Path,
-        identity: &str,
+        identity: &Value,
         first: u64,
         anew: bool,
     ) -> Result<Self, JournalError> {
@@ -115,13 +124,14 @@ impl Journal {
         let head = head(identity, first);
         let mut done = Done::none(first);
         let mut whole = head.len() as u64;
-        if anew || !is_begun(&file, &head).map_err(refused(FileAction::Read))? {
+        if anew || !is_begun(&file, head.as_bytes()).map_err(refused(FileAction::Read))? {
             file.set_len(0)
                 .and_then(|()| file.rewind())
-                .and_then(|()| file.write_all(&head))
+                .and_then(|()| file.write_all(head.as_bytes()))
                 .map_err(refused(FileAction::Write))?;
         } else {
-            let mut entries = Entries::of_study(&file, path, identity, first)?;
+            let mut entries = Entries::of(&file, path)?;
+            entries.check(identity, first, path)?;
             while let Some((task, _)) = entries.next_entry() {
                 done.add(task);
             }
@@ -153,24 +163,19 @@ impl Journal {
         &self.done
     }
 
-    /// Notes a task with its content; one that is noted already is left as it was.
+    /// Notes a task with its content, a single line; one that is noted already is left as it was.
     ///
     /// # Errors
     /// [`ReportError::File`] where it cannot be written: the journal then ends before it.
-    pub fn add(&mut self, task: u64, content: &[u8]) -> Result<(), ReportError> {
+    pub fn add(&mut self, task: u64, content: &str) -> Result<(), ReportError> {
         if self.done.holds(task) {
             return Ok(());
         }
-        let mut entry = Vec::with_capacity(content.len() + HEAD + 8);
-        entry.put_u64(task);
-        entry.put_u64(content.len() as u64);
-        entry.extend(content);
-        let mut checksum = Checksum::START;
-        checksum.add(&entry);
-        entry.put_u64(checksum.value());
+        let entry = format!("{task} {content}");
+        let line = format!("{:016x} {entry}\n", Checksum::of(&entry));
         // in one piece: what a full disk cuts off is found by its checksum
         self.file
-            .write_all(&entry)
+            .write_all(line.as_bytes())
             .map_err(ReportError::file(FileAction::Write, &self.path))?;
         self.done.add(task);
         Ok(())
@@ -179,7 +184,7 @@ impl Journal {
     /// Shows the contents in the order of their tasks.
     pub(super) fn in_order(
         &self,
-        mut show: impl FnMut(&[u8]) -> Result<(), ReportError>,
+        mut show: impl FnMut(&str) -> Result<(), ReportError>,
     ) -> Result<(), JournalError> {
         let mut entries = Entries::of(&self.file, &self.path)?;
         let mut waiting = BTreeMap::new();
@@ -234,11 +239,8 @@ fn is_that_of(_file: &File, path: &Path) -> bool {
     path.exists()
 }
 
-fn head(identity: &str, first: u64) -> Vec<u8> {
-    let mut head = MAGIC.to_vec();
-    head.put_text(identity);
-    head.put_u64(first);
-    head
+fn head(identity: &Value, first: u64) -> String {
+    json!({ "journal": FORM, "identity": identity, "first": first }).to_string() + "\n"
 }
 
 /// Whether more stands there than a beginning of the head, which a full disk may have cut off.
@@ -252,110 +254,65 @@ fn is_begun(mut file: &File, head: &[u8]) -> io::Result<bool> {
 /// The entries of a journal, as far as they are whole.
 struct Entries {
     reader: BufReader<File>,
-    identity: String,
-    first: u64,
+    head: Head,
     /// Bytes up to the end of the last whole entry.
     whole: u64,
 }
 
 impl Entries {
-    /// Those of one study.
-    fn of_study(
-        file: &File,
-        path: &Path,
-        identity: &str,
-        first: u64,
-    ) -> Result<Self, JournalError> {
-        let entries = Self::of(file, path)?;
-        if entries.identity == identity && entries.first == first {
-            return Ok(entries);
-        }
-        let [key, there, here] = entries.difference(identity, first);
-        Err(JournalError::Other {
-            path: path.to_owned(),
-            key,
-            there,
-            here,
-        })
-    }
-
     /// From the start of the file, by the handle that holds it.
     fn of(file: &File, path: &Path) -> Result<Self, JournalError> {
-        let unreadable = || JournalError::Unreadable {
-            path: path.to_owned(),
-        };
         let refused = || ReportError::file(FileAction::Read, path);
         let mut file = file.try_clone().map_err(refused())?;
         file.rewind().map_err(refused())?;
         let mut reader = BufReader::with_capacity(1 << 16, file);
-        let mut head = [0; 16];
-        reader.read_exact(&mut head).map_err(|_| unreadable())?;
-        let mut take = Take(&head);
-        let magic: Option<[u8; 8]> = take.array();
-        let length = take.u64().filter(|length| *length < LONGEST);
-        let length = length
-            .filter(|_| magic == Some(MAGIC))
-            .ok_or_else(unreadable)?;
-        let text = exactly(&mut reader, length + 8).map_err(|_| unreadable())?;
-        let mut take = Take(&text);
-        let identity = take.bytes(length).map(<[u8]>::to_vec);
-        let identity = identity.and_then(|bytes| String::from_utf8(bytes).ok());
-        let (Some(identity), Some(first)) = (identity, take.u64()) else {
-            return Err(unreadable());
+        let mut line = Vec::new();
+        reader.read_until(b'\n', &mut line).map_err(refused())?;
+        let head: Option<Head> = serde_json::from_slice(&line).ok();
+        let Some(head) = head.filter(|head| head.journal == FORM) else {
+            let path = path.to_owned();
+            return Err(JournalError::Unreadable { path });
         };
         Ok(Self {
             reader,
-            identity,
-            first,
-            whole: 16 + length + 8,
+            head,
+            whole: line.len() as u64,
         })
     }
 
     /// Task and content of the next entry, if it is whole.
-    fn next_entry(&mut self) -> Option<(u64, Vec<u8>)> {
-        let mut head = [0; HEAD];
-        self.reader.read_exact(&mut head).ok()?;
-        let mut take = Take(&head);
-        let (task, length) = (take.u64()?, take.u64()?);
-        if length > LONGEST {
+    fn next_entry(&mut self) -> Option<(u64, String)> {
+        let mut line = Vec::new();
+        self.reader.read_until(b'\n', &mut line).ok()?;
+        let (sum, entry) = str::from_utf8(&line)
+            .ok()?
+            .strip_suffix('\n')?
+            .split_once(' ')?;
+        if u64::from_str_radix(sum, 16).ok()? != Checksum::of(entry) {
             return None;
         }
-        let mut rest = exactly(&mut self.reader, length + 8).ok()?;
-        let sum = rest.split_off(usize::try_from(length).ok()?);
-        let mut checksum = Checksum::START;
-        checksum.add(&head);
-        checksum.add(&rest);
-        if Take(&sum).u64()? != checksum.value() {
-            return None;
-        }
-        self.whole += HEAD as u64 + length + 8;
-        Some((task, rest))
+        let (task, content) = entry.split_once(' ')?;
+        let found = (task.parse().ok()?, content.to_owned());
+        self.whole += line.len() as u64;
+        Some(found)
     }
 
-    /// What differs from the study that is to be gone on with.
-    fn difference(&self, identity: &str, first: u64) -> [String; 3] {
-        let trees = [&self.identity[..], identity].map(serde_json::from_str);
-        if let [Ok(there), Ok(here)] = &trees
-            && let Some(found) = crate::report::restart::difference(there, here)
-        {
-            return found;
+    /// Whether they are those of the study that is to be gone on with.
+    fn check(&self, identity: &Value, first: u64, path: &Path) -> Result<(), JournalError> {
+        let other = || {
+            let [there, here] = [self.head.first, first].map(|chain| chain.to_string());
+            (there != here).then(|| ["first chain".to_owned(), there, here])
+        };
+        let found = crate::report::restart::difference(&self.head.identity, identity);
+        match found.or_else(other) {
+            None => Ok(()),
+            Some([key, there, here]) => Err(JournalError::Other {
+                path: path.to_owned(),
+                key,
+                there,
+                here,
+            }),
         }
-        [
-            "first chain".to_owned(),
-            self.first.to_string(),
-            first.to_string(),
-        ]
-    }
-}
-
-/// So many bytes, without believing the number before they are there.
-fn exactly(reader: &mut impl Read, count: u64) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    reader.take(count).read_to_end(&mut bytes)?;
-    if bytes.len() as u64 == count {
-        Ok(bytes)
-    } else {
-        Err(io::ErrorKind::UnexpectedEof.into())
     }
 }
 
@@ -363,10 +320,10 @@ fn exactly(reader: &mut impl Read, count: u64) -> io::Result<Vec<u8>> {
 mod tests {
     use super::*;
 
-    fn contents(journal: &Journal) -> Vec<Vec<u8>> {
+    fn contents(journal: &Journal) -> Vec<String> {
         let mut all = Vec::new();
         let shown = journal.in_order(|content| {
-            all.push(content.to_vec());
+            all.push(content.to_owned());
             Ok(())
         });
         shown.unwrap();
@@ -377,36 +334,36 @@ mod tests {
     fn what_is_noted_in_any_order_is_shown_in_that_of_the_tasks() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("runs.journal");
-        let mut journal = Journal::open(&path, "{}", 3, false).unwrap();
+        let mut journal = Journal::open(&path, &json!({}), 3, false).unwrap();
         for task in [4, 3, 6, 5, 4] {
-            journal.add(task, &[task as u8]).unwrap();
+            journal.add(task, &task.to_string()).unwrap();
         }
-        assert_eq!(contents(&journal), [[3], [4], [5], [6]]);
+        assert_eq!(contents(&journal), ["3", "4", "5", "6"]);
     }
 
     #[test]
     fn an_entry_cut_off_by_a_kill_is_dropped_and_made_again() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("runs.journal");
-        let mut journal = Journal::open(&path, "{}", 0, false).unwrap();
-        journal.add(0, b"zero").unwrap();
-        journal.add(1, b"one").unwrap();
+        let mut journal = Journal::open(&path, &json!({}), 0, false).unwrap();
+        journal.add(0, "zero").unwrap();
+        journal.add(1, "one").unwrap();
         drop(journal);
         let length = std::fs::metadata(&path).unwrap().len();
         let file = OpenOptions::new().write(true).open(&path).unwrap();
         file.set_len(length - 3).unwrap();
-        let mut journal = Journal::open(&path, "{}", 0, false).unwrap();
+        let mut journal = Journal::open(&path, &json!({}), 0, false).unwrap();
         assert!(journal.done().holds(0) && !journal.done().holds(1));
-        journal.add(1, b"one").unwrap();
-        assert_eq!(contents(&journal), [&b"zero"[..], b"one"]);
+        journal.add(1, "one").unwrap();
+        assert_eq!(contents(&journal), ["zero", "one"]);
     }
 
     #[test]
     fn the_journal_of_another_study_is_refused_by_what_differs() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("runs.journal");
-        drop(Journal::open(&path, r#"{"seed": 1}"#, 0, false).unwrap());
-        let error = Journal::open(&path, r#"{"seed": 2}"#, 0, false).unwrap_err();
+        drop(Journal::open(&path, &json!({"seed": 1}), 0, false).unwrap());
+        let error = Journal::open(&path, &json!({"seed": 2}), 0, false).unwrap_err();
         let told = error.to_string();
         assert!(told.contains("`seed` was 1 there and is 2 now"), "{told}");
     }
@@ -415,25 +372,25 @@ mod tests {
     fn one_process_at_a_time_has_a_journal() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("runs.journal");
-        let mut journal = Journal::open(&path, "{}", 0, false).unwrap();
-        journal.add(0, b"zero").unwrap();
+        let mut journal = Journal::open(&path, &json!({}), 0, false).unwrap();
+        journal.add(0, "zero").unwrap();
         for anew in [false, true] {
-            let error = Journal::open(&path, "{}", 0, anew).unwrap_err();
+            let error = Journal::open(&path, &json!({}), 0, anew).unwrap_err();
             assert!(error.to_string().contains("another process"), "{error}");
         }
-        assert_eq!(contents(&journal), [b"zero"]);
+        assert_eq!(contents(&journal), ["zero"]);
     }
 
     #[test]
     fn a_head_that_a_full_disk_cut_off_is_written_anew() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("runs.journal");
-        let head = head("{}", 0);
+        let head = head(&json!({}), 0);
         for length in 0..head.len() {
             fs::write(&path, &head[..length]).unwrap();
-            let mut journal = Journal::open(&path, "{}", 0, false).unwrap();
-            journal.add(0, b"zero").unwrap();
-            assert_eq!(contents(&journal), [b"zero"], "{length} bytes");
+            let mut journal = Journal::open(&path, &json!({}), 0, false).unwrap();
+            journal.add(0, "zero").unwrap();
+            assert_eq!(contents(&journal), ["zero"], "{length} bytes");
         }
     }
 }

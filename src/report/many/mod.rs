@@ -1,17 +1,13 @@
 //! The files of a study of many runs: a journal while it goes on, tables, figures and a summary at its end.
 
-mod bifurcation;
 mod digest;
 mod figures;
 mod journal;
-mod map;
 mod page;
 mod part;
-mod response_peak;
 mod ross;
-mod sensitivity;
+mod statistics;
 mod tables;
-mod tornado;
 mod traces;
 mod waterfall;
 
@@ -78,7 +74,6 @@ impl<'a> StudyReport<'a> {
         });
         let own = schedule.runs_of(shard.chains(schedule));
         let known = json!({ "jeffcott": env!("CARGO_PKG_VERSION"), "study": identity });
-        let known = known.to_string();
         let journal = Journal::open(&path, &known, first, anew)?;
         remove_unfinished(folder.path(), &own)?;
         if *journal.done() == Done::none(first) && (layout.keep.traces || has_traces(folder.path()))
@@ -286,6 +281,29 @@ struct Summary<'a> {
     /// The study and its scenario.
     study: &'a Value,
     digest: DigestSummary<'a>,
+}
+
+/// Shows the rows of a table that stands in a file, each with the line of names.
+fn each_row(
+    path: &Path,
+    mut show: impl FnMut(&csv::StringRecord, csv::StringRecord),
+) -> Result<(), ReportError> {
+    let refused = |error: csv::Error| {
+        let error = io::Error::other(error.to_string());
+        ReportError::file(FileAction::Read, path)(error)
+    };
+    let mut reader = csv::Reader::from_path(path).map_err(refused)?;
+    let names = reader.headers().map_err(refused)?.clone();
+    for record in reader.records() {
+        show(&names, record.map_err(refused)?);
+    }
+    Ok(())
+}
+
+/// The number in a cell; NaN where there is none.
+fn number_in(record: &csv::StringRecord, place: usize) -> f64 {
+    let cell = record.get(place);
+    cell.and_then(|cell| cell.parse().ok()).unwrap_or(f64::NAN)
 }
 
 /// What there is to draw.

@@ -1,7 +1,7 @@
 
 (() => {
-  const { element, section, table, tiles, number, drawnFigure } = page;
-  const { title, jeffcott, study, axes, digest, shown, rows, figures } = page.data;
+  const { element, section, folded, table, tiles, number, drawnFigure } = page;
+  const { title, jeffcott, study, axes, labels, digest, shown, rows, figures } = page.data;
   const numbers = Object.entries(digest.numbers);
   const isShown = ([name]) => shown.includes(name);
   const share = (text) => `${number(100 * Number(text), 3)} %`;
@@ -39,9 +39,9 @@
   }
 
   function plan() {
-    const told = study.axis.map((axis, index) => [axis.key, axes[index], given(axis)]);
+    const told = study.axis.map((axis, index) => [labels[index], axis.key, given(axis)]);
     const set = study.set.map(({ key, value }) => [key, String(value)]);
-    return [table(["what varies", "column", "values"], told, `Base: ${study.base}.`, 3),
+    return [table(["what varies", "key", "values"], told, `Base: ${study.base}.`, 3),
       ...(set.length ? [table(["what all runs have", "value"], set, "Otherwise than the base.", 2)] : [])];
   }
 
@@ -71,11 +71,11 @@
 
   function sensitivityTable(entries) {
     const told = entries.map((entry) => [entry.number, ...axes.map((axis) => number(entry.rank_correlation[axis], 3))]);
-    return table(["number", ...axes], told);
+    return table(["number", ...labels.map((label) => label.replace(/ in [^ ]+$/, ""))], told);
   }
 
   /** What the figures show, and all else where it is asked for. */
-  function folded(all, isMain, draw) {
+  function parted(all, isMain, draw) {
     const [main, others] = [all.filter(isMain), all.filter((entry) => !isMain(entry))];
     if (!main.length || !others.length) return [draw(all)];
     return [draw(main), element("details", {}, element("summary", {}, `${others.length} more`), draw(others))];
@@ -93,15 +93,15 @@
   document.getElementById("origin").textContent = `jeffcott ${jeffcott}, a study of ${number(digest.runs, 12)} runs`;
   section("numbers", "Key numbers", keyNumbers());
   if (digest.failed) section("failures", "Failed runs", failures());
-  section("plan", "Plan", ...plan());
   if (figures.length) section("figures", "Figures", ...figures.map(drawnFigure));
-  if (digest.resonances.length) section("resonances", "Resonances", resonances());
+  folded("plan", "Plan", ...plan());
+  if (digest.resonances.length) folded("resonances", "Resonances", resonances());
   if (digest.sensitivities.length) {
-    section("sensitivities", "Sensitivities", element("p", { class: "quiet" }, "Spearman's rank correlation of every number with every axis."),
-      ...folded(digest.sensitivities, ({ number: name }) => shown.includes(name), sensitivityTable));
+    folded("sensitivities", "Sensitivities", element("p", { class: "quiet" }, "Spearman's rank correlation of every number with every axis."),
+      ...parted(digest.sensitivities, ({ number: name }) => shown.includes(name), sensitivityTable));
   }
-  section("statistics", "Numbers over all runs", ...folded(numbers, isShown, numberTable));
-  section("runs", "Runs", runs());
+  folded("statistics", "Numbers over all runs", ...parted(numbers, isShown, numberTable));
+  folded("runs", "Runs", runs());
   page.scenarioSection("the base, with its defaults and what all runs have otherwise", page.data.base);
   page.ready();
 })();

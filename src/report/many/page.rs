@@ -30,6 +30,7 @@ pub(super) fn write_page(
         "study": shortened(identity["study"].clone()),
         "base": identity["base"],
         "axes": digest.axes,
+        "labels": digest.labels.iter().map(|(label, _)| label.clone()).collect::<Value>(),
         "digest": digest.summary(),
         "shown": digest.shown().iter().map(|shown| digest.columns[shown.column].name.clone()).collect::<Value>(),
         "rows": first_rows(digest, !identity["study"]["sweep"].is_null()),

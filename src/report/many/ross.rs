@@ -6,7 +6,8 @@ use std::path::Path;
 use serde_json::Value;
 
 use super::digest::{Digest, Row};
-use crate::report::{FileAction, ReportError};
+use super::{each_row, number_in};
+use crate::report::ReportError;
 use crate::study::many::BearingStiffness;
 
 /// Most files.
@@ -58,25 +59,16 @@ pub(super) fn ross_files(
 }
 
 fn tables(identity: &Value, digest: &Digest, path: &Path) -> Result<Vec<Table>, ReportError> {
-    let refused = |error: csv::Error| {
-        let error = std::io::Error::other(error.to_string());
-        ReportError::file(FileAction::Read, path)(error)
-    };
-    let mut reader = csv::Reader::from_path(path).map_err(refused)?;
-    let mut runs = digest.rows.iter().peekable();
     let mut tables: Vec<Table> = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(refused)?;
-        let number = |place: usize| record.get(place).and_then(|cell| cell.parse::<f64>().ok());
-        let run = number(0).unwrap_or(0.0) as u64;
-        while runs.next_if(|row| row.run < run).is_some() {}
-        let Some(row) = runs.peek().filter(|row| row.run == run && !row.down) else {
-            continue;
+    each_row(path, |_, record| {
+        let number = |place: usize| number_in(&record, place);
+        let (run, bearing) = (number(0) as u64, number(1) as usize);
+        let Some(row) = digest.row(run).filter(|row| !row.down) else {
+            return;
         };
         let at = places(identity, digest, row);
-        let bearing = number(1).unwrap_or(0.0) as usize;
-        let entries = std::array::from_fn(|k| number(START + k).unwrap_or(f64::NAN));
-        let entry = (number(2).unwrap_or(f64::NAN), entries);
+        let entries = std::array::from_fn(|k| number(START + k));
+        let entry = (number(2), entries);
         let known = tables
             .iter()
             .rposition(|table| table.bearing == bearing && table.at == at);
@@ -89,7 +81,7 @@ fn tables(identity: &Value, digest: &Digest, path: &Path) -> Result<Vec<Table>, 
             }),
             None => {}
         }
-    }
+    })?;
     Ok(tables)
 }
 

@@ -3,8 +3,7 @@
 use std::io::{self, Write};
 
 use crate::analysis::Channel;
-use crate::report::bytes::{Put, Take};
-use crate::report::spectrum::amplitude_column;
+use crate::report::spectra::amplitude_column;
 use crate::report::study::column_name;
 use crate::report::table::{cell, number};
 use crate::study::Variable;
@@ -107,44 +106,72 @@ impl Layout<'_> {
         }
     }
 
-    /// The rows of some runs in all tables, as a journal holds them.
-    pub(super) fn content(&self, records: &[RunRecord]) -> io::Result<Vec<u8>> {
-        let mut content = Vec::new();
-        for table in Table::ALL {
-            content.put_text(&self.rows(table, records)?);
-        }
-        Ok(content)
+    /// The rows of some runs in all tables, as a journal holds them: the text of each in one line of JSON.
+    pub(super) fn content(&self, records: &[RunRecord]) -> io::Result<String> {
+        let texts: io::Result<Vec<_>> = Table::ALL
+            .iter()
+            .map(|table| self.rows(*table, records))
+            .collect();
+        Ok(serde_json::to_string(&texts?)?)
     }
 
     fn rows(&self, table: Table, records: &[RunRecord]) -> io::Result<String> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         for record in records {
-            match table {
-                Table::Runs => writer.write_record(self.run_row(record))?,
-                Table::Spectra => {
-                    for row in spectrum_rows(record) {
-                        writer.write_record(row)?;
-                    }
-                }
-                Table::Points => {
-                    for row in point_rows(record) {
-                        writer.write_record(row)?;
-                    }
-                }
-                Table::Stiffness => {
-                    for row in stiffness_rows(record) {
-                        writer.write_record(row)?;
-                    }
-                }
-                Table::Traces => {
-                    if let Some(row) = trace_row(record) {
-                        writer.write_record(row)?;
-                    }
-                }
+            for row in self.rows_of(table, record) {
+                writer.write_record(row)?;
             }
         }
         let bytes = writer.into_inner().map_err(|error| error.into_error())?;
         String::from_utf8(bytes).map_err(io::Error::other)
+    }
+
+    /// The rows of a run in a table, each behind the number of the run.
+    fn rows_of(&self, table: Table, record: &RunRecord) -> Vec<Vec<String>> {
+        if table == Table::Runs {
+            return vec![self.run_row(record)];
+        }
+        let Ok(outcome) = &record.outcome else {
+            return Vec::new();
+        };
+        let run = record.turn.number.to_string();
+        let row = |start: &[String], numbers: &mut dyn Iterator<Item = &f64>| {
+            let start = std::iter::once(&run).chain(start).cloned();
+            start.chain(numbers.map(|value| number(*value))).collect()
+        };
+        match table {
+            Table::Runs => Vec::new(),
+            Table::Spectra => {
+                let lines = outcome.spectrum.iter();
+                let rows = lines.map(|line| {
+                    let start = [number(line.frequency), cell(line.order)];
+                    row(&start, &mut line.amplitudes.iter())
+                });
+                rows.collect()
+            }
+            Table::Points => {
+                let points = outcome.points.iter();
+                let rows =
+                    points.map(|point| row(&[number(point.time)], &mut point.displacement.iter()));
+                rows.collect()
+            }
+            Table::Stiffness => {
+                let bearings = outcome.stiffness.iter();
+                let rows = bearings.map(|of| {
+                    let start = [of.bearing.to_string(), number(of.speed)];
+                    row(&start, &mut of.stiffness.iter().chain(&of.damping))
+                });
+                rows.collect()
+            }
+            Table::Traces => {
+                let traces = outcome.trace.iter();
+                let rows = traces.map(|TraceSeal { bytes, checksum }| {
+                    let known = [bytes.to_string(), format!("{checksum:016x}")];
+                    row(&known, &mut std::iter::empty())
+                });
+                rows.collect()
+            }
+        }
     }
 
     fn run_row(&self, record: &RunRecord) -> Vec<String> {
@@ -171,30 +198,6 @@ impl Layout<'_> {
     }
 }
 
-fn spectrum_rows(record: &RunRecord) -> impl Iterator<Item = Vec<String>> {
-    let lines = record.outcome.as_ref().ok().into_iter();
-    let lines = lines.flat_map(|outcome| &outcome.spectrum);
-    lines.map(|line| {
-        let start = [
-            record.turn.number.to_string(),
-            number(line.frequency),
-            cell(line.order),
-        ];
-        let amplitudes = line.amplitudes.iter().map(|value| number(*value));
-        start.into_iter().chain(amplitudes).collect()
-    })
-}
-
-fn point_rows(record: &RunRecord) -> impl Iterator<Item = Vec<String>> {
-    let points = record.outcome.as_ref().ok().into_iter();
-    let points = points.flat_map(|outcome| &outcome.points);
-    points.map(|point| {
-        let start = [record.turn.number.to_string(), number(point.time)];
-        let places = point.displacement.iter().map(|value| number(*value));
-        start.into_iter().chain(places).collect()
-    })
-}
-
 /// Bearing, speed, and the entries of K and C: `kxy_N_m`, `cxy_N_s_m`.
 fn stiffness_columns() -> impl Iterator<Item = String> {
     let entries = |letter: char, unit: &'static str| {
@@ -206,42 +209,15 @@ fn stiffness_columns() -> impl Iterator<Item = String> {
     start.into_iter().chain(entries)
 }
 
-fn stiffness_rows(record: &RunRecord) -> impl Iterator<Item = Vec<String>> {
-    let bearings = record.outcome.as_ref().ok().into_iter();
-    let bearings = bearings.flat_map(|outcome| &outcome.stiffness);
-    bearings.map(|bearing| {
-        let start = [
-            record.turn.number.to_string(),
-            bearing.bearing.to_string(),
-            number(bearing.speed),
-        ];
-        let entries = bearing.stiffness.iter().chain(&bearing.damping);
-        let entries = entries.map(|entry| number(*entry));
-        start.into_iter().chain(entries).collect()
-    })
-}
-
-fn trace_row(record: &RunRecord) -> Option<[String; 3]> {
-    let TraceSeal { bytes, checksum } = record.outcome.as_ref().ok()?.trace?;
-    Some([
-        record.turn.number.to_string(),
-        bytes.to_string(),
-        format!("{checksum:016x}"),
-    ])
-}
-
 /// Writes the rows that a journal holds of a table.
-pub(super) fn write_rows(content: &[u8], table: Table, out: &mut impl Write) -> io::Result<()> {
-    let mut take = Take(content);
-    for held in Table::ALL {
-        let length = take.u64();
-        let rows = length.and_then(|length| take.bytes(length));
-        let rows = rows.ok_or_else(|| io::Error::from(io::ErrorKind::InvalidData))?;
-        if held == table {
-            return out.write_all(rows);
-        }
-    }
-    Ok(())
+pub(super) fn write_rows(content: &str, table: Table, out: &mut impl Write) -> io::Result<()> {
+    let texts: Vec<String> = serde_json::from_str(content)?;
+    let held = Table::ALL
+        .iter()
+        .zip(texts)
+        .find(|(held, _)| **held == table);
+    let (_, rows) = held.ok_or(io::ErrorKind::InvalidData)?;
+    out.write_all(rows.as_bytes())
 }
 
 /// Writes the line of names of a table.

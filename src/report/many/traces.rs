@@ -1,12 +1,13 @@
 //! The traces of the runs, a file each.
 
 use std::fs;
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use super::each_row;
 use super::part::MergeError;
-use crate::report::bytes::Checksum;
+use crate::report::checksum::Checksum;
 use crate::report::folder::sync_folder;
 use crate::report::run_tables::TraceCsv;
 use crate::report::{FileAction, FileSet, PartialFile, ReportError, RunFolder};
@@ -94,13 +95,14 @@ fn remove_where(
 /// Sees that the traces that a table of them names outlive a loss of power; one that has not outlived an
 /// earlier one is found by its length.
 pub(super) fn sync_traces(study: &Path, table: &Path) -> Result<(), ReportError> {
-    let unread = |error: csv::Error| ReportError::file(FileAction::Read, table)(error.into());
-    let mut reader = csv::Reader::from_path(table).map_err(unread)?;
-    for record in reader.records() {
-        let record = record.map_err(unread)?;
-        let cell = |index: usize| record.get(index).unwrap_or_default();
-        let path = study.join(FOLDER).join(format!("trace-{}.csv", cell(0)));
-        sync_trace(&path, cell(1)).map_err(ReportError::file(FileAction::Sync, &path))?;
+    let mut traces = Vec::new();
+    each_row(table, |_, record| {
+        let [run, bytes] = [0, 1].map(|place| record.get(place).unwrap_or_default());
+        let path = study.join(FOLDER).join(format!("trace-{run}.csv"));
+        traces.push((path, bytes.to_owned()));
+    })?;
+    for (path, bytes) in traces {
+        sync_trace(&path, &bytes).map_err(ReportError::file(FileAction::Sync, &path))?;
     }
     sync_folder(&study.join(FOLDER))
 }
@@ -205,12 +207,7 @@ pub(super) fn check(study: &Path, table: &Path) -> Result<(), MergeError> {
 
 /// What the file there is known by.
 fn sealed(path: &Path) -> io::Result<TraceSeal> {
-    let mut file = fs::File::open(path)?;
-    let (mut sum, mut piece) = (Checksum::START, vec![0; 1 << 16]);
-    loop {
-        match file.read(&mut piece)? {
-            0 => return Ok(seal(sum)),
-            count => sum.add(&piece[..count]),
-        }
-    }
+    let mut sum = Checksum::START;
+    io::copy(&mut fs::File::open(path)?, &mut sum)?;
+    Ok(seal(sum))
 }

@@ -2,18 +2,21 @@
 
 use std::path::Path;
 
-use super::digest::{Digest, Row};
+use super::digest::Digest;
+use super::{each_row, number_in};
+use crate::report::ReportError;
 use crate::report::figure::Figure;
 use crate::report::run_up::{MOST_CELLS, Raster, moving, runs_figure};
-use crate::report::{FileAction, ReportError};
 
 /// Columns before the amplitudes: run, frequency and order.
 const START: usize = 3;
 
 /// Spectra of one run.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Spectra {
     run: u64,
+    /// Value of the axis.
+    at: f64,
     frequencies: Vec<f64>,
     /// Of every channel.
     amplitudes: Vec<Vec<f64>>,
@@ -32,25 +35,16 @@ impl Digest {
         title: &str,
         spectra: &Path,
     ) -> Result<Option<Figure>, ReportError> {
-        let ([axis], Some(ends), false) = (&self.axes[..], self.ends(0), self.drawn) else {
+        let ([(axis, _)], Some(ends), false) = (&self.labels[..], self.ends(0), self.drawn) else {
             return Ok(None);
         };
         let mut highest = 0.0_f64;
-        let names = each_run(spectra, |spectra| {
-            let last = spectra.frequencies.last().copied().unwrap_or(0.0);
-            highest = highest.max(last);
-        })?;
+        each_run(self, spectra, |run| highest = highest.max(run.end()))?;
         let mut columns = Vec::new();
-        let mut rows = self.rows.iter().filter(|row| !row.down).peekable();
-        each_run(spectra, |spectra| {
-            while rows.next_if(|row| row.run < spectra.run).is_some() {}
-            if let Some(row) = rows.next_if(|row| row.run == spectra.run) {
-                columns.push(spectra.column(row, highest));
-            }
-        })?;
+        let names = each_run(self, spectra, |run| columns.push(run.column(highest)))?;
         columns.sort_by(|a, b| a.at.total_cmp(&b.at));
         let raster = |channel| raster(&columns, channel, ends, highest);
-        let channels = names.iter().skip(START).enumerate();
+        let channels = names.iter().enumerate();
         let channels = channels.filter(|(_, name)| name.ends_with("_amplitude_m"));
         let rows = channels.map(|(channel, name)| {
             let name = name.trim_end_matches("_amplitude_m").to_owned();
@@ -63,52 +57,50 @@ impl Digest {
     }
 }
 
-/// Shows the spectra of one run after the other; returns the names of the columns.
-fn each_run(path: &Path, mut show: impl FnMut(&Spectra)) -> Result<csv::StringRecord, ReportError> {
-    let refused = |error: csv::Error| {
-        let error = std::io::Error::other(error.to_string());
-        ReportError::file(FileAction::Read, path)(error)
-    };
-    let mut reader = csv::Reader::from_path(path).map_err(refused)?;
-    let names = reader.headers().map_err(refused)?.clone();
-    let mut standing = Spectra::default();
-    for record in reader.records() {
-        let record = record.map_err(refused)?;
-        let run = record
-            .get(0)
-            .and_then(|cell| cell.parse().ok())
-            .unwrap_or(0);
-        if run != standing.run && !standing.frequencies.is_empty() {
-            show(&standing);
-            standing = Spectra::default();
+/// Shows the spectra of one run after the other, of those that are drawn; returns the names of the channels.
+fn each_run(
+    digest: &Digest,
+    path: &Path,
+    mut show: impl FnMut(&Spectra),
+) -> Result<Vec<String>, ReportError> {
+    let mut channels = Vec::new();
+    let mut current: Option<Spectra> = None;
+    each_row(path, |names, record| {
+        if channels.is_empty() {
+            channels = names.iter().skip(START).map(str::to_owned).collect();
         }
-        standing.run = run;
-        standing.take(&record);
-    }
-    if !standing.frequencies.is_empty() {
-        show(&standing);
-    }
-    Ok(names)
+        let run = number_in(&record, 0) as u64;
+        if let Some(whole) = current.take_if(|known| known.run != run) {
+            show(&whole);
+        }
+        let Some(row) = digest.row(run).filter(|row| !row.down) else {
+            return;
+        };
+        let spectra = current.get_or_insert_with(|| Spectra {
+            run,
+            at: digest.at(row, 0),
+            frequencies: Vec::new(),
+            amplitudes: vec![Vec::new(); channels.len()],
+        });
+        spectra.frequencies.push(number_in(&record, 1));
+        for (place, channel) in spectra.amplitudes.iter_mut().enumerate() {
+            channel.push(number_in(&record, START + place));
+        }
+    })?;
+    current.iter().for_each(show);
+    Ok(channels)
 }
 
 impl Spectra {
-    fn take(&mut self, record: &csv::StringRecord) {
-        let number = |cell: &str| cell.parse().unwrap_or(f64::NAN);
-        self.frequencies
-            .push(record.get(1).map_or(f64::NAN, number));
-        let cells = record.iter().skip(START).map(number);
-        self.amplitudes
-            .resize(record.len().saturating_sub(START), Vec::new());
-        for (channel, amplitude) in self.amplitudes.iter_mut().zip(cells) {
-            channel.push(amplitude);
-        }
+    fn end(&self) -> f64 {
+        self.frequencies.last().copied().unwrap_or(0.0)
     }
 
     /// In every cell up to `highest` the largest amplitude, or where none falls into it, the nearest; nothing
     /// beyond the last frequency of the run.
-    fn column(&self, row: &Row, highest: f64) -> Column {
+    fn column(&self, highest: f64) -> Column {
         let size = highest / MOST_CELLS as f64;
-        let end = self.frequencies.last().copied().unwrap_or(0.0);
+        let end = self.end();
         let cell = |cell: usize, channel: &[f64]| {
             let [from, to] = [cell, cell + 1].map(|edge| edge as f64 * size);
             if from > end {
@@ -131,7 +123,7 @@ impl Spectra {
         };
         let cells = |channel: &Vec<f64>| (0..MOST_CELLS).map(|k| cell(k, channel)).collect();
         Column {
-            at: row.values[0],
+            at: self.at,
             channels: self.amplitudes.iter().map(cells).collect(),
         }
     }

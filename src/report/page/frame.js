@@ -29,6 +29,16 @@ const page = (() => {
     return made;
   }
 
+  /** A section that is opened by whoever asks for it. */
+  function folded(id, title, ...children) {
+    const body = element("details", {}, element("summary", {}, element("h2", {}, title)), ...children);
+    main.append(element("section", { id }, body));
+    const link = element("a", { href: `#${id}` }, title);
+    link.addEventListener("click", () => { body.open = true; });
+    document.querySelector("nav").append(link);
+    if (location.hash === `#${id}`) body.open = true;
+  }
+
   function table(heads, rows, caption = null, nameColumns = 1) {
     const cell = (tag) => (text, column) =>
       element(tag, column < nameColumns ? { class: "name" } : {}, text);
@@ -54,27 +64,47 @@ const page = (() => {
     return value.toExponential(digits - 2);
   }
 
+  const captions = {
+    "waterfall.svg": "Amplitudes over frequency in colours; lines are orders of the shaft.",
+    "order_tracks.svg": "Amplitude and phase of orders of the shaft over its speed.",
+    "campbell.svg": "Natural frequencies and damping ratios over the speed; grey lines are orders of the shaft.",
+    "response.svg": "Numbers of the runs along the axis.",
+    "bifurcation.svg": "Where the shaft stands once a cycle, over the axis.",
+    "map.svg": "Numbers of the runs over both axes.",
+    "sensitivity.svg": "Rank correlation of the numbers with what was drawn.",
+  };
+
   /** A figure as it stands in the folder, on paper of its own. */
   function drawnFigure({ name, svg }) {
     const image = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
+    const caption = captions[name] ?? "";
     image.setAttribute("role", "img");
-    image.setAttribute("aria-label", name);
-    return element("figure", { class: "paper" }, document.importNode(image, true), element("figcaption", {}, name));
+    image.setAttribute("aria-label", caption);
+    return element("figure", { class: "paper" }, document.importNode(image, true),
+      element("figcaption", {}, `${caption} File: ${name}.`));
   }
 
   /** The scenario as a text that can be opened. */
   function scenarioSection(remark, scenario) {
-    return section("scenario", "Scenario", element("details", {}, element("summary", {}, remark),
-      element("pre", {}, JSON.stringify(scenario, null, 2))));
+    folded("scenario", "Scenario", element("p", { class: "quiet" }, remark),
+      element("pre", {}, JSON.stringify(scenario, null, 2)));
   }
 
   /** The page stands: paper is light whatever the screen is. */
   function ready(redraw = () => {}) {
-    const printed = (on) => () => { document.documentElement.classList.toggle("printed", on); redraw(); };
+    const all = () => [...document.querySelectorAll("section > details")];
+    const open = [];
+    const printed = (on) => () => {
+      // on paper everything but the scenario is open
+      if (on) open.splice(0, open.length, ...all().filter((body) => body.open));
+      for (const body of all()) body.open = on ? body.parentElement.id !== "scenario" : open.includes(body);
+      document.documentElement.classList.toggle("printed", on);
+      redraw();
+    };
     addEventListener("beforeprint", printed(true));
     addEventListener("afterprint", printed(false));
     document.documentElement.dataset.readyMs = String(Math.round(performance.now()));
   }
 
-  return { data, element, drawn, section, table, tiles, number, drawnFigure, scenarioSection, ready };
+  return { data, element, drawn, section, folded, table, tiles, number, drawnFigure, scenarioSection, ready };
 })();

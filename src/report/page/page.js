@@ -1,7 +1,7 @@
 
 (() => {
-  const { element, drawn, section, table, tiles, number, drawnFigure } = page;
-  const { summary, balls, histories, orbit, sections, spectra, furtherSpectra, figures } = page.data;
+  const { element, drawn, section, folded, table, tiles, number, drawnFigure } = page;
+  const { summary, balls, histories, orbit, spectra, furtherSpectra, figures } = page.data;
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
     moment_x: "moment x", moment_y: "moment y" };
   const named = (name) => names[name] ?? name;
@@ -161,7 +161,7 @@
   }
 
   const width = (chart) => (document.documentElement.classList.contains("printed") ? 680
-    : Math.max(chart.holder.clientWidth, 280));
+    : Math.max(chart.holder.clientWidth || document.querySelector("main").clientWidth, 280));
 
   function addChart(panel, group, height, last = true) {
     const holder = element("div", { class: "chart", tabindex: "0", role: "group",
@@ -181,7 +181,7 @@
 
   // The orbit.
 
-  function orbitFigure({ revolutions, curve }) {
+  function orbitFigure({ whole, curve, sections }) {
     const [xs, ys] = [places(curve.abscissas), floats(curve.values)];
     if (xs.length < 2) return null;
     const bounds = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
@@ -205,8 +205,8 @@
       image.append(drawn("text", { x: margin - 5, y: y + 4, "text-anchor": "end" }, tick.text));
     }
     image.append(drawn("path", { d: path, fill: "none", stroke: "var(--c0)", "stroke-width": "1.2" }));
-    const told = ["the last " + number(revolutions, 3) + " revolutions, seen along −Z"];
-    (sections ?? []).forEach((section, index) => {
+    const told = [`${whole ? "one period" : "the end of the run"}, seen along −Z`];
+    sections.forEach((section, index) => {
       const name = `var(--c${1 + (index % 5)})`;
       const [px, py] = [places(section.abscissas), floats(section.values)];
       px.forEach((x, i) => {
@@ -287,9 +287,11 @@
 
   // Sections.
 
+  /** What kind of motion it is, in words. */
   function kindText({ name, section, cycles }) {
-    if (name === "periodic") return `${name}, ${cycles} × ${section.replaceAll("_", " ")}`;
-    return name;
+    const cycle = (section ?? "").replaceAll("_", " ");
+    if (name === "periodic") return cycles === 1 ? `repeats every ${cycle}` : `repeats every ${cycles} ${cycle === "ball pass" ? "ball passes" : `${cycle}s`}`;
+    return { rest: "no motion", "quasi-periodic": "two frequencies" }[name] ?? name;
   }
 
   /** Statistics of a motion after its settle time. */
@@ -318,34 +320,48 @@
     return values.reduce((a, b) => Math.max(a, b), 0);
   }
 
+  const velocityOf = (peak) => 2e3 * Math.PI * peak.frequency_Hz * peak.amplitude;
+
+  /** RMS velocity of each direction. */
+  function velocities() {
+    const levels = Object.entries(summary.motion?.velocity_rms ?? {}).filter(([, level]) => level);
+    return levels.map(([axis, { rms_m_s: rms, band_Hz: [low, high] }]) => [`vibration velocity, ${named(axis)}`,
+      `${number(1e3 * rms, 4)} mm/s`, `RMS, ${number(low, 3)} to ${number(high, 4)} Hz`]);
+  }
+
   function keyNumbers() {
     const error = summary.measured_error;
     const first = summary.natural_frequencies[0];
     const load = largestOf("largest ball load");
     const lives = summary.bearings.map((bearing) => bearing.life?.after_settle.life_h ?? bearing.life?.whole_run.life_h).filter((h) => h);
     const ballsOf = summary.ball_pass[0];
-    const peak = [...summary.peaks].filter((entry) => entry.unit === "m").sort((a, b) => b.amplitude - a.amplitude)[0];
     return tiles([
       ["speed", speedText(summary.scenario.speed ?? {})],
-      ["measured error", error ? `${number(error.relative, 3)} of the motion` : "not measured",
-        error && `${shown(error.displacement_m, "m")}; tolerance asked ${number(error.tolerance, 3)}`],
+      ...velocities(),
       summary.motion && ["kind of motion", kindText(summary.motion.kind), summary.motion.settling
         && (summary.motion.settling.settled ? "settled" : "not settled")],
-      peak && ["strongest line", shown(peak.amplitude, "m"), `${peak.channel} at ${number(peak.frequency_Hz)} Hz${peak.name ? `, ${peak.name}` : ""}`],
+      lives.length > 0 && ["life L10r", `${number(Math.min(...lives), 4)} h`, lives.length > 1 ? "of the shortest-lived bearing" : "of this motion"],
+      ["measured error", error ? `${number(error.relative, 3)} of the motion` : "not measured",
+        error && `${shown(error.displacement_m, "m")}; asked for ${number(error.tolerance, 3)}`],
       load && ["largest ball load", `${number(load)} N`],
       first && ["lowest natural frequency", `${number(first.frequency_Hz)} Hz`, `damping ratio ${number(first.damping_ratio, 3)}`],
       ballsOf && ballsOf.outer_Hz > 0 && ["ball pass, outer race", `${number(ballsOf.outer_Hz)} Hz`, `inner race ${number(ballsOf.inner_Hz)} Hz`],
-      lives.length > 0 && ["life L10r", `${number(Math.min(...lives), 4)} h`, "of this motion, shortest-lived bearing"],
-      ["evaluations", number(summary.counters.evaluations, 9), `${number(summary.counters.steps, 9)} steps, ${summary.counters.rejected} rejected`],
-      ...(summary.tables ?? []).map((table, index) => table && [`table of bearing ${index + 1}`,
-        table.note ? "none" : `${number(table.cells, 9)} cells`,
-        table.note ?? `off by ${number(table.relative_error, 2)} of the largest ball load; ${table.samples_outside} samples outside it`]),
     ]);
+  }
+
+  /** The lines that a velocity sensor would show highest, one for each name. */
+  function strongestLines() {
+    const seen = new Set();
+    const lines = summary.peaks.filter((peak) => peak.unit === "m").sort((a, b) => velocityOf(b) - velocityOf(a))
+      .filter(({ name, frequency_Hz: at }) => { const key = name ?? at; return !seen.has(key) && seen.add(key); }).slice(0, 5);
+    const rows = lines.map((peak) => [peak.name ?? "no name", named(peak.channel), number(peak.frequency_Hz), number(peak.order, 4),
+      number(velocityOf(peak), 4), number(1e6 * peak.amplitude, 4)]);
+    return rows.length ? table(["strongest lines", "direction", "Hz", "order", "mm/s", "µm"], rows, "Peak values.", 2) : null;
   }
 
   function warnings() {
     const all = summary.warnings.map((text) => element("p", { class: "warning" }, text));
-    return all.length ? all : [element("p", { class: "quiet" }, "None.")];
+    return all.length ? all : [element("p", { class: "quiet" }, "No warnings.")];
   }
 
   function equilibrium() {
@@ -389,7 +405,7 @@
   function peaks() {
     const rows = summary.peaks.map((peak) => [named(peak.channel), peak.name ?? "", number(peak.frequency_Hz, 7),
       number(peak.order, 6), shown(peak.amplitude, peak.unit), number(peak.distance_Hz, 2)]);
-    return element("details", { open: "" }, element("summary", {}, `${rows.length} peaks`),
+    return element("details", {}, element("summary", {}, `${rows.length} peaks`),
       table(["channel", "name", "frequency in Hz", "order", "amplitude", "off the name in Hz"], rows, null, 2));
   }
 
@@ -400,7 +416,10 @@
     const text = error
       ? `The run was repeated at tolerance ${number(error.reference_tolerance, 3)}; the largest difference of any sample is ${shown(error.displacement_m, "m")}, ${number(error.relative, 3)} of the motion. Asked: ${number(error.tolerance, 3)}.`
       : "Not measured: the second pass was left out.";
-    return [element("p", {}, text), table(["pass", "evaluations", "steps", "rejected"], rows)];
+    const tables = (summary.tables ?? []).flatMap((used, index) => (used ? [element("p", {}, used.note
+      ? `Bearing ${index + 1} has no table: ${used.note}`
+      : `Table of bearing ${index + 1}: ${number(used.cells, 9)} cells, off by ${number(used.relative_error, 2)} of the largest ball load; ${used.samples_outside} samples outside it.`)] : []));
+    return [element("p", {}, text), table(["pass", "evaluations", "steps", "rejected"], rows), ...tables];
   }
 
   function energy() {
@@ -415,23 +434,24 @@
 
   function write() {
     document.getElementById("origin").textContent = `jeffcott ${summary.jeffcott}, ${summary.samples} samples`;
-    section("numbers", "Key numbers", keyNumbers());
-    section("warnings", "Warnings", ...warnings());
-    section("equilibrium", "Static equilibrium", ...equilibrium());
+    section("numbers", "Key numbers", keyNumbers(), ...warnings(), strongestLines());
+    const [first, ...others] = spectra;
+    if (first) section("spectra", "Spectrum", addChart(first, "frequency", 300), peaks());
+    if (others.length) folded("further", "Spectra of displacements and forces", ...others.map((panel) => addChart(panel, "frequency", 300)));
+    if (furtherSpectra.length) folded("further-spectra", "Spectra asked for",
+      ...furtherSpectra.map((panel) => addChart(panel, `${panel.name} ${panel.over[0]}`, 320)));
+    if (figures.length) folded("maps", "Maps over the speed", ...figures.map(drawnFigure));
     if (histories.length) {
-      section("motion", "Motion", hint(), ...histories.map((panel, index) =>
+      folded("motion", "Motion over time", hint(), ...histories.map((panel, index) =>
         addChart(panel, "time", 170, index === histories.length - 1)));
     }
-    const orbitDrawn = orbitFigure(orbit);
-    if (orbitDrawn) section("orbit", "Orbit", orbitDrawn);
-    if (summary.motion) section("statistics", "Statistics", statistics(summary.motion));
-    if (figures.length) section("maps", "Maps", ...figures.map(drawnFigure));
-    if (spectra) section("spectra", "Spectra", ...spectra.map((panel) => addChart(panel, "frequency", 320)), peaks());
-    if (furtherSpectra.length) section("further-spectra", "Further spectra",
-      ...furtherSpectra.map((panel) => addChart(panel, `${panel.name} ${panel.over[0]}`, 320)));
-    section("bearings", "Bearings", ...bearings());
-    if (summary.energy) section("energy", "Energy", energy());
-    section("error", "Error and work", ...accuracy());
+    const orbitDrawn = orbit && orbitFigure(orbit);
+    if (orbitDrawn) folded("orbit", "Orbit", orbitDrawn);
+    if (summary.motion) folded("statistics", "Statistics", statistics(summary.motion));
+    folded("equilibrium", "Static equilibrium", ...equilibrium());
+    folded("bearings", "Bearings", ...bearings());
+    if (summary.energy) folded("energy", "Energy", energy());
+    folded("error", "Error and work", ...accuracy());
     page.scenarioSection("as it was run, with defaults", summary.scenario);
   }
 

@@ -1,19 +1,15 @@
-//! The spectra that a scenario asks for: a table each, and how each was made.
+//! Spectra: that of a run with its named peaks, and those that a scenario asks for.
 
-mod figure;
-mod json;
-mod names;
+mod estimated;
+mod run;
 mod shown;
-mod table;
 
-pub(super) use figure::estimated_figure;
-pub(super) use json::EstimatedSummary;
-pub(super) use shown::{ShownColumns, shown_columns, shown_places};
-pub(super) use table::write_estimated;
-
-use crate::analysis::EstimatedSpectrum;
-
-/// Name of the table of a spectrum, without the ending of its format.
-pub(super) fn table_name(spectrum: &EstimatedSpectrum) -> String {
-    format!("spectrum_{}", spectrum.request.name)
-}
+pub(super) use estimated::{
+    EstimatedSummary, estimated_figure, estimated_table, shown_estimates, table_name,
+};
+pub(crate) use run::spectrum_figure;
+pub use run::write_spectrum;
+pub(super) use run::{
+    NamedPeak, amplitude_column, frequency_limit_of, peak_table, phase_column, shown_spectra,
+    spectrum_table,
+};

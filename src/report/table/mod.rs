@@ -73,11 +73,11 @@ pub(super) type Named<T> = (&'static str, fn(&T) -> f64);
 
 /// A table of named columns, all of the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(in crate::report) struct Table {
-    columns: Vec<(Column, Vec<f64>)>,
+pub(in crate::report) struct Table<'a> {
+    columns: Vec<(Column, Cow<'a, [f64]>)>,
 }
 
-impl Table {
+impl<'a> Table<'a> {
     /// Adds a column of numbers, some of which may be missing; the name ends with the unit.
     pub fn numbers<T: Into<Option<f64>>>(
         &mut self,
@@ -97,11 +97,11 @@ impl Table {
     }
 
     /// Adds columns of numbers by their names, after `before`; a row that is missing has none of them.
-    pub fn named<'a, T: 'a>(
+    pub fn named<'row, T: 'row>(
         &mut self,
         before: &str,
         columns: &[Named<T>],
-        rows: impl Iterator<Item = Option<&'a T>> + Clone,
+        rows: impl Iterator<Item = Option<&'row T>> + Clone,
     ) {
         for (name, value) in columns {
             self.numbers(
@@ -133,6 +133,12 @@ impl Table {
             .push((Column::words(name.into(), words), values));
     }
 
+    /// Adds a column of numbers that stand elsewhere.
+    pub fn borrowed(&mut self, name: impl Into<String>, values: &'a [f64]) {
+        let column = Column::number(name.into());
+        self.columns.push((column, Cow::Borrowed(values)));
+    }
+
     /// Adds a column of any kind, some of whose values may be missing.
     pub fn add<T: Into<Option<f64>>>(
         &mut self,
@@ -143,6 +149,14 @@ impl Table {
             .into_iter()
             .map(|value| value.into().unwrap_or(f64::NAN));
         self.columns.push((column, values.collect()));
+    }
+
+    /// Names of the columns, and their numbers.
+    pub fn into_numbers(self) -> (Vec<String>, Vec<Vec<f64>>) {
+        let columns = self.columns.into_iter();
+        columns
+            .map(|(column, values)| (column.name.into_owned(), values.into_owned()))
+            .unzip()
     }
 
     /// The columns.

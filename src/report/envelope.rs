@@ -1,88 +1,7 @@
-//! The trace as a figure, one panel for each freedom that moves: an envelope of fixed length, however long the run.
+//! The envelope of a curve, in memory that does not grow with it.
 
-#[cfg(test)]
-use super::ReportError;
-use super::figure::{Axis, CURVE_BUCKETS, Curve, Figure, Panel, distinct};
-use super::terminal::MICRO;
-use crate::analysis::Channel;
-use crate::rotor::{FREEDOMS, Sample};
-
-/// Height of up to three panels together, px.
-const HEIGHT: u32 = 486;
-/// Height of a panel of more, px.
-const PANEL_HEIGHT: u32 = 120;
-
-/// Collects the envelope of every moving freedom; its memory does not grow with the run.
-#[derive(Debug, Clone)]
-pub struct TraceFigure {
-    panels: Vec<(Channel, Decimator)>,
-    /// First and last time, s.
-    time: Option<(f64, f64)>,
-}
-
-impl TraceFigure {
-    /// For the first `freedoms` of x, y, z, θx, θy.
-    pub fn new(freedoms: usize) -> Self {
-        let channels = (0..freedoms.min(FREEDOMS)).map(Channel::Displacement);
-        Self {
-            panels: channels
-                .map(|channel| (channel, Decimator::new(CURVE_BUCKETS)))
-                .collect(),
-            time: None,
-        }
-    }
-
-    /// Takes one sample.
-    pub fn sample(&mut self, sample: &Sample) {
-        let (start, _) = self.time.unwrap_or((sample.time, sample.time));
-        self.time = Some((start, sample.time));
-        for (channel, envelope) in &mut self.panels {
-            if let Some(value) = channel.of(sample) {
-                envelope.push(sample.time, MICRO * value);
-            }
-        }
-    }
-
-    /// Draws the SVG.
-    ///
-    /// # Errors
-    /// [`ReportError::Draw`] where the drawing library fails.
-    #[cfg(test)]
-    pub fn draw(&self, title: &str) -> Result<String, ReportError> {
-        self.figure("trace.svg", title).svg()
-    }
-
-    /// One panel below the other over the same time, which the last one names.
-    pub(super) fn figure(&self, file: &str, title: &str) -> Figure {
-        let time = match self.time {
-            Some((start, end)) if end > start => start..end,
-            _ => 0.0..1.0,
-        };
-        let count = self.panels.len();
-        let height = match count {
-            0..=3 => HEIGHT / count.max(1) as u32,
-            _ => PANEL_HEIGHT,
-        };
-        let panel = |(index, (channel, envelope)): (usize, &(Channel, Decimator))| {
-            let name = if index + 1 == count { "time in s" } else { "" };
-            let curve = Curve::line(distinct(index), envelope.points().collect());
-            let time = Axis::over(name, time.clone());
-            Panel::of(time, axis_name(*channel), height, vec![curve])
-        };
-        let panels = self.panels.iter().enumerate().map(panel);
-        Figure::new(file, title, 1, panels.collect())
-    }
-}
-
-/// Quantity and unit, as `x in µm`.
-fn axis_name(channel: Channel) -> String {
-    let name = match channel {
-        Channel::Displacement(3) => "θx",
-        Channel::Displacement(4) => "θy",
-        other => other.name(),
-    };
-    format!("{name} in µ{}", channel.unit())
-}
+/// Buckets of a curve: more cannot be seen on the width of a figure or a screen.
+pub(super) const BUCKETS: usize = 2048;
 
 /// Smallest and largest value of a stretch of a curve, in the order in which they came.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -191,6 +110,25 @@ impl Decimator {
     pub fn points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let buckets = self.buckets();
         buckets.flat_map(|Bucket { first, last }| [first, last])
+    }
+
+    /// First and last abscissa.
+    pub fn ends(&self) -> Option<[f64; 2]> {
+        let mut buckets = self.buckets();
+        let first = buckets.next()?;
+        let last = buckets.last().unwrap_or(first);
+        Some([first.first.0, last.last.0])
+    }
+
+    /// Lowest and highest value.
+    pub fn range(&self) -> Option<[f64; 2]> {
+        let values = self.buckets().map(|bucket| [bucket.low(), bucket.high()]);
+        values.reduce(|[low, high], next| [low.min(next[0]), high.max(next[1])])
+    }
+
+    /// Largest magnitude.
+    pub fn magnitude(&self) -> f64 {
+        self.range().map_or(0.0, |[low, high]| high.max(-low))
     }
 
     fn halve(&mut self) {

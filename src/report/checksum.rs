@@ -1,49 +1,6 @@
-//! Numbers and texts to bytes and back.
+//! A checksum: finds bytes that a disk or a copy has changed.
 
-/// Appends numbers and texts to bytes.
-pub(super) trait Put {
-    fn put_u64(&mut self, value: u64);
-    fn put_f64(&mut self, value: f64);
-    fn put_text(&mut self, text: &str);
-}
-
-impl Put for Vec<u8> {
-    fn put_u64(&mut self, value: u64) {
-        self.extend(value.to_le_bytes());
-    }
-
-    fn put_f64(&mut self, value: f64) {
-        self.extend(value.to_le_bytes());
-    }
-
-    fn put_text(&mut self, text: &str) {
-        self.put_u64(text.len() as u64);
-        self.extend(text.as_bytes());
-    }
-}
-
-/// Takes numbers and texts from bytes; `None` where they end too early or make no sense.
-pub(super) struct Take<'a>(pub &'a [u8]);
-
-impl<'a> Take<'a> {
-    pub fn bytes(&mut self, count: u64) -> Option<&'a [u8]> {
-        let (taken, rest) = self.0.split_at_checked(usize::try_from(count).ok()?)?;
-        self.0 = rest;
-        Some(taken)
-    }
-
-    pub fn array<const COUNT: usize>(&mut self) -> Option<[u8; COUNT]> {
-        self.bytes(COUNT as u64)?.try_into().ok()
-    }
-
-    pub fn u64(&mut self) -> Option<u64> {
-        self.array().map(u64::from_le_bytes)
-    }
-
-    pub fn f64(&mut self) -> Option<f64> {
-        self.array().map(f64::from_le_bytes)
-    }
-}
+use std::io;
 
 /// FNV-1a, 64 bits, over words of eight bytes, the last one filled up with zeros: finds bytes that a disk or a copy
 /// has changed. The number of bytes goes with it.
@@ -91,6 +48,13 @@ impl Checksum {
         self.begun = [0; 8];
     }
 
+    /// That of a text.
+    pub fn of(text: &str) -> u64 {
+        let mut checksum = Self::START;
+        checksum.add(text.as_bytes());
+        checksum.value()
+    }
+
     /// Number of bytes.
     pub fn bytes(self) -> u64 {
         self.bytes
@@ -104,10 +68,14 @@ impl Checksum {
     }
 }
 
-/// So that anything that can be shown can be summed up.
-impl std::fmt::Write for Checksum {
-    fn write_str(&mut self, text: &str) -> std::fmt::Result {
-        self.add(text.as_bytes());
+/// So that anything that can be written or copied can be summed up.
+impl io::Write for Checksum {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.add(bytes);
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
         Ok(())
     }
 }

@@ -1,72 +1,60 @@
-//! Steady motions: files of a single one, and of their branches along a parameter.
-
-mod response;
+//! A steady motion: its trace, its lines and what is told of it.
 
 use std::f64::consts::TAU;
-use std::path::PathBuf;
 
 use nalgebra::Complex;
 use serde::Serialize;
-use serde_json::Value;
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
+use super::histories::Histories;
 use super::run_tables::trace_table;
-use super::spectrum::{AMPLITUDE, FREQUENCY, HEIGHT, amplitude_column, phase_column};
-use super::study::shown;
+use super::spectra::{amplitude_column, phase_column};
 use super::table::Table;
-use super::terminal::{Lines, MICRO, digits, listed, measured_text};
-use super::{Destination, FileSet, ReportError, TraceFigure};
+use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_unit};
+use super::{Destination, FileSet, Findings};
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
-use crate::steady::{Base, Measured, Response, Steady, SteadyLine, SteadyLines};
-use crate::study::Variable;
+use crate::steady::{Base, Measured, Steady, SteadyLine, SteadyLines};
 
-/// Writes `steady_trace.csv`, `steady_spectrum.csv`, two figures and, last, `steady.json`;
-/// returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_steady(
+/// A steady motion: its trace, its spectrum, its stability and its error.
+pub fn steady_findings<'a>(
     destination: &Destination<'_>,
     model: &Model,
-    steady: &Steady,
-) -> Result<Vec<PathBuf>, ReportError> {
+    steady: &'a Steady,
+) -> Findings<'a> {
     let title = destination.title;
-    let mut figure = TraceFigure::new(model.rotor.shaft.freedoms.count());
-    steady.trace.iter().for_each(|sample| figure.sample(sample));
-    let tables = [
-        ("steady_trace", trace_table(&steady.trace)),
-        ("steady_spectrum", line_table(steady, model.rotor.speed)),
-    ];
-    let figures = [
-        figure.figure("steady_trace.svg", title),
-        spectrum(title, &steady.lines),
-    ];
-    let document = steady_json(destination, model, steady);
-    destination.write(FileSet::STEADY, tables, figures, &document)
-}
-
-/// Writes `response.csv`, `response_specials.csv`, `response.svg` and, last, `response.json` ; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_response(
-    destination: &Destination<'_>,
-    variable: &Variable,
-    branches: &[Response],
-) -> Result<Vec<PathBuf>, ReportError> {
-    let tables = [
-        ("response", response::points(variable, branches)),
-        ("response_specials", response::specials(variable, branches)),
-    ];
-    let figures = [response::figure(destination.title, variable, branches)];
-    let document = response_json(destination, variable, branches);
-    destination.write(FileSet::RESPONSE, tables, figures, &document)
+    let mut histories = Histories::new(model.rotor.shaft.freedoms.count());
+    steady
+        .trace
+        .iter()
+        .for_each(|sample| histories.sample(sample));
+    let measured = |error| ErrorSummary {
+        error,
+        tolerance: model.integrator.tolerance,
+    };
+    Findings {
+        set: FileSet::STEADY,
+        tables: vec![
+            ("steady_trace", trace_table(&steady.trace)),
+            ("steady_spectrum", line_table(steady, model.rotor.speed)),
+        ],
+        figures: vec![
+            histories.figure("steady_trace.svg", title),
+            spectrum(title, &steady.lines),
+        ],
+        document: destination.document(SteadySummary {
+            steady,
+            stable: steady.is_stable(),
+            lines: steady.lines.lines.len(),
+            measured_error: steady.measured.as_ref().map(measured),
+        }),
+        text: text(title, model, steady),
+    }
 }
 
 /// Frequency, order of the shaft (where it turns), both multiples, then amplitude and phase of every
 /// channel.
-fn line_table(steady: &Steady, speed: f64) -> Table {
+fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
     let lines = || steady.lines.lines.iter();
     let mut table = Table::default();
     table.numbers("f_Hz", lines().map(|line| line.frequency));
@@ -92,6 +80,9 @@ fn line_table(steady: &Steady, speed: f64) -> Table {
     table
 }
 
+/// Height of a plot, px.
+const HEIGHT: u32 = 480;
+
 /// Amplitudes of x, y and z (those that move) over frequency.
 fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
     let channels = lines.channels.iter().enumerate();
@@ -100,7 +91,7 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
         .collect();
     let all = || lengths.iter().flat_map(|(index, _)| tips(lines, *index));
     let strongest = all().map(|(_, amplitude)| amplitude).fold(0.0, f64::max);
-    let amplitudes = Axis::below(AMPLITUDE, strongest);
+    let amplitudes = Axis::below("amplitude in µm", strongest);
     let floor = amplitudes.least();
     let shown = all().filter(|(_, amplitude)| *amplitude > floor);
     let highest = shown.map(|(frequency, _)| frequency).fold(0.0, f64::max);
@@ -116,7 +107,11 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
     });
     let panel = Panel {
         curves: strokes.collect(),
-        ..Panel::new(Axis::over(FREQUENCY, 0.0..limit), amplitudes, HEIGHT)
+        ..Panel::new(
+            Axis::over("frequency in Hz", 0.0..limit),
+            amplitudes,
+            HEIGHT,
+        )
     };
     let names = Name::each(lengths.iter().map(|(_, channel)| channel.name()));
     Figure::new("steady_spectrum.svg", title, 1, vec![panel]).with_names(names)
@@ -146,50 +141,12 @@ struct ErrorSummary<'a> {
     tolerance: f64,
 }
 
-/// The branches of a response: their ends and where they turn.
-#[derive(Serialize)]
-struct ResponseSummary<'a> {
-    over: &'a str,
-    unit: &'a str,
-    branches: &'a [Response],
-}
-
-/// Everything about a steady motion except its trace and its spectrum. The same question gives the same
-/// bytes.
-pub fn steady_json(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Value {
-    let measured = |error| ErrorSummary {
-        error,
-        tolerance: model.integrator.tolerance,
-    };
-    let summary = SteadySummary {
-        steady,
-        stable: steady.is_stable(),
-        lines: steady.lines.lines.len(),
-        measured_error: steady.measured.as_ref().map(measured),
-    };
-    destination.document(summary)
-}
-
-/// The branches of a response; the motions stand in `response.csv`.
-pub fn response_json(
-    destination: &Destination<'_>,
-    variable: &Variable,
-    branches: &[Response],
-) -> Value {
-    let summary = ResponseSummary {
-        over: &variable.key,
-        unit: variable.unit,
-        branches,
-    };
-    destination.document(summary)
-}
-
 /// Lines and multipliers shown.
 const LINES: usize = 8;
 const MULTIPLIERS: usize = 4;
 
-/// Period, stability and the strongest lines of a steady motion, and the files written.
-pub fn steady_text(title: &str, model: &Model, steady: &Steady, files: &[PathBuf]) -> String {
+/// Period, stability and the strongest lines of a steady motion.
+fn text(title: &str, model: &Model, steady: &Steady) -> Lines {
     let mut out = Lines::titled(title);
     for base in &steady.bases {
         out.line("forcing", forcing(base));
@@ -205,46 +162,7 @@ pub fn steady_text(title: &str, model: &Model, steady: &Steady, files: &[PathBuf
     }
     put_swings(&mut out, steady);
     put_lines(&mut out, steady, model.rotor.speed);
-    out.wrote(files)
-}
-
-/// Branches, where they turn and where their motions change their kind, and the files written.
-pub fn response_text(
-    title: &str,
-    variable: &Variable,
-    branches: &[Response],
-    files: &[PathBuf],
-) -> String {
-    let mut out = Lines::titled(title);
-    for (number, branch) in branches.iter().enumerate() {
-        let stable = branch.points.iter().filter(|point| point.stable).count();
-        let text = format!(
-            "{} × the period, {} motions, {stable} of them stable; {}",
-            branch.multiple,
-            branch.points.len(),
-            branch.end
-        );
-        out.line(&format!("branch {}", number + 1), text);
-        for special in &branch.specials {
-            let multiplier = special.point.multipliers.first();
-            let size = multiplier.map_or(f64::NAN, |value| value.norm());
-            let text = format!(
-                "{} at {}, largest multiplier {size:.6}",
-                special.kind,
-                shown(variable, special.point.value)
-            );
-            out.more(text);
-        }
-        for unrefined in &branch.unrefined {
-            let [from, to] = unrefined.between.map(|value| shown(variable, value));
-            let text = format!(
-                "{} between {from} and {to}, not found any nearer: a jump, {:.1e} are left",
-                unrefined.kind, unrefined.left
-            );
-            out.more(text);
-        }
-    }
-    out.wrote(files)
+    out
 }
 
 fn forcing(base: &Base) -> String {
@@ -317,16 +235,12 @@ fn search(steady: &Steady) -> String {
 fn put_swings(out: &mut Lines, steady: &Steady) {
     let header = ["swing", "mean", "peak to peak", "rms", "unit"];
     let rows = steady.swings.iter().map(|swing| {
-        let (scale, unit) = match swing.channel.unit() {
-            "m" => (MICRO, "µm"),
-            "rad" => (MICRO, "µrad"),
-            unit => (1.0, unit),
-        };
+        let (unit, scale) = shown_unit(swing.channel.unit());
         let numbers =
             [swing.mean, swing.peak_to_peak, swing.rms].map(|value| digits(scale * value));
         std::iter::once(swing.channel.name().to_owned())
             .chain(numbers)
-            .chain([unit.to_owned()])
+            .chain([unit])
             .collect()
     });
     out.table(header, rows);

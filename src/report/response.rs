@@ -1,15 +1,82 @@
-//! Branches of steady motions over a parameter: their tables and their figure.
+//! Branches of steady motions over a parameter.
 
 use plotters::style::RGBColor;
+use serde::Serialize;
 
+use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, Point, distinct};
+use super::study::{axis_name, column_name, shown};
+use super::table::Table;
+use super::terminal::{Lines, MICRO};
+use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
-use crate::report::figure::{Axis, Curve, Figure, GREY, Name, Panel, Point, distinct};
-use crate::report::study::{axis_name, column_name};
-use crate::report::table::Table;
-use crate::report::terminal::MICRO;
 use crate::shooting::SpecialKind;
 use crate::steady::{Response, ResponsePoint, Swing};
 use crate::study::Variable;
+
+/// Branches of steady motions along a parameter.
+pub fn response_findings<'a>(
+    destination: &Destination<'_>,
+    variable: &Variable,
+    branches: &'a [Response],
+) -> Findings<'a> {
+    let title = destination.title;
+    Findings {
+        set: FileSet::RESPONSE,
+        tables: vec![
+            ("response", points(variable, branches)),
+            ("response_specials", specials(variable, branches)),
+        ],
+        figures: vec![figure(title, variable, branches)],
+        document: destination.document(Summary {
+            over: &variable.key,
+            unit: variable.unit,
+            branches,
+        }),
+        text: text(title, variable, branches),
+    }
+}
+
+/// The branches of a response: their ends and where they turn; the motions stand in `response.csv`.
+#[derive(Serialize)]
+struct Summary<'a> {
+    over: &'a str,
+    unit: &'a str,
+    branches: &'a [Response],
+}
+
+/// Branches, where they turn and where their motions change their kind.
+fn text(title: &str, variable: &Variable, branches: &[Response]) -> Lines {
+    let mut out = Lines::titled(title);
+    for (number, branch) in branches.iter().enumerate() {
+        let stable = branch.points.iter().filter(|point| point.stable).count();
+        let text = format!(
+            "{} × the period, {} motions, {stable} of them stable; {}",
+            branch.multiple,
+            branch.points.len(),
+            branch.end
+        );
+        out.line(&format!("branch {}", number + 1), text);
+        for special in &branch.specials {
+            let multiplier = special.point.multipliers.first();
+            let size = multiplier.map_or(f64::NAN, |value| value.norm());
+            let text = format!(
+                "{} at {}, largest multiplier {size:.6}",
+                special.kind,
+                shown(variable, special.point.value)
+            );
+            out.more(text);
+        }
+        for unrefined in &branch.unrefined {
+            let [from, to] = unrefined.between.map(|value| shown(variable, value));
+            let text = format!(
+                "{} between {from} and {to}, not found any nearer: a jump, {:.1e} are left",
+                unrefined.kind, unrefined.left
+            );
+            out.more(text);
+        }
+    }
+    out
+}
 
 /// A motion, the branch that it is on with its number, and what happens there.
 type Row<'a> = (usize, &'a Response, Option<SpecialKind>, &'a ResponsePoint);
@@ -18,7 +85,7 @@ type Row<'a> = (usize, &'a Response, Option<SpecialKind>, &'a ResponsePoint);
 type Measure = (&'static str, fn(&Swing) -> f64);
 
 /// Every motion of every branch, in their order along it.
-pub(super) fn points(variable: &Variable, branches: &[Response]) -> Table {
+fn points(variable: &Variable, branches: &[Response]) -> Table<'static> {
     let rows = numbered(branches).flat_map(|(number, branch)| {
         let points = branch.points.iter();
         points.map(move |point| (number, branch, None, point))
@@ -27,7 +94,7 @@ pub(super) fn points(variable: &Variable, branches: &[Response]) -> Table {
 }
 
 /// Where branches turn or their motions change their kind.
-pub(super) fn specials(variable: &Variable, branches: &[Response]) -> Table {
+fn specials(variable: &Variable, branches: &[Response]) -> Table<'static> {
     let rows = numbered(branches).flat_map(|(number, branch)| {
         let specials = branch.specials.iter();
         specials.map(move |special| (number, branch, Some(special.kind), &special.point))
@@ -39,7 +106,12 @@ fn numbered(branches: &[Response]) -> impl Iterator<Item = (usize, &Response)> {
     (1..).zip(branches)
 }
 
-fn table(variable: &Variable, branches: &[Response], rows: &[Row<'_>], kinds: bool) -> Table {
+fn table(
+    variable: &Variable,
+    branches: &[Response],
+    rows: &[Row<'_>],
+    kinds: bool,
+) -> Table<'static> {
     let points = || rows.iter().map(|(.., point)| *point);
     let mut table = Table::default();
     table.counts("branch", rows.iter().map(|(number, ..)| *number as f64));
@@ -84,7 +156,7 @@ fn table(variable: &Variable, branches: &[Response], rows: &[Row<'_>], kinds: bo
 const HEIGHT: u32 = 242;
 
 /// A panel a displacement; what is not stable is grey, marks stand where branches turn or change.
-pub(super) fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
+fn figure(title: &str, variable: &Variable, branches: &[Response]) -> Figure {
     let points = || branches.iter().flat_map(|branch| &branch.points);
     let values = points().map(|point| variable.shown(point.value));
     let axis = Axis::spanning(axis_name(variable), values);

@@ -1,19 +1,26 @@
-//! What is drawn over time.
+//! What is drawn over time: by figures as an envelope, by pages with parts of it sample by sample.
 
 use std::collections::VecDeque;
 
 use serde_json::{Value, json};
 
-use super::curve::{BUCKETS, Panel, curve, narrow};
+use super::envelope::{BUCKETS, Decimator};
+use super::figure::{Axis, Curve, Figure, Panel, distinct};
+use super::page::{PagePanel, curve, narrow};
+use super::terminal::{MICRO, NAMES, shown_unit};
 use crate::analysis::Channel;
-use crate::report::terminal::MICRO;
-use crate::report::{Bucket, Decimator};
 use crate::rotor::Sample;
 
+/// Height of up to three panels of a figure together, px.
+const HEIGHT: u32 = 486;
+/// Height of a panel of more, px.
+const PANEL_HEIGHT: u32 = 120;
 /// Samples at the end that are shown one by one.
 const LAST: usize = 2048;
 /// Samples before and after an event that are.
 const AROUND: usize = 256;
+/// What changes by less than this part of the largest value of its unit does not change.
+const ROUND_OFF: f64 = 1e-9;
 /// Events around which they are: the first ones.
 const MOST_EVENTS: usize = 4;
 
@@ -45,9 +52,9 @@ const FURTHER: [(Channel, &str); 5] = [
     (Channel::STORED_ENERGY, "stored energy"),
 ];
 
-/// Every quantity that the page draws over time.
+/// Every quantity that figure and page draw over time.
 #[derive(Debug, Clone)]
-pub(super) struct Histories {
+pub struct Histories {
     histories: Vec<History>,
     /// Samples that the stretch around an event still takes.
     open: usize,
@@ -95,10 +102,52 @@ impl Histories {
         self.open = self.open.saturating_sub(1);
     }
 
-    /// One panel each, but for what is unknown and for what says nothing because it never changes.
-    pub fn panels(&self) -> Vec<Value> {
-        let told = self.histories.iter().filter(|history| history.tells());
-        told.map(History::panel).collect()
+    /// A panel for each displacement, one below the other over the same time, which the last one names.
+    pub(crate) fn figure(&self, file: &str, title: &str) -> Figure {
+        let displacements = self.histories.iter();
+        let displacements: Vec<_> = displacements
+            .filter(|history| matches!(history.channel, Channel::Displacement(_)))
+            .collect();
+        let times = displacements.first().map(|history| history.envelope.ends());
+        let time = match times.flatten() {
+            Some([start, end]) if end > start => start..end,
+            _ => 0.0..1.0,
+        };
+        let count = displacements.len();
+        let height = match count {
+            0..=3 => HEIGHT / count.max(1) as u32,
+            _ => PANEL_HEIGHT,
+        };
+        let panels = displacements.iter().enumerate().map(|(index, history)| {
+            let name = if index + 1 == count { "time in s" } else { "" };
+            let points = history.envelope.points();
+            let points = points.map(|(time, value)| (time, MICRO * value));
+            let curve = Curve::line(distinct(index), points.collect());
+            let time = Axis::over(name, time.clone());
+            Panel::of(time, axis_name(history.channel), height, vec![curve])
+        });
+        Figure::new(file, title, 1, panels.collect())
+    }
+
+    /// One panel of the page each, but for what is unknown and for what does not change: no more than round-off
+    /// beside the largest value of its unit.
+    pub(super) fn page_panels(&self) -> Vec<Value> {
+        let magnitude = |unit: &str| {
+            let alike = self.histories.iter();
+            let alike = alike.filter(|history| history.channel.unit() == unit);
+            alike
+                .map(|history| history.envelope.magnitude())
+                .fold(0.0, f64::max)
+        };
+        let changes = |history: &&History| {
+            let round_off = ROUND_OFF * magnitude(history.channel.unit());
+            history
+                .envelope
+                .range()
+                .is_some_and(|[low, high]| high - low > round_off)
+        };
+        let changing = self.histories.iter().filter(changes);
+        changing.map(History::page_panel).collect()
     }
 }
 
@@ -154,27 +203,13 @@ impl History {
         places
     }
 
-    /// Displacements and forces always tell; anything else only where it changes.
-    fn tells(&self) -> bool {
-        let mut values = self.envelope.buckets();
-        let Some(first) = values.next() else {
-            return false;
-        };
-        let constant = |bucket: Bucket| bucket.low() == first.low() && bucket.high() == first.low();
-        self.channel.freedom().is_some() || !(constant(first) && values.all(constant))
-    }
-
-    fn panel(&self) -> Value {
+    fn page_panel(&self) -> Value {
         let named = FURTHER.iter().find(|(channel, _)| *channel == self.channel);
         let name = named.map_or(self.channel.name(), |(_, name)| name);
-        let (scale, unit) = match self.channel.unit() {
-            "m" => (MICRO, "µm"),
-            "rad" => (MICRO, "µrad"),
-            unit => (1.0, unit),
-        };
-        let panel = Panel {
+        let (unit, scale) = shown_unit(self.channel.unit());
+        let panel = PagePanel {
             name,
-            unit,
+            unit: &unit,
             over: ["time", "s"],
             shown: None,
             logarithmic: false,
@@ -191,6 +226,15 @@ impl History {
         json["band"] = json!({ "low": edge(0), "high": edge(1) });
         json
     }
+}
+
+/// Quantity and unit, as `x in µm`.
+fn axis_name(channel: Channel) -> String {
+    let name = match channel {
+        Channel::Displacement(freedom) => NAMES[freedom],
+        other => other.name(),
+    };
+    format!("{name} in µ{}", channel.unit())
 }
 
 #[cfg(test)]

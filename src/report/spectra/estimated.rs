@@ -1,0 +1,329 @@
+//! The spectra that a scenario asks for: a table each, how each was made, and what is shown of it.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use super::shown::{FREQUENCY, ORDER, ShownSpectrum};
+use crate::analysis::{
+    Axis, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity, column_unit,
+};
+use crate::report::figure::Figure;
+use crate::report::table::Table;
+use crate::report::terminal::shown_unit;
+
+/// Name of the table of a spectrum, without the ending of its format.
+pub(in crate::report) fn table_name(spectrum: &EstimatedSpectrum) -> String {
+    format!("spectrum_{}", spectrum.request.name)
+}
+
+/// One row a bin: `f_Hz` and, where the shaft turns steadily, `order`, in the other order over orders; then every
+/// column.
+pub(in crate::report) fn estimated_table(spectrum: &EstimatedSpectrum) -> Table<'_> {
+    let rows = || 0..spectrum.bins();
+    let frequencies = ("f_Hz", rows().map(|k| spectrum.frequency(k)).collect());
+    let orders = ("order", rows().map(|k| spectrum.order(k)).collect());
+    let axes: [(_, Vec<Option<f64>>); 2] = match spectrum.request.axis {
+        Axis::Frequency => [frequencies, orders],
+        Axis::Order => [orders, frequencies],
+    };
+    let mut table = Table::default();
+    for (name, places) in axes {
+        if places.first().is_some_and(Option::is_some) {
+            table.numbers(name, places);
+        }
+    }
+    for of in &spectrum.columns {
+        table.borrowed(column(spectrum, of.quantity), &of.values);
+    }
+    table
+}
+
+/// `x_peak_m`, `x_velocity_rms_m_s`, `force_x_density_N2_per_Hz`, `x_iy_peak_m`,
+/// `force_x_to_x_power_N_m`, `force_x_to_x_phase_rad`, `force_x_to_x_coherence` ….
+fn column(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> String {
+    match quantity {
+        SpectrumQuantity::Value(channel) => scaled(spectrum, quantity, channel.name()),
+        SpectrumQuantity::Phase(channel) => format!("{channel}_phase_rad"),
+        SpectrumQuantity::Rotary(x, _) => {
+            scaled(spectrum, quantity, &x.name().replacen('x', "x_iy", 1))
+        }
+        SpectrumQuantity::Cross(reference, other) => {
+            scaled(spectrum, quantity, &format!("{reference}_to_{other}"))
+        }
+        SpectrumQuantity::CrossPhase(reference, other) => {
+            format!("{reference}_to_{other}_phase_rad")
+        }
+        SpectrumQuantity::Coherence(reference, other) => {
+            format!("{reference}_to_{other}_coherence")
+        }
+    }
+}
+
+fn scaled(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity, name: &str) -> String {
+    let scaling = spectrum.request.scaling.name();
+    let unit = column_unit(&spectrum.unit(quantity));
+    format!("{name}_{scaling}_{unit}{}", per_axis(spectrum, "_per_"))
+}
+
+/// Unit of a column as text.
+fn unit(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> String {
+    let unit = spectrum.unit(quantity);
+    match quantity {
+        SpectrumQuantity::Value(_) | SpectrumQuantity::Rotary(..) | SpectrumQuantity::Cross(..) => {
+            format!("{unit}{}", per_axis(spectrum, "/"))
+        }
+        _ => unit,
+    }
+}
+
+/// The unit of the axis that a density is divided by.
+fn per_axis(spectrum: &EstimatedSpectrum, per: &str) -> String {
+    match spectrum.request.scaling {
+        Scaling::Density => format!("{per}{}", spectrum.request.axis.unit()),
+        _ => String::new(),
+    }
+}
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 340;
+
+/// A panel for every unit, up to `limit` in Hz.
+pub(in crate::report) fn estimated_figure(
+    title: &str,
+    spectrum: &EstimatedSpectrum,
+    limit: f64,
+) -> Figure {
+    let groups = shown_estimates(spectrum, limit);
+    let panels = groups.iter().map(|group| group.panel(HEIGHT));
+    let file = format!("{}.svg", table_name(spectrum));
+    let title = format!("{title}: {}", spectrum.request.name);
+    Figure::new(&file, &title, 1, panels.collect())
+}
+
+/// What is shown, `limit` in Hz at first: powers or amplitudes, columns of one unit together.
+pub(in crate::report) fn shown_estimates(
+    spectrum: &EstimatedSpectrum,
+    limit: f64,
+) -> Vec<ShownSpectrum<'_>> {
+    let request = &spectrum.request;
+    let mut groups = Vec::<ShownSpectrum<'_>>::new();
+    for column in &spectrum.columns {
+        let Some(name) = shown_name(column.quantity) else {
+            continue;
+        };
+        let column_of = (name, Cow::Borrowed(&column.values[..]));
+        let (unit, factor) = shown_unit(&unit(spectrum, column.quantity));
+        match groups.iter_mut().find(|group| group.unit == unit) {
+            Some(group) => group.columns.push(column_of),
+            None => groups.push(ShownSpectrum {
+                name: request.name.clone(),
+                quantity: request.scaling.name().replace('_', " "),
+                unit,
+                factor,
+                over: match request.axis {
+                    Axis::Frequency => FREQUENCY,
+                    Axis::Order => ORDER,
+                },
+                first: spectrum.first,
+                resolution: spectrum.resolution,
+                shown: shown_places(spectrum, limit),
+                columns: vec![column_of],
+                peaks: Vec::new(),
+            }),
+        }
+    }
+    groups
+}
+
+/// Places that are shown at first: those that lines are found at, `limit` in Hz, if the axis has any.
+fn shown_places(spectrum: &EstimatedSpectrum, limit: f64) -> Range<f64> {
+    let last = spectrum.place(spectrum.bins().saturating_sub(1));
+    let limit = match spectrum.request.axis {
+        Axis::Frequency => limit,
+        Axis::Order if spectrum.shaft_frequency > 0.0 => limit / spectrum.shaft_frequency,
+        Axis::Order => f64::INFINITY,
+    };
+    let end = limit.min(last);
+    match spectrum.request.kind {
+        SpectrumKind::Whirl => spectrum.place(0).max(-end)..end,
+        _ => 0.0..end,
+    }
+}
+
+/// What a curve is called; phases and coherences are not shown.
+fn shown_name(quantity: SpectrumQuantity) -> Option<String> {
+    match quantity {
+        SpectrumQuantity::Value(channel) => Some(channel.name().to_owned()),
+        SpectrumQuantity::Rotary(x, y) => Some(format!("{x} + i {y}")),
+        SpectrumQuantity::Cross(reference, other) => Some(format!("{reference} to {other}")),
+        SpectrumQuantity::Phase(_)
+        | SpectrumQuantity::CrossPhase(..)
+        | SpectrumQuantity::Coherence(..) => None,
+    }
+}
+
+/// File, settings, record and averages of a spectrum.
+#[derive(Debug, Serialize)]
+pub(in crate::report) struct EstimatedSummary<'a> {
+    table: String,
+    name: &'a str,
+    kind: &'static str,
+    channels: Vec<&'static str>,
+    over: &'static str,
+    scaling: &'static str,
+    /// The scaling in words.
+    meaning: String,
+    /// `one` or `two`: whether negative frequencies stand apart.
+    sides: &'static str,
+    window: &'static str,
+    coherent_gain: f64,
+    detrend: &'static str,
+    /// Samples of the record.
+    samples: usize,
+    start_s: f64,
+    end_s: f64,
+    segment_samples: usize,
+    overlap_samples: usize,
+    averages: usize,
+    columns: Vec<ColumnSummary>,
+    noise_bandwidth_bins: f64,
+    #[serde(flatten)]
+    axis: Map<String, Value>,
+    #[serde(rename = "shaft_frequency_Hz", skip_serializing_if = "Option::is_none")]
+    shaft_frequency: Option<f64>,
+    /// Band of an envelope.
+    #[serde(rename = "band_Hz", skip_serializing_if = "Option::is_none")]
+    band: Option<[f64; 2]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    resampling: Option<ResamplingSummary>,
+}
+
+/// A column of the table.
+#[derive(Debug, Serialize)]
+struct ColumnSummary {
+    name: String,
+    unit: String,
+}
+
+/// How a record over time became one over the angle of the shaft.
+#[derive(Debug, Serialize)]
+struct ResamplingSummary {
+    highest_order: f64,
+    oversampling: usize,
+    share_of_time_too_slow: f64,
+    /// By channel; null: too few samples.
+    interpolation_error: BTreeMap<&'static str, Option<f64>>,
+    interpolation_error_means: &'static str,
+}
+
+impl<'a> From<&'a EstimatedSpectrum> for EstimatedSummary<'a> {
+    fn from(spectrum: &'a EstimatedSpectrum) -> Self {
+        let request = &spectrum.request;
+        let summary = |quantity| ColumnSummary {
+            name: column(spectrum, quantity),
+            unit: unit(spectrum, quantity),
+        };
+        let columns = spectrum.columns.iter();
+        Self {
+            table: table_name(spectrum),
+            name: &request.name,
+            kind: request.kind.name(),
+            channels: request
+                .channels
+                .iter()
+                .map(|channel| channel.name())
+                .collect(),
+            over: request.axis.name(),
+            scaling: request.scaling.name(),
+            meaning: meaning(spectrum),
+            sides: if request.kind == SpectrumKind::Whirl {
+                "two"
+            } else {
+                "one"
+            },
+            window: request.window.name(),
+            coherent_gain: request.window.coherent_gain(),
+            detrend: request.detrend.name(),
+            samples: spectrum.samples,
+            start_s: spectrum.span[0],
+            end_s: spectrum.span[1],
+            segment_samples: spectrum.segment,
+            overlap_samples: spectrum.overlap,
+            averages: spectrum.averages,
+            columns: columns.map(|of| summary(of.quantity)).collect(),
+            noise_bandwidth_bins: request.window.equivalent_noise_bandwidth(),
+            axis: axis(spectrum),
+            shaft_frequency: Some(spectrum.shaft_frequency).filter(|frequency| *frequency > 0.0),
+            band: match request.kind {
+                SpectrumKind::Envelope { band } => Some(band),
+                _ => None,
+            },
+            resampling: spectrum.resampling.as_ref().map(resampled),
+        }
+    }
+}
+
+/// What has the unit of the axis.
+fn axis(spectrum: &EstimatedSpectrum) -> Map<String, Value> {
+    let [rate, unit] = match spectrum.request.axis {
+        Axis::Frequency => ["sampling_rate_Hz", "Hz"],
+        Axis::Order => ["samples_per_revolution", "orders"],
+    };
+    let entries = [
+        (rate.to_owned(), spectrum.rate),
+        (format!("resolution_{unit}"), spectrum.resolution),
+        (format!("noise_bandwidth_{unit}"), spectrum.noise_bandwidth),
+    ];
+    entries
+        .map(|(key, value)| (key, json!(value)))
+        .into_iter()
+        .collect()
+}
+
+/// The scaling in words.
+fn meaning(spectrum: &EstimatedSpectrum) -> String {
+    let of = match spectrum.request.kind {
+        SpectrumKind::Plain => "",
+        SpectrumKind::Envelope { .. } => " of the envelope in band_Hz",
+        SpectrumKind::Whirl => {
+            " of x + iy: positive frequencies turn with the shaft, negative ones against it"
+        }
+        SpectrumKind::Cross => {
+            " of conj(X) Y, X the first channel; the phase is by how much Y leads"
+        }
+    };
+    let what = match (spectrum.request.scaling, spectrum.request.kind) {
+        (Scaling::Peak, SpectrumKind::Whirl) => "radius of the circle",
+        (Scaling::PeakToPeak, SpectrumKind::Whirl) => "diameter of the circle",
+        (Scaling::Peak, _) => "amplitude of the cosine, square root of the averaged power",
+        (Scaling::PeakToPeak, _) => "twice the amplitude, square root of the averaged power",
+        (Scaling::Rms, _) => "root mean square",
+        (Scaling::Power, _) => "mean square (SciPy: spectrum, Matlab: power)",
+        (Scaling::Density, _) => "mean square per unit of the axis (SciPy: density, Matlab: psd)",
+    };
+    let is_phase = |quantity| matches!(quantity, SpectrumQuantity::Phase(_));
+    let mut columns = spectrum.columns.iter();
+    let phase = match columns.any(|column| is_phase(column.quantity)) {
+        true => "; phase of cos(2 pi f t + phase) with t from start_s",
+        false => "",
+    };
+    format!("{what}{of}{phase}")
+}
+
+fn resampled(resampling: &Resampling) -> ResamplingSummary {
+    let errors = resampling.errors.iter();
+    ResamplingSummary {
+        highest_order: 0.5 * resampling.per_revolution as f64,
+        oversampling: resampling.oversampling,
+        share_of_time_too_slow: resampling.coarse_share,
+        interpolation_error: errors
+            .map(|(channel, error)| (channel.name(), *error))
+            .collect(),
+        interpolation_error_means: "root mean square of the error over that of the signal about its \
+                                    mean, extrapolated from samples left out; null: too few samples",
+    }
+}
