@@ -14,4 +14,4 @@ pub use crate::integrate::System;
 pub use crate::report::table::ParquetTable;
 pub use crate::report::table::{CsvTable, MatTable, Origin};
 pub use crate::rotor::{MotionScale, Rotor, StaticProblem};
-pub use crate::simulate::bare::BareRun;
+pub use crate::simulate::passes::BareRun;

@@ -8,13 +8,12 @@ mod leakage;
 mod line_kind;
 mod motion;
 mod noise_floor;
-mod order_sums;
+mod order_tracks;
 mod peaks;
 mod recording;
-mod run_up;
 mod spectrum;
 mod transform;
-mod whole_spectrum;
+mod waterfall;
 mod window;
 
 pub(crate) use aliasing::TopPower;
@@ -34,17 +33,18 @@ pub use motion::{
     ChannelStatistics, ClosedCurve, Drift, Kind, Moments, Motion, PoincarePoint, Recognition,
     Section, SectionKind, VelocityLevel,
 };
-pub(crate) use motion::{LONGEST_PERIOD, MotionParts, MotionRecorder, MotionSettings};
+pub(crate) use motion::{LONGEST_PERIOD, MotionRecorder, MotionSettings};
 #[cfg(test)]
 pub(crate) use motion::{Series, closed_curve, recognise};
 pub(crate) use noise_floor::{NoiseFloor, magnitude};
+pub(crate) use order_tracks::TrackRecorder;
+pub use order_tracks::{OrderTracks, Track, TrackPoint, TrackedOrder};
 #[cfg(test)]
 pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;
 pub use recording::{Recording, SampleGrid};
-pub use run_up::{OrderTracks, Slice, Track, TrackPoint, TrackedOrder, Waterfall};
-pub(crate) use run_up::{TrackRecorder, WaterfallRecorder};
-pub use spectrum::{ChannelSpectrum, Spectrum};
+pub use spectrum::{Analysis, ChannelSpectrum, Spectrum};
 pub(crate) use transform::{Transform, fourier_coefficients};
-pub use whole_spectrum::Analysis;
+pub(crate) use waterfall::WaterfallRecorder;
+pub use waterfall::{Slice, Waterfall};
 pub use window::Window;

@@ -128,7 +128,7 @@ impl HannSpectrum {
         let frequency = (found.maximum as f64 + found.beside) * resolution;
         let line = nearest_cause(frequency, resolution, causes);
         // the periodic window is even about its middle: a line δ bins beside turns by πδ
-        let phase = self.centred.phase(found.maximum, Window::Hann) - PI * found.beside;
+        let phase = self.centred.line(found.maximum, Window::Hann).arg() - PI * found.beside;
         Peak {
             channel,
             frequency,

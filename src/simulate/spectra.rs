@@ -27,7 +27,7 @@ pub(super) fn estimated<'a>(model: &'a Model, recording: Option<&Recording>) -> 
 }
 
 /// What the reader of the spectra should know; lines of a speed that changes over a spectrum's
-/// frequencies are not looked for.
+/// frequencies are not sought.
 pub(super) fn warnings(
     spectrum: Option<&Spectrum>,
     estimates: &[Estimate<'_>],
@@ -77,7 +77,7 @@ fn estimated_top_powers(spectrum: &EstimatedSpectrum) -> Vec<(Channel, TopPower)
 }
 
 /// The channel that is sampled most seldom; a freedom that rests beside the others of its unit is not
-/// looked at for itself.
+/// judged by itself.
 fn aliasing(powers: &[(Channel, TopPower)]) -> Option<String> {
     let loudest = |unit| {
         let same = powers.iter().filter(|(channel, _)| channel.unit() == unit);
@@ -89,7 +89,7 @@ fn aliasing(powers: &[(Channel, TopPower)]) -> Option<String> {
     let (channel, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
     (share > ALIASING).then(|| {
         format!(
-            "aliasing: {:.3} % of the power of {channel} stands in the top tenth of the frequencies, \
+            "aliasing: {:.3} % of the power of {channel} lies in the top tenth of the frequencies, \
              and about as much from above half the sampling rate is folded below it: raise \
              `samples_per_revolution` or `sample_rate` in [output] until it is below {} %",
             100.0 * share,
@@ -111,7 +111,7 @@ fn leakage(spectrum: &Spectrum) -> Option<String> {
     });
     let (channel, leak) = furthest(leaks)?;
     Some(
-        told("spectrum.csv", channel, &leak, spectrum.resolution, "Hz")
+        leakage_text("spectrum.csv", channel, &leak, spectrum.resolution, "Hz")
             + "; the table of peaks is right all the same; window = \"hann\" in [output] leaves narrow \
            skirts, \"flat_top\" shows amplitudes within 1 %",
     )
@@ -132,7 +132,7 @@ fn estimated_leakage(spectrum: &EstimatedSpectrum) -> Option<String> {
         unit => unit,
     };
     Some(
-        told(&file, channel, &leak, spectrum.resolution, unit)
+        leakage_text(&file, channel, &leak, spectrum.resolution, unit)
             + "; window = \"hann\" leaves narrow skirts, \"flat_top\" shows amplitudes within 1 %",
     )
 }
@@ -141,10 +141,10 @@ fn furthest(leaks: impl Iterator<Item = (Channel, Leak)>) -> Option<(Channel, Le
     leaks.max_by(|a, b| a.1.reach().total_cmp(&b.1.reach()))
 }
 
-fn told(file: &str, channel: Channel, leak: &Leak, resolution: f64, unit: &str) -> String {
-    let place = (leak.bin as f64 + leak.offset) * resolution;
+fn leakage_text(file: &str, channel: Channel, leak: &Leak, resolution: f64, unit: &str) -> String {
+    let position = (leak.bin as f64 + leak.offset) * resolution;
     format!(
-        "leakage: in {file} the line of {channel} at {place:.2} {unit} stands {:.2} bins beside its \
+        "leakage: in {file} the line of {channel} at {position:.2} {unit} is {:.2} bins beside its \
          bin under the rectangular window, shows {:.0} % of its amplitude, and hides what is weaker \
          than 1 % of it within {:.1} {unit}",
         leak.offset.abs(),
@@ -173,7 +173,7 @@ fn resampling(name: &str, spectrum: &EstimatedSpectrum) -> Vec<String> {
     warnings.extend(worst.filter(|(_, error)| *error > RESAMPLING).map(|(channel, error)| {
         format!(
             "the spectrum `{name}`: the interpolation of {channel} to equal shaft angles errs by {:.2} \
-             % of its swing: raise `samples_per_revolution` or `sample_rate` in [output]",
+             % of its RMS: raise `samples_per_revolution` or `sample_rate` in [output]",
             100.0 * error
         )
     }));

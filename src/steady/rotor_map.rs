@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::{DMatrix, DVector};
 
 use super::SteadyError;
-use super::places::Places;
+use super::periods::Periods;
 use crate::integrate::{
     Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, States,
     System, variation,
@@ -13,7 +13,7 @@ use crate::integrate::{
 use crate::rotor::{MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
 
-/// Step of a state, in sizes of the motion, over which slopes are looked at where the method gives none.
+/// Step of a state, in sizes of the motion, over which slopes are differenced where the method gives none.
 const STATE_STEP: f64 = 1e-3;
 
 /// Slopes are integrated at least this exactly: the search and the signs of multipliers along a branch rest on them.
@@ -33,8 +33,8 @@ pub(super) struct Solver<'a> {
 #[derive(Clone)]
 pub(super) struct RotorMap<'a> {
     pub rotor: Rotor,
-    pub places: Places,
-    /// What zero and one unit of a scaled state are: the place of rest at the present parameter, and the
+    pub periods: Periods,
+    /// What zero and one unit of a scaled state are: the state of rest at the present parameter, and the
     /// size of the motion at the first.
     pub unit: Scaling,
     pub solver: Solver<'a>,
@@ -45,12 +45,12 @@ pub(super) struct RotorMap<'a> {
 }
 
 impl<'a> RotorMap<'a> {
-    pub fn new(rotor: Rotor, places: Places, solver: Solver<'a>) -> Self {
+    pub fn new(rotor: Rotor, periods: Periods, solver: Solver<'a>) -> Self {
         let scale = rotor.motion_scale(0.1 * solver.settings.tolerance);
         Self {
             unit: rotor.scaling(&scale),
             rotor,
-            places,
+            periods,
             solver,
             scale,
             counters: Counters::default(),
@@ -77,7 +77,7 @@ impl<'a> RotorMap<'a> {
     }
 
     /// States on a grid from a time on.
-    pub fn flight(
+    pub fn trajectory(
         &mut self,
         start: f64,
         state: &[f64],
@@ -99,10 +99,10 @@ impl<'a> RotorMap<'a> {
     /// The state a period after a time.
     fn end(&mut self, start: f64, state: &[f64]) -> Result<Vec<f64>, IntegrateError> {
         let grid = Grid {
-            interval: self.places.circle.period(),
+            interval: self.periods.circle.period(),
             count: 2,
         };
-        let states = self.flight(start, state, grid)?;
+        let states = self.trajectory(start, state, grid)?;
         Ok(states
             .last()
             .map_or_else(|| vec![f64::NAN; state.len()], <[f64]>::to_vec))
@@ -132,7 +132,7 @@ impl<'a> RotorMap<'a> {
             system: &self.rotor,
             start,
         };
-        let (solver, period) = (&self.solver, self.places.circle.period());
+        let (solver, period) = (&self.solver, self.periods.circle.period());
         let settings = Settings {
             tolerance: solver.settings.tolerance.min(SLOPE_TOLERANCE),
             ..solver.settings
@@ -173,17 +173,17 @@ impl ReturnMap for RotorMap<'_> {
     }
 
     fn circle(&self) -> &Circle {
-        &self.places.circle
+        &self.periods.circle
     }
 
     fn image(&mut self, states: &DVector<f64>, slopes: Slopes) -> Result<Image, MapError> {
         let mut end = DVector::zeros(states.len());
         let mut found = Vec::new();
-        for (place, state) in self.states(states).iter().enumerate() {
-            let start = self.places.time(self.places.circle.strobes()[place]);
+        for (node, state) in self.states(states).iter().enumerate() {
+            let start = self.periods.time(self.periods.circle.strobes()[node]);
             let wanted = match slopes {
                 Slopes::None => false,
-                Slopes::First => place == 0,
+                Slopes::First => node == 0,
                 Slopes::All => true,
             };
             let reached = if wanted {
@@ -194,7 +194,7 @@ impl ReturnMap for RotorMap<'_> {
                 self.end(start, state)?
             };
             let size = reached.len();
-            end.as_mut_slice()[size * place..size * (place + 1)]
+            end.as_mut_slice()[size * node..size * (node + 1)]
                 .copy_from_slice(&self.unit.scaled(&reached));
         }
         Ok(Image { end, slopes: found })
@@ -212,22 +212,22 @@ impl Family for RotorMap<'_> {
         let wrong = |error: SteadyError| MapError::Parameter(error.to_string());
         let definition = source(parameter).map_err(MapError::Parameter)?;
         let rotor = Rotor::assemble(&definition).map_err(|error| wrong(error.into()))?;
-        self.places = self.places.of_rotor(&rotor).map_err(wrong)?;
+        self.periods = self.periods.of_rotor(&rotor).map_err(wrong)?;
         self.scale = rotor.motion_scale(0.1 * self.solver.settings.tolerance);
         self.rotor = rotor;
-        // the motion is followed, not the place of rest that it is about
+        // the motion is followed, not the state of rest that it is about
         self.unit.origin = self.scaling().origin;
         self.source = Some((source, parameter));
         Ok(())
     }
 
     fn half_return(&mut self, states: &DVector<f64>) -> Result<Option<DVector<f64>>, MapError> {
-        let Some(half) = self.places.half() else {
+        let Some(half) = self.periods.half() else {
             return Ok(None);
         };
-        let whole = std::mem::replace(&mut self.places, half);
+        let whole = std::mem::replace(&mut self.periods, half);
         let image = self.image(states, Slopes::None);
-        self.places = whole;
+        self.periods = whole;
         Ok(Some(image?.end - states))
     }
 }

@@ -1,7 +1,7 @@
 //! Points of a motion at equal phases of what drives it: Poincaré sections.
 
 use std::f64::consts::TAU;
-use std::{array, fmt};
+use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -82,30 +82,15 @@ impl Section {
         }
     }
 
-    /// Takes samples, the first so many of them once more, and finds the points that at least one stands behind.
-    pub(super) fn record(&mut self, samples: &[Sample], taken: usize) {
-        let order = self.order;
-        let phase = |sample: &Sample| order * sample.angle / TAU + ON_THE_SPOT;
-        // the interval before the last sample waits for the next one
-        let first = taken.max(NODES - 1) - 2;
-        let last = samples.len().saturating_sub(2);
-        if first >= last {
-            return;
-        }
-        let mut number = phase(&samples[first]).floor() + 1.0;
-        let mut index = first;
-        loop {
-            // the first interval that does not end before the point
-            let reaches = |sample: &Sample| phase(sample) >= number;
-            index += samples[index + 1..=last].partition_point(|sample| !reaches(sample));
-            if index >= last {
-                return;
-            }
-            let [before, after] = [index, index + 1].map(|index| phase(&samples[index]));
+    /// Takes four samples that follow each other and finds the points between the middle two, the second included.
+    pub(super) fn record(&mut self, nodes: &[Sample; NODES]) {
+        let phase = |sample: &Sample| self.order * sample.angle / TAU + ON_THE_SPOT;
+        let [before, after] = [1, 2].map(|node: usize| phase(&nodes[node]));
+        let mut number = before.floor() + 1.0;
+        while number <= after {
             let part = ((number - before) / (after - before)).min(1.0);
             let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;
-            let nodes = array::from_fn(|node| samples[index - 1 + node]);
-            self.add(&nodes, number as u64, if missed { 1.0 } else { part });
+            self.add(nodes, number as u64, if missed { 1.0 } else { part });
             number += 1.0;
         }
     }

@@ -5,14 +5,13 @@ use std::sync::atomic::AtomicBool;
 
 use super::numbers::NumberColumn;
 use super::record::{
-    BearingStiffness, Carried, Gathered, Line, Outcome, Point, RunRecord, TraceSeal,
+    BearingStiffness, Carried, Line, Outcome, Point, RunRecord, RunSink, TraceSeal,
 };
 use super::{Keep, Schedule, Turn};
-use crate::analysis::{Channel, Motion, MotionParts, SectionKind, Spectrum};
+use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
 use crate::integrate::IntegrateError;
 use crate::simulate::{
-    Analyses, BallParts, Model, Monitor, Run, SimulateError, SpectrumLines, StaticState, TraceSink,
-    Watched, simulate,
+    Analyses, Model, Monitor, MotionAnalysis, Run, SimulateError, StaticState, TraceSink, simulate,
 };
 use crate::study::plan::Plan;
 
@@ -81,11 +80,11 @@ impl Maker<'_> {
         Ok(records)
     }
 
-    /// The motion of a run as it stands by itself.
+    /// The motion of a run by itself.
     pub(super) fn model_of(&self, turn: Turn, values: &[f64]) -> Result<Model, String> {
         let mut model = (self.model)(values)?;
         model.verify = self.verify_every > 0 && turn.number.is_multiple_of(self.verify_every);
-        model.analyses.motion = true;
+        model.analyses.motion = MotionAnalysis::Kind;
         model.analyses.maps = false;
         Ok(model)
     }
@@ -93,37 +92,28 @@ impl Maker<'_> {
     /// Leaves out all that nothing of what is kept rests on.
     pub(super) fn reduce(&self, model: &mut Model) {
         model.spectra.clear();
-        let lines = self.lines();
-        model.spectrum = model.spectrum.filter(|_| lines.is_some());
-        let analyses = &mut model.analyses;
-        *analyses = Analyses {
-            motion: self.keep.section.is_some(),
-            parts: MotionParts {
-                section: self.keep.section,
-                ..MotionParts::DISPLACEMENTS
+        let highest_order = self.highest_order();
+        model.spectrum = model.spectrum.filter(|_| highest_order.is_some());
+        model.analyses = Analyses {
+            motion: match self.keep.section {
+                None => MotionAnalysis::None,
+                section => MotionAnalysis::Statistics(section),
             },
             maps: false,
-            watched: Watched {
-                forces: false,
-                balls: Some(BallParts::LOADS),
-            },
-            lines: lines.unwrap_or_default(),
+            settled_only: true,
+            highest_order,
         };
-        self.columns
-            .iter()
-            .for_each(|column| (column.ask)(analyses));
+        for column in self.columns {
+            (column.ask)(&mut model.analyses);
+        }
     }
 
-    /// Lines of the spectra; none where nothing rests on them.
-    fn lines(&self) -> Option<SpectrumLines> {
-        let highest = self.columns.iter().filter_map(|column| column.order).max();
-        match (self.keep.highest_order, highest) {
-            // round-off may put the bin of an order just beyond it
-            (Some(kept), highest) => Some(SpectrumLines::UpTo(
-                highest.map_or(kept, |order| kept.max(f64::from(order))) * (1.0 + 1e-9),
-            )),
-            (None, highest) => highest.map(SpectrumLines::Orders),
-        }
+    /// Highest order of the spectra; none where nothing rests on them.
+    fn highest_order(&self) -> Option<f64> {
+        let orders = self.columns.iter().filter_map(|column| column.order);
+        let highest = orders.map(f64::from).chain(self.keep.highest_order);
+        // round-off may put the bin of an order just beyond it
+        highest.reduce(f64::max).map(|order| order * (1.0 + 1e-9))
     }
 
     /// The motion of one run, with the start that the runs before it in its chain lead to.
@@ -164,7 +154,7 @@ impl Maker<'_> {
             carried.start(&mut model);
         }
         self.reduce(&mut model);
-        let mut sink = Gathered::new(&model, self.schedule.carries(), trace);
+        let mut sink = RunSink::new(&model, self.schedule.carries(), trace);
         let mut monitor = Monitor {
             stop: self.stop,
             progress: &mut |_| {},
@@ -190,7 +180,9 @@ impl Maker<'_> {
         Outcome {
             numbers: self.columns.iter().map(|column| column.of(run)).collect(),
             spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
-            points: points.map_or_else(Vec::new, |(motion, section)| places(motion, section)),
+            points: points.map_or_else(Vec::new, |(motion, section)| {
+                section_points(motion, section)
+            }),
             stiffness: if self.keep.bearing_stiffness {
                 bearing_stiffness(&run.equilibrium, speed)
             } else {
@@ -202,7 +194,7 @@ impl Maker<'_> {
     }
 }
 
-/// Amplitudes of the displacements up to an order; all of them where the shaft stands.
+/// Amplitudes of the displacements up to an order; all of them where the shaft does not turn.
 fn lines(spectrum: &Spectrum, highest: f64) -> Vec<Line> {
     let displacements: Vec<_> = spectrum
         .channels
@@ -247,7 +239,7 @@ fn bearing_stiffness(equilibrium: &StaticState, speed: f64) -> Vec<BearingStiffn
         .collect()
 }
 
-fn places(motion: &Motion, kind: SectionKind) -> Vec<Point> {
+fn section_points(motion: &Motion, kind: SectionKind) -> Vec<Point> {
     let moving = motion
         .statistics
         .iter()

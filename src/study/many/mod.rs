@@ -21,6 +21,6 @@ pub struct Keep {
     pub bearing_stiffness: bool,
     /// Whether the trace of every run is kept.
     pub traces: bool,
-    /// When the shaft is looked at, where its places are kept.
+    /// The section whose points are kept, where any are.
     pub section: Option<SectionKind>,
 }
