@@ -49,6 +49,7 @@ pub struct StaticQuestion {
 
 /// Moment and twist of the shaft about its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Twist {
     /// Moment M_z, N m.
     #[serde(rename = "moment_N_m")]

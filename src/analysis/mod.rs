@@ -1,33 +1,33 @@
 //! From samples to spectra: windows, one-sided amplitudes, peaks and what they are.
 
-mod aliasing;
 mod causes;
 mod channel;
-mod estimation;
-mod leakage;
+pub(crate) mod estimation;
+mod hermite;
 mod line_kind;
 mod motion;
 mod noise_floor;
 mod order_tracks;
 mod peaks;
-mod recording;
+pub(crate) mod recording;
+mod sampling_errors;
 mod spectrum;
 mod transform;
 mod waterfall;
 mod window;
 
-pub(crate) use aliasing::TopPower;
 pub(crate) use causes::other_causes;
 pub use causes::{BearingFrequencies, Line, Sources, causes, nearest_cause};
 pub use channel::Channel;
 pub(crate) use channel::column_unit;
+pub(crate) use estimation::estimate;
 pub use estimation::{
     Axis, Detrend, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment, SpectrumColumn,
-    SpectrumKind, SpectrumQuantity, SpectrumRequest, estimate,
+    SpectrumKind, SpectrumQuantity, SpectrumRequest,
 };
 #[cfg(test)]
 pub(crate) use estimation::{Welch, envelope};
-pub(crate) use leakage::{Leak, leak};
+use hermite::Hermite;
 pub use line_kind::LineKind;
 pub use motion::{
     ChannelStatistics, ClosedCurve, Drift, Kind, Moments, Motion, PoincarePoint, Recognition,
@@ -42,8 +42,10 @@ pub use order_tracks::{OrderTracks, Track, TrackPoint, TrackedOrder};
 #[cfg(test)]
 pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;
-pub use recording::{Recording, SampleGrid};
-pub use spectrum::{Analysis, ChannelSpectrum, Spectrum};
+pub(crate) use recording::{Recording, SampleGrid};
+pub(crate) use sampling_errors::{Leak, TopPower, leak};
+pub(crate) use spectrum::Analysis;
+pub use spectrum::{ChannelSpectrum, Spectrum};
 pub(crate) use transform::{Transform, fourier_coefficients};
 pub(crate) use waterfall::WaterfallRecorder;
 pub use waterfall::{Slice, Waterfall};

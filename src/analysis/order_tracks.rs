@@ -14,6 +14,7 @@ const OVERLAP: f64 = 4.0;
 
 /// An order that is tracked.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct TrackedOrder {
     /// What it is called: `1×`, `BPFO`.
     pub name: String,
@@ -23,6 +24,7 @@ pub struct TrackedOrder {
 
 /// Amplitude and phase of one order.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Track {
     /// Peak value in the unit of the channel.
     pub amplitude: f64,

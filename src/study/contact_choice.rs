@@ -46,6 +46,7 @@ pub struct ContactQuestion {
 
 /// The law that was chosen, and why.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ContactChoice {
     /// Largest difference that was allowed.
     pub model_error: f64,
@@ -381,25 +382,22 @@ impl Point {
         question: &ContactQuestion,
         speed: f64,
     ) -> Result<Self, RotorError> {
-        let steady = RotorDefinition {
-            speed,
-            speed_points: Vec::new(),
-            drive: None,
-            ..rotor.clone()
-        };
-        let supports = build_supports(&steady)?;
-        let middle = equilibrium(&steady, &supports)?;
-        let reach = reach(&steady, &supports, question)?;
-        let arm = Support::largest(&supports, Geometry::inner_groove_radius);
+        let steady = rotor.at_constant_speed(speed);
+        let top = Candidate::new(&steady)?;
+        let (middle, _) = top.frozen;
+        let reach = reach(&steady, &top.supports, question)?;
+        let arm = Support::largest(&top.supports, Geometry::inner_groove_radius);
         let active = steady.shaft.freedoms.count();
-        let change = reach * stiffest_freedom(&supports, &middle, speed, active, arm);
+        let (_, stiffness) = top.tangent(&middle, 0.0, speed);
+        let diagonal = |axis| stiffness[(axis, axis)] / lever(axis, arm).powi(2);
+        let change = reach * largest((0..active).map(diagonal));
         let bears = |support: &Support| {
             let force = support.force(&middle, &BearingRotation::at_start(speed));
             largest((0..FREEDOMS).map(|axis| force[axis] / lever(axis, arm)))
         };
         Ok(Self {
             speed,
-            force: largest(supports.iter().map(bears)).max(change),
+            force: largest(top.supports.iter().map(bears)).max(change),
             change,
             positions: around(middle, reach, active, arm),
             reach,
@@ -434,21 +432,6 @@ fn around(middle: Vector5, reach: f64, active: usize, arm: f64) -> Vec<Vector5> 
         }
     }
     positions
-}
-
-/// Largest diagonal term of K of the active freedoms as that of a force by a displacement, N/m.
-fn stiffest_freedom(
-    supports: &[Support],
-    position: &Vector5,
-    speed: f64,
-    active: usize,
-    arm: f64,
-) -> f64 {
-    let stiffness = supports.iter().fold(Matrix5::zeros(), |sum, support| {
-        let (_, own) = support.force_and_stiffness(position, &BearingRotation::at_start(speed));
-        sum + own
-    });
-    largest((0..active).map(|axis| stiffness[(axis, axis)] / lever(axis, arm).powi(2)))
 }
 
 /// Displacement of the shaft under its static load.

@@ -1,8 +1,8 @@
 //! Many questions in a row: one number of a scenario takes many values; one scene is run by many methods
 //! and in many configurations.
 
-pub mod accuracy;
-pub mod campbell;
+pub(crate) mod accuracy;
+pub(crate) mod campbell;
 mod contact_choice;
 mod fidelity;
 pub(crate) mod many;

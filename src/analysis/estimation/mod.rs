@@ -15,7 +15,8 @@ pub use welch::{Detrend, Welch, envelope};
 
 use super::spectrum::FEWEST_SAMPLES;
 use super::{Channel, Leak, NoiseFloor, Recording, TopPower, Window, leak};
-use interpolation::{AngleGrid, Interpolation, Motion, Turning};
+use interpolation::{AngleGrid, Interpolation, Turning};
+use request::rate_of;
 
 /// Estimates a spectrum of what was recorded for it.
 ///
@@ -205,16 +206,14 @@ impl<'a> Record<'a> {
 
 /// How a recorded channel runs between its samples.
 fn between_samples(recording: &Recording, channel: Channel) -> Interpolation<'_> {
-    let motion = |freedom| Motion {
-        displacement: recording.channel(Channel::Displacement(freedom)),
-        velocity: recording.channel(Channel::Velocity(freedom)),
-        acceleration: recording.channel(Channel::Acceleration(freedom)),
-        interval: 1.0 / recording.grid.rate,
-    };
-    match channel {
-        Channel::Displacement(freedom) => Interpolation::Quintic(motion(freedom)),
-        Channel::Velocity(freedom) => Interpolation::QuinticRate(motion(freedom)),
-        _ => Interpolation::Values(recording.channel(channel)),
+    let values = recording.channel(channel);
+    match rate_of(channel) {
+        None => Interpolation::Values(values),
+        Some(rate) => Interpolation::Rates {
+            values,
+            rates: recording.channel(rate),
+            interval: 1.0 / recording.grid.rate,
+        },
     }
 }
 

@@ -103,22 +103,21 @@ pub struct SpectrumRequest {
 impl SpectrumRequest {
     /// Channels that it takes to have `channel`, `resampled` at equal angles or as it is.
     ///
-    /// A displacement is interpolated with its first two derivatives, and a velocity as the derivative
-    /// of that; of an envelope, and of accelerations and forces, only values are known.
+    /// A displacement and a velocity are interpolated with their rates; of an envelope, and of accelerations and forces,
+    /// only values are known.
     pub(in crate::analysis) fn sources(&self, channel: Channel, resampled: bool) -> Vec<Channel> {
         let is_plain = !matches!(self.kind, SpectrumKind::Envelope { .. });
-        match channel {
-            Channel::Displacement(freedom) | Channel::Velocity(freedom)
-                if is_plain && resampled =>
-            {
-                vec![
-                    Channel::Displacement(freedom),
-                    Channel::Velocity(freedom),
-                    Channel::Acceleration(freedom),
-                ]
-            }
-            _ => vec![channel],
-        }
+        let rate = rate_of(channel).filter(|_| is_plain && resampled);
+        [channel].into_iter().chain(rate).collect()
+    }
+}
+
+/// The time derivative of a channel, where that is known.
+pub(super) fn rate_of(channel: Channel) -> Option<Channel> {
+    match channel {
+        Channel::Displacement(freedom) => Some(Channel::Velocity(freedom)),
+        Channel::Velocity(freedom) => Some(Channel::Acceleration(freedom)),
+        _ => None,
     }
 }
 
@@ -333,7 +332,7 @@ pub struct Resampling {
     /// Share of the time in which the shaft is so slow that the angles are coarser than the samples:
     /// what is above half their rate folds there.
     pub coarse_share: f64,
-    /// Error of the interpolation of every channel, relative to the root mean square of its swing;
+    /// Error of the interpolation of every channel, relative to the root mean square of its vibration;
     /// `None` where the record is too short to tell.
     pub errors: Vec<(Channel, Option<f64>)>,
 }

@@ -20,6 +20,7 @@ const REFINED: usize = 2;
 
 /// A closed curve through points.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ClosedCurve {
     /// Part of a turn from a point to the next.
     pub rotation: f64,

@@ -155,6 +155,7 @@ const NOISE_BANDWIDTH: f64 = 1.5;
 
 /// RMS of a velocity in a band of frequencies.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct VelocityLevel {
     /// RMS, m/s.
     #[serde(rename = "rms_m_s")]
@@ -191,6 +192,7 @@ pub const SETTLED: f64 = 0.02;
 
 /// How far mean and RMS of a freedom move from the second to the last third of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Drift {
     /// The freedom that moves most, 0 … 4.
     #[serde(skip)]

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 /// Smallest, mean and largest value of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Spread {
     /// Smallest value.
     pub smallest: f64,

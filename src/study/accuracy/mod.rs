@@ -20,7 +20,7 @@ use crate::simulate::{Model, SimulateError};
 use reference::{Reference, Trial};
 use trace::{Distance, View};
 
-pub use fidelity::{Configuration, FidelityLevels, FidelityRow};
+pub use fidelity::{FidelityLevels, FidelityRow};
 pub use reference::{Agreement, Cost, Measured, Row};
 pub use trace::Statistics;
 
