@@ -55,9 +55,12 @@ mod tests {
         let value = |s: f64| 1.0 + s - 0.3 * s.powi(4) + 0.01 * s.powi(7);
         let slope = |s: f64| 1.0 - 1.2 * s.powi(3) + 0.07 * s.powi(6);
         let nodes = [0.0, 1.0, 2.0, 3.0];
-        for place in [1.0, 1.25, 1.5, 2.0] {
-            let found = Hermite::new(0, place).value(nodes.map(value), nodes.map(slope));
-            assert!((found - value(place)).abs() < 1e-14, "{place}: {found}");
+        for position in [1.0, 1.25, 1.5, 2.0] {
+            let found = Hermite::new(0, position).value(nodes.map(value), nodes.map(slope));
+            assert!(
+                (found - value(position)).abs() < 1e-14,
+                "{position}: {found}"
+            );
         }
     }
 
@@ -69,12 +72,12 @@ mod tests {
             let nodes = [0.0, 1.0, 2.0, 3.0];
             let bound = (9.0f64 / 16.0).powi(2) * step.powi(8) / 40_320.0;
             for part in 0..=10 {
-                let place = 1.0 + 0.1 * f64::from(part);
-                let found = Hermite::new(0, place).value(nodes.map(value), nodes.map(slope));
-                let error = found - value(place);
+                let position = 1.0 + 0.1 * f64::from(part);
+                let found = Hermite::new(0, position).value(nodes.map(value), nodes.map(slope));
+                let error = found - value(position);
                 assert!(
                     error.abs() <= bound + 1e-15,
-                    "{step} {place}: {error:e} of {bound:e}"
+                    "{step} {position}: {error:e} of {bound:e}"
                 );
             }
         }

@@ -68,7 +68,7 @@ pub struct OrderTracks {
 /// ```
 ///
 /// with Ψ the length of the window and ψ_j its middle. Orders that are less than about `2/revolutions`
-/// apart are not told apart. What changes within a window is averaged over it.
+/// apart are not separated. What changes within a window is averaged over it.
 pub struct TrackRecorder {
     found: OrderTracks,
     /// Windows that are being filled, the earliest first.
@@ -104,7 +104,7 @@ impl TrackRecorder {
         }
     }
 
-    /// Takes one sample of a run: samples stand at equal times, and the angle does not fall.
+    /// Takes one sample of a run: samples are at equal times, and the angle does not fall.
     pub fn record(&mut self, sample: &Sample) {
         let (angle, speed) = (sample.angle, sample.speed);
         let half = PI * self.found.revolutions;
@@ -181,7 +181,7 @@ impl Fit {
         }
     }
 
-    /// None where the samples do not tell the orders apart.
+    /// None where the samples do not separate the orders.
     fn finish(self, found: &OrderTracks) -> Option<TrackPoint> {
         // only the lower triangle is filled, and only it is read
         let factors = self.gram.cholesky()?;

@@ -8,7 +8,7 @@ use crate::rotor::Sample;
 pub struct SampleGrid {
     /// Samples a second.
     pub rate: f64,
-    /// Frequency of a shaft of constant speed, Hz; zero where it changes or stands.
+    /// Frequency of a shaft of constant speed, Hz; zero where it changes or is at rest.
     pub shaft_frequency: f64,
     /// Samples a revolution, where that is a whole number at constant speed.
     pub per_revolution: Option<u32>,
@@ -33,7 +33,7 @@ impl SampleGrid {
         }
     }
 
-    /// Number of samples of which a record holds a multiple, so that what turns with the shaft stands on a bin.
+    /// Number of samples of which a record holds a multiple, so that what turns with the shaft falls on a bin.
     pub(super) fn block(&self) -> usize {
         self.per_revolution
             .map_or(1, |samples| samples.max(1) as usize)

@@ -53,7 +53,7 @@ impl ChannelSpectrum {
 /// One-sided amplitude spectra of all channels on one frequency axis.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Spectrum {
-    /// Frequency step, Hz; bin k stands at k times this.
+    /// Frequency step, Hz; bin k is at k times this.
     #[serde(rename = "resolution_Hz")]
     pub resolution: f64,
     /// Shaft frequency, Hz; zero where the shaft does not turn.
@@ -115,7 +115,7 @@ pub struct Analysis {
 }
 
 /// On a grid of shaft angle the spectra are taken of the largest whole number of revolutions that fits, the last
-/// ones of the run, so that what turns with the shaft stands on a bin; on a free grid of time, of all samples. There
+/// ones of the run, so that what turns with the shaft falls on a bin; on a free grid of time, of all samples. There
 /// is none where less than one revolution, or too few samples for a spectrum, were recorded.
 impl Recording {
     /// Spectra of recorded channels under `window` and their peaks, named by the nearest of `causes`.

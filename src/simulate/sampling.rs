@@ -92,7 +92,7 @@ pub(super) fn operating_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass>
         return Vec::new();
     }
     let speed = reported_speed(model, rotor);
-    let elsewhere = standing_at(model, rotor, speed);
+    let elsewhere = at_speed(model, rotor, speed);
     operating_at(elsewhere.as_ref().unwrap_or(rotor), speed)
 }
 
@@ -103,7 +103,7 @@ fn operating_at(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
 }
 
 /// The rotor in the equilibrium of another speed than that of its start, where it has one.
-fn standing_at(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
+fn at_speed(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
     let elsewhere = || Rotor::assemble(&model.rotor.at_constant_speed(speed)).ok();
     (speed != rotor.speed()).then(elsewhere).flatten()
 }
@@ -133,8 +133,8 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
             ..Sources::default()
         };
     };
-    let elsewhere = standing_at(model, rotor, speed);
-    let standing = elsewhere.as_ref().unwrap_or(rotor);
+    let elsewhere = at_speed(model, rotor, speed);
+    let rotor_there = elsewhere.as_ref().unwrap_or(rotor);
     let frequencies = |(simulated, operating)| BearingFrequencies {
         simulated,
         operating,
@@ -143,10 +143,10 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
     Sources {
         shaft: speed / TAU,
         bearings: simulated
-            .zip(operating_at(standing, speed))
+            .zip(operating_at(rotor_there, speed))
             .map(frequencies)
             .collect(),
-        natural: standing.natural_frequencies(),
+        natural: rotor_there.natural_frequencies(),
         meshing: rotor.meshing_frequencies(speed),
     }
 }

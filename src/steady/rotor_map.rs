@@ -7,14 +7,11 @@ use nalgebra::{DMatrix, DVector};
 use super::SteadyError;
 use super::periods::Periods;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, States,
-    System, variation,
+    Counters, Grid, IntegrateError, Integration, Scaling, Settings, Shifted, States, System,
+    variation,
 };
 use crate::rotor::{MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
-
-/// Step of a state, in sizes of the motion, over which slopes are differenced where the method gives none.
-const STATE_STEP: f64 = 1e-3;
 
 /// Slopes are integrated at least this exactly: the search and the signs of multipliers along a branch rest on them.
 const SLOPE_TOLERANCE: f64 = 1e-7;
@@ -114,9 +111,6 @@ impl<'a> RotorMap<'a> {
         start: f64,
         state: &[f64],
     ) -> Result<(Vec<f64>, DMatrix<f64>), IntegrateError> {
-        if self.solver.settings.method == Method::Rodas {
-            return self.slopes_by_difference(start, state);
-        }
         let end = self.end(start, state)?;
         let slopes = self.slopes(start, state)?;
         let scale = &self.unit.scale;
@@ -141,29 +135,6 @@ impl<'a> RotorMap<'a> {
         let found = variation(&system, &scaling, &settings, solver.stop, period, state)?;
         self.counters.add(&found.counters);
         Ok(found.slopes)
-    }
-
-    fn slopes_by_difference(
-        &mut self,
-        start: f64,
-        state: &[f64],
-    ) -> Result<(Vec<f64>, DMatrix<f64>), IntegrateError> {
-        let (end, size) = (self.end(start, state)?, state.len());
-        let mut slopes = DMatrix::zeros(size, size);
-        for column in 0..size {
-            let step = STATE_STEP * self.unit.scale[column];
-            let mut side = |step: f64| {
-                let mut moved = state.to_vec();
-                moved[column] += step;
-                self.end(start, &moved)
-            };
-            let (up, down) = (side(step)?, side(-step)?);
-            for row in 0..size {
-                slopes[(row, column)] =
-                    (up[row] - down[row]) / (2.0 * STATE_STEP * self.unit.scale[row]);
-            }
-        }
-        Ok((end, slopes))
     }
 }
 

@@ -147,9 +147,9 @@ pub(super) struct Turning<'a> {
     pub speed: &'a [f64],
 }
 
-/// A place between two samples.
+/// A position between two samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
+pub(super) struct Position {
     /// Sample before.
     pub index: usize,
     /// Part of the interval after it, 0 … 1.
@@ -160,14 +160,14 @@ pub(super) struct Place {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct AngleGrid {
     /// Samples per revolution that the sampling of time resolves at the highest speed: half as many
-    /// orders can be told.
+    /// orders are resolved.
     pub per_revolution: usize,
     /// The grid is this much finer, so that lower speeds lose nothing that would fold.
     pub oversampling: usize,
     /// Share of the time in which even that is coarser than the sampling of time.
     pub coarse_share: f64,
     /// Where its angles are in the record.
-    pub places: Vec<Place>,
+    pub positions: Vec<Position>,
 }
 
 impl AngleGrid {
@@ -207,24 +207,24 @@ impl AngleGrid {
             per_revolution: per_revolution as usize,
             oversampling: oversampling as usize,
             coarse_share: slow.count() as f64 / speed.len() as f64,
-            places: turning.places(rate, angles),
+            positions: turning.positions(rate, angles),
         })
     }
 }
 
 impl Turning<'_> {
     /// Where rising angles are reached.
-    fn places(&self, rate: f64, angles: impl Iterator<Item = f64>) -> Vec<Place> {
+    fn positions(&self, rate: f64, angles: impl Iterator<Item = f64>) -> Vec<Position> {
         let last = self.angle.len().saturating_sub(2);
         let mut index = 0;
-        let place = |angle: f64| {
+        let position = |angle: f64| {
             while index < last && self.angle[index + 1] <= angle {
                 index += 1;
             }
             let fraction = self.fraction(index, 1.0 / rate, angle);
-            Place { index, fraction }
+            Position { index, fraction }
         };
-        angles.map(place).collect()
+        angles.map(position).collect()
     }
 
     /// Part of an interval at whose end an angle is reached, on the cubic through angles and speeds at both ends: exact
@@ -349,11 +349,11 @@ mod tests {
             "{}",
             grid.coarse_share
         );
-        let count = grid.places.len();
+        let count = grid.positions.len();
         assert_eq!(count, 12 * 79 * 8); // 80/2π = 12.7 revolutions
-        for (n, place) in grid.places.iter().enumerate() {
+        for (n, position) in grid.positions.iter().enumerate() {
             let angle = 80.0 - (count - 1 - n) as f64 * TAU / (79.0 * 8.0);
-            let time = (place.index as f64 + place.fraction) / rate;
+            let time = (position.index as f64 + position.fraction) / rate;
             assert!((time - (2.0 * angle / alpha).sqrt()).abs() < 1e-12, "{n}");
         }
     }

@@ -141,13 +141,14 @@ impl<'a> Record<'a> {
                 None => between_samples(recording, *channel),
             };
             errors.push((*channel, interpolation.error()));
-            let places = angles.places.iter();
-            let values = places.map(|place| interpolation.at(place.index, place.fraction));
+            let positions = angles.positions.iter();
+            let values =
+                positions.map(|position| interpolation.at(position.index, position.fraction));
             signals.push(Cow::from(values.collect::<Vec<_>>()));
         }
-        let time = |place: f64| recording.start() + place / rate;
-        let ends = [angles.places.first(), angles.places.last()];
-        let ends = ends.map(|place| place.map_or(0.0, |at| at.index as f64 + at.fraction));
+        let time = |position: f64| recording.start() + position / rate;
+        let ends = [angles.positions.first(), angles.positions.last()];
+        let ends = ends.map(|position| position.map_or(0.0, |at| at.index as f64 + at.fraction));
         let per_revolution = (angles.per_revolution * angles.oversampling) as f64;
         Ok(Self {
             signals,

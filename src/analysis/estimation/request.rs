@@ -36,7 +36,7 @@ pub enum Segment {
     Samples(usize),
 }
 
-/// What a spectrum stands over.
+/// Axis of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Axis {
@@ -96,7 +96,7 @@ pub struct SpectrumRequest {
     pub overlap: f64,
     /// What is taken out of every segment.
     pub detrend: Detrend,
-    /// What it stands over.
+    /// Its axis.
     pub axis: Axis,
 }
 
@@ -190,7 +190,7 @@ impl Scaling {
 struct Factors(Vec<(String, i32)>);
 
 impl Factors {
-    /// `m/s^2` is m¹ s⁻²: the divisors stand after the slash.
+    /// `m/s^2` is m¹ s⁻²: the divisors come after the slash.
     fn read(unit: &str) -> Self {
         let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
         let mut factors = Self(Vec::new());
@@ -315,7 +315,7 @@ pub struct SpectrumColumn {
     pub quantity: SpectrumQuantity,
     /// One value a bin.
     pub values: Vec<f64>,
-    /// Power, and that in the top tenth of the axis, where that tells of aliasing.
+    /// Power, and that in the top tenth of the axis, which shows aliasing.
     pub top_power: Option<TopPower>,
     /// The line that leaks most, where it does.
     pub leak: Option<Leak>,
@@ -349,7 +349,7 @@ pub struct EstimatedSpectrum {
     pub samples: usize,
     /// Samples a second, or per revolution over orders.
     pub rate: f64,
-    /// Frequency of a shaft of constant speed, Hz; zero where it changes or stands.
+    /// Frequency of a shaft of constant speed, Hz; zero where it changes or is at rest.
     pub shaft_frequency: f64,
     /// Samples of a segment.
     pub segment: usize,
@@ -375,7 +375,7 @@ impl EstimatedSpectrum {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
-    /// Where the bin of row `row` stands, Hz or orders.
+    /// Position of the bin of row `row`, Hz or orders.
     pub fn place(&self, row: usize) -> f64 {
         (self.first + row as isize) as f64 * self.resolution
     }

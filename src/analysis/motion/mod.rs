@@ -43,7 +43,7 @@ pub struct MotionSettings {
     pub rate: f64,
     /// Lengths that make displacements of tilts, 1 for those that are lengths.
     pub levers: [f64; FREEDOMS],
-    /// Sections, each with its cycles a revolution; none where the shaft stands.
+    /// Sections, each with its cycles a revolution; none where the shaft does not turn.
     pub sections: Vec<(SectionKind, f64)>,
     /// Whether the kind of the motion is recognised, by the points of the sections.
     pub kind: bool,

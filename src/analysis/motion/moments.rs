@@ -118,6 +118,11 @@ impl Moments {
         (self.highest - self.lowest).max(0.0)
     }
 
+    /// Lowest and highest value; not finite of no values.
+    pub(crate) fn extremes(&self) -> [f64; 2] {
+        [self.lowest, self.highest]
+    }
+
     /// Takes a vibration of an RMS below `floor` for none.
     #[must_use]
     pub(super) fn above(self, floor: f64) -> Self {
@@ -243,14 +248,14 @@ impl DriftRecorder {
     /// Takes a sample.
     pub fn record(&mut self, sample: &Sample) {
         let origin = self.origin.get_or_insert(sample.displacement);
-        let place = (sample.time - self.start) / self.third;
-        let (weights, sums) = match place {
+        let thirds = (sample.time - self.start) / self.third;
+        let (weights, sums) = match thirds {
             1.0..2.0 => &mut self.sums[0],
             2.0..3.0 => &mut self.sums[1],
             _ => return,
         };
         // a Hann window over every third
-        let weight = 0.5 - 0.5 * (TAU * place).cos();
+        let weight = 0.5 - 0.5 * (TAU * thirds).cos();
         *weights += weight;
         for axis in 0..FREEDOMS {
             let distance = sample.displacement[axis] - origin[axis];

@@ -8,13 +8,13 @@ use super::closed_curve::{ClosedCurve, closed_curve};
 use super::{Moments, SectionKind};
 use crate::keys;
 
-/// Longest period that is looked for, cycles of a section.
+/// Longest period that is sought, cycles of a section.
 pub const LONGEST_PERIOD: usize = 12;
 /// Points that come back within this part of the motion repeat.
 const REPEATS: f64 = 1e-3;
 /// Points that a closed curve misses by less than this part of their spread lie on it.
 const ON_CURVE: f64 = 0.02;
-/// Cycles of a period that it must stand.
+/// Repetitions of a period that are compared at least.
 const FEWEST_COMPARED: usize = 3;
 /// Fewest points that a closed curve is sought through.
 const FEWEST_ON_CURVE: usize = 20;
@@ -218,7 +218,7 @@ fn spread(values: &[f64]) -> f64 {
 
 /// Frequencies that are tried.
 const FREQUENCIES: u32 = 100;
-/// Most values that are looked at: the last ones.
+/// Most values that are tested: the last ones.
 const MOST_VALUES: usize = 2000;
 /// Part of the values over which the growth is followed.
 const FOLLOWED: usize = 10;
@@ -255,7 +255,7 @@ pub fn zero_one_test(values: &[f64]) -> f64 {
 /// K_c.
 fn growth(values: &[f64], mean: f64, c: f64) -> f64 {
     let mut sum = [0.0; 2];
-    let walk: Vec<[f64; 2]> = values
+    let path: Vec<[f64; 2]> = values
         .iter()
         .zip(1u32..)
         .map(|(value, n)| {
@@ -268,11 +268,11 @@ fn growth(values: &[f64], mean: f64, c: f64) -> f64 {
     let kept = values.len() - most;
     let (times, distances): (Vec<f64>, Vec<f64>) = (1..=most)
         .map(|m| {
-            let pairs = walk[..kept].iter().zip(&walk[m..]);
+            let pairs = path[..kept].iter().zip(&path[m..]);
             let squares = pairs.map(|(a, b)| (b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2));
             let time = m as f64;
-            let swing = mean * mean * (1.0 - (time * c).cos()) / (1.0 - c.cos());
-            (time, squares.sum::<f64>() / kept as f64 - swing)
+            let oscillation = mean * mean * (1.0 - (time * c).cos()) / (1.0 - c.cos());
+            (time, squares.sum::<f64>() / kept as f64 - oscillation)
         })
         .unzip();
     correlation(&times, &distances)

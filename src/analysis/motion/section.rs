@@ -115,10 +115,10 @@ impl Section {
             displacement: [0.0; FREEDOMS],
             velocity: [0.0; FREEDOMS],
         };
-        let place = 1.0 + part;
-        let [at, later, earlier] =
-            [place, place + SLOPE, place - SLOPE].map(|place| Hermite::<NODES>::new(0, place));
-        let fewer = Hermite::<{ NODES - 1 }>::new(1, place);
+        let position = 1.0 + part;
+        let [at, later, earlier] = [position, position + SLOPE, position - SLOPE]
+            .map(|position| Hermite::<NODES>::new(0, position));
+        let fewer = Hermite::<{ NODES - 1 }>::new(1, position);
         for axis in 0..FREEDOMS {
             let values = nodes.map(|node| node.displacement[axis]);
             let rates = nodes.map(|node| node.velocity[axis] * interval);

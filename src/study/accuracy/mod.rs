@@ -5,7 +5,7 @@
 //! allows; their own distance is the uncertainty of every error. Times are those of the integration by
 //! itself, on one core: the shortest of some runs.
 
-mod fidelity;
+mod levels;
 mod reference;
 mod trace;
 
@@ -20,7 +20,7 @@ use crate::simulate::{Model, SimulateError};
 use reference::{Reference, Trial};
 use trace::{Distance, View};
 
-pub use fidelity::{FidelityLevels, FidelityRow};
+pub use levels::{FidelityLevels, FidelityRow};
 pub use reference::{Agreement, Cost, Measured, Row};
 pub use trace::Statistics;
 
@@ -104,7 +104,7 @@ impl Question<'_> {
         let rotor = Rotor::assemble(&self.model.rotor).map_err(SimulateError::from)?;
         let scale = rotor.motion_scale(self.model.integrator.tolerance);
         let view = View::new(&rotor, &scale, self.model);
-        let levels = fidelity::plan(self.model, self.oils);
+        let levels = levels::plan(self.model, self.oils);
         let parts = (2 + self.methods.len() + levels.len()) as f64;
         let mut done = 0.0;
         let mut advance = |watch: &mut Watch<'_>, by: f64| {
@@ -127,7 +127,7 @@ impl Question<'_> {
             advance(watch, 1.0);
         }
         let stop = watch.stop;
-        let ladder = fidelity::measure(self.model.settle, levels, stop, || advance(watch, 1.0))?;
+        let ladder = levels::measure(self.model.settle, levels, stop, || advance(watch, 1.0))?;
         Ok(Accuracy {
             agreement: reference.agreement,
             rows,
