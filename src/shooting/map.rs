@@ -81,8 +81,12 @@ pub(super) fn residual(
 
 /// States of so many numbers each, mixed by a matrix over the nodes of a closed curve.
 pub fn mixed(matrix: &DMatrix<f64>, states: &DVector<f64>, size: usize) -> DVector<f64> {
-    let columns = DMatrix::from_column_slice(size, matrix.ncols(), states.as_slice());
-    DVector::from_column_slice((columns * matrix.transpose()).as_slice())
+    DVector::from_fn(size * matrix.nrows(), |row, _| {
+        let (node, part) = (row / size, row % size);
+        (0..matrix.ncols())
+            .map(|from| matrix[(node, from)] * states[size * from + part])
+            .sum()
+    })
 }
 
 /// Slopes of the residual: those of the states on the diagonal, less the shift.
