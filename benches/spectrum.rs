@@ -5,9 +5,10 @@ use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use jeffcott::analysis::{
-    Axis, BearingFrequencies, Channel, Detrend, Recording, SampleGrid, Scaling, Segment, Sources,
-    SpectrumKind, SpectrumRequest, Window, causes, estimate,
+    Axis, BearingFrequencies, Channel, Detrend, Scaling, Segment, Sources, SpectrumKind,
+    SpectrumRequest, Window, causes,
 };
+use jeffcott::internals::{Recording, SampleGrid, estimate};
 use jeffcott::physics::ball_pass_frequencies;
 use jeffcott::simulate::Sample;
 

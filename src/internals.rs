@@ -1,7 +1,7 @@
 //! What the benches of this crate measure from inside: for them alone, without any promise.
 
-pub use super::report::run_tables::trace_columns;
-pub use super::scenario::key::time;
+pub use crate::analysis::estimation::estimate;
+pub use crate::analysis::recording::{Recording, SampleGrid};
 pub use crate::bearing::definition::MountedBearing;
 pub use crate::bearing::law::{
     Ball, BallLaw, ContactLaw, ForceLaw, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw,
@@ -10,8 +10,10 @@ pub use crate::bearing::ring::Ring;
 pub use crate::bearing::rotation::BearingRotation;
 pub use crate::bearing::support::Support;
 pub use crate::integrate::System;
+pub use crate::report::run_tables::trace_columns;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;
 pub use crate::report::table::{CsvTable, MatTable, Origin};
 pub use crate::rotor::{MotionScale, Rotor, StaticProblem};
-pub use crate::simulate::bare::BareRun;
+pub use crate::scenario::key::time;
+pub use crate::simulate::passes::BareRun;

@@ -9,23 +9,25 @@
 //! | floor | what it does |
 //! |---|---|
 //! | `cli` | what was typed → exit code, one file a verb |
-//! | [`report`] | results → CSV, JSON, SVG |
+//! | [`report`] | results → CSV, JSON, MAT, Parquet, SVG, pages; comparison of results |
 //! | [`scenario`] | text → checked, typed model; units; every message |
-//! | [`study`] | many static questions in a row; speed against error; the law that a scene needs |
-//! | [`mod@simulate`] | a model in, a run out |
+//! | [`study`] | many questions: one number varied, many runs, natural frequencies over the speed, speed against error, the contact law that a scene needs |
 //! | [`mod@steady`] | a model in, the motion that it settles to out |
+//! | [`mod@simulate`] | a model in, a run out |
 //! | `quasi_static` | a static question in, an answer out; no time passes |
-//! | [`analysis`] | samples → spectra, peaks and their causes, kinds of motion, maps of run-ups |
-//! | `rotor` | shaft, loads, speed, supports → derivative |
+//! | [`analysis`] | the columns of a sample → spectra, peaks and their sources, kinds of motion, maps of run-ups |
+//! | `rotor` | shaft, bearings, loads, speed, drive → the equation of motion, its energy and its linearisation |
 //! | `shooting` | the map over a period → motions that repeat, their stability, their branches |
-//! | `integrate` | derivative → states on a time grid, with error control |
-//! | [`bearing`] | geometry, catalogue, ball laws, ring sum, equilibrium, stiffness |
-//! | [`physics`] | closed-form laws: material, curvature, Hertz contact, kinematics |
+//! | `integrate` | derivative and events → states on a time grid, with error control |
+//! | [`bearing`] | geometry, catalogue, laws of a ball, the ring that sums over balls, equilibrium, life, friction |
+//! | [`physics`] | closed-form laws: material, curvature, Hertz contact, films, kinematics, friction |
 //!
-//! The seam that carries the design is `bearing::BallLaw`: a pure function from the position of a
-//! ball's inner groove centre to the force there, written once for plain numbers, for balls side by side and for
-//! numbers with slopes. A `bearing::Ring` places the balls and sums over them; the `rotor::Rotor`, one
-//! `integrate::System`, never knows which law runs.
+//! Below them `keys` names quantities in results, and `registers` compiles steps for wide registers.
+//!
+//! A ball law, `bearing::BallLaw`, is a pure function from the position of a ball's inner groove centre to the force
+//! there, written once for plain numbers, for balls side by side and for numbers with slopes. A `bearing::Ring`
+//! visits the balls once and sums over them. The `rotor::Rotor` is an `integrate::System` and never knows which law
+//! runs; a `rotor::Sample` is what is observed of it, and [`analysis::Channel`] lists its columns.
 //!
 //! [`seed_paper`] holds no code: it says figure by figure where the paper that the crate started from
 //! and this crate agree, and where they cannot.
@@ -51,7 +53,7 @@
 //! | α0, α | contact angle, free and loaded | `contact_angle`, `angle_inner`, `angle_outer` |
 //! | γ | D cos α0/d_m | `gamma` |
 //! | R_i | radius of the circle of inner groove centres | `inner_groove_radius` |
-//! | A1, A2 | place of the inner groove centre from the outer one | `axial`, `radial` |
+//! | A1, A2 | position of the inner groove centre from the outer one | `axial`, `radial` |
 //! | Q, δ, K_n | ball load, approach, load–deflection constant: Q = K_n δ^1.5 | `load`, `approach`, `load_deflection_constant` |
 //! | e, ω, ψ | mass eccentricity, angular speed and angle of the shaft | `eccentricity`, `speed`, `angle` |
 //! | ω_c, ψ_c | speed and angle of the cage | `cage_speed`, `BearingRotation` |

@@ -1,4 +1,4 @@
-//! The other stair: a [`StaticQuestion`] goes in, a [`QuasiStatic`] answer comes out. No time passes.
+//! A [`StaticQuestion`] goes in, a [`QuasiStatic`] answer comes out. No time passes.
 
 use nalgebra::DMatrix;
 use serde::Serialize;
@@ -37,7 +37,7 @@ pub enum TorsionCause {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct StaticQuestion {
-    /// Shaft, bearings, loads and speed; the active freedoms find their place, the others are held.
+    /// Shaft, bearings, loads and speed; the active freedoms find their equilibrium, the others are held.
     pub rotor: RotorDefinition,
     /// Displacements that are given instead of loads: those freedoms are held there.
     pub(crate) displacement: [Option<f64>; FREEDOMS],
@@ -49,6 +49,7 @@ pub struct StaticQuestion {
 
 /// Moment and twist of the shaft about its axis.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Twist {
     /// Moment M_z, N m.
     #[serde(rename = "moment_N_m")]
@@ -69,7 +70,7 @@ pub struct QuasiStatic {
     /// takes to hold the others.
     #[serde(serialize_with = "keys::force")]
     pub force: Vector5,
-    /// Which freedoms found their own place.
+    /// Which freedoms are free.
     #[serde(serialize_with = "keys::marked")]
     pub free: [bool; FREEDOMS],
     /// K = ∂F/∂q, rows and columns x, y, z, θx, θy.
@@ -108,9 +109,9 @@ pub(crate) fn answer_on(
     if question.unbalance {
         load[0] += rotor.unbalance_force();
     }
-    let place = static_place(rotor, supports, load, &question.displacement)?;
-    let bearings = place.bearing_states(supports, rotor.speed);
-    let (free, equilibrium) = (place.free, place.equilibrium);
+    let found = static_place(rotor, supports, load, &question.displacement)?;
+    let bearings = found.bearing_states(supports, rotor.speed);
+    let (free, equilibrium) = (found.free, found.equilibrium);
     let friction = bearings
         .iter()
         .map(|bearing| bearing.friction_moment.total())
@@ -163,7 +164,7 @@ fn unconstrained(stiffness: &Matrix5, free: &[bool; FREEDOMS]) -> Option<String>
         .collect();
     (!names.is_empty()).then(|| {
         format!(
-            "nothing resists the shaft along {}: no ball bears there, and its place is one of many; \
+            "nothing resists the shaft along {}: no ball bears there, and its position is one of many; \
              add a load or a preload, or hold it",
             names.join(", ")
         )

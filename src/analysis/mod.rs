@@ -1,50 +1,52 @@
 //! From samples to spectra: windows, one-sided amplitudes, peaks and what they are.
 
-mod aliasing;
 mod causes;
 mod channel;
-mod estimation;
-mod leakage;
+pub(crate) mod estimation;
+mod hermite;
 mod line_kind;
 mod motion;
 mod noise_floor;
-mod order_sums;
+mod order_tracks;
 mod peaks;
-mod recording;
-mod run_up;
+pub(crate) mod recording;
+mod sampling_errors;
 mod spectrum;
 mod transform;
-mod whole_spectrum;
+mod waterfall;
 mod window;
 
-pub(crate) use aliasing::TopPower;
 pub(crate) use causes::other_causes;
 pub use causes::{BearingFrequencies, Line, Sources, causes, nearest_cause};
 pub use channel::Channel;
 pub(crate) use channel::column_unit;
+pub(crate) use estimation::estimate;
 pub use estimation::{
     Axis, Detrend, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment, SpectrumColumn,
-    SpectrumKind, SpectrumQuantity, SpectrumRequest, estimate,
+    SpectrumKind, SpectrumQuantity, SpectrumRequest,
 };
 #[cfg(test)]
 pub(crate) use estimation::{Welch, envelope};
-pub(crate) use leakage::{Leak, leak};
+use hermite::Hermite;
 pub use line_kind::LineKind;
 pub use motion::{
     ChannelStatistics, ClosedCurve, Drift, Kind, Moments, Motion, PoincarePoint, Recognition,
     Section, SectionKind, VelocityLevel,
 };
-pub(crate) use motion::{LONGEST_PERIOD, MotionParts, MotionRecorder, MotionSettings};
+pub(crate) use motion::{LONGEST_PERIOD, MotionRecorder, MotionSettings};
 #[cfg(test)]
 pub(crate) use motion::{Series, closed_curve, recognise};
 pub(crate) use noise_floor::{NoiseFloor, magnitude};
+pub(crate) use order_tracks::TrackRecorder;
+pub use order_tracks::{OrderTracks, Track, TrackPoint, TrackedOrder};
 #[cfg(test)]
 pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;
-pub use recording::{Recording, SampleGrid};
-pub use run_up::{OrderTracks, Slice, Track, TrackPoint, TrackedOrder, Waterfall};
-pub(crate) use run_up::{TrackRecorder, WaterfallRecorder};
+pub(crate) use recording::{Recording, SampleGrid};
+pub(crate) use sampling_errors::{Leak, TopPower, leak};
+pub(crate) use spectrum::Analysis;
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub(crate) use transform::{Transform, fourier_coefficients};
-pub use whole_spectrum::Analysis;
+pub(crate) use waterfall::WaterfallRecorder;
+pub use waterfall::{Slice, Waterfall};
 pub use window::Window;

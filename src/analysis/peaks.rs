@@ -53,24 +53,19 @@ pub(super) fn peaks(
         .collect()
 }
 
-/// The [`MOST_PEAKS`] strongest; of equal ones the lower in frequency first. Noise has a maximum at
-/// every third bin, so they are not all put in order.
+/// The [`MOST_PEAKS`] strongest; of equal ones the lower in frequency first.
 fn strongest_first(mut found: Vec<Refined>) -> Vec<Refined> {
-    let order = |a: &Refined, b: &Refined| {
+    found.sort_by(|a, b| {
         let by_amplitude = b.amplitude.total_cmp(&a.amplitude);
         by_amplitude.then(a.maximum.cmp(&b.maximum))
-    };
-    if found.len() > MOST_PEAKS {
-        found.select_nth_unstable_by(MOST_PEAKS, order);
-        found.truncate(MOST_PEAKS);
-    }
-    found.sort_by(order);
+    });
+    found.truncate(MOST_PEAKS);
     found
 }
 
 /// A maximum between the bins.
 struct Refined {
-    /// The bin that stands above its neighbours.
+    /// The bin that is above its neighbours.
     maximum: usize,
     /// Distance of the line from it, in bins.
     beside: f64,
@@ -96,7 +91,7 @@ impl HannSpectrum {
         }
     }
 
-    /// Bins that stand above both neighbours; the first and the last have only one.
+    /// Bins that are above both neighbours; the first and the last have only one.
     fn maxima(&self) -> impl Iterator<Item = usize> {
         let triples = self.amplitude.windows(3).enumerate();
         triples
@@ -128,7 +123,7 @@ impl HannSpectrum {
         let frequency = (found.maximum as f64 + found.beside) * resolution;
         let line = nearest_cause(frequency, resolution, causes);
         // the periodic window is even about its middle: a line δ bins beside turns by πδ
-        let phase = self.centred.phase(found.maximum, Window::Hann) - PI * found.beside;
+        let phase = self.centred.line(found.maximum, Window::Hann).arg() - PI * found.beside;
         Peak {
             channel,
             frequency,

@@ -8,7 +8,7 @@ use crate::rotor::Sample;
 pub struct SampleGrid {
     /// Samples a second.
     pub rate: f64,
-    /// Frequency of a shaft of constant speed, Hz; zero where it changes or stands.
+    /// Frequency of a shaft of constant speed, Hz; zero where it changes or is at rest.
     pub shaft_frequency: f64,
     /// Samples a revolution, where that is a whole number at constant speed.
     pub per_revolution: Option<u32>,
@@ -33,7 +33,7 @@ impl SampleGrid {
         }
     }
 
-    /// Number of samples of which a record holds a multiple, so that what turns with the shaft stands on a bin.
+    /// Number of samples of which a record holds a multiple, so that what turns with the shaft falls on a bin.
     pub(super) fn block(&self) -> usize {
         self.per_revolution
             .map_or(1, |samples| samples.max(1) as usize)
@@ -41,26 +41,6 @@ impl SampleGrid {
 }
 
 /// Collects columns after the settle time, at equal steps of time.
-///
-/// ```
-/// use jeffcott::analysis::{Channel, Recording, SampleGrid, Window};
-/// use jeffcott::simulate::Sample;
-/// // 1 µm at the shaft frequency of 50 Hz, 64 samples a revolution, 0.1 s of 0.5 s left out.
-/// let mut recording = Recording::new(SampleGrid::of_angle(50.0, 64), 0.1).with([Channel::Displacement(0)]);
-/// for n in 0..=1600 {
-///     let angle = std::f64::consts::TAU * f64::from(n) / 64.0;
-///     recording.record(&Sample {
-///         time: f64::from(n) / 3200.0,
-///         displacement: [1e-6 * angle.cos(), 0.0, 0.0, 0.0, 0.0],
-///         ..Sample::default()
-///     });
-/// }
-/// let analysis = recording.spectrum(&[Channel::Displacement(0)], Window::Rectangular, &[]).unwrap();
-/// assert_eq!(analysis.spectrum.length, 20 * 64);
-/// assert_eq!(analysis.peaks.len(), 1);
-/// assert!((analysis.peaks[0].frequency - 50.0).abs() < 1e-9);
-/// assert!((analysis.peaks[0].amplitude - 1e-6).abs() < 1e-15);
-/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     pub(super) grid: SampleGrid,
@@ -162,5 +142,33 @@ impl Recording {
     /// Time of the first one, s.
     pub(super) fn start(&self) -> f64 {
         self.start.unwrap_or(self.settle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use crate::analysis::Window;
+
+    #[test]
+    fn spectra_are_those_of_whole_revolutions_after_the_settle_time() {
+        // 1 µm at the shaft frequency of 50 Hz, 64 samples a revolution, 0.1 s of 0.5 s left out
+        let x = Channel::Displacement(0);
+        let mut recording = Recording::new(SampleGrid::of_angle(50.0, 64), 0.1).with([x]);
+        for n in 0..=1600 {
+            recording.record(&Sample {
+                time: f64::from(n) / 3200.0,
+                displacement: [1e-6 * (TAU * f64::from(n) / 64.0).cos(), 0.0, 0.0, 0.0, 0.0],
+                ..Sample::default()
+            });
+        }
+        let found = recording.spectrum(&[x], Window::Rectangular, &[]);
+        let found = found.expect("enough samples");
+        assert_eq!(found.spectrum.length, 20 * 64);
+        assert_eq!(found.peaks.len(), 1);
+        assert!((found.peaks[0].frequency - 50.0).abs() < 1e-9);
+        assert!((found.peaks[0].amplitude - 1e-6).abs() < 1e-15);
     }
 }

@@ -1,10 +1,15 @@
-//! One-sided amplitude spectra.
+//! One-sided amplitude spectra of a whole run after the settle time, and their peaks.
 
 use std::f64::consts::PI;
 
+use realfft::RealFftPlanner;
 use serde::Serialize;
 
-use super::{Channel, NoiseFloor, Transform, Window, magnitude};
+use super::peaks::peaks;
+use super::{Channel, Line, NoiseFloor, Peak, Recording, Transform, Window, magnitude};
+
+/// Fewer samples than this make no spectrum: the widest window mixes nine bins.
+pub(super) const FEWEST_SAMPLES: usize = 16;
 
 /// Amplitude and phase of one channel.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,8 +19,7 @@ pub struct ChannelSpectrum {
     /// One-sided amplitudes (peak values) at the spectrum's frequencies; zero but for the mean where all are
     /// round-off.
     pub amplitude: Vec<f64>,
-    /// Phases in rad of `cos(2πft + phase)`, time counted from the start of the window; none where only
-    /// amplitudes were asked for.
+    /// Phases in rad of `cos(2πft + phase)`, time counted from the start of the window.
     pub phase: Vec<f64>,
 }
 
@@ -24,7 +28,7 @@ impl ChannelSpectrum {
     /// taken away before the window, whose skirt around it would hide the lowest lines.
     pub(crate) fn new(channel: Channel, transform: Transform, window: Window) -> Self {
         let (mean, transform) = transform.split_mean();
-        let lines = (1..transform.bins()).map(|k| transform.amplitude_and_phase(k, window));
+        let lines = (1..transform.bins()).map(|k| transform.line(k, window).to_polar());
         let mean = mean.map(|mean| (mean.abs(), if mean < 0.0 { PI } else { 0.0 }));
         let (amplitude, phase) = mean.into_iter().chain(lines).unzip();
         Self {
@@ -49,7 +53,7 @@ impl ChannelSpectrum {
 /// One-sided amplitude spectra of all channels on one frequency axis.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Spectrum {
-    /// Frequency step, Hz; bin k stands at k times this.
+    /// Frequency step, Hz; bin k is at k times this.
     #[serde(rename = "resolution_Hz")]
     pub resolution: f64,
     /// Shaft frequency, Hz; zero where the shaft does not turn.
@@ -97,6 +101,96 @@ impl Spectrum {
     /// Spectrum of one channel, if it was recorded.
     pub fn channel(&self, channel: Channel) -> Option<&ChannelSpectrum> {
         self.channels.iter().find(|entry| entry.channel == channel)
+    }
+}
+
+/// Spectra of a run and their peaks.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Analysis {
+    /// Spectra of all channels.
+    pub spectrum: Spectrum,
+    /// Peaks of all channels, channel by channel, strongest first.
+    pub peaks: Vec<Peak>,
+}
+
+/// On a grid of shaft angle the spectra are taken of the largest whole number of revolutions that fits, the last
+/// ones of the run, so that what turns with the shaft falls on a bin; on a free grid of time, of all samples. There
+/// is none where less than one revolution, or too few samples for a spectrum, were recorded.
+impl Recording {
+    /// Spectra of recorded channels under `window` and their peaks, named by the nearest of `causes`.
+    pub fn spectrum(
+        &self,
+        channels: &[Channel],
+        window: Window,
+        causes: &[Line],
+    ) -> Option<Analysis> {
+        let mut found = Vec::new();
+        let floor = self.noise_floor();
+        let spectrum = self.transformed(channels, window, |spectrum, channel, transform| {
+            let least = floor.below(channel);
+            found.extend(peaks(
+                channel,
+                &transform,
+                spectrum.resolution,
+                causes,
+                least,
+            ));
+            ChannelSpectrum::new(channel, transform, window).above(&floor)
+        })?;
+        Some(Analysis {
+            spectrum,
+            peaks: found,
+        })
+    }
+
+    /// The same up to an order of the shaft, or all of it where the shaft does not turn; without peaks.
+    pub fn lines(
+        &self,
+        channels: &[Channel],
+        window: Window,
+        highest_order: f64,
+    ) -> Option<Spectrum> {
+        let floor = self.noise_floor();
+        self.transformed(channels, window, |spectrum, channel, transform| {
+            let mut entry = ChannelSpectrum::new(channel, transform, window);
+            if spectrum.shaft_frequency > 0.0 {
+                let highest = highest_order * spectrum.shaft_frequency / spectrum.resolution;
+                entry.amplitude.truncate(1 + highest as usize);
+                entry.phase.truncate(1 + highest as usize);
+            }
+            entry.above(&floor)
+        })
+    }
+
+    /// The spectrum that is made of the transforms of some channels.
+    fn transformed(
+        &self,
+        channels: &[Channel],
+        window: Window,
+        mut entry: impl FnMut(&Spectrum, Channel, Transform) -> ChannelSpectrum,
+    ) -> Option<Spectrum> {
+        let (recorded, block) = (self.length(), self.grid.block());
+        let length = recorded / block * block;
+        if length < FEWEST_SAMPLES {
+            return None;
+        }
+        let skipped = recorded - length;
+        let mut spectrum = Spectrum {
+            resolution: self.grid.rate / length as f64,
+            shaft_frequency: self.grid.shaft_frequency,
+            length,
+            start: self.start() + skipped as f64 / self.grid.rate,
+            window,
+            channels: Vec::new(),
+        };
+        let mut planner = RealFftPlanner::new();
+        for &channel in channels {
+            let values = self.channel(channel)[skipped..].to_vec();
+            let transform = Transform::planned(values, &mut planner);
+            spectrum.channels.push(entry(&spectrum, channel, transform));
+        }
+        Some(spectrum)
     }
 }
 

@@ -1,34 +1,9 @@
 //! The discrete Fourier transform of a real signal, and the same seen through any window.
 
-use std::cell::RefCell;
-use std::collections::VecDeque;
-use std::ops::RangeInclusive;
-use std::sync::Arc;
-
+use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
-use realfft::{RealFftPlanner, RealToComplex};
 
 use super::Window;
-
-/// Plans that a thread remembers: the last ones.
-const REMEMBERED: usize = 4;
-
-/// The plan for so many samples. Plans cost more than what they are for, and runs alike have spectra of
-/// the same lengths: each thread remembers its last ones.
-pub(super) fn plan(length: usize) -> Arc<dyn RealToComplex<f64>> {
-    thread_local! {
-        static PLANS: RefCell<VecDeque<Arc<dyn RealToComplex<f64>>>> = const { RefCell::new(VecDeque::new()) };
-    }
-    PLANS.with_borrow_mut(|plans| {
-        if let Some(known) = plans.iter().find(|plan| plan.len() == length) {
-            return Arc::clone(known);
-        }
-        let made = RealFftPlanner::new().plan_fft_forward(length);
-        plans.truncate(REMEMBERED - 1);
-        plans.push_front(Arc::clone(&made));
-        made
-    })
-}
 
 /// Coefficients `c_k = (1/N) Σ_n z_n exp(−2πikn/N)`, k = 0 … N−1, of complex samples over one period.
 pub fn fourier_coefficients(samples: &[Complex<f64>]) -> Vec<Complex<f64>> {
@@ -55,15 +30,11 @@ pub struct Transform {
 impl Transform {
     /// Transforms samples of any number.
     pub fn new(samples: Vec<f64>) -> Self {
-        if samples.is_empty() {
-            return Self::planned(samples, &mut RealFftPlanner::new());
-        }
-        let plan = plan(samples.len());
-        Self::by_plan(samples, plan.as_ref())
+        Self::planned(samples, &mut RealFftPlanner::new())
     }
 
     /// The same with a planner that remembers the lengths it has met.
-    pub(super) fn planned(samples: Vec<f64>, planner: &mut RealFftPlanner<f64>) -> Self {
+    pub(super) fn planned(mut samples: Vec<f64>, planner: &mut RealFftPlanner<f64>) -> Self {
         let length = samples.len();
         if length == 0 {
             return Self {
@@ -71,12 +42,7 @@ impl Transform {
                 bins: Vec::new(),
             };
         }
-        Self::by_plan(samples, planner.plan_fft_forward(length).as_ref())
-    }
-
-    /// The same by a plan for this number of samples.
-    pub(super) fn by_plan(mut samples: Vec<f64>, plan: &dyn RealToComplex<f64>) -> Self {
-        let length = samples.len();
+        let plan = planner.plan_fft_forward(length);
         let mut bins = plan.make_output_vec();
         plan.process(&mut samples, &mut bins)
             .expect("the output was made by the plan for this very length");
@@ -108,43 +74,19 @@ impl Transform {
         (self.bins.first().map(|bin| bin.re), self.without_mean())
     }
 
-    /// One-sided amplitude (peak value) at bin `k` under `window`.
+    /// One-sided line at bin `k` under `window`: its magnitude is the peak value, its argument the phase in rad of
+    /// `cos(2πft + phase)`, t from the first sample.
     ///
     /// Every line inside counts twice, for its image at −f; the mean and the line at half the
     /// sampling rate have none.
+    pub fn line(&self, k: usize, window: Window) -> Complex<f64> {
+        let sides = if self.has_image(k) { 2.0 } else { 1.0 };
+        self.windowed(k, window) * sides
+    }
+
+    /// Magnitude of [`Transform::line`].
     pub fn amplitude(&self, k: usize, window: Window) -> f64 {
-        let sides = if self.has_image(k) { 2.0 } else { 1.0 };
-        sides * self.windowed(k, window).norm()
-    }
-
-    /// Sum over bins of half the square of [`Transform::amplitude`] under a Hann window: the mean square of the
-    /// lines there, each as often as its lobe counts it.
-    pub(super) fn mean_square(&self, bins: RangeInclusive<usize>) -> f64 {
-        // bins with an image and with a bin at either side: X_k − (X_{k−1} + X_{k+1})/2
-        let highest = self.bins.len().saturating_sub(1);
-        let inner = bins.start().saturating_sub(1)..(bins.end() + 2).min(highest + 1);
-        let inner = self.bins.get(inner).unwrap_or_default().windows(3);
-        let squares = inner.map(|around| (around[1] - (around[0] + around[2]) * 0.5).norm_sqr());
-        let inner: f64 = squares.sum();
-        let edges = [0, highest].into_iter();
-        let edges = edges.filter(|k| bins.contains(k) && *k < self.bins.len());
-        let edge = |k| {
-            let half = if self.has_image(k) { 2.0 } else { 0.5 };
-            half * self.windowed(k, Window::Hann).norm_sqr()
-        };
-        2.0 * inner + edges.map(edge).sum::<f64>()
-    }
-
-    /// [`Transform::amplitude`] and [`Transform::phase`] of bin `k`.
-    pub(super) fn amplitude_and_phase(&self, k: usize, window: Window) -> (f64, f64) {
-        let sides = if self.has_image(k) { 2.0 } else { 1.0 };
-        let line = self.windowed(k, window);
-        (sides * line.norm(), line.arg())
-    }
-
-    /// Phase in rad of `cos(2πft + phase)` at bin `k` under `window`, t from the first sample.
-    pub fn phase(&self, k: usize, window: Window) -> f64 {
-        self.windowed(k, window).arg()
+        self.line(k, window).norm()
     }
 
     fn has_image(&self, k: usize) -> bool {
@@ -184,23 +126,6 @@ mod tests {
     use super::*;
     use nalgebra::Complex;
     use std::f64::consts::TAU;
-
-    #[test]
-    fn the_mean_square_of_bins_is_that_of_their_amplitudes() {
-        for length in [16_u32, 17] {
-            let value = |n| (0.4 + 1.7 * f64::from(n)).sin() + 0.3 * f64::from(n % 5);
-            let transform = Transform::new((0..length).map(value).collect());
-            let last = transform.bins() - 1;
-            for bins in [0..=last, 1..=last, 1..=1, 2..=last - 1, last..=last] {
-                let amplitudes = bins.clone().map(|k| transform.amplitude(k, Window::Hann));
-                let expected: f64 = amplitudes
-                    .map(|amplitude| 0.5 * amplitude * amplitude)
-                    .sum();
-                let found = transform.mean_square(bins.clone());
-                assert!((found / expected - 1.0).abs() < 1e-13, "{length} {bins:?}");
-            }
-        }
-    }
 
     #[test]
     fn coefficients_of_a_turning_pointer() {

@@ -10,7 +10,7 @@ use crate::scenario;
 use crate::simulate::Model;
 use crate::study::accuracy::{Accuracy, AccuracyError, NamedMethod, Question, Watch};
 
-/// Measures speed against error: what each method and tolerance buys, and what each rung of the physics
+/// Measures speed against error: what each method and tolerance buys, and what each fidelity level of the physics
 /// costs and changes.
 ///
 /// Errors are measured against a reference that two different methods agree on, at tolerances as tight as

@@ -6,7 +6,7 @@ use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, disti
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, or_dash, wrapped};
 use super::{Destination, FileSet, Findings};
-use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, LadderRow, Measured, Row};
+use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, FidelityRow, Measured, Row};
 
 /// Reference, methods and ladder of a measurement.
 pub fn accuracy_findings<'a>(
@@ -81,7 +81,7 @@ fn methods_table(accuracy: &Accuracy) -> Table<'static> {
     table
 }
 
-/// The rungs.
+/// The fidelity levels.
 fn ladder_table(accuracy: &Accuracy) -> Table<'static> {
     let rows = || accuracy.ladder.rows.iter();
     let measured = || rows().map(|row| row.result.as_ref().ok());
@@ -218,7 +218,7 @@ const SPREAD: [ErrorColumn; 4] = [
     ("force\nrms", |errors| short(errors.force_statistics.rms)),
 ];
 
-/// Columns of a rung, as those of a method.
+/// Columns of a fidelity level, as those of a method.
 fn rung_errors(irregular: bool) -> &'static [ErrorColumn] {
     if irregular { &SPREAD } else { &VIBRATION }
 }
@@ -251,7 +251,7 @@ fn put_ladder(out: &mut Lines, accuracy: &Accuracy) {
     let cells = rows.iter().filter_map(|row| ladder_cells(row, accuracy));
     out.table(header.into_iter().chain(titles(errors)), cells);
     out.put(
-        "relative to the rms of the top rung's vibration after the settle time; place: of its middle",
+        "relative to the rms of the vibration of the highest level after the settle time; place: of its middle",
     );
     for row in rows {
         if let Err(reason) = &row.result {
@@ -261,7 +261,7 @@ fn put_ladder(out: &mut Lines, accuracy: &Accuracy) {
     out.put("");
 }
 
-fn ladder_cells(row: &LadderRow, accuracy: &Accuracy) -> Option<Vec<String>> {
+fn ladder_cells(row: &FidelityRow, accuracy: &Accuracy) -> Option<Vec<String>> {
     let (cost, errors) = row.result.as_ref().ok()?;
     let is_top = accuracy.ladder.top == Some(row.configuration);
     let mark = match (is_top, row.as_written) {
@@ -307,7 +307,7 @@ fn time(value: f64) -> String {
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 320;
-/// Height of a rung, px.
+/// Height of a row, px.
 const RUNG_HEIGHT: u32 = 30;
 
 /// Quantity on an axis and its name.
@@ -426,15 +426,15 @@ fn mark(index: usize) -> Mark {
     }
 }
 
-/// A row a rung: its cost to the left, its difference from the top rung to the right.
+/// A row a fidelity level: its cost to the left, its difference from the highest one to the right.
 fn ladder_figure(title: &str, accuracy: &Accuracy) -> Figure {
     let rows = accuracy.ladder.rows.iter();
-    let rows: Vec<&LadderRow> = rows.filter(|row| row.result.is_ok()).collect();
-    let cost = |row: &LadderRow| {
+    let rows: Vec<&FidelityRow> = rows.filter(|row| row.result.is_ok()).collect();
+    let cost = |row: &FidelityRow| {
         let (cost, _) = row.result.as_ref().ok()?;
         Some(MILLI * cost.seconds / accuracy.duration)
     };
-    let difference = |row: &LadderRow| {
+    let difference = |row: &FidelityRow| {
         let (_, errors) = row.result.as_ref().ok()?;
         let difference = if accuracy.agreement.irregular {
             errors.statistics.rms
@@ -450,18 +450,18 @@ fn ladder_figure(title: &str, accuracy: &Accuracy) -> Figure {
     } else {
         "vibration: rms difference from the top"
     };
-    let rungs = || rows.iter().map(|row| row.configuration.to_string());
+    let levels = || rows.iter().map(|row| row.configuration.to_string());
     // the names stand once, to the left
     let blank = rows.iter().map(|_| String::new());
     let panels = vec![
-        rungs_panel("ms per simulated second", Axis::names(rungs()), &costs, 0),
-        rungs_panel(name, Axis::names(blank), &differences, 1),
+        levels_panel("ms per simulated second", Axis::names(levels()), &costs, 0),
+        levels_panel(name, Axis::names(blank), &differences, 1),
     ];
     Figure::new("ladder.svg", title, 2, panels)
 }
 
-/// A disc a rung over one logarithmic axis; a rung without a value has none.
-fn rungs_panel(name: &str, rungs: Axis, values: &[Option<f64>], colour: usize) -> Panel {
+/// A disc a level over one logarithmic axis; a level without a value has none.
+fn levels_panel(name: &str, levels: Axis, values: &[Option<f64>], colour: usize) -> Panel {
     let axis = Axis::logarithmic(name, values.iter().flatten().copied());
     let height = RUNG_HEIGHT * values.len().max(1) as u32;
     let places = values.iter().enumerate();
@@ -472,6 +472,6 @@ fn rungs_panel(name: &str, rungs: Axis, values: &[Option<f64>], colour: usize) -
     };
     Panel {
         curves: vec![discs],
-        ..Panel::new(axis, rungs, height)
+        ..Panel::new(axis, levels, height)
     }
 }

@@ -14,7 +14,7 @@ use crate::scenario;
 use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, Run, Spread, StaticState, TableUse,
 };
-use crate::study::{ContactChoice, Rung, RungDifference};
+use crate::study::{ContactChoice, Fidelity, FidelityDifference};
 
 /// Peaks shown.
 const PEAKS: usize = 8;
@@ -243,9 +243,9 @@ pub fn contact_choice_text(choice: &ContactChoice) -> String {
     );
     if choice.failure.is_none() {
         choice
-            .rungs
+            .cheaper
             .iter()
-            .for_each(|rung| out.more(rung_text(rung)));
+            .for_each(|level| out.more(level_text(level)));
     }
     out.text()
 }
@@ -256,7 +256,7 @@ fn why_contact(choice: &ContactChoice) -> String {
     }
     let allowed = format!("(allowed {:e})", choice.model_error);
     if choice.chosen == choice.top {
-        return if choice.rungs.is_empty() {
+        return if choice.cheaper.is_empty() {
             "there is none that is cheaper".to_owned()
         } else {
             format!("none that is cheaper stays close to it {allowed}")
@@ -270,22 +270,28 @@ fn why_contact(choice: &ContactChoice) -> String {
     })
 }
 
-fn difference(choice: &ContactChoice, rung: Rung) -> Option<f64> {
-    let found = choice.rungs.iter().find(|other| other.rung == rung)?;
+fn difference(choice: &ContactChoice, level: Fidelity) -> Option<f64> {
+    let found = choice
+        .cheaper
+        .iter()
+        .find(|other| other.fidelity == level)?;
     Some(found.result.as_ref().ok()?.largest())
 }
 
-fn rung_text(rung: &RungDifference) -> String {
-    match &rung.result {
+fn level_text(level: &FidelityDifference) -> String {
+    match &level.result {
         Ok(difference) => format!(
             "{:<12}  force {:.1e}, change {:.1e}, stiffness {:.1e}, worst at {:.1} rad/s",
-            rung.rung.to_string(),
+            level.fidelity.to_string(),
             difference.force,
             difference.change,
             difference.stiffness,
             difference.speed
         ),
-        Err(reason) => format!("{:<12}  not available: {reason}", rung.rung.to_string()),
+        Err(reason) => format!(
+            "{:<12}  not available: {reason}",
+            level.fidelity.to_string()
+        ),
     }
 }
 

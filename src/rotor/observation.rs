@@ -41,11 +41,6 @@ impl Rotor {
         }
     }
 
-    /// Of what [`Rotor::sample`] observes the balls and the bearings' axial forces alone.
-    pub(crate) fn observe_contacts(&self, time: f64, state: &[f64], contacts: &mut BallContacts) {
-        self.observe_bearings(&state[..self.dofs()], &self.speed.at(time), contacts);
-    }
-
     /// What is observed of the motion in a state.
     pub(super) fn observe(
         &self,

@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use super::continuation::{Continuer, Start, is_interrupted};
 use super::{Family, Multipliers, ShootingError, SpecialKind};
 
-/// Parts of a step that a motion of doubled period is first looked for at.
+/// Parts of a step that a motion of doubled period is first sought at.
 const FIRST_PARTS: [f64; 4] = [1.0, 0.2, 0.04, 5.0];
 
 /// How far to follow a branch, and in what steps. The parameter runs from 0 to 1.
@@ -54,7 +54,7 @@ pub struct Special {
     pub after: usize,
 }
 
-/// Where a motion changes its kind between two points of a branch, and the place could not be found: the
+/// Where a motion changes its kind between two points of a branch, and the point could not be found: the
 /// multipliers jump there, as where a contact parts all at once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unrefined {
@@ -62,7 +62,7 @@ pub struct Unrefined {
     pub kind: SpecialKind,
     /// Parameters of both points.
     pub between: [f64; 2],
-    /// The least that was found of that number, zero at the place itself: how far a multiplier stays from
+    /// The least that was found of that number, zero at the point itself: how far a multiplier stays from
     /// the unit circle or, at a fold, the branch from turning.
     pub left: f64,
     /// Number of branch points before it.
@@ -91,7 +91,7 @@ pub struct Branch {
     pub points: Vec<BranchPoint>,
     /// Where they change their kind.
     pub specials: Vec<Special>,
-    /// Where they seem to, without a place that could be found.
+    /// Where they seem to, without a point that could be found.
     pub unrefined: Vec<Unrefined>,
     /// Why it ends.
     pub end: BranchEnd,
@@ -228,7 +228,7 @@ mod tests {
         follow(&mut family, DVector::zeros(1), &plan, &mut |_| true).unwrap()
     }
 
-    /// A multiplier that jumps over −1 has no place where it is −1: the branch says between which points.
+    /// A multiplier that jumps over −1 is −1 at no point: the branch says between which points.
     #[test]
     fn a_jump_of_a_multiplier_is_told_of() {
         let smooth = followed(false);

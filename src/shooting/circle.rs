@@ -1,28 +1,28 @@
-//! Places on a closed curve of states, and trigonometric interpolation between them.
+//! Nodes on a closed curve of states, and trigonometric interpolation between them.
 
 use std::f64::consts::TAU;
 
 use nalgebra::DMatrix;
 
-/// A place may stand beside its even share of the circle by this part of the distance of two places.
+/// A node may lie beside its even share of the circle by this part of the distance of two nodes.
 const UNEVEN: f64 = 0.25;
-/// Periods looked through for places, per place, at first and at most.
+/// Periods searched for nodes, per node, at first and at most.
 const FIRST_SEARCH: u64 = 8;
 const LONGEST_SEARCH: u64 = 1 << 14;
 
-/// States that stand at the same phase of a first forcing, and all around the phase of a second one.
+/// States at the same phase of a first forcing, and all around the phase of a second one.
 ///
 /// The first forcing has the period T, and while it passes the phase of the second one turns by ρ. A
-/// function of that phase is kept by its values at an odd number M of places, as a Fourier series of
-/// (M − 1)/2 harmonics. The places are those that the phase has after whole periods, picked so that
-/// they stand almost evenly: so a system that knows nothing but time can be asked.
+/// function of that phase is kept by its values at an odd number M of nodes, as a Fourier series of
+/// (M − 1)/2 harmonics. The nodes are phases after whole periods, picked so that they are spaced almost
+/// evenly: a system that knows nothing but time can be integrated from them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Circle {
     period: f64,
     rotation: f64,
     strobes: Vec<u64>,
     angles: Vec<f64>,
-    /// Coefficients of the harmonics from values at the places.
+    /// Coefficients of the harmonics from values at the nodes.
     coefficients: DMatrix<f64>,
     shift: DMatrix<f64>,
 }
@@ -40,10 +40,10 @@ impl Circle {
         }
     }
 
-    /// Places for a number of harmonics of a second forcing that turns by `rotation` (rad) in a period
+    /// Nodes for a number of harmonics of a second forcing that turns by `rotation` (rad) in a period
     /// (s); `None` where whole periods do not lead all around, as where both repeat together soon.
     pub fn around(period: f64, rotation: f64, harmonics: usize) -> Option<Self> {
-        let strobes = places(rotation, 2 * harmonics + 1)?;
+        let strobes = nodes(rotation, 2 * harmonics + 1)?;
         let angles: Vec<f64> = strobes.iter().map(|j| phase(rotation, *j)).collect();
         let coefficients = basis(&angles, harmonics).try_inverse()?;
         let shift = basis(&turned(&angles, rotation), harmonics) * &coefficients;
@@ -57,7 +57,7 @@ impl Circle {
         })
     }
 
-    /// The same places with another period, s.
+    /// The same nodes with another period, s.
     pub fn with_period(&self, period: f64) -> Self {
         Self {
             period,
@@ -75,18 +75,18 @@ impl Circle {
         self.rotation
     }
 
-    /// Numbers of whole periods after which the places are passed.
+    /// Numbers of whole periods after which the nodes are passed.
     pub fn strobes(&self) -> &[u64] {
         &self.strobes
     }
 
-    /// The places: phases of the second forcing, rad.
+    /// The nodes: phases of the second forcing, rad.
     pub fn angles(&self) -> &[f64] {
         &self.angles
     }
 
-    /// Number of places.
-    pub fn places(&self) -> usize {
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
         self.angles.len()
     }
 
@@ -95,22 +95,22 @@ impl Circle {
         self.angles.len() / 2
     }
 
-    /// Takes values at the places to those a period on.
+    /// Matrix from values at the nodes to those a period later.
     pub fn shift(&self) -> &DMatrix<f64> {
         &self.shift
     }
 
-    /// What takes values at the places to those a period before.
+    /// Matrix from values at the nodes to those a period before.
     pub fn back(&self) -> DMatrix<f64> {
         self.values_at(&turned(&self.angles, -self.rotation))
     }
 
-    /// Mean, and cosine and sine of every harmonic in turn, from values at the places: a matrix.
+    /// Mean, and cosine and sine of every harmonic in turn, from values at the nodes: a matrix.
     pub fn coefficients(&self) -> &DMatrix<f64> {
         &self.coefficients
     }
 
-    /// What takes values at the places to the values at other phases, rad.
+    /// Matrix from values at the nodes to the values at other phases, rad.
     pub fn values_at(&self, angles: &[f64]) -> DMatrix<f64> {
         basis(angles, self.harmonics()) * &self.coefficients
     }
@@ -143,10 +143,10 @@ fn phase(rotation: f64, strobe: u64) -> f64 {
 }
 
 /// The first whole periods that lead almost evenly around.
-fn places(rotation: f64, count: usize) -> Option<Vec<u64>> {
+fn nodes(rotation: f64, count: usize) -> Option<Vec<u64>> {
     let mut search = FIRST_SEARCH;
     while search <= LONGEST_SEARCH {
-        if let Some(found) = places_within(rotation, count, search * count as u64) {
+        if let Some(found) = nodes_within(rotation, count, search * count as u64) {
             return Some(found);
         }
         search *= 4;
@@ -154,7 +154,7 @@ fn places(rotation: f64, count: usize) -> Option<Vec<u64>> {
     None
 }
 
-fn places_within(rotation: f64, count: usize, search: u64) -> Option<Vec<u64>> {
+fn nodes_within(rotation: f64, count: usize, search: u64) -> Option<Vec<u64>> {
     let mut found: Vec<Option<u64>> = vec![None; count];
     let mut left = count;
     for strobe in 0..search {

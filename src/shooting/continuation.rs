@@ -1,12 +1,16 @@
-//! Predictor and corrector of the continuation along a branch, point by point.
+//! Predictor and corrector of the continuation along a branch, point by point, and where the motion changes its
+//! kind between two of them.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::map::{jacobian, residual};
-use super::multipliers::multipliers;
+use super::multipliers::{Crossing, SpecialKind, multipliers};
 use super::newton::{ShootingError, solve};
-use super::{Branch, BranchEnd, BranchPoint, Continuation, Crossing, Family, MapError, Slopes};
+use super::{
+    Branch, BranchEnd, BranchPoint, Continuation, Family, MapError, Slopes, Special, Unrefined,
+};
 use crate::integrate::IntegrateError;
+use crate::integrate::root::Bracket;
 
 /// Corrections of a point before its step is halved.
 const MOST_CORRECTIONS: usize = 16;
@@ -26,6 +30,13 @@ const STRAIGHT: f64 = 0.85;
 /// Difference of the parameter over which the map is differenced, as a part of the whole range.
 const PARAMETER_STEP: f64 = 1e-5;
 
+/// Points tried to find where a motion changes its kind.
+const MOST_LOCATIONS: usize = 16;
+/// A motion changes its kind where the number that says so is this small,
+const LOCATED: f64 = 1e-6;
+/// and where it does not fall below this, it jumps and has no such point.
+const CONTINUOUS: f64 = 1e-2;
+
 /// Where a branch begins.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Start<'a> {
@@ -40,7 +51,7 @@ pub(super) enum Start<'a> {
 pub(super) struct Node {
     pub point: BranchPoint,
     /// States and parameter.
-    pub place: DVector<f64>,
+    pub unknowns: DVector<f64>,
     pub tangent: DVector<f64>,
     /// Slopes of what is missing by states and parameter.
     pub slopes: DMatrix<f64>,
@@ -53,6 +64,13 @@ impl Node {
     pub fn crossing(&self) -> Crossing {
         let turning = self.tangent[self.tangent.len() - 1];
         Crossing::of(&self.point.multipliers, turning)
+    }
+
+    /// Number of multipliers outside the unit circle. Where it stays, a number that jumps means nothing: a pair
+    /// outside became two real ones there, or the reverse.
+    fn outside(&self) -> usize {
+        let all = self.point.multipliers.values();
+        all.iter().filter(|value| value.norm() >= 1.0).count()
     }
 }
 
@@ -68,10 +86,10 @@ impl Continuer<'_> {
             Start::AtFrom(guess) => {
                 self.family.set(0.0)?;
                 let found = solve(self.family, guess, self.plan.tolerance)?;
-                let place = found.states.push(0.0);
-                let mut towards = DVector::zeros(place.len());
-                towards[place.len() - 1] = 1.0;
-                self.node(place, &towards, 0)
+                let unknowns = found.states.push(0.0);
+                let mut towards = DVector::zeros(unknowns.len());
+                towards[unknowns.len() - 1] = 1.0;
+                self.node(unknowns, &towards, 0)
             }
             Start::Beside(point, direction, distance) => {
                 let origin = point.states.clone().push(point.parameter);
@@ -80,7 +98,7 @@ impl Continuer<'_> {
                 let guess = &origin + &direction * distance;
                 let slopes = self.slopes_at(&guess)?;
                 let mut node = self.corrected(guess, &direction, &slopes)?;
-                let away = &node.place - &origin;
+                let away = &node.unknowns - &origin;
                 if product(&away, &node.tangent) < 0.0 {
                     node.tangent.neg_mut();
                 }
@@ -131,7 +149,7 @@ impl Continuer<'_> {
     /// The next point, and the length of the step to it.
     fn next(&mut self, node: &Node, step: &mut f64) -> Result<(Node, f64), ShootingError> {
         loop {
-            let guess = &node.place + &node.tangent * *step;
+            let guess = &node.unknowns + &node.tangent * *step;
             let found = self.corrected(guess, &node.tangent, &node.slopes);
             let length = *step;
             let smallest = length <= self.plan.least_step;
@@ -151,30 +169,30 @@ impl Continuer<'_> {
     /// Corrects a guess in the plane across a direction, with slopes of about there.
     pub fn corrected(
         &mut self,
-        mut place: DVector<f64>,
+        mut unknowns: DVector<f64>,
         direction: &DVector<f64>,
         slopes: &DMatrix<f64>,
     ) -> Result<Node, ShootingError> {
         let mut factors = bordered(slopes, direction).lu();
         let (mut history, mut before, mut renewals) = (Vec::new(), f64::INFINITY, 0);
         for corrections in 1..=MOST_CORRECTIONS {
-            let missing = self.missing(&place)?;
+            let missing = self.missing(&unknowns)?;
             history.push(missing.amax());
             let correction = factors
                 .solve(&missing.push(0.0))
                 .ok_or(ShootingError::Singular)?;
-            place -= &correction;
+            unknowns -= &correction;
             let size = correction.amax();
             let slow = size > SLOW * before;
             let noise = slow && renewals > 0 && size <= NOISE * self.plan.tolerance;
             if size <= self.plan.tolerance || noise {
-                return self.node(place, direction, corrections);
+                return self.node(unknowns, direction, corrections);
             }
             if !size.is_finite() || (slow && renewals == MOST_RENEWALS) {
                 break;
             }
             if slow {
-                factors = bordered(&self.slopes_at(&place)?, direction).lu();
+                factors = bordered(&self.slopes_at(&unknowns)?, direction).lu();
                 renewals += 1;
             }
             before = size;
@@ -182,32 +200,32 @@ impl Continuer<'_> {
         Err(ShootingError::NotFound { history })
     }
 
-    fn missing(&mut self, place: &DVector<f64>) -> Result<DVector<f64>, ShootingError> {
-        let (states, parameter) = parts(place);
+    fn missing(&mut self, unknowns: &DVector<f64>) -> Result<DVector<f64>, ShootingError> {
+        let (states, parameter) = parts(unknowns);
         self.family.set(parameter)?;
         let image = self.family.image(&states, Slopes::None)?;
         Ok(residual(self.family, &states, &image.end))
     }
 
-    fn slopes_at(&mut self, place: &DVector<f64>) -> Result<DMatrix<f64>, ShootingError> {
-        let (states, parameter) = parts(place);
+    fn slopes_at(&mut self, unknowns: &DVector<f64>) -> Result<DMatrix<f64>, ShootingError> {
+        let (states, parameter) = parts(unknowns);
         self.family.set(parameter)?;
         let image = self.family.image(&states, Slopes::All)?;
-        self.slopes_from(place, &states, &image.end, &image.slopes)
+        self.slopes_from(unknowns, &states, &image.end, &image.slopes)
     }
 
     /// Slopes of what is missing by the states, and by the parameter as a difference.
     fn slopes_from(
         &mut self,
-        place: &DVector<f64>,
+        unknowns: &DVector<f64>,
         states: &DVector<f64>,
         end: &DVector<f64>,
         slopes: &[DMatrix<f64>],
     ) -> Result<DMatrix<f64>, ShootingError> {
         let by_states = jacobian(self.family, slopes);
         let here = residual(self.family, states, end);
-        let mut beside = place.clone();
-        beside[place.len() - 1] += PARAMETER_STEP;
+        let mut beside = unknowns.clone();
+        beside[unknowns.len() - 1] += PARAMETER_STEP;
         let by_parameter = (self.missing(&beside)? - here) / PARAMETER_STEP;
         let columns = by_states.ncols();
         let mut all = by_states.insert_column(columns, 0.0);
@@ -218,18 +236,18 @@ impl Continuer<'_> {
     /// Everything about a point of the branch; its tangent goes along `direction`.
     fn node(
         &mut self,
-        place: DVector<f64>,
+        unknowns: DVector<f64>,
         direction: &DVector<f64>,
         corrections: usize,
     ) -> Result<Node, ShootingError> {
-        let (states, parameter) = parts(&place);
+        let (states, parameter) = parts(&unknowns);
         self.family.set(parameter)?;
         let image = self.family.image(&states, Slopes::All)?;
         let half = self.family.half_return(&states)?;
         let multipliers = multipliers(self.family.circle(), &image.slopes);
-        let slopes = self.slopes_from(&place, &states, &image.end, &image.slopes)?;
-        let mut ahead = DVector::zeros(place.len());
-        ahead[place.len() - 1] = 1.0;
+        let slopes = self.slopes_from(&unknowns, &states, &image.end, &image.slopes)?;
+        let mut ahead = DVector::zeros(unknowns.len());
+        ahead[unknowns.len() - 1] = 1.0;
         let tangent = bordered(&slopes, direction)
             .lu()
             .solve(&ahead)
@@ -241,7 +259,7 @@ impl Continuer<'_> {
                 slopes: image.slopes,
                 multipliers,
             },
-            place,
+            unknowns,
             tangent: normalised(tangent),
             slopes,
             half,
@@ -258,7 +276,7 @@ impl Continuer<'_> {
     ) -> Result<Node, ShootingError> {
         let (from, to) = (before.point.parameter, after.point.parameter);
         let part = (parameter - from) / (to - from);
-        let mut guess = &before.place + (&after.place - &before.place) * part;
+        let mut guess = &before.unknowns + (&after.unknowns - &before.unknowns) * part;
         let last = guess.len() - 1;
         guess[last] = parameter;
         let mut direction = DVector::zeros(guess.len());
@@ -268,6 +286,73 @@ impl Continuer<'_> {
             found.tangent.neg_mut();
         }
         Ok(found)
+    }
+
+    /// Finds where the motion changes its kind between two neighbouring points.
+    fn locate_all(
+        &mut self,
+        before: &Node,
+        after: &Node,
+        length: f64,
+        branch: &mut Branch,
+    ) -> Result<(), ShootingError> {
+        for kind in Crossing::between(&before.crossing(), &after.crossing()) {
+            let found = self.locate(before, after, length, kind)?;
+            let (left, after_points) = (found.crossing().of_kind(kind).abs(), branch.points.len());
+            if left < CONTINUOUS {
+                branch.specials.push(Special {
+                    kind,
+                    point: found.point,
+                    after: after_points,
+                });
+            } else if kind == SpecialKind::Fold || before.outside() != after.outside() {
+                branch.unrefined.push(Unrefined {
+                    kind,
+                    between: [before.point.parameter, after.point.parameter],
+                    left,
+                    after: after_points,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// By the regula falsi, along the tangent of the first point.
+    fn locate(
+        &mut self,
+        before: &Node,
+        after: &Node,
+        length: f64,
+        kind: SpecialKind,
+    ) -> Result<Node, ShootingError> {
+        let value = |node: &Node| node.crossing().of_kind(kind);
+        let mut nearest = if value(before).abs() < value(after).abs() {
+            before.clone()
+        } else {
+            after.clone()
+        };
+        let Some(mut bracket) = Bracket::new([0.0, length], [before, after].map(value)) else {
+            return Ok(nearest);
+        };
+        for _ in 0..MOST_LOCATIONS {
+            let at = bracket.guess();
+            let guess = &before.unknowns + &before.tangent * at;
+            let found = match self.corrected(guess, &before.tangent, &after.slopes) {
+                Err(error) if is_interrupted(&error) => return Err(error),
+                // as near as the neighbouring points are
+                Err(_) => break,
+                Ok(found) => found,
+            };
+            let number = value(&found);
+            if number.abs() < value(&nearest).abs() {
+                nearest = found;
+            }
+            if number.abs() < LOCATED || bracket.length() < self.plan.tolerance {
+                break;
+            }
+            bracket.narrow(at, number);
+        }
+        Ok(nearest)
     }
 }
 
@@ -288,9 +373,9 @@ fn passed_half(before: &Node, after: &Node) -> bool {
 }
 
 /// States and parameter.
-fn parts(place: &DVector<f64>) -> (DVector<f64>, f64) {
-    let states = place.len() - 1;
-    (place.rows(0, states).into_owned(), place[states])
+fn parts(unknowns: &DVector<f64>) -> (DVector<f64>, f64) {
+    let states = unknowns.len() - 1;
+    (unknowns.rows(0, states).into_owned(), unknowns[states])
 }
 
 /// `⟨a, b⟩`

@@ -10,13 +10,13 @@ use crate::integrate::IntegrateError;
 pub enum Slopes {
     /// None.
     None,
-    /// Those of the first state, which stand for all.
+    /// Those of the first state, taken for all.
     First,
     /// Those of every state.
     All,
 }
 
-/// Where states stand after a period.
+/// States after a period.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Image {
     /// The states, one after the other.
@@ -39,13 +39,13 @@ pub enum MapError {
 /// The map of states over one period. States are scaled: a unit is the size of the motion, and zero a
 /// state of rest.
 pub trait ReturnMap {
-    /// How many numbers a state is.
+    /// Number of components of a state.
     fn size(&self) -> usize;
 
-    /// Where the states stand on the closed curve; a point where there is a single one.
+    /// The closed curve of the states; a point where there is a single one.
     fn circle(&self) -> &Circle;
 
-    /// Where states stand after a period.
+    /// States after a period.
     ///
     /// # Errors
     /// [`MapError`] where that is not known.
@@ -79,12 +79,12 @@ pub(super) fn residual(
     end - mixed(map.circle().shift(), states, map.size())
 }
 
-/// States of so many numbers each, mixed by a matrix over the places of a closed curve.
+/// States of so many numbers each, mixed by a matrix over the nodes of a closed curve.
 pub fn mixed(matrix: &DMatrix<f64>, states: &DVector<f64>, size: usize) -> DVector<f64> {
     DVector::from_fn(size * matrix.nrows(), |row, _| {
-        let (place, part) = (row / size, row % size);
+        let (node, part) = (row / size, row % size);
         (0..matrix.ncols())
-            .map(|from| matrix[(place, from)] * states[size * from + part])
+            .map(|from| matrix[(node, from)] * states[size * from + part])
             .sum()
     })
 }
@@ -94,17 +94,13 @@ pub(super) fn jacobian(map: &dyn ReturnMap, slopes: &[DMatrix<f64>]) -> DMatrix<
     let (size, shift) = (map.size(), map.circle().shift());
     let count = shift.nrows();
     DMatrix::from_fn(size * count, size * count, |row, column| {
-        let (place, from) = (row / size, column / size);
+        let (node, from) = (row / size, column / size);
         let (part, of) = (row % size, column % size);
         let own = match slopes {
             [only] => only[(part, of)],
-            all => all[place][(part, of)],
+            all => all[node][(part, of)],
         };
-        let own = if place == from { own } else { 0.0 };
-        own - if part == of {
-            shift[(place, from)]
-        } else {
-            0.0
-        }
+        let own = if node == from { own } else { 0.0 };
+        own - if part == of { shift[(node, from)] } else { 0.0 }
     })
 }

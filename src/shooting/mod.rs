@@ -2,7 +2,7 @@
 //! itself, or a closed curve of states to itself where a second frequency has no common period with the
 //! first.
 //!
-//! A [`ReturnMap`] is all that is known of a system: where states stand after a period, and how that
+//! A [`ReturnMap`] is all that is known of a system: the states after a period, and how that
 //! depends on where they began. [`solve`] finds what returns by Newton's method, [`multipliers`] tells
 //! whether a neighbouring motion comes closer, and [`follow`] goes along a parameter, past turning
 //! points, and finds where the motion changes its kind.
@@ -14,8 +14,6 @@
 mod branch;
 mod circle;
 mod continuation;
-mod crossing;
-mod locate;
 mod map;
 mod multipliers;
 mod newton;
@@ -24,7 +22,6 @@ pub use branch::{
     Branch, BranchEnd, BranchPoint, Continuation, Special, Unrefined, follow, follow_doubled,
 };
 pub use circle::Circle;
-pub use crossing::{Crossing, SpecialKind};
 pub use map::{Family, Image, MapError, ReturnMap, Slopes, mixed};
-pub use multipliers::{Multipliers, multipliers};
+pub use multipliers::{Crossing, Multipliers, SpecialKind, multipliers};
 pub use newton::{Returned, ShootingError, refine, solve};

@@ -1,4 +1,7 @@
-//! Floquet multipliers: by what a small distance from a motion that repeats is multiplied in a period.
+//! Floquet multipliers: by what a small distance from a motion that repeats is multiplied in a period; and what
+//! happens to the motion where one of them leaves the unit circle.
+
+use std::fmt;
 
 use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
@@ -10,7 +13,7 @@ use crate::keys;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum Multipliers {
-    /// Of a motion that repeats, the largest first: it is stable where all stand inside the unit circle.
+    /// Of a motion that repeats, the largest first: it is stable where all lie inside the unit circle.
     Periodic(#[serde(serialize_with = "keys::complex")] Vec<Complex<f64>>),
     /// Magnitudes of those of a motion with two frequencies, the largest first; their arguments have no
     /// meaning of their own, because a neighbouring motion may turn with the second phase.
@@ -65,7 +68,7 @@ pub fn multipliers(circle: &Circle, slopes: &[DMatrix<f64>]) -> Multipliers {
 
 fn sorted(matrix: &DMatrix<f64>) -> Vec<Complex<f64>> {
     let mut values: Vec<Complex<f64>> = matrix.complex_eigenvalues().iter().copied().collect();
-    // a pair stands together, its upper half first
+    // a pair is kept together, its upper half first
     values.sort_by(|a, b| {
         let size = b.norm().total_cmp(&a.norm());
         let close = (a.norm() - b.norm()).abs() <= 1e-12 * a.norm();
@@ -78,8 +81,8 @@ fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
     let (count, size) = (slopes.len(), slopes[0].nrows());
     let back = circle.back();
     let whole = DMatrix::from_fn(size * count, size * count, |row, column| {
-        let (place, from) = (row / size, column / size);
-        back[(place, from)] * slopes[from][(row % size, column % size)]
+        let (node, from) = (row / size, column / size);
+        back[(node, from)] * slopes[from][(row % size, column % size)]
     });
     let mut all: Vec<f64> = whole
         .complex_eigenvalues()
@@ -90,4 +93,103 @@ fn magnitudes(circle: &Circle, slopes: &[DMatrix<f64>]) -> Vec<f64> {
     all.chunks(count)
         .map(|copies| copies[copies.len() / 2])
         .collect()
+}
+
+/// A multiplier counts as real where its imaginary part is below this part of its magnitude.
+const REAL: f64 = 1e-9;
+
+/// What happens to a motion at a value of the parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SpecialKind {
+    /// The branch turns round: a multiplier is 1, and two motions meet and vanish.
+    Fold,
+    /// A multiplier is 1 and the branch does not turn: another one of the same period meets it.
+    Branching,
+    /// A multiplier is −1: a motion of twice the period begins or ends.
+    PeriodDoubling,
+    /// A pair of multipliers lies on the unit circle: a second frequency begins or ends.
+    NeimarkSacker,
+    /// A motion with two frequencies gains or loses its stability.
+    TorusStability,
+}
+
+/// `fold`, `branching`, `period doubling`, `Neimark-Sacker`, `torus stability`.
+impl fmt::Display for SpecialKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Fold => "fold",
+            Self::Branching => "branching",
+            Self::PeriodDoubling => "period doubling",
+            Self::NeimarkSacker => "Neimark-Sacker",
+            Self::TorusStability => "torus stability",
+        })
+    }
+}
+
+/// Numbers that change their sign where a motion changes its kind, in the order of the kinds: the change of the
+/// parameter along the branch, one less the largest real multiplier, one more than the least one, one less the largest
+/// magnitude of a pair, and one less the largest magnitude on a torus.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crossing([f64; 5]);
+
+impl Crossing {
+    /// The numbers of a motion whose branch changes the parameter by `turning`.
+    pub fn of(multipliers: &Multipliers, turning: f64) -> Self {
+        let Multipliers::Periodic(all) = multipliers else {
+            return Self([turning, 1.0, 1.0, 1.0, 1.0 - multipliers.largest()]);
+        };
+        let (mut plus_one, mut minus_one, mut pair) = (1.0_f64, 1.0_f64, 1.0_f64);
+        for value in all {
+            if value.im.abs() <= REAL * value.norm() {
+                plus_one = plus_one.min(1.0 - value.re);
+                minus_one = minus_one.min(1.0 + value.re);
+            } else {
+                pair = pair.min(1.0 - value.norm());
+            }
+        }
+        Self([turning, plus_one, minus_one, pair, 1.0])
+    }
+
+    /// The number that belongs to a kind.
+    pub fn of_kind(&self, kind: SpecialKind) -> f64 {
+        self.0[kind as usize]
+    }
+
+    /// What may happen between two motions of a branch.
+    pub fn between(before: &Self, after: &Self) -> Vec<SpecialKind> {
+        // a zero at a point itself belongs to one of its two sides
+        let changes =
+            |kind: &SpecialKind| (before.of_kind(*kind) < 0.0) != (after.of_kind(*kind) < 0.0);
+        let folds = changes(&SpecialKind::Fold);
+        [
+            SpecialKind::Fold,
+            SpecialKind::Branching,
+            SpecialKind::PeriodDoubling,
+            SpecialKind::NeimarkSacker,
+            SpecialKind::TorusStability,
+        ]
+        .into_iter()
+        // at a fold a multiplier passes 1, and that is all there is to it
+        .filter(|kind| changes(kind) && !(folds && *kind == SpecialKind::Branching))
+        .collect()
+    }
+
+    /// How a motion that is not stable lost its stability, by the multiplier furthest outside.
+    pub fn instability(multipliers: &Multipliers) -> Option<SpecialKind> {
+        if multipliers.is_stable() {
+            return None;
+        }
+        let Multipliers::Periodic(all) = multipliers else {
+            return Some(SpecialKind::TorusStability);
+        };
+        let first = all.first()?;
+        Some(if first.im.abs() > REAL * first.norm() {
+            SpecialKind::NeimarkSacker
+        } else if first.re < 0.0 {
+            SpecialKind::PeriodDoubling
+        } else {
+            SpecialKind::Fold
+        })
+    }
 }

@@ -41,7 +41,7 @@ pub enum ShootingError {
     },
     /// A neighbouring motion returns as well: a multiplier is 1.
     #[error(
-        "a multiplier of the motion is 1 to round-off: it stands at a turning point, or is not damped"
+        "a multiplier of the motion is 1 to round-off: it is at a turning point, or is not damped"
     )]
     Singular,
 }

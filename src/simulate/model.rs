@@ -2,9 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::Analyses;
 use super::warnings::of_speed;
-use crate::analysis::{SpectrumRequest, Window};
+use crate::analysis::{SectionKind, SpectrumRequest, Window};
 use crate::integrate::Settings;
 use crate::rotor::{Rotor, RotorDefinition};
 
@@ -65,5 +64,43 @@ impl Model {
     pub(crate) fn speed_warnings(&self) -> Vec<String> {
         let rotor = Rotor::assemble(&self.rotor);
         rotor.map_or_else(|_| Vec::new(), |rotor| of_speed(self, &rotor))
+    }
+}
+
+/// What is made of the samples. By default all spectra, and all that is observed of the bearings, but neither the
+/// kind of the motion nor maps.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Analyses {
+    /// What is found out of the last whole revolutions after the settle time, where the speed is constant there.
+    pub motion: MotionAnalysis,
+    /// Waterfall and order tracks of the whole run.
+    pub maps: bool,
+    /// Whether the bearings are observed after the settle time only: then no contacts part or meet.
+    pub settled_only: bool,
+    /// The spectra are those of the displacements alone, up to this order of the shaft, and without peaks; where
+    /// `None`, all.
+    pub highest_order: Option<f64>,
+}
+
+/// What is found out of a steady motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MotionAnalysis {
+    /// Nothing.
+    #[default]
+    None,
+    /// Statistics and whether they have settled, and the points of a section where one is asked for.
+    Statistics(Option<SectionKind>),
+    /// These, the points of all sections, and its kind, which rests on them.
+    Kind,
+}
+
+impl MotionAnalysis {
+    /// At least the statistics.
+    #[must_use]
+    pub fn with_statistics(self) -> Self {
+        match self {
+            Self::None => Self::Statistics(None),
+            more => more,
+        }
     }
 }

@@ -1,8 +1,8 @@
 //! Everybody who takes the samples of a run.
 
-use super::analyses::Recorders;
 use super::energy_audit::EnergyAudit;
 use super::observation::Observation;
+use super::recorders::Recorders;
 use super::tables::TableAudit;
 use super::{Model, SimulateError, TraceSink, sampling};
 use crate::analysis::Recording;
@@ -14,8 +14,6 @@ pub(super) struct Observers<'a> {
     grid: Grid,
     /// Time before which nobody needs a sample, s.
     start: f64,
-    /// Time before which samples say no more than which contacts part and meet, s.
-    whole_from: f64,
     sink: &'a mut dyn TraceSink,
     settle: f64,
     /// After the settle time, N; none where no ball is observed.
@@ -44,22 +42,17 @@ impl<'a> Observers<'a> {
             || rotor.is_driven()
             || model.analyses.maps
             || tables.is_due()
-            || observation.is_of_early_life();
-        let whole_from = match whole_run {
-            true => 0.0,
-            false => sink.starts_at().min(model.settle),
-        };
+            || observation.is_of_contacts();
         let recording = sampling::recording(model, rotor);
         let recorded = recording.as_ref();
         let accelerations =
             sink.needs_acceleration() || recorded.is_some_and(Recording::needs_acceleration);
         Self {
             grid,
-            start: match observation.is_of_contacts() {
+            start: match whole_run {
                 true => 0.0,
-                false => whole_from,
+                false => sink.starts_at().min(model.settle),
             },
-            whole_from,
             sink,
             settle: model.settle,
             largest_ball_load: None,
@@ -83,11 +76,6 @@ impl<'a> Observers<'a> {
         for (index, state) in states.iter().enumerate() {
             let time = self.grid.time(first + index as u64);
             if time < self.start {
-                continue;
-            }
-            if time < self.whole_from {
-                self.observation
-                    .take_contacts(rotor, time, state, self.sink)?;
                 continue;
             }
             let mut sample = rotor.sample(time, state, self.observation.contacts());

@@ -1,12 +1,12 @@
 //! A run in parts: where it stopped, what was kept, and how it goes on.
 
-use serde::{Deserialize, Serialize};
-
 use std::io;
 
+use serde::{Deserialize, Serialize};
+
 use super::SimulateError;
-use super::reference::{Reference, ReferenceStanding};
-use crate::integrate::{Checkpoint, Counters, Integration, Pace, States};
+use super::passes::Passes;
+use crate::integrate::{Checkpoint, Counters, Pace, States};
 
 /// Keeps the states of a run, from which another part goes on.
 pub trait StateKeeper {
@@ -35,6 +35,19 @@ pub struct Standing {
     pub main: Checkpoint,
     /// The second pass, where the run has one.
     pub reference: Option<ReferenceStanding>,
+}
+
+/// Where the second pass stands, and how far the first has been from it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ReferenceStanding {
+    /// The integration.
+    pub pass: Checkpoint,
+    /// Largest difference of a displacement so far, m.
+    pub difference: f64,
+    /// Largest distance from the static equilibrium so far, m.
+    pub excursion: f64,
+    /// Why the pass cannot go on, where it cannot.
+    pub failure: Option<String>,
 }
 
 /// An earlier part of the same run.
@@ -79,24 +92,6 @@ impl Default for Part<'_> {
 }
 
 impl Part<'_> {
-    /// Sets both passes to where the earlier part stopped.
-    pub(super) fn go_on(
-        &self,
-        main: &mut Integration<'_>,
-        reference: Option<&mut Reference<'_>>,
-    ) -> Result<(), SimulateError> {
-        let Some(earlier) = &self.earlier else {
-            return Ok(());
-        };
-        let standing = &earlier.standing;
-        main.go_on_from(&standing.main)?;
-        match (reference, &standing.reference) {
-            (Some(reference), Some(standing)) => Ok(reference.go_on_from(standing)?),
-            (None, None) => Ok(()),
-            _ => Err(SimulateError::NoSecondPass),
-        }
-    }
-
     /// The states of the earlier part from sample `from` on, `most` at most, and none after its last
     /// one; they are kept for the part that follows this.
     pub(super) fn replay(
@@ -126,20 +121,11 @@ impl Part<'_> {
     }
 
     /// Takes note of the end of a block, and stops there where the part ends.
-    pub(super) fn stand(
-        &mut self,
-        time: f64,
-        main: &Integration<'_>,
-        reference: Option<&Reference<'_>>,
-    ) -> Result<(), SimulateError> {
-        self.standing = Some(Standing {
-            time,
-            main: main.checkpoint().clone(),
-            reference: reference.map(Reference::standing),
-        });
-        if time >= self.stop_at {
-            return Err(SimulateError::Stopped { time });
+    pub(super) fn stand(&mut self, passes: &Passes<'_>) -> Result<(), SimulateError> {
+        let standing = self.standing.insert(passes.standing());
+        match standing.time {
+            time if time >= self.stop_at => Err(SimulateError::Stopped { time }),
+            _ => Ok(()),
         }
-        Ok(())
     }
 }

@@ -1,10 +1,11 @@
-//! Where a run is sampled, and what its spectra rest on.
+//! Where a run is sampled, what its spectra rest on, and what that takes.
 
 use std::f64::consts::TAU;
 
-use super::{Model, Sampling, SimulateError, SpectrumLines};
+use super::{Model, Sampling, SimulateError};
 use crate::analysis::{
-    Analysis, BearingFrequencies, Channel, Recording, SampleGrid, Sources, causes,
+    Analysis, BearingFrequencies, Channel, Recording, SampleGrid, Segment, Sources,
+    SpectrumRequest, causes,
 };
 use crate::integrate::Grid;
 use crate::physics::BallPass;
@@ -43,11 +44,9 @@ pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
 /// Channels of the spectra of the whole run.
 fn channels(model: &Model, rotor: &Rotor) -> Vec<Channel> {
     let active = rotor.active_freedoms();
-    match model.analyses.lines {
-        SpectrumLines::All => Channel::of_freedoms(active),
-        SpectrumLines::UpTo(_) | SpectrumLines::Orders(_) => {
-            (0..active).map(Channel::Displacement).collect()
-        }
+    match model.analyses.highest_order {
+        None => Channel::of_freedoms(active),
+        Some(_) => (0..active).map(Channel::Displacement).collect(),
     }
 }
 
@@ -89,11 +88,11 @@ pub(super) fn ball_pass(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
 /// Ball-pass frequencies at the operating contact angles of the static equilibrium, at the reported
 /// speed; none without spectra and their peaks.
 pub(super) fn operating_ball_pass(model: &Model, rotor: &Rotor) -> Vec<BallPass> {
-    if model.spectrum.is_none() || model.analyses.lines != SpectrumLines::All {
+    if model.spectrum.is_none() || model.analyses.highest_order.is_some() {
         return Vec::new();
     }
     let speed = reported_speed(model, rotor);
-    let elsewhere = standing_at(model, rotor, speed);
+    let elsewhere = at_speed(model, rotor, speed);
     operating_at(elsewhere.as_ref().unwrap_or(rotor), speed)
 }
 
@@ -104,7 +103,7 @@ fn operating_at(rotor: &Rotor, speed: f64) -> Vec<BallPass> {
 }
 
 /// The rotor in the equilibrium of another speed than that of its start, where it has one.
-fn standing_at(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
+fn at_speed(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
     let elsewhere = || Rotor::assemble(&model.rotor.at_constant_speed(speed)).ok();
     (speed != rotor.speed()).then(elsewhere).flatten()
 }
@@ -117,15 +116,13 @@ pub(super) fn analyse(
 ) -> Option<Analysis> {
     let (recording, window) = recording.zip(model.spectrum)?;
     let channels = channels(model, rotor);
-    let spectrum = match model.analyses.lines {
-        SpectrumLines::All => {
-            return recording.spectrum(&channels, window, &causes(&sources(model, rotor)));
-        }
-        SpectrumLines::UpTo(order) => recording.lines(&channels, window, order)?,
-        SpectrumLines::Orders(highest) => recording.orders(&channels, window, highest)?,
-    };
-    let peaks = Vec::new();
-    Some(Analysis { spectrum, peaks })
+    Some(match model.analyses.highest_order {
+        None => recording.spectrum(&channels, window, &causes(&sources(model, rotor)))?,
+        Some(highest) => Analysis {
+            spectrum: recording.lines(&channels, window, highest)?,
+            peaks: Vec::new(),
+        },
+    })
 }
 
 /// What makes lines: nothing that turns where the speed changes.
@@ -136,8 +133,8 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
             ..Sources::default()
         };
     };
-    let elsewhere = standing_at(model, rotor, speed);
-    let standing = elsewhere.as_ref().unwrap_or(rotor);
+    let elsewhere = at_speed(model, rotor, speed);
+    let rotor_there = elsewhere.as_ref().unwrap_or(rotor);
     let frequencies = |(simulated, operating)| BearingFrequencies {
         simulated,
         operating,
@@ -146,10 +143,76 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
     Sources {
         shaft: speed / TAU,
         bearings: simulated
-            .zip(operating_at(standing, speed))
+            .zip(operating_at(rotor_there, speed))
             .map(frequencies)
             .collect(),
-        natural: standing.natural_frequencies(),
+        natural: rotor_there.natural_frequencies(),
         meshing: rotor.meshing_frequencies(speed),
     }
+}
+
+/// Bytes of what does not grow with the duration: program, page, figures, blocks of samples.
+const FLAT: f64 = 24e6;
+/// Bytes of a number.
+const NUMBER: f64 = 8.0;
+/// Numbers a sample that are kept while a spectrum of the whole record is taken: the transform and its argument.
+const TRANSFORM: f64 = 8.0;
+/// Numbers a sample of a segment that an estimated spectrum keeps of each of its channels.
+const ESTIMATED: f64 = 3.0;
+/// Numbers a sample that the maps of a run-up keep.
+const MAPS: f64 = 3.0;
+
+/// What a run takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunSize {
+    /// Samples.
+    pub samples: u64,
+    /// Columns that are kept in memory for the spectra.
+    pub columns: usize,
+    /// Memory, bytes: of the run alone, somewhat more than it turns out to take.
+    pub memory: f64,
+}
+
+impl RunSize {
+    /// Of a model.
+    ///
+    /// # Errors
+    /// [`SimulateError`] where it cannot be run at all.
+    pub fn of(model: &Model) -> Result<Self, SimulateError> {
+        let rotor = Rotor::assemble(&model.rotor)?;
+        let grid = grid(model, &rotor)?;
+        let columns = recording(model, &rotor);
+        let columns = columns.map_or(0, |recording| recording.columns());
+        let rate = 1.0 / grid.interval;
+        let recorded = (model.duration - model.settle) * rate + 1.0;
+        let mut numbers = columns as f64 * recorded;
+        if model.spectrum.is_some() {
+            numbers += (columns as f64 + TRANSFORM) * recorded;
+        }
+        let requests = model.spectra.iter();
+        let estimated = requests.map(|request| {
+            let segment = segment_samples(request, recorded, rate, rotor.highest_speed());
+            ESTIMATED * request.channels.len() as f64 * segment + TRANSFORM * recorded
+        });
+        numbers += estimated.sum::<f64>();
+        if model.analyses.maps {
+            numbers += MAPS * grid.count as f64;
+        }
+        Ok(Self {
+            samples: grid.count,
+            columns,
+            memory: FLAT + NUMBER * numbers,
+        })
+    }
+}
+
+/// Samples of a segment, at most those that are recorded.
+fn segment_samples(request: &SpectrumRequest, recorded: f64, rate: f64, highest: f64) -> f64 {
+    let samples = match request.segment {
+        Segment::Whole => recorded,
+        Segment::Seconds(seconds) => seconds * rate,
+        Segment::Samples(count) => count as f64,
+        Segment::Revolutions(count) => f64::from(count) * TAU / highest * rate,
+    };
+    samples.min(recorded)
 }

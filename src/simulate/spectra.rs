@@ -27,7 +27,7 @@ pub(super) fn estimated<'a>(model: &'a Model, recording: Option<&Recording>) -> 
 }
 
 /// What the reader of the spectra should know; lines of a speed that changes over a spectrum's
-/// frequencies are not looked for.
+/// frequencies are not sought.
 pub(super) fn warnings(
     spectrum: Option<&Spectrum>,
     estimates: &[Estimate<'_>],
@@ -42,42 +42,78 @@ pub(super) fn warnings(
             }
         }
     }
-    let whole = estimates
+    let whole = spectrum.map_or_else(Vec::new, checks);
+    let estimated = estimates
         .iter()
-        .filter_map(|(_, estimate)| estimate.as_ref().ok());
-    let powers = spectrum.into_iter().flat_map(top_powers);
-    let powers = powers.chain(whole.clone().flat_map(estimated_top_powers));
+        .filter_map(|(_, found)| found.as_ref().ok());
+    let estimated: Vec<_> = estimated
+        .map(|found| (found, estimated_checks(found)))
+        .collect();
+    let all = whole
+        .iter()
+        .chain(estimated.iter().flat_map(|(_, checks)| checks));
+    let powers = all.filter_map(|check| Some((check.channel, check.top_power?)));
     warnings.extend(aliasing(&powers.collect::<Vec<_>>()));
-    warnings.extend(spectrum.filter(|_| !speed_changes).and_then(leakage));
-    let has_lines =
-        |found: &&EstimatedSpectrum| !speed_changes || found.request.axis == Axis::Order;
-    warnings.extend(whole.filter(has_lines).filter_map(estimated_leakage));
+    if let Some(spectrum) = spectrum.filter(|_| !speed_changes) {
+        let remedy = "the table of peaks is right all the same; window = \"hann\" in [output]";
+        warnings.extend(leakage(
+            "spectrum.csv",
+            &whole,
+            spectrum.resolution,
+            "Hz",
+            remedy,
+        ));
+    }
+    for (found, checks) in &estimated {
+        let file = format!("the spectrum `{}`", found.request.name);
+        let unit = match found.request.axis {
+            Axis::Frequency => "Hz",
+            Axis::Order => "orders",
+        };
+        if !speed_changes || found.request.axis == Axis::Order {
+            let remedy = "window = \"hann\"";
+            warnings.extend(leakage(&file, checks, found.resolution, unit, remedy));
+        }
+    }
     warnings
 }
 
-/// Channels with their power, and that in the top tenth of the frequencies.
-fn top_powers(spectrum: &Spectrum) -> Vec<(Channel, TopPower)> {
+/// What sampling and its end did to a channel of a spectrum.
+struct ChannelCheck {
+    channel: Channel,
+    top_power: Option<TopPower>,
+    leak: Option<Leak>,
+}
+
+/// Of the spectra of the whole run.
+fn checks(spectrum: &Spectrum) -> Vec<ChannelCheck> {
     let floor = spectrum.noise_floor();
+    let is_plain = spectrum.window == Window::Rectangular;
     let of = |entry: &ChannelSpectrum| {
-        let rest = floor.below(entry.channel);
-        (
-            entry.channel,
-            TopPower::of_channel(entry, spectrum.window, rest),
-        )
+        let noise = floor.below(entry.channel);
+        ChannelCheck {
+            channel: entry.channel,
+            top_power: Some(TopPower::of_channel(entry, spectrum.window, noise)),
+            leak: leak(&entry.amplitude, noise).filter(|_| is_plain),
+        }
     };
     spectrum.channels.iter().map(of).collect()
 }
 
-fn estimated_top_powers(spectrum: &EstimatedSpectrum) -> Vec<(Channel, TopPower)> {
+fn estimated_checks(spectrum: &EstimatedSpectrum) -> Vec<ChannelCheck> {
     let of = |column: &SpectrumColumn| match column.quantity {
-        SpectrumQuantity::Value(channel) => Some((channel, column.top_power?)),
+        SpectrumQuantity::Value(channel) => Some(ChannelCheck {
+            channel,
+            top_power: column.top_power,
+            leak: column.leak,
+        }),
         _ => None,
     };
     spectrum.columns.iter().filter_map(of).collect()
 }
 
 /// The channel that is sampled most seldom; a freedom that rests beside the others of its unit is not
-/// looked at for itself.
+/// judged by itself.
 fn aliasing(powers: &[(Channel, TopPower)]) -> Option<String> {
     let loudest = |unit| {
         let same = powers.iter().filter(|(channel, _)| channel.unit() == unit);
@@ -89,7 +125,7 @@ fn aliasing(powers: &[(Channel, TopPower)]) -> Option<String> {
     let (channel, share) = shares.max_by(|a, b| a.1.total_cmp(&b.1))?;
     (share > ALIASING).then(|| {
         format!(
-            "aliasing: {:.3} % of the power of {channel} stands in the top tenth of the frequencies, \
+            "aliasing: {:.3} % of the power of {channel} lies in the top tenth of the frequencies, \
              and about as much from above half the sampling rate is folded below it: raise \
              `samples_per_revolution` or `sample_rate` in [output] until it is below {} %",
             100.0 * share,
@@ -98,59 +134,27 @@ fn aliasing(powers: &[(Channel, TopPower)]) -> Option<String> {
     })
 }
 
-/// The channel of `spectrum.csv` that leaks most, in words.
-fn leakage(spectrum: &Spectrum) -> Option<String> {
-    if spectrum.window != Window::Rectangular {
-        return None;
-    }
-    let floor = spectrum.noise_floor();
-    let entries = spectrum.channels.iter();
-    let leaks = entries.filter_map(|entry| {
-        let channel = entry.channel;
-        Some((channel, leak(&entry.amplitude, floor.below(channel))?))
-    });
-    let (channel, leak) = furthest(leaks)?;
-    Some(
-        told("spectrum.csv", channel, &leak, spectrum.resolution, "Hz")
-            + "; the table of peaks is right all the same; window = \"hann\" in [output] leaves narrow \
-           skirts, \"flat_top\" shows amplitudes within 1 %",
-    )
-}
-
-fn estimated_leakage(spectrum: &EstimatedSpectrum) -> Option<String> {
-    let leaks = spectrum
-        .columns
-        .iter()
-        .filter_map(|column| match column.quantity {
-            SpectrumQuantity::Value(channel) => Some((channel, column.leak?)),
-            _ => None,
-        });
-    let (channel, leak) = furthest(leaks)?;
-    let file = format!("the spectrum `{}`", spectrum.request.name);
-    let unit = match spectrum.request.axis.unit() {
-        "order" => "orders",
-        unit => unit,
-    };
-    Some(
-        told(&file, channel, &leak, spectrum.resolution, unit)
-            + "; window = \"hann\" leaves narrow skirts, \"flat_top\" shows amplitudes within 1 %",
-    )
-}
-
-fn furthest(leaks: impl Iterator<Item = (Channel, Leak)>) -> Option<(Channel, Leak)> {
-    leaks.max_by(|a, b| a.1.reach().total_cmp(&b.1.reach()))
-}
-
-fn told(file: &str, channel: Channel, leak: &Leak, resolution: f64, unit: &str) -> String {
-    let place = (leak.bin as f64 + leak.offset) * resolution;
-    format!(
-        "leakage: in {file} the line of {channel} at {place:.2} {unit} stands {:.2} bins beside its \
+/// The channel that leaks most, in words, and what to do about it.
+fn leakage(
+    file: &str,
+    checks: &[ChannelCheck],
+    resolution: f64,
+    unit: &str,
+    remedy: &str,
+) -> Option<String> {
+    let leaks = checks.iter();
+    let leaks = leaks.filter_map(|check| Some((check.channel, check.leak?)));
+    let (channel, leak) = leaks.max_by(|a, b| a.1.reach().total_cmp(&b.1.reach()))?;
+    let position = (leak.bin as f64 + leak.offset) * resolution;
+    Some(format!(
+        "leakage: in {file} the line of {channel} at {position:.2} {unit} is {:.2} bins beside its \
          bin under the rectangular window, shows {:.0} % of its amplitude, and hides what is weaker \
-         than 1 % of it within {:.1} {unit}",
+         than 1 % of it within {:.1} {unit}; {remedy} leaves narrow skirts, \"flat_top\" shows \
+         amplitudes within 1 %",
         leak.offset.abs(),
         100.0 * leak.shown(),
         leak.reach() * resolution
-    )
+    ))
 }
 
 fn resampling(name: &str, spectrum: &EstimatedSpectrum) -> Vec<String> {
@@ -173,7 +177,7 @@ fn resampling(name: &str, spectrum: &EstimatedSpectrum) -> Vec<String> {
     warnings.extend(worst.filter(|(_, error)| *error > RESAMPLING).map(|(channel, error)| {
         format!(
             "the spectrum `{name}`: the interpolation of {channel} to equal shaft angles errs by {:.2} \
-             % of its swing: raise `samples_per_revolution` or `sample_rate` in [output]",
+             % of its RMS: raise `samples_per_revolution` or `sample_rate` in [output]",
             100.0 * error
         )
     }));

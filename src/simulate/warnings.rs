@@ -2,7 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use super::{Model, Work};
+use super::passes::Passes;
+use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Kind, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
@@ -19,10 +20,11 @@ const PROMISE: f64 = 10.0;
 
 pub(super) fn warnings(
     model: &Model,
-    rotor: &Rotor,
-    work: &Work<'_>,
+    passes: &Passes<'_>,
+    error: Option<&MeasuredError>,
     motion: Option<&Motion>,
 ) -> Vec<String> {
+    let rotor = passes.rotor;
     let mut warnings = Vec::new();
     if model.spectrum.is_some() && rotor.steady_from(model.settle).is_none() {
         warnings.push(format!(
@@ -36,9 +38,10 @@ pub(super) fn warnings(
     }
     let tolerance = model.integrator.tolerance;
     let named = model.integrator.method;
-    let method = work.method_use.as_ref().map_or(named, |used| used.latest());
-    match &work.measured_error {
-        Some(error) if error.relative > PROMISE * tolerance => warnings.push(format!(
+    let method_use = passes.main.method_use();
+    let method = method_use.map_or(named, |used| used.latest());
+    warnings.extend(error.filter(|error| error.relative > PROMISE * tolerance).map(|error| {
+        format!(
             "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
              {tolerance:.0e}: the motion may be irregular or rest on contact changes; trust \
              statistics rather than the single trace{}",
@@ -48,16 +51,15 @@ pub(super) fn warnings(
             } else {
                 ", or set method = \"verner76\" in [integrator], whose steps end where balls lift off"
             }
-        )),
-        _ => {}
-    }
-    if let Some(failure) = work.error_unknown {
+        )
+    }));
+    if let Some(failure) = passes.failure() {
         warnings.push(format!(
             "the second pass that measures the error failed, and the error of this run is unknown: \
              {failure}"
         ));
     }
-    warnings.extend(work.stiffness.as_ref().map(stiff));
+    warnings.extend(passes.main.stiffness().as_ref().map(stiff));
     warnings.extend(of_speed(model, rotor));
     warnings.extend(motion.and_then(not_settled));
     warnings
@@ -75,12 +77,12 @@ fn bearings(rotor: &Rotor) -> Vec<String> {
     let states = rotor.bearing_states(rotor.highest_speed());
     let bearings = rotor.supports().iter().zip(states).enumerate();
     let known = bearings.filter(|(_, (support, _))| support.known_balls() > 0);
-    let told = known.flat_map(|(index, (_, state))| {
+    let texts = known.flat_map(|(index, (_, state))| {
         let number = index + 1;
         let say = move |text| format!("bearing {number}, at the static equilibrium: {text}");
         state.warnings.into_iter().map(say)
     });
-    told.collect()
+    texts.collect()
 }
 
 /// An eccentricity that no balanced shaft has: most often a unit mistaken.
@@ -90,7 +92,7 @@ fn unbalance(model: &Model, rotor: &Rotor) -> Option<String> {
     (grade > COARSEST_BALANCE).then(|| {
         format!(
             "the eccentricity of {:.4} mm gives e·ω = {grade:.0} mm/s at {:.0} rpm, beyond balance grade G \
-             {COARSEST_BALANCE} of ISO 21940-11 (shafts have G 2.5 to G 16): look at its unit",
+             {COARSEST_BALANCE} of ISO 21940-11 (shafts have G 2.5 to G 16): check its unit",
             1e3 * eccentricity,
             rotor.highest_speed() * 60.0 / TAU
         )

@@ -73,7 +73,7 @@ pub enum SimulateError {
     /// A ball is pressed into its races by more than its radius, which is no contact any more.
     #[error(
         "bearing {bearing}: at t = {time:.4e} s a ball carries {load:.3e} N and its contact gives way by {:.2} mm, more \
-         than the radius of the ball, {:.2} mm: no bearing bears that; look at the loads, shocks and base \
+         than the radius of the ball, {:.2} mm: no bearing bears that; check the loads, shocks and base \
          motion of the scenario and at their units",
         1e3 * approach, 1e3 * radius
     )]
@@ -110,7 +110,7 @@ pub enum SimulateError {
     /// The states for a part that follows cannot be kept.
     #[error("the states cannot be kept: {0}")]
     Keep(#[source] std::io::Error),
-    /// No uniform grid of angle exists for a shaft that stands.
+    /// No uniform grid of angle exists for a shaft that does not turn.
     #[error("the shaft does not turn: give samples per second instead of samples per revolution")]
     NoRevolution,
 }

@@ -1,4 +1,4 @@
-//! Why there is no steady motion to tell of.
+//! Why there is no steady motion.
 
 use crate::integrate::IntegrateError;
 use crate::rotor::{RotorError, UnconstrainedError, Unrepeated};
@@ -68,7 +68,7 @@ pub enum SteadyError {
     NearlyCommon {
         /// The frequencies, Hz.
         frequencies: Vec<f64>,
-        /// Periods looked through.
+        /// Periods searched.
         periods: u64,
     },
     /// The two frequencies do not keep their ratio along the parameter.

@@ -1,16 +1,21 @@
-//! The spectrum of a steady motion: lines at the frequencies of its forcing and their sums.
+//! What a steady motion is made of: lines at the frequencies of its forcing and their sums, and the range of its
+//! quantities.
 
 use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix};
+use serde::Serialize;
 
-use super::places::Places;
-use super::swing::values;
+use super::periods::Periods;
 use crate::analysis::{Channel, fourier_coefficients};
 use crate::rotor::Sample;
+use crate::shooting::Circle;
 
 /// Lines up to this part of the sampling rate are kept: above, those beyond half the rate fold back.
 const KEPT: usize = 4;
+
+/// Phases of the second frequency, per node, at which extremes are sought.
+const FINER: usize = 4;
 
 /// A line.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,17 +54,17 @@ impl SteadyLines {
         nearest.amplitude.get(index).copied()
     }
 
-    /// The lines of one period sampled at every place; what is below `noise` of its channel's largest in
+    /// The lines of one period sampled from every node; what is below `noise` of its channel's largest in
     /// all channels is left out.
     pub(super) fn of(
-        places: &Places,
+        periods: &Periods,
         channels: &[Channel],
         sampled: &[Vec<Sample>],
         noise: f64,
     ) -> Self {
         let spectra: Vec<_> = channels
             .iter()
-            .map(|channel| spectrum(places, &values(*channel, sampled)))
+            .map(|channel| spectrum(periods, &values(*channel, sampled)))
             .collect();
         let largest: Vec<f64> = spectra
             .iter()
@@ -81,7 +86,7 @@ impl SteadyLines {
             .map(|number| {
                 let at = spectra[0][number].0;
                 line(
-                    places,
+                    periods,
                     at,
                     spectra.iter().map(|spectrum| spectrum[number].1),
                 )
@@ -99,8 +104,8 @@ impl SteadyLines {
 type Component = ([i32; 2], Complex<f64>);
 
 /// Components of a channel: of every pair of opposite ones a single one.
-fn spectrum(places: &Places, values: &DMatrix<f64>) -> Vec<Component> {
-    let circle = &places.circle;
+fn spectrum(periods: &Periods, values: &DMatrix<f64>) -> Vec<Component> {
+    let circle = &periods.circle;
     let instants = values.ncols();
     let coefficients = circle.coefficients() * values;
     let most = (instants / KEPT) as i32;
@@ -115,7 +120,7 @@ fn spectrum(places: &Places, values: &DMatrix<f64>) -> Vec<Component> {
             .collect();
         let along = fourier_coefficients(&turned);
         // the phase of the second frequency where the first period begins
-        let first = Complex::from_polar(1.0, -(harmonic as f64) * places.first_phase());
+        let first = Complex::from_polar(1.0, -(harmonic as f64) * periods.first_phase());
         let least = if harmonic == 0 { 0 } else { -most };
         for multiple in least..=most {
             let bin = multiple.rem_euclid(instants as i32) as usize;
@@ -136,13 +141,16 @@ fn complex(coefficients: &DMatrix<f64>, harmonic: usize, instant: usize) -> Comp
 }
 
 fn line(
-    places: &Places,
+    periods: &Periods,
     multiples: [i32; 2],
     values: impl Iterator<Item = Complex<f64>>,
 ) -> SteadyLine {
-    let second = places.bases.get(1).map_or(0.0, |base| base.frequency / TAU);
+    let second = periods
+        .bases
+        .get(1)
+        .map_or(0.0, |base| base.frequency / TAU);
     let frequency =
-        f64::from(multiples[0]) / places.circle.period() + f64::from(multiples[1]) * second;
+        f64::from(multiples[0]) / periods.circle.period() + f64::from(multiples[1]) * second;
     let sides = if multiples == [0, 0] { 1.0 } else { 2.0 };
     let (mut amplitude, mut phase) = (Vec::new(), Vec::new());
     for value in values {
@@ -166,4 +174,47 @@ fn line(
         amplitude,
         phase,
     }
+}
+
+/// How far a quantity swings.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Swing {
+    /// The quantity.
+    #[serde(serialize_with = "Channel::serialize_with_unit")]
+    pub channel: Channel,
+    /// Its mean, in its unit.
+    pub mean: f64,
+    /// Distance of its extremes.
+    pub peak_to_peak: f64,
+    /// Root mean square about the mean.
+    pub rms: f64,
+}
+
+/// Values of a channel over one period: a row a node, a column an instant; not a number where samples
+/// do not carry it.
+pub(super) fn values(channel: Channel, sampled: &[Vec<Sample>]) -> DMatrix<f64> {
+    let instants = sampled.first().map_or(0, Vec::len);
+    DMatrix::from_fn(sampled.len(), instants, |node, instant| {
+        channel.of(&sampled[node][instant]).unwrap_or(f64::NAN)
+    })
+}
+
+/// How far channels swing.
+pub(super) fn swings(channels: &[Channel], circle: &Circle, sampled: &[Vec<Sample>]) -> Vec<Swing> {
+    let nodes = circle.nodes();
+    let finer = if nodes == 1 { 1 } else { FINER * nodes };
+    let angles: Vec<f64> = (0..finer).map(|k| TAU * k as f64 / finer as f64).collect();
+    let around = circle.values_at(&angles);
+    let swing = |channel: &Channel| {
+        let all = &around * values(*channel, sampled);
+        let mean = all.mean();
+        Swing {
+            channel: *channel,
+            mean,
+            peak_to_peak: all.max() - all.min(),
+            rms: all.map(|value| (value - mean).powi(2)).mean().sqrt(),
+        }
+    };
+    channels.iter().map(swing).collect()
 }

@@ -1,25 +1,324 @@
-//! The stair past the wait: a [`Model`](crate::simulate::Model) goes in, the motion that it settles to comes out, found directly
-//! instead of waiting for the start to die. No files, no clock, no printing.
+//! A [`Model`] goes in, the motion that it settles to comes out, found directly instead of waiting for the start to
+//! die out. No files, no clock, no printing.
 //!
 //! [`steady`] finds the motion of a scene, `response` follows it along a parameter.
 
-mod basis;
 mod error;
-mod flight;
 mod lines;
-mod motion;
-mod places;
+mod periods;
 mod response;
 mod rotor_map;
+mod samples;
 mod search;
-mod swing;
 
-pub use basis::Base;
-pub(crate) use basis::bases;
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::DVector;
+use serde::Serialize;
+
 pub use error::SteadyError;
-pub use lines::{SteadyLine, SteadyLines};
-pub use motion::{Measured, Steady, SteadyQuestion, steady};
+use lines::swings;
+pub use lines::{SteadyLine, SteadyLines, Swing};
+pub use periods::Base;
+use periods::Periods;
 pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response};
-pub use swing::Swing;
+use rotor_map::{RotorMap, Solver};
+use samples::{observed, sampled, trace, trajectories};
+use search::{Found, find, found_from, subharmonic};
 
+use crate::analysis::Channel;
+use crate::integrate::Counters;
+use crate::keys;
+use crate::rotor::{Rotor, Sample, check_constraints};
+use crate::shooting::{Circle, Crossing, ReturnMap, Slopes, multipliers, refine};
 pub use crate::shooting::{Multipliers, SpecialKind};
+use crate::simulate::{Model, StaticState, reference_settings};
+
+/// A measured error above this many tolerances is worth a warning.
+const PROMISE: f64 = 10.0;
+/// Lines below this part of the largest, in tolerances, are left out; so are those below the measured error.
+const NOISE: f64 = 0.1;
+
+/// What to find.
+#[derive(Debug, Clone, Copy)]
+pub struct SteadyQuestion<'a> {
+    /// The scene; its duration, its settle time and its initial state play no part.
+    pub model: &'a Model,
+    /// How many periods of the forcing the motion may take to repeat; where `None`, one, or as many as a
+    /// stable motion takes that is found beside one that is not stable.
+    pub multiple: Option<u32>,
+    /// Set to end the search at its next step.
+    pub stop: &'a AtomicBool,
+}
+
+/// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Measured {
+    /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
+    #[serde(rename = "displacement_m")]
+    pub displacement: f64,
+    /// The same relative to the largest excursion from the static equilibrium.
+    pub relative: f64,
+    /// Error of every Floquet multiplier, in their order: its distance from that of the motion found again.
+    pub multipliers: Vec<f64>,
+    /// Tolerance of the second search.
+    pub reference_tolerance: f64,
+}
+
+/// A steady motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Steady {
+    /// The static equilibrium that it moves about.
+    #[serde(skip)]
+    pub equilibrium: StaticState,
+    /// Frequencies of the forcing, one or two.
+    #[serde(rename = "frequencies")]
+    pub bases: Vec<Base>,
+    /// Period of the map, s: the whole motion repeats with it, or its phase against the second frequency
+    /// turns.
+    #[serde(rename = "period_s")]
+    pub period: f64,
+    /// How many periods of the first frequency that is.
+    pub multiple: u32,
+    /// Floquet multipliers over the period.
+    pub multipliers: Multipliers,
+    /// How it lost its stability, where it is not stable.
+    #[serde(serialize_with = "keys::optional_name")]
+    pub instability: Option<SpecialKind>,
+    /// Largest multiplier of the motion of a single period, where the motion found takes several.
+    #[serde(rename = "single_period_multipliers")]
+    pub single_period: Option<Multipliers>,
+    /// What is missing after a period, relative to the size of the motion.
+    #[serde(rename = "residual")]
+    pub missing: f64,
+    /// The same before every correction.
+    #[serde(rename = "residual_history")]
+    pub history: Vec<f64>,
+    /// Periods integrated before the search, where it did not succeed from rest.
+    #[serde(rename = "periods_waited")]
+    pub waited: u64,
+    /// Harmonics of the second frequency.
+    #[serde(rename = "harmonics_of_second")]
+    pub harmonics: usize,
+    /// How far displacements and forces swing.
+    pub swings: Vec<Swing>,
+    /// The spectrum.
+    #[serde(skip)]
+    pub lines: SteadyLines,
+    /// One period of the motion; of two frequencies, four periods of the slower one.
+    #[serde(rename = "samples", serialize_with = "keys::count")]
+    pub trace: Vec<Sample>,
+    /// Measured error, where the scene asks for it.
+    #[serde(skip)]
+    pub measured: Option<Measured>,
+    /// Work of the search, measurement included.
+    pub counters: Counters,
+    /// What the reader should know.
+    pub warnings: Vec<String>,
+    /// Times and states of the first period, for whoever goes on.
+    #[serde(skip)]
+    section: Section,
+}
+
+/// States of a motion where its periods begin.
+#[derive(Debug, Clone, PartialEq)]
+struct Section {
+    circle: Circle,
+    /// Time of strobe 0, s.
+    start: f64,
+    states: Vec<Vec<f64>>,
+}
+
+impl Steady {
+    /// Time and state (displacements, then velocities) at the begin of a period, counted from the first
+    /// one.
+    pub fn strobe(&self, number: u64) -> (f64, Vec<f64>) {
+        let Section {
+            circle,
+            start,
+            states,
+        } = &self.section;
+        let weights = circle.values_at(&[circle.phase(number)]);
+        let size = states.first().map_or(0, Vec::len);
+        let state = (0..size).map(|part| {
+            let values = states.iter().zip(weights.iter());
+            values.map(|(state, weight)| weight * state[part]).sum()
+        });
+        (start + number as f64 * circle.period(), state.collect())
+    }
+
+    /// Whether neighbouring motions come closer: the motion is what a long run settles to.
+    pub fn is_stable(&self) -> bool {
+        self.multipliers.is_stable()
+    }
+
+    /// Whether it has two frequencies without a common period.
+    pub fn is_torus(&self) -> bool {
+        self.bases.len() == 2
+    }
+}
+
+/// Finds the motion that a scene settles to.
+///
+/// # Errors
+/// [`SteadyError`] where there is none, or none is found.
+pub fn steady(question: &SteadyQuestion<'_>) -> Result<Steady, SteadyError> {
+    let model = question.model;
+    let mut rotor = Rotor::assemble(&model.rotor)?;
+    let unconstrained = check_constraints(&model.rotor, &rotor)?;
+    let periods = Periods::new(&rotor, question.multiple.unwrap_or(1))?;
+    if periods.is_torus() && periods.multiple > 1 {
+        return Err(SteadyError::NoPeriod {
+            frequencies: periods.frequencies(),
+            multiple: periods.multiple,
+        });
+    }
+    if model.table {
+        rotor.tabulate();
+    }
+    let mut answer = answer(question, rotor, periods)?;
+    answer.warnings.splice(0..0, unconstrained);
+    Ok(answer)
+}
+
+fn answer(
+    question: &SteadyQuestion<'_>,
+    rotor: Rotor,
+    periods: Periods,
+) -> Result<Steady, SteadyError> {
+    let solver = Solver {
+        settings: question.model.integrator,
+        stop: question.stop,
+    };
+    let mut map = RotorMap::new(rotor, periods, solver);
+    let (found, single_period) = search(&mut map, question.multiple)?;
+    let trajectories = trajectories(&mut map, &found.states, question.model)?;
+    let sampled = observed(&map, &trajectories);
+    let measured = match question.model.verify {
+        true => Some(measured(&mut map, &found, &sampled, question.model)?),
+        false => None,
+    };
+    let trace = trace(&map, &trajectories, &sampled, question.model);
+    let channels = Channel::of_freedoms(map.rotor.active_freedoms());
+    let error = measured.as_ref().map_or(0.0, |error| error.relative);
+    let noise = error.max(NOISE * solver.settings.tolerance);
+    let instability = Crossing::instability(&found.multipliers);
+    let warnings = warnings(&found, measured.as_ref(), solver.settings.tolerance);
+    Ok(Steady {
+        equilibrium: StaticState::of(&map.rotor),
+        period: map.periods.circle.period(),
+        multiple: map.periods.multiple,
+        instability,
+        single_period,
+        missing: found.missing,
+        history: found.history,
+        waited: found.waited,
+        harmonics: map.periods.circle.harmonics(),
+        swings: swings(&channels, &map.periods.circle, &sampled),
+        lines: SteadyLines::of(&map.periods, &channels, &sampled, noise),
+        trace,
+        measured,
+        counters: map.counters,
+        warnings,
+        section: Section {
+            start: map.periods.time(0),
+            states: map.states(&found.states),
+            circle: map.periods.circle.clone(),
+        },
+        bases: map.periods.bases,
+        multipliers: found.multipliers,
+    })
+}
+
+/// The motion asked for; where none is, a stable one if there is one. Beside it the multipliers of the
+/// motion of a single period, where that is another one.
+fn search(
+    map: &mut RotorMap<'_>,
+    multiple: Option<u32>,
+) -> Result<(Found, Option<Multipliers>), SteadyError> {
+    let asked = map.periods.clone();
+    if !asked.is_torus() {
+        map.periods = asked.times(1);
+    }
+    let single = find(map)?;
+    let stable = single.multipliers.is_stable();
+    if asked.is_torus() || multiple == Some(1) || (stable && multiple.is_none()) {
+        return Ok((single, None));
+    }
+    // what leaves a motion that is not stable begins beside it; beside a stable one, at rest
+    let start = match stable {
+        true => DVector::zeros(map.size()),
+        false => single.states.clone(),
+    };
+    let fits = |found: u32| found > 1 && multiple.is_none_or(|asked| asked.is_multiple_of(found));
+    if let Some(found) = subharmonic(map, &start)?
+        && fits(map.periods.multiple)
+    {
+        return Ok((found, Some(single.multipliers)));
+    }
+    map.periods = asked;
+    if map.periods.multiple == 1 {
+        return Ok((single, None));
+    }
+    let tolerance = map.solver.settings.tolerance;
+    let again = found_from(map, single.states, tolerance)?;
+    Ok((again, Some(single.multipliers)))
+}
+
+fn warnings(found: &Found, measured: Option<&Measured>, tolerance: f64) -> Vec<String> {
+    let left = Crossing::instability(&found.multipliers).map(|kind| {
+        format!(
+            "the motion is not stable: a multiplier of magnitude {:.6} ({kind}); a long run leaves it",
+            found.multipliers.largest()
+        )
+    });
+    let missed = measured.filter(|error| error.relative > PROMISE * tolerance);
+    let missed = missed.map(|error| {
+        format!(
+            "the measured error is {:.1e} of the motion, more than {PROMISE} × the tolerance \
+             {tolerance:.0e}: the motion rests on contact changes; tighten the tolerance",
+            error.relative
+        )
+    });
+    left.into_iter().chain(missed).collect()
+}
+
+/// Finds the motion again more exactly, and tells how far apart both are.
+fn measured(
+    map: &mut RotorMap<'_>,
+    found: &Found,
+    sampled_before: &[Vec<Sample>],
+    model: &Model,
+) -> Result<Measured, SteadyError> {
+    let asked = map.solver.settings;
+    map.solver.settings = reference_settings(asked);
+    let tolerance = map.solver.settings.tolerance;
+    let again = refine(map, found.states.clone(), &found.slopes, tolerance)?;
+    let reference = sampled(map, &again.states, model, false)?;
+    let slopes = map.image(&again.states, Slopes::All)?.slopes;
+    let multipliers = multipliers(map.circle(), &slopes);
+    map.solver.settings = asked;
+    let rest = map.rotor.equilibrium().displacement;
+    let (mut displacement, mut excursion) = (0.0_f64, map.scale.length);
+    let pairs = sampled_before
+        .iter()
+        .flatten()
+        .zip(reference.iter().flatten());
+    for (sample, reference) in pairs {
+        let both = sample.displacement.iter().zip(&reference.displacement);
+        for (axis, ((first, second), rest)) in both.zip(&rest).enumerate() {
+            let lever = map.scale.lever(axis);
+            displacement = displacement.max(lever * (first - second).abs());
+            excursion = excursion.max(lever * (second - rest).abs());
+        }
+    }
+    displacement += map.rotor.displacement_round_off();
+    Ok(Measured {
+        displacement,
+        relative: displacement / excursion,
+        multipliers: found.multipliers.distances(&multipliers),
+        reference_tolerance: tolerance,
+    })
+}

@@ -5,11 +5,11 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::Complex;
 use serde::Serialize;
 
-use super::flight::sampled;
-use super::places::Places;
+use super::lines::swings;
+use super::periods::Periods;
 use super::rotor_map::{RotorMap, Solver, Source};
+use super::samples::sampled;
 use super::search::find;
-use super::swing::swings;
 use super::{SteadyError, Swing};
 use crate::analysis::Channel;
 use crate::integrate::Counters;
@@ -80,7 +80,7 @@ pub struct ResponseSpecial {
     pub point: ResponsePoint,
 }
 
-/// Where a motion seems to change its kind between two motions of a branch, and the place was not found.
+/// Where a motion seems to change its kind between two motions of a branch, and the point was not found.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ResponseUnrefined {
     /// How.
@@ -92,7 +92,7 @@ pub struct ResponseUnrefined {
     /// Values of the parameter between which it happens.
     pub between: [f64; 2],
     /// How far a multiplier stays from the unit circle or, at a fold, the branch from turning: zero where the
-    /// place is found.
+    /// point is found.
     pub left: f64,
 }
 
@@ -106,7 +106,7 @@ pub struct Response {
     pub points: Vec<ResponsePoint>,
     /// Where it turns or its motion changes its kind.
     pub specials: Vec<ResponseSpecial>,
-    /// Where they seem to, without a place that could be found.
+    /// Where they seem to, without a point that could be found.
     pub unrefined: Vec<ResponseUnrefined>,
     /// Why it ends, in words.
     pub end: String,
@@ -130,14 +130,14 @@ pub fn response(
 ) -> Result<Vec<Response>, SteadyError> {
     let first = (question.family)(question.range[0]).map_err(SteadyError::Parameter)?;
     let rotor = Rotor::assemble(&first)?;
-    let places = Places::new(&rotor, question.multiple)?;
-    branches(question, rotor, places, progress)
+    let periods = Periods::new(&rotor, question.multiple)?;
+    branches(question, rotor, periods, progress)
 }
 
 fn branches(
     question: &ResponseQuestion<'_>,
     rotor: Rotor,
-    places: Places,
+    periods: Periods,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Vec<Response>, SteadyError> {
     let [from, to] = question.range;
@@ -149,7 +149,7 @@ fn branches(
         settings,
         stop: question.stop,
     };
-    let mut map = RotorMap::new(rotor, places, solver);
+    let mut map = RotorMap::new(rotor, periods, solver);
     let guess = find(&mut map)?.states;
     let mut map = map.of_family(source);
     let plan = plan(question);
@@ -164,13 +164,13 @@ fn branches(
     while let Some((point, doubled)) = doublings.pop() {
         let multiple = question.multiple << doubled;
         if !question.doubled
-            || map.places.is_torus()
+            || map.periods.is_torus()
             || is_on_another(&found, multiple, &point, question)
         {
             continue;
         }
         let mut twice = map.clone();
-        twice.places = map.places.times(multiple);
+        twice.periods = map.periods.times(multiple);
         twice.counters = Counters::default();
         let branch = follow_doubled(&mut twice, &point, &plan, &mut watch)
             .unwrap_or_else(|error| Branch::without_points(BranchEnd::Lost(error)));
@@ -240,18 +240,18 @@ fn answer(
 ) -> Result<Response, SteadyError> {
     let mut points = Vec::new();
     for point in &branch.points {
-        points.push(told(map, point, question)?);
+        points.push(response_point(map, point, question)?);
     }
     let mut specials = Vec::new();
     for special in &branch.specials {
         specials.push(ResponseSpecial {
             kind: special.kind,
             after: special.after,
-            point: told(map, &special.point, question)?,
+            point: response_point(map, &special.point, question)?,
         });
     }
     Ok(Response {
-        multiple: map.places.multiple,
+        multiple: map.periods.multiple,
         points,
         specials,
         unrefined: branch
@@ -284,7 +284,7 @@ fn unrefined_over([from, to]: [f64; 2], unrefined: &Unrefined) -> ResponseUnrefi
     }
 }
 
-fn told(
+fn response_point(
     map: &mut RotorMap<'_>,
     point: &BranchPoint,
     question: &ResponseQuestion<'_>,
@@ -295,8 +295,8 @@ fn told(
     let channels = Channel::of_freedoms(map.rotor.active_freedoms());
     Ok(ResponsePoint {
         value: from + (to - from) * point.parameter,
-        period: map.places.circle.period(),
-        swings: swings(&channels, &map.places.circle, &sampled),
+        period: map.periods.circle.period(),
+        swings: swings(&channels, &map.periods.circle, &sampled),
         multipliers: point.multipliers.values(),
         stable: point.multipliers.is_stable(),
     })

@@ -5,16 +5,13 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::{DMatrix, DVector};
 
 use super::SteadyError;
-use super::places::Places;
+use super::periods::Periods;
 use crate::integrate::{
-    Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, Shifted, States,
-    System, variation,
+    Counters, Grid, IntegrateError, Integration, Scaling, Settings, Shifted, States, System,
+    variation,
 };
 use crate::rotor::{MotionScale, Rotor, RotorDefinition};
 use crate::shooting::{Circle, Family, Image, MapError, ReturnMap, Slopes};
-
-/// Step of a state, in sizes of the motion, over which slopes are looked at where the method gives none.
-const STATE_STEP: f64 = 1e-3;
 
 /// Slopes are integrated at least this exactly: the search and the signs of multipliers along a branch rest on them.
 const SLOPE_TOLERANCE: f64 = 1e-7;
@@ -33,8 +30,8 @@ pub(super) struct Solver<'a> {
 #[derive(Clone)]
 pub(super) struct RotorMap<'a> {
     pub rotor: Rotor,
-    pub places: Places,
-    /// What zero and one unit of a scaled state are: the place of rest at the present parameter, and the
+    pub periods: Periods,
+    /// What zero and one unit of a scaled state are: the state of rest at the present parameter, and the
     /// size of the motion at the first.
     pub unit: Scaling,
     pub solver: Solver<'a>,
@@ -45,12 +42,12 @@ pub(super) struct RotorMap<'a> {
 }
 
 impl<'a> RotorMap<'a> {
-    pub fn new(rotor: Rotor, places: Places, solver: Solver<'a>) -> Self {
+    pub fn new(rotor: Rotor, periods: Periods, solver: Solver<'a>) -> Self {
         let scale = rotor.motion_scale(0.1 * solver.settings.tolerance);
         Self {
             unit: rotor.scaling(&scale),
             rotor,
-            places,
+            periods,
             solver,
             scale,
             counters: Counters::default(),
@@ -77,7 +74,7 @@ impl<'a> RotorMap<'a> {
     }
 
     /// States on a grid from a time on.
-    pub fn flight(
+    pub fn trajectory(
         &mut self,
         start: f64,
         state: &[f64],
@@ -99,10 +96,10 @@ impl<'a> RotorMap<'a> {
     /// The state a period after a time.
     fn end(&mut self, start: f64, state: &[f64]) -> Result<Vec<f64>, IntegrateError> {
         let grid = Grid {
-            interval: self.places.circle.period(),
+            interval: self.periods.circle.period(),
             count: 2,
         };
-        let states = self.flight(start, state, grid)?;
+        let states = self.trajectory(start, state, grid)?;
         Ok(states
             .last()
             .map_or_else(|| vec![f64::NAN; state.len()], <[f64]>::to_vec))
@@ -114,9 +111,6 @@ impl<'a> RotorMap<'a> {
         start: f64,
         state: &[f64],
     ) -> Result<(Vec<f64>, DMatrix<f64>), IntegrateError> {
-        if self.solver.settings.method == Method::Rodas {
-            return self.slopes_by_difference(start, state);
-        }
         let end = self.end(start, state)?;
         let slopes = self.slopes(start, state)?;
         let scale = &self.unit.scale;
@@ -132,7 +126,7 @@ impl<'a> RotorMap<'a> {
             system: &self.rotor,
             start,
         };
-        let (solver, period) = (&self.solver, self.places.circle.period());
+        let (solver, period) = (&self.solver, self.periods.circle.period());
         let settings = Settings {
             tolerance: solver.settings.tolerance.min(SLOPE_TOLERANCE),
             ..solver.settings
@@ -142,29 +136,6 @@ impl<'a> RotorMap<'a> {
         self.counters.add(&found.counters);
         Ok(found.slopes)
     }
-
-    fn slopes_by_difference(
-        &mut self,
-        start: f64,
-        state: &[f64],
-    ) -> Result<(Vec<f64>, DMatrix<f64>), IntegrateError> {
-        let (end, size) = (self.end(start, state)?, state.len());
-        let mut slopes = DMatrix::zeros(size, size);
-        for column in 0..size {
-            let step = STATE_STEP * self.unit.scale[column];
-            let mut side = |step: f64| {
-                let mut moved = state.to_vec();
-                moved[column] += step;
-                self.end(start, &moved)
-            };
-            let (up, down) = (side(step)?, side(-step)?);
-            for row in 0..size {
-                slopes[(row, column)] =
-                    (up[row] - down[row]) / (2.0 * STATE_STEP * self.unit.scale[row]);
-            }
-        }
-        Ok((end, slopes))
-    }
 }
 
 impl ReturnMap for RotorMap<'_> {
@@ -173,17 +144,17 @@ impl ReturnMap for RotorMap<'_> {
     }
 
     fn circle(&self) -> &Circle {
-        &self.places.circle
+        &self.periods.circle
     }
 
     fn image(&mut self, states: &DVector<f64>, slopes: Slopes) -> Result<Image, MapError> {
         let mut end = DVector::zeros(states.len());
         let mut found = Vec::new();
-        for (place, state) in self.states(states).iter().enumerate() {
-            let start = self.places.time(self.places.circle.strobes()[place]);
+        for (node, state) in self.states(states).iter().enumerate() {
+            let start = self.periods.time(self.periods.circle.strobes()[node]);
             let wanted = match slopes {
                 Slopes::None => false,
-                Slopes::First => place == 0,
+                Slopes::First => node == 0,
                 Slopes::All => true,
             };
             let reached = if wanted {
@@ -194,7 +165,7 @@ impl ReturnMap for RotorMap<'_> {
                 self.end(start, state)?
             };
             let size = reached.len();
-            end.as_mut_slice()[size * place..size * (place + 1)]
+            end.as_mut_slice()[size * node..size * (node + 1)]
                 .copy_from_slice(&self.unit.scaled(&reached));
         }
         Ok(Image { end, slopes: found })
@@ -212,22 +183,22 @@ impl Family for RotorMap<'_> {
         let wrong = |error: SteadyError| MapError::Parameter(error.to_string());
         let definition = source(parameter).map_err(MapError::Parameter)?;
         let rotor = Rotor::assemble(&definition).map_err(|error| wrong(error.into()))?;
-        self.places = self.places.of_rotor(&rotor).map_err(wrong)?;
+        self.periods = self.periods.of_rotor(&rotor).map_err(wrong)?;
         self.scale = rotor.motion_scale(0.1 * self.solver.settings.tolerance);
         self.rotor = rotor;
-        // the motion is followed, not the place of rest that it is about
+        // the motion is followed, not the state of rest that it is about
         self.unit.origin = self.scaling().origin;
         self.source = Some((source, parameter));
         Ok(())
     }
 
     fn half_return(&mut self, states: &DVector<f64>) -> Result<Option<DVector<f64>>, MapError> {
-        let Some(half) = self.places.half() else {
+        let Some(half) = self.periods.half() else {
             return Ok(None);
         };
-        let whole = std::mem::replace(&mut self.places, half);
+        let whole = std::mem::replace(&mut self.periods, half);
         let image = self.image(states, Slopes::None);
-        self.places = whole;
+        self.periods = whole;
         Ok(Some(image?.end - states))
     }
 }

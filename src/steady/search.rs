@@ -14,7 +14,7 @@ const WAITS: [u64; 4] = [0, 8, 32, 128];
 /// Harmonics of the second frequency at first, and at most.
 const FIRST_HARMONICS: usize = 2;
 const MOST_HARMONICS: usize = 64;
-/// Highest multiple of the period that is looked for by itself,
+/// Highest multiple of the period that is sought without being asked for,
 const MOST_PERIODS: usize = 8;
 /// after waiting so many periods,
 const SUBHARMONIC_WAITS: [usize; 4] = [24, 48, 96, 192];
@@ -40,18 +40,18 @@ pub(super) struct Found {
 /// Finds the motion of a map, of one frequency or of two.
 pub(super) fn find(map: &mut RotorMap<'_>) -> Result<Found, SteadyError> {
     let tolerance = map.solver.settings.tolerance;
-    if !map.places.is_torus() {
+    if !map.periods.is_torus() {
         let guess = DVector::zeros(map.size());
         return found_from(map, guess, tolerance);
     }
     let mut harmonics = FIRST_HARMONICS;
     let mut guess: Option<DVector<f64>> = None;
     loop {
-        let before = map.places.circle.clone();
-        map.places = map.places.with_harmonics(harmonics)?;
+        let before = map.periods.circle.clone();
+        map.periods = map.periods.with_harmonics(harmonics)?;
         let start = match &guess {
             Some(states) => mixed(&before.values_at(map.circle().angles()), states, map.size()),
-            None => DVector::zeros(map.size() * map.circle().places()),
+            None => DVector::zeros(map.size() * map.circle().nodes()),
         };
         let (returned, waited) = returned_from(map, start, tolerance)?;
         let sizes = harmonic_sizes(map.circle(), &returned.states, map.size());
@@ -155,7 +155,7 @@ fn more_harmonics(sizes: &[f64], tolerance: f64) -> Option<usize> {
     })
 }
 
-/// Looks at the slopes of what was found.
+/// With the slopes and multipliers of what was found.
 fn finished(map: &mut RotorMap<'_>, returned: Returned, waited: u64) -> Result<Found, SteadyError> {
     let image = map.image(&returned.states, Slopes::All)?;
     let shifted = mixed(map.circle().shift(), &returned.states, map.size());
@@ -175,20 +175,20 @@ pub(super) fn subharmonic(
     map: &mut RotorMap<'_>,
     from: &DVector<f64>,
 ) -> Result<Option<Found>, SteadyError> {
-    let (single, tolerance) = (map.places.clone(), map.solver.settings.tolerance);
+    let (single, tolerance) = (map.periods.clone(), map.solver.settings.tolerance);
     let mut states = from.add_scalar(BESIDE);
     let mut waited = 0;
     for wait in SUBHARMONIC_WAITS {
-        let mut seen = Vec::new();
+        let mut visited = Vec::new();
         while waited < wait {
             states = later(map, &states)?;
             waited += 1;
-            seen.push(states.clone());
+            visited.push(states.clone());
         }
-        let Some(periods) = nearly_repeats(&seen) else {
+        let Some(periods) = nearly_repeats(&visited) else {
             continue;
         };
-        map.places = single.times(single.multiple * periods as u32);
+        map.periods = single.times(single.multiple * periods as u32);
         match solve(map, states.clone(), tolerance) {
             Ok(returned) => {
                 let found = finished(map, returned, waited as u64)?;
@@ -199,14 +199,14 @@ pub(super) fn subharmonic(
             Err(ShootingError::Map(error)) if is_final(&error) => return Err(error.into()),
             Err(_) => {}
         }
-        map.places = single.clone();
+        map.periods = single.clone();
     }
     Ok(None)
 }
 
 /// After how many periods the last states nearly repeat.
-fn nearly_repeats(seen: &[DVector<f64>]) -> Option<usize> {
-    let late = &seen[seen.len().saturating_sub(2 * MOST_PERIODS)..];
+fn nearly_repeats(visited: &[DVector<f64>]) -> Option<usize> {
+    let late = &visited[visited.len().saturating_sub(2 * MOST_PERIODS)..];
     let last = late.last()?;
     let spread = late
         .iter()

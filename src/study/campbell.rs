@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
+use crate::integrate::root::Bracket;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
 
@@ -189,7 +190,7 @@ fn follow(
     question: &CampbellQuestion,
     speeds: &[f64],
 ) -> Result<(Vec<Branch>, f64), CampbellError> {
-    let mut walk = Walk {
+    let mut tracker = ModeTracker {
         question,
         least: 1.0,
     };
@@ -197,7 +198,7 @@ fn follow(
     for (index, speed) in speeds.iter().enumerate().rev() {
         let slots = match rows.last() {
             None => question.modes(*speed)?.into_iter().map(Some).collect(),
-            Some(above) => walk.carry(above, [speeds[index + 1], *speed], MOST_HALVINGS)?,
+            Some(above) => tracker.carry(above, [speeds[index + 1], *speed], MOST_HALVINGS)?,
         };
         rows.push(slots);
     }
@@ -212,7 +213,7 @@ fn follow(
         })
         .collect();
     branches.sort_by(|a, b| lowest(a).total_cmp(&lowest(b)));
-    Ok((branches, walk.least))
+    Ok((branches, tracker.least))
 }
 
 /// Frequency at the lowest speed at which a branch has a mode, Hz.
@@ -221,12 +222,12 @@ fn lowest(branch: &Branch) -> f64 {
     first.map_or(f64::INFINITY, Mode::damped_frequency)
 }
 
-struct Walk<'a> {
+struct ModeTracker<'a> {
     question: &'a CampbellQuestion,
     least: f64,
 }
 
-impl Walk<'_> {
+impl ModeTracker<'_> {
     /// The branches at the second of two speeds, known at the first; in steps where they change much.
     fn carry(
         &mut self,
@@ -336,48 +337,27 @@ impl Crossing<'_> {
         Ok(modes.max_by(|a, b| likeness(a).total_cmp(&likeness(b))))
     }
 
-    /// By the Illinois algorithm: an end that stays twice loses half of its weight.
-    fn find(
-        &self,
-        [mut low, mut high]: [f64; 2],
-        branch: usize,
-    ) -> Result<Option<CriticalSpeed>, CampbellError> {
-        let mut at_low = self.distance(self.neighbours[0], low);
-        let mut at_high = self.distance(self.neighbours[1], high);
-        if (at_low > 0.0) == (at_high > 0.0) {
+    fn find(&self, ends: [f64; 2], branch: usize) -> Result<Option<CriticalSpeed>, CampbellError> {
+        let values = [0, 1].map(|end| self.distance(self.neighbours[end], ends[end]));
+        let Some(mut bracket) = Bracket::new(ends, values) else {
             return Ok(None);
-        }
-        let mut last = None;
-        let mut stayed = 0i8;
+        };
+        let mut found: Option<CriticalSpeed> = None;
         for _ in 0..MOST_TRIALS {
-            let speed = (low * at_high - high * at_low) / (at_high - at_low);
+            let speed = bracket.guess();
             let Some(mode) = self.mode(speed)? else { break };
             let distance = self.distance(&mode, speed);
-            last = Some(self.told(&mode, speed, branch));
-            if distance == 0.0 || high - low < FOUND * high {
-                break;
-            }
-            let upper = (distance > 0.0) == (at_high > 0.0);
-            let (end, at_end, other) = if upper {
-                (&mut high, &mut at_high, &mut at_low)
-            } else {
-                (&mut low, &mut at_low, &mut at_high)
-            };
-            let side = if upper { 1 } else { -1 };
-            let moved = (speed - *end).abs();
-            (*end, *at_end) = (speed, distance);
-            if stayed == side {
-                *other *= 0.5;
-            }
-            stayed = side;
-            if moved < FOUND * speed {
+            bracket.narrow(speed, distance);
+            let before = found.replace(self.critical_speed(&mode, speed, branch));
+            let moved = before.map_or(f64::INFINITY, |before| (speed - before.speed).abs());
+            if distance == 0.0 || moved.min(bracket.length()) < FOUND * speed {
                 break;
             }
         }
-        Ok(last)
+        Ok(found)
     }
 
-    fn told(&self, mode: &Mode, speed: f64, branch: usize) -> CriticalSpeed {
+    fn critical_speed(&self, mode: &Mode, speed: f64, branch: usize) -> CriticalSpeed {
         CriticalSpeed {
             order: self.order,
             branch,

@@ -1,12 +1,12 @@
 //! The cheapest law of the contacts that a scene needs.
 //!
-//! At the operating points of a scene, the force and the stiffness of every cheaper rung are compared with
-//! those of the top rung that the bearings' data allow. The first whose largest difference stays below
+//! At the operating points of a scene, the force and the stiffness of every cheaper fidelity level are compared with
+//! those of the highest level that the bearings' data allow. The first whose largest difference stays below
 //! the error that the scene allows is chosen.
 //!
 //! The points are the static equilibria at the speeds of the scene (at the start, the highest, and after
 //! the settle time), and around each, along every freedom that moves, the motion that is estimated from
-//! unbalance, varying loads and passing balls; each with the balls at four places of the cage where it
+//! unbalance, varying loads and passing balls; each with the balls at four positions of the cage where it
 //! rolls. Three differences count: of the force at the same displacement, relative to the largest force
 //! that a bearing bears there or to what the motion changes it by where that is more; of what the force
 //! changes by from the equilibrium, relative to that change, for this is what a vibration is made of;
@@ -14,15 +14,15 @@
 //!
 //! What that does not promise: a difference in stiffness of one in a thousand moves a resonance by half
 //! of that, and shifts the response near a lightly damped one by much more; traces of an irregular
-//! motion part company whatever the law; and a motion that is larger than estimated (a transient through
-//! a resonance, a shock) leaves the points that were looked at. `jeffcott accuracy` measures what the rungs
+//! motion diverge whatever the law; and a motion that is larger than estimated (a transient through
+//! a resonance, a shock) leaves the points that were compared. `jeffcott accuracy` measures what the levels
 //! do to the motion itself.
 
 use std::f64::consts::TAU;
 
 use serde::Serialize;
 
-use super::Rung;
+use super::Fidelity;
 use crate::bearing::{
     BearingRotation, ContactLaw, Geometry, Matrix5, MountedBearing, Support, Vector5,
 };
@@ -36,7 +36,7 @@ use crate::rotor::{
 pub struct ContactQuestion {
     /// Largest difference that is allowed, relative.
     pub model_error: f64,
-    /// Of which bearings the law is to be chosen; they stand on the highest rung that their data allow.
+    /// Of which bearings the law is to be chosen; they have the highest level that their data allow.
     pub open: Vec<bool>,
     /// Whether the balls must be known, so that the frozen stiffness is no choice.
     pub balls: bool,
@@ -46,40 +46,40 @@ pub struct ContactQuestion {
 
 /// The law that was chosen, and why.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ContactChoice {
     /// Largest difference that was allowed.
     pub model_error: f64,
-    /// The chosen rung.
+    /// The chosen level.
     #[serde(serialize_with = "keys::name")]
-    pub chosen: Rung,
-    /// The top rung, which the others were compared with.
+    pub chosen: Fidelity,
+    /// The highest level, which the others were compared with.
     #[serde(rename = "compared_with", serialize_with = "keys::name")]
-    pub top: Rung,
-    /// The cheaper rungs, the cheapest first.
-    #[serde(rename = "cheaper")]
-    pub(crate) rungs: Vec<RungDifference>,
-    /// Largest motion that was looked at, m.
+    pub top: Fidelity,
+    /// The cheaper levels, the cheapest first.
+    pub(crate) cheaper: Vec<FidelityDifference>,
+    /// Largest motion that was considered, m.
     #[serde(rename = "motion_looked_at_m")]
     pub motion: f64,
-    /// Speeds that were looked at, rad/s.
+    /// Speeds that were considered, rad/s.
     #[serde(rename = "speeds_looked_at_rad_s")]
     pub speeds: Vec<f64>,
-    /// Why nothing could be compared, so that the top rung stays.
+    /// Why nothing could be compared, so that the top fidelity stays.
     pub failure: Option<String>,
 }
 
-/// How far a rung is from the top one.
+/// How far a fidelity level is from the highest one.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct RungDifference {
-    /// The rung.
+pub struct FidelityDifference {
+    /// The level.
     #[serde(rename = "contact", serialize_with = "keys::name")]
-    pub rung: Rung,
+    pub fidelity: Fidelity,
     /// Its largest differences, or why it cannot be built.
     #[serde(flatten, serialize_with = "keys::or_note")]
     pub result: Result<Difference, String>,
 }
 
-/// Largest differences from the top rung over all points.
+/// Largest differences from the highest level over all points.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Difference {
     /// Of the force, relative to the force on a bearing.
@@ -106,7 +106,7 @@ impl Difference {
 
 /// The scene with the cheapest law that stays within the allowed difference, and how it was found.
 ///
-/// Where nothing can be compared, as without an equilibrium, the top rung stays, and whatever is asked
+/// Where nothing can be compared, as without an equilibrium, the highest level stays, and whatever is asked
 /// of the scene next meets the reason.
 pub fn choose_contact(
     rotor: &RotorDefinition,
@@ -114,13 +114,13 @@ pub fn choose_contact(
 ) -> (RotorDefinition, ContactChoice) {
     let tops = rotor.bearings.iter().zip(&question.open);
     let tops = tops.filter(|(_, open)| **open);
-    let top = tops.map(|(bearing, _)| Rung::from(bearing)).max();
-    let top = top.unwrap_or(Rung::Hertz);
+    let top = tops.map(|(bearing, _)| Fidelity::from(bearing)).max();
+    let top = top.unwrap_or(Fidelity::Hertz);
     let mut choice = ContactChoice {
         model_error: question.model_error,
         chosen: top,
         top,
-        rungs: Vec::new(),
+        cheaper: Vec::new(),
         motion: 0.0,
         speeds: Vec::new(),
         failure: None,
@@ -128,28 +128,32 @@ pub fn choose_contact(
     if let Err(error) = compare(rotor, question, &mut choice) {
         choice.failure = Some(error.to_string());
     }
-    let fits = |rung: &&RungDifference| {
-        let largest = rung.result.as_ref().map(Difference::largest);
+    let fits = |fidelity: &&FidelityDifference| {
+        let largest = fidelity.result.as_ref().map(Difference::largest);
         largest.is_ok_and(|largest| largest <= question.model_error)
     };
-    let cheapest = choice.rungs.iter().find(fits).map(|fit| fit.rung);
+    let cheapest = choice.cheaper.iter().find(fits).map(|fit| fit.fidelity);
     choice.chosen = cheapest.unwrap_or(top);
-    (on_rung(rotor, question, choice.chosen), choice)
+    (at_level(rotor, question, choice.chosen), choice)
 }
 
-/// The scene with its open bearings on a rung, or on their own top one where that is lower.
-fn on_rung(rotor: &RotorDefinition, question: &ContactQuestion, rung: Rung) -> RotorDefinition {
+/// The scene with its open bearings at a level, or at their own highest one where that is lower.
+fn at_level(
+    rotor: &RotorDefinition,
+    question: &ContactQuestion,
+    fidelity: Fidelity,
+) -> RotorDefinition {
     let lower = |(bearing, open): (&MountedBearing, &bool)| {
         if !*open {
             return *bearing;
         }
-        let inertia = Rung::from(bearing).has_ball_inertia();
-        let rung = match rung {
-            Rung::Jones if !inertia => Rung::Hertz,
-            Rung::JonesFilm if !inertia => Rung::HertzFilm,
-            rung => rung,
+        let inertia = Fidelity::from(bearing).has_ball_inertia();
+        let fidelity = match fidelity {
+            Fidelity::Jones if !inertia => Fidelity::Hertz,
+            Fidelity::JonesFilm if !inertia => Fidelity::HertzFilm,
+            fidelity => fidelity,
         };
-        rung.of(bearing, bearing.oil)
+        fidelity.of(bearing, bearing.oil)
     };
     let bearings = rotor.bearings.iter().zip(&question.open).map(lower);
     RotorDefinition {
@@ -158,18 +162,18 @@ fn on_rung(rotor: &RotorDefinition, question: &ContactQuestion, rung: Rung) -> R
     }
 }
 
-/// The rungs below the top one that are different from each other.
-fn cheaper(rotor: &RotorDefinition, question: &ContactQuestion, top: Rung) -> Vec<Rung> {
+/// The levels below the highest one that are different from each other.
+fn cheaper(rotor: &RotorDefinition, question: &ContactQuestion, top: Fidelity) -> Vec<Fidelity> {
     let open = rotor.bearings.iter().zip(&question.open);
     let film = open
         .filter(|(_, open)| **open)
         .any(|(bearing, _)| bearing.oil.is_some());
-    let useful = |rung: &Rung| {
-        (film || !rung.has_film())
-            && (top.has_ball_inertia() || !rung.has_ball_inertia())
-            && !(question.balls && *rung == Rung::Linear)
+    let useful = |fidelity: &Fidelity| {
+        (film || !fidelity.has_film())
+            && (top.has_ball_inertia() || !fidelity.has_ball_inertia())
+            && !(question.balls && *fidelity == Fidelity::Linear)
     };
-    let below = Rung::ALL.into_iter().filter(|rung| *rung < top);
+    let below = Fidelity::ALL.into_iter().filter(|fidelity| *fidelity < top);
     below.filter(useful).collect()
 }
 
@@ -186,11 +190,11 @@ fn compare(
         points.push(point);
     }
     let top = Candidate::new(rotor)?;
-    for rung in cheaper(rotor, question, choice.top) {
-        let candidate = Candidate::new(&on_rung(rotor, question, rung));
+    for fidelity in cheaper(rotor, question, choice.top) {
+        let candidate = Candidate::new(&at_level(rotor, question, fidelity));
         let result = candidate.map_err(|error| error.to_string());
-        choice.rungs.push(RungDifference {
-            rung,
+        choice.cheaper.push(FidelityDifference {
+            fidelity,
             result: result.map(|candidate| difference(rotor, &candidate, &top, &points)),
         });
     }
@@ -206,7 +210,7 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// Places of the cage within one ball spacing.
-const CAGE_PLACES: usize = 4;
+const CAGE_POSITIONS: usize = 4;
 
 /// The bearings under some law.
 struct Candidate {
@@ -218,34 +222,34 @@ struct Candidate {
 impl Candidate {
     pub fn new(rotor: &RotorDefinition) -> Result<Self, RotorError> {
         let mut supports = build_supports(rotor)?;
-        let place = equilibrium(rotor, &supports)?;
+        let position = equilibrium(rotor, &supports)?;
         for support in &mut supports {
-            support.freeze(&place, rotor.speed);
+            support.freeze(&position, rotor.speed);
         }
         Ok(Self {
             supports,
-            frozen: (place, rotor.speed),
+            frozen: (position, rotor.speed),
         })
     }
 
     /// Force and stiffness of all bearings, the cages turned by a part of their ball spacing.
-    fn tangent(&self, place: &Vector5, part: f64, speed: f64) -> (Vector5, Matrix5) {
+    fn tangent(&self, position: &Vector5, part: f64, speed: f64) -> (Vector5, Matrix5) {
         let mut force = [0.0; FREEDOMS];
         let mut stiffness = Matrix5::zeros();
         for support in &self.supports {
             let definition = support.definition();
             let balls = definition.bearing.geometry.balls() as f64;
             let rotation = BearingRotation::at_start(speed).with_cage_at(part * TAU / balls);
-            let own = support.force(place, &rotation);
+            let own = support.force(position, &rotation);
             for (sum, own) in force.iter_mut().zip(own) {
                 *sum += own;
             }
             stiffness += if definition.law == ContactLaw::Linear {
-                let (place, speed) = &self.frozen;
+                let (position, speed) = &self.frozen;
                 let start = BearingRotation::at_start(*speed);
-                support.force_and_stiffness(place, &start).1
+                support.force_and_stiffness(position, &start).1
             } else {
-                support.force_and_stiffness(place, &rotation).1
+                support.force_and_stiffness(position, &rotation).1
             };
         }
         (force, stiffness)
@@ -261,9 +265,9 @@ struct Pair<'a> {
 
 impl Pair<'_> {
     /// Differences of the forces as forces, and that of the stiffness relative to the largest.
-    fn apart(&self, place: &Vector5, part: f64, speed: f64) -> (Vec<f64>, f64) {
-        let (own, own_stiffness) = self.own.tangent(place, part, speed);
-        let (truth, true_stiffness) = self.top.tangent(place, part, speed);
+    fn apart(&self, position: &Vector5, part: f64, speed: f64) -> (Vec<f64>, f64) {
+        let (own, own_stiffness) = self.own.tangent(position, part, speed);
+        let (truth, true_stiffness) = self.top.tangent(position, part, speed);
         let force = |axis: usize| (own[axis] - truth[axis]) / lever(axis, self.arm);
         let stiffness = relative(
             self.stiffest(&(own_stiffness - true_stiffness)),
@@ -281,12 +285,12 @@ impl Pair<'_> {
     }
 
     /// Adds the differences at a point to what was found.
-    fn look(&self, point: &Point, cage_places: usize, found: &mut Difference) {
-        let (rest, _) = self.apart(&point.places[0], 0.0, point.speed);
-        for cage in 0..cage_places {
-            let part = cage as f64 / CAGE_PLACES as f64;
-            for place in &point.places {
-                let (force, stiffness) = self.apart(place, part, point.speed);
+    fn compare_at(&self, point: &Point, cage_positions: usize, found: &mut Difference) {
+        let (rest, _) = self.apart(&point.positions[0], 0.0, point.speed);
+        for cage in 0..cage_positions {
+            let part = cage as f64 / CAGE_POSITIONS as f64;
+            for position in &point.positions {
+                let (force, stiffness) = self.apart(position, part, point.speed);
                 let whole = relative(largest(force.iter().copied()), point.force);
                 found.force = found.force.max(whole);
                 found.stiffness = found.stiffness.max(stiffness);
@@ -317,7 +321,7 @@ fn difference(
     for point in points {
         let rolls = rotor.cage == CageMotion::Rolling && point.moves() && point.speed > 0.0;
         let before = found.largest();
-        pair.look(point, if rolls { CAGE_PLACES } else { 1 }, &mut found);
+        pair.compare_at(point, if rolls { CAGE_POSITIONS } else { 1 }, &mut found);
         if found.largest() > before {
             found.speed = point.speed;
         }
@@ -336,16 +340,16 @@ fn relative(difference: f64, size: f64) -> f64 {
     }
 }
 
-/// Largest motion that is looked at, in groove centre distances: beyond it the estimate is a resonance
+/// Largest motion that is considered, in groove centre distances: beyond it the estimate is a resonance
 /// without damping rather than a motion.
 const LARGEST_MOTION: f64 = 0.1;
 
-/// A speed, and the places of the shaft at it.
+/// A speed, and the positions of the shaft at it.
 struct Point {
     pub speed: f64,
     /// The equilibrium first.
-    pub places: Vec<Vector5>,
-    /// How far the places are from it, m.
+    pub positions: Vec<Vector5>,
+    /// How far the positions are from it, m.
     pub reach: f64,
     /// Force that differences are relative to, N.
     pub force: f64,
@@ -372,33 +376,30 @@ impl Point {
         self.reach > 0.0
     }
 
-    /// The equilibrium under the top rung at a speed, and the places around it.
+    /// The equilibrium under the highest level at a speed, and the positions around it.
     pub fn new(
         rotor: &RotorDefinition,
         question: &ContactQuestion,
         speed: f64,
     ) -> Result<Self, RotorError> {
-        let steady = RotorDefinition {
-            speed,
-            speed_points: Vec::new(),
-            drive: None,
-            ..rotor.clone()
-        };
-        let supports = build_supports(&steady)?;
-        let middle = equilibrium(&steady, &supports)?;
-        let reach = reach(&steady, &supports, question)?;
-        let arm = Support::largest(&supports, Geometry::inner_groove_radius);
+        let steady = rotor.at_constant_speed(speed);
+        let top = Candidate::new(&steady)?;
+        let (middle, _) = top.frozen;
+        let reach = reach(&steady, &top.supports, question)?;
+        let arm = Support::largest(&top.supports, Geometry::inner_groove_radius);
         let active = steady.shaft.freedoms.count();
-        let change = reach * stiffest_freedom(&supports, &middle, speed, active, arm);
+        let (_, stiffness) = top.tangent(&middle, 0.0, speed);
+        let diagonal = |axis| stiffness[(axis, axis)] / lever(axis, arm).powi(2);
+        let change = reach * largest((0..active).map(diagonal));
         let bears = |support: &Support| {
             let force = support.force(&middle, &BearingRotation::at_start(speed));
             largest((0..FREEDOMS).map(|axis| force[axis] / lever(axis, arm)))
         };
         Ok(Self {
             speed,
-            force: largest(supports.iter().map(bears)).max(change),
+            force: largest(top.supports.iter().map(bears)).max(change),
             change,
-            places: around(middle, reach, active, arm),
+            positions: around(middle, reach, active, arm),
             reach,
         })
     }
@@ -418,39 +419,24 @@ fn reach(
     Ok(scale.length.min(limit))
 }
 
-/// A place and those on either side of it along every freedom that moves.
+/// A position and those on either side of it along every freedom that moves.
 fn around(middle: Vector5, reach: f64, active: usize, arm: f64) -> Vec<Vector5> {
-    let mut places = vec![middle];
+    let mut positions = vec![middle];
     if reach > 0.0 {
         for axis in 0..active {
             for step in [reach, -reach] {
-                let mut place = middle;
-                place[axis] += step / lever(axis, arm);
-                places.push(place);
+                let mut position = middle;
+                position[axis] += step / lever(axis, arm);
+                positions.push(position);
             }
         }
     }
-    places
+    positions
 }
 
-/// Largest diagonal term of K of the active freedoms as that of a force by a displacement, N/m.
-fn stiffest_freedom(
-    supports: &[Support],
-    place: &Vector5,
-    speed: f64,
-    active: usize,
-    arm: f64,
-) -> f64 {
-    let stiffness = supports.iter().fold(Matrix5::zeros(), |sum, support| {
-        let (_, own) = support.force_and_stiffness(place, &BearingRotation::at_start(speed));
-        sum + own
-    });
-    largest((0..active).map(|axis| stiffness[(axis, axis)] / lever(axis, arm).powi(2)))
-}
-
-/// Where the shaft stands under its static load.
+/// Displacement of the shaft under its static load.
 fn equilibrium(rotor: &RotorDefinition, supports: &[Support]) -> Result<Vector5, RotorError> {
     let load = rotor.static_load();
-    let place = static_place(rotor, supports, load, &[None; FREEDOMS])?;
-    Ok(place.equilibrium.displacement)
+    let position = static_place(rotor, supports, load, &[None; FREEDOMS])?;
+    Ok(position.equilibrium.displacement)
 }

@@ -1,16 +1,16 @@
 //! Many questions in a row: one number of a scenario takes many values; one scene is run by many methods
 //! and in many configurations.
 
-pub mod accuracy;
-pub mod campbell;
+pub(crate) mod accuracy;
+pub(crate) mod campbell;
 mod contact_choice;
+mod fidelity;
 pub(crate) mod many;
 pub(crate) mod plan;
-mod rung;
 
 pub use contact_choice::ContactChoice;
-pub(crate) use contact_choice::{ContactQuestion, RungDifference, choose_contact};
-pub use rung::Rung;
+pub(crate) use contact_choice::{ContactQuestion, FidelityDifference, choose_contact};
+pub use fidelity::Fidelity;
 
 pub use crate::quasi_static::{QuasiStatic, StaticQuestion, Twist, quasi_static};
 pub use crate::rotor::{Equilibrium, EquilibriumError};
@@ -50,8 +50,8 @@ pub struct Study {
     pub variable: Variable,
     /// Its values and questions, in the order given.
     pub(crate) points: Vec<StudyPoint>,
-    /// At how many azimuths around a bearing it is looked at, from +X on; where `None`, where its
-    /// balls are.
+    /// Number of azimuths around a bearing that are evaluated, from +X on; where `None`, those of its
+    /// balls.
     pub(crate) positions: Option<usize>,
 }
 

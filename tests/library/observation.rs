@@ -12,7 +12,7 @@ use crate::rotor::{
     BallContacts, CageMotion, Damping, Freedoms, Load, LoadKind, RotorDefinition, Sample,
     SpeedPoint,
 };
-use crate::simulate::{BallParts, BearingHistory, Event, EventKind, Model, TraceSink};
+use crate::simulate::{BearingHistory, Event, EventKind, Model, TraceSink};
 
 use crate::tests::support::{
     assert_near, back_to_back_pair, bearing, literature_bearing, model, mounted, rotor, shaft,
@@ -262,11 +262,7 @@ fn samples_that_nobody_needs_are_left_out() {
         let mut model = chatter();
         model.settle = 0.8 * model.duration;
         model.spectrum = None;
-        model.analyses.watched.balls = Some(BallParts {
-            events,
-            load_zone: true,
-            ..BallParts::LOADS
-        });
+        model.analyses.settled_only = !events;
         let (bearings, seen) = observed(&model);
         let mut sink = EventsAlone::default();
         let run = simulate_into(&model, &mut sink).expect("the model runs");
@@ -275,27 +271,6 @@ fn samples_that_nobody_needs_are_left_out() {
         let looked_at = sink.samples as f64 / seen.samples.len() as f64;
         assert!(events || looked_at < 0.21, "{looked_at}");
         assert_eq!(events, !seen.events.is_empty());
-    }
-}
-
-/// Where every ball is certain to bear, contacts are followed without a look at any.
-#[test]
-fn contacts_part_and_meet_whether_samples_are_looked_at_or_not() {
-    for (mut model, sometimes_certain) in [(chatter(), false), (struck(|bearing| bearing), true)] {
-        model.settle = 0.8 * model.duration;
-        model.spectrum = None;
-        model.analyses.watched.balls = Some(BallParts {
-            events: true,
-            ..BallParts::LOADS
-        });
-        let (bearings, seen) = observed(&model);
-        let mut sink = EventsAlone::default();
-        let run = simulate_into(&model, &mut sink).expect("the model runs");
-        assert_eq!(run.bearings, bearings);
-        assert_eq!(sink.events, seen.events);
-        assert!(seen.events.iter().any(|event| event.time < model.settle));
-        let looked_at = sink.samples as f64 / seen.samples.len() as f64;
-        assert!(!sometimes_certain || looked_at < 0.9, "{looked_at}");
     }
 }
 

@@ -1,34 +1,35 @@
 //! A signal between its samples, and how far that is off.
 
+use std::array;
 use std::f64::consts::TAU;
 
 use super::EstimateError;
+use crate::analysis::Hermite;
+use crate::integrate::root::Bracket;
 
-/// Samples of the polynomial through values alone.
-const STENCIL: usize = 8;
-/// Binomial weights of the barycentric form on [`STENCIL`] equal distances, (−1)^j C(7, j).
-const BARYCENTRIC: [f64; STENCIL] = [1.0, -7.0, 21.0, -35.0, 35.0, -21.0, 7.0, -1.0];
+/// Nodes of the polynomial through values and rates.
+const NODES: usize = 4;
+/// Nodes of the polynomial through values alone.
+const VALUE_NODES: usize = 8;
+/// Binomial weights of the barycentric form on [`VALUE_NODES`] equal distances, (−1)^j C(7, j).
+const BARYCENTRIC: [f64; VALUE_NODES] = [1.0, -7.0, 21.0, -35.0, 35.0, -21.0, 7.0, -1.0];
 /// Most intervals that the error is measured in.
 const MOST_MEASURED: usize = 4096;
+/// Intervals over which the error is measured.
+const WIDE: usize = 2;
 
 /// Uniform samples of a signal and how it runs between them.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Interpolation<'a> {
-    /// Of a signal with its first two derivatives per second: the quintic that keeps all three.
-    Quintic(Motion<'a>),
-    /// The derivative of that quintic: a velocity.
-    QuinticRate(Motion<'a>),
+    /// Of a signal with its derivative per second at samples `interval` seconds apart: Hermite's polynomial of degree
+    /// seven through the nearest four.
+    Rates {
+        values: &'a [f64],
+        rates: &'a [f64],
+        interval: f64,
+    },
     /// Of values alone: the polynomial of degree seven through the nearest eight.
     Values(&'a [f64]),
-}
-
-/// A displacement with its derivatives at samples `interval` seconds apart.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Motion<'a> {
-    pub displacement: &'a [f64],
-    pub velocity: &'a [f64],
-    pub acceleration: &'a [f64],
-    pub interval: f64,
 }
 
 impl Interpolation<'_> {
@@ -37,20 +38,41 @@ impl Interpolation<'_> {
         self.over(index, 1, fraction)
     }
 
-    /// The same from samples `step` apart, of which `index` is one.
+    /// The same from samples `step` apart, of which `index` is one; at the ends of the record through the last nodes,
+    /// and through the nearest sample where there are fewer.
     fn over(&self, index: usize, step: usize, fraction: f64) -> f64 {
+        let samples = self.samples();
+        let nodes = match self {
+            Self::Rates { .. } => NODES,
+            Self::Values(_) => VALUE_NODES,
+        };
+        let before = index / step;
+        let after = (samples.len() - 1 - index) / step;
+        if before + after + 1 < nodes {
+            let next = (index + step).min(samples.len() - 1);
+            return samples[if fraction < 0.5 { index } else { next }];
+        }
+        let left = (nodes / 2 - 1)
+            .max(nodes - 1 - after.min(nodes - 1))
+            .min(before);
+        let node = |number: usize| index - left * step + number * step;
+        let position = left as f64 + fraction;
         match self {
-            Self::Quintic(motion) => motion.quintic(index, step).value(fraction),
-            Self::QuinticRate(motion) => motion.quintic(index, step).rate(fraction),
-            Self::Values(values) => through_values(values, index, step, fraction),
+            Self::Values(values) => through_values(position, |number| values[node(number)]),
+            Self::Rates {
+                values,
+                rates,
+                interval,
+            } => Hermite::<NODES>::new(0, position).value(
+                array::from_fn(|number| values[node(number)]),
+                array::from_fn(|number| step as f64 * interval * rates[node(number)]),
+            ),
         }
     }
 
     fn samples(&self) -> &[f64] {
         match self {
-            Self::Quintic(motion) => motion.displacement,
-            Self::QuinticRate(motion) => motion.velocity,
-            Self::Values(values) => values,
+            Self::Rates { values, .. } | Self::Values(values) => values,
         }
     }
 
@@ -62,33 +84,23 @@ impl Interpolation<'_> {
     /// rest.
     pub fn error(&self) -> Option<f64> {
         let samples = self.samples();
-        let wide = self.wide();
-        let [near, far] = [self.measured(wide)?, self.measured(2 * wide)?];
+        let [near, far] = [self.measured(WIDE)?, self.measured(2 * WIDE)?];
         let mean = samples.iter().sum::<f64>() / samples.len() as f64;
-        let swing = root_mean_square(samples.iter().map(|x| x - mean));
-        if near == 0.0 || swing == 0.0 {
+        let vibration = root_mean_square(samples.iter().map(|x| x - mean));
+        if near == 0.0 || vibration == 0.0 {
             return Some(0.0);
         }
         // the power of the interval with which the error grows, none where it does not
         let order = (far / near).log2().max(0.0);
-        Some(near * (wide as f64).powf(-order) / swing)
-    }
-
-    /// Intervals over which the error is measured: the derivative of the quintic is more exact halfway
-    /// than elsewhere.
-    fn wide(&self) -> usize {
-        match self {
-            Self::QuinticRate(_) => 3,
-            Self::Quintic(_) | Self::Values(_) => 2,
-        }
+        Some(near * (WIDE as f64).powf(-order) / vibration)
     }
 
     /// Root mean square of the error from samples `step` apart.
     fn measured(&self, step: usize) -> Option<f64> {
         let samples = self.samples();
         let intervals = (samples.len().checked_sub(1)?) / step;
-        // away from the ends, where the stencil cannot be centred
-        let inner = STENCIL / 2..intervals.checked_sub(STENCIL / 2)?;
+        // away from the ends, where the nodes cannot be centred
+        let inner = VALUE_NODES / 2..intervals.checked_sub(VALUE_NODES / 2)?;
         let stride = inner.len().div_ceil(MOST_MEASURED).max(1);
         let errors: Vec<f64> = inner
             .step_by(stride)
@@ -107,91 +119,17 @@ fn root_mean_square(values: impl Iterator<Item = f64>) -> f64 {
     (sum / f64::from(count.max(1))).sqrt()
 }
 
-impl Motion<'_> {
-    /// The quintic from sample `index` to the one `step` further.
-    fn quintic(&self, index: usize, step: usize) -> Quintic {
-        let length = step as f64 * self.interval;
-        let end = |index: usize| {
-            [
-                self.displacement[index],
-                length * self.velocity[index],
-                length * length * self.acceleration[index],
-            ]
-        };
-        Quintic::new(end(index), end(index + step), length)
-    }
-}
-
-/// The polynomial of degree five that has value and two derivatives at both ends of an interval:
-///
-/// `p(u) = p₀ + p₀′u + ½p₀″u² + c₃u³ + c₄u⁴ + c₅u⁵`, u = 0 … 1
-///
-/// Its error is h⁶ f⁽⁶⁾/46080 at most, for a sine with n samples a period 1.3/n⁶ of its amplitude.
-struct Quintic {
-    coefficients: [f64; 6],
-    length: f64,
-}
-
-impl Quintic {
-    fn new([x, v, a]: [f64; 3], [x1, v1, a1]: [f64; 3], length: f64) -> Self {
-        // what is left at the end after the first three terms
-        let position = x1 - x - v - 0.5 * a;
-        let slope = v1 - v - a;
-        let curve = a1 - a;
-        Self {
-            coefficients: [
-                x,
-                v,
-                0.5 * a,
-                10.0 * position - 4.0 * slope + 0.5 * curve,
-                -15.0 * position + 7.0 * slope - curve,
-                6.0 * position - 3.0 * slope + 0.5 * curve,
-            ],
-            length,
-        }
-    }
-
-    fn value(&self, u: f64) -> f64 {
-        self.coefficients
-            .iter()
-            .rev()
-            .fold(0.0, |sum, c| sum * u + c)
-    }
-
-    /// Derivative per second.
-    fn rate(&self, u: f64) -> f64 {
-        let terms = self.coefficients.iter().enumerate().skip(1).rev();
-        let slope = terms.fold(0.0, |sum, (power, c)| sum * u + power as f64 * c);
-        slope / self.length
-    }
-}
-
-/// The polynomial through the eight samples about the place, `step` apart; at the ends of the record
-/// through the last eight, and through the nearest sample where there are fewer.
+/// The polynomial through eight values, at a position counted in nodes from the first of them.
 ///
 /// Source: J.-P. Berrut & L. N. Trefethen, SIAM Review 46 (2004) 501–517, the barycentric form.
-fn through_values(values: &[f64], index: usize, step: usize, fraction: f64) -> f64 {
-    let before = index / step;
-    let after = (values.len() - 1 - index) / step;
-    if before + after + 1 < STENCIL {
-        return values[if fraction < 0.5 {
-            index
-        } else {
-            (index + step).min(values.len() - 1)
-        }];
-    }
-    let left = (STENCIL / 2 - 1)
-        .max(STENCIL - 1 - after.min(STENCIL - 1))
-        .min(before);
-    let place = left as f64 + fraction;
+fn through_values(position: f64, value: impl Fn(usize) -> f64) -> f64 {
     let (mut above, mut below) = (0.0, 0.0);
     for (node, weight) in BARYCENTRIC.iter().enumerate() {
-        let value = values[index - left * step + node * step];
-        let distance = place - node as f64;
+        let distance = position - node as f64;
         if distance == 0.0 {
-            return value;
+            return value(node);
         }
-        above += weight / distance * value;
+        above += weight / distance * value(node);
         below += weight / distance;
     }
     above / below
@@ -199,8 +137,8 @@ fn through_values(values: &[f64], index: usize, step: usize, fraction: f64) -> f
 
 /// Finest grid of angle, in samples per sample of time at the highest speed.
 const MOST_OVERSAMPLING: f64 = 8.0;
-/// Newton steps and bisections that place an angle in its interval to the last digits.
-const MOST_STEPS: usize = 64;
+/// Trials that find an angle in its interval to the last digits.
+const MOST_TRIALS: usize = 64;
 
 /// Shaft angle and speed at every sample.
 #[derive(Debug, Clone, Copy)]
@@ -209,9 +147,9 @@ pub(super) struct Turning<'a> {
     pub speed: &'a [f64],
 }
 
-/// A place between two samples.
+/// A position between two samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
+pub(super) struct Position {
     /// Sample before.
     pub index: usize,
     /// Part of the interval after it, 0 … 1.
@@ -222,21 +160,21 @@ pub(super) struct Place {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct AngleGrid {
     /// Samples per revolution that the sampling of time resolves at the highest speed: half as many
-    /// orders can be told.
+    /// orders are resolved.
     pub per_revolution: usize,
     /// The grid is this much finer, so that lower speeds lose nothing that would fold.
     pub oversampling: usize,
     /// Share of the time in which even that is coarser than the sampling of time.
     pub coarse_share: f64,
-    /// Where its angles stand in the record.
-    pub places: Vec<Place>,
+    /// Where its angles are in the record.
+    pub positions: Vec<Position>,
 }
 
 impl AngleGrid {
     /// The finest grid that a record of `rate` samples a second needs.
     ///
     /// # Errors
-    /// [`EstimateError`] where the shaft turns back, stands, or makes less than one revolution.
+    /// [`EstimateError`] where the shaft turns back, does not turn, or makes less than one revolution.
     pub fn new(turning: Turning<'_>, rate: f64, start: f64) -> Result<Self, EstimateError> {
         let Turning { angle, speed } = turning;
         let falls = |pair: &[f64]| pair[1] < pair[0];
@@ -269,60 +207,48 @@ impl AngleGrid {
             per_revolution: per_revolution as usize,
             oversampling: oversampling as usize,
             coarse_share: slow.count() as f64 / speed.len() as f64,
-            places: turning.places(rate, angles),
+            positions: turning.positions(rate, angles),
         })
     }
 }
 
 impl Turning<'_> {
-    /// Where rising angles stand.
-    fn places(&self, rate: f64, angles: impl Iterator<Item = f64>) -> Vec<Place> {
+    /// Where rising angles are reached.
+    fn positions(&self, rate: f64, angles: impl Iterator<Item = f64>) -> Vec<Position> {
         let last = self.angle.len().saturating_sub(2);
         let mut index = 0;
-        let place = |angle: f64| {
+        let position = |angle: f64| {
             while index < last && self.angle[index + 1] <= angle {
                 index += 1;
             }
             let fraction = self.fraction(index, 1.0 / rate, angle);
-            Place { index, fraction }
+            Position { index, fraction }
         };
-        angles.map(place).collect()
+        angles.map(position).collect()
     }
 
-    /// Where an angle stands in an interval, on the cubic through angles and speeds at both ends: exact
-    /// at constant acceleration. Newton's method, bisected where it would leave the bracket.
+    /// Part of an interval at whose end an angle is reached, on the cubic through angles and speeds at both ends: exact
+    /// at constant acceleration.
     fn fraction(&self, index: usize, interval: f64, angle: f64) -> f64 {
         let [from, to] = [self.angle[index], self.angle[index + 1]];
         let [v, v1] = [index, index + 1].map(|index| interval * self.speed[index]);
         let rise = to - from;
         let [c2, c3] = [3.0 * rise - 2.0 * v - v1, v + v1 - 2.0 * rise];
         let beyond = |u: f64| u * (v + u * (c2 + u * c3)) - (angle - from);
-        let slope = |u: f64| v + u * (2.0 * c2 + 3.0 * c3 * u);
-        let (mut low, mut high) = (0.0, 1.0);
-        let mut u = if rise > 0.0 {
-            ((angle - from) / rise).clamp(0.0, 1.0)
-        } else {
-            0.0
+        let values = [0.0, 1.0].map(beyond);
+        let Some(mut bracket) = Bracket::new([0.0, 1.0], values) else {
+            // at an end but for round-off
+            return if values[1] < 0.0 { 1.0 } else { 0.0 };
         };
-        for _ in 0..MOST_STEPS {
-            let excess = beyond(u);
-            if excess > 0.0 {
-                high = u;
-            } else {
-                low = u;
-            }
-            let newton = u - excess / slope(u);
-            let next = if newton > low && newton < high {
-                newton
-            } else {
-                0.5 * (low + high)
-            };
-            if excess == 0.0 || (next - u).abs() < 1e-15 {
+        for _ in 0..MOST_TRIALS {
+            let trial = bracket.guess();
+            let value = beyond(trial);
+            bracket.narrow(trial, value);
+            if value == 0.0 || bracket.length() < 1e-15 {
                 break;
             }
-            u = next;
         }
-        u
+        bracket.nearest()
     }
 }
 
@@ -340,22 +266,6 @@ mod tests {
         let v = v.iter().map(|v| v * pace).collect();
         let a = a.iter().map(|a| a * pace * pace).collect();
         [x, v, a]
-    }
-
-    #[test]
-    fn a_quintic_is_itself() {
-        let p = |t: f64| 1.0 + t * (2.0 - t * (0.5 + t * (1.0 - t * (0.3 + 0.1 * t))));
-        let v = |t: f64| 2.0 - t * (1.0 + t * (3.0 - t * (1.2 + 0.5 * t)));
-        let a = |t: f64| -1.0 - t * (6.0 - t * (3.6 + 2.0 * t));
-        let quintic = Quintic::new(
-            [p(0.0), 2.0 * v(0.0), 4.0 * a(0.0)],
-            [p(2.0), 2.0 * v(2.0), 4.0 * a(2.0)],
-            2.0,
-        );
-        for u in [0.0, 0.2, 0.5, 0.9, 1.0] {
-            assert!((quintic.value(u) - p(2.0 * u)).abs() < 1e-13);
-            assert!((quintic.rate(u) - v(2.0 * u)).abs() < 1e-12);
-        }
     }
 
     #[test]
@@ -382,16 +292,15 @@ mod tests {
     fn the_stated_error_is_the_true_one_or_a_higher_one() {
         for per_period in [40.0, 20.0, 10.0, 6.0] {
             let [x, v, a] = sine(per_period, 3000);
-            let motion = Motion {
-                displacement: &x,
-                velocity: &v,
-                acceleration: &a,
+            let of = |values, rates| Interpolation::Rates {
+                values,
+                rates,
                 interval: 1.0,
             };
             let pace = TAU / per_period;
             let cases = [
-                (Interpolation::Quintic(motion), 1.0, 0.0),
-                (Interpolation::QuinticRate(motion), pace, TAU / 4.0),
+                (of(&x, &v), 1.0, 0.0),
+                (of(&v, &a), pace, TAU / 4.0),
                 (Interpolation::Values(&x), 1.0, 0.0),
             ];
             for (interpolation, scale, lead) in cases {
@@ -440,11 +349,11 @@ mod tests {
             "{}",
             grid.coarse_share
         );
-        let count = grid.places.len();
+        let count = grid.positions.len();
         assert_eq!(count, 12 * 79 * 8); // 80/2π = 12.7 revolutions
-        for (n, place) in grid.places.iter().enumerate() {
+        for (n, position) in grid.positions.iter().enumerate() {
             let angle = 80.0 - (count - 1 - n) as f64 * TAU / (79.0 * 8.0);
-            let time = (place.index as f64 + place.fraction) / rate;
+            let time = (position.index as f64 + position.fraction) / rate;
             assert!((time - (2.0 * angle / alpha).sqrt()).abs() < 1e-12, "{n}");
         }
     }

@@ -1,14 +1,386 @@
 //! Spectra as people of signal processing ask for them: scalings, windows, averages, orders,
 //! envelopes, whirls, cross spectra.
 
-mod estimator;
 mod interpolation;
 mod request;
 mod welch;
 
-pub use estimator::estimate;
+use std::borrow::Cow;
+
 pub use request::{
     Axis, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment, SpectrumColumn,
     SpectrumKind, SpectrumQuantity, SpectrumRequest,
 };
 pub use welch::{Detrend, Welch, envelope};
+
+use super::spectrum::FEWEST_SAMPLES;
+use super::{Channel, Leak, NoiseFloor, Recording, TopPower, Window, leak};
+use interpolation::{AngleGrid, Interpolation, Turning};
+use request::rate_of;
+
+/// Estimates a spectrum of what was recorded for it.
+///
+/// On a grid of shaft angle the record is the largest whole number of revolutions, the last ones; on a
+/// free grid of time it is all samples. Over orders a free grid of time is brought to equal angles by
+/// interpolation, at angles so fine that what lower speeds hold above the highest order does not fold.
+///
+/// # Errors
+/// [`EstimateError`] where the record does not hold what the request needs.
+pub fn estimate(
+    recording: &Recording,
+    request: &SpectrumRequest,
+) -> Result<EstimatedSpectrum, EstimateError> {
+    if request.kind == SpectrumKind::Cross && !request.scaling.is_square() {
+        return Err(EstimateError::CrossAmplitude);
+    }
+    let record = Record::of(recording, request)?;
+    let segment = record.segment(request)?;
+    // a product such as 0.7 · 10 is no whole number
+    let overlap = (request.overlap * segment as f64 * (1.0 + 1e-12)).floor();
+    let welch = Welch::new(request.window, segment, overlap as usize, request.detrend);
+    let resolution = record.rate / segment as f64;
+    let columns = Columns {
+        request,
+        record: &record,
+        welch: &welch,
+        bandwidth: request.window.equivalent_noise_bandwidth() * resolution,
+        bins: record.bins(segment),
+        floor: recording.noise_floor(),
+    };
+    let first = match request.kind {
+        SpectrumKind::Whirl => -(columns.below() as isize),
+        _ => 0,
+    };
+    Ok(EstimatedSpectrum {
+        request: request.clone(),
+        span: record.span,
+        samples: record.length(),
+        rate: record.rate,
+        shaft_frequency: recording.grid.shaft_frequency,
+        segment,
+        overlap: welch.overlap(),
+        averages: welch.averages(record.length()),
+        resolution,
+        noise_bandwidth: columns.bandwidth,
+        first,
+        columns: columns.all(),
+        resampling: record.resampling,
+    })
+}
+
+/// The signals of a request, at equal steps of its axis.
+struct Record<'a> {
+    signals: Vec<Cow<'a, [f64]>>,
+    /// Samples per second or revolution.
+    rate: f64,
+    /// Samples per revolution of constant speed, zero where there is none.
+    per_revolution: f64,
+    /// Times of the first and of the last sample, s.
+    span: [f64; 2],
+    resampling: Option<Resampling>,
+}
+
+impl<'a> Record<'a> {
+    fn of(recording: &'a Recording, request: &SpectrumRequest) -> Result<Self, EstimateError> {
+        match (request.axis, recording.grid.per_revolution) {
+            (Axis::Order, None) => Self::resampled(recording, request),
+            _ => Ok(Self::as_recorded(recording, request)),
+        }
+    }
+
+    fn as_recorded(recording: &'a Recording, request: &SpectrumRequest) -> Self {
+        let grid = recording.grid;
+        let recorded = recording.length();
+        let skipped = recorded % grid.block();
+        let signal = |channel: &Channel| {
+            let samples = &recording.channel(*channel)[skipped..];
+            match request.kind {
+                SpectrumKind::Envelope { band } => Cow::from(envelope(samples, grid.rate, band)),
+                _ => Cow::from(samples),
+            }
+        };
+        let time = |sample: usize| recording.start() + sample as f64 / grid.rate;
+        let per_revolution = match grid.per_revolution {
+            Some(samples) => f64::from(samples),
+            None if grid.shaft_frequency > 0.0 => grid.rate / grid.shaft_frequency,
+            None => 0.0,
+        };
+        Self {
+            signals: request.channels.iter().map(signal).collect(),
+            rate: match request.axis {
+                Axis::Frequency => grid.rate,
+                Axis::Order => per_revolution,
+            },
+            per_revolution,
+            span: [skipped, recorded.saturating_sub(1)].map(time),
+            resampling: None,
+        }
+    }
+
+    fn resampled(
+        recording: &'a Recording,
+        request: &SpectrumRequest,
+    ) -> Result<Self, EstimateError> {
+        let rate = recording.grid.rate;
+        let turning = Turning {
+            angle: recording.channel(Channel::Angle),
+            speed: recording.channel(Channel::Speed),
+        };
+        let angles = AngleGrid::new(turning, rate, recording.start())?;
+        let mut signals = Vec::new();
+        let mut errors = Vec::new();
+        for channel in &request.channels {
+            let of_envelope = match request.kind {
+                SpectrumKind::Envelope { band } => {
+                    Some(envelope(recording.channel(*channel), rate, band))
+                }
+                _ => None,
+            };
+            let interpolation = match &of_envelope {
+                Some(values) => Interpolation::Values(values),
+                None => between_samples(recording, *channel),
+            };
+            errors.push((*channel, interpolation.error()));
+            let positions = angles.positions.iter();
+            let values =
+                positions.map(|position| interpolation.at(position.index, position.fraction));
+            signals.push(Cow::from(values.collect::<Vec<_>>()));
+        }
+        let time = |position: f64| recording.start() + position / rate;
+        let ends = [angles.positions.first(), angles.positions.last()];
+        let ends = ends.map(|position| position.map_or(0.0, |at| at.index as f64 + at.fraction));
+        let per_revolution = (angles.per_revolution * angles.oversampling) as f64;
+        Ok(Self {
+            signals,
+            rate: per_revolution,
+            per_revolution,
+            span: ends.map(time),
+            resampling: Some(Resampling {
+                per_revolution: angles.per_revolution,
+                oversampling: angles.oversampling,
+                coarse_share: angles.coarse_share,
+                errors,
+            }),
+        })
+    }
+
+    fn length(&self) -> usize {
+        let lengths = self.signals.iter().map(|signal| signal.len());
+        lengths.min().unwrap_or(0)
+    }
+
+    /// Samples of a segment.
+    fn segment(&self, request: &SpectrumRequest) -> Result<usize, EstimateError> {
+        let samples = self.length();
+        let needed = match request.segment {
+            Segment::Whole => samples.max(FEWEST_SAMPLES),
+            Segment::Samples(count) => count,
+            Segment::Seconds(_) if request.axis == Axis::Order => {
+                return Err(EstimateError::SecondsOverOrders);
+            }
+            Segment::Seconds(seconds) => (seconds * self.rate).round() as usize,
+            Segment::Revolutions(_) if self.per_revolution == 0.0 => {
+                return Err(EstimateError::UnevenRevolutions);
+            }
+            Segment::Revolutions(turns) => {
+                (f64::from(turns) * self.per_revolution).round() as usize
+            }
+        };
+        if needed < FEWEST_SAMPLES {
+            return Err(EstimateError::ShortSegment {
+                samples: needed,
+                needed: FEWEST_SAMPLES,
+            });
+        }
+        if samples < needed {
+            return Err(EstimateError::TooShort { samples, needed });
+        }
+        Ok(needed)
+    }
+
+    /// Bins of a one-sided spectrum that the sampling of time knows at every speed.
+    fn bins(&self, segment: usize) -> usize {
+        let oversampling = self.resampling.as_ref().map_or(1, |by| by.oversampling);
+        segment / (2 * oversampling) + 1
+    }
+}
+
+/// How a recorded channel runs between its samples.
+fn between_samples(recording: &Recording, channel: Channel) -> Interpolation<'_> {
+    let values = recording.channel(channel);
+    match rate_of(channel) {
+        None => Interpolation::Values(values),
+        Some(rate) => Interpolation::Rates {
+            values,
+            rates: recording.channel(rate),
+            interval: 1.0 / recording.grid.rate,
+        },
+    }
+}
+
+/// Makes the columns of one spectrum.
+struct Columns<'a> {
+    request: &'a SpectrumRequest,
+    record: &'a Record<'a>,
+    welch: &'a Welch,
+    /// Equivalent noise bandwidth in units of the axis.
+    bandwidth: f64,
+    /// Bins of a one-sided spectrum.
+    bins: usize,
+    floor: NoiseFloor,
+}
+
+impl Columns<'_> {
+    fn all(&self) -> Vec<SpectrumColumn> {
+        let channels = self.request.channels.iter().copied();
+        let signals: Vec<_> = channels.zip(&self.record.signals).collect();
+        match self.request.kind {
+            SpectrumKind::Plain | SpectrumKind::Envelope { .. } => {
+                let columns = signals.into_iter().map(|signal| self.plain(signal));
+                columns.flatten().collect()
+            }
+            SpectrumKind::Whirl => {
+                let pairs = signals.chunks_exact(2);
+                pairs.map(|pair| self.whirl(pair[0], pair[1])).collect()
+            }
+            SpectrumKind::Cross => {
+                let others = signals.iter().skip(1);
+                others
+                    .flat_map(|other| self.cross(signals[0], *other))
+                    .collect()
+            }
+        }
+    }
+
+    fn is_averaged(&self) -> bool {
+        self.welch.averages(self.record.length()) > 1
+    }
+
+    fn value(&self, power: f64, sides: f64) -> f64 {
+        self.request.scaling.value(power, sides, self.bandwidth)
+    }
+
+    fn one_sided(&self, powers: &[f64]) -> Vec<f64> {
+        let powers = powers.iter().take(self.bins).enumerate();
+        powers
+            .map(|(k, power)| self.value(*power, self.welch.sides(k)))
+            .collect()
+    }
+
+    /// The spectrum of a channel and, where it is of one segment and an amplitude, its phase.
+    fn plain(&self, (channel, signal): (Channel, &Cow<'_, [f64]>)) -> Vec<SpectrumColumn> {
+        let has_phase = !self.is_averaged() && !self.request.scaling.is_square();
+        let [powers, mut phases] = match has_phase {
+            true => self.welch.power_and_phase(signal),
+            false => [self.welch.power(signal), Vec::new()],
+        };
+        let mut columns = vec![SpectrumColumn {
+            top_power: self.top_power(channel, &powers, signal),
+            leak: self.leak(channel, &powers),
+            ..column(SpectrumQuantity::Value(channel), self.one_sided(&powers))
+        }];
+        let rests = is_at_rest(signal, self.floor.below(channel));
+        if rests {
+            columns[0].values.fill(0.0);
+        }
+        if has_phase {
+            phases.truncate(self.bins);
+            if rests {
+                phases.fill(0.0);
+            }
+            columns.push(column(SpectrumQuantity::Phase(channel), phases));
+        }
+        columns
+    }
+
+    /// What the channel itself, not its envelope, holds near half the sampling rate. Without a window
+    /// the skirts of lines and of ends that do not meet reach up to there: Hann's is taken for it.
+    fn top_power(&self, channel: Channel, powers: &[f64], signal: &[f64]) -> Option<TopPower> {
+        let is_plain = self.request.kind == SpectrumKind::Plain;
+        if !is_plain || self.record.resampling.is_some() {
+            return None;
+        }
+        let (welch, rest) = (self.welch, self.floor.below(channel));
+        let of = |powers: &[f64], window| {
+            let powers = powers.iter().enumerate();
+            let powers: Vec<f64> = powers.map(|(k, power)| welch.sides(k) * power).collect();
+            TopPower::of(&powers, rest, window)
+        };
+        Some(match self.request.window {
+            Window::Rectangular => {
+                let window = Window::Hann;
+                let detrend = self.request.detrend;
+                let hann = Welch::new(window, welch.length(), welch.overlap(), detrend);
+                of(&hann.power(signal), window)
+            }
+            window => of(powers, window),
+        })
+    }
+
+    fn leak(&self, channel: Channel, powers: &[f64]) -> Option<Leak> {
+        if self.request.window != Window::Rectangular {
+            return None;
+        }
+        let powers = powers.iter().take(self.bins).enumerate();
+        let peaks = powers.map(|(k, power)| self.welch.sides(k) * power.sqrt());
+        leak(&peaks.collect::<Vec<_>>(), self.floor.below(channel))
+    }
+
+    /// Bins below zero frequency of a two-sided spectrum.
+    fn below(&self) -> usize {
+        (self.welch.length() / 2).min(self.bins - 1)
+    }
+
+    fn whirl(
+        &self,
+        (x, x_signal): (Channel, &Cow<'_, [f64]>),
+        (y, y_signal): (Channel, &Cow<'_, [f64]>),
+    ) -> SpectrumColumn {
+        let powers = self.welch.rotary(x_signal, y_signal);
+        let skipped = self.welch.length() / 2 - self.below();
+        let kept = powers.iter().skip(skipped).take(self.below() + self.bins);
+        let values = kept.map(|power| self.value(*power, 1.0)).collect();
+        column(SpectrumQuantity::Rotary(x, y), values)
+    }
+
+    fn cross(
+        &self,
+        (reference, x): (Channel, &Cow<'_, [f64]>),
+        (other, y): (Channel, &Cow<'_, [f64]>),
+    ) -> Vec<SpectrumColumn> {
+        let found = self.welch.cross(x, y);
+        let bins = 0..self.bins;
+        let magnitudes: Vec<f64> = found.cross.iter().map(|bin| bin.norm()).collect();
+        let phases = bins.clone().map(|k| found.cross[k].arg()).collect();
+        let mut columns = vec![
+            column(
+                SpectrumQuantity::Cross(reference, other),
+                self.one_sided(&magnitudes),
+            ),
+            column(SpectrumQuantity::CrossPhase(reference, other), phases),
+        ];
+        if self.is_averaged() {
+            let coherence = bins.map(|k| found.coherence(k)).collect();
+            columns.push(column(
+                SpectrumQuantity::Coherence(reference, other),
+                coherence,
+            ));
+        }
+        columns
+    }
+}
+
+/// Whether a signal is nowhere further from its mean than round-off.
+fn is_at_rest(signal: &[f64], floor: f64) -> bool {
+    let mean = signal.iter().sum::<f64>() / signal.len() as f64;
+    signal.iter().all(|value| (value - mean).abs() < floor)
+}
+
+fn column(quantity: SpectrumQuantity, values: Vec<f64>) -> SpectrumColumn {
+    SpectrumColumn {
+        quantity,
+        values,
+        top_power: None,
+        leak: None,
+    }
+}

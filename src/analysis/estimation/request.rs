@@ -36,7 +36,7 @@ pub enum Segment {
     Samples(usize),
 }
 
-/// What a spectrum stands over.
+/// Axis of a spectrum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Axis {
@@ -96,29 +96,28 @@ pub struct SpectrumRequest {
     pub overlap: f64,
     /// What is taken out of every segment.
     pub detrend: Detrend,
-    /// What it stands over.
+    /// Its axis.
     pub axis: Axis,
 }
 
 impl SpectrumRequest {
     /// Channels that it takes to have `channel`, `resampled` at equal angles or as it is.
     ///
-    /// A displacement is interpolated with its first two derivatives, and a velocity as the derivative
-    /// of that; of an envelope, and of accelerations and forces, only values are known.
+    /// A displacement and a velocity are interpolated with their rates; of an envelope, and of accelerations and forces,
+    /// only values are known.
     pub(in crate::analysis) fn sources(&self, channel: Channel, resampled: bool) -> Vec<Channel> {
         let is_plain = !matches!(self.kind, SpectrumKind::Envelope { .. });
-        match channel {
-            Channel::Displacement(freedom) | Channel::Velocity(freedom)
-                if is_plain && resampled =>
-            {
-                vec![
-                    Channel::Displacement(freedom),
-                    Channel::Velocity(freedom),
-                    Channel::Acceleration(freedom),
-                ]
-            }
-            _ => vec![channel],
-        }
+        let rate = rate_of(channel).filter(|_| is_plain && resampled);
+        [channel].into_iter().chain(rate).collect()
+    }
+}
+
+/// The time derivative of a channel, where that is known.
+pub(super) fn rate_of(channel: Channel) -> Option<Channel> {
+    match channel {
+        Channel::Displacement(freedom) => Some(Channel::Velocity(freedom)),
+        Channel::Velocity(freedom) => Some(Channel::Acceleration(freedom)),
+        _ => None,
     }
 }
 
@@ -191,7 +190,7 @@ impl Scaling {
 struct Factors(Vec<(String, i32)>);
 
 impl Factors {
-    /// `m/s^2` is m¹ s⁻²: the divisors stand after the slash.
+    /// `m/s^2` is m¹ s⁻²: the divisors come after the slash.
     fn read(unit: &str) -> Self {
         let (above, below) = unit.split_once('/').unwrap_or((unit, ""));
         let mut factors = Self(Vec::new());
@@ -316,7 +315,7 @@ pub struct SpectrumColumn {
     pub quantity: SpectrumQuantity,
     /// One value a bin.
     pub values: Vec<f64>,
-    /// Power, and that in the top tenth of the axis, where that tells of aliasing.
+    /// Power, and that in the top tenth of the axis, which shows aliasing.
     pub top_power: Option<TopPower>,
     /// The line that leaks most, where it does.
     pub leak: Option<Leak>,
@@ -333,7 +332,7 @@ pub struct Resampling {
     /// Share of the time in which the shaft is so slow that the angles are coarser than the samples:
     /// what is above half their rate folds there.
     pub coarse_share: f64,
-    /// Error of the interpolation of every channel, relative to the root mean square of its swing;
+    /// Error of the interpolation of every channel, relative to the root mean square of its vibration;
     /// `None` where the record is too short to tell.
     pub errors: Vec<(Channel, Option<f64>)>,
 }
@@ -350,7 +349,7 @@ pub struct EstimatedSpectrum {
     pub samples: usize,
     /// Samples a second, or per revolution over orders.
     pub rate: f64,
-    /// Frequency of a shaft of constant speed, Hz; zero where it changes or stands.
+    /// Frequency of a shaft of constant speed, Hz; zero where it changes or is at rest.
     pub shaft_frequency: f64,
     /// Samples of a segment.
     pub segment: usize,
@@ -376,7 +375,7 @@ impl EstimatedSpectrum {
         self.columns.first().map_or(0, |column| column.values.len())
     }
 
-    /// Where the bin of row `row` stands, Hz or orders.
+    /// Position of the bin of row `row`, Hz or orders.
     pub fn place(&self, row: usize) -> f64 {
         (self.first + row as isize) as f64 * self.resolution
     }

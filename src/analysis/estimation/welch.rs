@@ -57,10 +57,7 @@ impl Welch {
     /// with their neighbours.
     pub fn new(window: Window, length: usize, overlap: usize, detrend: Detrend) -> Self {
         let length = length.max(1);
-        // about N/2 the weights are even
-        let half: Vec<f64> = (0..=length / 2).map(|n| window.weight(n, length)).collect();
-        let weight = |n: usize| half[n.min(length - n)];
-        let weights: Vec<f64> = (0..length).map(weight).collect();
+        let weights: Vec<f64> = (0..length).map(|n| window.weight(n, length)).collect();
         Self {
             window,
             length,
@@ -143,11 +140,11 @@ impl Welch {
         let below = length / 2;
         let mut powers = vec![0.0; length];
         self.for_each_segment([x, y], |[x, y]| {
-            for (place, power) in powers.iter_mut().enumerate() {
+            for (bin, power) in powers.iter_mut().enumerate() {
                 // X_{−k} of a real signal is the conjugate of X_k
-                let (x, y) = match place.checked_sub(below) {
+                let (x, y) = match bin.checked_sub(below) {
                     Some(k) => (x[k], y[k]),
-                    None => (x[below - place].conj(), y[below - place].conj()),
+                    None => (x[below - bin].conj(), y[below - bin].conj()),
                 };
                 *power += (x + Complex::<f64>::I * y).norm_sqr();
             }
@@ -349,7 +346,7 @@ mod tests {
 
     #[test]
     fn a_swelling_tone_has_its_envelope() {
-        // a tone at 200 Hz that swells by half at 10 Hz, on a slow swing that the band leaves out
+        // a tone at 200 Hz that swells by half at 10 Hz, on a slow vibration that the band leaves out
         let swell = |t: f64| 1.0 + 0.5 * (TAU * 10.0 * t).cos();
         let times = (0..1000).map(|n| f64::from(n) / 1000.0);
         let signal: Vec<f64> = times

@@ -20,6 +20,7 @@ const REFINED: usize = 2;
 
 /// A closed curve through points.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ClosedCurve {
     /// Part of a turn from a point to the next.
     pub rotation: f64,
@@ -93,17 +94,17 @@ impl Centred {
         let (mut low, mut high) = (curve.rotation - reach, curve.rotation + reach);
         let inner =
             |low: f64, high: f64| [high - golden * (high - low), low + golden * (high - low)];
-        let mut places = inner(low, high);
-        let mut found = places.map(residual);
+        let mut trials = inner(low, high);
+        let mut found = trials.map(residual);
         for _ in 0..SECTIONS {
             if found[0] < found[1] {
-                high = places[1];
-                places = inner(low, high);
-                found = [residual(places[0]), found[0]];
+                high = trials[1];
+                trials = inner(low, high);
+                found = [residual(trials[0]), found[0]];
             } else {
-                low = places[0];
-                places = inner(low, high);
-                found = [found[1], residual(places[1])];
+                low = trials[0];
+                trials = inner(low, high);
+                found = [found[1], residual(trials[1])];
             }
         }
         self.best(0.5 * (low + high))

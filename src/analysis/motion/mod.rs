@@ -4,15 +4,266 @@
 mod closed_curve;
 mod moments;
 mod period;
-mod recorder;
 mod section;
 
 pub use closed_curve::ClosedCurve;
 #[cfg(test)]
 pub use closed_curve::closed_curve;
 pub use moments::{Drift, Moments, VelocityLevel};
-pub use period::{Kind, LONGEST_PERIOD, Recognition};
-#[cfg(test)]
-pub use period::{Series, recognise};
-pub use recorder::{ChannelStatistics, Motion, MotionParts, MotionRecorder, MotionSettings};
+pub use period::{Kind, LONGEST_PERIOD, Recognition, Series, recognise};
 pub use section::{PoincarePoint, Section, SectionKind};
+
+use std::collections::VecDeque;
+
+use serde::Serialize;
+
+use super::{Channel, NoiseFloor};
+use crate::keys;
+use crate::rotor::{FREEDOMS, Sample};
+use moments::{DriftRecorder, velocity_level};
+use section::NODES;
+
+/// Number of freedoms that are lengths.
+const LENGTHS: usize = 3;
+/// A motion below this part of the displacement is round-off.
+const REST: f64 = 1e-9;
+/// Samples that the orbit keeps: the last ones.
+const ORBIT: usize = 8192;
+
+/// What the recorder must know of the scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionSettings {
+    /// Number of freedoms that move.
+    pub freedoms: usize,
+    /// Time from which on samples count, s.
+    pub start: f64,
+    /// Time of the last sample, s.
+    pub end: f64,
+    /// Samples a second.
+    pub rate: f64,
+    /// Lengths that make displacements of tilts, 1 for those that are lengths.
+    pub levers: [f64; FREEDOMS],
+    /// Sections, each with its cycles a revolution; none where the shaft does not turn.
+    pub sections: Vec<(SectionKind, f64)>,
+    /// Whether the kind of the motion is recognised, by the points of the sections.
+    pub kind: bool,
+}
+
+/// Statistics of one quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct ChannelStatistics {
+    /// The quantity.
+    #[serde(serialize_with = "Channel::serialize_with_unit")]
+    pub channel: Channel,
+    /// Its moments.
+    #[serde(flatten)]
+    pub moments: Moments,
+}
+
+/// What a steady motion is like.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Motion {
+    /// First sample, s.
+    #[serde(rename = "start_s")]
+    pub start: f64,
+    /// Last sample, s.
+    #[serde(rename = "end_s")]
+    pub end: f64,
+    /// Displacements and forces of the freedoms that move; forces where they are observed.
+    pub statistics: Vec<ChannelStatistics>,
+    /// RMS velocity of the lengths that move, in their order.
+    #[serde(rename = "velocity_rms", serialize_with = "keys::by_axis")]
+    pub velocity: Vec<Option<VelocityLevel>>,
+    /// What kind of motion it is; unknown where not asked for.
+    #[serde(flatten)]
+    pub recognition: Recognition,
+    /// How its statistics move; none at rest.
+    #[serde(skip)]
+    pub drift: Option<Drift>,
+    /// Points of every section that was asked for.
+    pub sections: Vec<Section>,
+    /// Samples a second.
+    #[serde(skip)]
+    pub rate: f64,
+    /// x and y of the last samples, m.
+    #[serde(skip)]
+    pub orbit: Vec<[f64; 2]>,
+}
+
+/// Takes samples at equal times and constant speed.
+///
+/// Beside three velocities a sample its memory grows with the sections' points only.
+#[derive(Debug, Clone)]
+pub struct MotionRecorder {
+    settings: MotionSettings,
+    freedoms: usize,
+    statistics: Vec<ChannelStatistics>,
+    rates: [Moments; FREEDOMS],
+    velocity: Vec<Vec<f64>>,
+    drift: DriftRecorder,
+    sections: Vec<Section>,
+    orbit: VecDeque<[f64; 2]>,
+    times: Option<[f64; 2]>,
+    /// The last samples, which points of sections are interpolated between.
+    last: VecDeque<Sample>,
+}
+
+impl MotionRecorder {
+    /// For one scene.
+    pub fn new(settings: MotionSettings) -> Self {
+        let freedoms = settings.freedoms.min(FREEDOMS);
+        let statistics = |channel| ChannelStatistics {
+            channel,
+            moments: Moments::default(),
+        };
+        let sections = settings.sections.iter();
+        Self {
+            freedoms,
+            statistics: Channel::of_freedoms(freedoms)
+                .into_iter()
+                .map(statistics)
+                .collect(),
+            rates: [Moments::default(); FREEDOMS],
+            velocity: vec![Vec::new(); freedoms.min(LENGTHS)],
+            drift: DriftRecorder::new(settings.start, settings.end),
+            sections: sections
+                .map(|(kind, order)| Section::new(*kind, *order))
+                .collect(),
+            orbit: VecDeque::new(),
+            times: None,
+            last: VecDeque::with_capacity(NODES),
+            settings,
+        }
+    }
+
+    /// Takes one sample; those before the start are dropped.
+    pub fn record(&mut self, sample: &Sample) {
+        if sample.time < self.settings.start {
+            return;
+        }
+        let first = self.times.map_or(sample.time, |[first, _]| first);
+        self.times = Some([first, sample.time]);
+        for ChannelStatistics { channel, moments } in &mut self.statistics {
+            if let Some(value) = channel.of(sample) {
+                moments.take(value);
+            }
+        }
+        for (rate, value) in self.rates.iter_mut().zip(sample.velocity) {
+            rate.take(value);
+        }
+        for (kept, value) in self.velocity.iter_mut().zip(sample.velocity) {
+            kept.push(value);
+        }
+        self.drift.record(sample);
+        if self.orbit.len() == ORBIT {
+            self.orbit.pop_front();
+        }
+        let [x, y, ..] = sample.displacement;
+        self.orbit.push_back([x, y]);
+        self.record_sections(sample);
+    }
+
+    fn record_sections(&mut self, sample: &Sample) {
+        if self.last.len() == NODES {
+            self.last.pop_front();
+        }
+        self.last.push_back(*sample);
+        if let Ok(nodes) = <&[Sample; NODES]>::try_from(&*self.last.make_contiguous()) {
+            for section in &mut self.sections {
+                section.record(nodes);
+            }
+        }
+    }
+
+    /// What the motion is like; none without samples.
+    pub fn finish(self) -> Option<Motion> {
+        let [start, end] = self.times?;
+        let [displacement, rate] = self.scales();
+        let resting = displacement <= REST * self.largest_mean();
+        let at_once = |kind| Recognition {
+            kind,
+            distances: Vec::new(),
+            curves: Vec::new(),
+        };
+        let recognition = if resting {
+            at_once(Kind::Rest)
+        } else if self.settings.kind {
+            recognise(&self.series(displacement, rate))
+        } else {
+            at_once(Kind::Unknown {
+                points: 0,
+                test: None,
+            })
+        };
+        let drift = self.drift.finish(&self.settings.levers, displacement);
+        let magnitudes = self.statistics.iter();
+        let magnitudes = magnitudes.map(|each| (each.channel, each.moments.magnitude()));
+        let floor = NoiseFloor::of(magnitudes, self.settings.rate);
+        let mut statistics = self.statistics;
+        for ChannelStatistics { channel, moments } in &mut statistics {
+            *moments = moments.above(floor.below(*channel));
+        }
+        let velocity = self.velocity.into_iter();
+        Some(Motion {
+            start,
+            end,
+            statistics,
+            velocity: velocity
+                .map(|values| velocity_level(values, self.settings.rate))
+                .collect(),
+            recognition,
+            drift: drift.filter(|_| !resting),
+            sections: self.sections,
+            rate: self.settings.rate,
+            orbit: self.orbit.into(),
+        })
+    }
+
+    /// RMS of the displacements, and of their rates, of the freedom where they are largest, m and m/s.
+    fn scales(&self) -> [f64; 2] {
+        let levers = &self.settings.levers[..self.freedoms];
+        let largest = |rms: &dyn Fn(usize) -> f64| {
+            let sizes = levers
+                .iter()
+                .enumerate()
+                .map(|(axis, lever)| lever * rms(axis));
+            sizes.fold(0.0, f64::max)
+        };
+        [
+            largest(&|axis| self.statistics[axis].moments.rms()),
+            largest(&|axis| self.rates[axis].rms()),
+        ]
+    }
+
+    /// Largest mean displacement, m.
+    fn largest_mean(&self) -> f64 {
+        let levers = self.settings.levers.iter();
+        let means = levers.zip(&self.statistics[..self.freedoms]);
+        means
+            .map(|(lever, each)| lever * each.moments.mean().abs())
+            .fold(0.0, f64::max)
+    }
+
+    /// The sections' points in parts of the motion.
+    fn series(&self, displacement: f64, rate: f64) -> Vec<Series> {
+        let parts = |point: &PoincarePoint| -> Vec<f64> {
+            let axes = 0..self.freedoms;
+            axes.flat_map(|axis| {
+                let lever = self.settings.levers[axis];
+                [
+                    lever * point.displacement[axis] / displacement,
+                    lever * point.velocity[axis] / rate,
+                ]
+            })
+            .collect()
+        };
+        let series = self.sections.iter().map(|section| Series {
+            kind: section.kind,
+            order: section.order,
+            points: section.points.iter().map(parts).collect(),
+        });
+        series.collect()
+    }
+}

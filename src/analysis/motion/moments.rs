@@ -4,22 +4,18 @@ use std::f64::consts::TAU;
 
 use serde::{Serialize, Serializer};
 
-use crate::analysis::Transform;
+use crate::analysis::{Transform, Window};
 use crate::rotor::{FREEDOMS, Sample};
 
-/// Moments of the values taken so far.
-///
-/// Those of a row are found about its own mean, and added to those of all rows before without cancellation.
+/// Moments of the values taken so far, in one pass.
 ///
 /// Source: P. Pébay, *Formulas for robust, one-pass parallel computation of covariances and
-/// arbitrary-order statistical moments*, Sandia report SAND2008-6212 (2008), eq. 2.1 and 3.1.
+/// arbitrary-order statistical moments*, Sandia report SAND2008-6212 (2008), eq. 2.1 and 3.1 for one more value.
 ///
 /// ```
 /// use jeffcott::analysis::Moments;
 /// let sine = |n| 5.0 + 2.0 * (std::f64::consts::TAU * f64::from(n) / 1000.0).cos();
-/// let mut moments = Moments::default();
-/// moments.take(&(0..700).map(sine).collect::<Vec<_>>());
-/// moments.take(&(700..1000).map(sine).collect::<Vec<_>>());
+/// let moments: Moments = (0..1000).map(sine).collect();
 /// // a sine: RMS 2/√2, crest factor √2, kurtosis 3/2
 /// assert!((moments.mean() - 5.0).abs() < 1e-12);
 /// assert!((moments.rms() - 2f64.sqrt()).abs() < 1e-12);
@@ -64,54 +60,37 @@ impl Default for Moments {
     }
 }
 
+impl FromIterator<f64> for Moments {
+    fn from_iter<I: IntoIterator<Item = f64>>(values: I) -> Self {
+        let mut moments = Self::default();
+        values.into_iter().for_each(|value| moments.take(value));
+        moments
+    }
+}
+
 impl Moments {
-    /// Takes a row of values.
-    pub fn take(&mut self, values: &[f64]) {
-        let count = values.len() as f64;
-        let [sum] = sums(values, |value| [value]);
-        let mean = sum / count.max(1.0);
-        let of_powers = |value: f64| {
-            let distance = value - mean;
-            let square = distance * distance;
-            [square, square * distance, square * square]
-        };
-        self.add(&Self {
-            count,
-            mean,
-            powers: sums(values, of_powers),
-            lowest: values.iter().copied().fold(f64::INFINITY, f64::min),
-            highest: values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-            floor: 0.0,
-        });
+    /// Takes one more value.
+    pub fn take(&mut self, value: f64) {
+        let before = self.count;
+        let count = before + 1.0;
+        let distance = value - self.mean;
+        let part = distance / count;
+        let square = distance * part * before;
+        let [second, third, _] = self.powers;
+        self.powers[2] += square * part * part * (count * count - 3.0 * count + 3.0)
+            + 6.0 * part * part * second
+            - 4.0 * part * third;
+        self.powers[1] += square * part * (count - 2.0) - 3.0 * part * second;
+        self.powers[0] += square;
+        self.count = count;
+        self.mean += part;
+        self.lowest = self.lowest.min(value);
+        self.highest = self.highest.max(value);
     }
 
-    /// Adds the moments of other values.
-    fn add(&mut self, other: &Self) {
-        let (a, b) = (self.count, other.count);
-        let n = a + b;
-        if b == 0.0 {
-            return;
-        }
-        let delta = other.mean - self.mean;
-        let part = delta / n;
-        let square = part * part;
-        let ([second, third, fourth], [own, own_third, own_fourth]) = (other.powers, self.powers);
-        self.powers = [
-            own + second + delta * part * a * b,
-            own_third
-                + third
-                + delta * square * a * b * (a - b)
-                + 3.0 * part * (a * second - b * own),
-            own_fourth
-                + fourth
-                + delta * part * square * a * b * (a * a - a * b + b * b)
-                + 6.0 * square * (a * a * second + b * b * own)
-                + 4.0 * part * (a * third - b * own_third),
-        ];
-        self.count = n;
-        self.mean += part * b;
-        self.lowest = self.lowest.min(other.lowest);
-        self.highest = self.highest.max(other.highest);
+    /// Sum of the squared distances from the mean.
+    pub(super) fn scatter(&self) -> f64 {
+        self.powers[0]
     }
 
     /// Mean; zero of no values.
@@ -139,6 +118,11 @@ impl Moments {
         (self.highest - self.lowest).max(0.0)
     }
 
+    /// Lowest and highest value; not finite of no values.
+    pub(crate) fn extremes(&self) -> [f64; 2] {
+        [self.lowest, self.highest]
+    }
+
     /// Takes a vibration of an RMS below `floor` for none.
     #[must_use]
     pub(super) fn above(self, floor: f64) -> Self {
@@ -146,7 +130,7 @@ impl Moments {
     }
 
     /// Largest magnitude of the values; zero of none.
-    pub(super) fn magnitude(&self) -> f64 {
+    pub(crate) fn magnitude(&self) -> f64 {
         self.highest.max(-self.lowest).max(0.0)
     }
 
@@ -169,20 +153,6 @@ impl Moments {
     }
 }
 
-/// Sums over values of some numbers of each; four sums a number, so that none waits for the addition before.
-fn sums<const K: usize>(values: &[f64], of: impl Fn(f64) -> [f64; K]) -> [f64; K] {
-    let mut sums = [[0.0; 4]; K];
-    let (fours, rest) = values.as_chunks::<4>();
-    for four in fours.iter().map(|four| four.as_slice()).chain([rest]) {
-        for (place, value) in four.iter().enumerate() {
-            for (sums, number) in sums.iter_mut().zip(of(*value)) {
-                sums[place] += number;
-            }
-        }
-    }
-    sums.map(|[a, b, c, d]| (a + b) + (c + d))
-}
-
 /// The band of ISO 20816-1, Hz.
 pub const VELOCITY_BAND: [f64; 2] = [10.0, 1000.0];
 /// Equivalent noise bandwidth of the Hann window in bins: what the lobe of a line adds up to.
@@ -190,6 +160,7 @@ const NOISE_BANDWIDTH: f64 = 1.5;
 
 /// RMS of a velocity in a band of frequencies.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct VelocityLevel {
     /// RMS, m/s.
     #[serde(rename = "rms_m_s")]
@@ -214,8 +185,9 @@ pub fn velocity_level(velocity: Vec<f64>, rate: f64) -> Option<VelocityLevel> {
     let transform = Transform::new(velocity);
     let first = ((VELOCITY_BAND[0] / resolution).ceil() as usize).max(1);
     let last = ((VELOCITY_BAND[1] / resolution).floor() as usize).min(transform.bins() - 1);
+    let power = |k| 0.5 * transform.amplitude(k, Window::Hann).powi(2);
     (first <= last).then(|| VelocityLevel {
-        rms: (transform.mean_square(first..=last) / NOISE_BANDWIDTH).sqrt(),
+        rms: ((first..=last).map(power).sum::<f64>() / NOISE_BANDWIDTH).sqrt(),
         band: [first as f64 * resolution, last as f64 * resolution],
     })
 }
@@ -225,6 +197,7 @@ pub const SETTLED: f64 = 0.02;
 
 /// How far mean and RMS of a freedom move from the second to the last third of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Drift {
     /// The freedom that moves most, 0 … 4.
     #[serde(skip)]
@@ -275,14 +248,14 @@ impl DriftRecorder {
     /// Takes a sample.
     pub fn record(&mut self, sample: &Sample) {
         let origin = self.origin.get_or_insert(sample.displacement);
-        let place = (sample.time - self.start) / self.third;
-        let (weights, sums) = match place {
+        let thirds = (sample.time - self.start) / self.third;
+        let (weights, sums) = match thirds {
             1.0..2.0 => &mut self.sums[0],
             2.0..3.0 => &mut self.sums[1],
             _ => return,
         };
         // a Hann window over every third
-        let weight = 0.5 - 0.5 * (TAU * place).cos();
+        let weight = 0.5 - 0.5 * (TAU * thirds).cos();
         *weights += weight;
         for axis in 0..FREEDOMS {
             let distance = sample.displacement[axis] - origin[axis];
@@ -326,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn moments_of_rows_are_those_of_all_values_at_once() {
+    fn moments_are_those_about_the_mean() {
         let values = values();
         let count = values.len() as f64;
         let mean = values.iter().sum::<f64>() / count;
@@ -334,26 +307,14 @@ mod tests {
             let powers = values.iter().map(|value| (value - mean).powi(n));
             powers.sum::<f64>() / count
         };
-        for length in [1, 3, 64, 2000] {
-            let mut moments = Moments::default();
-            for row in values.chunks(length) {
-                moments.take(row);
-            }
-            assert!((moments.mean() - mean).abs() < 1e-15, "{length}");
-            assert!((moments.rms() - power(2).sqrt()).abs() < 1e-14, "{length}");
-            let kurtosis = moments.kurtosis().expect("a vibration");
-            let expected = power(4) / power(2).powi(2);
-            assert!((kurtosis - expected).abs() < 1e-13, "{length}: {kurtosis}");
-            let highest = values.iter().copied().fold(0.0, f64::max);
-            assert_eq!(moments.highest, highest);
-        }
-    }
-
-    #[test]
-    fn a_row_of_nothing_changes_nothing() {
-        let mut moments = Moments::default();
-        moments.take(&[]);
-        assert_eq!(moments, Moments::default());
+        let moments: Moments = values.iter().copied().collect();
+        assert!((moments.mean() - mean).abs() < 1e-15);
+        assert!((moments.rms() - power(2).sqrt()).abs() < 1e-14);
+        let kurtosis = moments.kurtosis().expect("a vibration");
+        let expected = power(4) / power(2).powi(2);
+        assert!((kurtosis - expected).abs() < 1e-13, "{kurtosis}");
+        let highest = values.iter().copied().fold(0.0, f64::max);
+        assert_eq!(moments.highest, highest);
     }
 
     #[test]

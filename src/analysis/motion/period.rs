@@ -5,16 +5,16 @@ use std::f64::consts::PI;
 use serde::Serialize;
 
 use super::closed_curve::{ClosedCurve, closed_curve};
-use super::section::SectionKind;
+use super::{Moments, SectionKind};
 use crate::keys;
 
-/// Longest period that is looked for, cycles of a section.
+/// Longest period that is sought, cycles of a section.
 pub const LONGEST_PERIOD: usize = 12;
 /// Points that come back within this part of the motion repeat.
 const REPEATS: f64 = 1e-3;
 /// Points that a closed curve misses by less than this part of their spread lie on it.
 const ON_CURVE: f64 = 0.02;
-/// Cycles of a period that it must stand.
+/// Repetitions of a period that are compared at least.
 const FEWEST_COMPARED: usize = 3;
 /// Fewest points that a closed curve is sought through.
 const FEWEST_ON_CURVE: usize = 20;
@@ -135,44 +135,18 @@ pub fn recognise(series: &[Series]) -> Recognition {
 fn distances(points: &[Vec<f64>]) -> Vec<f64> {
     let most = (points.len() / FEWEST_COMPARED).min(LONGEST_PERIOD);
     let components = points.first().map_or(0, Vec::len);
-    let columns: Vec<Vec<f64>> = (0..components)
-        .map(|index| points.iter().map(|point| point[index]).collect())
-        .collect();
     let apart = |cycles: usize| {
         let wanted = (points.len() / 2).max(FEWEST_COMPARED * cycles);
-        let columns = columns.iter();
-        let sum: f64 = columns
-            .map(|column| scatter(&column[column.len() - wanted..], cycles))
-            .sum();
-        (2.0 * sum / wanted as f64).sqrt()
+        let late = &points[points.len() - wanted..];
+        let scatter = |(component, first): (usize, usize)| {
+            let values = late.iter().skip(first).step_by(cycles);
+            let moments: Moments = values.map(|point| point[component]).collect();
+            moments.scatter()
+        };
+        let all = (0..components).flat_map(|component| (0..cycles).map(move |k| (component, k)));
+        (2.0 * all.map(scatter).sum::<f64>() / wanted as f64).sqrt()
     };
     (1..=most).map(apart).collect()
-}
-
-/// Sum of the squared distances of values, at most [`LONGEST_PERIOD`] cycles apart, from the mean of those that
-/// would be one value.
-///
-/// ```text
-/// Σ (x − x̄)² = Σ d² − (Σ d)²/n
-/// ```
-///
-/// with d counted from the first of them, so that no more cancels than their own distances.
-fn scatter(values: &[f64], cycles: usize) -> f64 {
-    let (mut sums, mut squares) = ([0.0; LONGEST_PERIOD], [0.0; LONGEST_PERIOD]);
-    for row in values.chunks(cycles) {
-        for place in 0..row.len().min(LONGEST_PERIOD) {
-            let distance = row[place] - values[place];
-            sums[place] += distance;
-            squares[place] += distance * distance;
-        }
-    }
-    let places = sums.iter().zip(squares).take(cycles).enumerate();
-    places
-        .map(|(place, (sum, square))| {
-            let count = (values.len() - place).div_ceil(cycles) as f64;
-            (square - sum * sum / count).max(0.0)
-        })
-        .sum()
 }
 
 /// The period that takes the shortest time.
@@ -244,7 +218,7 @@ fn spread(values: &[f64]) -> f64 {
 
 /// Frequencies that are tried.
 const FREQUENCIES: u32 = 100;
-/// Most values that are looked at: the last ones.
+/// Most values that are tested: the last ones.
 const MOST_VALUES: usize = 2000;
 /// Part of the values over which the growth is followed.
 const FOLLOWED: usize = 10;
@@ -281,7 +255,7 @@ pub fn zero_one_test(values: &[f64]) -> f64 {
 /// K_c.
 fn growth(values: &[f64], mean: f64, c: f64) -> f64 {
     let mut sum = [0.0; 2];
-    let walk: Vec<[f64; 2]> = values
+    let path: Vec<[f64; 2]> = values
         .iter()
         .zip(1u32..)
         .map(|(value, n)| {
@@ -294,11 +268,11 @@ fn growth(values: &[f64], mean: f64, c: f64) -> f64 {
     let kept = values.len() - most;
     let (times, distances): (Vec<f64>, Vec<f64>) = (1..=most)
         .map(|m| {
-            let pairs = walk[..kept].iter().zip(&walk[m..]);
+            let pairs = path[..kept].iter().zip(&path[m..]);
             let squares = pairs.map(|(a, b)| (b[0] - a[0]).powi(2) + (b[1] - a[1]).powi(2));
             let time = m as f64;
-            let swing = mean * mean * (1.0 - (time * c).cos()) / (1.0 - c.cos());
-            (time, squares.sum::<f64>() / kept as f64 - swing)
+            let oscillation = mean * mean * (1.0 - (time * c).cos()) / (1.0 - c.cos());
+            (time, squares.sum::<f64>() / kept as f64 - oscillation)
         })
         .unzip();
     correlation(&times, &distances)
@@ -318,28 +292,14 @@ fn correlation(a: &[f64], b: &[f64]) -> f64 {
 mod tests {
     use super::*;
 
-    /// Points that repeat after some cycles but for a little noise, far from zero.
     #[test]
-    fn the_scatter_is_that_about_the_mean_of_every_place() {
-        let value = |n: usize| {
-            let noise = 1e-6 * (0.7 * n as f64).sin();
-            1e3 + [3.0, -1.0, 2.5, 0.2, 7.0][n % 5] + noise
-        };
-        let values: Vec<f64> = (0..33).map(value).collect();
-        for cycles in 1..=LONGEST_PERIOD {
-            let mut expected = 0.0;
-            for place in 0..cycles {
-                let own: Vec<f64> = values.iter().copied().skip(place).step_by(cycles).collect();
-                let mean = own.iter().map(|value| value - own[0]).sum::<f64>() / own.len() as f64;
-                let distances = own.iter().map(|value| value - own[0] - mean);
-                expected += distances.map(|distance| distance * distance).sum::<f64>();
-            }
-            let found = scatter(&values, cycles);
-            assert!(
-                (found / expected - 1.0).abs() < 1e-9,
-                "{cycles}: {found:e} {expected:e}"
-            );
-        }
+    fn distances_are_those_of_points_that_would_be_one() {
+        let value = |n: usize| [0.0, 1.0, 3.0][n % 3] + if n < 30 { 7.0 } else { 0.0 };
+        let points: Vec<Vec<f64>> = (0..60).map(|n| vec![value(n)]).collect();
+        let found = distances(&points);
+        // mean square distance of two independent picks of 0, 1 and 3 is twice their variance 14/9
+        assert!((found[0] - (28.0f64 / 9.0).sqrt()).abs() < 1e-12);
+        assert!((found[1] - found[0]).abs() < 1e-12 && found[2] < 1e-12);
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! Points of a motion at equal phases of what drives it: Poincaré sections.
 
 use std::f64::consts::TAU;
-use std::{array, fmt};
+use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::analysis::Hermite;
 use crate::keys;
 use crate::rotor::{FREEDOMS, Sample};
 
@@ -82,30 +83,15 @@ impl Section {
         }
     }
 
-    /// Takes samples, the first so many of them once more, and finds the points that at least one stands behind.
-    pub(super) fn record(&mut self, samples: &[Sample], taken: usize) {
-        let order = self.order;
-        let phase = |sample: &Sample| order * sample.angle / TAU + ON_THE_SPOT;
-        // the interval before the last sample waits for the next one
-        let first = taken.max(NODES - 1) - 2;
-        let last = samples.len().saturating_sub(2);
-        if first >= last {
-            return;
-        }
-        let mut number = phase(&samples[first]).floor() + 1.0;
-        let mut index = first;
-        loop {
-            // the first interval that does not end before the point
-            let reaches = |sample: &Sample| phase(sample) >= number;
-            index += samples[index + 1..=last].partition_point(|sample| !reaches(sample));
-            if index >= last {
-                return;
-            }
-            let [before, after] = [index, index + 1].map(|index| phase(&samples[index]));
+    /// Takes four samples that follow each other and finds the points between the middle two, the second included.
+    pub(super) fn record(&mut self, nodes: &[Sample; NODES]) {
+        let phase = |sample: &Sample| self.order * sample.angle / TAU + ON_THE_SPOT;
+        let [before, after] = [1, 2].map(|node: usize| phase(&nodes[node]));
+        let mut number = before.floor() + 1.0;
+        while number <= after {
             let part = ((number - before) / (after - before)).min(1.0);
             let missed = (after - number).abs() < 2.0 * ON_THE_SPOT;
-            let nodes = array::from_fn(|node| samples[index - 1 + node]);
-            self.add(&nodes, number as u64, if missed { 1.0 } else { part });
+            self.add(nodes, number as u64, if missed { 1.0 } else { part });
             number += 1.0;
         }
     }
@@ -129,10 +115,10 @@ impl Section {
             displacement: [0.0; FREEDOMS],
             velocity: [0.0; FREEDOMS],
         };
-        let place = 1.0 + part;
-        let [at, later, earlier] =
-            [place, place + SLOPE, place - SLOPE].map(|place| Hermite::<NODES>::new(0, place));
-        let fewer = Hermite::<{ NODES - 1 }>::new(1, place);
+        let position = 1.0 + part;
+        let [at, later, earlier] = [position, position + SLOPE, position - SLOPE]
+            .map(|position| Hermite::<NODES>::new(0, position));
+        let fewer = Hermite::<{ NODES - 1 }>::new(1, position);
         for axis in 0..FREEDOMS {
             let values = nodes.map(|node| node.displacement[axis]);
             let rates = nodes.map(|node| node.velocity[axis] * interval);
@@ -154,84 +140,3 @@ impl Section {
 /// Part of an interval over which the slope of the polynomial is taken: its error is below that of the
 /// interpolation, and round-off small.
 const SLOPE: f64 = 1e-3;
-
-/// The polynomial through values and slopes at whole places `first`, `first` + 1, …, seen at one place: the same
-/// weights serve every quantity that is known there.
-///
-/// ```text
-/// p(s) = Σ_i [1 − 2 l_i'(i)(s − i)] l_i(s)² f_i + (s − i) l_i(s)² f_i'
-/// ```
-///
-/// with l_i Lagrange's polynomials of the places: of degree 7 through four of them. Between the middle
-/// two its error is at most `(9/16)² h⁸ |f⁽⁸⁾|/8!`, h the distance of the places.
-///
-/// Source: Hermite's interpolation, e.g. Stoer & Bulirsch, *Introduction to Numerical Analysis*, 3rd ed.
-/// (2002), section 2.1.5.
-pub struct Hermite<const K: usize> {
-    /// Of every value and its slope.
-    weights: [[f64; 2]; K],
-}
-
-impl<const K: usize> Hermite<K> {
-    pub fn new(first: usize, place: f64) -> Self {
-        let at = |index: usize| (first + index) as f64;
-        let weights = std::array::from_fn(|i| {
-            let (mut lagrange, mut rate) = (1.0, 0.0);
-            for j in 0..K {
-                // known as this is compiled
-                let apart = i as f64 - j as f64;
-                if j != i {
-                    lagrange *= (place - at(j)) / apart;
-                    rate += 1.0 / apart;
-                }
-            }
-            let (square, distance) = (lagrange * lagrange, place - at(i));
-            [square * (1.0 - 2.0 * rate * distance), square * distance]
-        });
-        Self { weights }
-    }
-
-    /// Value of the polynomial through these at the place.
-    pub fn value(&self, values: [f64; K], slopes: [f64; K]) -> f64 {
-        let mut sum = 0.0;
-        for (i, [own, by_slope]) in self.weights.iter().enumerate() {
-            sum += own * values[i] + by_slope * slopes[i];
-        }
-        sum
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_polynomial_of_degree_seven_is_met_exactly() {
-        let value = |s: f64| 1.0 + s - 0.3 * s.powi(4) + 0.01 * s.powi(7);
-        let slope = |s: f64| 1.0 - 1.2 * s.powi(3) + 0.07 * s.powi(6);
-        let places = [0.0, 1.0, 2.0, 3.0];
-        for place in [1.0, 1.25, 1.5, 2.0] {
-            let found = Hermite::new(0, place).value(places.map(value), places.map(slope));
-            assert!((found - value(place)).abs() < 1e-14, "{place}: {found}");
-        }
-    }
-
-    #[test]
-    fn a_cosine_is_met_within_the_bound_of_the_remainder() {
-        for step in [0.2, 0.4, 0.8] {
-            let value = |s: f64| (step * s).cos();
-            let slope = |s: f64| -step * (step * s).sin();
-            let places = [0.0, 1.0, 2.0, 3.0];
-            let bound = (9.0f64 / 16.0).powi(2) * step.powi(8) / 40_320.0;
-            for part in 0..=10 {
-                let place = 1.0 + 0.1 * f64::from(part);
-                let found = Hermite::new(0, place).value(places.map(value), places.map(slope));
-                let error = found - value(place);
-                assert!(
-                    error.abs() <= bound + 1e-15,
-                    "{step} {place}: {error:e} of {bound:e}"
-                );
-            }
-        }
-    }
-}

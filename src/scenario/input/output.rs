@@ -11,7 +11,7 @@ use crate::analysis::{Channel, Window};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, significant};
-use crate::simulate::{Analyses, Sampling};
+use crate::simulate::{Analyses, MotionAnalysis, Sampling};
 
 /// Samples per revolution where neither key is given.
 const SAMPLES_PER_REVOLUTION: u32 = 128;
@@ -193,8 +193,12 @@ impl Output {
             .help("remove it; `jeffcott campbell` follows natural frequencies over the speed");
             problems.refuse(issue.against("speed.constant"));
         }
+        let motion = steady && self.motion.unwrap_or(self.takes_spectra(true));
         Analyses {
-            motion: steady && self.motion.unwrap_or(self.takes_spectra(true)),
+            motion: match motion {
+                true => MotionAnalysis::Kind,
+                false => MotionAnalysis::None,
+            },
             maps: changes && self.maps.unwrap_or(self.figures),
             ..Analyses::default()
         }

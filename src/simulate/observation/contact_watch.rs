@@ -10,8 +10,6 @@ pub(super) struct ContactWatch {
     /// None before the first sample.
     before: Option<Instant>,
     balls: Vec<BallWatch>,
-    /// How many of them are in contact.
-    touching: usize,
     preload: Option<PreloadWatch>,
 }
 
@@ -43,7 +41,6 @@ impl ContactWatch {
             bearing,
             before: None,
             balls: vec![BallWatch::default(); balls],
-            touching: 0,
             preload: preloaded.then(PreloadWatch::default),
         }
     }
@@ -73,9 +70,8 @@ impl ContactWatch {
         for (watch, &approach) in self.balls.iter_mut().zip(approaches) {
             watch.in_contact = approach >= band.lost;
             watch.approach = approach;
-            self.touching += usize::from(watch.in_contact);
         }
-        let touching = self.touching > 0;
+        let touching = self.touches();
         if let Some(preload) = &mut self.preload {
             *preload = PreloadWatch {
                 held: touching && axial_force > 0.0,
@@ -83,6 +79,11 @@ impl ContactWatch {
                 axial_force,
             };
         }
+    }
+
+    /// Whether any ball is in contact.
+    fn touches(&self) -> bool {
+        self.balls.iter().any(|ball| ball.in_contact)
     }
 
     fn watch_balls(&mut self, span: [Instant; 2], approaches: &[f64], found: &mut Vec<Event>) {
@@ -96,10 +97,6 @@ impl ContactWatch {
             watch.approach = approach;
             if (above[1] >= 0.0) != watch.in_contact {
                 watch.in_contact = !watch.in_contact;
-                match watch.in_contact {
-                    true => self.touching += 1,
-                    false => self.touching -= 1,
-                }
                 found.push(Event {
                     time: crossing(span, above),
                     kind,
@@ -118,7 +115,7 @@ impl ContactWatch {
         already: usize,
         found: &mut Vec<Event>,
     ) {
-        let touching = self.touching > 0;
+        let touching = self.touches();
         let Some(preload) = &mut self.preload else {
             return;
         };

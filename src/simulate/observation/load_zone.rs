@@ -4,8 +4,11 @@ use std::f64::consts::TAU;
 
 use serde::Serialize;
 
+use crate::analysis::Moments;
+
 /// Smallest, mean and largest value of the samples.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Spread {
     /// Smallest value.
     pub smallest: f64,
@@ -29,30 +32,14 @@ pub struct LoadZone {
     pub extent: Spread,
 }
 
-/// Extremes and sum of a whole number.
-#[derive(Debug, Default)]
-struct SpreadSums {
-    smallest: usize,
-    largest: usize,
-    sum: u64,
-}
-
-impl SpreadSums {
-    fn add(&mut self, value: usize, first: bool) {
-        self.smallest = if first {
-            value
-        } else {
-            self.smallest.min(value)
-        };
-        self.largest = self.largest.max(value);
-        self.sum += value as u64;
-    }
-
-    fn spread(&self, samples: u64, unit: f64) -> Spread {
-        Spread {
-            smallest: unit * self.smallest as f64,
-            mean: unit * self.sum as f64 / samples as f64,
-            largest: unit * self.largest as f64,
+impl Spread {
+    /// Of some values, in parts of a unit.
+    fn of(values: &Moments, unit: f64) -> Self {
+        let [smallest, largest] = values.extremes();
+        Self {
+            smallest: unit * smallest,
+            mean: unit * values.mean(),
+            largest: unit * largest,
         }
     }
 }
@@ -61,30 +48,24 @@ impl SpreadSums {
 #[derive(Debug, Default)]
 pub(super) struct LoadZoneSums {
     balls: usize,
-    samples: u64,
-    loaded: SpreadSums,
-    spanned: SpreadSums,
+    loaded: Moments,
+    spanned: Moments,
 }
 
 impl LoadZoneSums {
     /// Takes the loads of all balls at the inner race in a sample, N; one is loaded by more than `least`.
     pub fn take(&mut self, loads: &[f64], least: f64) {
-        let count = loads.iter().map(|load| usize::from(*load > least)).sum();
-        let gap = match count == loads.len() {
-            true => 0,
-            false => longest_row(loads.iter().map(|load| *load <= least)),
-        };
-        let first = self.samples == 0;
         self.balls = loads.len();
-        self.samples += 1;
-        self.loaded.add(count, first);
-        self.spanned.add(loads.len() - gap, first);
+        let count = loads.iter().filter(|load| **load > least).count();
+        let gap = longest_row(loads.iter().map(|load| *load <= least));
+        self.loaded.take(count as f64);
+        self.spanned.take((self.balls - gap) as f64);
     }
 
     pub fn finish(self) -> Option<LoadZone> {
-        (self.samples > 0).then(|| LoadZone {
-            balls: self.loaded.spread(self.samples, 1.0),
-            extent: self.spanned.spread(self.samples, TAU / self.balls as f64),
+        (self.balls > 0).then(|| LoadZone {
+            balls: Spread::of(&self.loaded, 1.0),
+            extent: Spread::of(&self.spanned, TAU / self.balls as f64),
         })
     }
 }

@@ -2,26 +2,53 @@
 
 mod contact_watch;
 mod event;
-mod history;
 mod life;
 mod load_zone;
 mod peak_loads;
 
 use std::io;
 
+use serde::Serialize;
+
 pub use event::{Event, EventCount, EventKind};
-pub use history::BearingHistory;
 pub use life::{ConsumedLife, LifeHistory};
 pub use load_zone::{LoadZone, Spread};
 
-use super::{BallParts, Model, SimulateError, TraceSink, Watched};
-use crate::bearing::{BallLoads, ContactBand, Support};
+use super::{Model, SimulateError, TraceSink};
+use crate::bearing::{BallLoads, Clearance, ContactBand, Support};
+use crate::keys;
 use crate::rotor::{BallContacts, Rotor, Sample};
 use contact_watch::ContactWatch;
 use event::EventCounts;
 use life::LifeSums;
 use load_zone::LoadZoneSums;
 use peak_loads::PeakLoads;
+
+/// What a run observed of one bearing.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct BearingHistory {
+    /// Clearance of a deep-groove bearing; none of an angular contact bearing.
+    pub clearance: Option<Clearance>,
+    /// Number of its balls; zero for a linear bearing, which knows none and of which nothing is
+    /// observed.
+    pub balls: usize,
+    /// Events over the whole run, by kind: those of a preload only where there is one.
+    #[serde(serialize_with = "keys::by_name")]
+    pub events: Vec<(EventKind, EventCount)>,
+    /// Loaded balls after the settle time; none without balls or samples.
+    pub load_zone: Option<LoadZone>,
+    /// Life that the loads consumed; none without a dynamic load rating or balls, or at rest.
+    pub life: Option<LifeHistory>,
+}
+
+impl BearingHistory {
+    /// How often an event of a kind happened.
+    pub fn events(&self, kind: EventKind) -> EventCount {
+        let found = self.events.iter().find(|(of, _)| *of == kind);
+        found.map_or_else(EventCount::default, |(_, count)| *count)
+    }
+}
 
 /// Watches all bearings of a rotor, sample by sample: the same samples give the same result.
 #[derive(Debug)]
@@ -37,31 +64,25 @@ pub(super) struct Observation<'a> {
 #[derive(Debug)]
 struct BearingObserver<'a> {
     support: &'a Support,
-    parts: BallParts,
     /// Speed in rad/s and where contacts part at it.
     band: (f64, ContactBand),
     watch: Option<ContactWatch>,
     peaks: PeakLoads,
     counts: EventCounts,
-    zone: Option<LoadZoneSums>,
+    zone: LoadZoneSums,
     life: Option<LifeSums>,
 }
 
 impl<'a> Observation<'a> {
     /// With the contact angles of the balls where somebody needs them, or a shoulder bounds them.
     pub fn new(model: &Model, rotor: &'a Rotor, angles: bool) -> Self {
-        let Watched { forces, balls } = model.analyses.watched;
         let bounded = |support: &Support| support.definition().bearing.shoulder_angle.is_some();
-        let contacts = match balls {
-            Some(_) if angles || rotor.supports().iter().any(bounded) => rotor.ball_contacts(),
-            Some(_) => rotor.ball_loads(),
-            None => rotor.unwatched_balls(forces),
+        let contacts = match angles || rotor.supports().iter().any(bounded) {
+            true => rotor.ball_contacts(),
+            false => rotor.ball_loads(),
         };
-        let parts = balls.unwrap_or(BallParts::LOADS);
-        let observer = |(index, support)| {
-            let speed = rotor.speed();
-            BearingObserver::new(index, support, speed, model.settle, parts)
-        };
+        let observer =
+            |(index, support)| BearingObserver::new(index, support, rotor.speed(), model);
         Self {
             // a ball and its bearing can each do one thing between two samples
             found: Vec::with_capacity(
@@ -82,12 +103,6 @@ impl<'a> Observation<'a> {
         self.bearings.iter().any(|bearing| bearing.watch.is_some())
     }
 
-    /// Whether life is consumed from the first sample on.
-    pub fn is_of_early_life(&self) -> bool {
-        let mut bearings = self.bearings.iter();
-        bearings.any(|bearing| bearing.parts.early_life && bearing.life.is_some())
-    }
-
     /// What to know of how hard the balls were pressed in the run.
     ///
     /// # Errors
@@ -106,7 +121,7 @@ impl<'a> Observation<'a> {
         &mut self.contacts
     }
 
-    /// Takes the sample whose balls stand in [`Observation::contacts`], and hands balls and events on.
+    /// Takes the sample whose balls are in [`Observation::contacts`], and hands balls and events on.
     pub fn take(&mut self, sample: &Sample, sink: &mut dyn TraceSink) -> io::Result<()> {
         sink.balls(sample, &self.contacts)?;
         self.watch([sample.time, sample.speed], sink)?;
@@ -116,18 +131,6 @@ impl<'a> Observation<'a> {
             bearing.weigh(sample, balls, least, settled);
         }
         Ok(())
-    }
-
-    /// Takes the contacts alone of a state at a time, of a rotor whose speed is a function of time.
-    pub fn take_contacts(
-        &mut self,
-        rotor: &Rotor,
-        time: f64,
-        state: &[f64],
-        sink: &mut dyn TraceSink,
-    ) -> io::Result<()> {
-        rotor.observe_contacts(time, state, &mut self.contacts);
-        self.watch([time, rotor.speed_profile().at(time).speed], sink)
     }
 
     /// Hands on what has happened since the sample before, at a time and a speed in s and rad/s.
@@ -148,7 +151,7 @@ impl<'a> Observation<'a> {
             clearance: bearing.support.definition().bearing.clearance(),
             balls: bearing.support.known_balls(),
             events: bearing.counts.finish(),
-            load_zone: bearing.zone.and_then(LoadZoneSums::finish),
+            load_zone: bearing.zone.finish(),
             life: bearing.life.and_then(LifeSums::finish),
         };
         self.bearings.into_iter().map(history).collect()
@@ -156,19 +159,19 @@ impl<'a> Observation<'a> {
 }
 
 impl<'a> BearingObserver<'a> {
-    fn new(index: usize, support: &'a Support, speed: f64, settle: f64, parts: BallParts) -> Self {
+    fn new(index: usize, support: &'a Support, speed: f64, model: &Model) -> Self {
         let bearing = &support.definition().bearing;
         let (balls, preloaded) = (support.known_balls(), support.is_preloaded());
-        let rated = bearing.dynamic_rating.filter(|_| balls > 0 && parts.life);
+        let rated = bearing.dynamic_rating.filter(|_| balls > 0);
+        let watched = balls > 0 && !model.analyses.settled_only;
         Self {
             support,
-            parts,
             band: (speed, support.contact_band(speed)),
-            watch: (balls > 0 && parts.events).then(|| ContactWatch::new(index, balls, preloaded)),
+            watch: watched.then(|| ContactWatch::new(index, balls, preloaded)),
             peaks: PeakLoads::default(),
             counts: EventCounts::new(balls > 0, preloaded),
-            zone: parts.load_zone.then(LoadZoneSums::default),
-            life: rated.map(|rating| LifeSums::new(&bearing.geometry, rating, settle)),
+            zone: LoadZoneSums::default(),
+            life: rated.map(|rating| LifeSums::new(&bearing.geometry, rating, model.settle)),
         }
     }
 
@@ -200,11 +203,10 @@ impl<'a> BearingObserver<'a> {
         if balls.balls() == 0 {
             return;
         }
-        if let Some(zone) = self.zone.as_mut().filter(|_| settled) {
-            zone.take(&balls.load[0], least);
+        if settled {
+            self.zone.take(&balls.load[0], least);
         }
-        let lives = settled || self.parts.early_life;
-        if let Some(life) = self.life.as_mut().filter(|_| lives) {
+        if let Some(life) = &mut self.life {
             life.take(sample, balls.life_powers);
         }
     }

@@ -1,11 +1,11 @@
-//! Speed against error: what each method and tolerance buys on a scene, and what each rung of the
-//! physics costs and changes.
+//! Speed against error: what each method and tolerance buys on a scene, and what each fidelity level
+//! costs and changes.
 //!
 //! Errors are distances from a reference that two different methods agree on, both as exact as the scene
 //! allows; their own distance is the uncertainty of every error. Times are those of the integration by
 //! itself, on one core: the shortest of some runs.
 
-mod ladder;
+mod levels;
 mod reference;
 mod trace;
 
@@ -16,11 +16,11 @@ use serde::Serialize;
 use crate::bearing::Oil;
 use crate::integrate::{IntegrateError, Method};
 use crate::rotor::{MotionScale, Rotor};
-use crate::simulate::{Model, Sampling, SimulateError};
+use crate::simulate::{Model, SimulateError};
 use reference::{Reference, Trial};
 use trace::{Distance, View};
 
-pub use ladder::{Configuration, Ladder, LadderRow};
+pub use levels::{FidelityLevels, FidelityRow};
 pub use reference::{Agreement, Cost, Measured, Row};
 pub use trace::Statistics;
 
@@ -61,8 +61,8 @@ pub struct Accuracy {
     /// Methods and tolerances.
     #[serde(rename = "methods")]
     pub rows: Vec<Row>,
-    /// The physics.
-    pub ladder: Ladder,
+    /// The fidelity levels.
+    pub ladder: FidelityLevels,
     /// Simulated time, s.
     #[serde(rename = "duration_s")]
     pub duration: f64,
@@ -99,18 +99,13 @@ impl Question<'_> {
     ///
     /// # Errors
     /// [`AccuracyError`] where the scene cannot be run, or no two methods can be compared on it. A single
-    /// method or rung that fails is told of in its row.
+    /// method or fidelity level that fails is reported in its row.
     pub fn measure(&self, watch: &mut Watch<'_>) -> Result<Accuracy, AccuracyError> {
         let rotor = Rotor::assemble(&self.model.rotor).map_err(SimulateError::from)?;
         let scale = rotor.motion_scale(self.model.integrator.tolerance);
-        let view = View::new(
-            &rotor,
-            &scale,
-            self.model.settle,
-            samples(self.model, &rotor),
-        );
-        let climbs = ladder::plan(self.model, self.oils);
-        let parts = (2 + self.methods.len() + climbs.len()) as f64;
+        let view = View::new(&rotor, &scale, self.model);
+        let levels = levels::plan(self.model, self.oils);
+        let parts = (2 + self.methods.len() + levels.len()) as f64;
         let mut done = 0.0;
         let mut advance = |watch: &mut Watch<'_>, by: f64| {
             done += by;
@@ -132,7 +127,7 @@ impl Question<'_> {
             advance(watch, 1.0);
         }
         let stop = watch.stop;
-        let ladder = ladder::measure(self.model.settle, climbs, stop, || advance(watch, 1.0))?;
+        let ladder = levels::measure(self.model.settle, levels, stop, || advance(watch, 1.0))?;
         Ok(Accuracy {
             agreement: reference.agreement,
             rows,
@@ -140,17 +135,6 @@ impl Question<'_> {
             duration: self.model.duration,
         })
     }
-}
-
-/// Number of samples of a run, about.
-fn samples(model: &Model, rotor: &Rotor) -> f64 {
-    let rate = match model.sampling {
-        Sampling::Rate(rate) => rate,
-        Sampling::PerRevolution(samples) => {
-            f64::from(samples) * rotor.highest_speed() / std::f64::consts::TAU
-        }
-    };
-    rate * model.duration
 }
 
 /// Whether somebody asked the run to stop.

@@ -24,7 +24,7 @@ const NEXT_TAKES: f64 = 4.0;
 /// A reference may take so many times as long as any other run.
 const PATIENCE: f64 = 4.0;
 
-/// References that differ by more than this part of the motion have parted company.
+/// References that differ by more than this part of the motion have diverged.
 const PARTED: f64 = 1e-4;
 /// Small differences that grow by more than this over the run make it irregular.
 const AMPLIFIED: f64 = 1e6;
@@ -53,7 +53,7 @@ pub struct Agreement {
     /// over the first.
     #[serde(rename = "growth_of_differences")]
     pub growth: f64,
-    /// Whether traces cannot be compared: the references part company.
+    /// Whether traces cannot be compared: the references diverge.
     pub irregular: bool,
     /// What errors are relative to.
     #[serde(flatten)]

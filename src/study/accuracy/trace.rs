@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::analysis::Moments;
 use crate::rotor::{FREEDOMS, MotionScale, Rotor, Sample};
-use crate::simulate::TraceSink;
+use crate::simulate::{Model, TraceSink};
 
 /// Most points that are kept of a trace.
 const MOST_POINTS: u64 = 1 << 17;
@@ -70,7 +70,7 @@ impl From<&Moments> for Statistics {
     }
 }
 
-/// How a scene is looked at, the same for all its runs.
+/// What is compared of a scene, the same for all its runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct View {
     /// Number of freedoms that count: the first so many of x, y, z, θx, θy.
@@ -84,13 +84,13 @@ pub(super) struct View {
 }
 
 impl View {
-    /// The view of a rotor's motion of so many samples.
-    pub fn new(rotor: &Rotor, scale: &MotionScale, settle: f64, samples: f64) -> Self {
+    /// The view of the motion of a model.
+    pub fn new(rotor: &Rotor, scale: &MotionScale, model: &Model) -> Self {
         Self {
             active: rotor.active_freedoms(),
             arm: scale.arm,
-            settle,
-            stride: (samples / MOST_POINTS as f64).ceil().max(1.0) as u64,
+            settle: model.settle,
+            stride: (model.samples() / MOST_POINTS as f64).ceil().max(1.0) as u64,
         }
     }
 
@@ -165,11 +165,8 @@ impl Trace {
             let pairs = self.points.iter().zip(&truth.points).skip(first);
             let differences =
                 pairs.map(|(left, right)| lever * (left[quantity][axis] - right[quantity][axis]));
-            let differences: Vec<f64> = differences.collect();
-            let largest = differences.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-            let mut apart = Moments::default();
-            apart.take(&differences);
-            let vibration = apart.rms();
+            let apart: Moments = differences.collect();
+            let (largest, vibration) = (apart.magnitude(), apart.rms());
             let statistics = self.statistics(quantity, axis);
             let statistics = statistics.distance(&truth.statistics(quantity, axis));
             let statistics = statistics.times(lever);
@@ -230,7 +227,7 @@ impl TraceSink for Trace {
         if sample.time >= self.view.settle {
             let moments = self.moments.as_flattened_mut().iter_mut();
             for (moments, value) in moments.zip(point.as_flattened()) {
-                moments.take(&[*value]);
+                moments.take(*value);
             }
         }
         Ok(())

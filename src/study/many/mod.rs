@@ -1,16 +1,24 @@
-//! Many runs of one scenario: which there are, in which order, on how many threads, and what is kept.
+//! Many runs of one scenario: which there are, in which order, on how many threads, and what is kept of each; the
+//! runs of a chain go on from where the one before ended.
 
-mod chain;
 mod numbers;
 mod record;
 mod schedule;
 
-pub use chain::{KeptTrace, Maker, Unmade};
+use std::io;
+use std::sync::atomic::AtomicBool;
+
 pub use numbers::{NumberColumn, number_columns};
 pub use record::{BearingStiffness, RunRecord, TraceSeal};
+use record::{Carried, Line, Outcome, Point, RunSink};
 pub use schedule::{Cycles, Direction, Schedule, Shard, Sweep, Turn, work};
 
-use crate::analysis::SectionKind;
+use crate::analysis::{Channel, Motion, SectionKind, Spectrum};
+use crate::integrate::IntegrateError;
+use crate::simulate::{
+    Analyses, Model, Monitor, MotionAnalysis, Run, SimulateError, StaticState, TraceSink, simulate,
+};
+use crate::study::plan::Plan;
 
 /// What is kept of every run, beside its numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -21,6 +29,247 @@ pub struct Keep {
     pub bearing_stiffness: bool,
     /// Whether the trace of every run is kept.
     pub traces: bool,
-    /// When the shaft is looked at, where its places are kept.
+    /// The section whose points are kept, where any are.
     pub section: Option<SectionKind>,
+}
+
+/// Why a run is to be made again.
+#[derive(Debug, thiserror::Error)]
+pub enum Unmade {
+    /// It was to stop before its end.
+    #[error("the study was stopped")]
+    Stopped,
+    /// Its trace could not be kept.
+    #[error(transparent)]
+    Trace(#[from] io::Error),
+}
+
+/// Keeps the trace of a run.
+pub trait KeptTrace: TraceSink {
+    /// Takes note that the run came to its end; answers what the trace is known by.
+    ///
+    /// # Errors
+    /// Whatever keeps the trace from being whole.
+    fn finish(self: Box<Self>) -> io::Result<TraceSeal>;
+}
+
+/// Begins to keep the trace of the run of a number.
+pub type TraceKeeper<'a> = &'a (dyn Fn(u64) -> io::Result<Box<dyn KeptTrace>> + Sync);
+
+/// Makes the runs of a study.
+#[derive(Clone, Copy)]
+pub struct Maker<'a> {
+    /// Values of every point.
+    pub plan: &'a Plan,
+    /// Runs and chains.
+    pub schedule: Schedule,
+    /// What is kept.
+    pub keep: Keep,
+    /// Every so many runs the error is measured; 0 on none.
+    pub verify_every: u64,
+    /// What keeps the traces of the runs, where they are kept.
+    pub traces: Option<TraceKeeper<'a>>,
+    /// Numbers that are kept.
+    pub columns: &'a [NumberColumn],
+    /// The motion of a point's values, or what is wrong with them.
+    pub model: &'a (dyn Fn(&[f64]) -> Result<Model, String> + Sync),
+    /// Set where all is to stop.
+    pub stop: &'a AtomicBool,
+}
+
+impl Maker<'_> {
+    /// Makes all runs of a chain.
+    ///
+    /// # Errors
+    /// [`Unmade`] where it was to stop before the last one was done, or a trace could not be kept.
+    pub fn chain(&self, chain: u64) -> Result<Vec<RunRecord>, Unmade> {
+        let mut records = Vec::new();
+        let mut carried = None;
+        for turn in self.schedule.chain(chain) {
+            let values = self.plan.values(turn.point);
+            let trace = self.traces.map(|keep| keep(turn.number)).transpose()?;
+            let outcome = self.run(turn, &values, &mut carried, trace)?;
+            records.push(RunRecord {
+                turn,
+                values,
+                outcome,
+            });
+        }
+        Ok(records)
+    }
+
+    /// The motion of a run by itself.
+    fn model_of(&self, turn: Turn, values: &[f64]) -> Result<Model, String> {
+        let mut model = (self.model)(values)?;
+        model.verify = self.verify_every > 0 && turn.number.is_multiple_of(self.verify_every);
+        model.analyses.motion = MotionAnalysis::Kind;
+        model.analyses.maps = false;
+        Ok(model)
+    }
+
+    /// Leaves out all that nothing of what is kept rests on.
+    fn reduce(&self, model: &mut Model) {
+        model.spectra.clear();
+        let highest_order = self.highest_order();
+        model.spectrum = model.spectrum.filter(|_| highest_order.is_some());
+        model.analyses = Analyses {
+            motion: match self.keep.section {
+                None => MotionAnalysis::None,
+                section => MotionAnalysis::Statistics(section),
+            },
+            maps: false,
+            settled_only: true,
+            highest_order,
+        };
+        for column in self.columns {
+            (column.ask)(&mut model.analyses);
+        }
+    }
+
+    /// Highest order of the spectra; none where nothing rests on them.
+    fn highest_order(&self) -> Option<f64> {
+        let orders = self.columns.iter().filter_map(|column| column.order);
+        let highest = orders.map(f64::from).chain(self.keep.highest_order);
+        // round-off may put the bin of an order just beyond it
+        highest.reduce(f64::max).map(|order| order * (1.0 + 1e-9))
+    }
+
+    /// The motion of one run, with the start that the runs before it in its chain lead to.
+    ///
+    /// # Errors
+    /// [`Unmade`] where that was to stop; what is wrong with its values, in words.
+    pub fn alone(&self, number: u64) -> Result<Result<Model, String>, Unmade> {
+        let mut carried: Option<Carried> = None;
+        for turn in self.schedule.chain(self.schedule.chain_of(number)) {
+            let values = self.plan.values(turn.point);
+            if turn.number == number {
+                return Ok(self.model_of(turn, &values).map(|mut model| {
+                    if let Some(carried) = &carried {
+                        carried.start(&mut model);
+                    }
+                    model
+                }));
+            }
+            if self.schedule.carries() {
+                let _ = self.run(turn, &values, &mut carried, None)?;
+            }
+        }
+        Ok(Err(format!("there is no run {number}")))
+    }
+
+    fn run(
+        &self,
+        turn: Turn,
+        values: &[f64],
+        carried: &mut Option<Carried>,
+        trace: Option<Box<dyn KeptTrace>>,
+    ) -> Result<Result<Outcome, String>, Unmade> {
+        let mut model = match self.model_of(turn, values) {
+            Ok(model) => model,
+            Err(message) => return Ok(Err(message)),
+        };
+        if let Some(carried) = carried {
+            carried.start(&mut model);
+        }
+        self.reduce(&mut model);
+        let mut sink = RunSink::new(&model, self.schedule.carries(), trace);
+        let mut monitor = Monitor {
+            stop: self.stop,
+            progress: &mut |_| {},
+        };
+        match simulate(&model, &mut sink, &mut monitor) {
+            Ok(run) => {
+                let trace = sink.trace.take().map(KeptTrace::finish).transpose()?;
+                *carried = sink.carried(&model);
+                let outcome = self.outcome(&run, model.rotor.speed);
+                Ok(Ok(Outcome { trace, ..outcome }))
+            }
+            Err(SimulateError::Integrate(IntegrateError::Interrupted { .. })) => {
+                Err(Unmade::Stopped)
+            }
+            Err(SimulateError::Sink(error)) => Err(Unmade::Trace(error)),
+            Err(error) => Ok(Err(error.to_string())),
+        }
+    }
+
+    fn outcome(&self, run: &Run, speed: f64) -> Outcome {
+        let spectrum = run.spectrum.as_ref().zip(self.keep.highest_order);
+        let points = run.motion.as_ref().zip(self.keep.section);
+        Outcome {
+            numbers: self.columns.iter().map(|column| column.of(run)).collect(),
+            spectrum: spectrum.map_or_else(Vec::new, |(spectrum, order)| lines(spectrum, order)),
+            points: points.map_or_else(Vec::new, |(motion, section)| {
+                section_points(motion, section)
+            }),
+            stiffness: if self.keep.bearing_stiffness {
+                bearing_stiffness(&run.equilibrium, speed)
+            } else {
+                Vec::new()
+            },
+            trace: None,
+            warnings: run.warnings.clone(),
+        }
+    }
+}
+
+/// Amplitudes of the displacements up to an order; all of them where the shaft does not turn.
+fn lines(spectrum: &Spectrum, highest: f64) -> Vec<Line> {
+    let displacements: Vec<_> = spectrum
+        .channels
+        .iter()
+        .filter(|entry| matches!(entry.channel, Channel::Displacement(_)))
+        .collect();
+    let shown = |k: &usize| spectrum.order(*k).is_none_or(|order| order <= highest);
+    (1..spectrum.bins())
+        .take_while(shown)
+        .map(|k| Line {
+            frequency: spectrum.frequency(k),
+            order: spectrum.order(k),
+            amplitudes: displacements
+                .iter()
+                .map(|entry| entry.amplitude[k])
+                .collect(),
+        })
+        .collect()
+}
+
+/// Of every bearing that has a stiffness of its own.
+fn bearing_stiffness(equilibrium: &StaticState, speed: f64) -> Vec<BearingStiffness> {
+    let part = |row: usize, column: usize, own: f64| match equilibrium.stiffness[row][column] {
+        0.0 => 0.0,
+        whole => equilibrium.damping[row][column] * own / whole,
+    };
+    let bearings = equilibrium.bearings.iter().enumerate();
+    let known = bearings.filter_map(|(index, bearing)| Some((index, bearing.as_ref()?)));
+    known
+        .map(|(index, bearing)| {
+            let own = BearingStiffness::ENTRIES.map(|(_, row, column)| {
+                let own = bearing.stiffness[(row, column)];
+                [own, part(row, column, own)]
+            });
+            BearingStiffness {
+                bearing: index + 1,
+                speed,
+                stiffness: own.map(|[stiffness, _]| stiffness),
+                damping: own.map(|[_, damping]| damping),
+            }
+        })
+        .collect()
+}
+
+fn section_points(motion: &Motion, kind: SectionKind) -> Vec<Point> {
+    let moving = motion
+        .statistics
+        .iter()
+        .filter(|entry| matches!(entry.channel, Channel::Displacement(_)))
+        .count();
+    let found = motion.sections.iter().find(|section| section.kind == kind);
+    let points = found.map_or(&[][..], |section| &section.points);
+    points
+        .iter()
+        .map(|point| Point {
+            time: point.time,
+            displacement: point.displacement[..moving].to_vec(),
+        })
+        .collect()
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::{Channel, Kind, Moments, Motion, Spectrum, column_unit};
 use crate::rotor::FREEDOMS;
-use crate::simulate::{Analyses, BallParts, EventKind, Run};
+use crate::simulate::{Analyses, EventKind, MotionAnalysis, Run};
 
 /// Multiples of the shaft frequency whose lines are kept.
 const ORDERS: [u32; 3] = [1, 2, 3];
@@ -80,14 +80,8 @@ impl Columns {
 
     /// Mean, RMS and range of a channel.
     fn add_moments(&mut self, channel: Channel) {
-        let ask: fn(&mut Analyses) = match channel {
-            Channel::Force(_) => |asked| {
-                (asked.motion, asked.parts.forces, asked.watched.forces) = (true, true, true);
-            },
-            _ => |asked| asked.motion = true,
-        };
         for (what, moment) in MOMENTS {
-            self.add(of(channel, what), ask, move |run| {
+            self.add(of(channel, what), STATISTICS, move |run| {
                 let mut statistics = run.motion.as_ref()?.statistics.iter();
                 let found = statistics.find(|entry| entry.channel == channel);
                 found.map(|entry| moment(&entry.moments))
@@ -115,22 +109,20 @@ impl Columns {
             Some(history.events(EventKind::ContactLost).count as f64)
         };
         let life = move |run: &Run| run.bearings.get(bearing)?.life?.after_settle.hours();
-        self.add(
-            name("fewest_loaded"),
-            |asked| loads(asked).load_zone = true,
-            zone,
-        );
+        self.add(name("fewest_loaded"), NOTHING, zone);
         self.add(
             name("contact_lost"),
-            |asked| loads(asked).events = true,
+            |asked| asked.settled_only = false,
             lost,
         );
-        self.add(name("life_h"), |asked| loads(asked).life = true, life);
+        self.add(name("life_h"), NOTHING, life);
     }
 }
 
 /// Of a number that every run has.
 const NOTHING: fn(&mut Analyses) = |_| {};
+/// Of a number of the motion after the settle time.
+const STATISTICS: fn(&mut Analyses) = |asked| asked.motion = asked.motion.with_statistics();
 
 /// `x_rms_m`.
 fn of(channel: Channel, what: &str) -> String {
@@ -175,23 +167,15 @@ pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
             let level = run.motion.as_ref()?.velocity.get(freedom)?.as_ref();
             level.map(|level| level.rms)
         };
-        columns.add(
-            name,
-            |asked| (asked.motion, asked.parts.velocity) = (true, true),
-            level,
-        );
+        columns.add(name, STATISTICS, level);
     }
-    let kind = |asked: &mut Analyses| (asked.motion, asked.parts.kind) = (true, true);
+    let kind = |asked: &mut Analyses| asked.motion = MotionAnalysis::Kind;
     columns.add("period_cycles", kind, |run| run.motion.as_ref().map(period));
-    let drift = |asked: &mut Analyses| (asked.motion, asked.parts.drift) = (true, true);
-    columns.add("drift", drift, |run| {
+    columns.add("drift", STATISTICS, |run| {
         let drift = run.motion.as_ref()?.drift.as_ref();
         drift.map(|drift| drift.largest())
     });
-    let balls = |asked: &mut Analyses| {
-        loads(asked);
-    };
-    columns.add("largest_ball_load_N", balls, |run| run.largest_ball_load);
+    columns.add("largest_ball_load_N", NOTHING, |run| run.largest_ball_load);
     (0..bearings).for_each(|bearing| columns.add_bearing(bearing));
     columns.add(MEASURED_ERROR, NOTHING, |run| {
         let error = run.measured_error.as_ref();
@@ -201,11 +185,6 @@ pub fn number_columns(freedoms: usize, bearings: usize) -> Vec<NumberColumn> {
         Some(run.counters.evaluations as f64)
     });
     columns.0
-}
-
-/// What is made of the loads of the balls, which are looked at from now on.
-fn loads(asked: &mut Analyses) -> &mut BallParts {
-    asked.watched.balls.get_or_insert(BallParts::LOADS)
 }
 
 /// Amplitude at a multiple of the shaft frequency, where that is a bin.

@@ -27,7 +27,7 @@ pub struct Outcome {
     pub numbers: Numbers,
     /// Amplitudes of the displacements, m and rad, at frequencies in Hz; empty where none are kept.
     pub spectrum: Vec<Line>,
-    /// Places of the shaft; empty where none are kept.
+    /// Positions of the shaft; empty where none are kept.
     pub points: Vec<Point>,
     /// Stiffness of every bearing that has one of its own; empty where it is not kept.
     pub stiffness: Vec<BearingStiffness>,
@@ -85,7 +85,7 @@ impl BearingStiffness {
     ];
 }
 
-/// Place of the shaft at one instant.
+/// Position of the shaft at one instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
     /// Time, s.
@@ -104,8 +104,8 @@ impl RunRecord {
 /// Where the next run of a chain starts.
 ///
 /// The shaft has its angle at the start again. With unbalance it ends at a whole revolution, and the balls
-/// stand where the cages have brought them; without, it ends where a ball has come to the place of another,
-/// and the balls stand as they began.
+/// are where the cages have brought them; without, it ends where a ball has come to the position of another,
+/// and the balls are where they began.
 #[derive(Debug, Clone)]
 pub(super) struct Carried {
     sample: Sample,
@@ -128,13 +128,13 @@ impl Carried {
     }
 }
 
-/// What is looked at while a run goes on.
-pub(super) struct Gathered {
+/// What is taken of the samples of a run.
+pub(super) struct RunSink {
     end: Option<End>,
     pub(super) trace: Option<Box<dyn KeptTrace>>,
 }
 
-impl Gathered {
+impl RunSink {
     /// Of a run that another one follows, or none.
     pub(super) fn new(model: &Model, followed: bool, trace: Option<Box<dyn KeptTrace>>) -> Self {
         Self {
@@ -149,7 +149,7 @@ impl Gathered {
     }
 }
 
-impl TraceSink for Gathered {
+impl TraceSink for RunSink {
     fn starts_at(&self) -> f64 {
         match (&self.trace, &self.end) {
             (None, None) => f64::INFINITY,
@@ -198,7 +198,7 @@ impl End {
         }
     }
 
-    /// The first sample stands at the end of no cycle at all.
+    /// The first sample is at the end of no cycle.
     fn take(&mut self, sample: &Sample) {
         let cycles = sample.angle / (TAU * self.cycle);
         let since = self

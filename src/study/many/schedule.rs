@@ -122,12 +122,12 @@ impl Schedule {
         let runs = self.runs_of(chain..chain + 1);
         let first = runs.start;
         runs.map(move |number| {
-            let place = number - first;
+            let step = number - first;
             let (offset, direction) = match sweep {
-                None => (place, Direction::Alone),
-                Some(Sweep::Down) => (length - 1 - place, Direction::Down),
-                Some(_) if place >= length => (2 * length - 1 - place, Direction::Down),
-                Some(_) => (place, Direction::Up),
+                None => (step, Direction::Alone),
+                Some(Sweep::Down) => (length - 1 - step, Direction::Down),
+                Some(_) if step >= length => (2 * length - 1 - step, Direction::Down),
+                Some(_) => (step, Direction::Up),
             };
             Turn {
                 number,
@@ -154,7 +154,7 @@ impl Shard {
         count: 1,
     };
 
-    /// The chains of this part, one stretch of all of them.
+    /// The chains of this part, one segment of all of them.
     pub fn chains(self, schedule: &Schedule) -> Range<u64> {
         let all = u128::from(schedule.chains());
         let count = u128::from(self.count.max(1));
@@ -280,7 +280,7 @@ pub enum CyclesError {
     Speed,
     /// No ball passes.
     #[error(
-        "no ball passes here: the cage stands or all bearings are linear; count revolutions, or set \
+        "no ball passes here: the cage is held or all bearings are linear; count revolutions, or set \
          model.contact and model.cage"
     )]
     BallPass,

@@ -207,13 +207,13 @@ impl Permutation {
         }
     }
 
-    /// The place of a number below `length`.
+    /// Position of a number below `length`.
     pub fn of(&self, number: u64) -> u64 {
-        let mut place = self.network(number);
-        while place >= self.length {
-            place = self.network(place);
+        let mut position = self.network(number);
+        while position >= self.length {
+            position = self.network(position);
         }
-        place
+        position
     }
 
     fn network(&self, number: u64) -> u64 {
@@ -256,7 +256,7 @@ const DIRECTIONS: [Direction; MOST_SOBOL_AXES - 1] = [
 ];
 
 /// Coordinate, from 0 on and below 1, of point `index` along `axis`; the first 2³² points, and the first
-/// [`MOST_SOBOL_AXES`] axes, are told apart.
+/// [`MOST_SOBOL_AXES`] axes, differ.
 ///
 /// ```text
 /// x = ⊕ over the set bits k of the Gray code of index of v_k,
@@ -311,10 +311,10 @@ mod tests {
     }
 
     #[test]
-    fn every_place_is_taken_once() {
+    fn every_position_is_taken_once() {
         let order = Permutation::new(5, 7);
-        let mut places: Vec<u64> = (0..5).map(|i| order.of(i)).collect();
-        places.sort();
-        assert_eq!(places, [0, 1, 2, 3, 4]);
+        let mut positions: Vec<u64> = (0..5).map(|i| order.of(i)).collect();
+        positions.sort();
+        assert_eq!(positions, [0, 1, 2, 3, 4]);
     }
 }

@@ -1,6 +1,6 @@
 //! `contact = "auto"` takes the cheapest law that is good enough.
 
-use crate::study::{ContactChoice, Rung};
+use crate::study::{ContactChoice, Fidelity};
 
 use super::read;
 
@@ -17,17 +17,17 @@ fn chosen(text: &str) -> ContactChoice {
     println!("{choice:?}");
     let model = scenario.model.unwrap();
     for bearing in &model.rotor.bearings {
-        assert_eq!(Rung::from(bearing), choice.chosen);
+        assert_eq!(Fidelity::from(bearing), choice.chosen);
     }
     assert_eq!(model.rotor.bearings, scenario.question.rotor.bearings);
     choice
 }
 
-fn difference(choice: &ContactChoice, rung: Rung) -> f64 {
+fn difference(choice: &ContactChoice, rung: Fidelity) -> f64 {
     let found = choice
-        .rungs
+        .cheaper
         .iter()
-        .find(|other| other.rung == rung)
+        .find(|other| other.fidelity == rung)
         .unwrap();
     found.result.as_ref().unwrap().largest()
 }
@@ -37,13 +37,16 @@ fn a_dry_bearing_at_low_speed_needs_no_ball_inertia_and_one_at_high_speed_does()
     let auto = "contact = \"auto\"\nmodel_error = 1e-3";
     let slow = chosen(&text("100 rad/s", auto, ""));
     let fast = chosen(&text("3000 rad/s", auto, ""));
-    assert_eq!(slow.top, Rung::Jones);
-    assert!(slow.chosen < Rung::Jones && difference(&slow, slow.chosen) <= 1e-3);
-    assert_eq!(fast.chosen, Rung::Jones);
+    assert_eq!(slow.top, Fidelity::Jones);
+    assert!(slow.chosen < Fidelity::Jones && difference(&slow, slow.chosen) <= 1e-3);
+    assert_eq!(fast.chosen, Fidelity::Jones);
     // the centrifugal force grows with the square of the speed
     let threefold = chosen(&text("300 rad/s", auto, ""));
     let force = |choice: &ContactChoice| {
-        let hertz = choice.rungs.iter().find(|rung| rung.rung == Rung::Hertz);
+        let hertz = choice
+            .cheaper
+            .iter()
+            .find(|level| level.fidelity == Fidelity::Hertz);
         hertz.unwrap().result.as_ref().unwrap().force
     };
     let ratio = force(&threefold) / force(&slow);
@@ -55,8 +58,8 @@ fn a_large_motion_needs_more_than_a_frozen_stiffness() {
     let auto = "contact = \"auto\"\nmodel_error = 1e-3";
     let scene = text("300 rad/s", auto, "").replace("5 um", "200 um");
     let choice = chosen(&scene.replace("300 rad/s", "200 rad/s"));
-    assert_eq!(choice.chosen, Rung::Hertz);
-    assert!(difference(&choice, Rung::Linear) > 1e-3);
+    assert_eq!(choice.chosen, Fidelity::Hertz);
+    assert!(difference(&choice, Fidelity::Linear) > 1e-3);
 }
 
 /// Four balls under a radial load and no unbalance: the passing balls are all that moves the shaft, and
@@ -70,8 +73,8 @@ fn a_motion_that_the_balls_make_needs_the_balls() {
         "catalogue = \"7205C\"\n[bearing.geometry]\nballs = 4\n",
     );
     let choice = chosen(&scene);
-    assert_eq!(choice.chosen, Rung::Hertz);
-    assert!(difference(&choice, Rung::Linear) > 0.5);
+    assert_eq!(choice.chosen, Fidelity::Hertz);
+    assert!(difference(&choice, Fidelity::Linear) > 0.5);
 }
 
 #[test]
@@ -85,15 +88,15 @@ fn films_are_considered_where_there_is_oil() {
     let choice = chosen(&oiled);
     assert_eq!(
         (choice.top, choice.chosen),
-        (Rung::JonesFilm, Rung::HertzFilm)
+        (Fidelity::JonesFilm, Fidelity::HertzFilm)
     );
     assert_eq!(choice.model_error, 1e-3);
     // where the films are of no account the cheaper laws are
     let loose = chosen(&oiled.replace("\"auto\"", "\"auto\"\nmodel_error = 0.5"));
-    assert!(loose.chosen < Rung::HertzFilm);
+    assert!(loose.chosen < Fidelity::HertzFilm);
     // one bearing's own word counts
     let dry = oiled.replace("[bearing.oil]", "film = false\n[bearing.oil]");
-    assert_eq!(chosen(&dry).top, Rung::Jones);
+    assert_eq!(chosen(&dry).top, Fidelity::Jones);
 }
 
 #[test]
@@ -105,7 +108,10 @@ fn a_given_stiffness_is_never_taken_for_more_than_it_is() {
                  coefficients = { x = \"200 N s/m\", y = \"200 N s/m\" }\n\
                  [[load]]\nconstant = { y = \"-196 N\" }\n[time]\nduration = \"0.1 s\"\n";
     let choice = chosen(scene);
-    assert_eq!((choice.top, choice.chosen), (Rung::Hertz, Rung::Hertz));
+    assert_eq!(
+        (choice.top, choice.chosen),
+        (Fidelity::Hertz, Fidelity::Hertz)
+    );
 }
 
 #[test]
@@ -117,8 +123,8 @@ fn the_speeds_of_a_run_up_are_all_looked_at() {
     );
     let choice = chosen(&scene);
     assert_eq!(choice.speeds, [100.0, 2500.0]);
-    assert_eq!(choice.chosen, Rung::Jones);
-    let worst = &choice.rungs.last().unwrap().result;
+    assert_eq!(choice.chosen, Fidelity::Jones);
+    let worst = &choice.cheaper.last().unwrap().result;
     assert_eq!(worst.as_ref().unwrap().speed, 2500.0);
 }
 
@@ -126,6 +132,11 @@ fn the_speeds_of_a_run_up_are_all_looked_at() {
 fn a_trace_of_balls_rules_out_the_law_without_balls() {
     let auto = "contact = \"auto\"\nmodel_error = 1";
     let choice = chosen(&text("100 rad/s", auto, "[output]\nballs = true\n"));
-    assert!(choice.rungs.iter().all(|rung| rung.rung != Rung::Linear));
-    assert_eq!(choice.chosen, Rung::Hertz);
+    assert!(
+        choice
+            .cheaper
+            .iter()
+            .all(|level| level.fidelity != Fidelity::Linear)
+    );
+    assert_eq!(choice.chosen, Fidelity::Hertz);
 }

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::scenario::{Scenario, methods};
 use crate::simulate::SimulateError;
-use crate::study::Rung;
+use crate::study::Fidelity;
 use crate::study::accuracy::{Accuracy, AccuracyError, NamedMethod, Question, Watch};
 
 use super::{read, text};
@@ -76,7 +76,7 @@ fn the_error_of_every_method_falls_with_its_tolerance_and_its_work_grows() {
     }
 }
 
-/// The scene as it is written is the top rung here: it differs from itself by nothing.
+/// the scene as it is written is the highest level here: it differs from itself by nothing.
 #[test]
 fn a_rung_differs_from_itself_by_nothing_and_lower_rungs_by_something() {
     let stiffness = "[bearing.geometry]\nballs = 9\nball_diameter = \"7.94 mm\"\npitch_diameter = \"38.5 mm\"\n\
@@ -93,20 +93,20 @@ fn a_rung_differs_from_itself_by_nothing_and_lower_rungs_by_something() {
         .find(|row| Some(row.configuration) == accuracy.ladder.top);
     let top = top.unwrap();
     let (_, errors) = top.result.as_ref().unwrap();
-    assert_eq!(top.configuration.rung, Rung::Hertz);
+    assert_eq!(top.configuration.fidelity, Fidelity::Hertz);
     assert_eq!(errors.displacement, 0.0);
     assert_eq!(errors.lines.unwrap_or(0.0), 0.0);
     let linear = rows
         .iter()
-        .find(|row| row.configuration.rung == Rung::Linear);
+        .find(|row| row.configuration.fidelity == Fidelity::Linear);
     let (_, errors) = linear.unwrap().result.as_ref().unwrap();
     assert!(errors.displacement_relative > 1e-2, "{errors:?}");
     let reason = |rung| {
-        let row = rows.iter().find(|row| row.configuration.rung == rung);
+        let row = rows.iter().find(|row| row.configuration.fidelity == rung);
         row.unwrap().result.clone().unwrap_err()
     };
-    assert!(reason(Rung::HertzFilm).contains("[bearing.oil]"));
-    assert!(reason(Rung::Jones).contains("both races together"));
+    assert!(reason(Fidelity::HertzFilm).contains("[bearing.oil]"));
+    assert!(reason(Fidelity::Jones).contains("both races together"));
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn the_top_rung_has_all_that_the_file_gives() {
         .filter(|row| row.as_written)
         .collect();
     assert_eq!(written.len(), 1);
-    assert_eq!(written[0].configuration.rung, Rung::Hertz);
+    assert_eq!(written[0].configuration.fidelity, Fidelity::Hertz);
     // films part the surfaces: the shaft stands elsewhere, by more than it vibrates
     let (cost, errors) = written[0].result.as_ref().unwrap();
     let (top_cost, _) = accuracy.ladder.rows[0].result.as_ref().unwrap();

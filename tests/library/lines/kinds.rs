@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use crate::analysis::{Kind, SectionKind, Series, closed_curve, recognise};
 use crate::rotor::{CageMotion, Damping, RotorDefinition};
-use crate::simulate::{Analyses, Model, Sampling};
+use crate::simulate::{Analyses, Model, MotionAnalysis, Sampling};
 
 use crate::tests::support::{
     literature_bearing, model, settings, thrust_rotor, try_run, varying_compliance,
@@ -132,7 +132,7 @@ fn of_scene(rotor: RotorDefinition, settle: f64, window: f64, tolerance: f64) ->
         sampling: Sampling::PerRevolution(128),
         integrator: settings(tolerance),
         analyses: Analyses {
-            motion: true,
+            motion: MotionAnalysis::Kind,
             maps: false,
             ..Analyses::default()
         },

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use crate::analysis::{Channel, TrackRecorder, TrackedOrder, WaterfallRecorder};
 use crate::bearing::{ContactLaw, MountedBearing};
 use crate::rotor::{Damping, Rotor, RotorDefinition, SpeedPoint};
-use crate::simulate::{Analyses, Maps, Model};
+use crate::simulate::{Analyses, Maps, Model, MotionAnalysis, Sample};
 
 use crate::tests::support::{assert_near, model, settings, thrust_rotor, try_run};
 
@@ -19,6 +19,16 @@ fn orders(values: &[f64]) -> Vec<TrackedOrder> {
     named.collect()
 }
 
+fn sample([time, angle, speed]: [f64; 3], x: f64) -> Sample {
+    Sample {
+        time,
+        angle,
+        speed,
+        displacement: [x, 0.0, 0.0, 0.0, 0.0],
+        ..Sample::default()
+    }
+}
+
 /// The strongest line of a sweep stands at the frequency that it has in the middle of the window.
 #[test]
 fn the_ridge_of_a_sweep_follows_its_frequency() {
@@ -28,9 +38,8 @@ fn the_ridge_of_a_sweep_follows_its_frequency() {
         let time = f64::from(n) / rate;
         // 50 Hz + 100 Hz/s t on a mean of 1 mm
         let angle = TAU * (50.0 * time + 0.5 * sweep * time * time);
-        recorder.take(time, TAU * (50.0 + sweep * time), |_| {
-            1e-3 + 1e-6 * angle.cos()
-        });
+        let x = 1e-3 + 1e-6 * angle.cos();
+        recorder.record(&sample([time, 0.0, TAU * (50.0 + sweep * time)], x));
     }
     let waterfall = recorder.finish();
     assert!(waterfall.slices.len() > 150);
@@ -57,7 +66,7 @@ fn orders_do_not_leak_into_each_other() {
             + 1e-6 * (angle + 1.0).cos()
             + 1e-8 * (2.0 * angle - 0.5).cos()
             + 1e-7 * (4.8 * angle + 2.0).cos();
-        recorder.take([time, angle, speed], |_| x);
+        recorder.record(&sample([time, angle, speed], x));
     }
     let tracks = recorder.finish();
     assert!(tracks.points.len() > 100);
@@ -96,7 +105,7 @@ fn mapped(definition: RotorDefinition, duration: f64) -> Maps {
     let model = Model {
         integrator: settings(1e-8),
         analyses: Analyses {
-            motion: false,
+            motion: MotionAnalysis::None,
             maps: true,
             ..Analyses::default()
         },

@@ -5,7 +5,7 @@ use std::f64::consts::{SQRT_2, TAU};
 use crate::analysis::{Channel, Kind, SectionKind};
 use crate::bearing::{ContactLaw, MountedBearing};
 use crate::rotor::{Damping, RotorDefinition};
-use crate::simulate::{Analyses, Model, Run, Sampling};
+use crate::simulate::{Analyses, Model, MotionAnalysis, Run, Sampling};
 
 use crate::tests::support::{assert_near, model, settings, thrust_rotor, try_run};
 
@@ -15,7 +15,7 @@ fn described(rotor: RotorDefinition, settle: f64, duration: f64) -> Run {
         sampling: Sampling::PerRevolution(128),
         integrator: settings(1e-9),
         analyses: Analyses {
-            motion: true,
+            motion: MotionAnalysis::Kind,
             maps: false,
             ..Analyses::default()
         },

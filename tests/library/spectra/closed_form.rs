@@ -52,7 +52,7 @@ fn a_sine_on_a_bin_is_exact_to_round_off_under_every_window() {
         let transform = Transform::new(cosine(length, 11.0, 2.0, 0.7));
         for window in [Window::Rectangular, Window::Hann, Window::FlatTop] {
             assert!((transform.amplitude(11, window) - 2.0).abs() < 1e-13);
-            assert!((transform.phase(11, window) - 0.7).abs() < 1e-12);
+            assert!((transform.line(11, window).arg() - 0.7).abs() < 1e-12);
         }
         for k in (0..transform.bins()).filter(|k| *k != 11) {
             assert!(transform.amplitude(k, Window::Rectangular) < 1e-13);

@@ -1,4 +1,4 @@
-//! The rungs of the ladder of physics: which law stands for the bearings.
+//! Fidelity levels: which law describes the bearings.
 
 use std::fmt;
 
@@ -8,7 +8,7 @@ use crate::physics::RaceControl;
 /// What is simulated of every contact, the cheaper first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
-pub enum Rung {
+pub enum Fidelity {
     /// Stiffness frozen at the static equilibrium.
     Linear,
     /// Hertz contacts.
@@ -21,8 +21,8 @@ pub enum Rung {
     JonesFilm,
 }
 
-impl Rung {
-    /// All rungs, from the cheapest to the top.
+impl Fidelity {
+    /// All levels, from the cheapest to the highest.
     pub(crate) const ALL: [Self; 5] = [
         Self::Linear,
         Self::Hertz,
@@ -41,7 +41,7 @@ impl Rung {
         matches!(self, Self::Jones | Self::JonesFilm)
     }
 
-    /// The bearing on this rung, its films of `oil` where the rung has films. Jones's law keeps the race
+    /// The bearing at this level, its films of `oil` where the level has films. Jones's law keeps the race
     /// control that the bearing has, or takes that of the outer race.
     pub(crate) fn of(self, bearing: &MountedBearing, oil: Option<Oil>) -> MountedBearing {
         let control = match bearing.law {
@@ -60,7 +60,7 @@ impl Rung {
     }
 }
 
-impl From<&MountedBearing> for Rung {
+impl From<&MountedBearing> for Fidelity {
     fn from(bearing: &MountedBearing) -> Self {
         match (bearing.law, bearing.oil.is_some()) {
             (ContactLaw::Linear, _) => Self::Linear,
@@ -73,7 +73,7 @@ impl From<&MountedBearing> for Rung {
     }
 }
 
-impl fmt::Display for Rung {
+impl fmt::Display for Fidelity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
             Self::Linear => "linear",

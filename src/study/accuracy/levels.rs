@@ -1,7 +1,7 @@
-//! The ladder of physics: what each rung costs, and how far it is from the top one.
+//! Fidelity levels: what each costs, and how far it is from the highest one.
 //!
-//! From the top rung on, one thing is taken away at a time: the law of the contacts goes down to the frozen
-//! stiffness, the cage stands, freedoms are held. The rungs are run by the scene's own method at its own
+//! From the highest level on, one thing is taken away at a time: the law of the contacts goes down to the frozen
+//! stiffness, the cage is held, freedoms are held. The levels are run by the scene's own method at its own
 //! tolerance.
 
 use std::fmt;
@@ -16,14 +16,14 @@ use crate::bearing::Oil;
 use crate::keys;
 use crate::rotor::{CageMotion, Freedoms, Rotor, RotorDefinition, check_constraints};
 use crate::simulate::{Model, SimulateError};
-use crate::study::Rung;
+use crate::study::Fidelity;
 
 /// One way to simulate the scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Configuration {
     /// Law of the contacts.
-    pub rung: Rung,
+    pub fidelity: Fidelity,
     /// Motion of the cages.
     pub(crate) cage: CageMotion,
     /// Freedoms that move.
@@ -41,16 +41,16 @@ impl fmt::Display for Configuration {
             Freedoms::Translational => "translational",
             Freedoms::All => "all",
         };
-        write!(f, "{}, {cage}, {freedoms}", self.rung)
+        write!(f, "{}, {cage}, {freedoms}", self.fidelity)
     }
 }
 
 impl Configuration {
     /// The configuration of a scene; of bearings with different laws the highest counts.
     fn of(rotor: &RotorDefinition) -> Option<Self> {
-        let rung = rotor.bearings.iter().map(Rung::from).max()?;
+        let fidelity = rotor.bearings.iter().map(Fidelity::from).max()?;
         Some(Self {
-            rung,
+            fidelity,
             cage: rotor.cage,
             freedoms: rotor.shaft.freedoms,
         })
@@ -61,7 +61,7 @@ impl Configuration {
         let mut model = with(model, model.integrator.method, model.integrator.tolerance);
         let oils = oils.iter().copied().chain(std::iter::repeat(None));
         for (bearing, oil) in model.rotor.bearings.iter_mut().zip(oils) {
-            *bearing = self.rung.of(bearing, oil);
+            *bearing = self.fidelity.of(bearing, oil);
         }
         model.rotor.cage = self.cage;
         model.rotor.shaft.freedoms = self.freedoms;
@@ -71,7 +71,7 @@ impl Configuration {
 
 /// A configuration to run.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Climb {
+pub struct Level {
     /// The configuration.
     pub configuration: Configuration,
     /// Whether it is the scene as it is written.
@@ -80,31 +80,31 @@ pub struct Climb {
     pub model: Result<Model, String>,
 }
 
-/// The ladder of a scene.
+/// The fidelity levels of a scene.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct Ladder {
-    /// The top rung.
+pub struct FidelityLevels {
+    /// The highest level.
     #[serde(serialize_with = "keys::optional_name")]
     pub top: Option<Configuration>,
-    /// The rungs, the top one first.
+    /// The levels, the highest first.
     #[serde(rename = "rungs")]
-    pub rows: Vec<LadderRow>,
+    pub rows: Vec<FidelityRow>,
 }
 
-/// A rung.
+/// A fidelity level.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct LadderRow {
+pub struct FidelityRow {
     /// What it simulates.
     #[serde(rename = "model", serialize_with = "keys::name")]
     pub configuration: Configuration,
     /// Whether it is the scene as it is written.
     pub as_written: bool,
-    /// What it costs and how far it is from the top rung after the settle time, or why it is not
-    /// available. All is relative to the largest root mean square of the vibration of the top rung:
+    /// What it costs and how far it is from the highest level after the settle time, or why it is not
+    /// available. All is relative to the largest root mean square of the vibration of the highest level:
     /// differences of traces are root mean squares about their mean, and that mean, by which the
-    /// shaft vibrates about another place, is the difference of the means in the statistics.
+    /// shaft vibrates about another position, is the difference of the means in the statistics.
     #[serde(flatten, serialize_with = "measured")]
     pub result: Result<(Cost, Errors), String>,
 }
@@ -126,20 +126,22 @@ fn measured<S: Serializer>(
     )
 }
 
-/// The rungs of a scene, the top one first.
-pub(super) fn plan(model: &Model, oils: &[Option<Oil>]) -> Vec<Climb> {
+/// The levels of a scene, the highest first.
+pub(super) fn plan(model: &Model, oils: &[Option<Oil>]) -> Vec<Level> {
     let written = Configuration::of(&model.rotor);
-    let climb = |configuration: Configuration| Climb {
+    let level = |configuration: Configuration| Level {
         configuration,
         as_written: written == Some(configuration),
         model: build(model, oils, configuration),
     };
-    let Some(top) = top(&climb) else {
+    let Some(top) = top(&level) else {
         return Vec::new();
     };
     let best = top.configuration;
-    let laws = Rung::ALL.into_iter().rev();
-    let mut others: Vec<Configuration> = laws.map(|rung| Configuration { rung, ..best }).collect();
+    let laws = Fidelity::ALL.into_iter().rev();
+    let mut others: Vec<Configuration> = laws
+        .map(|fidelity| Configuration { fidelity, ..best })
+        .collect();
     others.push(Configuration {
         cage: CageMotion::Frozen,
         ..best
@@ -148,31 +150,34 @@ pub(super) fn plan(model: &Model, oils: &[Option<Oil>]) -> Vec<Climb> {
         others.push(Configuration { freedoms, ..best });
     }
     others.extend(written);
-    let mut climbs = vec![top];
+    let mut levels = vec![top];
     for configuration in others {
-        if climbs
+        if levels
             .iter()
-            .all(|climb| climb.configuration != configuration)
+            .all(|level| level.configuration != configuration)
         {
-            climbs.push(climb(configuration));
+            levels.push(level(configuration));
         }
     }
-    climbs
+    levels
 }
 
 /// The highest configuration that can be built.
-fn top(climb: &impl Fn(Configuration) -> Climb) -> Option<Climb> {
+fn top(level: &impl Fn(Configuration) -> Level) -> Option<Level> {
     [Freedoms::All, Freedoms::Translational, Freedoms::Radial]
         .into_iter()
         .flat_map(|freedoms| {
-            Rung::ALL.into_iter().rev().map(move |rung| Configuration {
-                rung,
-                cage: CageMotion::Rolling,
-                freedoms,
-            })
+            Fidelity::ALL
+                .into_iter()
+                .rev()
+                .map(move |fidelity| Configuration {
+                    fidelity,
+                    cage: CageMotion::Rolling,
+                    freedoms,
+                })
         })
-        .map(climb)
-        .find(|climb| climb.model.is_ok())
+        .map(level)
+        .find(|level| level.model.is_ok())
 }
 
 /// The scene in a configuration, where all that it takes is known.
@@ -181,7 +186,7 @@ fn build(
     oils: &[Option<Oil>],
     configuration: Configuration,
 ) -> Result<Model, String> {
-    if configuration.rung.has_film() && oils.iter().all(Option::is_none) {
+    if configuration.fidelity.has_film() && oils.iter().all(Option::is_none) {
         return Err("no bearing has a [bearing.oil]".to_owned());
     }
     if configuration.freedoms == Freedoms::All && model.rotor.shaft.inertia_transverse == 0.0 {
@@ -193,25 +198,25 @@ fn build(
     Ok(model)
 }
 
-/// Runs all rungs. `done` is called after each.
+/// Runs all levels. `done` is called after each.
 pub(super) fn measure(
     settle: f64,
-    climbs: Vec<Climb>,
+    levels: Vec<Level>,
     stop: &AtomicBool,
     mut done: impl FnMut(),
-) -> Result<Ladder, SimulateError> {
+) -> Result<FidelityLevels, SimulateError> {
     let mut rows = Vec::new();
     let mut truth: Option<(Trial, Scale)> = None;
     let mut top = None;
-    for climb in climbs {
-        let result = match climb.model {
+    for level in levels {
+        let result = match level.model {
             Err(reason) => Err(reason),
             Ok(model) => match run(&model, truth.as_ref(), settle, stop) {
                 Err(error) if is_interrupted(&error) => return Err(error),
                 Err(error) => Err(error.to_string()),
                 Ok((cost, errors, trial)) => {
                     if truth.is_none() {
-                        top = Some(climb.configuration);
+                        top = Some(level.configuration);
                         let scale = vibration(&trial);
                         truth = Some((trial, scale));
                     }
@@ -219,17 +224,17 @@ pub(super) fn measure(
                 }
             },
         };
-        rows.push(LadderRow {
-            configuration: climb.configuration,
-            as_written: climb.as_written,
+        rows.push(FidelityRow {
+            configuration: level.configuration,
+            as_written: level.as_written,
             result,
         });
         done();
     }
-    Ok(Ladder { top, rows })
+    Ok(FidelityLevels { top, rows })
 }
 
-/// Runs a rung; without a `truth` it is the truth itself.
+/// Runs a level; without a `truth` it is the truth itself.
 fn run(
     model: &Model,
     truth: Option<&(Trial, Scale)>,
@@ -238,7 +243,7 @@ fn run(
 ) -> Result<(Cost, Errors, Trial), SimulateError> {
     let rotor = Rotor::assemble(&model.rotor)?;
     let scale = rotor.motion_scale(model.integrator.tolerance);
-    let view = View::new(&rotor, &scale, model.settle, super::samples(model, &rotor));
+    let view = View::new(&rotor, &scale, model);
     let trial = observe(model, view, stop)?;
     let errors = match truth {
         Some((truth, scale)) => Errors::between(&trial, truth, scale, Norm::Vibration, from),

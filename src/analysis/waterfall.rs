@@ -2,7 +2,7 @@
 
 use realfft::RealFftPlanner;
 
-use crate::analysis::{Channel, Transform, Window};
+use super::{Channel, Transform, Window};
 use crate::rotor::Sample;
 
 /// Windows that overlap at any time.
@@ -90,19 +90,12 @@ impl WaterfallRecorder {
 
     /// Takes one sample of a run.
     pub fn record(&mut self, sample: &Sample) {
-        self.take(sample.time, sample.speed, |channel| {
-            channel.of(sample).unwrap_or(f64::NAN)
-        });
-    }
-
-    /// Takes the values of all channels at a time in s and a speed in rad/s.
-    pub fn take(&mut self, time: f64, speed: f64, value: impl Fn(Channel) -> f64) {
         for (channel, samples) in self.waterfall.channels.iter().zip(&mut self.samples) {
-            samples.push(value(*channel));
+            samples.push(channel.of(sample).unwrap_or(f64::NAN));
         }
-        self.speeds.push(speed);
+        self.speeds.push(sample.speed);
         if self.speeds.len() == self.waterfall.length {
-            self.slice(time);
+            self.slice(sample.time);
         }
     }
 
@@ -147,7 +140,12 @@ mod tests {
         for n in 0..1000 {
             let time = f64::from(n) / 1000.0;
             let x = 2e-6 * (TAU * 40.0 * time).cos();
-            recorder.take(time, 100.0, |_| x);
+            recorder.record(&Sample {
+                time,
+                speed: 100.0,
+                displacement: [x, 0.0, 0.0, 0.0, 0.0],
+                ..Sample::default()
+            });
         }
         let waterfall = recorder.finish();
         assert_eq!(

@@ -1,11 +1,11 @@
-//! What is made of the samples beside the spectra: the kind of a steady motion, maps of a run-up.
+//! Takes the samples for the statistics of a steady motion and the maps of a run-up.
 
 use std::f64::consts::TAU;
 
-use super::Model;
+use super::{Analyses, Model, MotionAnalysis};
 use crate::analysis::{
-    Channel, Motion, MotionParts, MotionRecorder, MotionSettings, OrderTracks, SectionKind,
-    TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
+    Channel, Motion, MotionRecorder, MotionSettings, OrderTracks, SectionKind, TrackRecorder,
+    TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
 use crate::rotor::{FREEDOMS, Rotor, Sample};
@@ -28,86 +28,6 @@ const LEAST_WINDOWS: f64 = 4.0;
 const TRACK_WINDOWS: f64 = 20.0;
 const TRACK_REVOLUTIONS: [f64; 2] = [4.0, 16.0];
 
-/// What is made of the samples beside the spectra; by default nothing.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Analyses {
-    /// Statistics, sections, period and settling of the last whole revolutions after the settle time, where
-    /// the speed is constant there.
-    pub motion: bool,
-    /// Which of these, where not all.
-    pub parts: MotionParts,
-    /// Waterfall and order tracks of the whole run.
-    pub maps: bool,
-    /// What is looked at of the bearings at every sample.
-    pub watched: Watched,
-    /// Which lines of the spectra are found.
-    pub lines: SpectrumLines,
-}
-
-/// Which lines of the spectra of a run are found; by default all of them.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum SpectrumLines {
-    /// All of displacements and forces with their phases, and their peaks.
-    #[default]
-    All,
-    /// Amplitudes of the displacements alone, up to an order of the shaft.
-    UpTo(f64),
-    /// Amplitudes of the displacements at the first so many multiples of the shaft's frequency; on a free grid of
-    /// time, or under a window, all up to there.
-    Orders(u32),
-}
-
-/// What is looked at of the bearings at every sample; what is not is missing in the samples. By default
-/// everything.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Watched {
-    /// The force on the shaft; known in any case where balls are looked at.
-    pub forces: bool,
-    /// Loads of every ball, and what rests on them; none: no ball is looked at.
-    pub balls: Option<BallParts>,
-}
-
-/// What is made of the loads of the balls; by default everything.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct BallParts {
-    /// Contacts that part and meet.
-    pub events: bool,
-    /// How many balls are loaded, and over which arc.
-    pub load_zone: bool,
-    /// Life that the loads consume.
-    pub life: bool,
-    /// That before the settle time as well; without it the whole run counts from there on.
-    pub early_life: bool,
-}
-
-impl BallParts {
-    /// Everything.
-    pub const ALL: Self = Self {
-        events: true,
-        load_zone: true,
-        life: true,
-        early_life: true,
-    };
-
-    /// The loads alone.
-    pub const LOADS: Self = Self {
-        events: false,
-        load_zone: false,
-        life: false,
-        early_life: false,
-    };
-}
-
-/// Everything.
-impl Default for Watched {
-    fn default() -> Self {
-        Self {
-            forces: true,
-            balls: Some(BallParts::ALL),
-        }
-    }
-}
-
 /// Maps of a run whose speed changes.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -127,7 +47,8 @@ pub(super) struct Recorders {
 impl Recorders {
     pub fn new(model: &Model, rotor: &Rotor, grid: &Grid) -> Self {
         let Analyses { motion, maps, .. } = model.analyses;
-        let steady = rotor.steady_from(model.settle).filter(|_| motion);
+        let steady = rotor.steady_from(model.settle);
+        let steady = steady.filter(|_| motion != MotionAnalysis::None);
         Self {
             motion: steady.map(|speed| MotionRecorder::new(settings(model, rotor, grid, speed))),
             maps: maps.then(|| maps_of(model, rotor, 1.0 / grid.interval)),
@@ -157,11 +78,14 @@ impl Recorders {
 fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSettings {
     let scale = rotor.motion_scale(model.integrator.tolerance);
     let mut sections = Vec::new();
-    let parts = model.analyses.parts;
+    let motion = model.analyses.motion;
     if speed > 0.0 {
         sections.push((SectionKind::Revolution, 1.0));
         let passing = rotor.ball_pass_orders().first().copied();
         sections.extend(passing.map(|[outer, _]| (SectionKind::BallPass, outer)));
+        if let MotionAnalysis::Statistics(asked) = motion {
+            sections.retain(|(kind, _)| asked == Some(*kind));
+        }
     }
     let end = grid.time(grid.count - 1);
     MotionSettings {
@@ -171,7 +95,7 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
         rate: 1.0 / grid.interval,
         levers: std::array::from_fn::<_, FREEDOMS, _>(|axis| scale.lever(axis)),
         sections,
-        parts,
+        kind: motion == MotionAnalysis::Kind,
     }
 }
 

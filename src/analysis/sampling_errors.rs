@@ -1,8 +1,71 @@
-//! Lines that do not stand on a bin of an unweighted spectrum.
+//! What sampling and its end do to a spectrum: aliasing of what is above half the sampling rate, and leakage of lines
+//! that lie between the bins of an unweighted one.
 
 use std::f64::consts::PI;
 
-/// Lines below this part of the strongest are not looked at.
+use nalgebra::Complex;
+
+use super::{ChannelSpectrum, Window};
+
+/// Where the top of the frequencies begins, of half the sampling rate.
+const TOP: f64 = 0.9;
+
+/// Power of a signal, its mean left out, and how much of it is at the top of the frequencies.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TopPower {
+    /// Power at all frequencies, the unit of the signal squared.
+    pub total: f64,
+    /// Power in the top tenth of the frequencies below half the sampling rate.
+    pub top: f64,
+    /// Power below which the signal is round-off.
+    pub rest: f64,
+}
+
+impl TopPower {
+    /// Of powers at bins 0, 1, … under a window; amplitudes below `rest` are round-off.
+    ///
+    /// What a signal holds above half its sampling rate is folded below it, first into the top. A
+    /// spectrum that has fallen off there folds little; one that has not is sampled too seldom.
+    pub fn of(powers: &[f64], rest: f64, window: Window) -> Self {
+        // the window spreads the mean over the first bins
+        let first = window.coefficients().len().min(powers.len());
+        let begin = (TOP * powers.len() as f64) as usize;
+        Self {
+            total: powers[first..].iter().sum(),
+            top: powers[begin.max(first)..].iter().sum(),
+            rest: rest * rest,
+        }
+    }
+
+    /// Of a channel of a spectrum under a window. Of an unweighted one the skirts of lines and of ends
+    /// that do not meet reach up to the top: it is weighted after Hann first.
+    pub fn of_channel(entry: &ChannelSpectrum, window: Window, rest: f64) -> Self {
+        match window {
+            Window::Rectangular => Self::of(&hann_powers(entry), rest, Window::Hann),
+            _ => {
+                let powers: Vec<f64> = entry.amplitude.iter().map(|a| 0.5 * a * a).collect();
+                Self::of(&powers, rest, window)
+            }
+        }
+    }
+}
+
+/// Powers of an unweighted spectrum as the Hann window shows them, `Y_k = X_k − ½(X_{k−1} + X_{k+1})`;
+/// those of the first two bins and of the last are left out, and zero.
+fn hann_powers(entry: &ChannelSpectrum) -> Vec<f64> {
+    let bins = entry.amplitude.iter().zip(&entry.phase);
+    let bins: Vec<_> = bins
+        .map(|(a, phase)| Complex::from_polar(*a, *phase))
+        .collect();
+    let mut powers = vec![0.0; bins.len()];
+    for k in 2..bins.len().saturating_sub(1) {
+        let weighted = bins[k] - (bins[k - 1] + bins[k + 1]) * 0.5;
+        powers[k] = 0.5 * weighted.norm_sqr();
+    }
+    powers
+}
+
+/// Lines below this part of the strongest are left out.
 const STRONG: f64 = 0.1;
 /// Fewest bins from either end of the spectrum: nearer ones are mixed with their image.
 const MARGIN: usize = 3;
@@ -20,7 +83,7 @@ const SKIRT: f64 = 0.01;
 pub struct Leak {
     /// The bin next to it.
     pub bin: usize,
-    /// How far it stands beside that bin, −½ … ½ bins.
+    /// How far it is beside that bin, −½ … ½ bins.
     pub offset: f64,
     /// Its amplitude.
     pub amplitude: f64,
@@ -32,7 +95,7 @@ impl Leak {
         (PI * self.offset).sin() / (PI * self.offset)
     }
 
-    /// Bins to either side within which the skirts stand above a hundredth of the line:
+    /// Bins to either side within which the skirts are above a hundredth of the line:
     /// at d bins they are `sin πδ/πd` of it.
     pub fn reach(&self) -> f64 {
         (PI * self.offset).sin().abs() / (PI * SKIRT)
@@ -40,10 +103,10 @@ impl Leak {
 }
 
 /// The line of an unweighted amplitude spectrum (peak values at bins 0, 1, …) that leaks most, of the
-/// strong ones that stand beside their bin; amplitudes up to `noise` are none.
+/// strong ones that are beside their bin; amplitudes up to `noise` are none.
 ///
 /// A line δ bins beside bin k leaves 1/|δ|, 1/(1 − δ) and 1/(1 + δ) at bins k and k ± 1, and 1/(2 ∓ δ)
-/// beyond; what does not look so is no line. Source: Harris, Proc. IEEE 66 (1978), sect. IV.
+/// beyond; what is not so is no line. Source: Harris, Proc. IEEE 66 (1978), sect. IV.
 pub fn leak(amplitudes: &[f64], noise: f64) -> Option<Leak> {
     let inner = MARGIN..amplitudes.len().saturating_sub(MARGIN);
     let powers = amplitudes.iter().skip(1).map(|a| a * a);
@@ -94,8 +157,13 @@ fn line(amplitudes: &[f64], k: usize) -> Option<Leak> {
 mod tests {
     use super::*;
     use crate::analysis::Transform;
-    use crate::analysis::Window;
     use std::f64::consts::TAU;
+
+    #[test]
+    fn a_tenth_of_white_noise_is_at_the_top() {
+        let white = TopPower::of(&[1.0; 1001], 0.0, Window::Rectangular);
+        assert!((white.top / white.total - 0.1).abs() < 2e-3);
+    }
 
     #[test]
     fn a_line_between_bins_is_found() {

@@ -6,7 +6,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 
-use crate::analysis::Channel;
+use super::Channel;
 use crate::rotor::Sample;
 
 /// Windows that overlap at any time.
@@ -14,6 +14,7 @@ const OVERLAP: f64 = 4.0;
 
 /// An order that is tracked.
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct TrackedOrder {
     /// What it is called: `1×`, `BPFO`.
     pub name: String,
@@ -23,6 +24,7 @@ pub struct TrackedOrder {
 
 /// Amplitude and phase of one order.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Track {
     /// Peak value in the unit of the channel.
     pub amplitude: f64,
@@ -66,7 +68,7 @@ pub struct OrderTracks {
 /// ```
 ///
 /// with Ψ the length of the window and ψ_j its middle. Orders that are less than about `2/revolutions`
-/// apart are not told apart. What changes within a window is averaged over it.
+/// apart are not separated. What changes within a window is averaged over it.
 pub struct TrackRecorder {
     found: OrderTracks,
     /// Windows that are being filled, the earliest first.
@@ -102,15 +104,9 @@ impl TrackRecorder {
         }
     }
 
-    /// Takes one sample of a run.
+    /// Takes one sample of a run: samples are at equal times, and the angle does not fall.
     pub fn record(&mut self, sample: &Sample) {
-        let at = [sample.time, sample.angle, sample.speed];
-        self.take(at, |channel| channel.of(sample).unwrap_or(f64::NAN));
-    }
-
-    /// Takes the values of all channels at a time in s, an angle in rad and a speed in rad/s; samples
-    /// stand at equal times, and the angle does not fall.
-    pub fn take(&mut self, [time, angle, speed]: [f64; 3], value: impl Fn(Channel) -> f64) {
+        let (angle, speed) = (sample.angle, sample.speed);
         let half = PI * self.found.revolutions;
         while self
             .open
@@ -132,10 +128,11 @@ impl TrackRecorder {
         }
         if speed > 0.0 {
             self.fill_basis(angle);
-            let values: Vec<f64> = self.found.channels.iter().map(|c| value(*c)).collect();
+            let value = |channel: &Channel| channel.of(sample).unwrap_or(f64::NAN);
+            let values: Vec<f64> = self.found.channels.iter().map(value).collect();
             for fit in &mut self.open {
                 let weight = 0.5 + 0.5 * (PI * (angle - fit.middle) / half).cos();
-                fit.add(weight * speed, [time, speed], &self.basis, &values);
+                fit.add(weight * speed, [sample.time, speed], &self.basis, &values);
             }
         }
     }
@@ -184,7 +181,7 @@ impl Fit {
         }
     }
 
-    /// None where the samples do not tell the orders apart.
+    /// None where the samples do not separate the orders.
     fn finish(self, found: &OrderTracks) -> Option<TrackPoint> {
         // only the lower triangle is filled, and only it is read
         let factors = self.gram.cholesky()?;
@@ -227,7 +224,13 @@ mod tests {
             let time = 5e-4 * f64::from(n);
             let (speed, angle) = (10.0 * time, 5.0 * time * time);
             let x = 5e-5 + 3e-6 * (angle + 0.5).cos() + 1e-6 * (4.8 * angle).sin();
-            recorder.take([time, angle, speed], |_| x);
+            recorder.record(&Sample {
+                time,
+                angle,
+                speed,
+                displacement: [x, 0.0, 0.0, 0.0, 0.0],
+                ..Sample::default()
+            });
         }
         let tracks = recorder.finish();
         for point in &tracks.points {

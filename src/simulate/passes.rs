@@ -1,0 +1,233 @@
+//! The integrations of a run: the pass whose samples are shown, and a second, tighter one that measures its error.
+
+use std::sync::atomic::AtomicBool;
+
+use super::part::{ReferenceStanding, Standing};
+use super::{BLOCK, MeasuredError, Model, SimulateError, sampling};
+use crate::integrate::{
+    CheckpointMismatch, Counters, Grid, IntegrateError, Integration, Pace, Settings, States, System,
+};
+use crate::rotor::{MotionScale, Rotor};
+
+/// Factor between the tolerances of the two passes.
+const REFERENCE_FACTOR: f64 = 0.1;
+/// Below this tolerance the second pass is the looser one: round-off allows none that is tighter.
+const TIGHTEST_WITH_REFERENCE: f64 = 1e-12;
+
+/// Settings of the second pass: another tolerance.
+pub(crate) fn reference_settings(settings: Settings) -> Settings {
+    let factor = if settings.tolerance >= TIGHTEST_WITH_REFERENCE {
+        REFERENCE_FACTOR
+    } else {
+        1.0 / REFERENCE_FACTOR
+    };
+    Settings {
+        tolerance: settings.tolerance * factor,
+        ..settings
+    }
+}
+
+/// Sizes of a motion as both passes take them.
+fn motion_scale(model: &Model, rotor: &Rotor) -> MotionScale {
+    rotor.motion_scale(reference_settings(model.integrator).tolerance)
+}
+
+fn pass<'a>(
+    rotor: &'a Rotor,
+    scale: &MotionScale,
+    grid: Grid,
+    settings: Settings,
+    stop: &'a AtomicBool,
+) -> Integration<'a> {
+    let (scaling, state) = (rotor.scaling(scale), rotor.start());
+    Integration::new(rotor, scaling, grid, settings, stop, &state)
+}
+
+/// The passes of a run.
+pub(super) struct Passes<'a> {
+    pub rotor: &'a Rotor,
+    pub grid: Grid,
+    pub main: Integration<'a>,
+    scale: MotionScale,
+    reference: Option<Reference<'a>>,
+}
+
+/// The second pass, and how far the first is from it.
+struct Reference<'a> {
+    integration: Integration<'a>,
+    states: States,
+    /// Largest difference of a displacement so far, m.
+    difference: f64,
+    /// Largest distance from the static equilibrium so far, m.
+    excursion: f64,
+    /// Why the pass cannot go on, where it cannot.
+    failure: Option<String>,
+    tolerance: f64,
+}
+
+impl<'a> Passes<'a> {
+    pub fn start(
+        model: &Model,
+        rotor: &'a Rotor,
+        grid: Grid,
+        stop: &'a AtomicBool,
+        [pace, reference_pace]: [Option<&'a Pace>; 2],
+    ) -> Self {
+        let scale = motion_scale(model, rotor);
+        let second = reference_settings(model.integrator);
+        let reference = model.verify.then(|| Reference {
+            integration: pass(rotor, &scale, grid, second, stop).watched(reference_pace),
+            states: States::new(rotor.states()),
+            difference: 0.0,
+            excursion: 0.0,
+            failure: None,
+            tolerance: second.tolerance,
+        });
+        Self {
+            rotor,
+            grid,
+            main: pass(rotor, &scale, grid, model.integrator, stop).watched(pace),
+            scale,
+            reference,
+        }
+    }
+
+    /// What it takes to go on from here another time.
+    pub fn standing(&self) -> Standing {
+        let of_reference = |reference: &Reference<'_>| ReferenceStanding {
+            pass: reference.integration.checkpoint().clone(),
+            difference: reference.difference,
+            excursion: reference.excursion,
+            failure: reference.failure.clone(),
+        };
+        Standing {
+            time: self.grid.time(self.main.done()),
+            main: self.main.checkpoint().clone(),
+            reference: self.reference.as_ref().map(of_reference),
+        }
+    }
+
+    /// Goes on from where the passes of an earlier part stood.
+    pub fn go_on_from(&mut self, standing: &Standing) -> Result<(), SimulateError> {
+        self.main.go_on_from(&standing.main)?;
+        match (&mut self.reference, &standing.reference) {
+            (Some(reference), Some(standing)) => Ok(reference.go_on_from(standing)?),
+            (None, None) => Ok(()),
+            _ => Err(SimulateError::NoSecondPass),
+        }
+    }
+
+    /// Goes on with the second pass over as many samples as the first has states in a block, and compares both.
+    ///
+    /// # Errors
+    /// [`IntegrateError::Interrupted`] where somebody asked the run to stop.
+    pub fn compare(&mut self, states: &States) -> Result<(), IntegrateError> {
+        match &mut self.reference {
+            Some(reference) => reference.compare(states, self.rotor, &self.scale),
+            None => Ok(()),
+        }
+    }
+
+    /// Why the error is not known, where it was to be measured.
+    pub fn failure(&self) -> Option<&str> {
+        self.reference.as_ref()?.failure.as_deref()
+    }
+
+    /// Difference of both passes; none without a second one that came to its end.
+    pub fn measured_error(&self) -> Option<MeasuredError> {
+        let reference = self.reference.as_ref()?;
+        let displacement = reference.difference + self.rotor.displacement_round_off();
+        reference.failure.is_none().then(|| MeasuredError {
+            displacement,
+            relative: displacement / reference.excursion.max(self.scale.length),
+            reference_tolerance: reference.tolerance,
+            counters: reference.integration.counters(),
+        })
+    }
+}
+
+impl Reference<'_> {
+    fn go_on_from(&mut self, standing: &ReferenceStanding) -> Result<(), CheckpointMismatch> {
+        self.integration.go_on_from(&standing.pass)?;
+        self.difference = standing.difference;
+        self.excursion = standing.excursion;
+        self.failure.clone_from(&standing.failure);
+        Ok(())
+    }
+
+    /// A pass that cannot go on leaves the error of the run unknown.
+    fn compare(
+        &mut self,
+        states: &States,
+        rotor: &Rotor,
+        scale: &MotionScale,
+    ) -> Result<(), IntegrateError> {
+        if self.failure.is_some() {
+            return Ok(());
+        }
+        self.states.clear();
+        match self.integration.advance(states.len(), &mut self.states) {
+            Err(interrupted @ IntegrateError::Interrupted { .. }) => return Err(interrupted),
+            result => self.failure = result.err().map(|error| error.to_string()),
+        }
+        let rest = &rotor.equilibrium().displacement;
+        for (state, reference) in states.iter().zip(self.states.iter()) {
+            for axis in 0..rotor.active_freedoms() {
+                let apart = scale.lever(axis) * (state[axis] - reference[axis]).abs();
+                let moved = scale.lever(axis) * (reference[axis] - rest[axis]).abs();
+                self.difference = self.difference.max(apart);
+                self.excursion = self.excursion.max(moved);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The integration of a model and nothing else, ready to be run as often as one likes: what time and work are
+/// measured on.
+#[derive(Debug, Clone)]
+pub struct BareRun<'a> {
+    model: &'a Model,
+    rotor: Rotor,
+}
+
+impl<'a> BareRun<'a> {
+    /// Assembles the rotor of a model.
+    ///
+    /// # Errors
+    /// [`SimulateError::Rotor`] where it cannot be assembled.
+    pub fn new(model: &'a Model) -> Result<Self, SimulateError> {
+        let mut rotor = Rotor::assemble(&model.rotor)?;
+        if model.energy {
+            rotor.account_for_energy();
+        }
+        Ok(Self { model, rotor })
+    }
+
+    /// The rotor.
+    pub fn rotor(&self) -> &Rotor {
+        &self.rotor
+    }
+
+    /// Integrates over all samples of the model by its method and forgets the states: no second pass, no
+    /// observation of the bearings, no spectra. `pace` takes note of how it gets on.
+    ///
+    /// # Errors
+    /// [`SimulateError`] as a run.
+    pub fn integrate(
+        &self,
+        stop: &AtomicBool,
+        pace: Option<&Pace>,
+    ) -> Result<Counters, SimulateError> {
+        let (model, rotor) = (self.model, &self.rotor);
+        let grid = sampling::grid(model, rotor)?;
+        let scale = motion_scale(model, rotor);
+        let mut integration = pass(rotor, &scale, grid, model.integrator, stop).watched(pace);
+        let mut states = States::with_capacity(rotor.states(), BLOCK);
+        while integration.done() < grid.count {
+            states.clear();
+            integration.advance(BLOCK, &mut states)?;
+        }
+        Ok(integration.counters())
+    }
+}

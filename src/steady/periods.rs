@@ -1,0 +1,242 @@
+//! The independent frequencies of a forcing, and when the periods of a map over it begin.
+
+use std::f64::consts::TAU;
+
+use serde::{Serialize, Serializer};
+
+use super::SteadyError;
+use crate::rotor::{Forcing, ForcingCause, Rotor};
+use crate::shooting::Circle;
+
+/// Two frequencies have a common period where their ratio is a fraction to this part of it.
+const EXACT: f64 = 1e-11;
+/// A common period is used where it is at most so many times the shorter one; beyond, two frequencies
+/// are cheaper.
+const LONGEST: u32 = 12;
+/// Two ratios of frequencies are the same to this part of a turn.
+const SAME_RATIO: f64 = 1e-9;
+/// Periods that are searched for phases.
+const PERIODS: u64 = 1 << 14;
+
+/// A frequency of which one or more forcings are multiples.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Base {
+    /// Angular frequency, rad/s.
+    pub frequency: f64,
+    /// Forcings and which multiple of it each is.
+    pub(crate) parts: Vec<(ForcingCause, u32)>,
+    /// Time from which on it repeats, s.
+    pub from: f64,
+}
+
+impl Serialize for Base {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        #[allow(non_snake_case)]
+        struct Keys {
+            frequency_Hz: f64,
+            period_s: f64,
+            causes: Vec<Cause>,
+        }
+        #[derive(Serialize)]
+        struct Cause {
+            cause: String,
+            multiple: u32,
+        }
+        let cause = |(cause, multiple): &(ForcingCause, u32)| Cause {
+            cause: cause.to_string(),
+            multiple: *multiple,
+        };
+        let keys = Keys {
+            frequency_Hz: self.frequency / TAU,
+            period_s: self.period(),
+            causes: self.parts.iter().map(cause).collect(),
+        };
+        keys.serialize(serializer)
+    }
+}
+
+impl Base {
+    /// Period, s.
+    pub fn period(&self) -> f64 {
+        TAU / self.frequency
+    }
+
+    /// Whether balls that pass belong to it.
+    pub(crate) fn has_ball_pass(&self) -> bool {
+        let passes =
+            |(cause, _): &(ForcingCause, u32)| matches!(cause, ForcingCause::BallPass { .. });
+        self.parts.iter().any(passes)
+    }
+
+    /// Takes in a forcing that has a common period with what is here; whether it has one.
+    fn take(&mut self, forcing: &Forcing) -> bool {
+        let Some((own, other)) = fraction(self.frequency, forcing.frequency) else {
+            return false;
+        };
+        self.frequency /= f64::from(own);
+        for (_, multiple) in &mut self.parts {
+            *multiple *= own;
+        }
+        self.parts.push((forcing.cause, other));
+        self.from = self.from.max(forcing.from);
+        true
+    }
+}
+
+/// `[p, q]` with `first/second = p/q`.
+fn fraction(first: f64, second: f64) -> Option<(u32, u32)> {
+    let ratio = first / second;
+    (1..=LONGEST).find_map(|q| {
+        let p = (ratio * f64::from(q)).round();
+        let fits = (p / (ratio * f64::from(q)) - 1.0).abs() < EXACT;
+        (fits && p >= 1.0 && p <= f64::from(LONGEST)).then_some((p as u32, q))
+    })
+}
+
+/// The independent frequencies of some forcings, that of passing balls first, then the highest first.
+pub fn bases(forcings: &[Forcing]) -> Vec<Base> {
+    let mut found: Vec<Base> = Vec::new();
+    for forcing in forcings {
+        if !found.iter_mut().any(|base| base.take(forcing)) {
+            found.push(Base {
+                frequency: forcing.frequency,
+                parts: vec![(forcing.cause, 1)],
+                from: forcing.from,
+            });
+        }
+    }
+    found.sort_by(|a, b| {
+        let passing = b.has_ball_pass().cmp(&a.has_ball_pass());
+        passing.then(b.frequency.total_cmp(&a.frequency))
+    });
+    found
+}
+
+/// The periods of a forcing of one or two frequencies.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Periods {
+    /// One or two frequencies; the period is that of the first.
+    pub bases: Vec<Base>,
+    /// How many of these make one of the map.
+    pub multiple: u32,
+    /// The states over the phase of the second frequency.
+    pub circle: Circle,
+}
+
+impl Periods {
+    /// What repeats in a rotor, over a multiple of its period.
+    pub fn new(rotor: &Rotor, multiple: u32) -> Result<Self, SteadyError> {
+        let bases = bases(&rotor.forcing()?);
+        match bases.len() {
+            0 => Err(SteadyError::Rest),
+            1 | 2 => Ok(Self {
+                circle: Circle::point(bases[0].period() * f64::from(multiple)),
+                bases,
+                multiple,
+            }),
+            _ => Err(SteadyError::Frequencies {
+                frequencies: hertz(&bases),
+            }),
+        }
+    }
+
+    /// The same with so many harmonics of the second frequency.
+    pub fn with_harmonics(&self, harmonics: usize) -> Result<Self, SteadyError> {
+        let circle = Circle::around(self.circle.period(), self.rotation(), harmonics);
+        Ok(Self {
+            circle: circle.ok_or_else(|| SteadyError::NearlyCommon {
+                frequencies: self.frequencies(),
+                periods: PERIODS,
+            })?,
+            ..self.clone()
+        })
+    }
+
+    /// Those of another rotor whose frequencies have the same ratio.
+    pub fn of_rotor(&self, rotor: &Rotor) -> Result<Self, SteadyError> {
+        let other = Self::new(rotor, self.multiple)?;
+        let turn = (other.rotation() - self.rotation()).abs();
+        if other.bases.len() != self.bases.len() || turn > SAME_RATIO * TAU {
+            return Err(SteadyError::RatioChanges {
+                key: "the parameter".to_owned(),
+            });
+        }
+        Ok(Self {
+            circle: self.circle.with_period(other.circle.period()),
+            ..other
+        })
+    }
+
+    /// The same over another multiple of the period; a single frequency only.
+    pub fn times(&self, multiple: u32) -> Self {
+        Self {
+            circle: Circle::point(self.bases[0].period() * f64::from(multiple)),
+            multiple,
+            ..self.clone()
+        }
+    }
+
+    /// Half the period, where the forcing repeats with it.
+    pub fn half(&self) -> Option<Self> {
+        let even = self.multiple.is_multiple_of(2) && !self.is_torus();
+        even.then(|| self.times(self.multiple / 2))
+    }
+
+    /// Whether there are two frequencies.
+    pub fn is_torus(&self) -> bool {
+        self.bases.len() == 2
+    }
+
+    /// The frequencies, Hz.
+    pub fn frequencies(&self) -> Vec<f64> {
+        hertz(&self.bases)
+    }
+
+    /// How far the second phase turns in a period, rad.
+    fn rotation(&self) -> f64 {
+        match &self.bases[..] {
+            [_, second] => second.frequency * self.circle.period(),
+            _ => 0.0,
+        }
+    }
+
+    /// Time after whole periods, s, where everything repeats already.
+    pub fn time(&self, strobe: u64) -> f64 {
+        (self.first() + strobe as f64) * self.circle.period()
+    }
+
+    /// Whole periods until everything repeats.
+    fn first(&self) -> f64 {
+        let from = self.bases.iter().map(|base| base.from).fold(0.0, f64::max);
+        (from / self.circle.period()).ceil()
+    }
+
+    /// Phase of the second frequency at the time of strobe 0, rad.
+    pub fn first_phase(&self) -> f64 {
+        self.circle.phase(self.first() as u64)
+    }
+}
+
+fn hertz(bases: &[Base]) -> Vec<f64> {
+    bases.iter().map(|base| base.frequency / TAU).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frequencies_in_whole_ratios_share_one() {
+        let forcing = |number, frequency| Forcing {
+            cause: ForcingCause::Load { number },
+            frequency,
+            from: 0.0,
+        };
+        let common = bases(&[forcing(0, 100.0), forcing(1, 150.0)]);
+        assert_eq!(common[0].frequency, 50.0);
+        let apart = bases(&[forcing(0, 100.0), forcing(1, 141.42)]);
+        assert_eq!(apart.len(), 2);
+    }
+}
