@@ -4,10 +4,7 @@
 //! uniform [`Grid`] of times and hands out the states there, a block at a time, so that memory does
 //! not grow with the duration.
 
-mod adapter;
 mod auto;
-mod block;
-mod checkpoint;
 mod chunks;
 mod control;
 mod error;
@@ -16,27 +13,25 @@ mod explicit;
 mod exponential;
 mod grid;
 mod integration;
+mod library;
 mod pace;
 mod problem;
 pub(crate) mod root;
 mod rosenbrock;
 mod settings;
 mod shifted;
-mod states;
 mod stepper;
 mod stiffness;
 mod system;
 mod variation;
 
 pub use auto::{ChangeReason, MethodUse};
-pub use checkpoint::{Checkpoint, CheckpointMismatch, SEGMENT};
 pub use error::IntegrateError;
-pub use grid::Grid;
-pub use integration::Integration;
+pub use grid::{Grid, States};
+pub use integration::{Checkpoint, CheckpointMismatch, Integration, SEGMENT};
 pub use pace::Pace;
 pub use settings::{Counters, Method, Settings};
 pub use shifted::Shifted;
-pub use states::States;
 pub use stiffness::Stiffness;
 pub use system::{Scaling, System};
 pub use variation::variation;

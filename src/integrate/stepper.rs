@@ -2,6 +2,7 @@
 
 use super::auto::{Choice, MethodUse};
 use super::exponential::ExponentialStepper;
+use super::library::LibraryStepper;
 use super::problem::Problem;
 use super::rosenbrock::RosenbrockStepper;
 use super::{Counters, IntegrateError, Method, explicit};
@@ -71,6 +72,7 @@ impl Start {
 
 fn stepper_of(method: Method, problem: &Problem<'_>, start: &Start) -> Box<dyn MethodStepper> {
     match method {
+        Method::Dopri5 | Method::Dop853 => Box::new(LibraryStepper::new(method, problem, start)),
         Method::Rodas => Box::new(RosenbrockStepper::new(problem, start)),
         _ => explicit::stepper(method, problem, start)
             .unwrap_or_else(|| Box::new(ExponentialStepper::new(problem, start))),
@@ -146,10 +148,5 @@ impl Stepper {
     /// Which method carried the run, where the choice is left open.
     pub fn method_use(&self) -> Option<MethodUse> {
         self.choice.as_ref().map(|choice| choice.method_use)
-    }
-
-    /// Work done so far, and the size of the latest step or of the one to come, s.
-    pub fn progress(&self) -> (Counters, f64) {
-        (self.method.counters(), self.method.step_size())
     }
 }
