@@ -1,11 +1,12 @@
 //! The stepper of the method in use.
 
 use super::auto::{Choice, MethodUse};
+use super::explicit::ExplicitStepper;
 use super::exponential::ExponentialStepper;
 use super::library::LibraryStepper;
 use super::problem::Problem;
 use super::rosenbrock::RosenbrockStepper;
-use super::{Counters, IntegrateError, Method, explicit};
+use super::{Counters, IntegrateError, Method};
 
 /// A method of this crate under way: its steps do not end with a block of samples.
 pub(super) trait MethodStepper {
@@ -74,8 +75,8 @@ fn stepper_of(method: Method, problem: &Problem<'_>, start: &Start) -> Box<dyn M
     match method {
         Method::Dopri5 | Method::Dop853 => Box::new(LibraryStepper::new(method, problem, start)),
         Method::Rodas => Box::new(RosenbrockStepper::new(problem, start)),
-        _ => explicit::stepper(method, problem, start)
-            .unwrap_or_else(|| Box::new(ExponentialStepper::new(problem, start))),
+        Method::Exponential => Box::new(ExponentialStepper::new(problem, start)),
+        Method::Verner76 | Method::Auto => Box::new(ExplicitStepper::new(problem, start)),
     }
 }
 
