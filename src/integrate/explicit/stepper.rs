@@ -9,8 +9,7 @@ use super::verner76::{
     sum_of_stages,
 };
 use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
-use crate::integrate::control::{Control, SAFETY};
-use crate::integrate::problem::Problem;
+use crate::integrate::problem::{Control, Problem, SAFETY};
 use crate::integrate::stepper::{MethodStepper, Start};
 use crate::integrate::{Counters, IntegrateError};
 use crate::registers::in_wide_registers;

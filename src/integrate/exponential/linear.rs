@@ -10,8 +10,8 @@
 use fearless_simd::Level;
 use nalgebra::{Complex, DMatrix};
 
-use super::balance::{balanced_units, norm_in};
 use super::basis::Basis;
+use super::basis::{balanced_units, norm_in};
 use crate::integrate::chunks::{Chunk, Padded, add_product, add_scaled, chunks_of};
 
 /// Damping that parts modes that are nearly the same, over the norm of the Jacobian: the root of it is how far

@@ -9,8 +9,7 @@ use super::plan::Leg;
 use super::propagator::Propagators;
 use super::sweeps::{self, Ending, Sweeps, Trial};
 use crate::integrate::chunks::Padded;
-use crate::integrate::control::{Control, SAFETY};
-use crate::integrate::problem::Problem;
+use crate::integrate::problem::{Control, Problem, SAFETY};
 use crate::integrate::stepper::{MethodStepper, Start};
 use crate::integrate::{Counters, IntegrateError};
 
