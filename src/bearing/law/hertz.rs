@@ -1,6 +1,6 @@
 //! Ball law of two Hertz contacts in series, ball inertia neglected.
 
-use super::spring::{ContactSpring, HertzSpring, race_springs};
+use super::contacts::{ContactSpring, HertzSpring, race_springs};
 use super::{Ball, BallContact, BallForce, BallLaw, BallResponse};
 use crate::bearing::Bearing;
 use crate::bearing::number::{Number, Plain};

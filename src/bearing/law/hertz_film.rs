@@ -1,10 +1,8 @@
 //! Hertz contact and oil film of both races in series: the law of a ball without inertia.
 
-use super::film_shares::{film_tangent, spring_tangent};
-use super::film_spring::{FilmSpring, LubricatedContact};
+use super::contacts::{ContactSpring, HertzSpring, RaceFilms, race_springs};
+use super::film::{FilmSpring, LubricatedContact, film_tangent, spring_tangent};
 use super::hertz::{distance_and_approach, on_line_of_centres, without_inertia};
-use super::races::RaceFilms;
-use super::spring::{ContactSpring, HertzSpring, race_springs};
 use super::{Ball, BallContact, BallLaw, BallResponse, BallTangent};
 use crate::bearing::number::Number;
 use crate::bearing::{Bearing, BearingError, Oil};

@@ -2,10 +2,8 @@
 
 use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
 
-use super::cells::{Cell, values};
-use super::chart::Chart;
-use super::grid::{Grid, InCells};
-use super::region::BallRegion;
+use super::cells::{Cell, Grid, InCells, values};
+use super::chart::{BallRegion, Chart};
 use crate::bearing::law::{Ball, BallForce, ForceLaw};
 use crate::bearing::number::{Differentiable, Function, Lanes, Number, Plain};
 

@@ -1,7 +1,8 @@
 //! Hertz contact behind an oil film, as a spring.
 
-use super::spring::{ContactSpring, HertzSpring};
-use crate::bearing::number::{Differentiable, Function};
+use super::contacts::{ContactSpring, HertzSpring};
+use super::{Ball, BallContact, BallForce, BallLaw, BallTangent, ForceLaw, RaceFilms};
+use crate::bearing::number::{Differentiable, Function, Number, Plain};
 use crate::physics::FilmContact;
 
 /// Exponent of the load in Hertz's approach.
@@ -156,6 +157,76 @@ fn reduced_load_start(sigma: f64) -> f64 {
         const FIT: [f64; 6] = [-0.0275, 1.4403, -0.0025, -0.0642, -1.8324, -0.6685];
         FIT.iter().rev().fold(0.0, |sum, c| sum * sigma + c)
     }
+}
+
+/// One of the two springs of a law with films as a law by itself, of which nothing but the slopes count.
+pub(in crate::bearing) struct Share<'a, L> {
+    law: &'a L,
+    /// 0: the contacts; 1: the films.
+    part: usize,
+    speed: f64,
+}
+
+impl<'a, L: BallLaw> Share<'a, L> {
+    /// The contacts and the films at a speed in rad/s; none without films, or at rest.
+    pub fn of(law: &'a L, speed: f64) -> Option<[Self; 2]> {
+        let share = |part| Self { law, part, speed };
+        (law.films().is_some() && speed != 0.0).then(|| [share(0), share(1)])
+    }
+}
+
+impl<L: BallLaw> Function<2, 3> for Share<'_, L> {
+    fn values(&self, _at: [f64; 2]) -> [f64; 3] {
+        [0.0; 3]
+    }
+}
+
+impl<L: BallLaw> Differentiable<2, 3> for Share<'_, L> {
+    fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], BallTangent) {
+        let ball = Ball::at(axial, radial);
+        let tangents = self.law.share_tangents(&ball, self.speed);
+        ([0.0; 3], tangents.unwrap_or_default()[self.part])
+    }
+}
+
+impl<L: BallLaw> ForceLaw for Share<'_, L> {
+    const HAS_COUPLE: bool = L::HAS_INERTIA;
+
+    fn force<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallForce<T> {
+        let [axial, radial, couple] = T::apply(self, [ball.axial, ball.radial]);
+        BallForce {
+            axial,
+            radial,
+            couple,
+        }
+    }
+
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        ball.axial.constant(f64::INFINITY)
+    }
+}
+
+/// Tangent of the films of both races with rigid contacts.
+pub(super) fn film_tangent(films: &RaceFilms, contact: &BallContact, speed: f64) -> BallTangent {
+    let loads = [contact.load_inner, contact.load_outer];
+    let stiffness = in_series(films.stiffness(loads, speed));
+    spring_tangent(contact.angle_inner, stiffness, 0.0)
+}
+
+fn in_series(stiffness: [f64; 2]) -> f64 {
+    // 1/k = 1/k_i + 1/k_o
+    1.0 / (1.0 / stiffness[0] + 1.0 / stiffness[1])
+}
+
+/// `k n nᵀ + k_t t tᵀ`, n = (sin α, cos α), t = (cos α, −sin α).
+pub(super) fn spring_tangent(angle: f64, along: f64, across: f64) -> BallTangent {
+    let (sin, cos) = angle.sin_cos();
+    let mixed = (along - across) * sin * cos;
+    [
+        [along * sin * sin + across * cos * cos, mixed],
+        [mixed, along * cos * cos + across * sin * sin],
+        [0.0, 0.0],
+    ]
 }
 
 #[cfg(test)]
