@@ -34,22 +34,16 @@ pub trait Number:
 
     /// A function that is not written in these operations.
     fn apply<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M];
 }
 
 /// A [`Number`] without slopes.
 pub trait Plain: Number {
-    /// A function of which no slopes are known.
-    fn values<const K: usize, const M: usize>(
-        function: &impl Function<K, M>,
-        at: [Self; K],
-    ) -> [Self; M];
-
     /// A function with its slopes.
     fn with_slopes<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> ([Self; M], [[Self; K]; M]);
 
@@ -57,10 +51,16 @@ pub trait Plain: Number {
     fn if_positive(self, value: Self) -> Self;
 }
 
-/// M functions of K numbers.
+/// M functions of K numbers that are not written in the operations of a [`Number`], such as the solution of an equation.
 pub trait Function<const K: usize, const M: usize> {
-    /// Values at a place.
-    fn values(&self, at: [f64; K]) -> [f64; M];
+    /// Values and their slopes, a row for each value.
+    fn with_slopes(&self, at: [f64; K]) -> ([f64; M], [[f64; K]; M]);
+
+    /// Values alone.
+    #[inline]
+    fn values(&self, at: [f64; K]) -> [f64; M] {
+        self.with_slopes(at).0
+    }
 
     /// Values for balls side by side: the same numbers as by [`Function::values`].
     #[inline(always)]
@@ -80,12 +80,6 @@ pub trait Function<const K: usize, const M: usize> {
         }
         values
     }
-}
-
-/// Functions with known slopes, as the solution of an equation has them.
-pub trait Differentiable<const K: usize, const M: usize>: Function<K, M> {
-    /// Values and their slopes, a row for each value.
-    fn with_slopes(&self, at: [f64; K]) -> ([f64; M], [[f64; K]; M]);
 }
 
 /// Out of line: costly functions gain nothing from the wide registers that the loop over the balls is
@@ -124,7 +118,7 @@ impl Number for f64 {
 
     #[inline(always)]
     fn apply<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M] {
         function.values(at)
@@ -133,16 +127,8 @@ impl Number for f64 {
 
 impl Plain for f64 {
     #[inline(always)]
-    fn values<const K: usize, const M: usize>(
-        function: &impl Function<K, M>,
-        at: [Self; K],
-    ) -> [Self; M] {
-        function.values(at)
-    }
-
-    #[inline(always)]
     fn with_slopes<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> ([Self; M], [[Self; K]; M]) {
         function.with_slopes(at)
@@ -172,7 +158,7 @@ impl<S: Simd> Number for Lanes<S> {
 
     #[inline(always)]
     fn apply<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M] {
         function.side_by_side(at)
@@ -181,16 +167,8 @@ impl<S: Simd> Number for Lanes<S> {
 
 impl<S: Simd> Plain for Lanes<S> {
     #[inline(always)]
-    fn values<const K: usize, const M: usize>(
-        function: &impl Function<K, M>,
-        at: [Self; K],
-    ) -> [Self; M] {
-        function.side_by_side(at)
-    }
-
-    #[inline(always)]
     fn with_slopes<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> ([Self; M], [[Self; K]; M]) {
         let zero = at[0].constant(0.0);
@@ -282,7 +260,7 @@ impl<T: Plain, const D: usize> Number for Dual<T, D> {
 
     #[inline(always)]
     fn apply<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M] {
         let mut place = [at[0].value; K];

@@ -1,7 +1,7 @@
 //! The two contacts of a ball, dry or lubricated, ready for a speed.
 
-use super::film::{FilmSpring, LubricatedContact};
-use crate::bearing::number::{Differentiable, Function};
+use super::film::{FilmSpring, LubricatedContact, PreparedContacts};
+use crate::bearing::number::Function;
 use crate::bearing::{Bearing, BearingError, Oil};
 use crate::physics::{FilmContact, FilmInputs, HertzContact, contact_modulus, entrainment_speed};
 
@@ -54,26 +54,23 @@ impl Races for DryRaces {
     }
 }
 
-/// Hertz contacts behind oil films; prepared for one speed, right at every speed.
+/// Hertz contacts behind oil films.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LubricatedRaces {
-    contacts: [LubricatedContact; 2],
+    contacts: PreparedContacts<2>,
     films: RaceFilms,
-    prepared_speed: f64,
-    prepared: [FilmSpring; 2],
 }
 
 impl LubricatedRaces {
-    pub(super) fn new(
-        contacts: [LubricatedContact; 2],
-        films: RaceFilms,
-        prepared_speed: f64,
-    ) -> Self {
+    /// Fastest at a shaft speed in rad/s, right at every speed.
+    pub(super) fn new(contacts: &[HertzContact; 2], films: RaceFilms, speed: f64) -> Self {
+        let constants = films.central_constants();
+        let lubricated = std::array::from_fn(|race| {
+            LubricatedContact::new(contacts[race].stiffness(), constants[race])
+        });
         Self {
-            contacts,
+            contacts: PreparedContacts::new(lubricated, speed),
             films,
-            prepared_speed,
-            prepared: contacts.map(|contact| contact.at_speed(prepared_speed)),
         }
     }
 }
@@ -85,15 +82,12 @@ impl Races for LubricatedRaces {
 
     #[inline]
     fn at_speed(&self, speed: f64) -> [FilmSpring; 2] {
-        if speed == self.prepared_speed {
-            self.prepared
-        } else {
-            self.contacts.map(|contact| contact.at_speed(speed))
-        }
+        self.contacts.at_speed(speed)
     }
 
     fn elastic(&self) -> [HertzSpring; 2] {
-        self.contacts.each_ref().map(LubricatedContact::elastic)
+        let contacts = self.contacts.contacts.each_ref();
+        contacts.map(LubricatedContact::elastic)
     }
 
     fn films(&self) -> Option<&RaceFilms> {
@@ -215,12 +209,6 @@ pub(super) fn race_springs(bearing: &Bearing, contacts: &[HertzContact; 2]) -> [
 
 /// From the load to the elastic approach.
 impl Function<1, 1> for HertzSpring {
-    fn values(&self, [load]: [f64; 1]) -> [f64; 1] {
-        [self.approach(load)]
-    }
-}
-
-impl Differentiable<1, 1> for HertzSpring {
     fn with_slopes(&self, [load]: [f64; 1]) -> ([f64; 1], [[f64; 1]; 1]) {
         let stiffness = self.stiffness_under(load);
         let slope = if stiffness > 0.0 {
@@ -229,6 +217,10 @@ impl Differentiable<1, 1> for HertzSpring {
             0.0
         };
         ([self.approach(load)], [[slope]])
+    }
+
+    fn values(&self, [load]: [f64; 1]) -> [f64; 1] {
+        [self.approach(load)]
     }
 }
 

@@ -25,8 +25,6 @@ pub struct HertzLaw {
     pub(crate) distance: f64,
     /// Part of the approach that the contact with the inner race has.
     inner_share: f64,
-    /// K_n^(10/3).
-    life_factor: f64,
 }
 
 impl HertzLaw {
@@ -37,7 +35,6 @@ impl HertzLaw {
             load_deflection_constant,
             distance,
             inner_share: 0.5,
-            life_factor: load_deflection_constant.powf(10.0 / 3.0),
         }
     }
 
@@ -117,17 +114,6 @@ impl BallLaw for HertzLaw {
         [
             pressed * self.inner_share,
             pressed * (1.0 - self.inner_share),
-        ]
-    }
-
-    /// Q³ and Q^(10/3) without a root: δ⁵ is a whole power.
-    #[inline(always)]
-    fn life_powers<T: Plain>(&self, response: &BallResponse<T>) -> [T; 2] {
-        let ([load, _], pressed) = (response.load, response.approach.positive());
-        let square = pressed * pressed;
-        [
-            load * load * load,
-            square * square * pressed * self.life_factor,
         ]
     }
 

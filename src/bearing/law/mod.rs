@@ -12,8 +12,7 @@ mod jones;
 mod table;
 
 pub use ball_law::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ForceLaw};
-pub use contacts::{ContactSpring, HertzSpring};
-pub use contacts::{DryRaces, LubricatedRaces, RaceFilms, Races};
+pub use contacts::{ContactSpring, DryRaces, HertzSpring, LubricatedRaces, RaceFilms, Races};
 pub(super) use film::Share;
 pub use hertz::HertzLaw;
 pub use hertz_film::HertzFilmLaw;

@@ -3,12 +3,12 @@
 use super::balance::{self, Balance, Contact, Positions, Response};
 use super::inertia::InertiaLaw;
 use super::solve::{Rest, StartConstants};
-use crate::bearing::law::film::{LubricatedContact, film_tangent};
+use crate::bearing::law::film::film_tangent;
 use crate::bearing::law::{
     Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ContactSpring, DryRaces,
     LubricatedRaces, RaceFilms, Races,
 };
-use crate::bearing::number::{Differentiable, Function, Number, Plain};
+use crate::bearing::number::{Function, Number, Plain};
 use crate::bearing::{Bearing, BearingError, Oil};
 use crate::physics::{
     BallMotion, HertzContact, Race, RaceControl, ball_mass, complete_elliptic_second,
@@ -90,11 +90,7 @@ impl JonesLaw<LubricatedRaces> {
     ) -> Result<Self, BearingError> {
         let contacts = contacts(bearing)?;
         let films = RaceFilms::new(bearing, &contacts, &oil)?;
-        let constants = films.central_constants();
-        let lubricated = std::array::from_fn(|race| {
-            LubricatedContact::new(contacts[race].stiffness(), constants[race])
-        });
-        let races = LubricatedRaces::new(lubricated, films, prepared_speed);
+        let races = LubricatedRaces::new(&contacts, films, prepared_speed);
         Self::with_races(bearing, control, &contacts, races)
     }
 }
@@ -189,12 +185,6 @@ impl<R: Races> InBalance<'_, R> {
 }
 
 impl<R: Races> Function<4, 6> for InBalance<'_, R> {
-    fn values(&self, at: [f64; 4]) -> Response<f64> {
-        self.law.ball.response(&self.rest(at).balance)
-    }
-}
-
-impl<R: Races> Differentiable<4, 6> for InBalance<'_, R> {
     fn with_slopes(&self, at: [f64; 4]) -> (Response<f64>, [[f64; 4]; 6]) {
         let (law, rest) = (self.law, self.rest(at));
         let springs = law.races.at_speed(self.speed);
@@ -203,6 +193,10 @@ impl<R: Races> Differentiable<4, 6> for InBalance<'_, R> {
             .ball
             .slopes(&rest.positions, &springs, None, force_scale);
         (law.ball.response(&rest.balance), slopes)
+    }
+
+    fn values(&self, at: [f64; 4]) -> Response<f64> {
+        self.law.ball.response(&self.rest(at).balance)
     }
 }
 

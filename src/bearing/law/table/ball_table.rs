@@ -5,7 +5,7 @@ use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
 use super::cells::{Cell, Grid, InCells, values};
 use super::chart::{BallRegion, Chart};
 use crate::bearing::law::{Ball, BallForce, ForceLaw};
-use crate::bearing::number::{Differentiable, Function, Lanes, Number, Plain};
+use crate::bearing::number::{Function, Lanes, Number, Plain};
 
 /// The forces of a ball law at one speed over a region, as polynomials.
 ///
@@ -61,32 +61,6 @@ impl BallTable {
 
 /// Axial force, radial force and couple at places that the table covers.
 impl Function<2, 3> for BallTable {
-    fn values(&self, at: [f64; 2]) -> [f64; 3] {
-        dispatch!(Level::baseline(), simd => {
-            let [axial, radial] = at;
-            let found = self.side_by_side([Lanes::splat(simd, axial), Lanes::splat(simd, radial)]);
-            [found[0][0], found[1][0], found[2][0]]
-        })
-    }
-
-    #[inline(always)]
-    fn side_by_side<S: Simd>(&self, [axial, radial]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
-        let Located {
-            in_cells,
-            past_lift,
-            odd,
-        } = self.locate(axial, radial);
-        let [push_axial, push_radial] = values(&self.forces, &in_cells);
-        let couple = if self.couples.is_empty() {
-            Lanes::splat(past_lift.witness(), 0.0)
-        } else {
-            odd * values(&self.couples, &in_cells)[0]
-        };
-        [odd * push_axial, past_lift * push_radial, couple]
-    }
-}
-
-impl Differentiable<2, 3> for BallTable {
     fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], [[f64; 2]; 3]) {
         let (past_lift, cell, x, t) = dispatch!(Level::baseline(), simd => {
             let [axial, radial] = [axial, radial].map(|number| Lanes::splat(simd, number));
@@ -118,6 +92,30 @@ impl Differentiable<2, 3> for BallTable {
             [push_axial, push_radial, couple],
             [axial_row, [side * by_axial, by_radial], couple_row],
         )
+    }
+
+    fn values(&self, at: [f64; 2]) -> [f64; 3] {
+        dispatch!(Level::baseline(), simd => {
+            let [axial, radial] = at;
+            let found = self.side_by_side([Lanes::splat(simd, axial), Lanes::splat(simd, radial)]);
+            [found[0][0], found[1][0], found[2][0]]
+        })
+    }
+
+    #[inline(always)]
+    fn side_by_side<S: Simd>(&self, [axial, radial]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
+        let Located {
+            in_cells,
+            past_lift,
+            odd,
+        } = self.locate(axial, radial);
+        let [push_axial, push_radial] = values(&self.forces, &in_cells);
+        let couple = if self.couples.is_empty() {
+            Lanes::splat(past_lift.witness(), 0.0)
+        } else {
+            odd * values(&self.couples, &in_cells)[0]
+        };
+        [odd * push_axial, past_lift * push_radial, couple]
     }
 }
 
