@@ -6,19 +6,15 @@
 mod base;
 mod harmonic;
 mod noise;
-mod random;
-mod random_shocks;
 mod series;
 mod shock;
 mod sprocket;
 
 pub use base::BaseAcceleration;
 pub use harmonic::{Harmonic, Pace};
-pub use noise::{Noise, NoiseBand};
-pub use random::SplitMix64;
-pub use random_shocks::{RandomShocks, ShockStatistics};
+pub use noise::{Noise, NoiseBand, SplitMix64};
 pub use series::{Column, Interpolation, Series, SeriesError};
-pub use shock::Shock;
+pub use shock::{RandomShocks, Shock, ShockStatistics};
 pub use sprocket::{ChainDrive, Sprocket};
 
 use crate::bearing::Vector5;
