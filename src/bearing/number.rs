@@ -66,13 +66,13 @@ pub trait Function<const K: usize, const M: usize> {
     #[inline(always)]
     fn side_by_side<S: Simd>(&self, at: [Lanes<S>; K]) -> [Lanes<S>; M] {
         let simd = at[0].witness();
-        let mut places = [[0.0; K]; LANES];
+        let mut positions = [[0.0; K]; LANES];
         for k in 0..K {
             for lane in 0..LANES {
-                places[lane][k] = at[k][lane];
+                positions[lane][k] = at[k][lane];
             }
         }
-        let found = one_by_one(self, &places);
+        let found = one_by_one(self, &positions);
         let mut values = [Lanes::splat(simd, 0.0); M];
         for m in 0..M {
             let [a, b, c, d] = &found;
@@ -87,14 +87,14 @@ pub trait Function<const K: usize, const M: usize> {
 #[inline(never)]
 fn one_by_one<const K: usize, const M: usize>(
     function: &(impl Function<K, M> + ?Sized),
-    places: &[[f64; K]; LANES],
+    positions: &[[f64; K]; LANES],
 ) -> [[f64; M]; LANES] {
-    let mut found = [function.values(places[0]); LANES];
+    let mut found = [function.values(positions[0]); LANES];
     for lane in 1..LANES {
-        found[lane] = if places[lane] == places[lane - 1] {
+        found[lane] = if positions[lane] == positions[lane - 1] {
             found[lane - 1]
         } else {
-            function.values(places[lane])
+            function.values(positions[lane])
         };
     }
     found
@@ -174,11 +174,11 @@ impl<S: Simd> Plain for Lanes<S> {
         let zero = at[0].constant(0.0);
         let (mut values, mut slopes) = ([zero; M], [[zero; K]; M]);
         for lane in 0..LANES {
-            let mut place = [0.0; K];
+            let mut position = [0.0; K];
             for k in 0..K {
-                place[k] = at[k][lane];
+                position[k] = at[k][lane];
             }
-            let (value, slope) = function.with_slopes(place);
+            let (value, slope) = function.with_slopes(position);
             for m in 0..M {
                 values[m][lane] = value[m];
                 for k in 0..K {
@@ -263,11 +263,11 @@ impl<T: Plain, const D: usize> Number for Dual<T, D> {
         function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M] {
-        let mut place = [at[0].value; K];
+        let mut position = [at[0].value; K];
         for k in 0..K {
-            place[k] = at[k].value;
+            position[k] = at[k].value;
         }
-        let (values, slopes) = T::with_slopes(function, place);
+        let (values, slopes) = T::with_slopes(function, position);
         let mut result = [Self::fixed(values[0]); M];
         for m in 0..M {
             result[m].value = values[m];

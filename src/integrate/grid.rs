@@ -18,7 +18,7 @@ impl Grid {
         index as f64 * self.interval
     }
 
-    /// Breaks nearer than this to a grid time, or to another break, count as standing there, s.
+    /// Breaks nearer than this to a grid time, or to another break, count as being there, s.
     pub(super) fn slack(&self) -> f64 {
         BREAK_SLACK * self.interval
     }

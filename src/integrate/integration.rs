@@ -19,7 +19,7 @@ const CHECK_EVERY: u64 = 2000;
 /// by construction.
 pub const SEGMENT: u64 = 4096;
 
-/// Where an integration stands at the end of a segment of its grid: another integration of the same system, scaling,
+/// State of an integration at the end of a segment of its grid: another integration of the same system, scaling,
 /// grid and settings goes on from it to the very same states.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
@@ -257,7 +257,7 @@ impl<'a> Integration<'a> {
         self.stepper.state_at(&problem, time, &mut self.state)
     }
 
-    /// Stiffness where the method stands.
+    /// Stiffness at the end of the latest step.
     fn find_stiffness(&self) -> Option<Stiffness> {
         let method = self.stepper.method();
         let (limit, deviation) = (method.stability_limit()?, method.deviation());

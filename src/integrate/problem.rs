@@ -21,7 +21,7 @@ pub(super) struct Problem<'a> {
     pub pace: Option<&'a Pace>,
     /// No step ends after this, s.
     pub end: f64,
-    /// Breaks nearer than this to a step's start count as standing there, s.
+    /// Breaks nearer than this to a step's start count as being there, s.
     pub slack: f64,
 }
 

@@ -63,7 +63,7 @@ impl Counters {
     }
 }
 
-/// Where an integration stands; it takes note at every trial of a step.
+/// How far an integration has come: updated at every trial of a step.
 #[derive(Debug, Default)]
 pub struct Pace {
     /// Bits of the time, s.

@@ -48,8 +48,8 @@ pub trait System {
         f64::INFINITY
     }
 
-    /// Writes an upper bound of what an event surface has added to each component of the derivative at a
-    /// distance past it: it grows with a broken power of the distance, like a contact force.
+    /// Writes an upper bound of the force jump, what each component of the derivative gains at a distance past an
+    /// event surface: it grows with a broken power of the distance, like a contact force.
     fn force_jump(&self, _event: usize, _time: f64, _distance: f64, rate: &mut [f64]) {
         rate.fill(0.0);
     }

@@ -138,10 +138,10 @@ impl Rotor {
     }
 
     /// Energy that bearings and elastic parts store, J.
-    fn stored(&self, place: &[f64], rotation: &Rotation) -> f64 {
-        let mut stored = self.structure.stiffness.half_square(place);
+    fn stored(&self, position: &[f64], rotation: &Rotation) -> f64 {
+        let mut stored = self.structure.stiffness.half_square(position);
         self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
-            let displacement = bearing.displacement(place);
+            let displacement = bearing.displacement(position);
             stored += bearing.support.stored_energy(&displacement, rotation);
         });
         stored
@@ -150,13 +150,13 @@ impl Rotor {
     /// Where the energy is in a state at a time, and what has been done since t = 0.
     pub(super) fn energy_balance(&self, time: f64, state: &[f64]) -> EnergyBalance {
         let dofs = self.dofs();
-        let (place, velocity) = state[..2 * dofs].split_at(dofs);
+        let (position, velocity) = state[..2 * dofs].split_at(dofs);
         let rotation = self.rotation(time, state);
         let steady = self.drive.is_none() && self.speed.is_constant();
         let mut supports = self.supports.iter();
         EnergyBalance {
             kinetic: self.kinetic(velocity, &rotation),
-            stored: self.stored(place, &rotation),
+            stored: self.stored(position, &rotation),
             conservative: supports.all(|support| support.has_potential(steady)),
             works: Works::from_values(&state[self.first_work()..]),
         }

@@ -51,7 +51,7 @@ pub struct StaticProblem<'a> {
     pub supports: &'a [Support],
     /// External load, N and N m; of held freedoms it does not matter.
     pub load: Vector5,
-    /// Which freedoms find their own place; the others stay at `start`.
+    /// Which freedoms find their own position; the others stay at `start`.
     pub free: [bool; 5],
     /// Where the search starts, and where held freedoms stay.
     pub start: Vector5,
@@ -105,7 +105,7 @@ impl StaticProblem<'_> {
                 self.supports,
                 Geometry::groove_centre_distance,
             ),
-            restoring: &|place| structure.restoring(self.supports, place, self.speed, arm),
+            restoring: &|position| structure.restoring(self.supports, position, self.speed, arm),
         }
         .solve()
     }
@@ -137,10 +137,10 @@ impl Balance {
 
 /// Where a shaft stands.
 pub(crate) struct StaticPlace {
-    /// Which of its freedoms found their own place.
+    /// Which of its freedoms found their own position.
     pub free: [bool; FREEDOMS],
     pub(super) structure: Structure,
-    /// Place of all its coordinates, m and rad.
+    /// Position of all its coordinates, m and rad.
     pub(super) coordinates: Vec<f64>,
     /// K of all its coordinates.
     pub(super) stiffness: DMatrix<f64>,
@@ -178,8 +178,8 @@ pub(super) fn static_place_of(
 ) -> Result<StaticPlace, EquilibriumError> {
     let (mut free, mut start) = static_start(definition, supports, load[2]);
     for (axis, given) in given.iter().enumerate() {
-        if let Some(place) = *given {
-            (free[axis], start[axis]) = (false, place);
+        if let Some(position) = *given {
+            (free[axis], start[axis]) = (false, position);
         }
     }
     let problem = StaticProblem {
@@ -199,7 +199,7 @@ pub(super) fn static_place_of(
     })
 }
 
-/// Which freedoms find their place, and where the search starts and the others stay.
+/// Which freedoms find their position, and where the search starts and the others stay.
 fn static_start(
     definition: &RotorDefinition,
     supports: &[Support],
@@ -213,7 +213,7 @@ fn static_start(
     }
     if !free[2] {
         match held_axial(supports, axial_load) {
-            Some(place) => start[2] = place,
+            Some(position) => start[2] = position,
             None => free[2] = true,
         }
     }
@@ -240,7 +240,7 @@ fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
 }
 
 impl Bearing {
-    /// Where the inner ring of the standing bearing finds its place under a load on its centre: forces x, y, z in
+    /// Where the inner ring of the standing bearing finds its position under a load on its centre: forces x, y, z in
     /// N, moments about X and Y in N m. Dry Hertz contacts, no preload; all five freedoms are free, a positive axial
     /// force loads an angular contact bearing.
     ///

@@ -55,11 +55,11 @@ impl Rotor {
         contacts: &mut BallContacts,
     ) -> Sample {
         let dofs = self.dofs();
-        let (place, velocity) = state[..2 * dofs].split_at(dofs);
+        let (position, velocity) = state[..2 * dofs].split_at(dofs);
         let force = contacts.forces.then(|| {
-            let mut force = self.observe_bearings(place, rotation, contacts);
+            let mut force = self.observe_bearings(position, rotation, contacts);
             if self.contacts_damped {
-                let damping = self.contact_damping(place, velocity, rotation);
+                let damping = self.contact_damping(position, velocity, rotation);
                 for axis in 0..FREEDOMS {
                     force[axis] += damping[axis];
                 }
@@ -72,7 +72,7 @@ impl Rotor {
             time,
             angle: rotation.angle,
             speed: rotation.speed,
-            displacement: self.structure.shaft.displacement(place, &self.rest),
+            displacement: self.structure.shaft.displacement(position, &self.rest),
             velocity: self.structure.shaft.rate(velocity),
             acceleration: None,
             force_on_shaft: force,
@@ -86,7 +86,7 @@ impl Rotor {
     /// Force of the shaft onto all bearings, N and N m; axial forces and balls go to `contacts`.
     fn observe_bearings(
         &self,
-        place: &[f64],
+        position: &[f64],
         rotation: &Rotation,
         contacts: &mut BallContacts,
     ) -> Vector5 {
@@ -94,7 +94,7 @@ impl Rotor {
         let observed = contacts.bearings.iter_mut().zip(&mut contacts.axial_forces);
         let phases = self.phases(rotation);
         for (bearing, (loads, axial)) in self.bearings().zip(observed) {
-            let (support, displacement) = (bearing.support, bearing.displacement(place));
+            let (support, displacement) = (bearing.support, bearing.displacement(position));
             let rotation = self.seen_by(support, rotation, &phases);
             let force = if loads.balls() > 0 {
                 support.force_and_loads(&displacement, &rotation, loads)
@@ -132,7 +132,7 @@ pub struct Sample {
     pub largest_ball_load: Option<f64>,
     /// Number of balls in contact, all bearings together; likewise.
     pub balls_loaded: Option<u32>,
-    /// Energy, where it is accounted for.
+    /// Energy, where it is integrated.
     pub energy: Option<EnergyBalance>,
     /// Moments on the shaft, where it is driven.
     pub drive: Option<DriveMoments>,
@@ -145,7 +145,7 @@ pub struct BallContacts {
     pub(super) bearings: Vec<BallLoads>,
     /// By bearing, in its own orientation, N.
     pub(super) axial_forces: Vec<f64>,
-    /// Whether the forces of the bearings are looked at.
+    /// Whether the forces of the bearings are observed.
     pub(super) forces: bool,
     largest: f64,
     least: f64,
@@ -166,7 +166,7 @@ impl BallContacts {
         }
     }
 
-    /// Room for none of the balls: they are not looked at, and the forces of the bearings only where asked for.
+    /// Room for none of the balls: they are not observed, and the forces of the bearings only where asked for.
     pub(super) fn unwatched(supports: &[Support], forces: bool) -> Self {
         Self {
             bearings: vec![BallLoads::default(); supports.len()],

@@ -12,7 +12,7 @@ use crate::physics::HertzContact;
 /// d = √(A1² + A2²)   δ = d − A − h_i − h_o   Q = K_n max(δ, 0)^(3/2)   F_a = Q A1/d   F_r = Q A2/d
 /// ```
 ///
-/// `A1`, `A2` place of the inner groove centre from the outer one in m, `A` their unloaded
+/// `A1`, `A2` position of the inner groove centre from the outer one in m, `A` their unloaded
 /// distance in m, `h` drops of the surfaces under the ball in m, `K_n` in N/m^1.5. Holds at speeds where
 /// centrifugal force is small against the ball load. A separated ball (δ ≤ 0) carries nothing.
 ///

@@ -16,7 +16,7 @@ use crate::registers::in_wide_registers;
 
 /// Largest growth from step to step.
 const GROW: f64 = 6.0;
-/// Times that a step looks for a better place to land on.
+/// Times that a step looks for a better position to land on.
 const MOST_SEARCHES: u32 = 5;
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin: sums

@@ -35,7 +35,7 @@ fn trees(most: usize) -> Vec<Tree> {
         for subtrees in found {
             let below: f64 = subtrees
                 .iter()
-                .map(|&place: &usize| trees[place].gamma)
+                .map(|&position: &usize| trees[position].gamma)
                 .product();
             trees.push(Tree {
                 order,
@@ -59,10 +59,10 @@ fn collect(
         found.push(chosen.clone());
         return;
     }
-    for (place, tree) in trees.iter().enumerate().skip(from) {
+    for (position, tree) in trees.iter().enumerate().skip(from) {
         if tree.order <= left {
-            chosen.push(place);
-            collect(trees, left - tree.order, place, chosen, found);
+            chosen.push(position);
+            collect(trees, left - tree.order, position, chosen, found);
             chosen.pop();
         }
     }

@@ -40,7 +40,7 @@ impl Basis {
 
     /// The basis of what acts, in a matrix of so many rows: pairs first.
     fn of_acting(acting: &Acting<'_>, modes: &[Mode], rows: usize) -> Option<Self> {
-        let count = acting.places.len();
+        let count = acting.positions.len();
         let mut eigenvalues = vec![Complex::ZERO; rows];
         let (mut scaled, mut coordinate) = (DMatrix::zeros(count, count), 0);
         for paired in [true, false] {
@@ -62,10 +62,10 @@ impl Basis {
         let inverse = scaled.clone().lu().try_inverse()?;
         let condition = scaled.norm() * inverse.norm() / count as f64;
         let [mut shapes, mut parts] = [DMatrix::zeros(rows, rows), DMatrix::zeros(rows, rows)];
-        for (row, &place) in acting.places.iter().enumerate() {
+        for (row, &position) in acting.positions.iter().enumerate() {
             for coordinate in 0..count {
-                shapes[(place, coordinate)] = scaled[(row, coordinate)] * acting.units[place];
-                parts[(coordinate, place)] = inverse[(coordinate, row)] / acting.units[place];
+                shapes[(position, coordinate)] = scaled[(row, coordinate)] * acting.units[position];
+                parts[(coordinate, position)] = inverse[(coordinate, row)] / acting.units[position];
             }
         }
         (condition <= WORST_CONDITION).then_some(Self {
@@ -78,12 +78,12 @@ impl Basis {
     /// The same with what hangs on it, of which a mode has what it adds up, H = R X Λ⁻¹:
     /// V = (X 0, H 1), V⁻¹ = (X⁻¹ 0, −H X⁻¹ 1).
     fn with_hanging(mut self, acting: &Acting<'_>, jacobian: &DMatrix<f64>) -> Option<Self> {
-        let count = acting.places.len();
+        let count = acting.positions.len();
         let sizes = self.eigenvalues[..count].iter().map(|value| value.norm());
         let [least, most] = sizes.fold([f64::INFINITY, 0.0], |[least, most], size| {
             [size.min(least), size.max(most)]
         });
-        let hanging = (0..jacobian.nrows()).filter(|row| !acting.places.contains(row));
+        let hanging = (0..jacobian.nrows()).filter(|row| !acting.positions.contains(row));
         for (own, hanging) in (count..).zip(hanging) {
             if least < SLOWEST * most {
                 return None;
@@ -92,11 +92,11 @@ impl Basis {
                 self.shapes[(hanging, coordinate)] =
                     self.added_up(acting, jacobian, hanging, coordinate);
             }
-            for &place in &acting.places {
+            for &position in &acting.positions {
                 let products = (0..count).map(|coordinate| {
-                    self.shapes[(hanging, coordinate)] * self.parts[(coordinate, place)]
+                    self.shapes[(hanging, coordinate)] * self.parts[(coordinate, position)]
                 });
-                self.parts[(own, place)] = -products.sum::<f64>();
+                self.parts[(own, position)] = -products.sum::<f64>();
             }
             (self.shapes[(hanging, own)], self.parts[(own, hanging)]) = (1.0, 1.0);
         }
@@ -112,10 +112,9 @@ impl Basis {
         coordinate: usize,
     ) -> f64 {
         let rate = |coordinate: usize| -> f64 {
-            let rates = acting
-                .places
-                .iter()
-                .map(|&place| jacobian[(hanging, place)] * self.shapes[(place, coordinate)]);
+            let rates = acting.positions.iter().map(|&position| {
+                jacobian[(hanging, position)] * self.shapes[(position, coordinate)]
+            });
             rates.sum()
         };
         let eigenvalue = self.eigenvalues[coordinate];
@@ -131,23 +130,25 @@ impl Basis {
 
 /// The components that act on any, and the units in which their matrix is smallest.
 struct Acting<'a> {
-    places: Vec<usize>,
+    positions: Vec<usize>,
     units: &'a [f64],
 }
 
 impl<'a> Acting<'a> {
     /// Those of a Jacobian; none where there are none, or where some act on what hangs on them alone.
     fn of(jacobian: &DMatrix<f64>, units: &'a [f64]) -> Option<Self> {
-        let acts = |&place: &usize| jacobian.column(place).iter().any(|entry| *entry != 0.0);
-        let places: Vec<usize> = (0..jacobian.nrows()).filter(acts).collect();
-        let known = places.iter().all(|&place| units[place].is_finite());
-        (known && !places.is_empty()).then_some(Self { places, units })
+        let acts = |&position: &usize| jacobian.column(position).iter().any(|entry| *entry != 0.0);
+        let positions: Vec<usize> = (0..jacobian.nrows()).filter(acts).collect();
+        let known = positions
+            .iter()
+            .all(|&position| units[position].is_finite());
+        (known && !positions.is_empty()).then_some(Self { positions, units })
     }
 
     /// Their matrix in these units.
     fn matrix(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
-        DMatrix::from_fn(self.places.len(), self.places.len(), |row, column| {
-            let (row, column) = (self.places[row], self.places[column]);
+        DMatrix::from_fn(self.positions.len(), self.positions.len(), |row, column| {
+            let (row, column) = (self.positions[row], self.positions[column]);
             jacobian[(row, column)] * (self.units[column] / self.units[row])
         })
     }
@@ -214,7 +215,7 @@ mod tests {
 
     /// Displacements and velocities under stiff damping that couples them, with two works and a state that
     /// never changes beside them, in units far apart.
-    fn accounted() -> [[f64; 7]; 7] {
+    fn with_works() -> [[f64; 7]; 7] {
         let mut jacobian = [[0.0; 7]; 7];
         (jacobian[2][0], jacobian[3][1]) = (1.0, 1.0);
         let forces = [[-4e8, 3e8, -1e6, 2e3], [-3e8, -4e8, -3e3, -9e5]];
@@ -232,7 +233,7 @@ mod tests {
     /// V⁻¹ V = 1 and J V = V Λ, with the eigenvalues of a pair as they turn its two coordinates.
     #[test]
     fn modes_and_their_eigenvalues_make_the_jacobian() {
-        let columns = accounted();
+        let columns = with_works();
         let basis = basis(&columns).expect("a sound basis");
         let unity = &basis.parts * &basis.shapes;
         assert!((unity - DMatrix::identity(7, 7)).amax() < 1e-11);

@@ -223,8 +223,8 @@ impl Propagators {
     pub fn of(&mut self, linear: &LinearPart, size: f64) -> Propagator<'_> {
         let known = self.kept.iter().position(|kept| kept.size == size);
         // the one that was not asked for longest gives its place
-        let place = known.unwrap_or(KEPT - 1);
-        self.kept[..=place].rotate_right(1);
+        let position = known.unwrap_or(KEPT - 1);
+        self.kept[..=position].rotate_right(1);
         let Kept { size: kept, chunks } = &mut self.kept[0];
         if known.is_none() {
             *kept = size;

@@ -1,7 +1,7 @@
 //! Loads that vary with time or with the angle of the shaft, one kind a file.
 //!
 //! Each kind is a pure function of time and angle that allocates nothing. A [`Load`] puts it at its
-//! place along the shaft; the rotor adds them all up.
+//! position along the shaft; the rotor adds them all up.
 
 mod base;
 mod harmonic;
@@ -19,7 +19,7 @@ pub use sprocket::{ChainDrive, Sprocket};
 
 use crate::bearing::Vector5;
 
-/// A varying load at its place along the shaft.
+/// A varying load at its position along the shaft.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
     /// What acts.

@@ -1,4 +1,4 @@
-//! Place of a ball between its races: damped Newton from an explicit start.
+//! Position of a ball between its races: damped Newton from an explicit start.
 
 use super::balance::{Balance, Ball, Plane, Positions, apply, inverse};
 use crate::bearing::law::{ContactSpring, HertzSpring};
@@ -21,7 +21,7 @@ pub(super) struct Rest {
 }
 
 impl Ball {
-    /// Balance at the ball's place of rest, from a start of its centre.
+    /// Balance at the ball's position of rest, from a start of its centre.
     ///
     /// Newton's method on the sum of forces r. A step is halved until the next one, with the same
     /// slopes, is shorter: the natural monotonicity test, which measures the error in metres and
@@ -228,7 +228,7 @@ impl Ball {
     }
 }
 
-/// Rounds after which the place of a thrown ball is right to round-off, whatever its contact angle.
+/// Rounds after which the position of a thrown ball is right to round-off, whatever its contact angle.
 const ROUNDS: usize = 4;
 
 impl Ball {

@@ -13,7 +13,7 @@ use crate::bearing::number::{Function, Lanes, Number, Plain};
 /// u = (A2 − c)² − M(|A1|)   v = √u   F = u Σ c_kl x^k t^l
 /// ```
 ///
-/// with x and t the places in a cell of (v, |A1|). `u = 0` is the line of lift-off, beyond which a
+/// with x and t the positions in a cell of (v, |A1|). `u = 0` is the line of lift-off, beyond which a
 /// ball carries nothing. It is for the caller to ask the law itself where [`BallTable::covers`] says no.
 ///
 /// The force differs from the exact one by the bound of its [`super::TableReport`]; from cell to cell it steps by no more.
@@ -31,7 +31,7 @@ pub struct BallTable {
     pub(super) couples: Vec<Cell>,
 }
 
-/// Places of balls side by side in a table.
+/// Positions of balls side by side in a table.
 struct Located<S: Simd> {
     in_cells: InCells<S>,
     past_lift: Lanes<S>,
@@ -40,14 +40,14 @@ struct Located<S: Simd> {
 }
 
 impl BallTable {
-    /// Whether the table stands for the law at a speed and all places whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
+    /// Whether the table stands for the law at a speed and all positions whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
     /// square of the amplitude, in m and m².
     #[inline(always)]
     pub(crate) fn covers_around(&self, axial: [f64; 2], radial: [f64; 2], speed: f64) -> bool {
         speed == self.speed && self.region.contains_around(axial, radial)
     }
 
-    /// Where places that the table covers are in it, the one polynomial coordinate after the other.
+    /// Where positions that the table covers are in it, the one polynomial coordinate after the other.
     #[inline(always)]
     fn locate<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> Located<S> {
         let [along, root, past_lift] = self.chart.coordinates(axial.abs(), radial);
@@ -59,7 +59,7 @@ impl BallTable {
     }
 }
 
-/// Axial force, radial force and couple at places that the table covers.
+/// Axial force, radial force and couple at positions that the table covers.
 impl Function<2, 3> for BallTable {
     fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], [[f64; 2]; 3]) {
         let (past_lift, cell, x, t) = dispatch!(Level::baseline(), simd => {
@@ -119,7 +119,7 @@ impl Function<2, 3> for BallTable {
     }
 }
 
-/// On perfect races, at the speed of the table, at places that it covers.
+/// On perfect races, at the speed of the table, at positions that it covers.
 impl ForceLaw for BallTable {
     const HAS_COUPLE: bool = true;
 

@@ -56,10 +56,10 @@ impl Cell {
     }
 }
 
-/// Both polynomials at places in cells of a table.
+/// Both polynomials at positions in cells of a table.
 #[inline(always)]
-pub(super) fn values<S: Simd>(table: &[Cell], place: &InCells<S>) -> [Lanes<S>; 2] {
-    let InCells { cells, x, t } = *place;
+pub(super) fn values<S: Simd>(table: &[Cell], position: &InCells<S>) -> [Lanes<S>; 2] {
+    let InCells { cells, x, t } = *position;
     let simd = x.witness();
     let square = t * t;
     let mut rows = [Lanes::splat(simd, 0.0); LANES];
@@ -140,25 +140,25 @@ impl Parts {
         self.last as usize + 1
     }
 
-    /// The coordinate at a place −½ … ½ in a part.
-    pub(super) fn coordinate(&self, part: usize, place: f64) -> f64 {
-        (part as f64 + place - self.shift) / self.scale
+    /// The coordinate at a position −½ … ½ in a part.
+    pub(super) fn coordinate(&self, part: usize, position: f64) -> f64 {
+        (part as f64 + position - self.shift) / self.scale
     }
 
-    /// The coordinates at places −½ … ½ in all parts, rising, those at a border once.
-    pub(super) fn nodes<const N: usize>(&self, places: &[f64; N]) -> Vec<f64> {
-        let mut nodes = vec![self.coordinate(0, places[0])];
+    /// The coordinates at positions −½ … ½ in all parts, rising, those at a border once.
+    pub(super) fn nodes<const N: usize>(&self, positions: &[f64; N]) -> Vec<f64> {
+        let mut nodes = vec![self.coordinate(0, positions[0])];
         for part in 0..self.count() {
             nodes.extend(
-                places[1..]
+                positions[1..]
                     .iter()
-                    .map(|&place| self.coordinate(part, place)),
+                    .map(|&position| self.coordinate(part, position)),
             );
         }
         nodes
     }
 
-    /// Numbers of the parts and places −½ … ½ in them; beyond the range those of the last part on that side.
+    /// Numbers of the parts and positions −½ … ½ in them; beyond the range those of the last part on that side.
     #[inline(always)]
     fn locate<S: Simd>(&self, coordinate: Lanes<S>) -> [Lanes<S>; 2] {
         let simd = coordinate.witness();
@@ -177,7 +177,7 @@ pub(super) struct Grid {
     pub(super) along: Parts,
 }
 
-/// Places of balls in their cells.
+/// Positions of balls in their cells.
 #[derive(Clone, Copy)]
 pub(super) struct InCells<S: Simd> {
     pub(super) cells: [usize; LANES],
@@ -188,7 +188,7 @@ pub(super) struct InCells<S: Simd> {
 }
 
 impl Grid {
-    /// The cells of v and τ, and the places in them.
+    /// The cells of v and τ, and the positions in them.
     #[inline(always)]
     pub(super) fn locate<S: Simd>(&self, root: Lanes<S>, along: Lanes<S>) -> InCells<S> {
         let [strip, x] = self.root.locate(root);
@@ -267,12 +267,12 @@ mod tests {
         let (cells, x, t) = ([3, 0, 8, 3], [0.1, -0.5, 0.3, 0.4], [-0.2, 0.5, 0.0, 0.35]);
         for level in [Level::new(), Level::baseline()] {
             let own = dispatch!(level, simd => {
-                let place = InCells {
+                let position = InCells {
                     cells,
                     x: simd.load_array_f64x4(x),
                     t: simd.load_array_f64x4(t),
                 };
-                values(&table, &place).map(|lanes| *lanes)
+                values(&table, &position).map(|lanes| *lanes)
             });
             for ball in 0..LANES {
                 for (which, own) in own.iter().enumerate() {
@@ -314,11 +314,11 @@ mod tests {
         };
         for level in [Level::new(), Level::baseline()] {
             dispatch!(level, simd => {
-                let check = |root: f64, along: f64, cell: usize, place: [f64; 2]| {
+                let check = |root: f64, along: f64, cell: usize, position: [f64; 2]| {
                     let [root, along] = [root, along].map(|number| Lanes::splat(simd, number));
                     let own = grid.locate(root, along);
                     assert_eq!(own.cells, [cell; LANES]);
-                    let off = (own.x[0] - place[0]).abs().max((own.t[0] - place[1]).abs());
+                    let off = (own.x[0] - position[0]).abs().max((own.t[0] - position[1]).abs());
                     assert!(off < 1e-12, "{off:e}");
                 };
                 check(2.0, -1.0, 0, [-0.5, -0.5]);

@@ -74,7 +74,7 @@ fn growth(excess: f64, terms: usize) -> usize {
     1 << (excess.log2() / terms as f64).ceil().min(MOST_DOUBLINGS) as u32
 }
 
-/// Places at which the error along one of the coordinates is measured, and the whole error.
+/// Positions at which the error along one of the coordinates is measured, and the whole error.
 const PROBES: [usize; 2] = [300, 1500];
 /// Least width of the region over its distance from zero: in a narrower one rounding would count.
 const NARROWEST: f64 = 1e-3;
@@ -133,7 +133,7 @@ impl<'a, L: ForceLaw> Draft<'a, L> {
         })
     }
 
-    /// The exact force at a place.
+    /// The exact force at a position.
     fn force(&mut self, [axial, radial]: [f64; 2]) -> BallForce {
         self.evaluations += 1;
         self.law.force(&Ball::at(axial, radial), self.speed)
@@ -197,11 +197,11 @@ impl<'a, L: ForceLaw> Draft<'a, L> {
         if root <= 0.0 {
             return [0.0; 3];
         }
-        let force = self.force(self.chart.place(along, root));
+        let force = self.force(self.chart.position(along, root));
         [force.axial, force.radial, force.couple].map(|force| force / (root * root))
     }
 
-    /// Largest difference of a table from the exact law over places that lie evenly.
+    /// Largest difference of a table from the exact law over positions that lie evenly.
     pub(super) fn error_of(&mut self, table: &BallTable, probes: Probes) -> f64 {
         let count = PROBES[usize::from(probes == Probes::All)];
         let [strips, columns] =
@@ -217,16 +217,16 @@ impl<'a, L: ForceLaw> Draft<'a, L> {
                 Probes::AlongAxial => part = (part * strips).round() / strips,
                 Probes::All => {}
             }
-            let place = self
+            let position = self
                 .chart
-                .place(2.0 * across - 1.0, start + (end - start) * part);
-            let [axial, radial] = place;
+                .position(2.0 * across - 1.0, start + (end - start) * part);
+            let [axial, radial] = position;
             if !table.region.contains(axial, radial) {
                 continue;
             }
             let (own, exact) = (
                 table.force(&Ball::at(axial, radial), self.speed),
-                self.force(place),
+                self.force(position),
             );
             for difference in [
                 own.axial - exact.axial,
@@ -287,7 +287,7 @@ mod tests {
                 let (root, along) = (1e-9 / grid.root.scale, 1e-9 / grid.along.scale);
                 for [root, along] in [[root, 0.0], [0.0, along]] {
                     let at = |side: f64| {
-                        let [axial, radial] = chart.place(
+                        let [axial, radial] = chart.position(
                             middle[1]
                                 + 0.3 / grid.along.scale * f64::from(root > 0.0)
                                 + side * along,
@@ -331,7 +331,7 @@ mod tests {
         }
     }
 
-    /// The reported error is what is found at other places.
+    /// The reported error is what is found at other positions.
     #[test]
     fn the_error_is_measured_honestly() {
         let law = JonesLaw::new(&bearing(), RaceControl::Outer).unwrap();
