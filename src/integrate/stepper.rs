@@ -14,7 +14,7 @@ use super::problem::Problem;
 use super::rosenbrock::RosenbrockStepper;
 use super::{Counters, IntegrateError, Method, System};
 
-/// A method of this crate under way: its steps do not end with a block of samples.
+/// A method under way: its steps end where it will, not with a sample.
 pub(super) trait MethodStepper {
     /// Takes a step.
     ///

@@ -151,19 +151,6 @@ impl ExplicitStepper {
         self.evaluate(problem, STAGE);
     }
 
-    /// Evaluates the stages between the ends of the step, or those for dense output, which come after them.
-    #[inline(always)]
-    pub(super) fn evaluate_stages<const DENSE: bool>(&mut self, problem: &Problem<'_>) {
-        macro_rules! evaluate {
-            ($($stage:literal)*) => {$(
-                if const { if DENSE { $stage > LAST && $stage < NODES.len() } else { $stage < LAST } } {
-                    self.stage::<$stage>(problem);
-                }
-            )*};
-        }
-        evaluate!(1 2 3 4 5 6 7 8 9 10 11 12);
-    }
-
     /// Tries a step; its error over what is allowed, or no number.
     pub(super) fn trial(&mut self, problem: &Problem<'_>) -> f64 {
         let error = in_wide_registers!(self.level, self.tried(problem)) * self.size;
@@ -174,7 +161,15 @@ impl ExplicitStepper {
     #[inline(always)]
     fn tried(&mut self, problem: &Problem<'_>) -> f64 {
         (self.ended, self.extended) = (false, false);
-        self.evaluate_stages::<false>(problem);
+        self.stage::<1>(problem);
+        self.stage::<2>(problem);
+        self.stage::<3>(problem);
+        self.stage::<4>(problem);
+        self.stage::<5>(problem);
+        self.stage::<6>(problem);
+        self.stage::<7>(problem);
+        self.stage::<8>(problem);
+        self.stage::<9>(problem);
         let chunks = self.from.chunks().iter().zip(&self.stages);
         for (to, (from, stages)) in self.to.chunks_mut().iter_mut().zip(chunks) {
             let moved = sum_of_stages!(FACTORS[LAST], stages);
@@ -182,14 +177,11 @@ impl ExplicitStepper {
                 to[i] = from[i] + self.size * moved[i];
             }
         }
-        if const { entry(&ERROR, LAST) != 0.0 } {
-            self.evaluate_end(problem);
-        }
         let chunks = self.scale.chunks().iter().zip(self.from.chunks());
         let chunks = chunks.zip(self.to.chunks().iter().zip(&self.stages));
         let mut squares = 0.0;
         for ((scale, from), (to, stages)) in chunks {
-            let error = sum_of_stages!(&ERROR, stages);
+            let error = sum_of_stages!(ERROR, stages);
             let mut parts = [0.0; 4];
             for i in 0..4 {
                 parts[i] = error[i] * (scale[i] + from[i].abs().max(to[i].abs())).recip();
@@ -221,7 +213,8 @@ impl ExplicitStepper {
     pub(super) fn extend(&mut self, problem: &Problem<'_>) {
         if !self.extended {
             self.extended = true;
-            self.evaluate_stages::<true>(problem);
+            self.stage::<11>(problem);
+            self.stage::<12>(problem);
         }
     }
 

@@ -26,17 +26,22 @@ pub(super) type Stages = [Chunk; STAGES];
 
 /// Order of the method.
 pub(super) const ORDER: i32 = 7;
+
 /// Power of the step size that the error estimate falls with.
 pub(super) const ERROR_POWER: i32 = 7;
+
 /// Product of step and eigenvalue at which the method ceases to be stable on the negative real axis, without its
 /// sign.
 pub(super) const STABILITY: f64 = 4.65;
+
 /// Error of the quadrature by the weights, over a step of one, of a derivative that grows from some position on, or
 /// falls to it, with the power 3/2 of the distance; root mean square over all positions.
 pub(super) const CROSSED: f64 = 9.4e-4;
+
 /// The stage at the end of the step, which is the first stage of the next step: the coefficients of its argument
 /// are the weights b_i.
 pub(super) const LAST: usize = 10;
+
 /// c_i of all stages: first those of a trial, then the one at the end of the step, then those for dense output
 /// alone.
 pub(super) const NODES: [f64; STAGES] = [
@@ -54,6 +59,7 @@ pub(super) const NODES: [f64; STAGES] = [
     0.29,
     0.125,
 ];
+
 /// a_ij, a row a stage.
 pub(super) const FACTORS: [&[f64]; STAGES] = [
     &[],
@@ -148,6 +154,7 @@ pub(super) const FACTORS: [&[f64]; STAGES] = [
         -0.06666729992455811,
     ],
 ];
+
 /// e_i.
 pub(super) const ERROR: &[f64] = &[
     0.0025470118799310456,
@@ -161,6 +168,7 @@ pub(super) const ERROR: &[f64] = &[
     0.0813174723249511,
     -0.020295184663356284,
 ];
+
 /// Coefficients of θ, θ², … in b_i(θ), a row a stage.
 pub(super) const DENSE: [&[f64]; STAGES] = [
     &[

@@ -180,7 +180,7 @@ fn the_orders_are_seven_and_six_and_that_of_the_interpolant_is_six() {
     interpolant_meets_the_ends();
     let weights = factors(LAST);
     has_order(&weights, 1.0, ORDER as usize, ROUND_OFF);
-    let embedded_weights = difference(&weights, &padded(&ERROR));
+    let embedded_weights = difference(&weights, &padded(ERROR));
     has_order(&embedded_weights, 1.0, 6, ROUND_OFF);
     for part in [0.1, 0.37, 0.6, 0.83] {
         let weights = dense_weights(part);
