@@ -22,7 +22,6 @@ mod linear;
 mod nodes;
 mod plan;
 mod propagator;
-mod spectrum;
 mod stepper;
 mod sweeps;
 
