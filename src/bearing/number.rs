@@ -34,22 +34,16 @@ pub trait Number:
 
     /// A function that is not written in these operations.
     fn apply<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M];
 }
 
 /// A [`Number`] without slopes.
 pub trait Plain: Number {
-    /// A function of which no slopes are known.
-    fn values<const K: usize, const M: usize>(
-        function: &impl Function<K, M>,
-        at: [Self; K],
-    ) -> [Self; M];
-
     /// A function with its slopes.
     fn with_slopes<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> ([Self; M], [[Self; K]; M]);
 
@@ -57,22 +51,28 @@ pub trait Plain: Number {
     fn if_positive(self, value: Self) -> Self;
 }
 
-/// M functions of K numbers.
+/// M functions of K numbers that are not written in the operations of a [`Number`], such as the solution of an equation.
 pub trait Function<const K: usize, const M: usize> {
-    /// Values at a place.
-    fn values(&self, at: [f64; K]) -> [f64; M];
+    /// Values and their slopes, a row for each value.
+    fn with_slopes(&self, at: [f64; K]) -> ([f64; M], [[f64; K]; M]);
+
+    /// Values alone.
+    #[inline]
+    fn values(&self, at: [f64; K]) -> [f64; M] {
+        self.with_slopes(at).0
+    }
 
     /// Values for balls side by side: the same numbers as by [`Function::values`].
     #[inline(always)]
     fn side_by_side<S: Simd>(&self, at: [Lanes<S>; K]) -> [Lanes<S>; M] {
         let simd = at[0].witness();
-        let mut places = [[0.0; K]; LANES];
+        let mut positions = [[0.0; K]; LANES];
         for k in 0..K {
             for lane in 0..LANES {
-                places[lane][k] = at[k][lane];
+                positions[lane][k] = at[k][lane];
             }
         }
-        let found = one_by_one(self, &places);
+        let found = one_by_one(self, &positions);
         let mut values = [Lanes::splat(simd, 0.0); M];
         for m in 0..M {
             let [a, b, c, d] = &found;
@@ -82,25 +82,19 @@ pub trait Function<const K: usize, const M: usize> {
     }
 }
 
-/// Functions with known slopes, as the solution of an equation has them.
-pub trait Differentiable<const K: usize, const M: usize>: Function<K, M> {
-    /// Values and their slopes, a row for each value.
-    fn with_slopes(&self, at: [f64; K]) -> ([f64; M], [[f64; K]; M]);
-}
-
 /// Out of line: costly functions gain nothing from the wide registers that the loop over the balls is
 /// compiled for.
 #[inline(never)]
 fn one_by_one<const K: usize, const M: usize>(
     function: &(impl Function<K, M> + ?Sized),
-    places: &[[f64; K]; LANES],
+    positions: &[[f64; K]; LANES],
 ) -> [[f64; M]; LANES] {
-    let mut found = [function.values(places[0]); LANES];
+    let mut found = [function.values(positions[0]); LANES];
     for lane in 1..LANES {
-        found[lane] = if places[lane] == places[lane - 1] {
+        found[lane] = if positions[lane] == positions[lane - 1] {
             found[lane - 1]
         } else {
-            function.values(places[lane])
+            function.values(positions[lane])
         };
     }
     found
@@ -124,7 +118,7 @@ impl Number for f64 {
 
     #[inline(always)]
     fn apply<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M] {
         function.values(at)
@@ -133,16 +127,8 @@ impl Number for f64 {
 
 impl Plain for f64 {
     #[inline(always)]
-    fn values<const K: usize, const M: usize>(
-        function: &impl Function<K, M>,
-        at: [Self; K],
-    ) -> [Self; M] {
-        function.values(at)
-    }
-
-    #[inline(always)]
     fn with_slopes<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> ([Self; M], [[Self; K]; M]) {
         function.with_slopes(at)
@@ -172,7 +158,7 @@ impl<S: Simd> Number for Lanes<S> {
 
     #[inline(always)]
     fn apply<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M] {
         function.side_by_side(at)
@@ -181,26 +167,18 @@ impl<S: Simd> Number for Lanes<S> {
 
 impl<S: Simd> Plain for Lanes<S> {
     #[inline(always)]
-    fn values<const K: usize, const M: usize>(
-        function: &impl Function<K, M>,
-        at: [Self; K],
-    ) -> [Self; M] {
-        function.side_by_side(at)
-    }
-
-    #[inline(always)]
     fn with_slopes<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> ([Self; M], [[Self; K]; M]) {
         let zero = at[0].constant(0.0);
         let (mut values, mut slopes) = ([zero; M], [[zero; K]; M]);
         for lane in 0..LANES {
-            let mut place = [0.0; K];
+            let mut position = [0.0; K];
             for k in 0..K {
-                place[k] = at[k][lane];
+                position[k] = at[k][lane];
             }
-            let (value, slope) = function.with_slopes(place);
+            let (value, slope) = function.with_slopes(position);
             for m in 0..M {
                 values[m][lane] = value[m];
                 for k in 0..K {
@@ -282,14 +260,14 @@ impl<T: Plain, const D: usize> Number for Dual<T, D> {
 
     #[inline(always)]
     fn apply<const K: usize, const M: usize>(
-        function: &impl Differentiable<K, M>,
+        function: &impl Function<K, M>,
         at: [Self; K],
     ) -> [Self; M] {
-        let mut place = [at[0].value; K];
+        let mut position = [at[0].value; K];
         for k in 0..K {
-            place[k] = at[k].value;
+            position[k] = at[k].value;
         }
-        let (values, slopes) = T::with_slopes(function, place);
+        let (values, slopes) = T::with_slopes(function, position);
         let mut result = [Self::fixed(values[0]); M];
         for m in 0..M {
             result[m].value = values[m];

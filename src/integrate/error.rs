@@ -12,7 +12,7 @@ pub enum IntegrateError {
          tolerance or shorten the duration"
     )]
     StepLimit {
-        /// Where the integration stands, s.
+        /// Time that the integration has come to, s.
         time: f64,
         /// The limit.
         limit: u64,
@@ -24,7 +24,7 @@ pub enum IntegrateError {
          and damping at that time, loosen the tolerance, or set another method in [integrator]"
     )]
     StepUnderflow {
-        /// Where the integration stands, s.
+        /// Time that the integration has come to, s.
         time: f64,
         /// Size of the step, s.
         step: f64,
@@ -58,13 +58,13 @@ pub enum IntegrateError {
     /// Somebody asked the integration to stop.
     #[error("interrupted at t = {time:.6e} s")]
     Interrupted {
-        /// Where the integration stands, s.
+        /// Time that the integration has come to, s.
         time: f64,
     },
 }
 
 impl IntegrateError {
-    /// Where the integration stands, s.
+    /// Time that the integration has come to, s.
     pub fn time(&self) -> f64 {
         match self {
             Self::Stiff { stiffness, .. } => stiffness.time,

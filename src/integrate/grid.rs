@@ -1,4 +1,4 @@
-//! The times at which states are handed out.
+//! The times at which states are handed out, and those states.
 
 /// Uniform grid of times: `t_k = k · interval`, k = 0 … count − 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,8 +18,76 @@ impl Grid {
         index as f64 * self.interval
     }
 
-    /// Breaks nearer than this to a grid time, or to another break, count as standing there, s.
+    /// Breaks nearer than this to a grid time, or to another break, count as being there, s.
     pub(super) fn slack(&self) -> f64 {
         BREAK_SLACK * self.interval
+    }
+}
+
+/// A list of states of the same number of components.
+#[derive(Debug, Clone, PartialEq)]
+pub struct States {
+    width: usize,
+    values: Vec<f64>,
+}
+
+impl States {
+    /// No states yet, each to be of `width` components, at least one.
+    pub fn new(width: usize) -> Self {
+        Self::with_capacity(width, 0)
+    }
+
+    /// As [`States::new`], with room for so many states.
+    pub fn with_capacity(width: usize, states: usize) -> Self {
+        Self {
+            width,
+            values: Vec::with_capacity(width * states),
+        }
+    }
+
+    /// Appends a state.
+    pub fn push(&mut self, state: &[f64]) {
+        debug_assert_eq!(state.len(), self.width);
+        self.values.extend_from_slice(state);
+    }
+
+    /// Number of states.
+    pub fn len(&self) -> usize {
+        self.values.len() / self.width
+    }
+
+    /// Removes all states.
+    pub fn clear(&mut self) {
+        self.values.clear();
+    }
+
+    /// Makes it so many states: of those to come all components are zero.
+    pub fn resize(&mut self, states: usize) {
+        self.values.resize(self.width * states, 0.0);
+    }
+
+    /// The states in their order.
+    pub fn iter(&self) -> std::slice::ChunksExact<'_, f64> {
+        self.values.chunks_exact(self.width)
+    }
+
+    /// One of them.
+    pub fn get(&self, index: usize) -> Option<&[f64]> {
+        self.iter().nth(index)
+    }
+
+    /// The last of them.
+    pub fn last(&self) -> Option<&[f64]> {
+        self.iter().next_back()
+    }
+
+    /// All numbers, state by state.
+    pub fn as_slice(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// All numbers, state by state.
+    pub fn as_mut_slice(&mut self) -> &mut [f64] {
+        &mut self.values
     }
 }

@@ -2,34 +2,70 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::adapter::LibraryMethod;
+use serde::{Deserialize, Serialize};
+
 use super::problem::Problem;
 use super::stepper::{Start, Stepper};
 use super::stiffness::{is_check_due, stiffness};
 use super::{
-    Checkpoint, CheckpointMismatch, Counters, Grid, IntegrateError, Method, MethodUse, Pace,
-    SEGMENT, Scaling, Settings, States, Stiffness, System,
+    Counters, Grid, IntegrateError, Method, MethodUse, Pace, Scaling, Settings, States, Stiffness,
+    System,
 };
 
 /// Steps between two checks for stiffness: the implicit method's trial then costs a few per cent of them.
 const CHECK_EVERY: u64 = 2000;
+
+/// Samples of a segment: at the end of each the method begins afresh, so that one that goes on from there is the same
+/// by construction.
+pub const SEGMENT: u64 = 4096;
+
+/// State of an integration at the end of a segment of its grid: another integration of the same system, scaling,
+/// grid and settings goes on from it to the very same states.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Checkpoint {
+    /// Number of the grid time.
+    pub next: u64,
+    /// Scaled state there.
+    pub scaled: Vec<f64>,
+    /// Size of the step to go on with, s.
+    pub step: f64,
+    /// Work done so far.
+    pub counters: Counters,
+    /// Stiffness, where it was seen.
+    pub stiffness: Option<Stiffness>,
+    /// Which method carried the run, where the choice is left open.
+    pub method_use: Option<MethodUse>,
+}
+
+/// A checkpoint of another integration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "a checkpoint of {states} states at grid time {next} belongs to another integration: this one \
+     has {expected} states and {count} grid times"
+)]
+pub struct CheckpointMismatch {
+    /// States of the checkpoint.
+    pub states: usize,
+    /// Number of its grid time.
+    pub next: u64,
+    /// States of the integration.
+    pub expected: usize,
+    /// Grid times of the integration.
+    pub count: u64,
+}
+
 /// An integration under way: it knows its state at a grid time and how to go on.
 pub struct Integration<'a> {
-    pub(super) system: &'a dyn System,
-    pub(super) scaling: Scaling,
-    pub(super) grid: Grid,
-    pub(super) settings: Settings,
+    system: &'a dyn System,
+    scaling: Scaling,
+    grid: Grid,
+    settings: Settings,
     stop: &'a AtomicBool,
     pace: Option<&'a Pace>,
-    /// Scaled state where the latest block or segment ended.
-    pub(super) scaled: Vec<f64>,
     /// Room for a state.
-    pub(super) state: Vec<f64>,
-    pub(super) next: u64,
-    pub(super) step: f64,
-    pub(super) counters: Counters,
+    state: Vec<f64>,
+    next: u64,
     stiffness: Option<Stiffness>,
-    /// Of the methods of this crate whose steps do not end with a block.
     stepper: Stepper,
     /// The latest end of a segment.
     checkpoint: Checkpoint,
@@ -55,13 +91,12 @@ impl<'a> Integration<'a> {
             interval: grid.interval,
         };
         let method_use = open.then(|| MethodUse::of(system));
-        let scaled = scaling.scaled(state);
         let problem = Problem::over(&grid, system, &scaling, &settings, (stop, None));
         Self {
             stepper: Stepper::new(settings.method, method_use, &problem, &start),
             checkpoint: Checkpoint {
                 next: 0,
-                scaled: scaled.clone(),
+                scaled: scaling.scaled(state),
                 step: 0.0,
                 counters: Counters::default(),
                 stiffness: None,
@@ -73,11 +108,8 @@ impl<'a> Integration<'a> {
             settings,
             stop,
             pace: None,
-            scaled,
             state: state.to_vec(),
             next: 0,
-            step: 0.0,
-            counters: Counters::default(),
             stiffness: None,
         }
     }
@@ -88,7 +120,7 @@ impl<'a> Integration<'a> {
         Self { pace, ..self }
     }
 
-    pub(super) fn problem(&self) -> Problem<'_> {
+    fn problem(&self) -> Problem<'_> {
         let (scaling, settings) = (&self.scaling, &self.settings);
         let watched = (self.stop, self.pace);
         Problem::over(&self.grid, self.system, scaling, settings, watched)
@@ -105,47 +137,45 @@ impl<'a> Integration<'a> {
     /// # Errors
     /// [`CheckpointMismatch`] where it cannot be one of the same system and grid.
     pub fn go_on_from(&mut self, checkpoint: &Checkpoint) -> Result<(), CheckpointMismatch> {
-        let states = checkpoint.scaled.len();
-        if states != self.scaled.len() || checkpoint.next > self.grid.count {
+        let (states, expected) = (checkpoint.scaled.len(), self.state.len());
+        if states != expected || checkpoint.next > self.grid.count {
             return Err(CheckpointMismatch {
                 states,
                 next: checkpoint.next,
-                expected: self.scaled.len(),
+                expected,
                 count: self.grid.count,
             });
         }
         self.checkpoint = checkpoint.clone();
         self.next = checkpoint.next;
-        self.counters = checkpoint.counters;
         self.stiffness = checkpoint.stiffness;
-        self.begin_afresh();
+        if self.next > 0 {
+            self.begin_afresh();
+        }
         Ok(())
     }
 
-    /// Lets the method begin afresh at the latest end of a segment.
+    /// Lets the method begin afresh at the checkpoint.
     fn begin_afresh(&mut self) {
-        self.scaled.clone_from(&self.checkpoint.scaled);
-        self.step = self.checkpoint.step;
-        if self.next > 0 {
-            let start = Start {
-                time: self.grid.time(self.next),
-                deviation: self.scaling.deviation(&self.scaled),
-                step: self.step,
-                counters: self.counters,
-                interval: self.grid.interval,
-            };
-            let (method, method_use) = (self.settings.method, self.checkpoint.method_use);
-            self.stepper = Stepper::new(method, method_use, &self.problem(), &start);
-        }
+        let checkpoint = &self.checkpoint;
+        let start = Start {
+            time: self.grid.time(checkpoint.next),
+            deviation: self.scaling.deviation(&checkpoint.scaled),
+            step: checkpoint.step,
+            counters: checkpoint.counters,
+            interval: self.grid.interval,
+        };
+        let (method, method_use) = (self.settings.method, checkpoint.method_use);
+        self.stepper = Stepper::new(method, method_use, &self.problem(), &start);
     }
 
-    /// Takes note of the end of a segment in a scaled state.
-    pub(super) fn end_segment(&mut self, scaled: Vec<f64>) {
+    /// Ends a segment in the present state.
+    fn end_segment(&mut self) {
         self.checkpoint = Checkpoint {
             next: self.next,
-            scaled,
-            step: self.step,
-            counters: self.counters,
+            scaled: self.scaling.scaled(&self.state),
+            step: self.stepper.method().step_size(),
+            counters: self.counters(),
             stiffness: self.stiffness,
             method_use: self.method_use(),
         };
@@ -154,7 +184,7 @@ impl<'a> Integration<'a> {
 
     /// Work done so far.
     pub fn counters(&self) -> Counters {
-        self.counters
+        self.stepper.method().counters()
     }
 
     /// Stiffness that an explicit method met, where it was first seen: stability held its steps far
@@ -183,15 +213,21 @@ impl<'a> Integration<'a> {
     pub fn advance(&mut self, points: usize, states: &mut States) -> Result<(), IntegrateError> {
         let left = self.grid.count - self.next;
         let points = usize::try_from(left).unwrap_or(usize::MAX).min(points);
-        let checks_before = self.counters.steps / CHECK_EVERY;
-        match LibraryMethod::of(self.settings.method) {
-            Some(method) => self.by_blocks(method, points, states)?,
-            None => self.by_steps(points, states)?,
+        let checks_before = self.counters().steps / CHECK_EVERY;
+        for _ in 0..points {
+            self.next_sample()?;
+            states.push(&self.state);
+            self.next += 1;
+            if self.next.is_multiple_of(SEGMENT) && self.next < self.grid.count {
+                self.find_state()?;
+                self.end_segment();
+            }
         }
-        let due = self.counters.steps / CHECK_EVERY != checks_before;
-        if due && self.stiffness.is_none() && self.step < self.grid.interval {
-            // steps that are longer than the distance of the samples are no burden
-            self.stiffness = self.find_stiffness(self.grid.time(self.next));
+        let due = self.counters().steps / CHECK_EVERY != checks_before;
+        // steps that are longer than the distance of the samples are no burden
+        let is_short = self.stepper.method().step_size() < self.grid.interval;
+        if due && self.stiffness.is_none() && is_short {
+            self.stiffness = self.find_stiffness();
             if self.checkpoint.next == self.next {
                 self.checkpoint.stiffness = self.stiffness;
             }
@@ -199,74 +235,38 @@ impl<'a> Integration<'a> {
         Ok(())
     }
 
-    /// Integrates by steps of this crate's own, which a block's end does not cut.
-    fn by_steps(&mut self, points: usize, states: &mut States) -> Result<(), IntegrateError> {
-        for _ in 0..points {
-            let steps_before = self.counters.steps;
-            match self.next_state() {
-                Ok(()) => {
-                    states.push(&self.state);
-                    self.next += 1;
-                    if is_check_due(&self.problem(), steps_before, self.counters.steps) {
-                        self.give_up_where_stiff()?;
-                    }
-                }
-                Err(IntegrateError::StepLimit { time, limit }) => {
-                    self.give_up_where_stiff()?;
-                    return Err(IntegrateError::StepLimit { time, limit });
-                }
-                Err(error) => return Err(error),
-            }
-            if self.next.is_multiple_of(SEGMENT) && self.next < self.grid.count {
-                self.next_state()?;
-                self.note_progress();
-                self.end_segment(self.scaling.scaled(&self.state));
-            }
-        }
-        // a state within a step may take evaluations, too
-        self.note_progress();
-        Ok(())
+    /// Finds the state at the next grid time, or that stability keeps the run from its end.
+    fn next_sample(&mut self) -> Result<(), IntegrateError> {
+        let steps_before = self.counters().steps;
+        let result = self.find_state();
+        let is_due = match &result {
+            Ok(()) => is_check_due(&self.problem(), steps_before, self.counters().steps),
+            Err(error) => matches!(error, IntegrateError::StepLimit { .. }),
+        };
+        let stiffness = if is_due { self.find_stiffness() } else { None };
+        let ending = |found: Stiffness| found.ending(&self.problem(), self.counters().steps);
+        stiffness.and_then(ending).map_or(result, Err)
     }
 
     /// Finds the state at the next grid time.
-    fn next_state(&mut self) -> Result<(), IntegrateError> {
+    fn find_state(&mut self) -> Result<(), IntegrateError> {
         let time = self.grid.time(self.next);
-        let is_within = self.stepper.method().time() >= time;
         let (scaling, settings) = (&self.scaling, &self.settings);
         let watched = (self.stop, self.pace);
         let problem = Problem::over(&self.grid, self.system, scaling, settings, watched);
-        let result = self.stepper.state_at(&problem, time, &mut self.state);
-        if !is_within || result.is_err() {
-            self.note_progress();
-        }
-        result
+        self.stepper.state_at(&problem, time, &mut self.state)
     }
 
-    /// Takes note of the work and the step size that the stepper has come to.
-    fn note_progress(&mut self) {
-        (self.counters, self.step) = self.stepper.progress();
-    }
-
-    /// Ends a run that stability keeps from its end.
-    fn give_up_where_stiff(&self) -> Result<(), IntegrateError> {
-        let time = self.stepper.method().time();
-        let stiffness = self.find_stiffness(time);
-        let ending = |found: Stiffness| found.ending(&self.problem(), self.counters.steps);
-        stiffness.and_then(ending).map_or(Ok(()), Err)
-    }
-
-    fn find_stiffness(&self, time: f64) -> Option<Stiffness> {
-        let (problem, step) = (self.problem(), self.step);
-        match LibraryMethod::of(self.settings.method) {
-            Some(method) => {
-                let deviation = self.scaling.deviation(&self.scaled);
-                stiffness(&problem, method.stability_limit(), time, &deviation, step)
-            }
-            None => {
-                let method = self.stepper.method();
-                let limit = method.stability_limit()?;
-                stiffness(&problem, limit, time, method.deviation(), step)
-            }
-        }
+    /// Stiffness at the end of the latest step.
+    fn find_stiffness(&self) -> Option<Stiffness> {
+        let method = self.stepper.method();
+        let (limit, deviation) = (method.stability_limit()?, method.deviation());
+        stiffness(
+            &self.problem(),
+            limit,
+            method.time(),
+            deviation,
+            method.step_size(),
+        )
     }
 }

@@ -4,39 +4,28 @@
 //! uniform [`Grid`] of times and hands out the states there, a block at a time, so that memory does
 //! not grow with the duration.
 
-mod adapter;
-mod auto;
-mod block;
-mod checkpoint;
 mod chunks;
-mod control;
 mod error;
 mod event_check;
 mod explicit;
 mod exponential;
 mod grid;
 mod integration;
-mod pace;
+mod library;
 mod problem;
 pub(crate) mod root;
 mod rosenbrock;
 mod settings;
-mod shifted;
-mod states;
 mod stepper;
 mod stiffness;
 mod system;
 mod variation;
 
-pub use auto::{ChangeReason, MethodUse};
-pub use checkpoint::{Checkpoint, CheckpointMismatch, SEGMENT};
 pub use error::IntegrateError;
-pub use grid::Grid;
-pub use integration::Integration;
-pub use pace::Pace;
-pub use settings::{Counters, Method, Settings};
-pub use shifted::Shifted;
-pub use states::States;
+pub use grid::{Grid, States};
+pub use integration::{Checkpoint, CheckpointMismatch, Integration, SEGMENT};
+pub use settings::{Counters, Method, Pace, Settings};
+pub use stepper::{ChangeReason, MethodUse};
 pub use stiffness::Stiffness;
-pub use system::{Scaling, System};
+pub use system::{Scaling, Shifted, System};
 pub use variation::variation;

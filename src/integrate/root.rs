@@ -13,7 +13,7 @@ pub(crate) struct Bracket {
 }
 
 impl Bracket {
-    /// The interval between two places with the values there; none where both have one sign.
+    /// The interval between two positions with the values there; none where both have one sign.
     pub fn new(ends: [f64; 2], values: [f64; 2]) -> Option<Self> {
         let differ = (values[0] >= 0.0) != (values[1] >= 0.0);
         differ.then_some(Self {
@@ -29,11 +29,11 @@ impl Bracket {
         ((low * at_high - high * at_low) / (at_high - at_low)).clamp(low, high)
     }
 
-    /// Takes the value at a place within.
-    pub fn narrow(&mut self, place: f64, value: f64) {
+    /// Takes the value at a position within.
+    pub fn narrow(&mut self, position: f64, value: f64) {
         let beyond = (value >= 0.0) == (self.values[1] >= 0.0);
         let end = usize::from(beyond);
-        (self.ends[end], self.values[end]) = (place, value);
+        (self.ends[end], self.values[end]) = (position, value);
         if self.latest == Some(beyond) {
             self.values[1 - end] *= 0.5;
         }
@@ -55,7 +55,7 @@ impl Bracket {
 /// Values taken in a search.
 const MOST_VALUES: usize = 60;
 
-/// Root of a continuous function between two places where it has these values, to within a distance; none where
+/// Root of a continuous function between two positions where it has these values, to within a distance; none where
 /// both have one sign.
 pub(super) fn root(
     mut value: impl FnMut(f64) -> f64,
@@ -65,9 +65,9 @@ pub(super) fn root(
 ) -> Option<f64> {
     let mut bracket = Bracket::new(ends, values)?;
     for _ in 0..MOST_VALUES {
-        let place = bracket.guess();
-        let found = value(place);
-        bracket.narrow(place, found);
+        let position = bracket.guess();
+        let found = value(position);
+        bracket.narrow(position, found);
         if bracket.length() < within || found == 0.0 {
             break;
         }
@@ -81,13 +81,13 @@ mod tests {
 
     #[test]
     fn a_root_is_found_to_round_off() {
-        let value = |place: f64| (place - 0.3).powi(3) + 0.1 * (place - 0.3);
+        let value = |position: f64| (position - 0.3).powi(3) + 0.1 * (position - 0.3);
         let found = root(value, [0.0, 1.0], [0.0, 1.0].map(value), 1e-9);
         assert!(
-            found.is_some_and(|place| (place - 0.3).abs() < 1e-9),
+            found.is_some_and(|position| (position - 0.3).abs() < 1e-9),
             "{found:?}"
         );
-        let none = root(|place| place + 1.0, [0.0, 1.0], [1.0, 2.0], 1e-9);
+        let none = root(|position| position + 1.0, [0.0, 1.0], [1.0, 2.0], 1e-9);
         assert_eq!(none, None);
     }
 }

@@ -10,8 +10,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::control::Control;
-use super::problem::{Problem, STRETCH};
+use super::problem::{Control, Problem, STRETCH};
 use super::stepper::{MethodStepper, Start};
 use super::{Counters, IntegrateError};
 

@@ -12,7 +12,7 @@ use super::rosenbrock::RosenbrockStepper;
 use super::stepper::{MethodStepper, Start};
 use super::{Counters, IntegrateError, Settings};
 
-/// Part of the stability limit from which on a step counts as held by it: step sizes swing below it.
+/// Part of the stability limit from which on a step counts as held by it: step sizes vary below it.
 const NEAR: f64 = 0.5;
 /// How much longer the steps of the implicit method must be to be worth a word.
 const WORTH: f64 = 2.0;
@@ -23,7 +23,7 @@ const TRIAL_STEPS: u64 = 50;
 /// Sweeps after which the search for eigenvalues gives up.
 const SWEEPS: usize = 1000;
 
-/// The trial is over before anybody can wish to stop it.
+/// The trial is over before anybody can stop it.
 static GOES_ON: AtomicBool = AtomicBool::new(false);
 
 /// An explicit method whose steps stability holds far below what accuracy asks for.

@@ -48,8 +48,8 @@ pub trait System {
         f64::INFINITY
     }
 
-    /// Writes an upper bound of what an event surface has added to each component of the derivative at a
-    /// distance past it: it grows with a broken power of the distance, like a contact force.
+    /// Writes an upper bound of the force jump, what each component of the derivative gains at a distance past an
+    /// event surface: it grows with a broken power of the distance, like a contact force.
     fn force_jump(&self, _event: usize, _time: f64, _distance: f64, rate: &mut [f64]) {
         rate.fill(0.0);
     }
@@ -121,5 +121,61 @@ impl Scaling {
                 *entry *= self.scale[column] / self.scale[row];
             }
         }
+    }
+}
+
+/// The same system with its time counted from `start`, s.
+#[derive(Clone, Copy)]
+pub struct Shifted<'a> {
+    /// The system.
+    pub system: &'a dyn System,
+    /// Its time where the shifted one is zero, s.
+    pub start: f64,
+}
+
+impl System for Shifted<'_> {
+    fn states(&self) -> usize {
+        self.system.states()
+    }
+
+    fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
+        self.system.derivative(self.start + time, state, rate);
+    }
+
+    fn linearisation(
+        &self,
+        time: f64,
+        state: &[f64],
+        jacobian: &mut DMatrix<f64>,
+        by_time: &mut [f64],
+    ) {
+        let system = self.system;
+        system.linearisation(self.start + time, state, jacobian, by_time);
+    }
+
+    fn next_break(&self, after: f64) -> f64 {
+        self.system.next_break(self.start + after) - self.start
+    }
+
+    fn event_count(&self) -> usize {
+        self.system.event_count()
+    }
+
+    fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
+        self.system.events(self.start + time, state, values);
+    }
+
+    fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
+        let times = times.map(|time| self.start + time);
+        self.system.event_change(times, states)
+    }
+
+    fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
+        let system = self.system;
+        system.force_jump(event, self.start + time, distance, rate);
+    }
+
+    fn expects_crossings(&self) -> bool {
+        self.system.expects_crossings()
     }
 }

@@ -57,8 +57,8 @@ impl Rotor {
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
         self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
-            let [place, rate] = bearing.motion(dofs, velocity);
-            let [_, force] = bearing.support.damped_force(&place, &rate, rotation);
+            let [position, rate] = bearing.motion(dofs, velocity);
+            let [_, force] = bearing.support.damped_force(&position, &rate, rotation);
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }

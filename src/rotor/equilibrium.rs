@@ -1,12 +1,14 @@
-//! Static equilibrium of a shaft on its bearings.
+//! Static equilibrium of a shaft on its bearings, and of one bearing by itself.
 
 use nalgebra::DMatrix;
 
 use super::point::Attachment;
 use super::static_search::{Balance, StaticCoordinate, StaticSearch};
 use super::structure::Structure;
-use super::{FREEDOMS, RotorDefinition};
-use crate::bearing::{BearingState, Facing, Geometry, Matrix5, Support, Vector5};
+use super::{FREEDOMS, RotorDefinition, RotorError};
+use crate::bearing::{
+    Bearing, BearingState, Facing, Geometry, Matrix5, MountedBearing, Support, Vector5,
+};
 use crate::keys;
 
 /// Names of the five freedoms, as they appear in messages and column headers.
@@ -49,7 +51,7 @@ pub struct StaticProblem<'a> {
     pub supports: &'a [Support],
     /// External load, N and N m; of held freedoms it does not matter.
     pub load: Vector5,
-    /// Which freedoms find their own place; the others stay at `start`.
+    /// Which freedoms find their own position; the others stay at `start`.
     pub free: [bool; 5],
     /// Where the search starts, and where held freedoms stay.
     pub start: Vector5,
@@ -103,7 +105,7 @@ impl StaticProblem<'_> {
                 self.supports,
                 Geometry::groove_centre_distance,
             ),
-            restoring: &|place| structure.restoring(self.supports, place, self.speed, arm),
+            restoring: &|position| structure.restoring(self.supports, position, self.speed, arm),
         }
         .solve()
     }
@@ -135,10 +137,10 @@ impl Balance {
 
 /// Where a shaft stands.
 pub(crate) struct StaticPlace {
-    /// Which of its freedoms found their own place.
+    /// Which of its freedoms found their own position.
     pub free: [bool; FREEDOMS],
     pub(super) structure: Structure,
-    /// Place of all its coordinates, m and rad.
+    /// Position of all its coordinates, m and rad.
     pub(super) coordinates: Vec<f64>,
     /// K of all its coordinates.
     pub(super) stiffness: DMatrix<f64>,
@@ -176,8 +178,8 @@ pub(super) fn static_place_of(
 ) -> Result<StaticPlace, EquilibriumError> {
     let (mut free, mut start) = static_start(definition, supports, load[2]);
     for (axis, given) in given.iter().enumerate() {
-        if let Some(place) = *given {
-            (free[axis], start[axis]) = (false, place);
+        if let Some(position) = *given {
+            (free[axis], start[axis]) = (false, position);
         }
     }
     let problem = StaticProblem {
@@ -197,7 +199,7 @@ pub(super) fn static_place_of(
     })
 }
 
-/// Which freedoms find their place, and where the search starts and the others stay.
+/// Which freedoms find their position, and where the search starts and the others stay.
 fn static_start(
     definition: &RotorDefinition,
     supports: &[Support],
@@ -211,7 +213,7 @@ fn static_start(
     }
     if !free[2] {
         match held_axial(supports, axial_load) {
-            Some(place) => start[2] = place,
+            Some(position) => start[2] = position,
             None => free[2] = true,
         }
     }
@@ -235,4 +237,45 @@ fn held_axial(supports: &[Support], axial_load: f64) -> Option<f64> {
         return Some(0.0);
     }
     supports.first().map(Support::centred_axial)
+}
+
+impl Bearing {
+    /// Where the inner ring of the standing bearing finds its position under a load on its centre: forces x, y, z in
+    /// N, moments about X and Y in N m. Dry Hertz contacts, no preload; all five freedoms are free, a positive axial
+    /// force loads an angular contact bearing.
+    ///
+    /// Films, ball inertia, several bearings and held freedoms: [`crate::quasi_static::quasi_static`].
+    ///
+    /// ```
+    /// use jeffcott::bearing::Bearing;
+    /// // 1 kN along the axis of a 7205C: its balls bear alike, and the ring moves by 32 µm
+    /// let equilibrium = Bearing::catalogue("7205C")?.equilibrium([0.0, 0.0, 1000.0, 0.0, 0.0])?;
+    /// assert!((equilibrium.displacement[2] - 31.9764e-6).abs() < 1e-10);
+    /// let stiffness = equilibrium.stiffness();
+    /// assert!((stiffness[(0, 0)] / stiffness[(1, 1)] - 1.0).abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RotorError`] where the contacts cannot be formed, or nothing carries the load.
+    pub fn equilibrium(&self, load: Vector5) -> Result<Equilibrium, RotorError> {
+        let mounted = MountedBearing::new(*self);
+        let support = Support::new(&mounted, 0.0)
+            .map_err(|source| RotorError::Bearing { number: 1, source })?;
+        let problem = StaticProblem {
+            supports: &[support],
+            load,
+            free: [true; 5],
+            start: [0.0; 5],
+            speed: 0.0,
+        };
+        Ok(problem.solve()?)
+    }
+}
+
+impl Equilibrium {
+    /// K = ∂F/∂q, rows and columns x, y, z, θx, θy; N/m, N/rad, N m/m, N m/rad.
+    pub fn stiffness(&self) -> &Matrix5 {
+        &self.stiffness
+    }
 }

@@ -10,7 +10,7 @@ use super::{LoadKind, Rotor};
 pub enum ForcingCause {
     /// The unbalance turns with the shaft.
     Unbalance,
-    /// The balls of a bearing pass a place that stands still.
+    /// The balls of a bearing pass a position that stands still.
     BallPass {
         /// Bearing, from 0.
         bearing: usize,

@@ -6,8 +6,6 @@
 
 mod action;
 mod assembly;
-mod augmentation;
-mod ball_contacts;
 mod coefficients;
 mod damping;
 mod definition;
@@ -18,14 +16,12 @@ mod forcing;
 mod lift_off;
 mod linearisation;
 pub mod load;
-mod lone_bearing;
 mod modes;
 mod motion;
 mod motion_scale;
 mod observation;
 mod phases;
 mod point;
-mod sample;
 mod speed_profile;
 mod static_search;
 mod structure;
@@ -36,7 +32,6 @@ mod unconstrained;
 
 pub use assembly::RotorError;
 pub(crate) use assembly::build_supports;
-pub use ball_contacts::BallContacts;
 pub use definition::{
     CageMotion, Damping, FREEDOMS, Freedoms, InitialPosition, InitialState, RotorDefinition,
     STANDARD_GRAVITY, Shaft,
@@ -50,7 +45,7 @@ pub use load::{Load, LoadKind};
 pub use modes::{Mode, NaturalFrequency, Whirl};
 pub use motion::Rotor;
 pub use motion_scale::MotionScale;
-pub use sample::Sample;
+pub use observation::{BallContacts, Sample};
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use tabulation::Tabulation;
 pub use unconstrained::{UnconstrainedError, check_constraints};

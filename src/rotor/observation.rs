@@ -1,7 +1,7 @@
 //! What can be seen of the shaft in motion.
 
-use super::{BallContacts, FREEDOMS, Rotation, Rotor, Sample};
-use crate::bearing::Vector5;
+use super::{DriveMoments, EnergyBalance, FREEDOMS, Rotation, Rotor};
+use crate::bearing::{BallLoads, LOADED_SHARE, Support, Vector5};
 
 impl Rotor {
     /// Room for what [`Rotor::sample`] observes of the balls.
@@ -50,11 +50,11 @@ impl Rotor {
         contacts: &mut BallContacts,
     ) -> Sample {
         let dofs = self.dofs();
-        let (place, velocity) = state[..2 * dofs].split_at(dofs);
+        let (position, velocity) = state[..2 * dofs].split_at(dofs);
         let force = contacts.forces.then(|| {
-            let mut force = self.observe_bearings(place, rotation, contacts);
+            let mut force = self.observe_bearings(position, rotation, contacts);
             if self.contacts_damped {
-                let damping = self.contact_damping(place, velocity, rotation);
+                let damping = self.contact_damping(position, velocity, rotation);
                 for axis in 0..FREEDOMS {
                     force[axis] += damping[axis];
                 }
@@ -67,7 +67,7 @@ impl Rotor {
             time,
             angle: rotation.angle,
             speed: rotation.speed,
-            displacement: self.structure.shaft.displacement(place, &self.rest),
+            displacement: self.structure.shaft.displacement(position, &self.rest),
             velocity: self.structure.shaft.rate(velocity),
             acceleration: None,
             force_on_shaft: force,
@@ -81,7 +81,7 @@ impl Rotor {
     /// Force of the shaft onto all bearings, N and N m; axial forces and balls go to `contacts`.
     fn observe_bearings(
         &self,
-        place: &[f64],
+        position: &[f64],
         rotation: &Rotation,
         contacts: &mut BallContacts,
     ) -> Vector5 {
@@ -89,7 +89,7 @@ impl Rotor {
         let observed = contacts.bearings.iter_mut().zip(&mut contacts.axial_forces);
         let phases = self.phases(rotation);
         for (bearing, (loads, axial)) in self.bearings().zip(observed) {
-            let (support, displacement) = (bearing.support, bearing.displacement(place));
+            let (support, displacement) = (bearing.support, bearing.displacement(position));
             let rotation = self.seen_by(support, rotation, &phases);
             let force = if loads.balls() > 0 {
                 support.force_and_loads(&displacement, &rotation, loads)
@@ -102,5 +102,122 @@ impl Rotor {
             *axial = support.definition().facing.sign() * force[2];
         }
         total
+    }
+}
+
+/// State of the shaft and of its bearings at one instant, SI units. What was not observed is none.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Sample {
+    /// Time, s.
+    pub time: f64,
+    /// Shaft angle ψ, rad.
+    pub angle: f64,
+    /// Angular speed, rad/s.
+    pub speed: f64,
+    /// x, y, z in m and θx, θy in rad.
+    pub displacement: [f64; FREEDOMS],
+    /// Time derivatives of `displacement`.
+    pub velocity: [f64; FREEDOMS],
+    /// Second time derivatives of `displacement`, where asked for.
+    pub acceleration: Option<[f64; FREEDOMS]>,
+    /// Force of all bearings on the shaft: x, y, z in N, moments about X and Y in N m; none where it is not
+    /// observed.
+    pub force_on_shaft: Option<[f64; FREEDOMS]>,
+    /// Largest load on a ball of any bearing, N; none where no ball is observed, as of a linear bearing.
+    pub largest_ball_load: Option<f64>,
+    /// Number of balls in contact, all bearings together; likewise.
+    pub balls_loaded: Option<u32>,
+    /// Energy, where it is integrated.
+    pub energy: Option<EnergyBalance>,
+    /// Moments on the shaft, where it is driven.
+    pub drive: Option<DriveMoments>,
+}
+
+/// Loads and contact angles of every ball of every bearing at one instant, and what each bearing
+/// bears axially; filled anew at every sample, without allocation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BallContacts {
+    pub(super) bearings: Vec<BallLoads>,
+    /// By bearing, in its own orientation, N.
+    pub(super) axial_forces: Vec<f64>,
+    /// Whether the forces of the bearings are observed.
+    pub(super) forces: bool,
+    largest: f64,
+    least: f64,
+    loaded: u32,
+}
+
+impl BallContacts {
+    /// Room for the balls of some bearings, and for their angles; a linear bearing has none.
+    pub(super) fn new(supports: &[Support], angles: bool) -> Self {
+        let loads = |support: &Support| BallLoads::new(support.known_balls(), angles);
+        Self {
+            bearings: supports.iter().map(loads).collect(),
+            axial_forces: vec![0.0; supports.len()],
+            forces: true,
+            largest: 0.0,
+            least: 0.0,
+            loaded: 0,
+        }
+    }
+
+    /// Room for none of the balls: they are not observed, and the forces of the bearings only where asked for.
+    pub(super) fn unwatched(supports: &[Support], forces: bool) -> Self {
+        Self {
+            bearings: vec![BallLoads::default(); supports.len()],
+            forces,
+            ..Self::new(supports, false)
+        }
+    }
+
+    /// The balls of each bearing; none of a linear one.
+    pub fn bearings(&self) -> &[BallLoads] {
+        &self.bearings
+    }
+
+    /// Whether any ball is observed.
+    pub(super) fn has_balls(&self) -> bool {
+        self.bearings.iter().any(|bearing| bearing.balls() > 0)
+    }
+
+    /// Axial force that the inner ring presses onto each bearing, positive the way its facing loads
+    /// it, N.
+    pub fn axial_forces(&self) -> &[f64] {
+        &self.axial_forces
+    }
+
+    /// Largest load at either race, N; zero without balls.
+    pub fn largest_load(&self) -> f64 {
+        self.largest
+    }
+
+    /// Load at the inner race above which a ball counts as loaded, N: a millionth of the largest
+    /// there, of all bearings, for behind an oil film no load is quite zero.
+    pub fn least_load(&self) -> f64 {
+        self.least
+    }
+
+    /// Number of loaded balls of all bearings.
+    pub fn loaded(&self) -> u32 {
+        self.loaded
+    }
+
+    /// Takes stock of the balls, once they are those of another sample.
+    pub(super) fn sum_up(&mut self) {
+        let mut largest = [0.0_f64; 2];
+        for bearing in &self.bearings {
+            for (largest, of_bearing) in largest.iter_mut().zip(bearing.largest) {
+                *largest = largest.max(of_bearing);
+            }
+        }
+        self.largest = largest[0].max(largest[1]);
+        self.least = LOADED_SHARE * largest[0];
+        self.loaded = 0;
+        for bearing in &self.bearings {
+            let loaded = bearing.load[0]
+                .iter()
+                .map(|load| u32::from(*load > self.least));
+            self.loaded += loaded.sum::<u32>();
+        }
     }
 }

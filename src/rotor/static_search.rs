@@ -1,4 +1,4 @@
-//! Damped Newton for the place at which what holds a structure balances its load.
+//! Damped Newton for the position at which what holds a structure balances its load.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -35,7 +35,7 @@ pub(super) struct StaticCoordinate {
     pub length: f64,
     /// External load, N or N m; of held coordinates it does not matter.
     pub load: f64,
-    /// Whether it finds its own place; otherwise it stays at `start`.
+    /// Whether it finds its own position; otherwise it stays at `start`.
     pub free: bool,
     /// Where the search starts, m or rad.
     pub start: f64,
@@ -76,21 +76,21 @@ impl StaticSearch<'_> {
         self.check_finite()?;
         let (state, newton_steps) = self.newton().map_err(|lost| self.not_carried(&lost))?;
         Ok(Balance {
-            residual: state.imbalance(),
+            residual: state.relative_residual(),
             displacement: state.displacement,
             restoring: state.restoring,
             newton_steps,
         })
     }
 
-    /// Newton from a start until the imbalance is below what is accepted and at its round-off; the state and
+    /// Newton from a start until the residual is below what is accepted and at its round-off; the state and
     /// the number of steps, or where it got lost.
     fn newton(&self) -> Result<(State, usize), Box<State>> {
         let mut reach = 0.5 * self.groove_centre_distance;
         let start = self.coordinates.iter().map(|coordinate| coordinate.start);
         let mut state = self.evaluate(DVector::from_iterator(self.coordinates.len(), start));
         for newton_steps in 0..STEP_LIMIT {
-            if state.imbalance() <= CONVERGED {
+            if state.relative_residual() <= CONVERGED {
                 return Ok((state, newton_steps));
             }
             let (step, shortened) = state.step(reach);
@@ -98,9 +98,9 @@ impl StaticSearch<'_> {
                 reach *= 2.0;
             }
             let next = self.search(&state, &step);
-            let gained = next.imbalance() < 0.5 * state.imbalance();
-            if state.imbalance() <= ACCEPTED_RESIDUAL && !gained {
-                let next_is_better = next.imbalance() < state.imbalance();
+            let gained = next.relative_residual() < 0.5 * state.relative_residual();
+            if state.relative_residual() <= ACCEPTED_RESIDUAL && !gained {
+                let next_is_better = next.relative_residual() < state.relative_residual();
                 let best = if next_is_better { next } else { state };
                 return Ok((best, newton_steps + 1));
             }
@@ -204,8 +204,8 @@ impl StaticSearch<'_> {
     fn has_run_away(&self, state: &State) -> bool {
         let limit = RUNAWAY * self.groove_centre_distance;
         let mut travels = self.coordinates.iter().zip(state.displacement.iter());
-        travels.any(|(coordinate, place)| {
-            let travel = (place - coordinate.start) * coordinate.length;
+        travels.any(|(coordinate, position)| {
+            let travel = (position - coordinate.start) * coordinate.length;
             travel.is_nan() || travel.abs() > limit
         })
     }
@@ -236,7 +236,7 @@ struct State {
 
 impl State {
     /// Largest unbalanced force relative to the forces in play.
-    fn imbalance(&self) -> f64 {
+    fn relative_residual(&self) -> f64 {
         let largest = self.excess.amax();
         if largest == 0.0 {
             0.0

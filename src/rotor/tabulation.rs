@@ -29,12 +29,12 @@ impl Rotor {
         let dofs = self.dofs();
         let pairs = self.supports.iter_mut().zip(&self.structure.attachments);
         let compile = |(support, attachment): (&mut Support, &Attachment)| {
-            let place = attachment.displacement(&self.rest[..dofs], &self.rest);
+            let position = attachment.displacement(&self.rest[..dofs], &self.rest);
             let amplitude = largest_amplitude(support, &attachment.reach(&amplitudes));
             let mut tabulation = None;
             for part in PARTS {
                 let amplitude = amplitude.map(|amplitude| part * amplitude);
-                tabulation = support.tabulate(&place, &amplitude, speed, TABLE_TOLERANCE);
+                tabulation = support.tabulate(&position, &amplitude, speed, TABLE_TOLERANCE);
                 if !matches!(tabulation, Some(Err(_))) {
                     break;
                 }
@@ -58,7 +58,7 @@ impl Rotor {
     }
 }
 
-/// How far the rings of a bearing may come from their static places, m and rad, where they are expected to move by an
+/// How far the rings of a bearing may come from their static positions, m and rad, where they are expected to move by an
 /// amplitude.
 fn largest_amplitude(support: &Support, expected: &Vector5) -> Vector5 {
     let geometry = &support.definition().bearing.geometry;

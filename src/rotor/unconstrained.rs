@@ -9,7 +9,7 @@
 //! - a start at equilibrium in a freedom that nothing drives either stays where the search for the
 //!   equilibrium happened to end.
 //!
-//! Every other scene runs, and is told of in a warning.
+//! Every other scene runs, and is reported in a warning.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 

@@ -197,7 +197,7 @@ pub trait BallLaw {
     #[inline(always)]
     fn life_powers<T: Plain>(&self, response: &BallResponse<T>) -> [T; 2] {
         let [inner, outer] = response.load;
-        let [power] = T::values(&TenThirds, [outer]);
+        let [power] = T::apply(&TenThirds, [outer]);
         [inner * inner * inner, power]
     }
 }
@@ -224,7 +224,8 @@ impl<L: BallLaw> ForceLaw for L {
 struct TenThirds;
 
 impl Function<1, 1> for TenThirds {
-    fn values(&self, [x]: [f64; 1]) -> [f64; 1] {
-        [x * x * x * x.cbrt()]
+    fn with_slopes(&self, [x]: [f64; 1]) -> ([f64; 1], [[f64; 1]; 1]) {
+        let power = x * x * x.cbrt();
+        ([power * x], [[10.0 / 3.0 * power]])
     }
 }

@@ -1,6 +1,6 @@
 //! Ball law of two Hertz contacts in series, ball inertia neglected.
 
-use super::spring::{ContactSpring, HertzSpring, race_springs};
+use super::contacts::{ContactSpring, HertzSpring, race_springs};
 use super::{Ball, BallContact, BallForce, BallLaw, BallResponse};
 use crate::bearing::Bearing;
 use crate::bearing::number::{Number, Plain};
@@ -12,7 +12,7 @@ use crate::physics::HertzContact;
 /// d = √(A1² + A2²)   δ = d − A − h_i − h_o   Q = K_n max(δ, 0)^(3/2)   F_a = Q A1/d   F_r = Q A2/d
 /// ```
 ///
-/// `A1`, `A2` place of the inner groove centre from the outer one in m, `A` their unloaded
+/// `A1`, `A2` position of the inner groove centre from the outer one in m, `A` their unloaded
 /// distance in m, `h` drops of the surfaces under the ball in m, `K_n` in N/m^1.5. Holds at speeds where
 /// centrifugal force is small against the ball load. A separated ball (δ ≤ 0) carries nothing.
 ///
@@ -25,8 +25,6 @@ pub struct HertzLaw {
     pub(crate) distance: f64,
     /// Part of the approach that the contact with the inner race has.
     inner_share: f64,
-    /// K_n^(10/3).
-    life_factor: f64,
 }
 
 impl HertzLaw {
@@ -37,7 +35,6 @@ impl HertzLaw {
             load_deflection_constant,
             distance,
             inner_share: 0.5,
-            life_factor: load_deflection_constant.powf(10.0 / 3.0),
         }
     }
 
@@ -117,17 +114,6 @@ impl BallLaw for HertzLaw {
         [
             pressed * self.inner_share,
             pressed * (1.0 - self.inner_share),
-        ]
-    }
-
-    /// Q³ and Q^(10/3) without a root: δ⁵ is a whole power.
-    #[inline(always)]
-    fn life_powers<T: Plain>(&self, response: &BallResponse<T>) -> [T; 2] {
-        let ([load, _], pressed) = (response.load, response.approach.positive());
-        let square = pressed * pressed;
-        [
-            load * load * load,
-            square * square * pressed * self.life_factor,
         ]
     }
 

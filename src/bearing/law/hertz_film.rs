@@ -1,10 +1,8 @@
 //! Hertz contact and oil film of both races in series: the law of a ball without inertia.
 
-use super::film_shares::{film_tangent, spring_tangent};
-use super::film_spring::{FilmSpring, LubricatedContact};
+use super::contacts::{ContactSpring, HertzSpring, RaceFilms, race_springs};
+use super::film::{FilmSpring, LubricatedContact, PreparedContacts, film_tangent, spring_tangent};
 use super::hertz::{distance_and_approach, on_line_of_centres, without_inertia};
-use super::races::RaceFilms;
-use super::spring::{ContactSpring, HertzSpring, race_springs};
 use super::{Ball, BallContact, BallLaw, BallResponse, BallTangent};
 use crate::bearing::number::Number;
 use crate::bearing::{Bearing, BearingError, Oil};
@@ -34,11 +32,9 @@ use crate::bearing::{Bearing, BearingError, Oil};
 pub struct HertzFilmLaw {
     free_distance: f64,
     /// Both races in series.
-    contact: LubricatedContact,
+    contact: PreparedContacts<1>,
     /// Elastic contacts, inner race first.
     springs: [HertzSpring; 2],
-    prepared_speed: f64,
-    prepared: FilmSpring,
     films: RaceFilms,
 }
 
@@ -57,10 +53,8 @@ impl HertzFilmLaw {
         );
         Ok(Self {
             free_distance: bearing.geometry.groove_centre_distance(),
-            contact,
+            contact: PreparedContacts::new([contact], prepared_speed),
             springs: race_springs(bearing, &contacts),
-            prepared_speed,
-            prepared: contact.at_speed(prepared_speed),
             films,
         })
     }
@@ -68,11 +62,8 @@ impl HertzFilmLaw {
     /// Both races and their films in series at a shaft speed in rad/s.
     #[inline]
     fn spring(&self, speed: f64) -> FilmSpring {
-        if speed == self.prepared_speed {
-            self.prepared
-        } else {
-            self.contact.at_speed(speed)
-        }
+        let [spring] = self.contact.at_speed(speed);
+        spring
     }
 }
 
@@ -108,7 +99,7 @@ impl BallLaw for HertzFilmLaw {
         let contact = self.contact(ball, speed);
         let load = contact.load_inner;
         let distance = ball.axial.hypot(ball.radial).max(f64::MIN_POSITIVE);
-        let stiffness = self.contact.elastic().stiffness_under(load);
+        let stiffness = self.contact.contacts[0].elastic().stiffness_under(load);
         let contacts = spring_tangent(contact.angle_inner, stiffness, load / distance);
         Some([contacts, film_tangent(&self.films, &contact, speed)])
     }

@@ -4,22 +4,19 @@
 //! of laws below. Outside this folder nothing knows how a contact bears.
 
 mod ball_law;
-mod film_shares;
-mod film_spring;
+mod contacts;
+mod film;
 mod hertz;
 mod hertz_film;
 mod jones;
-mod races;
-mod spring;
 mod table;
 
 pub use ball_law::{Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ForceLaw};
-pub(super) use film_shares::Share;
+pub use contacts::{ContactSpring, DryRaces, HertzSpring, LubricatedRaces, RaceFilms, Races};
+pub(super) use film::Share;
 pub use hertz::HertzLaw;
 pub use hertz_film::HertzFilmLaw;
 pub use jones::{BallState, JonesFilmLaw, JonesLaw};
-pub use races::{DryRaces, LubricatedRaces, RaceFilms, Races};
-pub use spring::{ContactSpring, HertzSpring};
 pub use table::{BallRegion, BallTable, TableError, TableReport};
 
 use super::thrust::thrust_displacement;

@@ -4,13 +4,13 @@
 //! So a trial that crosses a surface is given up where the force jump counts; the next one ends
 //! on the surface, and the one after it begins there, each in a variable in which it is smooth.
 
-use super::landing::AT_END;
-use super::pair::ExplicitPair;
 use super::plan::Plan;
 use super::stepper::ExplicitStepper;
+use super::verner76::CROSSED;
 use crate::integrate::System;
-use crate::integrate::event_check::{EventCheck, EventStep};
+use crate::integrate::event_check::EventCheck;
 use crate::integrate::problem::Problem;
+use crate::integrate::root::root;
 
 /// Steps that a landing costs: it divides one in two. Where crossings are n steps apart, it raises the cost by this
 /// part of n, and pays where it takes a larger part of the tolerance off the error.
@@ -19,6 +19,25 @@ const LANDING_COST: f64 = 1.0;
 const BESIDE: f64 = 0.01;
 /// Error of a trial, in units of the state, from which on it says nothing of surfaces.
 const WILD: f64 = 1e-2;
+
+/// Crossings within this part of a trial are one.
+const TOGETHER: f64 = 1e-3;
+/// Part of a trial within which its ends are as good as a landing.
+const AT_END: f64 = 1e-6;
+/// Part of the trial to which a crossing is found.
+const FOUND: f64 = 1e-9;
+/// Error of a step over its size and the force jump over a short part at its end, over that part:
+/// ∫ x^(3/2), for none of it need be seen.
+const CROSSED_AT_END: f64 = 0.4;
+
+/// A step that is to end on event surfaces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Landing {
+    /// s.
+    pub time: f64,
+    /// Whether a surface ceases there to add to the derivative.
+    pub ends: bool,
+}
 
 /// Where the motion is between the event surfaces.
 #[derive(Debug, Clone)]
@@ -67,6 +86,21 @@ impl Crossings {
         }
     }
 
+    /// The earliest landing that is planned.
+    pub fn next_landing(&self) -> Option<Landing> {
+        let time = earliest(&self.due, f64::NEG_INFINITY);
+        let ends = |(due, past): (&f64, &bool)| *due == time && *past;
+        (time < f64::INFINITY).then(|| Landing {
+            time,
+            ends: self.due.iter().zip(&self.past).any(ends),
+        })
+    }
+
+    /// No landing is planned any more.
+    pub fn forget_landings(&mut self) {
+        self.due.fill(f64::INFINITY);
+    }
+
     /// Checks the events in the first state of a run.
     pub fn begin(&mut self, problem: &Problem<'_>, time: f64, state: &[f64]) {
         self.checked.evaluate(problem.system, time, state);
@@ -91,7 +125,7 @@ impl Crossings {
     }
 }
 
-impl<P: ExplicitPair> ExplicitStepper<P> {
+impl ExplicitStepper {
     /// Whether crossing an event surface spoils the trial: landings are then planned.
     pub(super) fn is_spoiled(&mut self, problem: &Problem<'_>, plan: &Plan, error: f64) -> bool {
         self.crossing.is_ahead_known = false;
@@ -130,13 +164,12 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Whether the error of crossing any surface counts.
     fn does_any_count(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
         let mut rate = std::mem::take(&mut self.crossing.state);
-        let step = self.event_step(problem, plan);
         let let_pass = LANDING_COST * plan.size / (plan.end - self.crossing.latest);
         let counts = |event: usize| {
             if plan.lands_on(self.crossing.due[event]) {
-                step.error_beside(event, &mut rate) > BESIDE
+                self.error_beside(problem, plan, event, &mut rate) > BESIDE
             } else {
-                step.error_over(event, P::CROSSED, &mut rate) > let_pass
+                self.error_over(problem, plan, event, &mut rate) > let_pass
             }
         };
         let mut crossed =
@@ -146,15 +179,85 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
         any
     }
 
-    fn event_step<'a>(&'a self, problem: &'a Problem<'a>, plan: &Plan) -> EventStep<'a> {
-        let [start, end] = &self.crossing.ends;
-        EventStep {
-            problem,
-            from: &self.from,
-            end: plan.end,
-            size: plan.size,
-            ends: [start, end],
+    /// How far both ends of the trial are past a surface.
+    fn ends_past(&self, event: usize) -> [f64; 2] {
+        self.crossing.ends.each_ref().map(|values| values[event])
+    }
+
+    /// Error of crossing a surface somewhere in the trial, over the tolerance.
+    fn error_over(
+        &self,
+        problem: &Problem<'_>,
+        plan: &Plan,
+        event: usize,
+        rate: &mut [f64],
+    ) -> f64 {
+        let [from, to] = self.ends_past(event);
+        let (past, apart) = (from.max(to), (from - to).abs());
+        let anywhere = CROSSED * self.change_by_jump(problem, plan, event, apart, rate);
+        let at_end = CROSSED_AT_END * past / apart;
+        anywhere.min(at_end * self.change_by_jump(problem, plan, event, past, rate))
+    }
+
+    /// Error of a trial that was to end on a surface, over the tolerance.
+    fn error_beside(
+        &self,
+        problem: &Problem<'_>,
+        plan: &Plan,
+        event: usize,
+        rate: &mut [f64],
+    ) -> f64 {
+        let [from, to] = self.ends_past(event);
+        let part = CROSSED_AT_END * (to.abs() / (from - to).abs());
+        part * self.change_by_jump(problem, plan, event, to.abs(), rate)
+    }
+
+    /// Change of the state over the trial by the force jump at a distance, over the tolerance.
+    fn change_by_jump(
+        &self,
+        problem: &Problem<'_>,
+        plan: &Plan,
+        event: usize,
+        distance: f64,
+        rate: &mut [f64],
+    ) -> f64 {
+        problem.system.force_jump(event, plan.end, distance, rate);
+        problem.norm(&self.from, rate) * plan.size
+    }
+
+    /// Plans landings on the surfaces that the trial crosses; whether it does so between its ends.
+    pub(super) fn plan_landings(&mut self, problem: &Problem<'_>, size: f64) -> bool {
+        let mut found = std::mem::take(&mut self.crossing.found);
+        let mut state = std::mem::take(&mut self.crossing.state);
+        let mut values = std::mem::take(&mut self.crossing.values);
+        let mut deviation = std::mem::take(&mut self.argument);
+        let [start, end] = [self.start, self.start + size];
+        let inside = start + AT_END * size..end - AT_END * size;
+        found.fill(f64::INFINITY);
+        for (event, due) in found.iter_mut().enumerate() {
+            if !self.crossing.changed[event] {
+                continue;
+            }
+            let value = |time: f64| {
+                self.by_stages(time, &mut deviation);
+                problem.write_state(&deviation, &mut state);
+                problem.system.events(time, &state, &mut values);
+                values[event]
+            };
+            let ends = self.ends_past(event);
+            let time = root(value, [start, end], ends, FOUND * size);
+            *due = time
+                .filter(|time| inside.contains(time))
+                .unwrap_or(f64::INFINITY);
         }
+        keep_first_two(&mut found, TOGETHER * size);
+        let any = found.iter().any(|due| due.is_finite());
+        if any {
+            std::mem::swap(&mut found, &mut self.crossing.due);
+        }
+        (self.crossing.found, self.crossing.state) = (found, state);
+        (self.crossing.values, self.argument) = (values, deviation);
+        any
     }
 
     /// Takes note of the sides after a good step.
@@ -187,9 +290,8 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Takes note of a step that was to end on a surface, and of the side after it.
     fn land(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize, past: bool) {
         let mut rate = std::mem::take(&mut self.crossing.state);
-        let step = self.event_step(problem, plan);
-        let misses = step.error_beside(event, &mut rate) > BESIDE;
-        let [from, to] = step.ends_past(event);
+        let misses = self.error_beside(problem, plan, event, &mut rate) > BESIDE;
+        let [from, to] = self.ends_past(event);
         let crossing = &mut self.crossing;
         crossing.state = rate;
         crossing.due[event] = f64::INFINITY;
@@ -205,5 +307,40 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
             // not quite there: a short step more
             crossing.due[event] = self.time + left;
         }
+    }
+}
+
+/// The earliest of some times after one of them.
+fn earliest(times: &[f64], after: f64) -> f64 {
+    let later = times.iter().copied().filter(|time| *time > after);
+    later.fold(f64::INFINITY, f64::min)
+}
+
+/// Makes times that are near each other one, and forgets all but the two earliest of these.
+fn keep_first_two(times: &mut [f64], near: f64) {
+    let mut latest = f64::NEG_INFINITY;
+    for _ in 0..2 {
+        latest = earliest(times, latest);
+        for time in times
+            .iter_mut()
+            .filter(|time| (latest..latest + near).contains(*time))
+        {
+            *time = latest;
+        }
+    }
+    for time in times.iter_mut().filter(|time| **time > latest) {
+        *time = f64::INFINITY;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_two_earliest_landings_are_kept_and_near_ones_are_one() {
+        let mut times = [0.5, f64::INFINITY, 0.2, 0.9, 0.2001];
+        keep_first_two(&mut times, 1e-3);
+        assert_eq!(times, [0.5, f64::INFINITY, 0.2, f64::INFINITY, 0.2]);
     }
 }

@@ -1,9 +1,8 @@
-//! How far a trial step goes, and what its error says of the next one.
+//! How far a trial step goes, in which variable, and what its error says of the next one.
 
-use super::landing::Landing;
-use super::pair::ExplicitPair;
+use super::crossing::Landing;
 use super::stepper::ExplicitStepper;
-use super::substitution::Substitution;
+use super::verner76::ERROR_POWER;
 use crate::integrate::problem::STRETCH;
 
 /// Error of a step from or to a surface, over its estimate: measured. Such steps stand alone, and one whose
@@ -25,6 +24,58 @@ pub(super) struct Plan {
     pub landing: Option<Landing>,
 }
 
+/// A change of variable within a step, by which broken powers at its ends become smooth: which of them are singular: at a surface that a contact force starts from, or comes down to.
+///
+/// The step `t = t₀ + h φ(s)` runs over s from 0 to 1. A derivative that grows with the power 3/2 of
+/// the time from a singular end is then smooth in s:
+///
+/// ```text
+/// singular   φ(s)
+/// neither    s
+/// start      s²
+/// end        1 − (1 − s)²
+/// both       3 s² − 2 s³
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Substitution {
+    pub start: bool,
+    pub end: bool,
+}
+
+impl Substitution {
+    pub const NONE: Self = Self {
+        start: false,
+        end: false,
+    };
+
+    pub fn is_none(self) -> bool {
+        self == Self::NONE
+    }
+
+    /// φ and its slope.
+    #[inline]
+    pub fn at(self, s: f64) -> [f64; 2] {
+        match (self.start, self.end) {
+            (false, false) => [s, 1.0],
+            (true, false) => [s * s, 2.0 * s],
+            (false, true) => [s * (2.0 - s), 2.0 * (1.0 - s)],
+            (true, true) => [s * s * (3.0 - 2.0 * s), 6.0 * s * (1.0 - s)],
+        }
+    }
+
+    /// The s at a part φ of the step.
+    pub fn inverse(self, part: f64) -> f64 {
+        let part = part.clamp(0.0, 1.0);
+        match (self.start, self.end) {
+            (false, false) => part,
+            (true, false) => part.sqrt(),
+            (false, true) => 1.0 - (1.0 - part).sqrt(),
+            // 3 s² − 2 s³ = φ by s = 1/2 − sin(arcsin(1 − 2φ)/3)
+            (true, true) => 0.5 - ((1.0 - 2.0 * part).asin() / 3.0).sin(),
+        }
+    }
+}
+
 impl Plan {
     /// Whether a landing that is due at a time is the one of this step.
     pub fn lands_on(&self, due: f64) -> bool {
@@ -32,7 +83,7 @@ impl Plan {
     }
 }
 
-impl<P: ExplicitPair> ExplicitStepper<P> {
+impl ExplicitStepper {
     /// The next trial: up to the next landing, break or end, or as far as the error allows.
     pub(super) fn plan(&self, landing: Option<Landing>) -> Plan {
         let [from_surface, to_surface] = self.crossing.sizes;
@@ -90,9 +141,9 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
     /// Power of the step size that the error falls with: in the variable that is squared it has half.
     fn error_power(&self) -> i32 {
         if self.substitution.is_none() {
-            P::ERROR_POWER
+            ERROR_POWER
         } else {
-            (P::ERROR_POWER + 1) / 2
+            (ERROR_POWER + 1) / 2
         }
     }
 
@@ -133,6 +184,29 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
             if is {
                 *size = if free { proposed } else { size.max(proposed) };
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_and_slopes_fit_each_other() {
+        for (start, end) in [(false, false), (true, false), (false, true), (true, true)] {
+            let change = Substitution { start, end };
+            for step in 0..=100 {
+                let s = f64::from(step) / 100.0;
+                let [part, slope] = change.at(s);
+                assert!((change.inverse(part) - s).abs() < 1e-7, "{change:?} {s}");
+                let by_difference = (change.at(s + 1e-6)[0] - change.at(s - 1e-6)[0]) / 2e-6;
+                assert!((slope - by_difference).abs() < 1e-9, "{change:?} {s}");
+            }
+            assert_eq!(change.at(0.0)[0], 0.0);
+            assert_eq!(change.at(1.0)[0], 1.0);
+            assert_eq!(change.at(0.0)[1] == 0.0, start);
+            assert_eq!(change.at(1.0)[1] == 0.0, end);
         }
     }
 }

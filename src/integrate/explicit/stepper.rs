@@ -1,28 +1,27 @@
 //! Steps of the explicit pair, one after the other.
 
-use std::marker::PhantomData;
-
 use fearless_simd::Level;
 
 use super::crossing::Crossings;
-use super::pair::{ExplicitPair, MOST_STAGES, Stages, entry, row, sum_of_stages};
-use super::substitution::Substitution;
+use super::plan::Substitution;
+use super::verner76::{
+    ERROR, FACTORS, LAST, NODES, ORDER, STABILITY, STAGES, Stages, dense_weights, entry,
+    sum_of_stages,
+};
 use crate::integrate::chunks::{Padded, add_scaled, chunks_of};
-use crate::integrate::control::{Control, SAFETY};
-use crate::integrate::problem::Problem;
+use crate::integrate::problem::{Control, Problem, SAFETY};
 use crate::integrate::stepper::{MethodStepper, Start};
 use crate::integrate::{Counters, IntegrateError};
 use crate::registers::in_wide_registers;
 
 /// Largest growth from step to step.
 const GROW: f64 = 6.0;
-/// Times that a step looks for a better place to land on.
+/// Times that a step looks for a better position to land on.
 const MOST_SEARCHES: u32 = 5;
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin: sums
 /// of them lose less to round-off.
-pub(in crate::integrate) struct ExplicitStepper<P> {
-    pair: PhantomData<P>,
+pub(in crate::integrate) struct ExplicitStepper {
     /// What the processor has.
     pub(super) level: Level,
     /// Start and end of the latest step, s.
@@ -60,14 +59,13 @@ pub(in crate::integrate) struct ExplicitStepper<P> {
     pub(super) counters: Counters,
 }
 
-impl<P: ExplicitPair> ExplicitStepper<P> {
+impl ExplicitStepper {
     /// Before the first step.
     pub fn new(problem: &Problem<'_>, start: &Start) -> Self {
         let (time, deviation) = (start.time, &start.deviation);
         let states = deviation.len();
         let zeros = || Padded::zeros(states);
         Self {
-            pair: PhantomData,
             level: Level::new(),
             start: time,
             time,
@@ -83,7 +81,7 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
             rate: zeros(),
             start_rate: zeros(),
             end_rate: zeros(),
-            stages: vec![[[0.0; 4]; MOST_STAGES]; chunks_of(states)],
+            stages: vec![[[0.0; 4]; STAGES]; chunks_of(states)],
             substitution: Substitution::NONE,
             crossing: Crossings::new(problem.system),
             ended: false,
@@ -116,17 +114,17 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
         if self.next_size <= 0.0 {
             self.counters.evaluations += 1;
             let span = [self.start, self.limit];
-            self.next_size = problem.first_size(span, &self.from, &self.start_rate, P::ORDER);
+            self.next_size = problem.first_size(span, &self.from, &self.start_rate, ORDER);
         }
     }
 
     /// Evaluates the derivative in the argument as a stage.
     #[inline(always)]
     fn evaluate(&mut self, problem: &Problem<'_>, stage: usize) {
-        let [part, slope] = self.substitution.at(P::NODES[stage]);
+        let [part, slope] = self.substitution.at(NODES[stage]);
         // what begins at a break is no part of a step that ends there
         let time = (self.start + part * self.size).min(self.limit.next_down());
-        let rate = if stage == P::LAST {
+        let rate = if stage == LAST {
             &mut self.end_rate
         } else {
             &mut self.rate
@@ -145,25 +143,12 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
         for (argument, ((origin, from), stages)) in
             self.argument.chunks_mut().iter_mut().zip(chunks)
         {
-            let sum = sum_of_stages!(row(P::FACTORS, STAGE), stages);
+            let sum = sum_of_stages!(FACTORS[STAGE], stages);
             for i in 0..4 {
                 argument[i] = origin[i] + (from[i] + self.size * sum[i]);
             }
         }
         self.evaluate(problem, STAGE);
-    }
-
-    /// Evaluates the stages between the ends of the step, or those for dense output, which come after them.
-    #[inline(always)]
-    pub(super) fn evaluate_stages<const DENSE: bool>(&mut self, problem: &Problem<'_>) {
-        macro_rules! evaluate {
-            ($($stage:literal)*) => {$(
-                if const { if DENSE { $stage > P::LAST && $stage < P::NODES.len() } else { $stage < P::LAST } } {
-                    self.stage::<$stage>(problem);
-                }
-            )*};
-        }
-        evaluate!(1 2 3 4 5 6 7 8 9 10 11 12);
     }
 
     /// Tries a step; its error over what is allowed, or no number.
@@ -176,22 +161,27 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
     #[inline(always)]
     fn tried(&mut self, problem: &Problem<'_>) -> f64 {
         (self.ended, self.extended) = (false, false);
-        self.evaluate_stages::<false>(problem);
+        self.stage::<1>(problem);
+        self.stage::<2>(problem);
+        self.stage::<3>(problem);
+        self.stage::<4>(problem);
+        self.stage::<5>(problem);
+        self.stage::<6>(problem);
+        self.stage::<7>(problem);
+        self.stage::<8>(problem);
+        self.stage::<9>(problem);
         let chunks = self.from.chunks().iter().zip(&self.stages);
         for (to, (from, stages)) in self.to.chunks_mut().iter_mut().zip(chunks) {
-            let moved = sum_of_stages!(row(P::FACTORS, P::LAST), stages);
+            let moved = sum_of_stages!(FACTORS[LAST], stages);
             for i in 0..4 {
                 to[i] = from[i] + self.size * moved[i];
             }
-        }
-        if const { entry(P::ERROR, P::LAST) != 0.0 } {
-            self.evaluate_end(problem);
         }
         let chunks = self.scale.chunks().iter().zip(self.from.chunks());
         let chunks = chunks.zip(self.to.chunks().iter().zip(&self.stages));
         let mut squares = 0.0;
         for ((scale, from), (to, stages)) in chunks {
-            let error = sum_of_stages!(P::ERROR, stages);
+            let error = sum_of_stages!(ERROR, stages);
             let mut parts = [0.0; 4];
             for i in 0..4 {
                 parts[i] = error[i] * (scale[i] + from[i].abs().max(to[i].abs())).recip();
@@ -208,7 +198,7 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
         if !self.ended {
             self.ended = true;
             problem.write_state(&self.to, &mut self.argument);
-            self.evaluate(problem, P::LAST);
+            self.evaluate(problem, LAST);
         }
     }
 
@@ -218,9 +208,34 @@ impl<P: ExplicitPair> ExplicitStepper<P> {
         self.counters.steps += 1;
         self.fault = false;
     }
+
+    /// Evaluates the stages for dense output, once a step.
+    pub(super) fn extend(&mut self, problem: &Problem<'_>) {
+        if !self.extended {
+            self.extended = true;
+            self.stage::<11>(problem);
+            self.stage::<12>(problem);
+        }
+    }
+
+    /// Finds the deviation within the step by the pair's own interpolant.
+    pub(super) fn by_stages(&self, time: f64, deviation: &mut Padded) {
+        let part = self.substitution.inverse((time - self.start) / self.size);
+        let weights = dense_weights(part);
+        let chunks = self.from.chunks().iter().zip(&self.stages);
+        for (deviation, (from, stages)) in deviation.chunks_mut().iter_mut().zip(chunks) {
+            let mut sum = [0.0; 4];
+            for (weight, slope) in weights.iter().zip(stages) {
+                add_scaled(&mut sum, *weight, slope);
+            }
+            for i in 0..4 {
+                deviation[i] = from[i] + self.size * sum[i];
+            }
+        }
+    }
 }
 
-impl<P: ExplicitPair> MethodStepper for ExplicitStepper<P> {
+impl MethodStepper for ExplicitStepper {
     fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
         self.begin(problem);
         let mut searches = 0;
@@ -247,7 +262,15 @@ impl<P: ExplicitPair> MethodStepper for ExplicitStepper<P> {
     }
 
     fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
-        self.interpolate(problem, time, state);
+        if time >= self.time {
+            problem.write_state(&self.to, state);
+            return;
+        }
+        self.extend(problem);
+        let mut deviation = std::mem::take(&mut self.argument);
+        self.by_stages(time, &mut deviation);
+        problem.write_state(&deviation, state);
+        self.argument = deviation;
     }
 
     fn time(&self) -> f64 {
@@ -272,7 +295,7 @@ impl<P: ExplicitPair> MethodStepper for ExplicitStepper<P> {
     }
 
     fn stability_limit(&self) -> Option<f64> {
-        Some(P::STABILITY)
+        Some(STABILITY)
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::super::verner76::Verner76;
 use super::*;
 use crate::integrate::{Method, Scaling, Settings, System};
 
@@ -24,12 +23,12 @@ impl System for Duffing {
 const START: [f64; 2] = [1.0, 0.0];
 
 /// The stepper after a time in so many equal steps.
-fn stepped(steps: u32, time: f64) -> ExplicitStepper<Verner76> {
+fn stepped(steps: u32, time: f64) -> ExplicitStepper {
     stepped_by(Level::new(), steps, time)
 }
 
 /// The same by a level of the processor.
-fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper<Verner76> {
+fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper {
     let (stop, scaling) = (AtomicBool::new(false), Scaling::identity(2));
     let settings = Settings {
         method: Method::Verner76,
@@ -63,7 +62,7 @@ fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper<Verner76> 
 }
 
 /// Deviation at a time within the latest step by the interpolant of the pair.
-fn by_stages(stepper: &ExplicitStepper<Verner76>, time: f64) -> [f64; 2] {
+fn by_stages(stepper: &ExplicitStepper, time: f64) -> [f64; 2] {
     let mut deviation = Padded::zeros(2);
     stepper.by_stages(time, &mut deviation);
     [deviation[0], deviation[1]]
@@ -80,7 +79,7 @@ fn order(coarse: f64, fine: f64) -> f64 {
 
 #[test]
 fn every_width_of_registers_gives_the_same_bytes() {
-    let slopes = |stepper: ExplicitStepper<Verner76>| {
+    let slopes = |stepper: ExplicitStepper| {
         let all = stepper.stages.as_flattened().as_flattened();
         all.iter().map(|slope| slope.to_bits()).collect::<Vec<_>>()
     };
@@ -96,7 +95,7 @@ fn equal_steps_converge_with_the_order_of_the_method() {
     let error = |steps| distance(&stepped(steps, 4.0).to, &truth);
     let observed = order(error(20), error(40));
     // one more where the error of the next order dominates
-    let excess = observed - f64::from(Verner76::ORDER);
+    let excess = observed - f64::from(ORDER);
     assert!((-0.6..1.6).contains(&excess), "observed {observed}");
 }
 

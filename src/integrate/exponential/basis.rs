@@ -3,9 +3,8 @@
 //! What a state adds up without acting back, such as works, hangs on the modes of the others: its own eigenvalue
 //! is zero, and it follows them as its rate does.
 
+use nalgebra::linalg::Schur;
 use nalgebra::{Complex, DMatrix};
-
-use super::spectrum::{self, Mode};
 
 /// Product of the norms of the basis and its inverse, over the number of modes, up to which round-off in the
 /// coordinates is no matter: it comes to this many times that of the state.
@@ -31,7 +30,7 @@ impl Basis {
             return None;
         }
         let acting = Acting::of(jacobian, units)?;
-        let modes = spectrum::modes(acting.matrix(jacobian))?;
+        let modes = modes(acting.matrix(jacobian))?;
         let basis = Self::of_acting(&acting, &modes, jacobian.nrows())?;
         let basis = basis.with_hanging(&acting, jacobian)?;
         let mut all = basis.shapes.iter().chain(basis.parts.iter());
@@ -40,7 +39,7 @@ impl Basis {
 
     /// The basis of what acts, in a matrix of so many rows: pairs first.
     fn of_acting(acting: &Acting<'_>, modes: &[Mode], rows: usize) -> Option<Self> {
-        let count = acting.places.len();
+        let count = acting.positions.len();
         let mut eigenvalues = vec![Complex::ZERO; rows];
         let (mut scaled, mut coordinate) = (DMatrix::zeros(count, count), 0);
         for paired in [true, false] {
@@ -62,10 +61,10 @@ impl Basis {
         let inverse = scaled.clone().lu().try_inverse()?;
         let condition = scaled.norm() * inverse.norm() / count as f64;
         let [mut shapes, mut parts] = [DMatrix::zeros(rows, rows), DMatrix::zeros(rows, rows)];
-        for (row, &place) in acting.places.iter().enumerate() {
+        for (row, &position) in acting.positions.iter().enumerate() {
             for coordinate in 0..count {
-                shapes[(place, coordinate)] = scaled[(row, coordinate)] * acting.units[place];
-                parts[(coordinate, place)] = inverse[(coordinate, row)] / acting.units[place];
+                shapes[(position, coordinate)] = scaled[(row, coordinate)] * acting.units[position];
+                parts[(coordinate, position)] = inverse[(coordinate, row)] / acting.units[position];
             }
         }
         (condition <= WORST_CONDITION).then_some(Self {
@@ -78,12 +77,12 @@ impl Basis {
     /// The same with what hangs on it, of which a mode has what it adds up, H = R X Λ⁻¹:
     /// V = (X 0, H 1), V⁻¹ = (X⁻¹ 0, −H X⁻¹ 1).
     fn with_hanging(mut self, acting: &Acting<'_>, jacobian: &DMatrix<f64>) -> Option<Self> {
-        let count = acting.places.len();
+        let count = acting.positions.len();
         let sizes = self.eigenvalues[..count].iter().map(|value| value.norm());
         let [least, most] = sizes.fold([f64::INFINITY, 0.0], |[least, most], size| {
             [size.min(least), size.max(most)]
         });
-        let hanging = (0..jacobian.nrows()).filter(|row| !acting.places.contains(row));
+        let hanging = (0..jacobian.nrows()).filter(|row| !acting.positions.contains(row));
         for (own, hanging) in (count..).zip(hanging) {
             if least < SLOWEST * most {
                 return None;
@@ -92,11 +91,11 @@ impl Basis {
                 self.shapes[(hanging, coordinate)] =
                     self.added_up(acting, jacobian, hanging, coordinate);
             }
-            for &place in &acting.places {
+            for &position in &acting.positions {
                 let products = (0..count).map(|coordinate| {
-                    self.shapes[(hanging, coordinate)] * self.parts[(coordinate, place)]
+                    self.shapes[(hanging, coordinate)] * self.parts[(coordinate, position)]
                 });
-                self.parts[(own, place)] = -products.sum::<f64>();
+                self.parts[(own, position)] = -products.sum::<f64>();
             }
             (self.shapes[(hanging, own)], self.parts[(own, hanging)]) = (1.0, 1.0);
         }
@@ -112,10 +111,9 @@ impl Basis {
         coordinate: usize,
     ) -> f64 {
         let rate = |coordinate: usize| -> f64 {
-            let rates = acting
-                .places
-                .iter()
-                .map(|&place| jacobian[(hanging, place)] * self.shapes[(place, coordinate)]);
+            let rates = acting.positions.iter().map(|&position| {
+                jacobian[(hanging, position)] * self.shapes[(position, coordinate)]
+            });
             rates.sum()
         };
         let eigenvalue = self.eigenvalues[coordinate];
@@ -131,31 +129,204 @@ impl Basis {
 
 /// The components that act on any, and the units in which their matrix is smallest.
 struct Acting<'a> {
-    places: Vec<usize>,
+    positions: Vec<usize>,
     units: &'a [f64],
 }
 
 impl<'a> Acting<'a> {
     /// Those of a Jacobian; none where there are none, or where some act on what hangs on them alone.
     fn of(jacobian: &DMatrix<f64>, units: &'a [f64]) -> Option<Self> {
-        let acts = |&place: &usize| jacobian.column(place).iter().any(|entry| *entry != 0.0);
-        let places: Vec<usize> = (0..jacobian.nrows()).filter(acts).collect();
-        let known = places.iter().all(|&place| units[place].is_finite());
-        (known && !places.is_empty()).then_some(Self { places, units })
+        let acts = |&position: &usize| jacobian.column(position).iter().any(|entry| *entry != 0.0);
+        let positions: Vec<usize> = (0..jacobian.nrows()).filter(acts).collect();
+        let known = positions
+            .iter()
+            .all(|&position| units[position].is_finite());
+        (known && !positions.is_empty()).then_some(Self { positions, units })
     }
 
     /// Their matrix in these units.
     fn matrix(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
-        DMatrix::from_fn(self.places.len(), self.places.len(), |row, column| {
-            let (row, column) = (self.places[row], self.places[column]);
+        DMatrix::from_fn(self.positions.len(), self.positions.len(), |row, column| {
+            let (row, column) = (self.positions[row], self.positions[column]);
             jacobian[(row, column)] * (self.units[column] / self.units[row])
         })
     }
 }
 
+/// Sweeps of [`balanced_units`]: each brings rows and columns nearer to each other.
+const BALANCING: usize = 8;
+
+/// The units of the components, up to a common factor, in which rows and columns of a matrix are of one size;
+/// infinite of what does nothing to others, or to such alone.
+///
+/// Source: Osborne, *J. ACM* 7 (1960) 338–345.
+pub(super) fn balanced_units(matrix: &DMatrix<f64>) -> Vec<f64> {
+    let states = matrix.nrows();
+    let mut unit = vec![1.0_f64; states];
+    for _ in 0..BALANCING {
+        for i in 0..states {
+            let others = || (0..states).filter(|&j| j != i);
+            let into: f64 = others().map(|j| scaled(matrix, &unit, i, j)).sum();
+            let out_of: f64 = others().map(|j| scaled(matrix, &unit, j, i)).sum();
+            let factor = (into / out_of).sqrt();
+            if out_of == 0.0 {
+                unit[i] = f64::INFINITY;
+            } else if into > 0.0 && factor.is_finite() {
+                unit[i] *= factor;
+            }
+        }
+    }
+    unit
+}
+
+/// Size of an entry in some units.
+fn scaled(matrix: &DMatrix<f64>, unit: &[f64], row: usize, column: usize) -> f64 {
+    let entry = matrix[(row, column)].abs();
+    if entry == 0.0 {
+        0.0
+    } else {
+        entry * unit[column] / unit[row]
+    }
+}
+
+/// Largest sum of a column in the units of [`balanced_units`].
+///
+/// What a component does to others counts for nothing where nothing comes back: a work that is summed
+/// up has no time scale. Powers of the matrix neither grow nor lose digits by such a choice of units.
+pub(super) fn norm_in(unit: &[f64], matrix: &DMatrix<f64>) -> f64 {
+    let sum = |column: usize| {
+        let own = matrix[(column, column)].abs();
+        let others = (0..unit.len()).filter(|&row| row != column);
+        let others = others.map(|row| scaled(matrix, unit, row, column));
+        own + others.filter(|entry| entry.is_finite()).sum::<f64>()
+    };
+    (0..unit.len()).map(sum).fold(0.0, f64::max)
+}
+
+/// Sweeps of the QR iteration for each row: three are usual.
+const SWEEPS: usize = 30;
+
+/// An eigenvalue with its eigenvector of unit length; of a conjugate pair the one with positive imaginary part.
+pub(super) struct Mode {
+    pub eigenvalue: Complex<f64>,
+    pub shape: Vec<Complex<f64>>,
+}
+
+impl Mode {
+    /// Whether it stands for a conjugate pair.
+    pub fn is_pair(&self) -> bool {
+        self.eigenvalue.im > 0.0
+    }
+}
+
+/// The modes of a small real matrix by back substitution in its real Schur form; none where the iteration does not come to an end. A matrix without a full set of
+/// eigenvectors has some that are nearly the same.
+///
+/// Source: Golub & Van Loan, *Matrix Computations*, 4th ed. (2013), sec. 7.6.4.
+pub(super) fn modes(matrix: DMatrix<f64>) -> Option<Vec<Mode>> {
+    let rows = matrix.nrows();
+    let (basis, form) = Schur::try_new(matrix, f64::EPSILON, SWEEPS * rows)?.unpack();
+    let least = f64::EPSILON * form.amax();
+    let (mut modes, mut row) = (Vec::with_capacity(rows), 0);
+    while row < rows {
+        let paired = is_pair(&form, row);
+        let last = row + usize::from(paired);
+        let eigenvalue = if paired {
+            eigenvalue_of_pair(&form, row)?
+        } else {
+            Complex::from(form[(row, row)])
+        };
+        let inner = eigenvector(&form, last, eigenvalue, least);
+        modes.push(Mode {
+            eigenvalue,
+            shape: of_unit_length(&basis, &inner),
+        });
+        row = last + 1;
+    }
+    Some(modes)
+}
+
+/// Whether a row and the next form a block of two on the diagonal.
+fn is_pair(form: &DMatrix<f64>, row: usize) -> bool {
+    row + 1 < form.nrows() && form[(row + 1, row)] != 0.0
+}
+
+/// The eigenvalue with positive imaginary part of a block of two; none where both are real.
+fn eigenvalue_of_pair(form: &DMatrix<f64>, row: usize) -> Option<Complex<f64>> {
+    let [first, second] = [form[(row, row)], form[(row + 1, row + 1)]];
+    let half = 0.5 * (first - second);
+    let square = half * half + form[(row, row + 1)] * form[(row + 1, row)];
+    (square < 0.0).then(|| Complex::new(0.5 * (first + second), (-square).sqrt()))
+}
+
+/// The eigenvector of the Schur form whose last entry that is not zero is that of row `last`. Divisors that
+/// vanish, as they do where eigenvalues are the same, are taken as `least`.
+fn eigenvector(
+    form: &DMatrix<f64>,
+    last: usize,
+    eigenvalue: Complex<f64>,
+    least: f64,
+) -> Vec<Complex<f64>> {
+    let mut vector = vec![Complex::ZERO; form.nrows()];
+    vector[last] = Complex::ONE;
+    let mut found = last;
+    if last > 0 && is_pair(form, last - 1) {
+        found -= 1;
+        vector[found] = (eigenvalue - form[(last, last)]) / form[(last, found)];
+    }
+    while found > 0 {
+        let low = found - 1;
+        let rest = |row: usize| -> Complex<f64> {
+            (found..=last)
+                .map(|column| vector[column] * form[(row, column)])
+                .sum()
+        };
+        let own = |row: usize| form[(row, row)] - eigenvalue;
+        if low > 0 && is_pair(form, low - 1) {
+            let up = low - 1;
+            let [above, below] = [form[(up, low)], form[(low, up)]];
+            let determinant = own(up) * own(low) - above * below;
+            let divisor = not_nothing(determinant, least * least);
+            let pair = [
+                rest(low) * above - own(low) * rest(up),
+                rest(up) * below - own(up) * rest(low),
+            ];
+            [vector[up], vector[low]] = pair.map(|entry| entry / divisor);
+            found = up;
+        } else {
+            vector[low] = -rest(low) / not_nothing(own(low), least);
+            found = low;
+        }
+    }
+    vector
+}
+
+fn not_nothing(divisor: Complex<f64>, least: f64) -> Complex<f64> {
+    if divisor.norm() < least {
+        Complex::from(least)
+    } else {
+        divisor
+    }
+}
+
+/// A vector of the Schur basis as one of the matrix, of unit length. Sums in their own order: products of
+/// matrices may be fused on some processors.
+fn of_unit_length(basis: &DMatrix<f64>, inner: &[Complex<f64>]) -> Vec<Complex<f64>> {
+    let mut shape = vec![Complex::ZERO; inner.len()];
+    for (column, value) in inner.iter().enumerate() {
+        for (row, entry) in shape.iter_mut().enumerate() {
+            *entry += value * basis[(row, column)];
+        }
+    }
+    let length = shape.iter().map(Complex::norm_sqr).sum::<f64>().sqrt();
+    for entry in &mut shape {
+        *entry /= length;
+    }
+    shape
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::balance::balanced_units;
     use super::*;
 
     fn basis<const N: usize>(columns: &[[f64; N]; N]) -> Option<Basis> {
@@ -165,7 +336,7 @@ mod tests {
 
     /// Displacements and velocities under stiff damping that couples them, with two works and a state that
     /// never changes beside them, in units far apart.
-    fn accounted() -> [[f64; 7]; 7] {
+    fn with_works() -> [[f64; 7]; 7] {
         let mut jacobian = [[0.0; 7]; 7];
         (jacobian[2][0], jacobian[3][1]) = (1.0, 1.0);
         let forces = [[-4e8, 3e8, -1e6, 2e3], [-3e8, -4e8, -3e3, -9e5]];
@@ -183,7 +354,7 @@ mod tests {
     /// V⁻¹ V = 1 and J V = V Λ, with the eigenvalues of a pair as they turn its two coordinates.
     #[test]
     fn modes_and_their_eigenvalues_make_the_jacobian() {
-        let columns = accounted();
+        let columns = with_works();
         let basis = basis(&columns).expect("a sound basis");
         let unity = &basis.parts * &basis.shapes;
         assert!((unity - DMatrix::identity(7, 7)).amax() < 1e-11);
@@ -222,5 +393,62 @@ mod tests {
             assert!(basis(&oscillator(ratio)).is_none(), "{ratio}");
         }
         assert!(basis(&[[0.0; 3]; 3]).is_none());
+    }
+
+    /// An oscillator in metres and metres per second, whose work in microjoules is summed up: its
+    /// frequency alone is the size of the matrix.
+    #[test]
+    fn units_and_sums_do_not_count() {
+        let (square, power) = (25e6, 1e9);
+        let columns = [0.0, -square, 0.0, 1.0, -100.0, power, 0.0, 0.0, 0.0];
+        let matrix = DMatrix::from_column_slice(3, 3, &columns);
+        let norm = norm_in(&balanced_units(&matrix), &matrix);
+        assert!((norm - 5100.0).abs() < 1.0, "{norm}");
+    }
+
+    /// Largest entry of `A x − λ x` over all modes.
+    fn residual(matrix: &DMatrix<f64>) -> f64 {
+        let modes = modes(matrix.clone()).expect("modes");
+        let coordinates = modes.iter().map(|mode| 1 + usize::from(mode.is_pair()));
+        assert_eq!(coordinates.sum::<usize>(), matrix.nrows());
+        let entry = |mode: &Mode, row: usize| {
+            let products = mode.shape.iter().enumerate();
+            let product: Complex<f64> = products
+                .map(|(column, value)| value * matrix[(row, column)])
+                .sum();
+            (product - mode.eigenvalue * mode.shape[row]).norm()
+        };
+        modes
+            .iter()
+            .flat_map(|mode| (0..matrix.nrows()).map(move |row| entry(mode, row)))
+            .fold(0.0, f64::max)
+    }
+
+    /// Real eigenvalues and conjugate pairs in any order, and one that stands three times.
+    #[test]
+    fn vectors_belong_to_their_eigenvalues() {
+        let mixed = DMatrix::from_fn(10, 10, |row, column| {
+            (1.0 + (7 * column + 3 * row) as f64).sin()
+        });
+        let found = residual(&mixed);
+        assert!(found < 1e-13, "{found:e}");
+        let repeated = DMatrix::from_fn(5, 5, |row, column| {
+            f64::from(u8::from(row == column)) * if row < 3 { -2.0 } else { 1.0 }
+        });
+        assert!(residual(&repeated) < 1e-15);
+    }
+
+    /// Both vectors of a matrix that has but one are nearly the same.
+    #[test]
+    fn a_missing_vector_shows() {
+        let found = modes(DMatrix::from_row_slice(2, 2, &[-1.0, 1.0, 0.0, -1.0])).expect("modes");
+        assert_eq!(found.len(), 2);
+        let along: Complex<f64> = found[0]
+            .shape
+            .iter()
+            .zip(&found[1].shape)
+            .map(|(a, b)| a.conj() * b)
+            .sum();
+        assert!(along.norm() > 1.0 - 1e-12);
     }
 }

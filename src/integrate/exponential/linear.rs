@@ -10,8 +10,8 @@
 use fearless_simd::Level;
 use nalgebra::{Complex, DMatrix};
 
-use super::balance::{balanced_units, norm_in};
 use super::basis::Basis;
+use super::basis::{balanced_units, norm_in};
 use crate::integrate::chunks::{Chunk, Padded, add_product, add_scaled, chunks_of};
 
 /// Damping that parts modes that are nearly the same, over the norm of the Jacobian: the root of it is how far
@@ -19,7 +19,7 @@ use crate::integrate::chunks::{Chunk, Padded, add_product, add_scaled, chunks_of
 const PARTING: f64 = 1e-3;
 
 /// A function of a linear part for a chunk of its modes: a factor for each coordinate, and one for what it adds to its
-/// partner. Pairs stand at even places, so that none is divided between chunks.
+/// partner. Pairs stand at even positions, so that none is divided between chunks.
 pub(super) type Diagonal = [Chunk; 2];
 
 /// The linear part of a system: `∂f/∂y` in one state, or a matrix next to it whose modes are a sound basis.
@@ -85,15 +85,16 @@ impl LinearPart {
         let apart = || {
             let (mut jacobian, mut units) = (jacobian.clone(), units.clone());
             let states = units.len() as f64;
-            for (place, unit) in units.iter_mut().enumerate() {
+            for (position, unit) in units.iter_mut().enumerate() {
                 if unit.is_finite() {
-                    jacobian[(place, place)] -= PARTING * norm * (1.0 + place as f64 / states);
+                    jacobian[(position, position)] -=
+                        PARTING * norm * (1.0 + position as f64 / states);
                     continue;
                 }
                 *unit = 1.0;
                 // nothing comes back of what it acts on, and it has no time scale of its own
-                if jacobian[(place, place)] == 0.0 {
-                    jacobian.column_mut(place).fill(0.0);
+                if jacobian[(position, position)] == 0.0 {
+                    jacobian.column_mut(position).fill(0.0);
                 }
             }
             Self::of(&jacobian, &units)
@@ -283,25 +284,25 @@ mod tests {
             assert!(LinearPart::of(&jacobian, &units).is_none());
             let part = LinearPart::near(&jacobian);
             assert!(part.eigenvalues.iter().any(|value| value.norm() > 0.0));
-            for place in 0..3 {
+            for position in 0..3 {
                 let mut one = [0.0; 3];
-                one[place] = 1.0;
+                one[position] = 1.0;
                 let back = deviation(&part, &coordinates(&part, &one));
                 // −Λ z is the remainder at no rate
                 let rate = remainder(&part, &[0.0; 3], &one);
                 for row in 0..3 {
-                    assert!((back[row] - one[row]).abs() < 1e-9, "{place}, {row}");
-                    let acting = units[row].is_finite() && units[place].is_finite();
-                    if row == place || acting {
+                    assert!((back[row] - one[row]).abs() < 1e-9, "{position}, {row}");
+                    let acting = units[row].is_finite() && units[position].is_finite();
+                    if row == position || acting {
                         let unit = if acting {
-                            units[place] / units[row]
+                            units[position] / units[row]
                         } else {
                             1.0
                         };
-                        let off = (rate[row] + jacobian[(row, place)]) * unit;
+                        let off = (rate[row] + jacobian[(row, position)]) * unit;
                         assert!(
                             off.abs() < 3.0 * PARTING * part.norm,
-                            "{place}, {row}: {off:e}"
+                            "{position}, {row}: {off:e}"
                         );
                     }
                 }

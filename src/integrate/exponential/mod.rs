@@ -16,15 +16,12 @@
 //! Sources: Hochbruck & Ostermann, *Exponential integrators*, Acta Numerica 19 (2010) 209–286, sec. 2.1
 //! (exponential collocation); Buvoli, *SIAM J. Sci. Comput.* 42 (2020) B1–B27 (its solution by sweeps).
 
-mod balance;
 mod basis;
 mod dense;
 mod linear;
 mod nodes;
-mod phi;
 mod plan;
 mod propagator;
-mod spectrum;
 mod stepper;
 mod sweeps;
 

@@ -9,8 +9,7 @@ use super::plan::Leg;
 use super::propagator::Propagators;
 use super::sweeps::{self, Ending, Sweeps, Trial};
 use crate::integrate::chunks::Padded;
-use crate::integrate::control::{Control, SAFETY};
-use crate::integrate::problem::Problem;
+use crate::integrate::problem::{Control, Problem, SAFETY};
 use crate::integrate::stepper::{MethodStepper, Start};
 use crate::integrate::{Counters, IntegrateError};
 
@@ -34,13 +33,11 @@ pub(in crate::integrate) struct ExponentialStepper {
     /// Start and end of the latest step, s.
     start: f64,
     time: f64,
-    /// Size of the latest step, s, and how many intervals of samples it lasted, zero if no whole number.
-    size: f64,
-    intervals: f64,
     /// Size that the error would allow the next step, s.
     requested: f64,
     /// Next break, s: no step reaches over it.
     limit: f64,
+    /// The leg of the latest step.
     leg: Leg,
     /// The start and the end of the latest step.
     from: ModalState,
@@ -84,8 +81,6 @@ impl ExponentialStepper {
             interval: start.interval,
             start: time,
             time,
-            size: 0.0,
-            intervals: 0.0,
             requested: start.step,
             limit: time,
             leg: Leg::ENDED,
@@ -163,7 +158,6 @@ impl ExponentialStepper {
         } else {
             self.leg.adapted(self.requested)
         };
-        (self.size, self.intervals) = (self.leg.size, self.leg.intervals);
     }
 
     /// Tries a step; how its sweeps ended.
@@ -172,9 +166,9 @@ impl ExponentialStepper {
         let trial = Trial {
             problem,
             linear: &self.linear,
-            operator: self.propagators.of(&self.linear, self.size),
+            operator: self.propagators.of(&self.linear, self.leg.size),
             start: self.start,
-            size: self.size,
+            size: self.leg.size,
             limit: self.limit.next_down(),
             from: &self.from,
         };
@@ -186,7 +180,7 @@ impl ExponentialStepper {
 
     /// Guesses the remainder at the points of the step to come by the polynomial of the latest one.
     fn guess(&mut self) {
-        let ratio = self.size / self.remainder_size;
+        let ratio = self.leg.size / self.remainder_size;
         let is_known = self.remainder_size > 0.0 && ratio <= MOST_AHEAD;
         if is_known && ratio != self.ahead_ratio {
             self.ahead_ratio = ratio;
@@ -205,15 +199,15 @@ impl ExponentialStepper {
     fn accept(&mut self, error: f64) {
         std::mem::swap(&mut self.to, &mut self.sweeps.to);
         std::mem::swap(&mut self.remainder, &mut self.sweeps.remainder);
-        self.remainder_size = self.size;
+        self.remainder_size = self.leg.size;
         let growth = self.control.accepted(error, ERROR_POWER);
         // sweeps that hardly met would not meet over a longer step
         let proposed = match self.sweeps.count {
-            count if count > USUAL_SWEEPS + 1 => self.size * growth.min(1.0),
-            _ => self.size * growth,
+            count if count > USUAL_SWEEPS + 1 => self.leg.size * growth.min(1.0),
+            _ => self.leg.size * growth,
         };
         // a size far below the requested one was cut by a break or a sample, and tells little
-        self.requested = if self.size < 0.5 * self.requested {
+        self.requested = if self.leg.size < 0.5 * self.requested {
             proposed.max(self.requested)
         } else {
             proposed
@@ -225,13 +219,13 @@ impl ExponentialStepper {
         self.time = if self.leg.left == 0.0 {
             self.leg.end
         } else {
-            self.start + self.size
+            self.start + self.leg.size
         };
     }
 
     fn reject(&mut self, error: f64) {
         self.counters.rejected += 1;
-        self.requested = self.size * self.control.rejected(error, ERROR_POWER);
+        self.requested = self.leg.size * self.control.rejected(error, ERROR_POWER);
     }
 
     /// After sweeps that did not meet: a new linear part once it pays, else a shorter step.
@@ -239,7 +233,7 @@ impl ExponentialStepper {
         self.counters.rejected += 1;
         self.control.note_rejected();
         if self.fresh || self.waste < COST {
-            self.requested = 0.5 * self.size;
+            self.requested = 0.5 * self.leg.size;
         } else {
             self.linearise(problem);
         }
@@ -252,8 +246,8 @@ impl MethodStepper for ExponentialStepper {
         loop {
             problem.check(self.start, self.requested, &self.counters, self.fault)?;
             self.plan();
-            let ends = [self.start, self.start + self.size];
-            problem.check_progress(ends, self.size, self.fault)?;
+            let ends = [self.start, self.start + self.leg.size];
+            problem.check_progress(ends, self.leg.size, self.fault)?;
             let ending = self.trial(problem);
             match ending {
                 Ending::Met(error) if error <= 1.0 => {
@@ -286,7 +280,7 @@ impl MethodStepper for ExponentialStepper {
         let phi = self.propagators.samples(&self.linear, self.interval);
         let (cursor, linear) = (&mut self.cursor, &self.linear);
         if cursor.index() > index {
-            let intervals = [self.interval, self.intervals];
+            let intervals = [self.interval, self.leg.intervals];
             cursor.begin(
                 &self.from.coordinates,
                 &self.remainder,

@@ -57,7 +57,7 @@ fn a_guess_is_never_further_off_than_the_remainder_changes() {
         1e8,
     ] {
         let mut stepper = after_a_step();
-        stepper.size = ratio;
+        stepper.leg.size = ratio;
         stepper.guess();
         for (part, guess) in NODES.part.iter().zip(stepper.sweeps.remainder[0]) {
             let change = ratio * part;
@@ -75,7 +75,7 @@ fn a_guess_is_never_further_off_than_the_remainder_changes() {
 #[test]
 fn a_first_guess_stays_where_it_is() {
     let mut stepper = after_a_step();
-    (stepper.remainder_size, stepper.size) = (0.0, 1.0);
+    (stepper.remainder_size, stepper.leg.size) = (0.0, 1.0);
     stepper.guess();
     let guesses = stepper.sweeps.remainder[0].map(|guess| guess[0]);
     assert_eq!(guesses, [4.0 / 3.0; POINTS]);

@@ -397,10 +397,10 @@ mod tests {
         }
 
         fn derivative(&self, time: f64, state: &[f64], rate: &mut [f64]) {
-            let place = state[0];
-            let hard = 0.01 * place.powi(3) * (2.0 + (2.0 * time).sin());
+            let position = state[0];
+            let hard = 0.01 * position.powi(3) * (2.0 + (2.0 * time).sin());
             rate[0] = state[1];
-            rate[1] = -NATURAL * NATURAL * (place - time.cos() + hard);
+            rate[1] = -NATURAL * NATURAL * (position - time.cos() + hard);
         }
     }
 

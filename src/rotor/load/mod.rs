@@ -1,29 +1,25 @@
 //! Loads that vary with time or with the angle of the shaft, one kind a file.
 //!
 //! Each kind is a pure function of time and angle that allocates nothing. A [`Load`] puts it at its
-//! place along the shaft; the rotor adds them all up.
+//! position along the shaft; the rotor adds them all up.
 
 mod base;
 mod harmonic;
 mod noise;
-mod random;
-mod random_shocks;
 mod series;
 mod shock;
 mod sprocket;
 
 pub use base::BaseAcceleration;
 pub use harmonic::{Harmonic, Pace};
-pub use noise::{Noise, NoiseBand};
-pub use random::SplitMix64;
-pub use random_shocks::{RandomShocks, ShockStatistics};
+pub use noise::{Noise, NoiseBand, SplitMix64};
 pub use series::{Column, Interpolation, Series, SeriesError};
-pub use shock::Shock;
+pub use shock::{RandomShocks, Shock, ShockStatistics};
 pub use sprocket::{ChainDrive, Sprocket};
 
 use crate::bearing::Vector5;
 
-/// A varying load at its place along the shaft.
+/// A varying load at its position along the shaft.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
     /// What acts.

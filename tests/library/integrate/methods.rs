@@ -298,9 +298,6 @@ fn integrate(
     (states, integration.counters(), result)
 }
 
-/// Methods whose steps know nothing of blocks.
-const STEPPERS: [Method; 3] = [Method::Verner76, Method::Exponential, Method::Auto];
-
 const METHODS: [Method; 6] = [
     Method::Verner76,
     Method::Dopri5,
@@ -313,7 +310,7 @@ const METHODS: [Method; 6] = [
 #[test]
 fn a_block_ends_without_a_trace() {
     let stop = AtomicBool::new(false);
-    for method in STEPPERS {
+    for method in METHODS {
         let run = |points| integrate(&SOUND, settings(method, 1e-7), points, &stop);
         let (whole, work, _) = run(5000);
         for points in [1, 7, 100] {
@@ -611,7 +608,7 @@ fn a_force_that_jumps_at_a_break_costs_no_rejected_step() {
             0.0
         }
     };
-    for method in STEPPERS {
+    for method in [Method::Verner76, Method::Exponential, Method::Auto] {
         let mut integration = Integration::new(
             &Pushed,
             Scaling::identity(2),

@@ -1,6 +1,6 @@
 //! What the motion of a ball asks of its contacts: centrifugal force and friction forces.
 
-use super::contact::{Contact, Scalar};
+use super::balance::{Contact, Scalar};
 use crate::bearing::number::Number;
 use crate::physics::RaceControl;
 

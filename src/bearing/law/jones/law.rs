@@ -1,19 +1,19 @@
-//! The law of a ball with inertia: construction and force.
+//! The law of a ball with inertia: construction, force, and its state for people to read.
 
-use super::balance::{self, Positions, Response};
+use super::balance::{self, Balance, Contact, Positions, Response};
 use super::inertia::InertiaLaw;
-use super::solve::Rest;
-use super::start::StartConstants;
-use super::state::{BallState, SpinResistance, contact_of};
-use crate::bearing::law::film_shares::film_tangent;
-use crate::bearing::law::film_spring::LubricatedContact;
+use super::solve::{Rest, StartConstants};
+use crate::bearing::law::film::film_tangent;
 use crate::bearing::law::{
     Ball, BallContact, BallForce, BallLaw, BallResponse, BallTangent, ContactSpring, DryRaces,
     LubricatedRaces, RaceFilms, Races,
 };
-use crate::bearing::number::{Differentiable, Function, Number, Plain};
+use crate::bearing::number::{Function, Number, Plain};
 use crate::bearing::{Bearing, BearingError, Oil};
-use crate::physics::{HertzContact, RaceControl, ball_mass};
+use crate::physics::{
+    BallMotion, HertzContact, Race, RaceControl, ball_mass, complete_elliptic_second,
+    controlling_race,
+};
 
 /// Law of a ball with centrifugal force and gyroscopic moment.
 ///
@@ -90,11 +90,7 @@ impl JonesLaw<LubricatedRaces> {
     ) -> Result<Self, BearingError> {
         let contacts = contacts(bearing)?;
         let films = RaceFilms::new(bearing, &contacts, &oil)?;
-        let constants = films.central_constants();
-        let lubricated = std::array::from_fn(|race| {
-            LubricatedContact::new(contacts[race].stiffness(), constants[race])
-        });
-        let races = LubricatedRaces::new(lubricated, films, prepared_speed);
+        let races = LubricatedRaces::new(&contacts, films, prepared_speed);
         Self::with_races(bearing, control, &contacts, races)
     }
 }
@@ -189,12 +185,6 @@ impl<R: Races> InBalance<'_, R> {
 }
 
 impl<R: Races> Function<4, 6> for InBalance<'_, R> {
-    fn values(&self, at: [f64; 4]) -> Response<f64> {
-        self.law.ball.response(&self.rest(at).balance)
-    }
-}
-
-impl<R: Races> Differentiable<4, 6> for InBalance<'_, R> {
     fn with_slopes(&self, at: [f64; 4]) -> (Response<f64>, [[f64; 4]; 6]) {
         let (law, rest) = (self.law, self.rest(at));
         let springs = law.races.at_speed(self.speed);
@@ -203,6 +193,10 @@ impl<R: Races> Differentiable<4, 6> for InBalance<'_, R> {
             .ball
             .slopes(&rest.positions, &springs, None, force_scale);
         (law.ball.response(&rest.balance), slopes)
+    }
+
+    fn values(&self, at: [f64; 4]) -> Response<f64> {
+        self.law.ball.response(&self.rest(at).balance)
     }
 }
 
@@ -284,6 +278,81 @@ impl<R: Races> BallLaw for JonesLaw<R> {
                 .slopes(&rest.positions, &springs, Some(stiffness), force_scale);
         let contacts = [axial, radial, couple].map(|[axial, radial, ..]| [axial, radial]);
         Some([contacts, film_tangent(films, &contact, speed)])
+    }
+}
+
+/// Loads, angles, inertia and motion of one ball.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallState {
+    /// Loads and angles of both contacts.
+    pub contact: BallContact,
+    /// Centrifugal force F_c, N.
+    pub centrifugal_force: f64,
+    /// Gyroscopic moment M_g, N m; negative with a negative contact angle.
+    pub gyroscopic_moment: f64,
+    /// Motion under the race control of the law.
+    pub motion: BallMotion,
+    /// Race that controls by Jones's criterion, whatever the law assumes.
+    pub controlling_race: Race,
+    /// Number of trial positions that the solution took.
+    pub trials: usize,
+}
+
+impl BallState {
+    fn new(ball: &balance::Ball, resistance: &SpinResistance, rest: &Rest) -> Self {
+        let contact = contact_of(&rest.balance);
+        let inertia = &rest.balance.inertia;
+        Self {
+            contact,
+            centrifugal_force: inertia.centrifugal,
+            // T_i + T_o = 2 M_g/D
+            gyroscopic_moment: 0.5 * ball.diameter * (inertia.friction[0] + inertia.friction[1]),
+            motion: BallMotion::new(
+                ball.inertia.control,
+                ball.inertia.diameter_ratio,
+                contact.angle_inner,
+                contact.angle_outer,
+            ),
+            controlling_race: resistance.controlling_race(&contact),
+            trials: rest.trials,
+        }
+    }
+}
+
+fn contact_of(balance: &Balance<f64>) -> BallContact {
+    let (inner, outer) = (&balance.inner, &balance.outer);
+    let angle = |contact: &Contact<f64>| contact.sin.atan2(contact.cos);
+    BallContact {
+        load_inner: inner.load,
+        load_outer: outer.load,
+        angle_inner: angle(inner),
+        angle_outer: angle(outer),
+        approach: inner.approach,
+    }
+}
+
+/// Resistance to spinning Q a E at a load of 1 N, inner and outer race, N m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct SpinResistance([f64; 2]);
+
+impl SpinResistance {
+    pub(super) fn new(contacts: &[HertzContact; 2]) -> Self {
+        Self(contacts.each_ref().map(|contact| {
+            let kappa = contact.ellipticity();
+            // m = 1 − 1/κ²
+            let elliptic = complete_elliptic_second(1.0 - 1.0 / (kappa * kappa));
+            contact.ellipse(1.0).semi_major * elliptic
+        }))
+    }
+
+    fn controlling_race(&self, contact: &BallContact) -> Race {
+        // a grows as Q^(1/3)
+        let resistance = |unit: f64, load: f64| unit * load * load.cbrt();
+        controlling_race(
+            resistance(self.0[0], contact.load_inner),
+            resistance(self.0[1], contact.load_outer),
+            contact.angle_inner - contact.angle_outer,
+        )
     }
 }
 

@@ -1,9 +1,9 @@
-//! Place of a ball between its races: damped Newton from an explicit start.
+//! Position of a ball between its races: damped Newton from an explicit start.
 
-use super::balance::{Balance, Ball, Positions, apply, inverse};
-use super::contact::Plane;
-use crate::bearing::law::ContactSpring;
-use crate::bearing::number::Dual;
+use super::balance::{Balance, Ball, Plane, Positions, apply, inverse};
+use crate::bearing::law::{ContactSpring, HertzSpring};
+use crate::bearing::number::{Dual, Number};
+use crate::physics::series_stiffness;
 
 /// Trial positions after which a solve ends with what it has.
 pub(super) const MOST_TRIALS: usize = 200;
@@ -21,7 +21,7 @@ pub(super) struct Rest {
 }
 
 impl Ball {
-    /// Balance at the ball's place of rest, from a start of its centre.
+    /// Balance at the ball's position of rest, from a start of its centre.
     ///
     /// Newton's method on the sum of forces r. A step is halved until the next one, with the same
     /// slopes, is shorter: the natural monotonicity test, which measures the error in metres and
@@ -148,4 +148,137 @@ impl Balance<Dual<f64, 2>> {
 #[inline(always)]
 pub(super) fn square([x, y]: Plane<f64>) -> f64 {
     x * x + y * y
+}
+
+/// Stiffness constants of dry contacts as the first guess needs them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct StartConstants {
+    /// K_o, N/m^1.5.
+    outer: f64,
+    /// K_n of both races in series, N/m^1.5.
+    series: f64,
+    /// Share of the outer race in the approach under equal loads.
+    outer_share: f64,
+}
+
+impl StartConstants {
+    /// From the stiffness constants of both races, N/m^1.5.
+    pub(super) fn new(inner: f64, outer: f64) -> Self {
+        // shares of the approach are as the compliances K^(−2/3)
+        let ratio = (inner / outer).cbrt().powi(2);
+        Self {
+            outer,
+            series: series_stiffness(inner, outer),
+            outer_share: ratio / (1.0 + ratio),
+        }
+    }
+}
+
+impl Ball {
+    /// First guess of the ball's centre with the inner groove centre at `groove`.
+    ///
+    /// Thrown outwards, the ball rests on the outer race alone. Where the inner race is in its
+    /// way, it is wedged between both: the overlap S of the races grows as the ball is pushed
+    /// off the line of the groove centres, `S = δ + c Δ²` for an angle Δ between the contacts,
+    /// until `K_n S^(3/2) Δ` holds the inertia forces across that line: `S³ (S − δ) = c φ²`.
+    #[inline(always)]
+    pub(super) fn start(
+        &self,
+        constants: &StartConstants,
+        groove: Plane<f64>,
+        springs: &[impl ContactSpring; 2],
+        force_scale: f64,
+    ) -> Plane<f64> {
+        let free_inner = self.free_inner - springs[0].lift();
+        let free_outer = self.free_outer - springs[1].lift();
+        let distance = square(groove).sqrt().max(f64::MIN_POSITIVE);
+        let [sin, cos] = groove.map(|part| part / distance);
+        // (ω_m/ω)² at equal contact angles
+        let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio * cos);
+        let centrifugal = force_scale * orbit * orbit;
+        let overlap = distance - free_inner - free_outer;
+        // K_o δ^(3/2) > F_c: no outward yielding of the ball can undo the overlap
+        let floor = overlap.max(0.0);
+        if constants.outer * floor * floor.sqrt() <= centrifugal {
+            let thrown = self.free_outer + springs[1].approach(centrifugal);
+            if square([groove[0], groove[1] - thrown]) <= free_inner * free_inner {
+                return [0.0, thrown];
+            }
+        }
+        let lever = 0.5 * free_inner * free_outer / distance;
+        let across = 1.4 * centrifugal * sin / constants.series;
+        let wedged = wedge(overlap, lever * across * across);
+        // the outer race bears F_c cos α more than the inner one
+        let (share_outer, share_inner) = (constants.outer_share, 1.0 - constants.outer_share);
+        let stiffness = 1.5 * constants.series * wedged.sqrt() / (share_inner * share_outer);
+        let shift = (centrifugal * cos / stiffness)
+            .min(0.5 * share_inner * wedged)
+            .max(0.0);
+        let length_outer = free_outer + share_outer * wedged + shift;
+        let length_inner = free_inner + share_inner * wedged - shift;
+        // triangle over the line of groove centres, its apex on the outward side
+        let along = (distance * distance + length_outer * length_outer
+            - length_inner * length_inner)
+            / (2.0 * distance);
+        let height = (length_outer * length_outer - along * along)
+            .max(0.0)
+            .sqrt();
+        let outward = height * sin.signum();
+        [along * sin - outward * cos, along * cos + outward * sin]
+    }
+}
+
+/// Rounds after which the position of a thrown ball is right to round-off, whatever its contact angle.
+const ROUNDS: usize = 4;
+
+impl Ball {
+    /// How far the inner race, its groove centre at `groove`, reaches into the ball that rests on the dry outer race
+    /// alone, m; negative where they are apart. The surfaces are lower by their drops.
+    ///
+    /// The ball presses itself a distance s into the outer race, `K_o s^(3/2) = F_c(s)`: by Newton's method, with F_c,
+    /// which hardly changes with s, as it was a round before.
+    #[inline(always)]
+    pub(super) fn overlap_when_thrown<T: Number>(
+        &self,
+        [axial, radial]: Plane<T>,
+        [drop_inner, drop_outer]: [T; 2],
+        outer: &HertzSpring,
+        force_scale: f64,
+    ) -> T {
+        let (free_inner, free_outer) = (drop_inner + self.free_inner, drop_outer + self.free_outer);
+        if force_scale == 0.0 {
+            // nothing throws it: it gives way into the line of the groove centres
+            return (axial * axial + radial * radial).sqrt() - free_inner - free_outer;
+        }
+        let orbit = 0.5 * (1.0 - self.inertia.diameter_ratio);
+        let mut approach = axial.constant(outer.approach(force_scale * orbit * orbit));
+        for _ in 0..ROUNDS {
+            let height = radial - (free_outer + approach);
+            let length = (axial * axial + height * height).sqrt();
+            let cosine = height / (length + f64::MIN_POSITIVE);
+            let centrifugal = self.inertia.thrown(cosine) * force_scale;
+            let pressed = centrifugal / (approach.sqrt() * outer.stiffness);
+            approach = approach * (1.0 / 3.0) + pressed * (2.0 / 3.0);
+        }
+        let height = radial - (free_outer + approach);
+        (axial * axial + height * height).sqrt() - free_inner
+    }
+}
+
+/// Overlap S ≥ max(δ, 0) of `S³ (S − δ) = C`: two steps of Newton's method from above.
+#[inline(always)]
+fn wedge(overlap: f64, constant: f64) -> f64 {
+    let floor = overlap.max(0.0);
+    // S − δ is less than C/δ³ and than C^(1/4)
+    let above = constant
+        .sqrt()
+        .sqrt()
+        .min(constant / (floor * floor * floor));
+    let mut s = floor + above;
+    for _ in 0..2 {
+        let square = s * s;
+        let slope = square * (4.0 * s - 3.0 * overlap);
+        s -= (square * s * (s - overlap) - constant) / slope.max(f64::MIN_POSITIVE);
+    }
+    s
 }

@@ -2,12 +2,10 @@
 
 use fearless_simd::{Level, Simd, SimdBase, SimdFloat, dispatch};
 
-use super::cells::{Cell, values};
-use super::chart::Chart;
-use super::grid::{Grid, InCells};
-use super::region::BallRegion;
+use super::cells::{Cell, Grid, InCells, values};
+use super::chart::{BallRegion, Chart};
 use crate::bearing::law::{Ball, BallForce, ForceLaw};
-use crate::bearing::number::{Differentiable, Function, Lanes, Number, Plain};
+use crate::bearing::number::{Function, Lanes, Number, Plain};
 
 /// The forces of a ball law at one speed over a region, as polynomials.
 ///
@@ -15,7 +13,7 @@ use crate::bearing::number::{Differentiable, Function, Lanes, Number, Plain};
 /// u = (A2 − c)² − M(|A1|)   v = √u   F = u Σ c_kl x^k t^l
 /// ```
 ///
-/// with x and t the places in a cell of (v, |A1|). `u = 0` is the line of lift-off, beyond which a
+/// with x and t the positions in a cell of (v, |A1|). `u = 0` is the line of lift-off, beyond which a
 /// ball carries nothing. It is for the caller to ask the law itself where [`BallTable::covers`] says no.
 ///
 /// The force differs from the exact one by the bound of its [`super::TableReport`]; from cell to cell it steps by no more.
@@ -33,7 +31,7 @@ pub struct BallTable {
     pub(super) couples: Vec<Cell>,
 }
 
-/// Places of balls side by side in a table.
+/// Positions of balls side by side in a table.
 struct Located<S: Simd> {
     in_cells: InCells<S>,
     past_lift: Lanes<S>,
@@ -42,14 +40,14 @@ struct Located<S: Simd> {
 }
 
 impl BallTable {
-    /// Whether the table stands for the law at a speed and all places whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
+    /// Whether the table stands for the law at a speed and all positions whose A1 and A2 are within their amplitudes of the middle; each is the middle and the
     /// square of the amplitude, in m and m².
     #[inline(always)]
     pub(crate) fn covers_around(&self, axial: [f64; 2], radial: [f64; 2], speed: f64) -> bool {
         speed == self.speed && self.region.contains_around(axial, radial)
     }
 
-    /// Where places that the table covers are in it, the one polynomial coordinate after the other.
+    /// Where positions that the table covers are in it, the one polynomial coordinate after the other.
     #[inline(always)]
     fn locate<S: Simd>(&self, axial: Lanes<S>, radial: Lanes<S>) -> Located<S> {
         let [along, root, past_lift] = self.chart.coordinates(axial.abs(), radial);
@@ -61,34 +59,8 @@ impl BallTable {
     }
 }
 
-/// Axial force, radial force and couple at places that the table covers.
+/// Axial force, radial force and couple at positions that the table covers.
 impl Function<2, 3> for BallTable {
-    fn values(&self, at: [f64; 2]) -> [f64; 3] {
-        dispatch!(Level::baseline(), simd => {
-            let [axial, radial] = at;
-            let found = self.side_by_side([Lanes::splat(simd, axial), Lanes::splat(simd, radial)]);
-            [found[0][0], found[1][0], found[2][0]]
-        })
-    }
-
-    #[inline(always)]
-    fn side_by_side<S: Simd>(&self, [axial, radial]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
-        let Located {
-            in_cells,
-            past_lift,
-            odd,
-        } = self.locate(axial, radial);
-        let [push_axial, push_radial] = values(&self.forces, &in_cells);
-        let couple = if self.couples.is_empty() {
-            Lanes::splat(past_lift.witness(), 0.0)
-        } else {
-            odd * values(&self.couples, &in_cells)[0]
-        };
-        [odd * push_axial, past_lift * push_radial, couple]
-    }
-}
-
-impl Differentiable<2, 3> for BallTable {
     fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], [[f64; 2]; 3]) {
         let (past_lift, cell, x, t) = dispatch!(Level::baseline(), simd => {
             let [axial, radial] = [axial, radial].map(|number| Lanes::splat(simd, number));
@@ -121,9 +93,33 @@ impl Differentiable<2, 3> for BallTable {
             [axial_row, [side * by_axial, by_radial], couple_row],
         )
     }
+
+    fn values(&self, at: [f64; 2]) -> [f64; 3] {
+        dispatch!(Level::baseline(), simd => {
+            let [axial, radial] = at;
+            let found = self.side_by_side([Lanes::splat(simd, axial), Lanes::splat(simd, radial)]);
+            [found[0][0], found[1][0], found[2][0]]
+        })
+    }
+
+    #[inline(always)]
+    fn side_by_side<S: Simd>(&self, [axial, radial]: [Lanes<S>; 2]) -> [Lanes<S>; 3] {
+        let Located {
+            in_cells,
+            past_lift,
+            odd,
+        } = self.locate(axial, radial);
+        let [push_axial, push_radial] = values(&self.forces, &in_cells);
+        let couple = if self.couples.is_empty() {
+            Lanes::splat(past_lift.witness(), 0.0)
+        } else {
+            odd * values(&self.couples, &in_cells)[0]
+        };
+        [odd * push_axial, past_lift * push_radial, couple]
+    }
 }
 
-/// On perfect races, at the speed of the table, at places that it covers.
+/// On perfect races, at the speed of the table, at positions that it covers.
 impl ForceLaw for BallTable {
     const HAS_COUPLE: bool = true;
 

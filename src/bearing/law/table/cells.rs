@@ -1,8 +1,9 @@
-//! Polynomials in the cells of a table.
+//! The even division of a table into cells, the polynomials in them, and their nodes.
 
-use fearless_simd::{Simd, SimdBase, f64x2};
+use std::f64::consts::PI;
 
-use super::grid::InCells;
+use fearless_simd::{Simd, SimdBase, SimdFloat, f64x2};
+
 use crate::bearing::number::{LANES, Lanes};
 
 /// Powers of x, along the approach, in a cell.
@@ -55,10 +56,10 @@ impl Cell {
     }
 }
 
-/// Both polynomials at places in cells of a table.
+/// Both polynomials at positions in cells of a table.
 #[inline(always)]
-pub(super) fn values<S: Simd>(table: &[Cell], place: &InCells<S>) -> [Lanes<S>; 2] {
-    let InCells { cells, x, t } = *place;
+pub(super) fn values<S: Simd>(table: &[Cell], position: &InCells<S>) -> [Lanes<S>; 2] {
+    let InCells { cells, x, t } = *position;
     let simd = x.witness();
     let square = t * t;
     let mut rows = [Lanes::splat(simd, 0.0); LANES];
@@ -109,6 +110,143 @@ fn columns<S: Simd>(simd: S, [a, b, c, d]: [f64x2<S>; LANES]) -> [Lanes<S>; 2] {
     ]
 }
 
+/// Adding and taking it away rounds to a whole number, which then stands in the lowest bits.
+const ROUNDING: f64 = 6_755_399_441_055_744.0;
+
+/// Equal parts of a range of one coordinate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Parts {
+    /// Scale and shift that map the coordinate onto the parts, part 0 onto −½ … ½.
+    pub(super) scale: f64,
+    shift: f64,
+    /// Number of the last part.
+    last: f64,
+}
+
+impl Parts {
+    /// So many parts of a range.
+    pub(super) fn new([start, end]: [f64; 2], count: usize) -> Self {
+        let count = count as f64;
+        let scale = count / (end - start);
+        Self {
+            scale,
+            shift: -0.5 - start * scale,
+            last: count - 1.0,
+        }
+    }
+
+    /// How many they are.
+    pub(super) fn count(&self) -> usize {
+        self.last as usize + 1
+    }
+
+    /// The coordinate at a position −½ … ½ in a part.
+    pub(super) fn coordinate(&self, part: usize, position: f64) -> f64 {
+        (part as f64 + position - self.shift) / self.scale
+    }
+
+    /// The coordinates at positions −½ … ½ in all parts, rising, those at a border once.
+    pub(super) fn nodes<const N: usize>(&self, positions: &[f64; N]) -> Vec<f64> {
+        let mut nodes = vec![self.coordinate(0, positions[0])];
+        for part in 0..self.count() {
+            nodes.extend(
+                positions[1..]
+                    .iter()
+                    .map(|&position| self.coordinate(part, position)),
+            );
+        }
+        nodes
+    }
+
+    /// Numbers of the parts and positions −½ … ½ in them; beyond the range those of the last part on that side.
+    #[inline(always)]
+    fn locate<S: Simd>(&self, coordinate: Lanes<S>) -> [Lanes<S>; 2] {
+        let simd = coordinate.witness();
+        let among = coordinate * self.scale + self.shift;
+        let last = Lanes::splat(simd, self.last);
+        let part = among.max(Lanes::splat(simd, 0.0)).min(last);
+        let part = (part + ROUNDING) - ROUNDING;
+        [part, among - part]
+    }
+}
+
+/// Equal parts of the approach v, each divided into equal cells along τ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Grid {
+    pub(super) root: Parts,
+    pub(super) along: Parts,
+}
+
+/// Positions of balls in their cells.
+#[derive(Clone, Copy)]
+pub(super) struct InCells<S: Simd> {
+    pub(super) cells: [usize; LANES],
+    /// Along v, −½ … ½.
+    pub(super) x: Lanes<S>,
+    /// Along τ, −½ … ½.
+    pub(super) t: Lanes<S>,
+}
+
+impl Grid {
+    /// The cells of v and τ, and the positions in them.
+    #[inline(always)]
+    pub(super) fn locate<S: Simd>(&self, root: Lanes<S>, along: Lanes<S>) -> InCells<S> {
+        let [strip, x] = self.root.locate(root);
+        let [column, t] = self.along.locate(along);
+        let rounded = strip * (self.along.last + 1.0) + (column + ROUNDING);
+        let [a, b, c, d] = *rounded;
+        let low = |number: f64| number.to_bits() as u32 as usize;
+        InCells {
+            cells: [low(a), low(b), low(c), low(d)],
+            x,
+            t,
+        }
+    }
+}
+
+/// Chebyshev–Lobatto nodes on −1 … 1, rising; symmetric to the bit, both ends exact.
+pub(super) fn lobatto<const N: usize>() -> [f64; N] {
+    std::array::from_fn(|index| {
+        let steps = 2 * index as i64 + 1 - N as i64;
+        (PI * steps as f64 / (2 * (N - 1)) as f64).sin()
+    })
+}
+
+/// Weights by which values at `nodes` make the coefficients of the powers of x: row k for x^k.
+pub(super) fn power_weights<const N: usize>(nodes: &[f64; N]) -> [[f64; N]; N] {
+    let mut rows = [[0.0; N]; N];
+    for node in 0..N {
+        // Lagrange's polynomial of the node, factor by factor: Π (x − x_j)/(x_i − x_j)
+        let mut powers = [0.0; N];
+        powers[0] = 1.0;
+        for other in (0..N).filter(|&other| other != node) {
+            let scale = 1.0 / (nodes[node] - nodes[other]);
+            for power in (0..N).rev() {
+                let below = if power > 0 { powers[power - 1] } else { 0.0 };
+                powers[power] = (below - nodes[other] * powers[power]) * scale;
+            }
+        }
+        for power in 0..N {
+            rows[power][node] = powers[power];
+        }
+    }
+    rows
+}
+
+/// Sum of values by weights.
+pub(super) fn weighted<const N: usize, const M: usize>(
+    weights: &[f64; N],
+    values: impl Fn(usize) -> [f64; M],
+) -> [f64; M] {
+    let mut sum = [0.0; M];
+    for (index, weight) in weights.iter().enumerate() {
+        for (sum, value) in sum.iter_mut().zip(values(index)) {
+            *sum += weight * value;
+        }
+    }
+    sum
+}
+
 #[cfg(test)]
 mod tests {
     use fearless_simd::{Level, dispatch};
@@ -129,12 +267,12 @@ mod tests {
         let (cells, x, t) = ([3, 0, 8, 3], [0.1, -0.5, 0.3, 0.4], [-0.2, 0.5, 0.0, 0.35]);
         for level in [Level::new(), Level::baseline()] {
             let own = dispatch!(level, simd => {
-                let place = InCells {
+                let position = InCells {
                     cells,
                     x: simd.load_array_f64x4(x),
                     t: simd.load_array_f64x4(t),
                 };
-                values(&table, &place).map(|lanes| *lanes)
+                values(&table, &position).map(|lanes| *lanes)
             });
             for ball in 0..LANES {
                 for (which, own) in own.iter().enumerate() {
@@ -166,5 +304,53 @@ mod tests {
             let along_t = (value(x, t + step) - value(x, t - step)) / (2.0 * step);
             assert!((along_x - by_x).abs() < 1e-8 && (along_t - by_t).abs() < 1e-8);
         }
+    }
+
+    #[test]
+    fn every_place_has_its_cell_and_places_beyond_the_ends_the_outermost() {
+        let grid = Grid {
+            root: Parts::new([2.0, 4.0], 64),
+            along: Parts::new([-1.0, 1.0], 4),
+        };
+        for level in [Level::new(), Level::baseline()] {
+            dispatch!(level, simd => {
+                let check = |root: f64, along: f64, cell: usize, position: [f64; 2]| {
+                    let [root, along] = [root, along].map(|number| Lanes::splat(simd, number));
+                    let own = grid.locate(root, along);
+                    assert_eq!(own.cells, [cell; LANES]);
+                    let off = (own.x[0] - position[0]).abs().max((own.t[0] - position[1]).abs());
+                    assert!(off < 1e-12, "{off:e}");
+                };
+                check(2.0, -1.0, 0, [-0.5, -0.5]);
+                check(4.0, 1.0, 255, [0.5, 0.5]);
+                check(4.0_f64.next_up(), 1.0_f64.next_up(), 255, [0.5, 0.5]);
+                check(1.9, -1.0_f64.next_up(), 0, [-3.7, -0.5]);
+                for (strip, column) in [(0, 3), (17, 1), (63, 0)] {
+                    let [root, along] = [
+                        grid.root.coordinate(strip, 0.3),
+                        grid.along.coordinate(column, -0.4),
+                    ];
+                    check(root, along, 4 * strip + column, [0.3, -0.4]);
+                }
+            });
+        }
+    }
+
+    #[test]
+    fn values_at_the_nodes_give_back_the_powers_of_a_polynomial() {
+        let expected = [-2.0, 0.7, -1.2, 0.3, 0.9, -0.4];
+        let nodes = lobatto::<6>().map(|node| 0.5 * node);
+        let value = |x: f64| expected.iter().rev().fold(0.0, |sum, c| sum * x + c);
+        for (weights, expected) in power_weights(&nodes).iter().zip(expected) {
+            let [power] = weighted(weights, |node| [value(nodes[node])]);
+            assert!((power - expected).abs() < 1e-13, "{power}, {expected}");
+        }
+    }
+
+    #[test]
+    fn nodes_are_symmetric_and_reach_both_ends() {
+        let nodes = lobatto::<5>();
+        assert_eq!([nodes[0], nodes[2], nodes[4]], [-1.0, 0.0, 1.0]);
+        assert_eq!(nodes[1], -nodes[3]);
     }
 }

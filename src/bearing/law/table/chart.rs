@@ -1,7 +1,6 @@
-//! Coordinates in which the law of a ball is smooth.
+//! Where the balls may come, and coordinates in which their law is smooth there.
 
-use super::interpolation::{lobatto, power_weights, weighted};
-use super::region::BallRegion;
+use super::cells::{lobatto, power_weights, weighted};
 use super::report::TableError;
 use crate::bearing::number::Number;
 
@@ -16,14 +15,14 @@ const LEAST_RANGE: f64 = 2e-3;
 /// Coefficients of the line of lift-off.
 const LIFT_TERMS: usize = 6;
 
-/// From the place of the inner groove centre to the root of how far it is past lift-off.
+/// From the position of the inner groove centre to the root of how far it is past lift-off.
 ///
 /// ```text
 /// τ = (|A1| − p_m)/p_h   u = (A2 − c)² − M(τ)   v = √max(u, 0)
 /// ```
 ///
 /// `u = 0`, with M in m² a polynomial, is the line on which a ball lifts off: close to a circle about a
-/// place `c` on the radial axis, where a ball that is thrown outwards rests. A dry contact's force is
+/// position `c` on the radial axis, where a ball that is thrown outwards rests. A dry contact's force is
 /// analytic in v up to v = 0, whatever holds the ball across the line of contact: there the forces are
 /// powers of √δ. Where no such line is near, the line is a circle about the outer groove centre that is
 /// nearer than the region.
@@ -36,7 +35,7 @@ pub(super) struct Chart {
 }
 
 impl Chart {
-    /// Chart of the places of a folded region under a law with loads of a ball by |A1| and A2, N; `reference` is the
+    /// Chart of the positions of a folded region under a law with loads of a ball by |A1| and A2, N; `reference` is the
     /// load that the tolerance refers to.
     pub(super) fn new(
         region: &BallRegion,
@@ -112,14 +111,14 @@ impl Chart {
         low + square * square * (along * c5 + c4)
     }
 
-    /// u of a place (|A1|, A2), m².
+    /// u of a position (|A1|, A2), m².
     #[inline(always)]
     fn past_lift<T: Number>(&self, axial: T, radial: T) -> T {
         let height = radial - self.centre;
         height * height - self.lift(self.along(axial))
     }
 
-    /// τ, v and u of places (|A1|, A2).
+    /// τ, v and u of positions (|A1|, A2).
     #[inline(always)]
     pub(super) fn coordinates<T: Number>(&self, axial: T, radial: T) -> [T; 3] {
         let along = self.along(axial);
@@ -127,8 +126,8 @@ impl Chart {
         [along, past_lift.sqrt(), past_lift]
     }
 
-    /// The place (|A1|, A2) at τ and v; not a number where there is none.
-    pub(super) fn place(&self, along: f64, root: f64) -> [f64; 2] {
+    /// The position (|A1|, A2) at τ and v; not a number where there is none.
+    pub(super) fn position(&self, along: f64, root: f64) -> [f64; 2] {
         [
             self.middle + along / self.inverse_half,
             self.centre + (self.lift(along) + root * root).sqrt(),
@@ -163,7 +162,7 @@ impl Chart {
         (self.inverse_half, if lifted { [0.0; 2] } else { rates })
     }
 
-    /// Distance of places (A1, A2) past the line of lift-off, m.
+    /// Distance of positions (A1, A2) past the line of lift-off, m.
     #[inline(always)]
     pub(super) fn distance_past_lift<T: Number>(&self, axial: T, radial: T) -> T {
         let height = radial - self.centre;
@@ -206,6 +205,53 @@ fn lift_off(mut excess: impl FnMut(f64) -> f64, region: &BallRegion) -> Option<f
     Some(0.5 * (low + high))
 }
 
+/// Rectangle of positions (A1, A2) of the inner groove centre, m.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BallRegion {
+    /// Least and greatest axial distance A1, m.
+    pub axial: [f64; 2],
+    /// Least and greatest radial distance A2, m.
+    pub radial: [f64; 2],
+}
+
+impl BallRegion {
+    /// The same with |A1| in place of A1: every law is the same on both sides of A1 = 0.
+    pub(super) fn folded(&self) -> Self {
+        let [low, high] = self.axial;
+        let far = low.abs().max(high.abs());
+        let near = if low <= 0.0 && high >= 0.0 {
+            0.0
+        } else {
+            low.abs().min(high.abs())
+        };
+        Self {
+            axial: [near, far],
+            radial: self.radial,
+        }
+    }
+
+    /// Whether a position is inside a folded region; one that is no number is not.
+    pub(super) fn contains(&self, axial: f64, radial: f64) -> bool {
+        let within = |value: f64, [low, high]: [f64; 2]| (low..=high).contains(&value);
+        within(axial.abs(), self.axial) && within(radial, self.radial)
+    }
+
+    /// Whether all positions are inside a folded region whose A1 and A2 are within their amplitudes of the middle; each is the
+    /// middle and the square of the amplitude, in m and m².
+    #[inline(always)]
+    pub(super) fn contains_around(&self, axial: [f64; 2], radial: [f64; 2]) -> bool {
+        // squares in place of a root, which takes long
+        let room = |[middle, square]: [f64; 2], [low, high]: [f64; 2]| {
+            let (below, above) = (middle - low, high - middle);
+            (below >= 0.0) & (above >= 0.0) & (below * below >= square) & (above * above >= square)
+        };
+        let [near, far] = self.axial;
+        // both sides of A1 = 0
+        let near = if near > 0.0 { near } else { -far };
+        room(radial, self.radial) & room([axial[0].abs(), axial[1]], [near, far])
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -239,7 +285,7 @@ mod tests {
         }
         // and back
         let [_, most] = chart.roots(&region);
-        let [axial, radial] = chart.place(0.3, 0.7 * most);
+        let [axial, radial] = chart.position(0.3, 0.7 * most);
         assert!((chart.along(axial) - 0.3).abs() < 1e-14);
         assert!((chart.past_lift(axial, radial).sqrt() - 0.7 * most).abs() < 1e-12 * most);
     }

@@ -4,10 +4,10 @@
 //! has order p where Σ_i b_i Φ_i(t) = 1/γ(t) for all rooted trees t of order up to p; an interpolant
 //! where Σ_i b_i(θ) Φ_i(t) = θ^r/γ(t) for the trees of order r.
 
-use super::pair::{ExplicitPair, MOST_STAGES, entry, row};
+use super::*;
 
 /// A row of coefficients, a stage each.
-type Weights = [f64; MOST_STAGES];
+type Weights = [f64; STAGES];
 
 /// A row of the tableau, filled up with zeros.
 fn padded(row: &[f64]) -> Weights {
@@ -15,8 +15,8 @@ fn padded(row: &[f64]) -> Weights {
 }
 
 /// a_ij of a stage.
-fn factors<P: ExplicitPair>(stage: usize) -> Weights {
-    padded(row(P::FACTORS, stage))
+fn factors(stage: usize) -> Weights {
+    padded(FACTORS[stage])
 }
 
 /// A rooted tree: the subtrees at its root, as positions in the list of all trees.
@@ -35,7 +35,7 @@ fn trees(most: usize) -> Vec<Tree> {
         for subtrees in found {
             let below: f64 = subtrees
                 .iter()
-                .map(|&place: &usize| trees[place].gamma)
+                .map(|&position: &usize| trees[position].gamma)
                 .product();
             trees.push(Tree {
                 order,
@@ -59,23 +59,23 @@ fn collect(
         found.push(chosen.clone());
         return;
     }
-    for (place, tree) in trees.iter().enumerate().skip(from) {
+    for (position, tree) in trees.iter().enumerate().skip(from) {
         if tree.order <= left {
-            chosen.push(place);
-            collect(trees, left - tree.order, place, chosen, found);
+            chosen.push(position);
+            collect(trees, left - tree.order, position, chosen, found);
             chosen.pop();
         }
     }
 }
 
 /// Φ_i of every tree.
-fn elementary<P: ExplicitPair>(trees: &[Tree]) -> Vec<Weights> {
+fn elementary(trees: &[Tree]) -> Vec<Weights> {
     let mut all: Vec<Weights> = Vec::new();
     for tree in trees {
-        let mut weights = [1.0; MOST_STAGES];
+        let mut weights = [1.0; STAGES];
         for &subtree in &tree.subtrees {
             for (stage, weight) in weights.iter_mut().enumerate() {
-                *weight *= dot(&factors::<P>(stage), &all[subtree]);
+                *weight *= dot(&factors(stage), &all[subtree]);
             }
         }
         all.push(weights);
@@ -88,9 +88,9 @@ fn dot(left: &Weights, right: &Weights) -> f64 {
 }
 
 /// Largest deviation of weights b_i(θ) from the conditions up to an order.
-fn deviation<P: ExplicitPair>(weights: &Weights, part: f64, order: usize) -> f64 {
+fn deviation(weights: &Weights, part: f64, order: usize) -> f64 {
     let trees = trees(order);
-    let conditions = elementary::<P>(&trees);
+    let conditions = elementary(&trees);
     let off = |(tree, phi): (&Tree, &Weights)| {
         (dot(weights, phi) - part.powi(tree.order as i32) / tree.gamma).abs()
     };
@@ -108,30 +108,30 @@ const ROUND_OFF_DENSE: f64 = 2e-12;
 const BROKEN: f64 = 1e-9;
 
 /// The weights have an order and not the next one.
-fn has_order<P: ExplicitPair>(weights: &Weights, part: f64, order: usize, round_off: f64) {
-    let holds = deviation::<P>(weights, part, order);
+fn has_order(weights: &Weights, part: f64, order: usize, round_off: f64) {
+    let holds = deviation(weights, part, order);
     assert!(holds < round_off, "order {order} at {part}: {holds:e}");
-    let broken = deviation::<P>(weights, part, order + 1);
+    let broken = deviation(weights, part, order + 1);
     assert!(broken > BROKEN, "order {} at {part}: {broken:e}", order + 1);
 }
 
-fn nodes_are_row_sums<P: ExplicitPair>() {
-    assert_eq!(P::FACTORS.len(), P::NODES.len());
-    for (stage, (row, node)) in P::FACTORS.iter().zip(P::NODES).enumerate() {
+fn nodes_are_row_sums() {
+    assert_eq!(FACTORS.len(), NODES.len());
+    for (stage, (row, node)) in FACTORS.iter().zip(NODES).enumerate() {
         let sum: f64 = row.iter().sum();
         assert!((sum - node).abs() < ROUND_OFF, "stage {stage}: {sum}");
         assert!(row.len() <= stage, "stage {stage}");
     }
 }
 
-fn interpolant_meets_the_ends<P: ExplicitPair>() {
-    let end = difference(&P::dense_weights(1.0), &factors::<P>(P::LAST));
+fn interpolant_meets_the_ends() {
+    let end = difference(&dense_weights(1.0), &factors(LAST));
     assert!(
         end.iter().all(|weight| weight.abs() < ROUND_OFF_DENSE),
         "{end:?}"
     );
     // it leaves along the first stage
-    for (stage, row) in P::DENSE.iter().enumerate() {
+    for (stage, row) in DENSE.iter().enumerate() {
         let expected = if stage == 0 { 1.0 } else { 0.0 };
         assert!(
             (entry(row, 0) - expected).abs() < ROUND_OFF,
@@ -141,17 +141,17 @@ fn interpolant_meets_the_ends<P: ExplicitPair>() {
 }
 
 /// |R(−z)|, R the factor by which a step multiplies a decaying motion.
-fn decay<P: ExplicitPair>(z: f64) -> f64 {
-    let mut slopes = [0.0; MOST_STAGES];
-    for stage in 0..=P::LAST {
-        slopes[stage] = -z * (1.0 + dot(&factors::<P>(stage), &slopes));
+fn decay(z: f64) -> f64 {
+    let mut slopes = [0.0; STAGES];
+    for stage in 0..=LAST {
+        slopes[stage] = -z * (1.0 + dot(&factors(stage), &slopes));
     }
-    (1.0 + dot(&factors::<P>(P::LAST), &slopes)).abs()
+    (1.0 + dot(&factors(LAST), &slopes)).abs()
 }
 
-fn limit_of_stability_is_that_of_the_coefficients<P: ExplicitPair>() {
-    assert!(decay::<P>(0.98 * P::STABILITY) < 1.0);
-    assert!(decay::<P>(1.02 * P::STABILITY) > 1.0);
+fn limit_of_stability_is_that_of_the_coefficients() {
+    assert!(decay(0.98 * STABILITY) < 1.0);
+    assert!(decay(1.02 * STABILITY) > 1.0);
 }
 
 /// Error of a quadrature by weights at nodes of 0 … 1, root mean square over the positions where a power 3/2 begins.
@@ -169,25 +169,25 @@ fn error_over_a_kink(weights: &[f64], nodes: &[f64]) -> f64 {
     (squares / f64::from(POSITIONS + 1)).sqrt()
 }
 
-fn the_error_over_a_kink_is_as_stated<P: ExplicitPair>() {
-    let found = error_over_a_kink(P::FACTORS[P::LAST], P::NODES);
-    assert!((found / P::CROSSED - 1.0).abs() < 0.02, "{found}");
+fn the_error_over_a_kink_is_as_stated() {
+    let found = error_over_a_kink(FACTORS[LAST], &NODES);
+    assert!((found / CROSSED - 1.0).abs() < 0.02, "{found}");
 }
 
-/// Checks all that a pair states: the orders of its embedded method and of its interpolant are given.
-pub(super) fn check<P: ExplicitPair>(embedded: usize, interpolant: usize) {
-    nodes_are_row_sums::<P>();
-    interpolant_meets_the_ends::<P>();
-    let weights = factors::<P>(P::LAST);
-    has_order::<P>(&weights, 1.0, P::ORDER as usize, ROUND_OFF);
-    let embedded_weights = difference(&weights, &padded(P::ERROR));
-    has_order::<P>(&embedded_weights, 1.0, embedded, ROUND_OFF);
+#[test]
+fn the_orders_are_seven_and_six_and_that_of_the_interpolant_is_six() {
+    nodes_are_row_sums();
+    interpolant_meets_the_ends();
+    let weights = factors(LAST);
+    has_order(&weights, 1.0, ORDER as usize, ROUND_OFF);
+    let embedded_weights = difference(&weights, &padded(ERROR));
+    has_order(&embedded_weights, 1.0, 6, ROUND_OFF);
     for part in [0.1, 0.37, 0.6, 0.83] {
-        let weights = P::dense_weights(part);
-        has_order::<P>(&weights, part, interpolant, ROUND_OFF_DENSE);
+        let weights = dense_weights(part);
+        has_order(&weights, part, 6, ROUND_OFF_DENSE);
     }
-    limit_of_stability_is_that_of_the_coefficients::<P>();
-    the_error_over_a_kink_is_as_stated::<P>();
+    limit_of_stability_is_that_of_the_coefficients();
+    the_error_over_a_kink_is_as_stated();
 }
 
 #[test]

@@ -1,7 +1,8 @@
-//! Hertz contact behind an oil film, as a spring.
+//! Hertz contact behind an oil film, as a spring, and the two springs that it is made of.
 
-use super::spring::{ContactSpring, HertzSpring};
-use crate::bearing::number::{Differentiable, Function};
+use super::contacts::{ContactSpring, HertzSpring};
+use super::{Ball, BallContact, BallForce, BallLaw, BallTangent, ForceLaw, RaceFilms};
+use crate::bearing::number::{Function, Number, Plain};
 use crate::physics::FilmContact;
 
 /// Exponent of the load in Hertz's approach.
@@ -37,7 +38,7 @@ impl LubricatedContact {
     /// The spring at a shaft speed in rad/s. Out of line: inlined, its power would be taken in advance
     /// of loops that may need it, and so by dry bearings, too.
     #[inline(never)]
-    pub(super) fn at_speed(&self, speed: f64) -> FilmSpring {
+    fn at_speed(&self, speed: f64) -> FilmSpring {
         // Q* grows as c^(1/(2/3 + 0.067)), c as ω^0.67
         let growth = speed
             .abs()
@@ -48,6 +49,35 @@ impl LubricatedContact {
             dry: self.elastic(),
             load_scale,
             film_scale,
+        }
+    }
+}
+
+/// Lubricated contacts, prepared for one speed and right at every speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct PreparedContacts<const N: usize> {
+    pub contacts: [LubricatedContact; N],
+    speed: f64,
+    springs: [FilmSpring; N],
+}
+
+impl<const N: usize> PreparedContacts<N> {
+    /// For a shaft speed in rad/s.
+    pub(super) fn new(contacts: [LubricatedContact; N], speed: f64) -> Self {
+        Self {
+            contacts,
+            speed,
+            springs: contacts.map(|contact| contact.at_speed(speed)),
+        }
+    }
+
+    /// Their springs at a shaft speed in rad/s.
+    #[inline]
+    pub(super) fn at_speed(&self, speed: f64) -> [FilmSpring; N] {
+        if speed == self.speed {
+            self.springs
+        } else {
+            self.contacts.map(|contact| contact.at_speed(speed))
         }
     }
 }
@@ -96,13 +126,6 @@ impl ContactSpring for FilmSpring {
 
 /// From the approach to the load.
 impl Function<1, 1> for FilmSpring {
-    #[inline]
-    fn values(&self, [approach]: [f64; 1]) -> [f64; 1] {
-        [self.load_and_stiffness(approach).0]
-    }
-}
-
-impl Differentiable<1, 1> for FilmSpring {
     #[inline]
     fn with_slopes(&self, [approach]: [f64; 1]) -> ([f64; 1], [[f64; 1]; 1]) {
         let (load, stiffness) = self.load_and_stiffness(approach);
@@ -156,6 +179,80 @@ fn reduced_load_start(sigma: f64) -> f64 {
         const FIT: [f64; 6] = [-0.0275, 1.4403, -0.0025, -0.0642, -1.8324, -0.6685];
         FIT.iter().rev().fold(0.0, |sum, c| sum * sigma + c)
     }
+}
+
+/// One of the two springs of a law with films, elastic bodies or oil film, as a law by itself, of which nothing but the
+/// slopes count.
+///
+/// Both are taken at the loads and angles that the whole law has at the position of the ball:
+/// - contacts: the law's own tangent with each contact's stiffness that of the elastic bodies,
+///   `3/2 K^(2/3) Q^(1/3)`, the films rigid. The geometric part (Q/d, from the turning of the
+///   line of contact under load) and, with inertia, the yielding of the ball's centre stay in it.
+/// - films: `k n nᵀ` with n the normal at the inner race and `1/k = 0.067 (h_i/Q_i + h_o/Q_o)`,
+///   both films in series, the contacts rigid. No geometric part: that is counted once.
+///
+/// Along the normal the compliances of both add up to that of the law exactly without inertia.
+pub(in crate::bearing) struct Share<'a, L> {
+    law: &'a L,
+    /// 0: the contacts; 1: the films.
+    part: usize,
+    speed: f64,
+}
+
+impl<'a, L: BallLaw> Share<'a, L> {
+    /// The contacts and the films at a speed in rad/s; none without films, or at rest.
+    pub fn of(law: &'a L, speed: f64) -> Option<[Self; 2]> {
+        let share = |part| Self { law, part, speed };
+        (law.films().is_some() && speed != 0.0).then(|| [share(0), share(1)])
+    }
+}
+
+impl<L: BallLaw> Function<2, 3> for Share<'_, L> {
+    fn with_slopes(&self, [axial, radial]: [f64; 2]) -> ([f64; 3], BallTangent) {
+        let ball = Ball::at(axial, radial);
+        let tangents = self.law.share_tangents(&ball, self.speed);
+        ([0.0; 3], tangents.unwrap_or_default()[self.part])
+    }
+}
+
+impl<L: BallLaw> ForceLaw for Share<'_, L> {
+    const HAS_COUPLE: bool = L::HAS_INERTIA;
+
+    fn force<T: Number>(&self, ball: &Ball<T>, _speed: f64) -> BallForce<T> {
+        let [axial, radial, couple] = T::apply(self, [ball.axial, ball.radial]);
+        BallForce {
+            axial,
+            radial,
+            couple,
+        }
+    }
+
+    fn distance_past_lift_off<T: Plain>(&self, ball: &Ball<T>, _speed: f64) -> T {
+        ball.axial.constant(f64::INFINITY)
+    }
+}
+
+/// Tangent of the films of both races with rigid contacts.
+pub(super) fn film_tangent(films: &RaceFilms, contact: &BallContact, speed: f64) -> BallTangent {
+    let loads = [contact.load_inner, contact.load_outer];
+    let stiffness = in_series(films.stiffness(loads, speed));
+    spring_tangent(contact.angle_inner, stiffness, 0.0)
+}
+
+fn in_series(stiffness: [f64; 2]) -> f64 {
+    // 1/k = 1/k_i + 1/k_o
+    1.0 / (1.0 / stiffness[0] + 1.0 / stiffness[1])
+}
+
+/// `k n nᵀ + k_t t tᵀ`, n = (sin α, cos α), t = (cos α, −sin α).
+pub(super) fn spring_tangent(angle: f64, along: f64, across: f64) -> BallTangent {
+    let (sin, cos) = angle.sin_cos();
+    let mixed = (along - across) * sin * cos;
+    [
+        [along * sin * sin + across * cos * cos, mixed],
+        [mixed, along * cos * cos + across * sin * sin],
+        [0.0, 0.0],
+    ]
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! The two contacts of a ball, dry or lubricated, ready for a speed.
 
-use super::film_spring::{FilmSpring, LubricatedContact};
-use super::spring::{ContactSpring, HertzSpring};
+use super::film::{FilmSpring, LubricatedContact, PreparedContacts};
+use crate::bearing::number::Function;
 use crate::bearing::{Bearing, BearingError, Oil};
 use crate::physics::{FilmContact, FilmInputs, HertzContact, contact_modulus, entrainment_speed};
 
@@ -54,26 +54,23 @@ impl Races for DryRaces {
     }
 }
 
-/// Hertz contacts behind oil films; prepared for one speed, right at every speed.
+/// Hertz contacts behind oil films.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LubricatedRaces {
-    contacts: [LubricatedContact; 2],
+    contacts: PreparedContacts<2>,
     films: RaceFilms,
-    prepared_speed: f64,
-    prepared: [FilmSpring; 2],
 }
 
 impl LubricatedRaces {
-    pub(super) fn new(
-        contacts: [LubricatedContact; 2],
-        films: RaceFilms,
-        prepared_speed: f64,
-    ) -> Self {
+    /// Fastest at a shaft speed in rad/s, right at every speed.
+    pub(super) fn new(contacts: &[HertzContact; 2], films: RaceFilms, speed: f64) -> Self {
+        let constants = films.central_constants();
+        let lubricated = std::array::from_fn(|race| {
+            LubricatedContact::new(contacts[race].stiffness(), constants[race])
+        });
         Self {
-            contacts,
+            contacts: PreparedContacts::new(lubricated, speed),
             films,
-            prepared_speed,
-            prepared: contacts.map(|contact| contact.at_speed(prepared_speed)),
         }
     }
 }
@@ -85,15 +82,12 @@ impl Races for LubricatedRaces {
 
     #[inline]
     fn at_speed(&self, speed: f64) -> [FilmSpring; 2] {
-        if speed == self.prepared_speed {
-            self.prepared
-        } else {
-            self.contacts.map(|contact| contact.at_speed(speed))
-        }
+        self.contacts.at_speed(speed)
     }
 
     fn elastic(&self) -> [HertzSpring; 2] {
-        self.contacts.each_ref().map(LubricatedContact::elastic)
+        let contacts = self.contacts.contacts.each_ref();
+        contacts.map(LubricatedContact::elastic)
     }
 
     fn films(&self) -> Option<&RaceFilms> {
@@ -169,4 +163,97 @@ pub struct FilmThickness {
     pub central: f64,
     /// Minimum thickness h_min, m.
     pub minimum: f64,
+}
+
+/// Load of one contact (or of two in series) as a function of the approach.
+///
+/// The load never decreases with the approach and is never negative.
+pub trait ContactSpring {
+    /// Load Q in N and stiffness dQ/ds in N/m at an approach `s` in m, negative when apart.
+    fn load_and_stiffness(&self, approach: f64) -> (f64, f64);
+
+    /// Approach s in m under a load in N: the inverse.
+    fn approach(&self, load: f64) -> f64;
+
+    /// Roughly by how much a film holds the surfaces apart under load, m.
+    fn lift(&self) -> f64;
+}
+
+/// Dry contact: `Q = K s^(3/2)` for s > 0, nothing otherwise.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HertzSpring {
+    /// Stiffness constant K, N/m^1.5.
+    pub stiffness: f64,
+}
+
+impl HertzSpring {
+    /// Stiffness under a load in N, N/m.
+    ///
+    /// `dQ/ds = 3/2 K^(2/3) Q^(1/3)`
+    pub fn stiffness_under(&self, load: f64) -> f64 {
+        // 3/2 K^(2/3) Q^(1/3)
+        1.5 * self.stiffness.cbrt().powi(2) * load.cbrt()
+    }
+}
+
+/// Elastic contacts of both races, inner first. Where one stiffness is given for both together each
+/// has half of the approach.
+pub(super) fn race_springs(bearing: &Bearing, contacts: &[HertzContact; 2]) -> [HertzSpring; 2] {
+    let stiffness = match bearing.contact_stiffness {
+        // K_n = [2 K^(−2/3)]^(−3/2)
+        Some(series) => [series * 2f64.powf(1.5); 2],
+        None => contacts.each_ref().map(HertzContact::stiffness),
+    };
+    stiffness.map(|stiffness| HertzSpring { stiffness })
+}
+
+/// From the load to the elastic approach.
+impl Function<1, 1> for HertzSpring {
+    fn with_slopes(&self, [load]: [f64; 1]) -> ([f64; 1], [[f64; 1]; 1]) {
+        let stiffness = self.stiffness_under(load);
+        let slope = if stiffness > 0.0 {
+            1.0 / stiffness
+        } else {
+            0.0
+        };
+        ([self.approach(load)], [[slope]])
+    }
+
+    fn values(&self, [load]: [f64; 1]) -> [f64; 1] {
+        [self.approach(load)]
+    }
+}
+
+impl ContactSpring for HertzSpring {
+    #[inline]
+    fn load_and_stiffness(&self, approach: f64) -> (f64, f64) {
+        let s = approach.max(0.0);
+        // dQ/ds = 3/2 K √s,  Q = K s √s
+        let root = self.stiffness * s.sqrt();
+        (root * s, 1.5 * root)
+    }
+
+    #[inline]
+    fn approach(&self, load: f64) -> f64 {
+        // s = (Q/K)^(2/3)
+        let root = (load / self.stiffness).cbrt();
+        root * root
+    }
+
+    #[inline]
+    fn lift(&self) -> f64 {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn springs_in_a_row_have_the_tangent_under_a_load() {
+        // K = 8, Q = 27: s = (27/8)^(2/3) = 9/4 and 3/2 K √s = 18.
+        let spring = HertzSpring { stiffness: 8.0 };
+        assert!((spring.stiffness_under(27.0) - 18.0).abs() < 1e-14);
+    }
 }
