@@ -141,7 +141,7 @@ fn a_ramp_to_3000_radians_per_second() {
         assert_eq!(extremes.fewest_balls, 12);
         places.push(last);
     }
-    // dry, then film, ball inertia, and both: the rungs are micrometres apart
+    // dry, then film, ball inertia, and both: the levels are micrometres apart
     let [dry, film, inertia, both] = places[..] else {
         panic!("four rungs");
     };
