@@ -187,6 +187,13 @@ impl Key {
         }
     }
 
+    /// A place that another key has, too.
+    pub fn shared_with(&self, other: &Self) -> Option<&str> {
+        let mut places = self.places.iter();
+        let shared = places.find(|place| other.places.contains(place));
+        shared.map(String::as_str)
+    }
+
     /// What two keys must have in common to have one value.
     fn measure(&self) -> (&Value, &Value, Vec<&'static str>) {
         let of = |name: &str| &self.schema[name];
@@ -476,6 +483,12 @@ mod tests {
         let refused = found(&["bearing[*].preload", "bearing[*].position"]).unwrap_err();
         assert!(refused.message.contains("cannot have one value"));
         assert!(found(&["bearing[7].preload"]).is_err());
+        let second = found(&["bearing[1].preload"]).unwrap();
+        assert_eq!(both.shared_with(&second), Some("bearing[1].preload"));
+        assert_eq!(
+            second.shared_with(&found(&["bearing[0].preload"]).unwrap()),
+            None
+        );
     }
 
     #[test]
