@@ -43,7 +43,7 @@ pub(crate) use input::{Output, TableFormat};
 pub use key::methods;
 pub(crate) use key::{OpenNumber, method, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
-pub(crate) use quantity::si_units;
+pub(crate) use quantity::{si_units, unit_size};
 pub use schema::schema;
 pub(crate) use study_file::{StudyFile, load_study, study_schema};
 pub(crate) use tolerance_file::ToleranceFile;
