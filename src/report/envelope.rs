@@ -1,7 +1,9 @@
 //! The envelope of a curve, in memory that does not grow with it.
 
-/// Buckets of a curve: more cannot be seen on the width of a figure or a screen.
+/// Buckets of a curve: more cannot be seen on the width of a figure.
 pub(super) const BUCKETS: usize = 2048;
+/// The same of a wide screen.
+pub(super) const SCREEN_BUCKETS: usize = 3072;
 
 /// Smallest and largest value of a stretch of a curve, in the order in which they came.
 #[derive(Debug, Clone, Copy, PartialEq)]

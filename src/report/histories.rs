@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use serde_json::{Value, json};
 
-use super::envelope::{BUCKETS, Decimator};
+use super::envelope::{Decimator, SCREEN_BUCKETS};
 use super::figure::{Axis, Curve, Figure, Panel, distinct};
 use super::page::{PagePanel, curve, narrow};
 use super::terminal::{MICRO, NAMES, shown_unit};
@@ -67,7 +67,7 @@ impl Histories {
         let further = FURTHER.iter().map(|(channel, _)| *channel);
         let history = |channel| History {
             channel,
-            envelope: Decimator::new(BUCKETS),
+            envelope: Decimator::new(SCREEN_BUCKETS),
             last: VecDeque::with_capacity(LAST),
             stretches: Vec::new(),
         };

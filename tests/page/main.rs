@@ -306,7 +306,7 @@ fn a_title_stays_text() {
 fn the_keyboard_reads_and_zooms_a_chart() {
     let shown = run(&shipped("linear-7205c"));
     let script = r#"<script>
-        const body = document.querySelector("#motion > details");
+        const body = document.getElementById("motion").firstElementChild;
         body.open = true;
         const chart = body.querySelector(".chart");
         const press = (key) => chart.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
