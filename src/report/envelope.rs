@@ -114,14 +114,6 @@ impl Decimator {
         buckets.flat_map(|Bucket { first, last }| [first, last])
     }
 
-    /// First and last abscissa.
-    pub fn ends(&self) -> Option<[f64; 2]> {
-        let mut buckets = self.buckets();
-        let first = buckets.next()?;
-        let last = buckets.last().unwrap_or(first);
-        Some([first.first.0, last.last.0])
-    }
-
     /// Lowest and highest value.
     pub fn range(&self) -> Option<[f64; 2]> {
         let values = self.buckets().map(|bucket| [bucket.low(), bucket.high()]);
