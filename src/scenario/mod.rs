@@ -44,7 +44,7 @@ pub(crate) use input::{Output, TableFormat};
 pub use key::methods;
 pub(crate) use key::{OpenNumber, method, number, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
-pub(crate) use quantity::si_units;
+pub(crate) use quantity::{si_units, unit_size};
 pub use schema::schema;
 use study_file::check_study;
 pub(crate) use study_file::{StudyFile, load_study, study_schema};

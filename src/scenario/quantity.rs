@@ -348,6 +348,14 @@ pub(crate) fn si_units() -> impl Iterator<Item = &'static str> {
     Dimension::ALL.iter().map(|(_, _, units)| units[0].symbol)
 }
 
+/// SI value of one unit by its symbol, of the dimension that has the SI unit `si`.
+pub(crate) fn unit_size(si: &str, symbol: &str) -> Option<f64> {
+    let mut dimensions = Dimension::ALL.iter().map(|(_, _, units)| units);
+    let units = dimensions.find(|units| units[0].symbol == si)?;
+    let unit = units.iter().find(|unit| unit.symbol == symbol)?;
+    Some(unit.si(1.0))
+}
+
 /// A number with the four significant digits that a message needs.
 pub(super) fn significant(number: f64) -> f64 {
     format!("{number:.3e}").parse().unwrap_or(number)
