@@ -12,6 +12,7 @@ mod compare;
 mod completions;
 mod demand;
 mod ending;
+mod estimate;
 mod jobs;
 mod man;
 mod pace;
@@ -26,6 +27,7 @@ mod study;
 mod written;
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -39,6 +41,9 @@ use clap::{Parser, Subcommand};
     after_help = "Example:\n  jeffcott run scenarios/steady-7205c.toml"
 )]
 struct Arguments {
+    /// CSV file of your own bearings; also $JEFFCOTT_CATALOGUE
+    #[arg(long, global = true, value_name = "FILE")]
+    catalogue: Option<PathBuf>,
     #[command(subcommand)]
     verb: Verb,
 }
@@ -54,6 +59,7 @@ enum Verb {
     Check(check::Arguments),
     Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
+    Estimate(estimate::Arguments),
     Schema(schema::Arguments),
     Completions(completions::Arguments),
     Man(man::Arguments),
@@ -81,7 +87,8 @@ impl From<Outcome> for ExitCode {
 /// Runs the command line, the name of the program first.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let verb = match Arguments::try_parse_from(arguments) {
-        Ok(arguments) => arguments.verb,
+        Ok(arguments) if catalogue::add_own(arguments.catalogue.as_deref()) => arguments.verb,
+        Ok(_) => return Outcome::WrongInput.into(),
         Err(usage) => {
             // A closed terminal is no reason to fail: the exit code already tells.
             let _ = usage.print();
@@ -102,6 +109,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
+        Verb::Estimate(arguments) => estimate::run(&arguments),
         Verb::Schema(arguments) => schema::run(&arguments),
         Verb::Completions(arguments) => completions::run(&arguments),
         Verb::Man(arguments) => man::run(&arguments),

@@ -4,9 +4,12 @@
 mod bearing;
 mod components;
 mod damping;
+mod fit;
 mod geometry;
 mod load;
+mod oil;
 mod output;
+mod ratings;
 mod scenario;
 mod settings;
 mod shaft;
@@ -15,4 +18,5 @@ mod speed;
 mod study;
 
 pub use output::{Output, TableFormat};
+pub use ratings::RatingsInput;
 pub use scenario::{Questions, ScenarioInput};

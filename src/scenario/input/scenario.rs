@@ -13,11 +13,12 @@ use super::shaft::{ShaftInput, TorsionInput};
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
 use super::study::StudyInput;
+use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
-use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
+use crate::scenario::{Issue, catalogue_file};
 use crate::simulate::Model;
 use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
 
@@ -51,6 +52,10 @@ pub struct ScenarioInput {
     /// How fast the shaft turns.
     #[schemars(extend("examples" = [{ "constant": "500 rad/s" }]))]
     pub speed: SpeedInput,
+    /// CSV file of your own bearings, which are looked up before those that are shipped; `jeffcott catalogue --csv`
+    /// shows the columns.
+    #[schemars(extend("examples" = ["bearings.csv"]))]
+    pub catalogue_file: Option<String>,
     /// The bearings that carry the shaft, one `[[bearing]]` for each, at least one.
     #[schemars(extend("minItems" = 1, "examples" = [[{ "catalogue": "7205C" }]]))]
     pub bearing: Vec<BearingInput>,
@@ -246,9 +251,10 @@ impl ScenarioInput {
         freedoms: Freedoms,
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
+        let catalogue = self.catalogue(problems)?;
         let mount = |(index, bearing): (usize, &BearingInput)| {
             problems.inside(format!("bearing[{index}]"), |problems| {
-                bearing.build(&self.model, freedoms, problems)
+                bearing.build(&self.model, freedoms, &catalogue, problems)
             })
         };
         let sets: Vec<_> = self.bearing.iter().enumerate().map(mount).collect();
@@ -259,6 +265,23 @@ impl ScenarioInput {
             ..bearing
         };
         Some(sets?.into_iter().flatten().map(damped).collect())
+    }
+
+    /// The bearings of the user's catalogue file.
+    fn catalogue(&self, problems: &mut Problems<'_>) -> Option<Vec<CatalogueEntry>> {
+        let Some(file) = &self.catalogue_file else {
+            return Some(Vec::new());
+        };
+        match catalogue_file::read(&problems.folder().join(file)) {
+            Ok(entries) => Some(entries),
+            Err(found) => {
+                for problem in found {
+                    let message = format!("`{file}` is no catalogue: {problem}");
+                    problems.refuse(Issue::new("catalogue_file", message));
+                }
+                None
+            }
+        }
     }
 
     /// Warns where the centre of mass or a load stands far outside the bearings: most often a unit mistaken.

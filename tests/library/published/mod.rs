@@ -1,5 +1,6 @@
 //! Published and independently computed numbers, one file per source.
 
+mod catalogue;
 mod harris;
 mod jis_6306_varying_compliance;
 mod jones_7205c;
