@@ -322,6 +322,7 @@ dimensions! {
     Stiffness "stiffness" "100 N/um" 1e12 [times("N/m", 1.0), times("N/mm", 1e3), times("N/um", 1e6), times("kN/mm", 1e6)],
     Viscosity "viscosity" "0.04 Pa s" 1e4 [times("Pa s", 1.0), per("mPa s", 1e3), per("cP", 1e3)],
     KinematicViscosity "kinematic viscosity" "68 mm^2/s" 1.0 [times("m^2/s", 1.0), per("mm^2/s", 1e6), per("cSt", 1e6)],
+    Unbalance "unbalance" "20 g mm" 1e6 [times("kg m", 1.0), per("g mm", 1e6), per("kg mm", 1e3), per("g cm", 1e5), per("g m", 1e3)],
     Temperature "temperature" "70 degC" 2e3 [times("degC", 1.0), Unit { symbol: "K", scale: Above(273.15) }],
     ThermalExpansion "thermal expansion" "12.5e-6 1/K" 1e-2 [times("1/K", 1.0), per("um/m/K", 1e6)],
     PressureViscosity "pressure-viscosity coefficient" "22 1/GPa" 1e-3 [times("1/Pa", 1.0), per("1/MPa", 1e6), per("1/GPa", 1e9), per("mm^2/N", 1e6)],

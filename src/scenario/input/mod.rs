@@ -16,6 +16,7 @@ mod shaft;
 mod spectrum;
 mod speed;
 mod study;
+mod unbalance;
 
 pub use output::{Output, TableFormat};
 pub use ratings::RatingsInput;

@@ -13,6 +13,7 @@ use super::shaft::{ShaftInput, TorsionInput};
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
 use super::study::StudyInput;
+use super::unbalance::{self, Balanced, UnbalanceInput};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
@@ -49,6 +50,9 @@ pub struct ScenarioInput {
     /// The shaft, a concentrated mass with an eccentricity.
     #[schemars(extend("examples" = [{ "mass": "5 kg", "freedoms": "translational" }]))]
     pub shaft: ShaftInput,
+    /// Unbalances in planes of the shaft, one `[[unbalance]]` for each; they and that of `[shaft]` add up.
+    #[serde(default)]
+    pub unbalance: Vec<UnbalanceInput>,
     /// How fast the shaft turns.
     #[schemars(extend("examples" = [{ "constant": "500 rad/s" }]))]
     pub speed: SpeedInput,
@@ -136,10 +140,11 @@ impl ScenarioInput {
     /// Refuses more of a kind than any machine has, before room is made for them.
     fn check_counts(&self, problems: &mut Problems<'_>) -> Option<()> {
         let bearings = self.bearing.iter().map(BearingInput::count).sum();
-        let counts = [
+        let counts: [_; 4] = [
             ("bearing", bearings, MOST_BEARINGS),
             ("load", self.load.len(), MOST_LOADS),
             ("spectrum", self.spectrum.len(), MOST_SPECTRA),
+            ("unbalance", self.unbalance.len(), MOST_LOADS),
         ];
         let mut all_right = true;
         for (key, count, most) in counts {
@@ -225,7 +230,7 @@ impl ScenarioInput {
         if freedoms == Freedoms::All {
             self.warn_of_far_positions(&bearings, problems);
         }
-        Some(RotorDefinition {
+        let mut rotor = RotorDefinition {
             shaft,
             speed: points.next()?.speed,
             speed_points: points.collect(),
@@ -236,7 +241,23 @@ impl ScenarioInput {
             loads,
             initial,
             bearings,
-        })
+        };
+        let balanced = Balanced {
+            mass: rotor.shaft.mass,
+            speed: rotor.highest_speed(),
+        };
+        rotor.shaft.unbalance = unbalance::build(
+            self.shaft.unbalance.as_deref(),
+            &self.unbalance,
+            rotor.shaft.eccentricity,
+            &balanced,
+            freedoms,
+            problems,
+        );
+        if turns {
+            unbalance::refuse_driven_couple(&rotor.shaft.unbalance, problems);
+        }
+        Some(rotor)
     }
 
     fn drive(&self) -> Option<Drive> {

@@ -22,6 +22,8 @@ pub struct BearingHistory {
     pub load_zone: Option<LoadZone>,
     /// Life that the loads consumed; none without a dynamic load rating or balls, or at rest.
     pub life: Option<LifeHistory>,
+    /// Whether its internal geometry was estimated from a catalogue's ratings, and with it every number of its balls.
+    pub estimated: bool,
 }
 
 impl BearingHistory {

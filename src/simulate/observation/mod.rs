@@ -150,6 +150,7 @@ impl<'a> Observation<'a> {
             events: bearing.counts.finish(),
             load_zone: bearing.zone.and_then(LoadZoneSums::finish),
             life: bearing.life.and_then(LifeSums::finish),
+            estimated: bearing.support.definition().bearing.estimated,
         };
         self.bearings.into_iter().map(history).collect()
     }
@@ -168,7 +169,7 @@ impl<'a> BearingObserver<'a> {
             peaks: PeakLoads::default(),
             counts: EventCounts::new(balls > 0, preloaded),
             zone: parts.load_zone.then(LoadZoneSums::default),
-            life: rated.map(|rating| LifeSums::new(&bearing.geometry, rating, settle)),
+            life: rated.map(|rating| LifeSums::new(bearing, rating, settle)),
         }
     }
 

@@ -126,6 +126,9 @@ impl Columns {
             lost,
         );
         self.add(name("life_h"), |asked| loads(asked).life = true, life);
+        let modified = move |run: &Run| run.bearings.get(bearing)?.life?.modified?.hours;
+        let ask: fn(&mut Analyses) = |asked| loads(asked).life = true;
+        self.add(name("modified_life_h"), ask, modified);
     }
 }
 

@@ -9,7 +9,7 @@ use crate::bearing::{
 const SPINDLE_ANGLE: f64 = 15.0;
 
 /// What a line prints and what is found for it.
-fn estimated() -> Vec<(&'static str, CatalogueLine, Estimate)> {
+pub(super) fn estimated() -> Vec<(&'static str, CatalogueLine, Estimate)> {
     let printed = CATALOGUE.iter().filter(|entry| entry.maker == "NSK");
     let found = printed.map(|entry| {
         let estimate = entry.line.estimate().expect("balls");
@@ -18,17 +18,17 @@ fn estimated() -> Vec<(&'static str, CatalogueLine, Estimate)> {
     found.collect()
 }
 
-fn bearing(estimate: &Estimate) -> Bearing {
+pub(super) fn bearing(estimate: &Estimate) -> Bearing {
     let free = FreePosition::ContactAngle(estimate.contact_angle);
     Bearing::of_steel(estimate.geometry(free).expect("a geometry"))
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+pub(super) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values[values.len() / 2]
 }
 
-fn quantile(values: &mut [f64], part: f64) -> f64 {
+pub(super) fn quantile(values: &mut [f64], part: f64) -> f64 {
     values.sort_by(f64::total_cmp);
     values[(part * (values.len() - 1) as f64).round() as usize]
 }
@@ -134,14 +134,14 @@ fn a_line_of_no_balls_or_of_several_is_refused() {
 }
 
 /// Axial rigidity in N/m of a pair whose bearings carry a preload, fixed to one another: twice that of one of them.
-fn pair_rigidity(bearing: &Bearing, preload: f64) -> f64 {
+pub(super) fn pair_rigidity(bearing: &Bearing, preload: f64) -> f64 {
     let load: Vector5 = [0.0, 0.0, preload, 0.0, 0.0];
     let state = bearing.equilibrium(load).expect("an equilibrium");
     2.0 * state.stiffness()[(2, 2)]
 }
 
 /// Rows of the printed pairs of a maker: the line, the preload in N, the rigidity in N/m.
-fn pairs(maker: &str) -> Vec<(String, CatalogueLine, f64, f64)> {
+pub(super) fn pairs(maker: &str) -> Vec<(String, CatalogueLine, f64, f64)> {
     let mut reader = csv::Reader::from_reader(include_bytes!("pair_rigidity.csv").as_slice());
     let rows = reader.records().map(|row| row.expect("a row"));
     let rows = rows.filter(|row| &row[0] == maker);
@@ -224,7 +224,7 @@ fn radial_over_axial_rigidity() {
 }
 
 /// Load over preload at which one bearing of a pair is unloaded: the other one then has twice the deflection.
-fn lift_off_ratio(balls: usize, ball: f64, boundary: [f64; 2], preload: f64) -> f64 {
+pub(super) fn lift_off_ratio(balls: usize, ball: f64, boundary: [f64; 2], preload: f64) -> f64 {
     let free = FreePosition::ContactAngle(SPINDLE_ANGLE.to_radians());
     let pitch = 0.5 * (boundary[0] + boundary[1]);
     let geometry = crate::bearing::Geometry::new(balls, ball, pitch, free, 0.52, 0.53);

@@ -179,6 +179,7 @@ pub fn shaft(freedoms: Freedoms) -> Shaft {
         inertia_transverse: 2e-3,
         inertia_polar: 1.5e-3,
         eccentricity: 0.0,
+        unbalance: Default::default(),
         freedoms,
         gravity: false,
         held_tilt: [0.0; 2],
