@@ -24,9 +24,12 @@ impl BearingFriction {
             pitch_diameter: geometry.pitch_diameter(),
             static_rating: static_rating(geometry, contacts),
             // ν = η0/ρ
-            viscosity: definition
-                .oil
-                .map(|oil| oil.viscosity / MINERAL_OIL_DENSITY),
+            viscosity: match definition.bearing.lubrication {
+                Some(lubrication) => Some(lubrication.viscosity),
+                None => definition
+                    .oil
+                    .map(|oil| oil.viscosity / MINERAL_OIL_DENSITY),
+            },
         }
     }
 

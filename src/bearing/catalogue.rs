@@ -52,12 +52,7 @@ pub(crate) struct Found<'a> {
 
 /// Suffixes that change neither balls nor races: seals and shields, cages, tolerances, snap rings, greases. Longer ones
 /// before those that they begin with.
-const SUFFIXES: [&str; 45] = [
-    "2RS1", "2RSR", "2RSH", "2RSL", "2RZ", "2RS", "2ZR", "2Z", "RS1", "RSR", "RSH", "RSL", "RS",
-    "RZ", "ZZ", "ZR", "ZNR", "Z", "DDU", "DD", "DU", "VV", "LLU", "LLB", "LLH", "LU", "LB", "EE",
-    "TN9", "TNH", "TVH", "TVP", "TYN", "TN", "JN", "J", "MA", "M", "NR", "N", "P6", "P5", "P4",
-    "P2", "P0",
-];
+const SUFFIXES: &str = "2RS1 2RSR 2RSH 2RSL 2RZ 2RS 2ZR 2Z RS1 RSR RSH RSL RS RZ ZZ ZR ZNR Z DDU DD DU VV LLU LLB LLH LU LB EE TN9 TNH TVH TVP TYN TN JN J MA M NR N P6 P5 P4 P2 P0";
 
 const CLASSES: [(&str, ClearanceClass); 5] = [
     ("C2", ClearanceClass::C2),
@@ -85,7 +80,7 @@ fn suffixes(mut rest: &str) -> Result<Option<ClearanceClass>, &str> {
         if let Some((name, named)) = named {
             class = Some(*named);
             rest = &rest[name.len()..];
-        } else if let Some(known) = SUFFIXES.iter().find(|known| rest.starts_with(*known)) {
+        } else if let Some(known) = SUFFIXES.split(' ').find(|known| rest.starts_with(known)) {
             rest = &rest[known.len()..];
         } else {
             return Err(rest);

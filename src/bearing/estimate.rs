@@ -98,6 +98,18 @@ pub enum EstimateError {
         /// The balls that come closest.
         closest: Option<Candidate>,
     },
+    /// The balls that have these ratings have another f0.
+    #[error(
+        "the ratings fit {closest}, whose f0 would be {found:.2}, not {printed}; check the line, or leave out `f0`"
+    )]
+    Factor {
+        /// The balls that come closest.
+        closest: Candidate,
+        /// C_0 as printed over their Z D² cos α, N/mm².
+        found: f64,
+        /// f0 as printed.
+        printed: f64,
+    },
     /// Two sets of balls have these ratings.
     #[error(
         "the ratings fit {best} and {other} alike; give `balls`, `ball_diameter` or `f0`, which the catalogue may \
@@ -348,22 +360,33 @@ impl CatalogueLine {
             }
         }
         best.sort_by(|a, b| a.deviation.total_cmp(&b.deviation));
-        let closest = best.first().copied();
+        let Some(closest) = best.first().copied() else {
+            return Err(self.impossible(statical, None));
+        };
         let agrees = |candidate: &Candidate| {
             let found = self.static_factor_of(candidate.balls, candidate.ball_diameter);
             let difference = found.zip(self.static_factor).map(|(a, b)| (a - b).abs());
             difference.is_none_or(|difference| difference <= FACTOR_TOLERANCE)
         };
         best.retain(agrees);
-        match (best.first().copied(), best.get(1).copied()) {
-            (Some(first), _) if first.deviation > LARGEST_DEVIATION => {
-                Err(self.impossible(statical, Some(first)))
-            }
+        let fits = |candidate: &Candidate| candidate.deviation <= LARGEST_DEVIATION;
+        match (best.first().copied().filter(fits), best.get(1).copied()) {
             (Some(best), Some(other)) if other.deviation - best.deviation < AMBIGUOUS => {
                 Err(EstimateError::Ambiguous { best, other })
             }
             (Some(first), other) => Ok((first, other)),
-            (None, _) => Err(self.impossible(statical, closest)),
+            (None, _) => match self.static_factor.filter(|_| fits(&closest)) {
+                None => Err(self.impossible(statical, Some(closest))),
+                Some(printed) => {
+                    let found = self.static_factor_of(closest.balls, closest.ball_diameter);
+                    let found = found.unwrap_or(f64::NAN);
+                    Err(EstimateError::Factor {
+                        closest,
+                        found,
+                        printed,
+                    })
+                }
+            },
         }
     }
 

@@ -82,20 +82,24 @@ fn one(designation: &str, json: bool) -> Result<String, String> {
     })
 }
 
-/// Every bearing that a designation finds, with its estimate.
-fn found() -> impl Iterator<Item = (&'static CatalogueEntry, Bearing, Estimate)> {
-    catalogue::all(&[]).filter_map(|entry| {
+/// Every bearing that its designation finds, with its estimate.
+fn found() -> Vec<(&'static CatalogueEntry, Bearing, Estimate)> {
+    let found = catalogue::all(&[]).filter_map(|entry| {
         let first = catalogue::look_up(&[], &entry.designation).ok()?;
         let bearing = entry.bearing().ok()?;
         let estimate = entry.line.estimate().ok()?;
         std::ptr::eq(first.entry, entry).then_some((entry, bearing, estimate))
-    })
+    });
+    let mut found: Vec<_> = found.collect();
+    found.sort_by(|(a, ..), (b, ..)| a.designation.cmp(&b.designation));
+    found
 }
 
 fn all(json: bool) -> String {
     if json {
-        let entries =
-            found().map(|(entry, bearing, estimate)| entry_json(entry, &bearing, &estimate));
+        let entries = found()
+            .into_iter()
+            .map(|(entry, bearing, estimate)| entry_json(entry, &bearing, &estimate));
         return format!("{:#}\n", Value::Array(entries.collect()));
     }
     let mut table = Table::new();
@@ -105,7 +109,7 @@ fn all(json: bool) -> String {
         "ball\nmm",
         "pitch\nmm",
         "angle\ndeg",
-        "groove factor\ninner, outer",
+        "grooves\nin, out",
         "bore × outside\nmm",
         "C\nN",
         "C0\nN",

@@ -84,14 +84,9 @@ pub fn life_modification_factor(viscosity_ratio: f64, contamination: f64) -> f64
 /// assert_eq!([90.0, 95.0, 99.0].map(reliability_factor), [1.0, 0.64, 0.25]);
 /// ```
 pub fn reliability_factor(per_cent: f64) -> f64 {
-    const FACTORS: [(f64, f64); 6] = [
-        (90.0, 1.0),
-        (95.0, 0.64),
-        (96.0, 0.55),
-        (97.0, 0.47),
-        (98.0, 0.37),
-        (99.0, 0.25),
-    ];
+    #[rustfmt::skip]
+    const FACTORS: [(f64, f64); 6] =
+        [(90.0, 1.0), (95.0, 0.64), (96.0, 0.55), (97.0, 0.47), (98.0, 0.37), (99.0, 0.25)];
     let wanted = per_cent.clamp(90.0, 99.0);
     let between = FACTORS.windows(2).find(|pair| wanted <= pair[1].0);
     between.map_or(0.25, |pair| {

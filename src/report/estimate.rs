@@ -50,12 +50,12 @@ pub fn entry_text(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate
         let text = format!("{limit:.0} N by the contact pressure of 1500 MPa");
         out.line("fatigue C_u", text);
     }
-    if let Some(range) = bearing
-        .clearance_class
-        .and_then(|class| class.range(line.bore))
+    if let Some(class) = bearing.clearance_class
+        && let Some(range) = class.range(line.bore)
     {
-        let [least, most] = range.map(|clearance| 1e6 * clearance);
-        out.line("clearance", format!("{least} to {most} µm (class CN)"));
+        let [least, most] = range.map(|clearance| rounded(1e6 * clearance));
+        let text = format!("{least} to {most} µm (class {})", class.name());
+        out.line("clearance", text);
     }
     let pass = bearing.geometry.ball_pass(std::f64::consts::TAU);
     out.line(
