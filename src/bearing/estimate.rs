@@ -364,18 +364,16 @@ impl CatalogueLine {
         let Some(closest) = best.first().copied() else {
             return Err(self.impossible(statical, None));
         };
-        let agrees = |candidate: &Candidate| {
-            let found = self.static_factor_of(candidate.balls, candidate.ball_diameter);
-            let difference = found.zip(self.static_factor).map(|(a, b)| (a - b).abs());
-            difference.is_none_or(|difference| difference <= FACTOR_TOLERANCE)
-        };
-        best.retain(agrees);
         let fits = |candidate: &Candidate| candidate.deviation <= LARGEST_DEVIATION;
-        match (best.first().copied().filter(fits), best.get(1).copied()) {
+        let mut agreeing = best
+            .iter()
+            .copied()
+            .filter(|candidate| self.agrees(candidate));
+        match (agreeing.next().filter(fits), agreeing.next()) {
             (Some(best), Some(other)) if other.deviation - best.deviation < AMBIGUOUS => {
                 Err(EstimateError::Ambiguous { best, other })
             }
-            (Some(first), other) => Ok((first, other)),
+            (Some(first), _) => Ok((first, best.iter().copied().find(|other| *other != first))),
             (None, _) => match self.static_factor.filter(|_| fits(&closest)) {
                 None => Err(self.impossible(statical, Some(closest))),
                 Some(printed) => {
@@ -389,6 +387,13 @@ impl CatalogueLine {
                 }
             },
         }
+    }
+
+    /// Whether the f0 of the balls is that of the print, where there is one.
+    fn agrees(&self, candidate: &Candidate) -> bool {
+        let found = self.static_factor_of(candidate.balls, candidate.ball_diameter);
+        let pair = found.zip(self.static_factor);
+        pair.is_none_or(|(found, printed)| (found - printed).abs() <= FACTOR_TOLERANCE)
     }
 
     fn impossible(&self, statical: f64, closest: Option<Candidate>) -> EstimateError {
@@ -492,6 +497,7 @@ impl CatalogueLine {
         }
         if let Some(other) = &estimate.runner_up
             && other.deviation - deviation < CLOSE
+            && self.agrees(other)
         {
             notes.push(format!(
                 "close to it are {other}: give `balls` where you know them"

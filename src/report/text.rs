@@ -107,6 +107,10 @@ pub(super) fn put_histories(out: &mut Lines, bearings: &[BearingHistory]) {
             let loaded = balls_loaded(&zone.balls, bearing.balls);
             out.line("load zone", format!("{name}{loaded}{}", losses(bearing)));
         }
+        if bearing.estimated {
+            let text = "balls and grooves follow from a catalogue's ratings, and with them all numbers here";
+            out.line("estimated", format!("{name}{text}"));
+        }
         // the start is left out where enough remains
         let life = bearing
             .life

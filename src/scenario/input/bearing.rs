@@ -211,7 +211,7 @@ impl BearingInput {
         if let Some(oil) = &self.oil {
             oil.check(problems);
         }
-        if let Some(estimate) = estimate.filter(Estimate::is_estimated) {
+        if let Some(estimate) = estimate.filter(|estimate| !estimate.notes.is_empty()) {
             warn_of_estimate(&estimate, problems);
         }
         check_contact(&bearing, problems);
@@ -410,21 +410,15 @@ fn refuse_fit(error: &BearingError, bearing: &Bearing, problems: &mut Problems<'
     problems.refuse(Issue::new(".fit", message).help(help));
 }
 
-/// Tells which internal geometry was estimated from ratings.
+/// Tells what is doubtful about an internal geometry that was estimated from ratings.
 fn warn_of_estimate(estimate: &Estimate, problems: &mut Problems<'_>) {
-    let mut text = format!(
-        "`{}`: {} balls of {:.3} mm on {:.2} mm are estimated from the ratings, and with them every number that rests \
-         on them",
+    problems.warn(format!(
+        "`{}`: {} balls of {:.3} mm are estimated from the ratings: {}",
         problems.path("."),
         estimate.balls,
         1e3 * estimate.ball_diameter,
-        1e3 * estimate.pitch_diameter,
-    );
-    for note in &estimate.notes {
-        text += "; ";
-        text += note;
-    }
-    problems.warn(text);
+        estimate.notes.join("; ")
+    ));
 }
 
 /// Refuses dimensions whose balls and races do not form a Hertz contact.
