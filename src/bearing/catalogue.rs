@@ -38,7 +38,7 @@ pub(crate) fn add_own(entries: Vec<CatalogueEntry>) {
 }
 
 /// All bearings: of a file that a scenario names, the user's own ones, those that are shipped.
-pub(crate) fn all<'a>(file: &'a [CatalogueEntry]) -> impl Iterator<Item = &'a CatalogueEntry> {
+pub(crate) fn all(file: &[CatalogueEntry]) -> impl Iterator<Item = &CatalogueEntry> {
     let own = OWN.get().map_or(&[][..], Vec::as_slice);
     file.iter().chain(own).chain(CATALOGUE.iter())
 }
@@ -232,7 +232,7 @@ impl CatalogueEntry {
     }
 
     fn of_class(&self, class: ClearanceClass) -> Result<Bearing, BearingError> {
-        let estimate = self.line.estimate()?;
+        let estimate = self.line.estimate().map_err(Box::new)?;
         let free = self.line.free_position(class);
         let free = free.unwrap_or(FreePosition::DiametralClearance(0.0));
         let angular = self.line.contact_angle > 0.0;

@@ -21,7 +21,7 @@ pub enum BearingError {
     Geometry(#[from] GeometryError),
     /// No internal geometry follows from the catalogue line.
     #[error(transparent)]
-    Estimate(#[from] EstimateError),
+    Estimate(#[from] Box<EstimateError>),
     /// Ball and race do not form a Hertz contact.
     #[error("the contact of ball and {race} race: {source}")]
     Contact {

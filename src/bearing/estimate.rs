@@ -81,16 +81,11 @@ pub enum EstimateError {
     NoStaticRating,
     /// No balls have these ratings.
     #[error(
-        "no balls between a bore of {} mm and an outside diameter of {} mm have the ratings C = {dynamic} N and C0 = {statical} N{}; \
-         check the line, or give `balls` and `ball_diameter`: makers that rate their bearings above ISO 281 print a larger C",
-        1e3 * bore, 1e3 * outside_diameter,
+        "no balls of a bearing of this size have the ratings C = {dynamic} N and C0 = {statical} N{}; check the line, or give \
+         `balls` and `ball_diameter`: makers that rate their bearings above ISO 281 print a larger C",
         closest.map_or(String::new(), |closest| format!(": closest are {closest}"))
     )]
     Impossible {
-        /// Bore, m.
-        bore: f64,
-        /// Outside diameter, m.
-        outside_diameter: f64,
         /// C as printed, N.
         dynamic: f64,
         /// C_0 as printed, N.
@@ -398,8 +393,6 @@ impl CatalogueLine {
 
     fn impossible(&self, statical: f64, closest: Option<Candidate>) -> EstimateError {
         EstimateError::Impossible {
-            bore: self.bore,
-            outside_diameter: self.outside_diameter,
             dynamic: self.dynamic_rating,
             statical,
             closest,

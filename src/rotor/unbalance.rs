@@ -228,11 +228,13 @@ mod tests {
         }
         let (before, after) = (0.7 - 1e-6, 0.7 + 1e-6);
         let rate = whole.force_rate(&steady);
-        for axis in 0..5 {
-            let at =
-                |angle: f64| whole.force(&Rotation { angle, ..steady }, Angle::new(angle))[axis];
+        for (axis, rate) in rate.into_iter().enumerate() {
+            let at = |angle: f64| {
+                let rotation = Rotation { angle, ..steady };
+                whole.force(&rotation, Angle::new(angle))[axis]
+            };
             let slope = 300.0 * (at(after) - at(before)) / 2e-6;
-            assert!((rate[axis] - slope).abs() < 1e-6 * (1.0 + slope.abs()));
+            assert!((rate - slope).abs() < 1e-6 * (1.0 + slope.abs()));
         }
     }
 }
