@@ -45,9 +45,9 @@ impl ViscosityLaw {
     ///
     /// ```
     /// use jeffcott::physics::ViscosityLaw;
-    /// // ASTM D2270: 73.30 mm²/s at 40 °C and 8.86 at 100 °C have the index 92
+    /// // ASTM D2270: 73.30 mm²/s at 40 °C and 8.86 at 100 °C have the index 92, which is rounded to a whole number
     /// let law = ViscosityLaw::of_grade(73.30e-6, 92.0);
-    /// assert!((law.at(100.0) - 8.86e-6).abs() < 0.01e-6, "{}", law.at(100.0));
+    /// assert!((law.at(100.0) - 8.86e-6).abs() < 0.02e-6, "{}", law.at(100.0));
     /// // 22.83 and 5.05 mm²/s have the index 156
     /// let law = ViscosityLaw::of_grade(22.83e-6, 156.0);
     /// assert!((law.at(100.0) - 5.05e-6).abs() < 0.02e-6, "{}", law.at(100.0));
