@@ -294,13 +294,16 @@ impl Key {
 
     /// What varies, shown in the unit of `value`.
     pub fn variable(&self, value: &Value) -> Variable {
+        // a scale with another zero has no size of its own
         let shown = self.parsed(value).map(|(_, unit)| unit);
+        let shown = shown.filter(|unit| unit.si(0.0) == 0.0);
+        let own = self
+            .dimension()
+            .map_or("", |dimension| dimension.units()[0].symbol);
         Variable {
             key: self.path.clone(),
-            unit: self
-                .dimension()
-                .map_or("", |dimension| dimension.units()[0].symbol),
-            shown_unit: shown.map_or("", |unit| unit.symbol),
+            unit: own,
+            shown_unit: shown.map_or(own, |unit| unit.symbol),
             shown_size: shown.map_or(1.0, |unit| unit.si(1.0)),
         }
     }
