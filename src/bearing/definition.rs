@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::surface::{ImperfectionError, Imperfections};
 use super::{Clearance, ClearanceClass, ContactDamping, ContactLaw, Geometry, GeometryError, Oil};
 use crate::physics::{
     Curvature, HertzContact, HertzError, Material, contact_modulus, inner_race_curvature,
@@ -53,6 +54,9 @@ pub enum BearingError {
         /// Coefficient as given, s/m.
         value: f64,
     },
+    /// A defect, a wave or a ball does not fit the bearing.
+    #[error(transparent)]
+    Imperfection(#[from] ImperfectionError),
     /// A bearing's preload has no axial position that gives it.
     #[error(
         "no axial position of the inner ring gives a preload of {preload} N; give a smaller \
@@ -233,7 +237,7 @@ pub enum Preload {
 }
 
 /// A bearing and its place on the shaft.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MountedBearing {
     /// The bearing.
     pub bearing: Bearing,
@@ -251,6 +255,8 @@ pub struct MountedBearing {
     pub contact_damping: ContactDamping,
     /// Azimuth of ball 0 at the start, from +X towards +Y, rad.
     pub first_ball: f64,
+    /// What makes its surfaces differ from perfect ones.
+    pub imperfections: Imperfections,
 }
 
 impl MountedBearing {
@@ -265,6 +271,7 @@ impl MountedBearing {
             preload: Preload::AxialOffset(0.0),
             contact_damping: ContactDamping::default(),
             first_ball: 0.0,
+            imperfections: Imperfections::default(),
         }
     }
 }

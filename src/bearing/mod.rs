@@ -29,7 +29,9 @@ pub(crate) mod support;
 mod support_damping;
 mod support_force;
 mod support_lift_off;
+mod support_surfaces;
 mod support_table;
+mod surface;
 mod thrust;
 mod warnings;
 
@@ -61,3 +63,5 @@ pub use state::{
 };
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;
+pub(crate) use surface::{Defect, Imperfections, Passing, Surface};
+pub use surface::{DefectProfile, ImperfectionError};

@@ -53,9 +53,14 @@ impl Support {
     pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
         let bearing = &definition.bearing;
         let contacts = bearing.contacts()?;
+        definition.imperfections.check(&bearing.geometry)?;
         let law = Law::new(definition, &contacts, speed)?;
         Ok(Self {
-            ring: Ring::new(&bearing.geometry, definition.first_ball),
+            ring: Ring::new(
+                &bearing.geometry,
+                definition.first_ball,
+                &definition.imperfections,
+            ),
             contacts,
             damped: definition.contact_damping.coefficients()?,
             friction: BearingFriction::new(definition, &contacts),
@@ -64,7 +69,7 @@ impl Support {
             table: None,
             cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma()),
             frozen: None,
-            definition: *definition,
+            definition: definition.clone(),
             sign: definition.facing.sign(),
         })
     }
@@ -197,8 +202,9 @@ impl Support {
         positions: Option<usize>,
     ) -> Vec<Around> {
         let free = self.definition.bearing.geometry.groove_centre_distance();
-        let at = |azimuth| {
-            let ball = self.ring.ball_at(place, azimuth);
+        let rotation = BearingRotation::at_start(speed);
+        let at = |(azimuth, number)| {
+            let ball = self.ring.ball_at(place, azimuth, number, &rotation);
             Around {
                 azimuth,
                 deformation: ball.axial.hypot(ball.radial) - free,
@@ -206,9 +212,14 @@ impl Support {
             }
         };
         match positions {
-            None => self.ring.azimuths().iter().copied().map(at).collect(),
+            None => {
+                let balls = self.ring.azimuths().iter().copied().enumerate();
+                balls
+                    .map(|(number, azimuth)| at((azimuth, Some(number))))
+                    .collect()
+            }
             Some(count) => (0..count)
-                .map(|index| at(TAU * index as f64 / count as f64))
+                .map(|index| at((TAU * index as f64 / count as f64, None)))
                 .collect(),
         }
     }

@@ -59,7 +59,7 @@ struct Bearings {
     power: f64,
     /// Work per time against the damping of the contacts, W.
     damping_power: f64,
-    /// Moment that the balls exert on the shaft by way of the cages, N m.
+    /// Moment that the balls exert on the shaft by way of the cages, and by surfaces that fall under them, N m.
     cage_moment: f64,
     /// Friction moment, N m.
     friction: f64,
@@ -90,9 +90,12 @@ impl Rotor {
             // in the frame that turns with the cage
             let rate: Vector5 =
                 std::array::from_fn(|axis| velocity[axis] - cage_speed * turn[axis]);
-            total.power += dot(&force, &rate);
-            total.damping_power += dot(&damping, &rate);
-            total.cage_moment += ratio * (dot(&force, &turn) + dot(&damping, &turn));
+            let surfaces = support.surface_moments([&place, &velocity], rotation, ratio);
+            let [elastic, damped] = surfaces.map(|moment| moment * rotation.speed);
+            total.power += dot(&force, &rate) - elastic;
+            total.damping_power += dot(&damping, &rate) - damped;
+            let turning = dot(&force, &turn) + dot(&damping, &turn);
+            total.cage_moment += ratio * turning + surfaces.iter().sum::<f64>();
             if friction {
                 total.friction += support.friction_moment(&force, rotation.speed).total();
             }

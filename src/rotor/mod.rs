@@ -29,6 +29,7 @@ mod sample;
 mod speed_profile;
 mod static_search;
 mod structure;
+mod surface_passing;
 mod system;
 mod tabulation;
 mod unbalance;

@@ -219,6 +219,7 @@ impl Rotor {
                 Angle::new(ratio * rotation.angle)
             },
             shaft: phases.shaft,
+            cage_angle: ratio * rotation.angle,
             cage_speed: ratio * rotation.speed,
             speed: rotation.speed,
         }
@@ -262,10 +263,11 @@ impl Rotor {
         force
     }
 
-    /// The first time after `after` at which a load or the acceleration jumps, s.
+    /// The first time after `after` at which a load or the acceleration jumps, or a ball passes a kink of a defect, s.
     pub(super) fn next_break_after(&self, after: f64) -> f64 {
         let breaks = self.loads.iter().map(|load| load.next_break(after));
-        breaks.fold(self.speed.next_break(after), f64::min)
+        let known = breaks.fold(self.speed.next_break(after), f64::min);
+        known.min(self.next_passing(after))
     }
 }
 

@@ -49,11 +49,14 @@ impl System for Rotor {
     }
 
     fn event_count(&self) -> usize {
-        self.balls_that_lift_off
+        self.balls_that_lift_off + self.passing_event_count()
     }
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
-        self.lift_off_distances(&self.rotation(time, state), &state[..self.dofs()], values);
+        let rotation = self.rotation(time, state);
+        let (balls, kinks) = values.split_at_mut(self.balls_that_lift_off);
+        self.lift_off_distances(&rotation, &state[..self.dofs()], balls);
+        self.passing_distances(&rotation, kinks);
     }
 
     fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
@@ -68,7 +71,10 @@ impl System for Rotor {
             None => self.speed.at(time).speed,
             Some(_) => self.highest_speed(),
         };
-        self.lift_off_jump(event, speed, distance, rate);
+        match event.checked_sub(self.balls_that_lift_off) {
+            None => self.lift_off_jump(event, speed, distance, rate),
+            Some(kink) => self.passing_jump(kink, speed, distance, rate),
+        }
     }
 
     fn expects_crossings(&self) -> bool {

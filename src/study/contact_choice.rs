@@ -141,10 +141,12 @@ pub fn choose_contact(
 fn on_rung(rotor: &RotorDefinition, question: &ContactQuestion, rung: Rung) -> RotorDefinition {
     let lower = |(bearing, open): (&MountedBearing, &bool)| {
         if !*open {
-            return *bearing;
+            return bearing.clone();
         }
         let inertia = Rung::from(bearing).has_ball_inertia();
         let rung = match rung {
+            // a frozen force knows no surfaces
+            Rung::Linear if !bearing.imperfections.is_none() => Rung::Hertz,
             Rung::Jones if !inertia => Rung::Hertz,
             Rung::JonesFilm if !inertia => Rung::HertzFilm,
             rung => rung,

@@ -5,12 +5,13 @@ use std::f64::consts::FRAC_PI_2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::defect::DefectInput;
 use super::geometry::{GeometryInput, Sources};
 use super::settings::{ContactChoice, ModelInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::bearing::{
-    Bearing, BearingError, ClearanceClass, ContactDamping, Facing, MountedBearing, Oil, Preload,
-    catalogue,
+    Bearing, BearingError, ClearanceClass, ContactDamping, Facing, Geometry, Imperfections,
+    MountedBearing, Oil, Preload, catalogue,
 };
 use crate::physics::{Material, RaceControl};
 use crate::rotor::Freedoms;
@@ -91,6 +92,9 @@ pub struct BearingInput {
     pub dynamic_rating: Option<Quantity<Force>>,
     /// Oil in the bearing; without `film` it is known but parts nothing.
     pub oil: Option<OilInput>,
+    /// Slots across its races and dents of its balls.
+    #[serde(default)]
+    pub defect: Vec<DefectInput>,
     /// Internal dimensions; with a catalogue bearing, those that differ.
     pub geometry: Option<GeometryInput>,
     /// Material of the rings, and of the balls unless they differ. Default: bearing steel.
@@ -140,7 +144,7 @@ impl BearingInput {
         let place = |(position, facing)| MountedBearing {
             position,
             facing,
-            ..mounted
+            ..mounted.clone()
         };
         Some(places?.into_iter().map(place).collect())
     }
@@ -177,7 +181,6 @@ impl BearingInput {
         self.check_law(model, problems);
         let control = self.race_control.or(model.race_control);
         Some(MountedBearing {
-            bearing,
             law: match (self.contact(model), bearing.contact_stiffness) {
                 // a stiffness of both races together knows no ball inertia
                 (ContactChoice::Auto, Some(_)) => ContactChoice::Hertz.law(control),
@@ -189,7 +192,49 @@ impl BearingInput {
             preload: self.preload(),
             contact_damping: ContactDamping::default(),
             first_ball: self.first_ball.si(),
+            imperfections: self.imperfections(&bearing.geometry, model, problems)?,
+            bearing,
         })
+    }
+
+    /// What makes its surfaces differ from perfect ones, as far as it fits.
+    fn imperfections(
+        &self,
+        geometry: &Geometry,
+        model: &ModelInput,
+        problems: &mut Problems<'_>,
+    ) -> Option<Imperfections> {
+        for (key, given) in [(".defect", !self.defect.is_empty())] {
+            if given {
+                self.check_imperfect(key, model, problems);
+            }
+        }
+        let defect = |(index, defect): (usize, &DefectInput)| {
+            problems.inside(format!("defect[{index}]"), |problems| {
+                defect.build(geometry, problems)
+            })
+        };
+        let defects: Vec<_> = self.defect.iter().enumerate().map(defect).collect();
+        Some(Imperfections {
+            defects: defects.into_iter().collect::<Option<_>>()?,
+            ..Imperfections::default()
+        })
+    }
+
+    /// Refuses imperfect surfaces where no ball rolls over them, and where it is not clear on which bearing they are.
+    fn check_imperfect(&self, key: &str, model: &ModelInput, problems: &mut Problems<'_>) {
+        if self.contact(model) == ContactChoice::Linear {
+            let message = "contact = \"linear\" freezes the force of the bearing, and no ball rolls over its surfaces";
+            let issue = Issue::new(key, message).help("remove it, or set contact = \"hertz\"");
+            problems.refuse(issue.against_all([".contact", "model.contact"]));
+        }
+        if self.arrangement.is_some() {
+            let message = "of a set of two bearings it is not clear which one this belongs to";
+            let issue = Issue::new(key, message).help(
+                "write the set as two tables [[bearing]] with a `position` and a `facing` each",
+            );
+            problems.refuse(issue.against(".arrangement"));
+        }
     }
 
     /// Refuses what the force law of the bearing does not know.

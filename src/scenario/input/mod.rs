@@ -4,6 +4,7 @@
 mod bearing;
 mod components;
 mod damping;
+mod defect;
 mod geometry;
 mod load;
 mod output;
