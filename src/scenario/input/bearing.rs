@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::defect::DefectInput;
 use super::geometry::{GeometryInput, Sources};
 use super::settings::{ContactChoice, ModelInput};
+use super::waviness::{BallSizesInput, WavinessInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::bearing::{
     Bearing, BearingError, ClearanceClass, ContactDamping, Facing, Geometry, Imperfections,
@@ -93,8 +94,14 @@ pub struct BearingInput {
     /// Oil in the bearing; without `film` it is known but parts nothing.
     pub oil: Option<OilInput>,
     /// Slots across its races and dents of its balls.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub defect: Vec<DefectInput>,
+    /// Waves around its races and balls.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub waviness: Vec<WavinessInput>,
+    /// Balls of unequal size.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ball_sizes: Option<BallSizesInput>,
     /// Internal dimensions; with a catalogue bearing, those that differ.
     pub geometry: Option<GeometryInput>,
     /// Material of the rings, and of the balls unless they differ. Default: bearing steel.
@@ -204,7 +211,11 @@ impl BearingInput {
         model: &ModelInput,
         problems: &mut Problems<'_>,
     ) -> Option<Imperfections> {
-        for (key, given) in [(".defect", !self.defect.is_empty())] {
+        for (key, given) in [
+            (".defect", !self.defect.is_empty()),
+            (".waviness", !self.waviness.is_empty()),
+            (".ball_sizes", self.ball_sizes.is_some()),
+        ] {
             if given {
                 self.check_imperfect(key, model, problems);
             }
@@ -215,9 +226,23 @@ impl BearingInput {
             })
         };
         let defects: Vec<_> = self.defect.iter().enumerate().map(defect).collect();
+        let waves = |(index, waviness): (usize, &WavinessInput)| {
+            problems.inside(format!("waviness[{index}]"), |problems| {
+                waviness.build(geometry, problems)
+            })
+        };
+        let waves: Vec<_> = self.waviness.iter().enumerate().map(waves).collect();
+        let waves = waves.into_iter().collect::<Option<Vec<_>>>();
+        let oversizes = match &self.ball_sizes {
+            None => Some(Vec::new()),
+            Some(sizes) => {
+                problems.inside("ball_sizes", |problems| sizes.build(geometry, problems))
+            }
+        };
         Some(Imperfections {
             defects: defects.into_iter().collect::<Option<_>>()?,
-            ..Imperfections::default()
+            waves: waves?.into_iter().flatten().collect(),
+            oversizes: oversizes?,
         })
     }
 

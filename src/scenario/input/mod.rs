@@ -14,6 +14,7 @@ mod shaft;
 mod spectrum;
 mod speed;
 mod study;
+mod waviness;
 
 pub use output::{Output, TableFormat};
 pub use scenario::{Questions, ScenarioInput};

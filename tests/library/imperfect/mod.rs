@@ -2,6 +2,7 @@
 
 mod spall;
 mod spalled_motion;
+mod waviness;
 
 use crate::bearing::{
     Bearing, Defect, DefectProfile, Imperfections, MountedBearing, Support, Surface,
