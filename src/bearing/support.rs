@@ -67,7 +67,8 @@ impl Support {
             seat: Seat::new(definition, &law)?,
             law,
             table: None,
-            cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma()),
+            cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma())
+                * (1.0 - definition.imperfections.cage_slip),
             frozen: None,
             definition: definition.clone(),
             sign: definition.facing.sign(),
@@ -254,15 +255,19 @@ impl Support {
         self.frozen.is_some() || self.law.has_potential(steady)
     }
 
-    /// Nominal speed of the cage over that of the shaft.
+    /// Speed of the cage over that of the shaft: the nominal one, less its slip.
     #[inline]
     pub(crate) fn cage_ratio(&self) -> f64 {
         self.cage_ratio
     }
 
-    /// Ball-pass frequencies at the nominal contact angle.
+    /// Ball-pass frequencies at the nominal contact angle, with the slip of the cage: balls that roll on the outer race
+    /// turn the slower, too.
     pub(crate) fn ball_pass(&self, speed: f64) -> BallPass {
-        self.definition.bearing.geometry.ball_pass(speed)
+        let geometry = &self.definition.bearing.geometry;
+        geometry
+            .ball_pass(speed)
+            .with_slip(self.definition.imperfections.cage_slip)
     }
 
     /// What the shaft's displacement imposes on the inner ring.

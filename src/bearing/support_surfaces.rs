@@ -5,7 +5,7 @@ use fearless_simd::{Fallback, Simd};
 use super::law::with_law;
 use super::ring::{Balls, Consumer, LaneVector, side_by_side};
 use super::support::Support;
-use super::surface::ImperfectSurfaces;
+use super::surface::{ImperfectSurfaces, TurningSurfaces};
 use super::{BallLaw, BearingRotation, Passing, Ring, Vector5};
 
 impl Support {
@@ -18,6 +18,12 @@ impl Support {
     pub(crate) fn passings(&self) -> &[Passing] {
         let surfaces = self.ring.surfaces.as_deref();
         surfaces.map_or(&[], ImperfectSurfaces::passings)
+    }
+
+    /// Which of its surfaces turn.
+    pub(crate) fn surfaces_that_turn(&self) -> TurningSurfaces {
+        let surfaces = self.ring.surfaces.as_deref();
+        surfaces.map_or_else(TurningSurfaces::default, ImperfectSurfaces::turning)
     }
 
     /// Sum of the largest drops of all surfaces, m.

@@ -146,7 +146,7 @@ fn on_rung(rotor: &RotorDefinition, question: &ContactQuestion, rung: Rung) -> R
         let inertia = Rung::from(bearing).has_ball_inertia();
         let rung = match rung {
             // a frozen force knows no surfaces
-            Rung::Linear if !bearing.imperfections.is_none() => Rung::Hertz,
+            Rung::Linear if !bearing.imperfections.has_perfect_surfaces() => Rung::Hertz,
             Rung::Jones if !inertia => Rung::Hertz,
             Rung::JonesFilm if !inertia => Rung::HertzFilm,
             rung => rung,

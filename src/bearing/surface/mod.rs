@@ -8,6 +8,7 @@ mod waves;
 pub use passing::Passing;
 pub use slot::DefectProfile;
 pub(super) use surfaces::ImperfectSurfaces;
+pub use surfaces::TurningSurfaces;
 pub use waves::Wave;
 
 use super::Geometry;
@@ -38,7 +39,7 @@ pub struct Defect {
     pub profile: DefectProfile,
 }
 
-/// Everything that makes the surfaces of a bearing differ from perfect ones; nothing by default.
+/// Everything that makes a bearing differ from a perfect one; nothing by default.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Imperfections {
     /// Slots and dents.
@@ -47,6 +48,8 @@ pub struct Imperfections {
     pub waves: Vec<(Surface, Wave)>,
     /// How much larger than nominal the diameter of each ball is, m; empty where all are nominal.
     pub oversizes: Vec<f64>,
+    /// How much slower than nominal the cage turns, as a part of its nominal speed.
+    pub cage_slip: f64,
 }
 
 /// Why a surface cannot be as it is described.
@@ -105,8 +108,8 @@ impl Imperfections {
     /// Highest order of a wave.
     pub const LARGEST_ORDER: u32 = 10_000;
 
-    /// Whether there is none.
-    pub fn is_none(&self) -> bool {
+    /// Whether all surfaces are perfect.
+    pub fn has_perfect_surfaces(&self) -> bool {
         self.defects.is_empty() && self.waves.is_empty() && self.oversizes.is_empty()
     }
 
@@ -127,6 +130,7 @@ impl Imperfections {
                 return Err(ImperfectionError::Order { order });
             }
         }
+        finite("the slip of the cage", self.cage_slip)?;
         let (given, balls) = (self.oversizes.len(), geometry.balls());
         if given != 0 && given != balls {
             return Err(ImperfectionError::Oversizes { given, balls });

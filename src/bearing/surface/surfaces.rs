@@ -69,7 +69,7 @@ impl ImperfectSurfaces {
         geometry: &Geometry,
         first_ball: f64,
     ) -> Option<Self> {
-        if imperfections.is_none() {
+        if imperfections.has_perfect_surfaces() {
             return None;
         }
         let gamma = geometry.gamma();
@@ -94,6 +94,18 @@ impl ImperfectSurfaces {
     /// When balls pass the places at which a drop is not smooth.
     pub fn passings(&self) -> &[Passing] {
         &self.passings
+    }
+
+    /// Which of them turn.
+    pub fn turning(&self) -> TurningSurfaces {
+        let rolls = |ball: &BallSurface| !ball.dents.is_empty() || !ball.waves.is_none();
+        TurningSurfaces {
+            inner: !self.races[0].is_perfect(),
+            defects: !self.races[0].slots.is_empty()
+                || self.balls.iter().any(|ball| !ball.dents.is_empty()),
+            balls_differ: !self.balls.is_empty(),
+            rolling: (self.balls.iter().any(rolls)).then_some(self.rolling_ratio),
+        }
     }
 
     /// Sum of the largest drops of all surfaces, m, or of the largest rises where these are larger.
@@ -179,6 +191,19 @@ impl ImperfectSurfaces {
             }
         }
     }
+}
+
+/// Imperfect surfaces that turn.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TurningSurfaces {
+    /// Whether the inner race does, with the shaft.
+    pub inner: bool,
+    /// Whether there is a defect on it or on a ball.
+    pub defects: bool,
+    /// Whether balls differ from each other, which go round with the cage.
+    pub balls_differ: bool,
+    /// How often balls with dents or waves turn as the cage turns once; none where there are none.
+    pub rolling: Option<f64>,
 }
 
 /// The angle that a drop depends on.

@@ -102,12 +102,20 @@ pub struct BearingInput {
     /// Balls of unequal size.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ball_sizes: Option<BallSizesInput>,
+    /// How much slower than nominal the cage turns, as a part: real cages slip by 1 or 2 %. Default: 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(range(min = 0.0, max = 0.9))]
+    pub cage_slip: f64,
     /// Internal dimensions; with a catalogue bearing, those that differ.
     pub geometry: Option<GeometryInput>,
     /// Material of the rings, and of the balls unless they differ. Default: bearing steel.
     pub material: Option<MaterialInput>,
     /// Material of the balls where it differs from that of the rings.
     pub ball_material: Option<MaterialInput>,
+}
+
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 fn designations() -> Vec<&'static str> {
@@ -243,6 +251,7 @@ impl BearingInput {
             defects: defects.into_iter().collect::<Option<_>>()?,
             waves: waves?.into_iter().flatten().collect(),
             oversizes: oversizes?,
+            cage_slip: self.cage_slip,
         })
     }
 
