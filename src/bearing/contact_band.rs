@@ -65,6 +65,7 @@ mod tests {
             contact_damping: ContactDamping::default(),
             first_ball: 0.0,
             imperfections: Imperfections::default(),
+            housing: None,
         };
         let support = Support::new(&mounted, 0.0).expect("a support");
         let band = support.contact_band(700.0);

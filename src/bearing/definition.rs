@@ -236,6 +236,17 @@ pub enum Preload {
     Spring(f64),
 }
 
+/// What the outer ring of a bearing sits in: a mass on springs and dampers to the ground, which does not tilt.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Housing {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Stiffness to the ground along x, y and z, N/m.
+    pub stiffness: [f64; 3],
+    /// Damping to the ground along x, y and z, N s/m.
+    pub damping: [f64; 3],
+}
+
 /// A bearing and its place on the shaft.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MountedBearing {
@@ -257,6 +268,8 @@ pub struct MountedBearing {
     pub first_ball: f64,
     /// What makes its surfaces differ from perfect ones.
     pub imperfections: Imperfections,
+    /// The housing that it stands in; none on the ground.
+    pub housing: Option<Housing>,
 }
 
 impl MountedBearing {
@@ -272,6 +285,7 @@ impl MountedBearing {
             contact_damping: ContactDamping::default(),
             first_ball: 0.0,
             imperfections: Imperfections::default(),
+            housing: None,
         }
     }
 }

@@ -41,7 +41,7 @@ pub use clearance::{Clearance, ClearanceClass};
 pub(crate) use contact_band::ContactBand;
 pub(crate) use contact_damping::ContactDamping;
 pub use definition::{Bearing, BearingError, LIMITING_SPEED_FACTOR};
-pub(crate) use definition::{Facing, MountedBearing, Preload};
+pub(crate) use definition::{Facing, Housing, MountedBearing, Preload};
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use law::BallContact;
 pub(crate) use law::{

@@ -34,7 +34,7 @@ impl SampleTable {
     /// Whether it shows accelerations.
     pub fn needs_acceleration(&self) -> bool {
         let mut channels = self.channels.iter();
-        channels.any(|channel| matches!(channel, Channel::Acceleration(_)))
+        channels.any(|channel| channel.needs_acceleration())
     }
 
     /// The row of a sample; NaN where a value was not observed.

@@ -15,6 +15,8 @@ pub(super) struct Action {
     on_mass: Vector5,
     /// Loads on the shaft's axis.
     on_axis: Vector5,
+    /// Power of the base on housings, W.
+    on_housings: f64,
     /// Power that viscous damping takes, W.
     viscous: f64,
     pub moments: Option<DriveMoments>,
@@ -25,6 +27,7 @@ impl Action {
     pub fn powers(&self, rotor: &Rotor) -> Works {
         let velocity = &self.velocity;
         let mut loads = dot(&self.on_mass, velocity) + dot(&self.on_axis, velocity);
+        loads += self.on_housings;
         let bearings = &self.bearings;
         let speed = self.rotation.speed;
         let mut powers = Works {
@@ -136,6 +139,7 @@ impl Rotor {
         // first, so that bearings that balance each other leave nothing
         let bearings = self.bearings_act(place, velocity, &rotation, sum);
         shaft.add_force(1.0, &on_axis, sum);
+        self.shake_housings(time, rotation.angle, sum);
         self.damping.add_product(-1.0, velocity, sum);
         self.structure.stiffness.add_product(-1.0, place, sum);
         let moments = self.drive.as_ref().map(|drive| {
@@ -157,6 +161,7 @@ impl Rotor {
             bearings,
             on_mass,
             on_axis,
+            on_housings: self.base_power(time, rotation.angle, velocity),
             viscous: 2.0 * self.damping.half_square(velocity),
             moments,
         }

@@ -63,6 +63,13 @@ impl Rotor {
         }
         let outer = self.outer_rate(time, &rotation);
         self.structure.shaft.add_force(1.0, &outer, by_time);
+        for housing in &self.structure.housings {
+            let force = |step: f64| {
+                let angle = self.speed.at(time + step).angle;
+                self.base_force(housing, time + step, angle)
+            };
+            housing.point.add_force(1.0, &forward_rate(force), by_time);
+        }
         self.gyroscopic
             .add_product(-rotation.acceleration, velocity, by_time);
         self.mass.accelerate(by_time);

@@ -9,7 +9,7 @@ use super::phases::Phases;
 use super::point::{Attachment, Point};
 use super::structure::Structure;
 use super::unbalance::Unbalance;
-use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, SpeedProfile};
+use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, Rotation, SpeedProfile};
 use crate::bearing::{Angle, BearingRotation, BearingState, Support, Vector5, in_registers};
 use crate::registers::in_wide_registers;
 
@@ -80,6 +80,8 @@ pub struct Rotor {
     pub(super) rest: Vec<f64>,
     /// K and the stiffness of the bearings there, of all coordinates.
     pub(super) tangent: DMatrix<f64>,
+    /// Where the motion starts from.
+    pub(super) starts_from: InitialPosition,
     /// Displacement and velocity of the shaft at t = 0.
     pub(super) initial: [Vector5; 2],
 }
@@ -317,6 +319,9 @@ impl Rotor {
         self.damping.add_product(-1.0, velocity, force);
         if !RIGID {
             self.structure.stiffness.add_product(-1.0, place, force);
+            if !self.loads.is_empty() {
+                self.shake_housings(time, rotation.angle, force);
+            }
         }
         if self.contacts_damped {
             self.add_damped_bearings(place, velocity, &rotation, &phases, force);

@@ -75,6 +75,7 @@ impl Rotor {
             displacement: self.structure.shaft.displacement(place, &self.rest),
             velocity: self.structure.shaft.rate(velocity),
             acceleration: None,
+            housings: self.housing_motions(place, velocity),
             force_on_shaft: force,
             largest_ball_load: has_balls.then_some(contacts.largest_load()),
             balls_loaded: has_balls.then_some(contacts.loaded()),

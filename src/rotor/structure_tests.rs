@@ -31,6 +31,7 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
         contact_damping: ContactDamping::default(),
         first_ball: 0.3,
         imperfections: Imperfections::default(),
+        housing: None,
     };
     RotorDefinition {
         shaft: Shaft {

@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::energy::Works;
-use super::{MotionScale, Rotation, Rotor};
+use super::{InitialPosition, MotionScale, Rotation, Rotor};
 use crate::bearing::Vector5;
 use crate::integrate::{Scaling, System};
 
@@ -111,13 +111,17 @@ impl Rotor {
         }
     }
 
-    /// State at t = 0: coordinates that do not belong to the shaft start at rest.
+    /// State at t = 0: coordinates that do not belong to the shaft start where its own start from, at rest.
     pub(crate) fn start(&self) -> Vec<f64> {
         let (dofs, mut state) = (self.dofs(), vec![0.0; self.states()]);
         let [displacement, velocity] = &self.initial;
         for dof in 0..dofs {
             let axis = self.structure.shaft.axis_of(dof);
-            state[dof] = axis.map_or(self.rest[dof], |axis| displacement[axis]);
+            let elsewhere = match self.starts_from {
+                InitialPosition::Equilibrium => self.rest[dof],
+                InitialPosition::Origin => 0.0,
+            };
+            state[dof] = axis.map_or(elsewhere, |axis| displacement[axis]);
             state[dofs + dof] = axis.map_or(0.0, |axis| velocity[axis]);
         }
         if self.drive.is_some() {

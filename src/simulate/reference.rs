@@ -114,6 +114,10 @@ impl<'a> Reference<'a> {
                     .excursion
                     .max(lever * (reference[axis] - place[axis]).abs());
             }
+            for freedom in rotor.housing_freedoms() {
+                let apart = (state[freedom] - reference[freedom]).abs();
+                self.difference = self.difference.max(apart);
+            }
         }
         Ok(())
     }

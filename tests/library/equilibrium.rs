@@ -106,6 +106,7 @@ fn case(seed: u64) -> Case {
         contact_damping: ContactDamping::default(),
         first_ball: dice.between(0.0, std::f64::consts::TAU),
         imperfections: Imperfections::default(),
+        housing: None,
     };
     let mut definitions = vec![mounted.clone()];
     if pair {

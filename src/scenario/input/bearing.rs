@@ -7,12 +7,13 @@ use serde::{Deserialize, Serialize};
 
 use super::defect::DefectInput;
 use super::geometry::{GeometryInput, Sources};
+use super::housing::HousingInput;
 use super::settings::{ContactChoice, ModelInput};
 use super::waviness::{BallSizesInput, WavinessInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::bearing::{
-    Bearing, BearingError, ClearanceClass, ContactDamping, Facing, Geometry, Imperfections,
-    MountedBearing, Oil, Preload, catalogue,
+    Bearing, BearingError, ClearanceClass, ContactDamping, Facing, Geometry, Housing,
+    Imperfections, MountedBearing, Oil, Preload, catalogue,
 };
 use crate::physics::{Material, RaceControl};
 use crate::rotor::Freedoms;
@@ -106,6 +107,9 @@ pub struct BearingInput {
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(range(min = 0.0, max = 0.9))]
     pub cage_slip: f64,
+    /// The housing that it stands in. Default: it stands on the ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub housing: Option<HousingInput>,
     /// Internal dimensions; with a catalogue bearing, those that differ.
     pub geometry: Option<GeometryInput>,
     /// Material of the rings, and of the balls unless they differ. Default: bearing steel.
@@ -208,8 +212,19 @@ impl BearingInput {
             contact_damping: ContactDamping::default(),
             first_ball: self.first_ball.si(),
             imperfections: self.imperfections(&bearing.geometry, model, problems)?,
+            housing: self.housing(freedoms, problems)?,
             bearing,
         })
+    }
+
+    /// The housing, `Some(None)` where there is none, `None` where it is not right.
+    fn housing(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Option<Housing>> {
+        let Some(housing) = &self.housing else {
+            return Some(None);
+        };
+        self.check_alone(".housing", problems);
+        let build = |problems: &mut Problems<'_>| housing.build(freedoms, problems);
+        problems.inside("housing", build).map(Some)
     }
 
     /// What makes its surfaces differ from perfect ones, as far as it fits.
@@ -262,6 +277,11 @@ impl BearingInput {
             let issue = Issue::new(key, message).help("remove it, or set contact = \"hertz\"");
             problems.refuse(issue.against_all([".contact", "model.contact"]));
         }
+        self.check_alone(key, problems);
+    }
+
+    /// Refuses what belongs to one bearing where there are two.
+    fn check_alone(&self, key: &str, problems: &mut Problems<'_>) {
         if self.arrangement.is_some() {
             let message = "of a set of two bearings it is not clear which one this belongs to";
             let issue = Issue::new(key, message).help(

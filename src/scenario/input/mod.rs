@@ -6,6 +6,7 @@ mod components;
 mod damping;
 mod defect;
 mod geometry;
+mod housing;
 mod load;
 mod output;
 mod scenario;

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::analysis::{
     Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
 };
-use crate::rotor::{FREEDOMS, Freedoms};
+use crate::rotor::{FREEDOMS, Freedoms, MOST_HOUSINGS};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, Time, significant};
@@ -212,9 +212,10 @@ impl JsonSchema for ChannelName {
     }
 }
 
-/// The channels of all freedoms, each kind together.
+/// The channels of all freedoms, each kind together, and of all housings.
 fn every_channel() -> impl Iterator<Item = Channel> {
-    GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of))
+    let freedoms = GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of));
+    freedoms.chain((0..MOST_HOUSINGS).flat_map(|bearing| Channel::of_housing(bearing, 3)))
 }
 
 /// Freedoms of a whirl: what turns with the shaft runs from the first to the second.

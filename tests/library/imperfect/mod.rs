@@ -1,5 +1,6 @@
 //! Bearings whose surfaces are not perfect.
 
+mod housing;
 mod spall;
 mod spalled_motion;
 mod waviness;
