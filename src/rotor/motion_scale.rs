@@ -79,6 +79,18 @@ impl Rotor {
         natural.max(self.highest_speed())
     }
 
+    /// Angular frequency that makes velocities of displacements, rad/s: that of the scale; of a structure with housings,
+    /// whose natural frequencies lie far apart, the lowest, so that no slow motion is allowed the velocities of a fast one.
+    pub(super) fn velocity_rate(&self, scale: &MotionScale) -> f64 {
+        if self.rigid {
+            return scale.frequency;
+        }
+        let modes = self.modes();
+        let natural = modes.iter().map(|mode| mode.eigenvalue.norm());
+        let lowest = natural.filter(|rate| *rate > 0.0).fold(f64::INFINITY, f64::min);
+        lowest.max(self.highest_speed()).min(scale.frequency)
+    }
+
     fn groove_centre_distance(&self) -> f64 {
         Support::largest(&self.supports, Geometry::groove_centre_distance)
     }

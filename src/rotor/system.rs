@@ -141,10 +141,11 @@ impl Rotor {
             time: 1.0 / scale.frequency,
         };
         scaling.origin[..dofs].copy_from_slice(&self.rest[..dofs]);
+        let rate = self.velocity_rate(scale);
         for dof in 0..dofs {
             let length = scale.length / self.structure.coordinates[dof].length(scale.arm);
             scaling.scale[dof] = length;
-            scaling.scale[dofs + dof] = length * scale.frequency;
+            scaling.scale[dofs + dof] = length * rate;
         }
         if self.drive.is_some() {
             scaling.scale[2 * dofs] = 1.0;
