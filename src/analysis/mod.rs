@@ -4,6 +4,7 @@ mod aliasing;
 mod causes;
 mod channel;
 mod estimation;
+mod kurtogram;
 mod leakage;
 mod line_kind;
 mod motion;

@@ -87,7 +87,9 @@ impl Rotor {
         }
         let modes = self.modes();
         let natural = modes.iter().map(|mode| mode.eigenvalue.norm());
-        let lowest = natural.filter(|rate| *rate > 0.0).fold(f64::INFINITY, f64::min);
+        let lowest = natural
+            .filter(|rate| *rate > 0.0)
+            .fold(f64::INFINITY, f64::min);
         lowest.max(self.highest_speed()).min(scale.frequency)
     }
 

@@ -8,6 +8,7 @@ use super::{
     SpectrumQuantity, SpectrumRequest, Welch, envelope,
 };
 
+use crate::analysis::kurtogram::impulsive_band;
 use crate::analysis::{Channel, Leak, NoiseFloor, Recording, TopPower, Window, leak};
 
 /// A segment of fewer samples makes no spectrum: the widest window mixes nine bins.
@@ -25,6 +26,7 @@ pub fn estimate(
     recording: &Recording,
     request: &SpectrumRequest,
 ) -> Result<EstimatedSpectrum, EstimateError> {
+    let request = &with_band(recording, request);
     if request.kind == SpectrumKind::Cross && !request.scaling.is_square() {
         return Err(EstimateError::CrossAmplitude);
     }
@@ -61,6 +63,21 @@ pub fn estimate(
         columns: columns.all(),
         resampling: record.resampling,
     })
+}
+
+/// The request with the band in which its first channel knocks most, where it leaves that open; all there is of a signal
+/// that does not tell.
+fn with_band(recording: &Recording, request: &SpectrumRequest) -> SpectrumRequest {
+    let mut request = request.clone();
+    if request.kind == SpectrumKind::ImpulsiveEnvelope {
+        let rate = recording.grid.rate;
+        let first = request.channels.first();
+        let samples = first.map_or(&[][..], |channel| recording.channel(*channel));
+        let found = impulsive_band(samples, rate);
+        let band = found.map_or([0.0, 0.5 * rate], |found| found.band);
+        request.kind = SpectrumKind::Envelope { band };
+    }
+    request
 }
 
 /// The signals of a request, at equal steps of its axis.
@@ -231,7 +248,9 @@ impl Columns<'_> {
         let channels = self.request.channels.iter().copied();
         let signals: Vec<_> = channels.zip(&self.record.signals).collect();
         match self.request.kind {
-            SpectrumKind::Plain | SpectrumKind::Envelope { .. } => {
+            SpectrumKind::Plain
+            | SpectrumKind::Envelope { .. }
+            | SpectrumKind::ImpulsiveEnvelope => {
                 let columns = signals.into_iter().map(|signal| self.plain(signal));
                 columns.flatten().collect()
             }

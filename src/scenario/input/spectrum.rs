@@ -61,7 +61,7 @@ pub struct SpectrumInput {
     #[serde(default)]
     pub over: Axis,
     /// Lowest and highest frequency of what the envelope is taken of, for instance
-    /// ["1 kHz", "5 kHz"].
+    /// ["1 kHz", "5 kHz"]. Default: the band in which the first channel knocks most, by its spectral kurtosis.
     #[schemars(extend("maxItems" = 2, "examples" = [["1 kHz", "5 kHz"]]))]
     pub band: Option<Vec<Quantity<Frequency>>>,
 }
@@ -123,6 +123,7 @@ impl SpectrumInput {
             name,
             kind: match self.kind {
                 KindChoice::Plain => SpectrumKind::Plain,
+                KindChoice::Envelope if self.band.is_none() => SpectrumKind::ImpulsiveEnvelope,
                 KindChoice::Envelope => SpectrumKind::Envelope { band: band? },
                 KindChoice::Whirl => SpectrumKind::Whirl,
                 KindChoice::Cross => SpectrumKind::Cross,
@@ -364,10 +365,7 @@ impl SpectrumInput {
         let inner = ".band";
         let is_envelope = self.kind == KindChoice::Envelope;
         let issue = match (self.band.as_deref(), is_envelope) {
-            (None, false) => return None,
-            (None, true) => {
-                Issue::new(".", "an envelope needs a `band`").help(fitting_band(recorded.rate))
-            }
+            (None, _) => return None,
             (Some(_), false) => {
                 let message = "`band` needs kind = \"envelope\": no other spectrum has one";
                 Issue::new(inner, message).help("remove it")
