@@ -9,6 +9,7 @@ pub use crate::bearing::law::{
 pub use crate::bearing::ring::Ring;
 pub use crate::bearing::rotation::BearingRotation;
 pub use crate::bearing::support::Support;
+pub use crate::bearing::surface::Imperfections;
 pub use crate::integrate::System;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;

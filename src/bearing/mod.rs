@@ -31,7 +31,7 @@ mod support_force;
 mod support_lift_off;
 mod support_surfaces;
 mod support_table;
-mod surface;
+pub(crate) mod surface;
 mod thrust;
 mod warnings;
 
