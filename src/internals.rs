@@ -9,6 +9,7 @@ pub use crate::bearing::law::{
 pub use crate::bearing::ring::Ring;
 pub use crate::bearing::rotation::BearingRotation;
 pub use crate::bearing::support::Support;
+pub use crate::bearing::surface::Imperfections;
 pub use crate::integrate::System;
 pub use crate::report::run_tables::trace_columns;
 #[cfg(feature = "parquet")]

@@ -8,7 +8,7 @@ use std::fmt;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
-use crate::rotor::{FREEDOMS, Sample};
+use crate::rotor::{FREEDOMS, MOST_HOUSINGS, Sample};
 
 /// A column of the table of samples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -34,8 +34,28 @@ pub enum Channel {
     BallsLoaded,
     /// A term of the energy balance: kinetic, stored, then the works of `rotor::Works::values`.
     Energy(usize),
+    /// Motion of the housing of a bearing, from 0, along axis 0 … 2.
+    Housing {
+        /// Bearing.
+        bearing: usize,
+        /// Which quantity.
+        quantity: HousingQuantity,
+        /// x, y or z.
+        axis: usize,
+    },
     /// A quantity of a driven shaft: moments of drive, load, friction and vibration, twist.
     Drive(usize),
+}
+
+/// A quantity of a housing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum HousingQuantity {
+    /// Displacement.
+    Displacement,
+    /// Velocity.
+    Velocity,
+    /// Acceleration.
+    Acceleration,
 }
 
 /// What is known of a column.
@@ -61,9 +81,12 @@ const fn column(
     }
 }
 
+/// Columns of one housing.
+const HOUSING_COLUMNS: usize = 9;
+
 /// Every column, in the order in which the tables show them.
 #[rustfmt::skip]
-const COLUMNS: [Definition; 41] = [
+const COLUMNS: [Definition; 41 + HOUSING_COLUMNS * MOST_HOUSINGS] = [
     column(Channel::Time, "t", "s", |s| Some(s.time)),
     column(Channel::Angle, "angle", "rad", |s| Some(s.angle)),
     column(Channel::Speed, "speed", "rad/s", |s| Some(s.speed)),
@@ -105,6 +128,42 @@ const COLUMNS: [Definition; 41] = [
     column(Channel::Drive(2), "friction_moment", "N m", |s| Some(s.drive?.friction)),
     column(Channel::Drive(3), "vibration_torque", "N m", |s| Some(s.drive?.vibration)),
     column(Channel::Drive(4), "twist", "rad", |s| Some(s.drive?.twist)),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Displacement, axis: 0 }, "housing1_x", "m", |s| Some(s.housings?[0].displacement[0])),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Displacement, axis: 1 }, "housing1_y", "m", |s| Some(s.housings?[0].displacement[1])),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Displacement, axis: 2 }, "housing1_z", "m", |s| Some(s.housings?[0].displacement[2])),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Velocity, axis: 0 }, "housing1_x_velocity", "m/s", |s| Some(s.housings?[0].velocity[0])),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Velocity, axis: 1 }, "housing1_y_velocity", "m/s", |s| Some(s.housings?[0].velocity[1])),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Velocity, axis: 2 }, "housing1_z_velocity", "m/s", |s| Some(s.housings?[0].velocity[2])),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Acceleration, axis: 0 }, "housing1_x_acceleration", "m/s^2", |s| Some(s.housings?[0].acceleration?[0])),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Acceleration, axis: 1 }, "housing1_y_acceleration", "m/s^2", |s| Some(s.housings?[0].acceleration?[1])),
+    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Acceleration, axis: 2 }, "housing1_z_acceleration", "m/s^2", |s| Some(s.housings?[0].acceleration?[2])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Displacement, axis: 0 }, "housing2_x", "m", |s| Some(s.housings?[1].displacement[0])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Displacement, axis: 1 }, "housing2_y", "m", |s| Some(s.housings?[1].displacement[1])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Displacement, axis: 2 }, "housing2_z", "m", |s| Some(s.housings?[1].displacement[2])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Velocity, axis: 0 }, "housing2_x_velocity", "m/s", |s| Some(s.housings?[1].velocity[0])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Velocity, axis: 1 }, "housing2_y_velocity", "m/s", |s| Some(s.housings?[1].velocity[1])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Velocity, axis: 2 }, "housing2_z_velocity", "m/s", |s| Some(s.housings?[1].velocity[2])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Acceleration, axis: 0 }, "housing2_x_acceleration", "m/s^2", |s| Some(s.housings?[1].acceleration?[0])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Acceleration, axis: 1 }, "housing2_y_acceleration", "m/s^2", |s| Some(s.housings?[1].acceleration?[1])),
+    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Acceleration, axis: 2 }, "housing2_z_acceleration", "m/s^2", |s| Some(s.housings?[1].acceleration?[2])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Displacement, axis: 0 }, "housing3_x", "m", |s| Some(s.housings?[2].displacement[0])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Displacement, axis: 1 }, "housing3_y", "m", |s| Some(s.housings?[2].displacement[1])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Displacement, axis: 2 }, "housing3_z", "m", |s| Some(s.housings?[2].displacement[2])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Velocity, axis: 0 }, "housing3_x_velocity", "m/s", |s| Some(s.housings?[2].velocity[0])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Velocity, axis: 1 }, "housing3_y_velocity", "m/s", |s| Some(s.housings?[2].velocity[1])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Velocity, axis: 2 }, "housing3_z_velocity", "m/s", |s| Some(s.housings?[2].velocity[2])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Acceleration, axis: 0 }, "housing3_x_acceleration", "m/s^2", |s| Some(s.housings?[2].acceleration?[0])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Acceleration, axis: 1 }, "housing3_y_acceleration", "m/s^2", |s| Some(s.housings?[2].acceleration?[1])),
+    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Acceleration, axis: 2 }, "housing3_z_acceleration", "m/s^2", |s| Some(s.housings?[2].acceleration?[2])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Displacement, axis: 0 }, "housing4_x", "m", |s| Some(s.housings?[3].displacement[0])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Displacement, axis: 1 }, "housing4_y", "m", |s| Some(s.housings?[3].displacement[1])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Displacement, axis: 2 }, "housing4_z", "m", |s| Some(s.housings?[3].displacement[2])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Velocity, axis: 0 }, "housing4_x_velocity", "m/s", |s| Some(s.housings?[3].velocity[0])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Velocity, axis: 1 }, "housing4_y_velocity", "m/s", |s| Some(s.housings?[3].velocity[1])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Velocity, axis: 2 }, "housing4_z_velocity", "m/s", |s| Some(s.housings?[3].velocity[2])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Acceleration, axis: 0 }, "housing4_x_acceleration", "m/s^2", |s| Some(s.housings?[3].acceleration?[0])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Acceleration, axis: 1 }, "housing4_y_acceleration", "m/s^2", |s| Some(s.housings?[3].acceleration?[1])),
+    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Acceleration, axis: 2 }, "housing4_z_acceleration", "m/s^2", |s| Some(s.housings?[3].acceleration?[2])),
 ];
 
 impl Channel {
@@ -132,7 +191,7 @@ impl Channel {
         let elsewhere = |channel: &Self| {
             matches!(
                 channel,
-                Self::Acceleration(_) | Self::Energy(_) | Self::Drive(_)
+                Self::Acceleration(_) | Self::Energy(_) | Self::Drive(_) | Self::Housing { .. }
             )
         };
         Self::all().filter(move |channel| !elsewhere(channel))
@@ -169,6 +228,11 @@ impl Channel {
             Self::BallsLoaded => 24,
             Self::Energy(term) => 25 + term,
             Self::Drive(quantity) => 36 + quantity,
+            Self::Housing {
+                bearing,
+                quantity,
+                axis,
+            } => 41 + HOUSING_COLUMNS * bearing + 3 * quantity as usize + axis,
         }
     }
 
@@ -224,6 +288,23 @@ impl Channel {
             | Self::Force(freedom) => Some(freedom),
             _ => None,
         }
+    }
+
+    /// Whether it needs the accelerations of a state.
+    pub(crate) fn needs_acceleration(self) -> bool {
+        use HousingQuantity::Acceleration;
+        match self {
+            Self::Acceleration(_) => true,
+            Self::Housing { quantity, .. } => quantity == Acceleration,
+            _ => false,
+        }
+    }
+
+    /// Columns of the housing of a bearing, from 0, that moves along the first `axes` of x, y, z.
+    pub(crate) fn of_housing(bearing: usize, axes: usize) -> impl Iterator<Item = Self> {
+        Self::all().filter(move |channel| {
+            matches!(channel, Self::Housing { bearing: own, axis, .. } if *own == bearing && *axis < axes)
+        })
     }
 
     /// Whether its values are whole numbers.

@@ -4,6 +4,7 @@ mod causes;
 mod channel;
 pub(crate) mod estimation;
 mod hermite;
+mod kurtogram;
 mod line_kind;
 mod motion;
 mod noise_floor;

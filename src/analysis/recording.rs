@@ -105,7 +105,7 @@ impl Recording {
     /// Whether samples must come with their accelerations.
     pub(crate) fn needs_acceleration(&self) -> bool {
         let mut channels = self.channels.iter();
-        channels.any(|(channel, _)| matches!(channel, Channel::Acceleration(_)))
+        channels.any(|(channel, _)| channel.needs_acceleration())
     }
 
     /// Takes one sample; those before the settle time are dropped.

@@ -115,8 +115,8 @@ impl<'a> Assessment<'a> {
             films: with_law!(law, law => law.films()),
             speed,
         };
-        let line = |&azimuth: &f64| {
-            let ball = ring.ball_at(&self.place, azimuth);
+        let line = |(number, &azimuth): (usize, &f64)| {
+            let ball = ring.ball_at(&self.place, azimuth, Some(number), &self.rotation);
             let inertia = with_law!(law, law => law.state(&ball, speed));
             let contact = || with_law!(law, law => law.contact(&ball, speed));
             lines.line(&BallReading {
@@ -126,7 +126,7 @@ impl<'a> Assessment<'a> {
                 inertia,
             })
         };
-        ring.azimuths().iter().map(line).collect()
+        ring.azimuths().iter().enumerate().map(line).collect()
     }
 
     fn shares(&self) -> Option<StiffnessShares> {

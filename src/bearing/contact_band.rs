@@ -42,8 +42,8 @@ impl ContactBand {
 #[cfg(test)]
 mod tests {
     use crate::bearing::{
-        Ball, BallLaw, ContactDamping, ContactLaw, Facing, HertzFilmLaw, MountedBearing, Oil,
-        Preload, Support, catalogue,
+        Ball, BallLaw, ContactDamping, ContactLaw, Facing, HertzFilmLaw, Imperfections,
+        MountedBearing, Oil, Preload, Support, catalogue,
     };
 
     /// The approach of the band is that at which the law itself bears the load of the band.
@@ -64,6 +64,8 @@ mod tests {
             preload: Preload::AxialOffset(0.0),
             contact_damping: ContactDamping::default(),
             first_ball: 0.0,
+            imperfections: Imperfections::default(),
+            housing: None,
         };
         let support = Support::new(&mounted, 0.0).expect("a support");
         let band = support.contact_band(700.0);

@@ -3,6 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::surface::{ImperfectionError, Imperfections};
 use super::{
     Clearance, ClearanceClass, ContactDamping, ContactLaw, EstimateError, FitState, Geometry,
     GeometryError, Lubrication, Oil,
@@ -59,6 +60,9 @@ pub enum BearingError {
         /// Coefficient as given, s/m.
         value: f64,
     },
+    /// A defect, a wave or a ball does not fit the bearing.
+    #[error(transparent)]
+    Imperfection(#[from] ImperfectionError),
     /// A bearing's preload has no axial position that gives it.
     #[error(
         "no axial position of the inner ring gives a preload of {preload} N; give a smaller \
@@ -271,8 +275,19 @@ pub enum Preload {
     Spring(f64),
 }
 
-/// A bearing and its place on the shaft.
+/// What the outer ring of a bearing sits in: a mass on springs and dampers to the ground, which does not tilt.
 #[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Housing {
+    /// Mass, kg.
+    pub mass: f64,
+    /// Stiffness to the ground along x, y and z, N/m.
+    pub stiffness: [f64; 3],
+    /// Damping to the ground along x, y and z, N s/m.
+    pub damping: [f64; 3],
+}
+
+/// A bearing and its place on the shaft.
+#[derive(Debug, Clone, PartialEq)]
 pub struct MountedBearing {
     /// The bearing.
     pub bearing: Bearing,
@@ -290,6 +305,10 @@ pub struct MountedBearing {
     pub contact_damping: ContactDamping,
     /// Azimuth of ball 0 at the start, from +X towards +Y, rad.
     pub first_ball: f64,
+    /// What makes its surfaces differ from perfect ones.
+    pub imperfections: Imperfections,
+    /// The housing that it stands in; none on the ground.
+    pub housing: Option<Housing>,
 }
 
 impl MountedBearing {
@@ -304,6 +323,8 @@ impl MountedBearing {
             preload: Preload::AxialOffset(0.0),
             contact_damping: ContactDamping::default(),
             first_ball: 0.0,
+            imperfections: Imperfections::default(),
+            housing: None,
         }
     }
 }

@@ -124,7 +124,7 @@ impl MountedBearing {
     ///
     /// # Errors
     /// [`BearingError`] where no contact angle in 0° … 60° is left, or the preload cannot be reached.
-    pub(crate) fn with_fit(self, fit: &Fit, boundary: [f64; 2]) -> Result<Self, BearingError> {
+    pub(crate) fn with_fit(&self, fit: &Fit, boundary: [f64; 2]) -> Result<Self, BearingError> {
         let before = &self.bearing.geometry;
         let mut state = fit.state(&self.bearing, boundary);
         let geometry = before.with_clearance_change(state.clearance_change)?;
@@ -134,7 +134,7 @@ impl MountedBearing {
             _ => {
                 let alone = Self {
                     facing: Facing::PlusZ,
-                    ..self
+                    ..self.clone()
                 };
                 let offset = Support::new(&alone, 0.0)?.seat.offset();
                 let growth = self.facing.sign() * fit.axial_growth(self.position);
@@ -150,7 +150,7 @@ impl MountedBearing {
                 ..self.bearing
             },
             preload,
-            ..self
+            ..self.clone()
         })
     }
 }

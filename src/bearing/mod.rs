@@ -32,7 +32,9 @@ pub(crate) mod support;
 mod support_damping;
 mod support_force;
 mod support_lift_off;
+mod support_surfaces;
 mod support_table;
+pub(crate) mod surface;
 mod thrust;
 mod warnings;
 
@@ -42,7 +44,7 @@ pub use clearance::{Clearance, ClearanceClass};
 pub(crate) use contact_band::ContactBand;
 pub(crate) use contact_damping::ContactDamping;
 pub use definition::{Bearing, BearingError, LIMITING_SPEED_FACTOR};
-pub(crate) use definition::{Facing, MountedBearing, Preload};
+pub(crate) use definition::{Facing, Housing, MountedBearing, Preload};
 pub use estimate::{Candidate, CatalogueLine, Estimate, EstimateError};
 pub use fit::{Fit, FitState};
 pub use geometry::{FreePosition, Geometry, GeometryError};
@@ -68,3 +70,5 @@ pub use state::{
 };
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;
+pub(crate) use surface::{Defect, Imperfections, Passing, Surface, Wave};
+pub use surface::{DefectProfile, ImperfectionError};

@@ -4,6 +4,7 @@ use fearless_simd::{Level, Simd, SimdBase};
 use nalgebra::SMatrix;
 
 use super::number::{LANES, Lanes};
+use super::surface::{ImperfectSurfaces, Imperfections};
 use super::{Angle, Ball, BearingRotation, Geometry};
 
 /// Displacement or force of the inner ring: x, y, z, θx, θy or F_x, F_y, F_z, M_x, M_y.
@@ -37,6 +38,8 @@ pub struct Ring {
     free_axial: f64,
     free_radial: f64,
     pub(super) arm: f64,
+    /// None where they are perfect.
+    pub(super) surfaces: Option<Box<ImperfectSurfaces>>,
 }
 
 /// Azimuths of a few balls in the cage's frame; a lane without a ball has zeros throughout.
@@ -87,9 +90,14 @@ pub(super) trait Consumer<S: Simd> {
 
 /// How much lower the surfaces of both races lie under balls.
 trait Surfaces {
-    /// Drops at the inner and the outer race, m, of balls in directions (cos φ, sin φ).
-    fn drops<S: Simd>(&self, direction: [Lanes<S>; 2], rotation: &BearingRotation)
-    -> [Lanes<S>; 2];
+    /// Drops at the inner and the outer race, m, of balls in directions (cos φ, sin φ), the first of which has a
+    /// number.
+    fn drops<S: Simd>(
+        &self,
+        first: usize,
+        direction: [Lanes<S>; 2],
+        rotation: &BearingRotation,
+    ) -> [Lanes<S>; 2];
 }
 
 /// Races without defects: what they add is nothing, and folded away.
@@ -97,14 +105,32 @@ struct Perfect;
 
 impl Surfaces for Perfect {
     #[inline(always)]
-    fn drops<S: Simd>(&self, [cos, _]: [Lanes<S>; 2], _: &BearingRotation) -> [Lanes<S>; 2] {
+    fn drops<S: Simd>(
+        &self,
+        _: usize,
+        [cos, _]: [Lanes<S>; 2],
+        _: &BearingRotation,
+    ) -> [Lanes<S>; 2] {
         [Lanes::splat(cos.witness(), 0.0); 2]
+    }
+}
+
+impl Surfaces for ImperfectSurfaces {
+    #[inline(always)]
+    fn drops<S: Simd>(
+        &self,
+        first: usize,
+        [cos, sin]: [Lanes<S>; 2],
+        rotation: &BearingRotation,
+    ) -> [Lanes<S>; 2] {
+        let drops = ImperfectSurfaces::drops(self, first, [&cos, &sin], rotation);
+        drops.map(|drops| cos.witness().load_array_f64x4(drops))
     }
 }
 
 impl Ring {
     /// Places the balls of `geometry` evenly from azimuth `first_ball` in rad.
-    pub fn new(geometry: &Geometry, first_ball: f64) -> Self {
+    pub fn new(geometry: &Geometry, first_ball: f64, imperfections: &Imperfections) -> Self {
         let balls = geometry.balls();
         let azimuths: Vec<f64> = (0..balls)
             .map(|ball| first_ball + std::f64::consts::TAU * ball as f64 / balls as f64)
@@ -116,6 +142,7 @@ impl Ring {
             free_axial: geometry.free_axial(),
             free_radial: geometry.free_radial(),
             arm: geometry.inner_groove_radius(),
+            surfaces: ImperfectSurfaces::new(imperfections, geometry, first_ball).map(Box::new),
         }
     }
 
@@ -138,7 +165,28 @@ impl Ring {
         rotation: &BearingRotation,
         consumer: &mut impl Consumer<S>,
     ) {
-        self.visit_on(simd, &Perfect, displacement, rotation, consumer);
+        match &self.surfaces {
+            None => self.visit_on(simd, &Perfect, displacement, rotation, consumer),
+            Some(surfaces) => {
+                self.visit_imperfect(simd, surfaces, displacement, rotation, consumer);
+            }
+        }
+    }
+
+    /// Out of line, so that what perfect surfaces need stays small.
+    #[inline(never)]
+    fn visit_imperfect<S: Simd>(
+        &self,
+        simd: S,
+        surfaces: &ImperfectSurfaces,
+        displacement: &LaneVector<S>,
+        rotation: &BearingRotation,
+        consumer: &mut impl Consumer<S>,
+    ) {
+        simd.vectorize(
+            #[inline(always)]
+            || self.visit_on(simd, surfaces, displacement, rotation, consumer),
+        );
     }
 
     /// The same on given surfaces: chosen outside the loop, so that perfect ones cost nothing.
@@ -163,7 +211,7 @@ impl Ring {
                 ball: Ball {
                     axial,
                     radial,
-                    drop: surfaces.drops([cos, sin], rotation),
+                    drop: surfaces.drops(LANES * group, [cos, sin], rotation),
                 },
             });
         }
@@ -183,14 +231,44 @@ impl Ring {
         ]
     }
 
-    /// A single ball at an azimuth in rad, on perfect races.
-    pub(super) fn ball_at(&self, displacement: &Vector5, azimuth: f64) -> Ball {
+    /// Rates of the drops under balls as cage and shaft turn, m/s.
+    #[inline(always)]
+    pub(super) fn drop_rates<S: Simd>(
+        &self,
+        at: &Balls<S>,
+        rotation: &BearingRotation,
+    ) -> [Lanes<S>; 2] {
+        let speeds = [rotation.cage_speed, rotation.speed];
+        let rates = match &self.surfaces {
+            None => [[0.0; LANES]; 2],
+            Some(surfaces) => surfaces.rates(at.first, [&at.cos, &at.sin], rotation, speeds),
+        };
+        rates.map(|rates| at.cos.witness().load_array_f64x4(rates))
+    }
+
+    /// A single ball at an azimuth in rad: that of a number, or, where there is none, a perfect one.
+    pub(super) fn ball_at(
+        &self,
+        displacement: &Vector5,
+        azimuth: f64,
+        number: Option<usize>,
+        rotation: &BearingRotation,
+    ) -> Ball {
         let (sin, cos) = azimuth.sin_cos();
         let [x, y, z, tilt_x, tilt_y] = *displacement;
-        Ball::at(
-            (self.free_axial + z) + (self.arm * tilt_x * sin - self.arm * tilt_y * cos),
-            self.free_radial + (x * cos + y * sin),
-        )
+        let drop = self.surfaces.as_ref().map_or([0.0; 2], |surfaces| {
+            let alone = [cos, sin].map(|part| [part, 0.0, 0.0, 0.0]);
+            let first = number.unwrap_or(usize::MAX);
+            let drops = ImperfectSurfaces::drops(surfaces, first, alone.each_ref(), rotation);
+            drops.map(|[drop, ..]| drop)
+        });
+        Ball {
+            drop,
+            ..Ball::at(
+                (self.free_axial + z) + (self.arm * tilt_x * sin - self.arm * tilt_y * cos),
+                self.free_radial + (x * cos + y * sin),
+            )
+        }
     }
 
     /// Middles of A1 and A2 of all balls, wherever the cage stands, each with the square of how far they swing, in m

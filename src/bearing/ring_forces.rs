@@ -80,12 +80,31 @@ impl Ring {
         [displacement, rate]: &[LaneVector<S>; 2],
         rotation: &BearingRotation,
     ) -> [Vector5; 2] {
-        let mut damped = DampedForce {
+        match &self.surfaces {
+            None => {
+                self.damped_by::<S, 2>(simd, (law, coefficients), [displacement, rate], rotation)
+            }
+            Some(_) => {
+                self.damped_by::<S, 4>(simd, (law, coefficients), [displacement, rate], rotation)
+            }
+        }
+    }
+
+    /// The same, where the approaches change by the first D of A1, A2 and both drops.
+    #[inline(always)]
+    fn damped_by<S: Simd, const D: usize>(
+        &self,
+        simd: S,
+        (law, coefficients): (&impl BallLaw, [f64; 2]),
+        [displacement, rate]: [&LaneVector<S>; 2],
+        rotation: &BearingRotation,
+    ) -> [Vector5; 2] {
+        let mut damped = DampedForce::<_, S, D> {
             ring: self,
             law,
             coefficients,
             rate,
-            speed: rotation.speed,
+            rotation,
             elastic: ForceSums::new(simd),
             damping: ForceSums::new(simd),
         };
@@ -212,31 +231,40 @@ impl<L: ForceLaw, S: Simd> Consumer<S> for Stiffness<'_, L, S> {
 }
 
 /// The force of a law and that against the damping of the contacts, [`super::ContactDamping`].
-struct DampedForce<'a, L, S: Simd> {
+struct DampedForce<'a, L, S: Simd, const D: usize> {
     ring: &'a Ring,
     law: &'a L,
     /// c of both races, inner first, s/m.
     coefficients: [f64; 2],
     rate: &'a LaneVector<S>,
-    speed: f64,
+    rotation: &'a BearingRotation,
     elastic: ForceSums<S>,
     damping: ForceSums<S>,
 }
 
-impl<L: BallLaw, S: Simd> Consumer<S> for DampedForce<'_, L, S> {
+impl<L: BallLaw, S: Simd, const D: usize> Consumer<S> for DampedForce<'_, L, S, D> {
     #[inline(always)]
     fn take(&mut self, at: &Balls<S>) {
-        let response = self.law.response(&at.ball.with_slopes(), self.speed);
+        let ball = at.ball.with_slopes_by::<D>();
+        let response = self.law.response(&ball, self.rotation.speed);
         let force = response.force.value();
         self.elastic.add_force(at, self.law, &force, self.ring.arm);
         let approaches = self.law.elastic_approaches(&response);
         let [axial_rate, radial_rate] = self.ring.components([0.0; 2], self.rate, [at.cos, at.sin]);
         let zero = Lanes::splat(at.cos.witness(), 0.0);
+        let drop_rates = if D == 4 {
+            self.ring.drop_rates(at, self.rotation)
+        } else {
+            [zero; 2]
+        };
         let [mut axial, mut radial] = [zero; 2];
         for (race, approach) in approaches.into_iter().enumerate() {
             // F_d = Σ Q max(c δ̇, −1) ∂δ/∂A
-            let [by_axial, by_radial] = approach.slopes;
-            let rate = by_axial * axial_rate + by_radial * radial_rate;
+            let [by_axial, by_radial] = [approach.slopes[0], approach.slopes[1]];
+            let mut rate = by_axial * axial_rate + by_radial * radial_rate;
+            for (slope, drop_rate) in approach.slopes[2..].iter().zip(&drop_rates) {
+                rate += *slope * *drop_rate;
+            }
             let limit = Lanes::splat(at.cos.witness(), -1.0);
             let damped = response.load[race].value * (self.coefficients[race] * rate).max(limit);
             axial += damped * by_axial;

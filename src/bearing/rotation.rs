@@ -28,6 +28,8 @@ pub struct BearingRotation {
     pub cage: Angle,
     /// Angle ψ of the shaft from its start.
     pub shaft: Angle,
+    /// ψ_c itself, rad: balls turn by multiples of it that are not whole.
+    pub cage_angle: f64,
     /// Angular speed of the cage, rad/s.
     pub cage_speed: f64,
     /// Angular speed of the shaft, rad/s.
@@ -40,6 +42,7 @@ impl BearingRotation {
         Self {
             cage: Angle::ZERO,
             shaft: Angle::ZERO,
+            cage_angle: 0.0,
             cage_speed: 0.0,
             speed,
         }
@@ -49,6 +52,7 @@ impl BearingRotation {
     pub fn with_cage_at(self, angle: f64) -> Self {
         Self {
             cage: Angle::new(angle),
+            cage_angle: angle,
             ..self
         }
     }

@@ -53,18 +53,24 @@ impl Support {
     pub fn new(definition: &MountedBearing, speed: f64) -> Result<Self, BearingError> {
         let bearing = &definition.bearing;
         let contacts = bearing.contacts()?;
+        definition.imperfections.check(&bearing.geometry)?;
         let law = Law::new(definition, &contacts, speed)?;
         Ok(Self {
-            ring: Ring::new(&bearing.geometry, definition.first_ball),
+            ring: Ring::new(
+                &bearing.geometry,
+                definition.first_ball,
+                &definition.imperfections,
+            ),
             contacts,
             damped: definition.contact_damping.coefficients()?,
             friction: BearingFriction::new(definition, &contacts),
             seat: Seat::new(definition, &law)?,
             law,
             table: None,
-            cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma()),
+            cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma())
+                * (1.0 - definition.imperfections.cage_slip),
             frozen: None,
-            definition: *definition,
+            definition: definition.clone(),
             sign: definition.facing.sign(),
         })
     }
@@ -201,8 +207,9 @@ impl Support {
         positions: Option<usize>,
     ) -> Vec<Around> {
         let free = self.definition.bearing.geometry.groove_centre_distance();
-        let at = |azimuth| {
-            let ball = self.ring.ball_at(place, azimuth);
+        let rotation = BearingRotation::at_start(speed);
+        let at = |(azimuth, number)| {
+            let ball = self.ring.ball_at(place, azimuth, number, &rotation);
             Around {
                 azimuth,
                 deformation: ball.axial.hypot(ball.radial) - free,
@@ -210,9 +217,14 @@ impl Support {
             }
         };
         match positions {
-            None => self.ring.azimuths().iter().copied().map(at).collect(),
+            None => {
+                let balls = self.ring.azimuths().iter().copied().enumerate();
+                balls
+                    .map(|(number, azimuth)| at((azimuth, Some(number))))
+                    .collect()
+            }
             Some(count) => (0..count)
-                .map(|index| at(TAU * index as f64 / count as f64))
+                .map(|index| at((TAU * index as f64 / count as f64, None)))
                 .collect(),
         }
     }
@@ -247,15 +259,19 @@ impl Support {
         self.frozen.is_some() || self.law.has_potential(steady)
     }
 
-    /// Nominal speed of the cage over that of the shaft.
+    /// Speed of the cage over that of the shaft: the nominal one, less its slip.
     #[inline]
     pub(crate) fn cage_ratio(&self) -> f64 {
         self.cage_ratio
     }
 
-    /// Ball-pass frequencies at the nominal contact angle.
+    /// Ball-pass frequencies at the nominal contact angle, with the slip of the cage: balls that roll on the outer race
+    /// turn the slower, too.
     pub(crate) fn ball_pass(&self, speed: f64) -> BallPass {
-        self.definition.bearing.geometry.ball_pass(speed)
+        let geometry = &self.definition.bearing.geometry;
+        geometry
+            .ball_pass(speed)
+            .with_slip(self.definition.imperfections.cage_slip)
     }
 
     /// What the shaft's displacement imposes on the inner ring.

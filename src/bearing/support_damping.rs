@@ -33,10 +33,7 @@ impl Support {
                 (linear.damping * nalgebra::SVector::from(rate)).into(),
             ],
             None => {
-                // in the frame that turns with the cage
-                let turn = quarter_turn(&imposed);
-                let rate =
-                    std::array::from_fn(|axis| rate[axis] - rotation.cage_speed * turn[axis]);
+                let rate = seen_from_cage(&imposed, &rate, rotation);
                 self.local_damped_force(coefficients, &imposed, &rate, rotation)
             }
         };
@@ -69,13 +66,10 @@ impl Support {
     ) -> [Vector5; 2] {
         let (ring, law) = (&self.ring, &self.law);
         let place = self.settled(imposed, rotation);
-        let follows = self
-            .seat
-            .follows(|| with_law!(law, law => ring.force_and_stiffness(law, &place, rotation).1));
-        let rate = nalgebra::SVector::from(*rate);
-        let rate = follows.map_or(rate, |follows| follows * rate);
+        let follows = self.follows(&place, rotation);
+        let rate = followed(follows.as_ref(), rate);
         let [elastic, damping] = in_wide_registers!(ring.level, simd => {
-            let motion = [side_by_side(simd, &place), side_by_side(simd, &rate.into())];
+            let motion = [side_by_side(simd, &place), side_by_side(simd, &rate)];
             with_law!(law, law => ring.damped_force_by(simd, (law, coefficients), &motion, rotation))
         });
         match follows {
@@ -86,5 +80,39 @@ impl Support {
                 [elastic, damping.into()]
             }
         }
+    }
+
+    /// Place of the inner ring, and its rate as seen from the cage, in the bearing's own orientation.
+    pub(super) fn ring_motion(
+        &self,
+        [displacement, velocity]: [&Vector5; 2],
+        rotation: &BearingRotation,
+    ) -> [Vector5; 2] {
+        let (imposed, rate) = (self.imposed(displacement), self.imposed(velocity));
+        let place = self.settled(&imposed, rotation);
+        let rate = seen_from_cage(&imposed, &rate, rotation);
+        let follows = self.follows(&place, rotation);
+        [place, followed(follows.as_ref(), &rate)]
+    }
+
+    /// Derivative of the inner ring's displacement by what the shaft imposes, where it is not the identity.
+    fn follows(&self, place: &Vector5, rotation: &BearingRotation) -> Option<Matrix5> {
+        let (ring, law) = (&self.ring, &self.law);
+        self.seat
+            .follows(|| with_law!(law, law => ring.force_and_stiffness(law, place, rotation).1))
+    }
+}
+
+/// The rate of what is imposed in the frame that turns with the cage.
+fn seen_from_cage(imposed: &Vector5, rate: &Vector5, rotation: &BearingRotation) -> Vector5 {
+    let turn = quarter_turn(imposed);
+    std::array::from_fn(|axis| rate[axis] - rotation.cage_speed * turn[axis])
+}
+
+/// The rate of the inner ring.
+fn followed(follows: Option<&Matrix5>, rate: &Vector5) -> Vector5 {
+    match follows {
+        None => *rate,
+        Some(follows) => (follows * nalgebra::SVector::from(*rate)).into(),
     }
 }

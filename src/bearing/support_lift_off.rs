@@ -56,7 +56,8 @@ impl Support {
         if matches!(self.seat, Seat::Spring { .. }) {
             (from[2], to[2]) = (0.0, 0.0);
         }
-        let reach = LIFT_OFF_SLOPE * self.shift_of_centres(&from, &to, 0.0);
+        let shift = self.shift_of_centres(&from, &to, 0.0) + self.largest_drop();
+        let reach = LIFT_OFF_SLOPE * shift;
         let positions = if cage_turns { CAGE_POSITIONS } else { 1 };
         let spacing = TAU / self.definition.bearing.geometry.balls() as f64;
         let mut past = vec![0.0; self.balls_that_lift_off()];
@@ -69,7 +70,7 @@ impl Support {
     }
 
     /// No ball comes nearer to its lift-off by more than this as the shaft goes from one displacement to another, and
-    /// from one speed in rad/s to another, and the cage turns by an angle in rad; infinite of a ring that floats, and
+    /// from one speed in rad/s to another, and the cage turns by an angle in rad; infinite of a ring that floats, of surfaces that are not perfect, and
     /// where the speed has a part in where a ball lifts off.
     pub(crate) fn approach_to_lift_off(
         &self,
@@ -78,7 +79,7 @@ impl Support {
         turn: f64,
     ) -> f64 {
         let moves_with_speed = self.law.has_inertia() && speeds[0] != speeds[1];
-        if moves_with_speed || matches!(self.seat, Seat::Spring { .. }) {
+        if moves_with_speed || self.is_imperfect() || matches!(self.seat, Seat::Spring { .. }) {
             return f64::INFINITY;
         }
         let [from, to] = ends.map(|displacement| self.imposed(displacement));

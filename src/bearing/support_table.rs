@@ -32,6 +32,9 @@ impl Support {
         if self.frozen.is_some() || floats || self.law.is_cheap() {
             return None;
         }
+        if self.is_imperfect() {
+            return Some(Err(TableError::Imperfect));
+        }
         let place = self.ring_displacement(displacement, &BearingRotation::at_start(speed));
         let region = self.ball_region(&place, amplitude);
         let load = self.largest_load_around(&place, speed);

@@ -39,6 +39,29 @@ pub struct BallPass {
     pub cage: f64,
 }
 
+impl BallPass {
+    /// The same with a cage that turns slower by a part of its nominal speed, balls rolling on the outer race.
+    ///
+    /// `FTF = (1 − s) FTF₀`, `BPFO` and `BSF` likewise, `BPFO + BPFI = Z f`
+    ///
+    /// ```
+    /// use jeffcott::physics::ball_pass_frequencies;
+    /// let pass = ball_pass_frequencies(100.0 * std::f64::consts::TAU, 9, 1.0, 5.0, 0.2);
+    /// let slipping = pass.with_slip(0.01);
+    /// assert!((slipping.outer - 356.4).abs() < 1e-9 && (slipping.inner - 543.6).abs() < 1e-9);
+    /// assert_eq!(pass.with_slip(0.0), pass);
+    /// ```
+    pub fn with_slip(self, slip: f64) -> Self {
+        let kept = 1.0 - slip;
+        Self {
+            outer: kept * self.outer,
+            inner: self.inner + slip * self.outer,
+            spin: kept * self.spin,
+            cage: kept * self.cage,
+        }
+    }
+}
+
 /// Ball-pass frequencies for a fixed outer ring.
 ///
 /// ```text

@@ -38,7 +38,7 @@ impl SampleFiles {
     /// Whether it shows accelerations.
     pub fn needs_acceleration(&self) -> bool {
         let mut channels = self.channels.iter();
-        channels.any(|channel| matches!(channel, Channel::Acceleration(_)))
+        channels.any(|channel| channel.needs_acceleration())
     }
 
     /// Writes the row of a sample.

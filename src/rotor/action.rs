@@ -15,6 +15,8 @@ pub(super) struct Action {
     on_mass: Vector5,
     /// Loads on the shaft's axis.
     on_axis: Vector5,
+    /// Power of the base on housings, W.
+    on_housings: f64,
     /// Power that viscous damping takes, W.
     viscous: f64,
     pub moments: Option<DriveMoments>,
@@ -25,6 +27,7 @@ impl Action {
     pub fn powers(&self, rotor: &Rotor) -> Works {
         let velocity = &self.velocity;
         let mut loads = dot(&self.on_mass, velocity) + dot(&self.on_axis, velocity);
+        loads += self.on_housings;
         let bearings = &self.bearings;
         let speed = self.rotation.speed;
         let mut powers = Works {
@@ -59,7 +62,7 @@ struct Bearings {
     power: f64,
     /// Work per time against the damping of the contacts, W.
     damping_power: f64,
-    /// Moment that the balls exert on the shaft by way of the cages, N m.
+    /// Moment that the balls exert on the shaft by way of the cages, and by surfaces that fall under them, N m.
     cage_moment: f64,
     /// Friction moment, N m.
     friction: f64,
@@ -90,9 +93,12 @@ impl Rotor {
             // in the frame that turns with the cage
             let rate: Vector5 =
                 std::array::from_fn(|axis| velocity[axis] - cage_speed * turn[axis]);
-            total.power += dot(&force, &rate);
-            total.damping_power += dot(&damping, &rate);
-            total.cage_moment += ratio * (dot(&force, &turn) + dot(&damping, &turn));
+            let surfaces = support.surface_moments([&place, &velocity], rotation, ratio);
+            let [elastic, damped] = surfaces.map(|moment| moment * rotation.speed);
+            total.power += dot(&force, &rate) - elastic;
+            total.damping_power += dot(&damping, &rate) - damped;
+            let turning = dot(&force, &turn) + dot(&damping, &turn);
+            total.cage_moment += ratio * turning + surfaces.iter().sum::<f64>();
             if friction {
                 total.friction += support.friction_moment(&force, rotation.speed).total();
             }
@@ -133,6 +139,7 @@ impl Rotor {
         // first, so that bearings that balance each other leave nothing
         let bearings = self.bearings_act(place, velocity, &rotation, sum);
         shaft.add_force(1.0, &on_axis, sum);
+        self.shake_housings(time, rotation.angle, sum);
         self.damping.add_product(-1.0, velocity, sum);
         self.structure.stiffness.add_product(-1.0, place, sum);
         let moments = self.drive.as_ref().map(|drive| {
@@ -153,6 +160,7 @@ impl Rotor {
             bearings,
             on_mass,
             on_axis,
+            on_housings: self.base_power(time, rotation.angle, velocity),
             viscous: 2.0 * self.damping.half_square(velocity),
             moments,
         }

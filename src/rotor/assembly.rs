@@ -114,6 +114,7 @@ impl Rotor {
             balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
             leading_ratio: definition.cage.ratio(&supports[0]),
             supports,
+            starts_from: definition.initial.from,
             initial: initial_state(definition, &equilibrium),
             equilibrium,
             rest,

@@ -15,6 +15,21 @@ pub enum ForcingCause {
         /// Bearing, from 0.
         bearing: usize,
     },
+    /// The balls of a bearing, which differ, go round with their cage.
+    Cage {
+        /// Bearing, from 0.
+        bearing: usize,
+    },
+    /// What is on the inner race of a bearing turns with the shaft.
+    InnerRace {
+        /// Bearing, from 0.
+        bearing: usize,
+    },
+    /// What is on balls of a bearing turns with them.
+    BallSpin {
+        /// Bearing, from 0.
+        bearing: usize,
+    },
     /// A varying load.
     Load {
         /// Load, from 0, among those that vary.
@@ -22,12 +37,15 @@ pub enum ForcingCause {
     },
 }
 
-/// `unbalance`, `ball pass of bearing 1`, `varying load 1`.
+/// `unbalance`, `ball pass of bearing 1`, `cage of bearing 1`, `inner race of bearing 1`, `balls of bearing 1`, `varying load 1`.
 impl fmt::Display for ForcingCause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unbalance => f.write_str("unbalance"),
             Self::BallPass { bearing } => write!(f, "ball pass of bearing {}", bearing + 1),
+            Self::Cage { bearing } => write!(f, "cage of bearing {}", bearing + 1),
+            Self::InnerRace { bearing } => write!(f, "inner race of bearing {}", bearing + 1),
+            Self::BallSpin { bearing } => write!(f, "balls of bearing {}", bearing + 1),
             Self::Load { number } => write!(f, "varying load {}", number + 1),
         }
     }
@@ -59,6 +77,16 @@ pub enum Unrepeated {
          speed.constant to the speed that the drive settles at"
     )]
     Drive,
+    /// Balls pass a defect that turns.
+    #[error(
+        "bearing {} has a defect on its inner race or on a ball: where and when balls meet it repeats with no period of \
+         theirs, and what is not smooth cannot be followed round a torus; leave it out, or use `jeffcott run`",
+        bearing + 1
+    )]
+    Defect {
+        /// Bearing, from 0.
+        bearing: usize,
+    },
     /// A load does not repeat.
     #[error("varying load {} is {what}, which does not repeat: leave it out, or use `jeffcott run`", number + 1)]
     Load {
@@ -94,9 +122,21 @@ impl Rotor {
         }
         for (bearing, support) in self.supports.iter().enumerate() {
             let balls = support.definition().bearing.geometry.balls() as f64;
-            let passing = balls * self.cage_ratio(support) * speed;
-            if support.follows_cage() {
-                add(ForcingCause::BallPass { bearing }, passing, 0.0);
+            let cage = self.cage_ratio(support) * speed;
+            let surfaces = support.surfaces_that_turn();
+            if surfaces.defects && cage > 0.0 {
+                return Err(Unrepeated::Defect { bearing });
+            }
+            if surfaces.balls_differ {
+                add(ForcingCause::Cage { bearing }, cage, 0.0);
+            } else if support.follows_cage() {
+                add(ForcingCause::BallPass { bearing }, balls * cage, 0.0);
+            }
+            if surfaces.inner {
+                add(ForcingCause::InnerRace { bearing }, speed, 0.0);
+            }
+            if let Some(ratio) = surfaces.rolling {
+                add(ForcingCause::BallSpin { bearing }, ratio * cage, 0.0);
             }
         }
         for (number, load) in self.loads.iter().enumerate() {

@@ -69,14 +69,24 @@ impl Rotor {
             let count = support.balls_that_lift_off();
             if (first..first + count).contains(&ball) {
                 let load = support.load_past_lift_off(distance, speed);
-                let moment = load * tilting_arm(support);
-                let bound = [load, load, load, moment, moment];
-                let accelerations = &mut rate[self.dofs()..2 * self.dofs()];
-                bearing.attachment.add_force(1.0, &bound, accelerations);
-                self.mass.accelerate(accelerations);
+                self.add_acceleration_by_ball(bearing, load, rate);
             }
             first += count;
         }
+    }
+
+    /// Adds the accelerations that a load of a ball in N gives the degrees of freedom at most.
+    pub(super) fn add_acceleration_by_ball(
+        &self,
+        bearing: AttachedBearing<'_>,
+        load: f64,
+        rate: &mut [f64],
+    ) {
+        let moment = load * tilting_arm(bearing.support);
+        let bound = [load, load, load, moment, moment];
+        let accelerations = &mut rate[self.dofs()..2 * self.dofs()];
+        bearing.attachment.add_force(1.0, &bound, accelerations);
+        self.mass.accelerate(accelerations);
     }
 }
 

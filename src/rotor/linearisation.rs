@@ -63,6 +63,13 @@ impl Rotor {
         }
         let outer = self.outer_rate(time, &rotation);
         self.structure.shaft.add_force(1.0, &outer, by_time);
+        for housing in &self.structure.housings {
+            let force = |step: f64| {
+                let angle = self.speed.at(time + step).angle;
+                self.base_force(housing, time + step, angle)
+            };
+            housing.point.add_force(1.0, &forward_rate(force), by_time);
+        }
         self.gyroscopic
             .add_product(-rotation.acceleration, velocity, by_time);
         self.mass.accelerate(by_time);
@@ -83,7 +90,16 @@ impl Rotor {
             let motion = bearing.motion(place, velocity);
             let (stiffness, by_cage_angle) = bearing.support.slopes(&motion[0], seen);
             attachment.add_stiffness(&stiffness, &mut sum.by_place);
-            attachment.add_force(seen.cage_speed, &by_cage_angle, &mut sum.by_time);
+            if bearing.support.is_imperfect() {
+                let place = &motion[0];
+                let later = |step: f64| {
+                    let seen = self.seen_at(time + step, bearing);
+                    bearing.support.force(place, &seen)
+                };
+                attachment.add_force(1.0, &forward_rate(later), &mut sum.by_time);
+            } else {
+                attachment.add_force(seen.cage_speed, &by_cage_angle, &mut sum.by_time);
+            }
             if bearing.support.is_damped() {
                 let damping = |[place, rate]: &[Vector5; 2], seen: &BearingRotation| {
                     bearing.support.damped_force(place, rate, seen)[1]

@@ -9,7 +9,7 @@ use super::phases::Phases;
 use super::point::{Attachment, Point};
 use super::structure::Structure;
 use super::unbalance::Unbalance;
-use super::{CageMotion, Drive, FREEDOMS, Load, Rotation, SpeedProfile};
+use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, Rotation, SpeedProfile};
 use crate::bearing::{Angle, BearingRotation, BearingState, Support, Vector5, in_registers};
 use crate::registers::in_wide_registers;
 
@@ -80,6 +80,8 @@ pub struct Rotor {
     pub(super) rest: Vec<f64>,
     /// K and the stiffness of the bearings there, of all coordinates.
     pub(super) tangent: DMatrix<f64>,
+    /// Where the motion starts from.
+    pub(super) starts_from: InitialPosition,
     /// Displacement and velocity of the shaft at t = 0.
     pub(super) initial: [Vector5; 2],
 }
@@ -219,6 +221,7 @@ impl Rotor {
                 Angle::new(ratio * rotation.angle)
             },
             shaft: phases.shaft,
+            cage_angle: ratio * rotation.angle,
             cage_speed: ratio * rotation.speed,
             speed: rotation.speed,
         }
@@ -261,10 +264,11 @@ impl Rotor {
         force
     }
 
-    /// The first time after `after` at which a load or the acceleration jumps, s.
+    /// The first time after `after` at which a load or the acceleration jumps, or a ball passes a kink of a defect, s.
     pub(super) fn next_break_after(&self, after: f64) -> f64 {
         let breaks = self.loads.iter().map(|load| load.next_break(after));
-        breaks.fold(self.speed.next_break(after), f64::min)
+        let known = breaks.fold(self.speed.next_break(after), f64::min);
+        known.min(self.next_passing(after))
     }
 }
 
@@ -314,6 +318,9 @@ impl Rotor {
         self.damping.add_product(-1.0, velocity, force);
         if !RIGID {
             self.structure.stiffness.add_product(-1.0, place, force);
+            if !self.loads.is_empty() {
+                self.shake_housings(time, rotation.angle, force);
+            }
         }
         if self.contacts_damped {
             self.add_damped_bearings(place, velocity, &rotation, &phases, force);

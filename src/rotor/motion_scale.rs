@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
+use super::motion::AttachedBearing;
 use super::static_search::POSITION_ROUND_OFF;
 use super::unconstrained::NOTHING;
 use super::{CageMotion, FREEDOMS, Load, Rotor};
@@ -76,6 +77,20 @@ impl Rotor {
             highest => highest,
         };
         natural.max(self.highest_speed())
+    }
+
+    /// Angular frequency that makes velocities of displacements, rad/s: that of the scale; of a structure with housings,
+    /// whose natural frequencies lie far apart, the lowest, so that no slow motion is allowed the velocities of a fast one.
+    pub(super) fn velocity_rate(&self, scale: &MotionScale) -> f64 {
+        if self.rigid {
+            return scale.frequency;
+        }
+        let modes = self.modes();
+        let natural = modes.iter().map(|mode| mode.eigenvalue.norm());
+        let lowest = natural
+            .filter(|rate| *rate > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        lowest.max(self.highest_speed()).min(scale.frequency)
     }
 
     fn groove_centre_distance(&self) -> f64 {
@@ -186,19 +201,24 @@ impl Rotor {
     /// These displacements of the degrees of freedom at some positions of the cage; none in a direction that nothing
     /// holds.
     fn passing_shifts(&self) -> Vec<DVector<f64>> {
-        if self.cage == CageMotion::Frozen || self.highest_speed() == 0.0 {
+        let imperfect = self.supports.iter().any(Support::is_imperfect);
+        let still = self.cage == CageMotion::Frozen && !imperfect;
+        if still || self.highest_speed() == 0.0 {
             return Vec::new();
         }
         let dofs = self.dofs();
         let stiffness = self.tangent.view((0, 0), (dofs, dofs)).into_owned();
         let least = NOTHING * self.contact_stiffness();
         let factors = stiffness.svd(true, true);
-        (1..CAGE_POSITIONS)
-            .filter_map(|position| {
-                let part = position as f64 / CAGE_POSITIONS as f64;
-                factors.solve(&self.force_change(part), least).ok()
-            })
-            .collect()
+        let mut changes = self.imperfect_changes();
+        if self.cage == CageMotion::Rolling {
+            let parts = 1..CAGE_POSITIONS;
+            changes.extend(
+                parts.map(|position| self.force_change(position as f64 / CAGE_POSITIONS as f64)),
+            );
+        }
+        let shift = |change| factors.solve(&change, least).ok();
+        changes.into_iter().filter_map(shift).collect()
     }
 
     /// Change of the forces on the degrees of freedom at the equilibrium when every cage has turned by a part of its ball
@@ -220,6 +240,31 @@ impl Rotor {
                 .add_force(1.0, &change, sum.as_mut_slice());
         }
         sum
+    }
+
+    /// Changes of the forces as imperfect surfaces pass under the balls of each bearing by itself.
+    fn imperfect_changes(&self) -> Vec<DVector<f64>> {
+        let dofs = self.dofs();
+        let change = |bearing: AttachedBearing<'_>, seen: &BearingRotation| {
+            let place = bearing.displacement(&self.rest[..dofs]);
+            let still = BearingRotation::at_start(self.speed());
+            let [passing, still] = [seen, &still].map(|seen| bearing.support.force(&place, seen));
+            let change = std::array::from_fn(|axis| passing[axis] - still[axis]);
+            let mut sum = DVector::zeros(dofs);
+            bearing
+                .attachment
+                .add_force(1.0, &change, sum.as_mut_slice());
+            sum
+        };
+        self.bearings()
+            .flat_map(|bearing| {
+                let rotations = self.imperfect_rotations(bearing);
+                rotations
+                    .into_iter()
+                    .map(move |seen| change(bearing, &seen))
+                    .collect::<Vec<_>>()
+            })
+            .collect()
     }
 
     /// Largest of these changes in every degree of freedom.

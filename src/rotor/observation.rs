@@ -70,6 +70,7 @@ impl Rotor {
             displacement: self.structure.shaft.displacement(position, &self.rest),
             velocity: self.structure.shaft.rate(velocity),
             acceleration: None,
+            housings: self.housing_motions(position, velocity),
             force_on_shaft: force,
             largest_ball_load: has_balls.then_some(contacts.largest_load()),
             balls_loaded: has_balls.then_some(contacts.loaded()),
@@ -105,6 +106,20 @@ impl Rotor {
     }
 }
 
+/// Housings are observed of so many bearings, the first ones.
+pub const MOST_HOUSINGS: usize = 4;
+
+/// Motion of a housing at one instant.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct HousingMotion {
+    /// x, y, z from where its own weight has put it, m.
+    pub displacement: [f64; 3],
+    /// m/s.
+    pub velocity: [f64; 3],
+    /// m/s², where asked for.
+    pub acceleration: Option<[f64; 3]>,
+}
+
 /// State of the shaft and of its bearings at one instant, SI units. What was not observed is none.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sample {
@@ -120,6 +135,8 @@ pub struct Sample {
     pub velocity: [f64; FREEDOMS],
     /// Second time derivatives of `displacement`, where asked for.
     pub acceleration: Option<[f64; FREEDOMS]>,
+    /// Housings of the first bearings; none where no bearing has one.
+    pub housings: Option<[HousingMotion; MOST_HOUSINGS]>,
     /// Force of all bearings on the shaft: x, y, z in N, moments about X and Y in N m; none where it is not
     /// observed.
     pub force_on_shaft: Option<[f64; FREEDOMS]>,

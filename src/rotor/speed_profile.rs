@@ -146,6 +146,22 @@ impl SpeedProfile {
         self.pieces[self.piece_at(time)].at(time)
     }
 
+    /// The first time at which the shaft has turned by an angle in rad, s; none where it never does.
+    pub fn time_of(&self, angle: f64) -> Option<f64> {
+        let next = self.pieces[1..].partition_point(|piece| piece.rotation.angle <= angle);
+        let Piece { start, rotation } = self.pieces[next];
+        let Rotation {
+            angle: from,
+            speed,
+            acceleration,
+        } = rotation;
+        let ahead = angle - from;
+        // ½ ω̇ s² + ω s = Δψ, in the form that keeps its digits
+        let root = (speed * speed + 2.0 * acceleration * ahead).sqrt();
+        let since = 2.0 * ahead / (speed + root);
+        since.is_finite().then_some(start + since)
+    }
+
     /// Number of the piece that holds a time.
     fn piece_at(&self, time: f64) -> usize {
         self.pieces[1..].partition_point(|piece| piece.start <= time)

@@ -7,7 +7,7 @@ use super::equilibrium::FREEDOM_NAMES;
 use super::point::{Attachment, Point};
 use super::static_search::Restoring;
 use super::{FREEDOMS, RotorDefinition};
-use crate::bearing::{BearingRotation, Support, Vector5};
+use crate::bearing::{BearingRotation, MountedBearing, Support, Vector5};
 
 /// A generalised coordinate.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,6 +42,18 @@ pub(super) struct Structure {
     pub shaft: Point,
     /// One of every bearing.
     pub attachments: Vec<Attachment>,
+    /// Masses on the ground that bearings stand in.
+    pub housings: Vec<HousingPoint>,
+}
+
+/// A housing that moves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct HousingPoint {
+    /// The bearing that stands in it, from 0.
+    pub bearing: usize,
+    /// Mass, kg.
+    pub mass: f64,
+    pub point: Point,
 }
 
 impl Structure {
@@ -61,6 +73,7 @@ impl Structure {
             stiffness: Coefficients::new(nothing, dofs),
             shaft: Point::RIGID_SHAFT,
             attachments: vec![Attachment::GROUNDED; bearings],
+            housings: Vec::new(),
         }
     }
 
@@ -68,11 +81,82 @@ impl Structure {
     pub fn of(definition: &RotorDefinition) -> Self {
         let shaft = &definition.shaft;
         let (mass, inertia) = (shaft.mass, shaft.inertia_transverse);
-        Self::rigid(
+        let grounded = Self::rigid(
             [mass, mass, mass, inertia, inertia],
             shaft.freedoms.count(),
             definition.bearings.len(),
-        )
+        );
+        if definition
+            .bearings
+            .iter()
+            .any(|bearing| bearing.housing.is_some())
+        {
+            grounded.on_housings(&definition.bearings)
+        } else {
+            grounded
+        }
+    }
+
+    /// The same with those bearings on housings that have one. A housing moves along x and y, and along z where the shaft
+    /// does; its displacement counts from where its own weight has put it.
+    fn on_housings(self, bearings: &[MountedBearing]) -> Self {
+        let (active, axes) = (self.dofs, self.dofs.min(3));
+        let housings = bearings.iter().enumerate();
+        let housings: Vec<_> = housings
+            .filter_map(|(bearing, mounted)| Some((bearing, mounted.housing?)))
+            .collect();
+        let added = axes * housings.len();
+        let size = FREEDOMS + added;
+        // degrees of freedom of the shaft, those of the housings, and what is held of the shaft
+        let shaft: [usize; 5] =
+            std::array::from_fn(|axis| if axis < active { axis } else { axis + added });
+        let mut coordinates = self.coordinates.clone();
+        let [mut mass, mut damping, mut stiffness] =
+            std::array::from_fn(|_| DMatrix::zeros(size, size));
+        for (axis, index) in shaft.into_iter().enumerate() {
+            mass[(index, index)] = self.mass[(axis, axis)];
+        }
+        let inner = Point::new(shaft);
+        let mut structure = Self {
+            dofs: active + added,
+            shaft: inner,
+            attachments: vec![Attachment { inner, outer: None }; bearings.len()],
+            ..self
+        };
+        for (number, (bearing, housing)) in housings.into_iter().enumerate() {
+            let first = active + axes * number;
+            let mut indices = [usize::MAX; 5];
+            for axis in 0..axes {
+                let index = first + axis;
+                indices[axis] = index;
+                mass[(index, index)] = housing.mass;
+                stiffness[(index, index)] = housing.stiffness[axis];
+                damping[(index, index)] = housing.damping[axis];
+                let coordinate = Coordinate {
+                    name: format!(
+                        "{} of the housing of bearing {}",
+                        FREEDOM_NAMES[axis],
+                        bearing + 1
+                    ),
+                    tilts: false,
+                };
+                coordinates.insert(index, coordinate);
+            }
+            let point = Point::new(indices);
+            structure.attachments[bearing].outer = Some(point);
+            structure.housings.push(HousingPoint {
+                bearing,
+                mass: housing.mass,
+                point,
+            });
+        }
+        Self {
+            coordinates,
+            stiffness: Coefficients::new(stiffness, active + added),
+            mass,
+            damping,
+            ..structure
+        }
     }
 
     /// Whether it is nothing but a rigid shaft on bearings that stand on the ground.

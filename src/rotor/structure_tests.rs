@@ -5,7 +5,9 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::{DMatrix, DVector};
 
 use super::*;
-use crate::bearing::{ContactDamping, ContactLaw, Facing, MountedBearing, Preload, catalogue};
+use crate::bearing::{
+    ContactDamping, ContactLaw, Facing, Imperfections, MountedBearing, Preload, catalogue,
+};
 use crate::integrate::{Grid, Integration, Method, Settings, States, System};
 use crate::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, Rotor, RotorDefinition, Shaft,
@@ -28,6 +30,8 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
         preload: Preload::AxialOffset(20e-6),
         contact_damping: ContactDamping::default(),
         first_ball: 0.3,
+        imperfections: Imperfections::default(),
+        housing: None,
     };
     RotorDefinition {
         shaft: Shaft {

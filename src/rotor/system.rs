@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::energy::Works;
-use super::{MotionScale, Rotation, Rotor};
+use super::{InitialPosition, MotionScale, Rotation, Rotor};
 use crate::bearing::Vector5;
 use crate::integrate::{Scaling, System};
 
@@ -49,11 +49,14 @@ impl System for Rotor {
     }
 
     fn event_count(&self) -> usize {
-        self.balls_that_lift_off
+        self.balls_that_lift_off + self.passing_event_count()
     }
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
-        self.lift_off_distances(&self.rotation(time, state), &state[..self.dofs()], values);
+        let rotation = self.rotation(time, state);
+        let (balls, kinks) = values.split_at_mut(self.balls_that_lift_off);
+        self.lift_off_distances(&rotation, &state[..self.dofs()], balls);
+        self.passing_distances(&rotation, kinks);
     }
 
     fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
@@ -68,7 +71,10 @@ impl System for Rotor {
             None => self.speed.at(time).speed,
             Some(_) => self.highest_speed(),
         };
-        self.lift_off_jump(event, speed, distance, rate);
+        match event.checked_sub(self.balls_that_lift_off) {
+            None => self.lift_off_jump(event, speed, distance, rate),
+            Some(kink) => self.passing_jump(kink, speed, distance, rate),
+        }
     }
 
     fn expects_crossings(&self) -> bool {
@@ -105,13 +111,17 @@ impl Rotor {
         }
     }
 
-    /// State at t = 0: coordinates that do not belong to the shaft start at rest.
+    /// State at t = 0: coordinates that do not belong to the shaft start where its own start from, at rest.
     pub(crate) fn start(&self) -> Vec<f64> {
         let (dofs, mut state) = (self.dofs(), vec![0.0; self.states()]);
         let [displacement, velocity] = &self.initial;
         for dof in 0..dofs {
             let axis = self.structure.shaft.axis_of(dof);
-            state[dof] = axis.map_or(self.rest[dof], |axis| displacement[axis]);
+            let elsewhere = match self.starts_from {
+                InitialPosition::Equilibrium => self.rest[dof],
+                InitialPosition::Origin => 0.0,
+            };
+            state[dof] = axis.map_or(elsewhere, |axis| displacement[axis]);
             state[dofs + dof] = axis.map_or(0.0, |axis| velocity[axis]);
         }
         if self.drive.is_some() {
@@ -131,10 +141,11 @@ impl Rotor {
             time: 1.0 / scale.frequency,
         };
         scaling.origin[..dofs].copy_from_slice(&self.rest[..dofs]);
+        let rate = self.velocity_rate(scale);
         for dof in 0..dofs {
             let length = scale.length / self.structure.coordinates[dof].length(scale.arm);
             scaling.scale[dof] = length;
-            scaling.scale[dofs + dof] = length * scale.frequency;
+            scaling.scale[dofs + dof] = length * rate;
         }
         if self.drive.is_some() {
             scaling.scale[2 * dofs] = 1.0;

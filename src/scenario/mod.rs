@@ -162,17 +162,20 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
     };
     let (issues, warnings) = problems.finish();
     match (built, echo) {
-        (Some((input, questions)), Some(echo)) if issues.is_empty() => Ok(Scenario {
-            title: input.title.unwrap_or_else(|| document.stem()),
-            question: questions.question,
-            model: questions.model,
-            contact_choice: questions.contact_choice,
-            oils: questions.oils,
-            study,
-            output: input.output,
-            echo,
-            warnings,
-        }),
+        (Some((input, questions)), Some(echo)) if issues.is_empty() => {
+            let housing_columns = ScenarioInput::columns_with_housings(&questions.question.rotor);
+            Ok(Scenario {
+                title: input.title.unwrap_or_else(|| document.stem()),
+                question: questions.question,
+                model: questions.model,
+                contact_choice: questions.contact_choice,
+                oils: questions.oils,
+                study,
+                output: input.output.showing(housing_columns),
+                echo,
+                warnings,
+            })
+        }
         _ => Err(document.error(issues)),
     }
 }

@@ -81,6 +81,7 @@ impl<'a> Observers<'a> {
             let mut sample = rotor.sample(time, state, self.observation.contacts());
             if self.accelerations {
                 sample.acceleration = Some(rotor.acceleration(time, state, &mut self.rate));
+                rotor.accelerate_housings(&self.rate, &mut sample.housings);
             }
             self.sink.sample(&sample)?;
             self.observation.take(&sample, self.sink)?;

@@ -178,6 +178,10 @@ impl Reference<'_> {
                 self.difference = self.difference.max(apart);
                 self.excursion = self.excursion.max(moved);
             }
+            for freedom in rotor.housing_freedoms() {
+                let apart = (state[freedom] - reference[freedom]).abs();
+                self.difference = self.difference.max(apart);
+            }
         }
         Ok(())
     }

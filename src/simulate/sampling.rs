@@ -45,7 +45,15 @@ pub(super) fn recording(model: &Model, rotor: &Rotor) -> Option<Recording> {
 fn channels(model: &Model, rotor: &Rotor) -> Vec<Channel> {
     let active = rotor.active_freedoms();
     match model.analyses.highest_order {
-        None => Channel::of_freedoms(active),
+        None => {
+            let mut channels = Channel::of_freedoms(active);
+            let bearings = model.rotor.bearings.iter().enumerate();
+            let housed = bearings.filter(|(_, bearing)| bearing.housing.is_some());
+            let columns =
+                housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, active.min(3)));
+            channels.extend(columns.filter(|channel| channel.needs_acceleration()));
+            channels
+        }
         Some(_) => (0..active).map(Channel::Displacement).collect(),
     }
 }

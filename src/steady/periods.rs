@@ -65,8 +65,12 @@ impl Base {
 
     /// Whether balls that pass belong to it.
     pub(crate) fn has_ball_pass(&self) -> bool {
-        let passes =
-            |(cause, _): &(ForcingCause, u32)| matches!(cause, ForcingCause::BallPass { .. });
+        let passes = |(cause, _): &(ForcingCause, u32)| {
+            matches!(
+                cause,
+                ForcingCause::BallPass { .. } | ForcingCause::Cage { .. }
+            )
+        };
         self.parts.iter().any(passes)
     }
 

@@ -145,10 +145,12 @@ fn at_level(
 ) -> RotorDefinition {
     let lower = |(bearing, open): (&MountedBearing, &bool)| {
         if !*open {
-            return *bearing;
+            return bearing.clone();
         }
         let inertia = Fidelity::from(bearing).has_ball_inertia();
         let fidelity = match fidelity {
+            // a frozen force knows no surfaces
+            Fidelity::Linear if !bearing.imperfections.has_perfect_surfaces() => Fidelity::Hertz,
             Fidelity::Jones if !inertia => Fidelity::Hertz,
             Fidelity::JonesFilm if !inertia => Fidelity::HertzFilm,
             fidelity => fidelity,

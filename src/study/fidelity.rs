@@ -55,7 +55,7 @@ impl Fidelity {
                 Self::Jones | Self::JonesFilm => ContactLaw::Jones(control),
             },
             oil: oil.filter(|_| self.has_film()),
-            ..*bearing
+            ..bearing.clone()
         }
     }
 }

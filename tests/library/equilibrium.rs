@@ -1,8 +1,8 @@
 //! Equilibrium from anywhere: random loads over five orders of magnitude, all laws, all freedoms.
 
 use crate::bearing::{
-    Bearing, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, MountedBearing, Oil,
-    Preload, Support, catalogue,
+    Bearing, ContactDamping, ContactLaw, Facing, FreePosition, Geometry, Imperfections,
+    MountedBearing, Oil, Preload, Support, catalogue,
 };
 use crate::physics::RaceControl;
 use crate::quasi_static::quasi_static;
@@ -105,11 +105,13 @@ fn case(seed: u64) -> Case {
         preload: Preload::AxialOffset(0.0),
         contact_damping: ContactDamping::default(),
         first_ball: dice.between(0.0, std::f64::consts::TAU),
+        imperfections: Imperfections::default(),
+        housing: None,
     };
-    let mut definitions = vec![mounted];
+    let mut definitions = vec![mounted.clone()];
     if pair {
         mounted.preload = Preload::AxialOffset(dice.between(0.0, 20e-6));
-        definitions = vec![mounted, mounted];
+        definitions = vec![mounted.clone(), mounted];
         definitions[0].position = dice.between(0.01, 0.2);
         definitions[1].position = -definitions[0].position;
         definitions[1].facing = Facing::MinusZ;

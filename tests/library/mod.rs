@@ -13,6 +13,7 @@ mod deep_groove;
 mod endings;
 mod equilibrium;
 mod hard_cases;
+mod imperfect;
 mod integrate;
 mod laws;
 mod lines;

@@ -148,7 +148,7 @@ fn behind_a_film_a_ball_leaves_once_a_turn_and_later() {
     };
     let wet = MountedBearing {
         oil: Some(oil),
-        ..dry
+        ..dry.clone()
     };
     let [dry, wet] = [dry, wet].map(|mounted| {
         let definition = held(mounted);

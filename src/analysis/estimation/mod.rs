@@ -13,6 +13,7 @@ pub use request::{
 };
 pub use welch::{Detrend, Welch, envelope};
 
+use super::kurtogram::impulsive_band;
 use super::spectrum::FEWEST_SAMPLES;
 use super::{Channel, Leak, NoiseFloor, Recording, TopPower, Window, leak};
 use interpolation::{AngleGrid, Interpolation, Turning};
@@ -30,6 +31,7 @@ pub fn estimate(
     recording: &Recording,
     request: &SpectrumRequest,
 ) -> Result<EstimatedSpectrum, EstimateError> {
+    let request = &with_band(recording, request);
     if request.kind == SpectrumKind::Cross && !request.scaling.is_square() {
         return Err(EstimateError::CrossAmplitude);
     }
@@ -66,6 +68,21 @@ pub fn estimate(
         columns: columns.all(),
         resampling: record.resampling,
     })
+}
+
+/// The request with the most impulsive band of its first channel, where it leaves that open; the whole range if the signal
+/// has none.
+fn with_band(recording: &Recording, request: &SpectrumRequest) -> SpectrumRequest {
+    let mut request = request.clone();
+    if request.kind == SpectrumKind::ImpulsiveEnvelope {
+        let rate = recording.grid.rate;
+        let first = request.channels.first();
+        let samples = first.map_or(&[][..], |channel| recording.channel(*channel));
+        let found = impulsive_band(samples, rate);
+        let band = found.map_or([0.0, 0.5 * rate], |found| found.band);
+        request.kind = SpectrumKind::Envelope { band };
+    }
+    request
 }
 
 /// The signals of a request, at equal steps of its axis.
@@ -235,7 +252,9 @@ impl Columns<'_> {
         let channels = self.request.channels.iter().copied();
         let signals: Vec<_> = channels.zip(&self.record.signals).collect();
         match self.request.kind {
-            SpectrumKind::Plain | SpectrumKind::Envelope { .. } => {
+            SpectrumKind::Plain
+            | SpectrumKind::Envelope { .. }
+            | SpectrumKind::ImpulsiveEnvelope => {
                 let columns = signals.into_iter().map(|signal| self.plain(signal));
                 columns.flatten().collect()
             }

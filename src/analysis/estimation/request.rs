@@ -17,6 +17,8 @@ pub enum SpectrumKind {
         /// Lowest and highest frequency of what has the envelope, Hz.
         band: [f64; 2],
     },
+    /// The same of the band in which the first channel knocks most, which becomes that of an `Envelope`.
+    ImpulsiveEnvelope,
     /// Two-sided spectra of x + iy; channels come in pairs.
     Whirl,
     /// Cross spectra of the first channel with each of the others.
@@ -52,7 +54,7 @@ impl SpectrumKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Plain => "plain",
-            Self::Envelope { .. } => "envelope",
+            Self::Envelope { .. } | Self::ImpulsiveEnvelope => "envelope",
             Self::Whirl => "whirl",
             Self::Cross => "cross",
         }
@@ -106,7 +108,10 @@ impl SpectrumRequest {
     /// A displacement and a velocity are interpolated with their rates; of an envelope, and of accelerations and forces,
     /// only values are known.
     pub(in crate::analysis) fn sources(&self, channel: Channel, resampled: bool) -> Vec<Channel> {
-        let is_plain = !matches!(self.kind, SpectrumKind::Envelope { .. });
+        let is_plain = !matches!(
+            self.kind,
+            SpectrumKind::Envelope { .. } | SpectrumKind::ImpulsiveEnvelope
+        );
         let rate = rate_of(channel).filter(|_| is_plain && resampled);
         [channel].into_iter().chain(rate).collect()
     }

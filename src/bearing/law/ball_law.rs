@@ -32,10 +32,21 @@ impl<T: Plain> Ball<T> {
     /// The same with slopes by A1 and A2.
     #[inline(always)]
     pub fn with_slopes(&self) -> Ball<Dual<T, 2>> {
+        self.with_slopes_by()
+    }
+
+    /// The same with slopes by the first D, 2 or 4, of A1, A2 and both drops.
+    #[inline(always)]
+    pub fn with_slopes_by<const D: usize>(&self) -> Ball<Dual<T, D>> {
+        let [inner, outer] = self.drop;
         Ball {
             axial: Dual::variable(self.axial, 0),
             radial: Dual::variable(self.radial, 1),
-            drop: [Dual::fixed(self.drop[0]), Dual::fixed(self.drop[1])],
+            drop: if D == 4 {
+                [Dual::variable(inner, 2), Dual::variable(outer, 3)]
+            } else {
+                [Dual::fixed(inner), Dual::fixed(outer)]
+            },
         }
     }
 }

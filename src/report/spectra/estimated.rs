@@ -288,7 +288,9 @@ fn axis(spectrum: &EstimatedSpectrum) -> Map<String, Value> {
 fn meaning(spectrum: &EstimatedSpectrum) -> String {
     let of = match spectrum.request.kind {
         SpectrumKind::Plain => "",
-        SpectrumKind::Envelope { .. } => " of the envelope in band_Hz",
+        SpectrumKind::Envelope { .. } | SpectrumKind::ImpulsiveEnvelope => {
+            " of the envelope in band_Hz"
+        }
         SpectrumKind::Whirl => {
             " of x + iy: positive frequencies turn with the shaft, negative ones against it"
         }

@@ -5,15 +5,18 @@ use std::f64::consts::FRAC_PI_2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::defect::DefectInput;
 use super::fit::FitInput;
 use super::geometry::{GeometryInput, Printed, Sources};
+use super::housing::HousingInput;
 use super::oil::OilInput;
 use super::ratings::RatingsInput;
 use super::settings::{ContactChoice, ModelInput};
+use super::waviness::{BallSizesInput, WavinessInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::bearing::{
-    Bearing, BearingError, ClearanceClass, ContactDamping, Estimate, Facing, GeometryError,
-    MountedBearing, Oil, Preload, catalogue,
+    Bearing, BearingError, ClearanceClass, ContactDamping, Estimate, Facing, Geometry,
+    GeometryError, Housing, Imperfections, MountedBearing, Oil, Preload, catalogue,
 };
 use crate::physics::{Material, RaceControl, SkfFriction};
 use crate::rotor::Freedoms;
@@ -98,6 +101,22 @@ pub struct BearingInput {
     pub fit: Option<FitInput>,
     /// Oil in the bearing; without `film` it is known but parts nothing.
     pub oil: Option<OilInput>,
+    /// Slots across its races and dents of its balls.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub defect: Vec<DefectInput>,
+    /// Waves around its races and balls.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub waviness: Vec<WavinessInput>,
+    /// Balls of unequal size.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ball_sizes: Option<BallSizesInput>,
+    /// How much slower than nominal the cage turns, as a part: real cages slip by 1 or 2 %. Default: 0.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    #[schemars(range(min = 0.0, max = 0.9))]
+    pub cage_slip: f64,
+    /// The housing that it stands in. Default: it stands on the ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub housing: Option<HousingInput>,
     /// What a maker's catalogue prints of the bearing, instead of `catalogue`.
     pub ratings: Option<RatingsInput>,
     /// Internal dimensions; with a catalogue bearing or ratings, those that differ.
@@ -106,6 +125,10 @@ pub struct BearingInput {
     pub material: Option<MaterialInput>,
     /// Material of the balls where it differs from that of the rings.
     pub ball_material: Option<MaterialInput>,
+}
+
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 fn designations() -> Vec<&'static str> {
@@ -153,7 +176,7 @@ impl BearingInput {
         let place = |(position, facing)| MountedBearing {
             position,
             facing,
-            ..mounted
+            ..mounted.clone()
         };
         let places = places?.into_iter().map(place);
         let Some(input) = &self.fit else {
@@ -218,7 +241,6 @@ impl BearingInput {
         self.check_law(model, problems);
         let control = self.race_control.or(model.race_control);
         Some(MountedBearing {
-            bearing,
             law: match (self.contact(model), bearing.contact_stiffness) {
                 // a stiffness of both races together knows no ball inertia
                 (ContactChoice::Auto, Some(_)) => ContactChoice::Hertz.law(control),
@@ -230,7 +252,84 @@ impl BearingInput {
             preload: self.preload(),
             contact_damping: ContactDamping::default(),
             first_ball: self.first_ball.si(),
+            imperfections: self.imperfections(&bearing.geometry, model, problems)?,
+            housing: self.housing(freedoms, problems)?,
+            bearing,
         })
+    }
+
+    /// The housing, `Some(None)` where there is none, `None` where it is not right.
+    fn housing(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Option<Housing>> {
+        let Some(housing) = &self.housing else {
+            return Some(None);
+        };
+        self.check_alone(".housing", problems);
+        let build = |problems: &mut Problems<'_>| housing.build(freedoms, problems);
+        problems.inside("housing", build).map(Some)
+    }
+
+    /// What makes its surfaces differ from perfect ones, as far as it fits.
+    fn imperfections(
+        &self,
+        geometry: &Geometry,
+        model: &ModelInput,
+        problems: &mut Problems<'_>,
+    ) -> Option<Imperfections> {
+        for (key, given) in [
+            (".defect", !self.defect.is_empty()),
+            (".waviness", !self.waviness.is_empty()),
+            (".ball_sizes", self.ball_sizes.is_some()),
+        ] {
+            if given {
+                self.check_imperfect(key, model, problems);
+            }
+        }
+        let defect = |(index, defect): (usize, &DefectInput)| {
+            problems.inside(format!("defect[{index}]"), |problems| {
+                defect.build(geometry, problems)
+            })
+        };
+        let defects: Vec<_> = self.defect.iter().enumerate().map(defect).collect();
+        let waves = |(index, waviness): (usize, &WavinessInput)| {
+            problems.inside(format!("waviness[{index}]"), |problems| {
+                waviness.build(geometry, problems)
+            })
+        };
+        let waves: Vec<_> = self.waviness.iter().enumerate().map(waves).collect();
+        let waves = waves.into_iter().collect::<Option<Vec<_>>>();
+        let oversizes = match &self.ball_sizes {
+            None => Some(Vec::new()),
+            Some(sizes) => {
+                problems.inside("ball_sizes", |problems| sizes.build(geometry, problems))
+            }
+        };
+        Some(Imperfections {
+            defects: defects.into_iter().collect::<Option<_>>()?,
+            waves: waves?.into_iter().flatten().collect(),
+            oversizes: oversizes?,
+            cage_slip: self.cage_slip,
+        })
+    }
+
+    /// Refuses imperfect surfaces where no ball rolls over them, and where it is not clear on which bearing they are.
+    fn check_imperfect(&self, key: &str, model: &ModelInput, problems: &mut Problems<'_>) {
+        if self.contact(model) == ContactChoice::Linear {
+            let message = "contact = \"linear\" freezes the force of the bearing, and no ball rolls over its surfaces";
+            let issue = Issue::new(key, message).help("remove it, or set contact = \"hertz\"");
+            problems.refuse(issue.against_all([".contact", "model.contact"]));
+        }
+        self.check_alone(key, problems);
+    }
+
+    /// Refuses what belongs to one bearing where there are two.
+    fn check_alone(&self, key: &str, problems: &mut Problems<'_>) {
+        if self.arrangement.is_some() {
+            let message = "of a set of two bearings it is not clear which one this belongs to";
+            let issue = Issue::new(key, message).help(
+                "write the set as two tables [[bearing]] with a `position` and a `facing` each",
+            );
+            problems.refuse(issue.against(".arrangement"));
+        }
     }
 
     /// Refuses what the force law of the bearing does not know.

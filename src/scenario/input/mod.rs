@@ -4,8 +4,10 @@
 mod bearing;
 mod components;
 mod damping;
+mod defect;
 mod fit;
 mod geometry;
+mod housing;
 mod load;
 mod oil;
 mod output;
@@ -17,6 +19,7 @@ mod spectrum;
 mod speed;
 mod study;
 mod unbalance;
+mod waviness;
 
 pub use output::{Output, TableFormat};
 pub use ratings::RatingsInput;

@@ -14,10 +14,11 @@ use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
 use super::study::StudyInput;
 use super::unbalance::{self, Balanced, UnbalanceInput};
+use crate::analysis::{Channel, SpectrumRequest};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
-use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
+use crate::rotor::{Damping, Drive, Freedoms, MOST_HOUSINGS, RotorDefinition};
 use crate::scenario::problems::Problems;
 use crate::scenario::{Issue, catalogue_file};
 use crate::simulate::Model;
@@ -260,6 +261,60 @@ impl ScenarioInput {
         Some(rotor)
     }
 
+    /// Refuses columns of housings that are not there, and housings that have no columns.
+    fn check_housings(
+        &self,
+        rotor: &RotorDefinition,
+        spectra: &[SpectrumRequest],
+        problems: &mut Problems<'_>,
+    ) {
+        let housings: Vec<bool> = rotor
+            .bearings
+            .iter()
+            .map(|bearing| bearing.housing.is_some())
+            .collect();
+        let axes = rotor.shaft.freedoms.count().min(AXIAL + 1);
+        if housings.iter().skip(MOST_HOUSINGS).any(|housed| *housed) {
+            let message = format!("only the first {MOST_HOUSINGS} bearings can stand in housings");
+            let issue = Issue::new("bearing", message);
+            problems.refuse(issue.help("write bearings with a housing first"));
+        }
+        let missing = |channel: &Channel| match channel {
+            Channel::Housing { bearing, axis, .. } => {
+                housings.get(*bearing) != Some(&true) || *axis >= axes
+            }
+            _ => false,
+        };
+        let shown = self.output.channels.iter().flatten();
+        let shown = shown.map(|channel| ("output.channels".to_owned(), channel));
+        let analysed = spectra.iter().enumerate().flat_map(|(index, request)| {
+            let path = format!("spectrum[{index}].channels");
+            request.channels.iter().map(move |one| (path.clone(), one))
+        });
+        for (path, channel) in shown
+            .chain(analysed)
+            .filter(|(_, channel)| missing(channel))
+        {
+            let message = format!("there is no `{channel}`: no such housing moves that way");
+            let issue = Issue::new(path, message);
+            problems
+                .refuse(issue.help("give the bearing a table [bearing.housing], or leave it out"));
+        }
+    }
+
+    /// Columns of the trace beside the time, where there are housings and no others are asked for.
+    pub fn columns_with_housings(rotor: &RotorDefinition) -> Option<Vec<Channel>> {
+        let axes = rotor.shaft.freedoms.count().min(AXIAL + 1);
+        let housed = rotor.bearings.iter().enumerate();
+        let mut housed = housed
+            .filter(|(_, bearing)| bearing.housing.is_some())
+            .peekable();
+        housed.peek()?;
+        let housings = housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, axes));
+        let plain = Channel::of_trace().filter(|channel| *channel != Channel::Time);
+        Some(plain.chain(housings).collect())
+    }
+
     fn drive(&self) -> Option<Drive> {
         let torsion = self.shaft.torsion.as_ref().map(TorsionInput::build);
         let compliance = torsion.map_or(0.0, |torsion| torsion.compliance());
@@ -376,6 +431,7 @@ impl ScenarioInput {
             turning,
         };
         let spectra = spectrum::build(&self.spectrum, &recorded, problems);
+        self.check_housings(&rotor, &spectra, problems);
         if spectra_taken && problems.node("time.settle").is_none() {
             problems.warn(
                 "no `settle` in `[time]`: the spectra hold what decays after the start; set it to where that is gone \

@@ -10,7 +10,7 @@ use super::output::Turning;
 use crate::analysis::{
     Axis, Channel, Detrend, Scaling, Segment, SpectrumKind, SpectrumRequest, Window,
 };
-use crate::rotor::{FREEDOMS, Freedoms};
+use crate::rotor::{FREEDOMS, Freedoms, MOST_HOUSINGS};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Frequency, Quantity, Time, significant};
@@ -62,7 +62,7 @@ pub struct SpectrumInput {
     #[serde(default)]
     pub over: Axis,
     /// Lowest and highest frequency of what the envelope is taken of, for instance
-    /// ["1 kHz", "5 kHz"].
+    /// ["1 kHz", "5 kHz"]. Default: the band in which the first channel knocks most, by its spectral kurtosis.
     #[schemars(extend("maxItems" = 2, "examples" = [["1 kHz", "5 kHz"]]))]
     pub band: Option<Vec<Quantity<Frequency>>>,
 }
@@ -124,6 +124,7 @@ impl SpectrumInput {
             name,
             kind: match self.kind {
                 KindChoice::Plain => SpectrumKind::Plain,
+                KindChoice::Envelope if self.band.is_none() => SpectrumKind::ImpulsiveEnvelope,
                 KindChoice::Envelope => SpectrumKind::Envelope { band: band? },
                 KindChoice::Whirl => SpectrumKind::Whirl,
                 KindChoice::Cross => SpectrumKind::Cross,
@@ -213,9 +214,10 @@ impl JsonSchema for ChannelName {
     }
 }
 
-/// The channels of all freedoms, each kind together.
+/// The channels of all freedoms, each kind together, and of all housings.
 fn every_channel() -> impl Iterator<Item = Channel> {
-    GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of))
+    let freedoms = GROUPS.iter().flat_map(|(_, of)| (0..FREEDOMS).map(of));
+    freedoms.chain((0..MOST_HOUSINGS).flat_map(|bearing| Channel::of_housing(bearing, 3)))
 }
 
 /// Freedoms of a whirl: what turns with the shaft runs from the first to the second.
@@ -360,10 +362,7 @@ impl SpectrumInput {
         let inner = ".band";
         let is_envelope = self.kind == KindChoice::Envelope;
         let issue = match (self.band.as_deref(), is_envelope) {
-            (None, false) => return None,
-            (None, true) => {
-                Issue::new(".", "an envelope needs a `band`").help(fitting_band(recorded.rate))
-            }
+            (None, _) => return None,
             (Some(_), false) => {
                 let message = "`band` needs kind = \"envelope\": no other spectrum has one";
                 Issue::new(inner, message).help("remove it")

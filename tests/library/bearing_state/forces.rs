@@ -74,7 +74,7 @@ fn a_frozen_bearing_shows_the_balls_of_the_hertz_law() {
     let hertz = mounted(bearing("7205C"));
     let linear = MountedBearing {
         law: ContactLaw::Linear,
-        ..hertz
+        ..hertz.clone()
     };
     let mut support = Support::new(&linear, 0.0).expect("a bearing");
     support.freeze(&[0.0, 0.0, 20e-6, 0.0, 0.0], 0.0);
@@ -87,7 +87,7 @@ fn facing_mirrors_the_state() {
     let plus = mounted(bearing("7205C"));
     let minus = MountedBearing {
         facing: Facing::MinusZ,
-        ..plus
+        ..plus.clone()
     };
     let [a, b] = [
         state_at(&plus, [1e-6, 0.0, 20e-6, 0.0, 1e-4], 0.0),

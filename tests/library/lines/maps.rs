@@ -96,7 +96,7 @@ fn slow_run_up() -> (RotorDefinition, f64) {
     }];
     definition.bearings = vec![MountedBearing {
         law: ContactLaw::Linear,
-        ..definition.bearings[0]
+        ..definition.bearings[0].clone()
     }];
     (definition, duration)
 }

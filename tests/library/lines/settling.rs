@@ -31,7 +31,7 @@ fn unbalanced() -> RotorDefinition {
     definition.damping = Damping::Ratio(0.02);
     definition.bearings = vec![MountedBearing {
         law: ContactLaw::Linear,
-        ..definition.bearings[0]
+        ..definition.bearings[0].clone()
     }];
     definition
 }

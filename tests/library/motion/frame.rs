@@ -75,7 +75,7 @@ fn turning_loads_balls_and_unbalance_about_the_axis_turns_the_trace() {
         let bearings = straight.bearings.iter();
         let turned_bearings = bearings.map(|bearing| MountedBearing {
             first_ball: bearing.first_ball + angle,
-            ..*bearing
+            ..bearing.clone()
         });
         let oblique = RotorDefinition {
             bearings: turned_bearings.collect(),
@@ -112,7 +112,7 @@ fn a_mirrored_shaft_moves_as_the_mirror_image_bit_by_bit() {
                 Facing::PlusZ => Facing::MinusZ,
                 Facing::MinusZ => Facing::PlusZ,
             },
-            ..*bearing
+            ..bearing.clone()
         });
         let loads = shaft.loads.iter().map(|load| Load {
             position: -load.position,

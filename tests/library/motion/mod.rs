@@ -32,7 +32,7 @@ fn with_law(definition: RotorDefinition, (law, oil): (ContactLaw, Option<Oil>)) 
     let bearings = bearings.map(|bearing| MountedBearing {
         law,
         oil,
-        ..*bearing
+        ..bearing.clone()
     });
     RotorDefinition {
         bearings: bearings.collect(),

@@ -60,12 +60,12 @@ fn a_first_ball_one_spacing_further_changes_no_trace() {
         let mut further = definition.clone();
         further.bearings = vec![MountedBearing {
             first_ball: TAU / 7.0,
-            ..definition.bearings[0]
+            ..definition.bearings[0].clone()
         }];
         let mut between = definition.clone();
         between.bearings = vec![MountedBearing {
             first_ball: 0.5 * TAU / 7.0,
-            ..definition.bearings[0]
+            ..definition.bearings[0].clone()
         }];
         let trace = |definition: RotorDefinition| samples(&model(definition, 0.1, 5000.0), 0.0);
         let first = trace(definition);

@@ -12,7 +12,7 @@ use crate::tests::support::{
 pub fn linear(definition: RotorDefinition) -> RotorDefinition {
     let bearings = definition.bearings.iter().map(|bearing| MountedBearing {
         law: ContactLaw::Linear,
-        ..*bearing
+        ..bearing.clone()
     });
     RotorDefinition {
         bearings: bearings.collect(),

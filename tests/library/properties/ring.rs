@@ -167,7 +167,7 @@ proptest! {
             preload: Preload::AxialOffset(offset),
             ..mounted(bearing("7205C"))
         };
-        let minus = MountedBearing { facing: Facing::MinusZ, ..plus };
+        let minus = MountedBearing { facing: Facing::MinusZ, ..plus.clone() };
         let expected = mirror(force_of(plus, &place));
         prop_assert_eq!(expected, force_of(minus, &mirror(place)));
     }
@@ -178,7 +178,7 @@ proptest! {
     ) {
         let [x, y, z, tilt_x, tilt_y] = place;
         let centred = mounted(bearing("7205C"));
-        let moved = MountedBearing { position, ..centred };
+        let moved = MountedBearing { position, ..centred.clone() };
         // the displacement of the shaft's centre that puts this bearing at `place`
         let of_shaft = [x - position * tilt_y, y + position * tilt_x, z, tilt_x, tilt_y];
         let local = force_of(centred, &place);

@@ -136,6 +136,7 @@ fn first_bearing(keys: &str, tables: &str) -> MountedBearing {
     static_question(&format!("{BEARING}{keys}{tables}"))
         .rotor
         .bearings[0]
+        .clone()
 }
 
 fn static_question(tables: &str) -> StaticQuestion {

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::bearing::{
     BallContact, BallLoads, Bearing, BearingRotation, Facing, FreePosition, Geometry, HertzLaw,
-    Matrix5, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
+    Imperfections, Matrix5, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
 };
 use crate::integrate::{Method, Settings, System};
 use crate::rotor::{
@@ -125,7 +125,7 @@ impl HertzRing {
 /// The ring of balls of a bearing, ball 0 at an azimuth in rad.
 pub fn ring_from(bearing: &Bearing, first_ball: f64) -> HertzRing {
     HertzRing {
-        ring: Ring::new(&bearing.geometry, first_ball),
+        ring: Ring::new(&bearing.geometry, first_ball, &Imperfections::default()),
         law: law(bearing),
     }
 }

@@ -25,6 +25,11 @@ pub enum TableError {
     /// The line of lift-off cannot be followed.
     #[error("the balls lift off outside the reach of a table")]
     LiftOff,
+    /// The surfaces under the balls are not perfect.
+    #[error(
+        "a table knows a ball by its place alone, and the surfaces under the balls are not perfect"
+    )]
+    Imperfect,
     /// The law is not smooth enough.
     #[error("a table of {cells} cells has a relative error of {relative_error:e}")]
     Tolerance {

@@ -1,0 +1,74 @@
+//! `[bearing.housing]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::bearing::Housing;
+use crate::rotor::Freedoms;
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Damping, Mass, Measure, Quantity, Stiffness, si};
+
+/// The housing that a bearing stands in: a mass on springs and dampers to the ground, where sensors sit. It moves along x and
+/// y, and along z where the shaft does; its displacement counts from where its own weight has put it. Base accelerations
+/// act on it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HousingInput {
+    /// Mass, for instance "3 kg".
+    #[schemars(extend("examples" = ["3 kg"], "x-minimum" = 1e-6))]
+    pub mass: Quantity<Mass>,
+    /// Stiffness to the ground along each axis, for instance { x = "200 N/um", y = "300 N/um", z = "100 N/um" }.
+    #[schemars(extend("examples" = [{ "x": "200 N/um", "y": "300 N/um" }]))]
+    pub stiffness: Axes<Stiffness>,
+    /// Damping to the ground along each axis, for instance { x = "500 N s/m", y = "500 N s/m" }. Default: none.
+    pub damping: Option<Axes<Damping>>,
+}
+
+/// Values along the axes; one that is left out is zero.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(
+    deny_unknown_fields,
+    bound(serialize = "T: Measure + Clone", deserialize = "T: Measure + Clone")
+)]
+#[schemars(bound = "T: Measure", extend("minProperties" = 1))]
+pub struct Axes<T> {
+    /// Along X, horizontal.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub x: Option<Quantity<T>>,
+    /// Along Y, vertical and upward.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub y: Option<Quantity<T>>,
+    /// Along Z, the shaft.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub z: Option<Quantity<T>>,
+}
+
+impl<T> Axes<T> {
+    fn values(&self) -> [f64; 3] {
+        [&self.x, &self.y, &self.z].map(|value| si(value).unwrap_or(0.0))
+    }
+}
+
+impl HousingInput {
+    /// The housing, unless it is free along an axis that it moves along.
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Housing> {
+        let stiffness = self.stiffness.values();
+        let moving = freedoms.count().min(3);
+        let free = stiffness[..moving].iter().position(|value| *value <= 0.0);
+        if let Some(axis) = free {
+            let axis = ["x", "y", "z"][axis];
+            let message =
+                format!("the housing moves along {axis} and nothing holds it to the ground");
+            let help = format!("give stiffness.{axis}, for instance \"200 N/um\"");
+            problems.refuse(Issue::new(".stiffness", message).help(help));
+            return None;
+        }
+        let damping = self.damping.as_ref().map_or([0.0; 3], Axes::values);
+        Some(Housing {
+            mass: self.mass.si(),
+            stiffness,
+            damping,
+        })
+    }
+}

@@ -1,0 +1,177 @@
+//! A shaft on a bearing with a spall.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::bearing::{ContactDamping, Defect, MountedBearing, Surface};
+use crate::integrate::{Method, Settings};
+use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition, Sample};
+use crate::simulate::{Model, Run};
+
+use super::{fault, golden, with_defects};
+use crate::tests::support::{
+    Collector, assert_near, assert_printed, back_to_back_pair, model, rotor, settings, shaft,
+    simulate_into, try_run,
+};
+
+/// Sixty ball passes of the outer race, s.
+const PASSES: f64 = 60.0 / 107.364_305_84;
+
+/// The state there with the fault of 0.021 in at −90°: what these methods agree on.
+const GOLDEN_SPALLED: [f64; 4] = [
+    8.602_280_637e-8,
+    -4.015_621_494e-6,
+    -2.773_548_310e-4,
+    -6.801_643_074e-3,
+];
+
+fn outer(thou: f64) -> Vec<Defect> {
+    vec![fault(Surface::Outer, -FRAC_PI_2, thou)]
+}
+
+fn end(definition: RotorDefinition, method: Method, tolerance: f64) -> (Run, Sample) {
+    let model = Model {
+        integrator: Settings {
+            method,
+            ..settings(tolerance)
+        },
+        ..model(definition, PASSES, 60.0 / PASSES)
+    };
+    let (run, samples) = try_run(&model, 0.0);
+    (run.expect("a run"), *samples.last().expect("the end"))
+}
+
+/// Displacement in µm and velocity in µm/s.
+fn state(sample: &Sample) -> [f64; 4] {
+    let ([x, y, ..], [v_x, v_y, ..]) = (sample.displacement, sample.velocity);
+    [x, y, v_x, v_y]
+}
+
+#[test]
+fn the_golden_run_without_a_fault_has_its_printed_digits() {
+    let (_, end) = end(golden(Vec::new()), Method::Verner76, 1e-12);
+    assert_near("t", end.time, PASSES, 1e-9);
+    let [x, y, v_x, v_y] = state(&end);
+    assert_printed("x", x, "6.5533730e-8");
+    assert_printed("y", y, "-4.8118439e-6");
+    // printed as −1.7636188e-5; a Runge–Kutta run of 2 million steps in 80 bits has −1.76361888e-5
+    assert_near("v_x", v_x, -1.763_618_88e-5, 1e-13);
+    assert_printed("v_y", v_y, "9.4344e-6");
+}
+
+#[test]
+fn methods_of_every_kind_find_the_golden_run_with_the_fault() {
+    let spalled = || golden(outer(21.0));
+    let (_, healthy) = end(golden(Vec::new()), Method::Verner76, 1e-9);
+    let (_, truth) = end(spalled(), Method::Verner76, 1e-12);
+    for (method, tolerance) in [
+        (Method::Dopri5, 1e-10),
+        (Method::Verner76, 1e-9),
+        (Method::Exponential, 1e-9),
+    ] {
+        let (_, end) = end(spalled(), method, tolerance);
+        let apart = |left: &[f64], right: &[f64]| {
+            let pairs = left.iter().zip(right);
+            pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+        };
+        let [found, expected] = [&end, &truth].map(state);
+        let [places, rates] = [0..2, 2..4].map(|part| apart(&found[part.clone()], &expected[part]));
+        assert!(
+            places < 3e-14 && rates < 1e-9,
+            "{method:?}: {places:e} {rates:e}"
+        );
+    }
+    for (value, printed) in state(&truth).into_iter().zip(GOLDEN_SPALLED) {
+        assert_near("with the fault", value, printed, 1e-8 * printed.abs());
+    }
+    // the fault is felt
+    assert!((state(&healthy)[1] - state(&truth)[1]).abs() > 1e-9);
+}
+
+#[test]
+fn the_measured_error_keeps_to_its_tolerance_and_the_steps_to_their_number() {
+    for tolerance in [1e-6, 1e-8] {
+        for on in [Surface::Outer, Surface::Inner, Surface::Ball(2)] {
+            let run = |defects| {
+                let model = Model {
+                    verify: true,
+                    integrator: Settings {
+                        method: Method::Auto,
+                        ..settings(tolerance)
+                    },
+                    ..model(golden(defects), 0.2, 12_000.0)
+                };
+                try_run(&model, 0.0).0.expect("a run")
+            };
+            let [healthy, spalled] = [Vec::new(), vec![fault(on, -FRAC_PI_2, 21.0)]].map(run);
+            let error = spalled.measured_error.expect("a measured error");
+            assert!(
+                error.relative < 3.0 * tolerance,
+                "{on:?}: {:e}",
+                error.relative
+            );
+            assert!(spalled.counters.evaluations < 3 * healthy.counters.evaluations);
+        }
+    }
+}
+
+/// A pair of bearings, one of them with slots and a dent, contacts damped.
+fn damaged_pair() -> Vec<MountedBearing> {
+    let contact_damping = ContactDamping {
+        inner: 0.5,
+        outer: 0.3,
+    };
+    let mut pair = back_to_back_pair();
+    let defects = [
+        fault(Surface::Outer, -FRAC_PI_2, 21.0),
+        fault(Surface::Inner, 0.4, 14.0),
+        fault(Surface::Ball(5), 0.0, 14.0),
+    ];
+    pair[1] = with_defects(pair[1].clone(), defects.to_vec());
+    for bearing in &mut pair {
+        bearing.contact_damping = contact_damping;
+    }
+    pair
+}
+
+#[test]
+fn the_account_of_energy_closes_over_defects() {
+    let mut unbalanced = shaft(Freedoms::All);
+    (unbalanced.eccentricity, unbalanced.gravity) = (10e-6, true);
+    let prescribed = RotorDefinition {
+        speed: 800.0,
+        damping: Damping::Ratio(0.02),
+        load: [100.0, -200.0, 50.0, 0.2, -0.1],
+        ..rotor(unbalanced, damaged_pair())
+    };
+    let driven = RotorDefinition {
+        drive: Some(Drive {
+            torque: 2.0,
+            no_load_speed: Some(900.0),
+            load_torque: 0.1,
+            friction: true,
+            compliance: 0.0,
+        }),
+        ..prescribed.clone()
+    };
+    let mut undamped = prescribed.clone();
+    for bearing in &mut undamped.bearings {
+        bearing.contact_damping = ContactDamping::default();
+    }
+    for definition in [undamped, prescribed, driven] {
+        let residual = |tolerance: f64| {
+            let model = Model {
+                energy: true,
+                integrator: Settings {
+                    method: Method::Verner76,
+                    ..settings(tolerance)
+                },
+                ..model(definition.clone(), 0.02, 20_000.0)
+            };
+            let run = simulate_into(&model, &mut Collector::default()).expect("a run");
+            run.energy.expect("an account").relative_residual
+        };
+        // the works of defects are small beside the energy of the motion that a tolerance refers to
+        let [coarse, fine] = [1e-8, 1e-10].map(residual);
+        assert!(coarse < 2e-6 && fine < 2e-8, "{coarse:e} {fine:e}");
+    }
+}
