@@ -54,12 +54,12 @@ fn answer(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fai
     let scenario = &job.scenario;
     let accuracy = measure(job, model, arguments)?;
     let destination = job.destination();
-    let files = report::write_accuracy(&destination, &accuracy)?;
+    let answer = report::accuracy_answer(&destination, &accuracy);
+    let files = destination.write(&answer)?;
     let choice = scenario.contact_choice.as_ref();
     let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
     let text = report::accuracy_text(destination.title, &accuracy, &files) + &chosen;
-    let json = destination.document(&accuracy);
-    Ok(Answer::new(text, json, &files))
+    Ok(Answer::new(text, answer.document, &files))
 }
 
 fn measure(job: &Job, model: &Model, arguments: &Arguments) -> Result<Accuracy, AccuracyError> {

@@ -38,7 +38,7 @@ fn answer(job: &Job) -> Result<Answer, Failure> {
     let destination = job.destination();
     let answer = quasi_static(&job.scenario.question)?;
     job.warn(&answer.warnings);
-    let files = report::write_answer(&destination, &answer)?;
+    let files = destination.write(&report::static_answer(&destination, &answer))?;
     let choice = job.scenario.contact_choice.as_ref();
     let chosen = choice.map(report::contact_choice_text).unwrap_or_default();
     let text = report::answer_text(destination.title, &answer, &files) + &chosen;
@@ -69,7 +69,7 @@ fn answer_study(job: &Job, study: &Study) -> Result<Answer, Failure> {
         let warnings = row.answer.warnings.iter();
         job.warn(warnings.map(|warning| format!("{place}: {warning}")));
     }
-    let files = report::write_study(&destination, study, &rows)?;
+    let files = destination.write(&report::study_answer(&destination, study, &rows))?;
     let text = report::study_text(destination.title, study, &rows, &files);
     let json = report::study_json(&destination, study, &rows);
     Ok(Answer::new(text, json, &files))

@@ -63,8 +63,8 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
         orders: arguments.orders.clone(),
     };
     let campbell = question.solve()?;
-    let files = report::write_campbell(&destination, &campbell)?;
+    let answer = report::campbell_answer(&destination, &campbell);
+    let files = destination.write(&answer)?;
     let text = report::campbell_text(destination.title, &campbell, &files);
-    let json = report::campbell_json(&destination, &campbell);
-    Ok(Answer::new(text, json, &files))
+    Ok(Answer::new(text, answer.document, &files))
 }

@@ -123,10 +123,10 @@ fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Fail
         stop: stop::flag(),
     })?;
     job.warn(&found.warnings);
-    let files = report::write_steady(&destination, model, &found)?;
+    let answer = report::steady_answer(&destination, model, &found);
+    let files = destination.write(&answer)?;
     let text = report::steady_text(destination.title, model, &found, &files);
-    let json = report::steady_json(&destination, model, &found);
-    Ok(Answer::new(text, json, &files))
+    Ok(Answer::new(text, answer.document, &files))
 }
 
 fn along(
@@ -152,11 +152,11 @@ fn along(
     let incomplete = || branches.iter().filter(|branch| branch.incomplete);
     job.warn(incomplete().map(|branch| &branch.end));
     let variable = &stretch.variable;
-    let files = report::write_response(&destination, variable, &branches)?;
+    let answer = report::response_answer(&destination, variable, &branches);
+    let files = destination.write(&answer)?;
     let text = report::response_text(destination.title, variable, &branches, &files);
-    let json = report::response_json(&destination, variable, &branches);
     Ok(Answer {
         incomplete: incomplete().next().is_some(),
-        ..Answer::new(text, json, &files)
+        ..Answer::new(text, answer.document, &files)
     })
 }

@@ -7,28 +7,24 @@ use std::path::PathBuf;
 use super::figure::{Axis, COLOURS, Curve, Figure, GREY, Mark, Name, Panel, distinct};
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, or_dash, wrapped};
-use super::{Destination, FileSet, ReportError};
+use super::{Answer, Destination, FileSet};
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, LadderRow, Measured, Row};
 
-/// Writes `accuracy.csv`, `ladder.csv`, `accuracy.svg`, `ladder.svg` and, last, `accuracy.json` ; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_accuracy(
-    destination: &Destination<'_>,
-    accuracy: &Accuracy,
-) -> Result<Vec<PathBuf>, ReportError> {
+/// `accuracy.csv`, `ladder.csv`, `accuracy.svg`, `ladder.svg` and `accuracy.json`.
+pub fn accuracy_answer(destination: &Destination<'_>, accuracy: &Accuracy) -> Answer {
     let title = destination.title;
-    let tables = [
-        ("accuracy", methods_table(accuracy)),
-        ("ladder", ladder_table(accuracy)),
-    ];
-    let figures = [
-        methods_figure(title, accuracy),
-        ladder_figure(title, accuracy),
-    ];
-    let document = destination.document(accuracy);
-    destination.write(FileSet::ACCURACY, tables, figures, &document)
+    Answer {
+        set: FileSet::ACCURACY,
+        document: destination.document(accuracy),
+        tables: vec![
+            ("accuracy", methods_table(accuracy)),
+            ("ladder", ladder_table(accuracy)),
+        ],
+        figures: vec![
+            methods_figure(title, accuracy),
+            ladder_figure(title, accuracy),
+        ],
+    }
 }
 
 const ERRORS: [Named<Errors>; 11] = [

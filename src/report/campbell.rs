@@ -10,22 +10,18 @@ use serde_json::Value;
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
 use super::table::Table;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash};
-use super::{Destination, FileSet, ReportError, RunFolder, WholeFile};
+use super::{Answer, Destination, FileSet, ReportError, RunFolder, WholeFile};
 use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
 
-/// Writes `campbell.csv`, `campbell.svg` and, last, `campbell.json`; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_campbell(
-    destination: &Destination<'_>,
-    campbell: &Campbell,
-) -> Result<Vec<PathBuf>, ReportError> {
-    let tables = [("campbell", modes(campbell))];
-    let figures = [campbell_figure(destination.title, campbell)];
-    let document = campbell_json(destination, campbell);
-    destination.write(FileSet::CAMPBELL, tables, figures, &document)
+/// `campbell.csv`, `campbell.svg` and `campbell.json`.
+pub fn campbell_answer(destination: &Destination<'_>, campbell: &Campbell) -> Answer {
+    Answer {
+        set: FileSet::CAMPBELL,
+        document: campbell_json(destination, campbell),
+        tables: vec![("campbell", campbell_table(campbell))],
+        figures: vec![campbell_figure(destination.title, campbell)],
+    }
 }
 
 /// Writes the table, and the figure where it is drawn, beside the files of a run.
@@ -35,7 +31,7 @@ pub(super) fn write_files(
     campbell: &Campbell,
     figure: bool,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = folder.write_table("campbell", &modes(campbell))?;
+    let mut files = folder.write_table("campbell", &campbell_table(campbell))?;
     if figure {
         let figure = campbell_figure(title, campbell);
         files.push(folder.write_figure(&figure)?);
@@ -44,7 +40,7 @@ pub(super) fn write_files(
 }
 
 /// The modes, branch by branch from 1 on; the order is missing at rest.
-fn modes(campbell: &Campbell) -> Table {
+pub(super) fn campbell_table(campbell: &Campbell) -> Table {
     let branches = campbell.branches.iter().enumerate();
     let modes: Vec<_> = branches
         .flat_map(|(index, branch)| {
@@ -94,7 +90,7 @@ struct BranchSummary {
 }
 
 /// Critical speeds and what they rest on; the modes stand in `campbell.csv`.
-pub fn campbell_json(destination: &Destination<'_>, campbell: &Campbell) -> Value {
+fn campbell_json(destination: &Destination<'_>, campbell: &Campbell) -> Value {
     let summary = CampbellSummary {
         from: campbell.speeds.first(),
         to: campbell.speeds.last(),
@@ -183,7 +179,7 @@ fn put_critical(out: &mut Lines, campbell: &Campbell) {
 const HEIGHT: u32 = 322;
 
 /// Frequencies with the orders and critical speeds above, damping ratios below.
-fn campbell_figure(title: &str, campbell: &Campbell) -> Figure {
+pub(super) fn campbell_figure(title: &str, campbell: &Campbell) -> Figure {
     let whirls = [
         Whirl::Forward,
         Whirl::Backward,

@@ -33,22 +33,16 @@ impl Destination<'_> {
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn.
-    pub(super) fn write(
-        &self,
-        set: FileSet,
-        tables: impl IntoIterator<Item = (&'static str, Table)>,
-        figures: impl IntoIterator<Item = Figure>,
-        document: &Value,
-    ) -> Result<Vec<PathBuf>, ReportError> {
-        let folder = self.open(set)?;
+    pub fn write(&self, answer: &Answer) -> Result<Vec<PathBuf>, ReportError> {
+        let folder = self.open(answer.set)?;
         let mut files = Vec::new();
-        for (stem, table) in tables {
-            files.extend(folder.write_table(stem, &table)?);
+        for (stem, table) in &answer.tables {
+            files.extend(folder.write_table(stem, table)?);
         }
-        for figure in figures {
-            files.push(folder.write_figure(&figure)?);
+        for figure in &answer.figures {
+            files.push(folder.write_figure(figure)?);
         }
-        folder.commit(files, format!("{document:#}\n").as_bytes())
+        folder.commit(files, format!("{:#}\n", answer.document).as_bytes())
     }
 
     /// Opens the folder for a set of files.
@@ -57,6 +51,34 @@ impl Destination<'_> {
             scenario: self.scenario.to_string(),
         };
         Ok(RunFolder::open(self.folder, set)?.with_tables(self.formats, origin))
+    }
+}
+
+/// An answer before it becomes files: a document, tables and figures.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The files that it becomes.
+    pub(super) set: FileSet,
+    /// What stands in the JSON document.
+    pub document: Value,
+    /// The tables by their names.
+    pub tables: Vec<(&'static str, Table)>,
+    pub(super) figures: Vec<Figure>,
+}
+
+impl Answer {
+    /// Names of the figures.
+    pub fn figures(&self) -> impl Iterator<Item = &str> {
+        self.figures.iter().map(Figure::name)
+    }
+
+    /// A figure by its name as SVG; none where no figure is called so.
+    ///
+    /// # Errors
+    /// [`ReportError::Draw`] where the drawing library fails.
+    pub fn figure(&self, name: &str) -> Result<Option<String>, ReportError> {
+        let found = self.figures.iter().find(|figure| figure.name() == name);
+        found.map(Figure::svg).transpose()
     }
 }
 

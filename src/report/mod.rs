@@ -26,11 +26,12 @@ pub(crate) mod table;
 mod terminal;
 mod text;
 
-pub(crate) use accuracy::{accuracy_text, write_accuracy};
+pub use accuracy::{accuracy_answer, accuracy_text};
 #[cfg(test)]
 pub(crate) use bytes::Checksum;
-pub(crate) use campbell::{campbell_json, campbell_text, write_campbell};
-pub(crate) use destination::{Destination, document};
+pub use campbell::{campbell_answer, campbell_text};
+pub(crate) use destination::document;
+pub use destination::{Answer, Destination};
 pub(crate) use error::Failure;
 pub use error::{FileAction, ReportError};
 pub(crate) use figure_trace::{Bucket, Decimator, TraceFigure};
@@ -45,11 +46,10 @@ pub(crate) use run_tables::{
 };
 pub(crate) use spectrum::spectrum_figure;
 pub use spectrum::write_spectrum;
-pub(crate) use statics::{answer_text, write_answer};
-pub(crate) use steady::{
-    response_json, response_text, steady_json, steady_text, write_response, write_steady,
-};
-pub(crate) use study::{study_json, study_text, write_study};
+pub use statics::{answer_text, static_answer};
+pub use steady::{response_answer, response_text, steady_answer, steady_text};
+pub(crate) use study::study_json;
+pub use study::{study_answer, study_text};
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::ParquetTable;
 #[cfg(test)]

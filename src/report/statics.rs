@@ -7,24 +7,20 @@ use super::table::{Named, Table};
 use super::terminal::{
     Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed, or_dash,
 };
-use super::{Destination, FileSet, ReportError};
+use super::{Answer, Destination, FileSet};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::physics::Race;
 use crate::quasi_static::QuasiStatic;
 use crate::rotor::FREEDOMS;
 
-/// Writes `balls.csv`, `balls.svg` and, last, `bearing.json`; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_answer(
-    destination: &Destination<'_>,
-    answer: &QuasiStatic,
-) -> Result<Vec<PathBuf>, ReportError> {
-    let tables = [("balls", balls_table(answer))];
-    let figures = [balls_figure(destination.title, answer)];
-    let document = destination.document(answer);
-    destination.write(FileSet::BEARING, tables, figures, &document)
+/// `balls.csv`, `balls.svg` and `bearing.json`.
+pub fn static_answer(destination: &Destination<'_>, answer: &QuasiStatic) -> Answer {
+    Answer {
+        set: FileSet::BEARING,
+        document: destination.document(answer),
+        tables: vec![("balls", balls_table(answer))],
+        figures: vec![balls_figure(destination.title, answer)],
+    }
 }
 
 /// A coupling below this part of its diagonal terms is what round-off left of zero.

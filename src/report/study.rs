@@ -9,36 +9,30 @@ use serde_json::Value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
 use super::table::{Named, Table};
 use super::terminal::{Lines, MICRO, MILLI, digits};
-use super::{Destination, FileSet, ReportError};
+use super::{Answer, Destination, FileSet};
 use crate::analysis::Channel;
 use crate::bearing::{Around, BallLine, BearingState};
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
 use crate::study::{Study, StudyRow, Variable};
 
-/// Writes `study.csv`, `around.csv`, three figures and, last, `study.json`; returns
-/// their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_study(
-    destination: &Destination<'_>,
-    study: &Study,
-    rows: &[StudyRow],
-) -> Result<Vec<PathBuf>, ReportError> {
+/// `study.csv`, `around.csv`, three figures and `study.json`.
+pub fn study_answer(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Answer {
     let (title, variable) = (destination.title, &study.variable);
-    let tables = [
-        ("study", answers(variable, rows)),
-        ("around", around(variable, rows)),
-    ];
-    let figures = [
-        stiffness(title, variable, rows),
-        deformation(title, variable, rows),
-        contact_angle(title, variable, rows),
-    ];
-    // the numbers are in the tables beside it
-    let document = destination.document(about(study, rows));
-    destination.write(FileSet::STUDY, tables, figures, &document)
+    Answer {
+        set: FileSet::STUDY,
+        // the numbers are in the tables beside it
+        document: destination.document(about(study, rows)),
+        tables: vec![
+            ("study", answers(variable, rows)),
+            ("around", around(variable, rows)),
+        ],
+        figures: vec![
+            stiffness(title, variable, rows),
+            deformation(title, variable, rows),
+            contact_angle(title, variable, rows),
+        ],
+    }
 }
 
 /// The variable as the name of a column: `load_0_constant_z_N`.

@@ -15,53 +15,46 @@ use super::spectrum::{AMPLITUDE, FREQUENCY, HEIGHT, amplitude_column, phase_colu
 use super::study::shown;
 use super::table::Table;
 use super::terminal::{Lines, MICRO, digits, listed, measured_text};
-use super::{Destination, FileSet, ReportError, TraceFigure};
+use super::{Answer, Destination, FileSet, TraceFigure};
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
 use crate::steady::{Base, Measured, Response, Steady, SteadyLine, SteadyLines};
 use crate::study::Variable;
 
-/// Writes `steady_trace.csv`, `steady_spectrum.csv`, two figures and, last, `steady.json`;
-/// returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_steady(
-    destination: &Destination<'_>,
-    model: &Model,
-    steady: &Steady,
-) -> Result<Vec<PathBuf>, ReportError> {
+/// `steady_trace.csv`, `steady_spectrum.csv`, two figures and `steady.json`.
+pub fn steady_answer(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Answer {
     let title = destination.title;
     let mut figure = TraceFigure::new(model.rotor.shaft.freedoms.count());
     steady.trace.iter().for_each(|sample| figure.sample(sample));
-    let tables = [
-        ("steady_trace", trace_table(&steady.trace)),
-        ("steady_spectrum", line_table(steady, model.rotor.speed)),
-    ];
-    let figures = [
-        figure.figure("steady_trace.svg", title),
-        spectrum(title, &steady.lines),
-    ];
-    let document = steady_json(destination, model, steady);
-    destination.write(FileSet::STEADY, tables, figures, &document)
+    Answer {
+        set: FileSet::STEADY,
+        document: steady_json(destination, model, steady),
+        tables: vec![
+            ("steady_trace", trace_table(&steady.trace)),
+            ("steady_spectrum", line_table(steady, model.rotor.speed)),
+        ],
+        figures: vec![
+            figure.figure("steady_trace.svg", title),
+            spectrum(title, &steady.lines),
+        ],
+    }
 }
 
-/// Writes `response.csv`, `response_specials.csv`, `response.svg` and, last, `response.json` ; returns their paths.
-///
-/// # Errors
-/// [`ReportError`] where a file cannot be written or drawn.
-pub fn write_response(
+/// `response.csv`, `response_specials.csv`, `response.svg` and `response.json`.
+pub fn response_answer(
     destination: &Destination<'_>,
     variable: &Variable,
     branches: &[Response],
-) -> Result<Vec<PathBuf>, ReportError> {
-    let tables = [
-        ("response", response::points(variable, branches)),
-        ("response_specials", response::specials(variable, branches)),
-    ];
-    let figures = [response::figure(destination.title, variable, branches)];
-    let document = response_json(destination, variable, branches);
-    destination.write(FileSet::RESPONSE, tables, figures, &document)
+) -> Answer {
+    Answer {
+        set: FileSet::RESPONSE,
+        document: response_json(destination, variable, branches),
+        tables: vec![
+            ("response", response::points(variable, branches)),
+            ("response_specials", response::specials(variable, branches)),
+        ],
+        figures: vec![response::figure(destination.title, variable, branches)],
+    }
 }
 
 /// Frequency, order of the shaft (where it turns), both multiples, then amplitude and phase of every
@@ -156,7 +149,7 @@ struct ResponseSummary<'a> {
 
 /// Everything about a steady motion except its trace and its spectrum. The same question gives the same
 /// bytes.
-pub fn steady_json(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Value {
+fn steady_json(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Value {
     let measured = |error| ErrorSummary {
         error,
         tolerance: model.integrator.tolerance,
@@ -171,7 +164,7 @@ pub fn steady_json(destination: &Destination<'_>, model: &Model, steady: &Steady
 }
 
 /// The branches of a response; the motions stand in `response.csv`.
-pub fn response_json(
+fn response_json(
     destination: &Destination<'_>,
     variable: &Variable,
     branches: &[Response],

@@ -73,11 +73,34 @@ pub(super) type Named<T> = (&'static str, fn(&T) -> f64);
 
 /// A table of named columns, all of the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(in crate::report) struct Table {
+pub struct Table {
     columns: Vec<(Column, Vec<f64>)>,
 }
 
 impl Table {
+    /// A table of rows that come one by one, as they go into a file.
+    pub(in crate::report) fn of_rows(
+        columns: &[Column],
+        rows: impl FnOnce(&mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()>,
+    ) -> io::Result<Self> {
+        let mut values = vec![Vec::new(); columns.len()];
+        rows(&mut |row| {
+            for (column, value) in values.iter_mut().zip(row) {
+                column.push(*value);
+            }
+            Ok(())
+        })?;
+        let columns = columns.iter().cloned().zip(values).collect();
+        Ok(Self { columns })
+    }
+
+    /// The columns with their values, of which one that is missing is NaN.
+    pub fn iter(&self) -> impl Iterator<Item = (&Column, &[f64])> {
+        self.columns
+            .iter()
+            .map(|(column, values)| (column, &values[..]))
+    }
+
     /// Adds a column of numbers, some of which may be missing; the name ends with the unit.
     pub fn numbers<T: Into<Option<f64>>>(
         &mut self,
