@@ -20,7 +20,7 @@ use crate::simulate::{
     Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, Standing, StateKeeper,
     simulate_part,
 };
-use crate::study::campbell::{Campbell, CampbellError, CampbellQuestion};
+use crate::study::campbell::along_run_up;
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
@@ -63,9 +63,6 @@ impl Arguments {
         format!("jeffcott run {}{out}{verify}{written} --resume", job.name)
     }
 }
-
-/// Speeds of the diagram of a run-up.
-const CAMPBELL_SPEEDS: usize = 61;
 
 /// Checks all files, then runs them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
@@ -168,33 +165,6 @@ impl Motion<'_> {
         }
     }
 
-    /// Natural frequencies up to the highest speed, where the run is mapped.
-    fn campbell(&self, run: &Run) -> Result<Option<Campbell>, CampbellError> {
-        let highest = self.model.rotor.highest_speed();
-        let Some(maps) = run.maps.as_ref().filter(|_| highest > 0.0) else {
-            return Ok(None);
-        };
-        let orders = maps.tracks.orders.iter();
-        let question = CampbellQuestion {
-            rotor: self.model.rotor.clone(),
-            from: 0.0,
-            to: highest,
-            count: CAMPBELL_SPEEDS,
-            orders: orders.map(|order| order.order).collect(),
-        };
-        question.solve().map(Some)
-    }
-
-    /// The same; where there is no diagram the run tells why.
-    fn campbell_or_warning(&self, run: &mut Run) -> Option<Campbell> {
-        self.campbell(run).unwrap_or_else(|error| {
-            run.warnings.push(format!(
-                "there is no diagram of natural frequencies: {error}"
-            ));
-            None
-        })
-    }
-
     fn finish(&self, report: RunReport, mut run: Run, started: Instant) -> Result<Answer, Failure> {
         let Scenario {
             title,
@@ -202,7 +172,7 @@ impl Motion<'_> {
             contact_choice,
             ..
         } = &self.job.scenario;
-        let campbell = self.campbell_or_warning(&mut run);
+        let campbell = along_run_up(&self.model, &mut run);
         self.job.warn(&run.warnings);
         let files = report
             .with_campbell(campbell.clone())

@@ -13,12 +13,13 @@ use super::jobs::folder_of;
 use super::progress::Progress;
 use super::{Outcome, stop, stream};
 use crate::report::many::{
-    Digest, JournalError, Layout, MergeError, StudyReport, merge as merge_parts,
+    Digest, JournalError, MakeError, Making, MergeError, StudyRuns, StudyWatch,
+    merge as merge_parts,
 };
 use crate::report::{self, Outputs, ReportError, RunReport};
 use crate::scenario::{self, StudyFile};
 use crate::simulate::{Monitor, RunSize, SimulateError, simulate};
-use crate::study::many::{Maker, Schedule, Shard, Unmade, work};
+use crate::study::many::Shard;
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
 #[derive(Debug, clap::Args)]
@@ -132,10 +133,8 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
 /// Why a study did not come to its end, in words.
 #[derive(Debug, thiserror::Error)]
 enum Failure {
-    #[error("the first point of the study is no scenario: {0}")]
-    First(String),
     #[error(transparent)]
-    Journal(#[from] JournalError),
+    Make(#[from] MakeError),
     #[error(transparent)]
     Report(#[from] ReportError),
     #[error(transparent)]
@@ -144,37 +143,22 @@ enum Failure {
     TooLarge(#[from] TooLarge),
     #[error("there is no run {number}: they count from 0 to {last}")]
     NoRun { number: u64, last: u64 },
-    #[error("there is no part {number} of {count}: the study has {most} to share at most")]
-    NoPart { number: u64, count: u64, most: u64 },
     #[error("run {number}: {message}")]
     Run { number: u64, message: String },
-    #[error("{0}; with that mended the same command goes on from what is done")]
-    Trace(io::Error),
-    #[error("interrupted; the same command goes on from what is done")]
-    Interrupted,
     #[error(transparent)]
     Output(#[from] io::Error),
-}
-
-impl From<Unmade> for Failure {
-    fn from(unmade: Unmade) -> Self {
-        match unmade {
-            Unmade::Stopped => Self::Interrupted,
-            Unmade::Trace(error) => Self::Trace(error),
-        }
-    }
 }
 
 impl Failure {
     fn outcome(&self) -> Outcome {
         match self {
-            Self::First(_)
-            | Self::TooLarge(_)
+            Self::TooLarge(_)
             | Self::NoRun { .. }
-            | Self::NoPart { .. }
-            | Self::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }) => {
-                Outcome::WrongInput
-            }
+            | Self::Make(
+                MakeError::First(_)
+                | MakeError::NoPart { .. }
+                | MakeError::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }),
+            ) => Outcome::WrongInput,
             _ => Outcome::Failed,
         }
     }
@@ -185,118 +169,51 @@ struct Task<'a> {
     study: &'a StudyFile,
     make: &'a Make,
     folder: PathBuf,
-    schedule: Schedule,
-    freedoms: usize,
-    /// Of the first run, if it can begin.
-    size: Option<RunSize>,
+    runs: StudyRuns<'a>,
 }
 
 impl<'a> Task<'a> {
     fn new(study: &'a StudyFile, make: &'a Make, folder: PathBuf) -> Result<Self, Failure> {
-        let plan = &study.plan;
-        let points = plan.runs().unwrap_or(u64::MAX);
-        let last = plan.axes().last().map_or(1, |axis| axis.length());
-        let first = study.model(&plan.values(0));
-        let model = first.map_err(|error| Failure::First(error.message))?;
-        let freedoms = model.rotor.shaft.freedoms.count();
         Ok(Self {
             study,
             make,
             folder,
-            schedule: Schedule::new(points, last, study.sweep),
-            freedoms,
-            size: RunSize::of(&model).ok(),
+            runs: StudyRuns::new(study)?,
         })
     }
 
     fn run(&self) -> Result<Outcome, Failure> {
-        let model = |values: &[f64]| self.study.model(values).map_err(|error| error.message);
-        let maker = Maker {
-            plan: &self.study.plan,
-            schedule: self.schedule,
-            keep: self.study.keep,
-            verify_every: self.study.verify_every,
-            traces: None,
-            columns: &self.study.columns,
-            model: &model,
-            stop: stop::flag(),
-        };
         match self.make.only {
-            Some(number) => self.only(number, &maker),
-            None => self.all(&maker),
+            Some(number) => self.only(number),
+            None => self.all(),
         }
     }
 
-    fn all(&self, maker: &Maker<'_>) -> Result<Outcome, Failure> {
+    fn all(&self) -> Result<Outcome, Failure> {
         let started = Instant::now();
-        let shard = self.make.shard.unwrap_or(Shard::WHOLE);
-        if let Some(size) = &self.size {
-            check_memory(size, self.threads())?;
+        // what keeps the first run from beginning it tells itself
+        if let Ok(size) = RunSize::of(&self.runs.first) {
+            check_memory(&size, self.threads())?;
         }
-        let most = self.schedule.chains();
-        if shard.count > most.max(1) {
-            let Shard { number, count } = shard;
-            return Err(Failure::NoPart {
-                number,
-                count,
-                most,
-            });
-        }
-        let layout = Layout {
-            variables: &self.study.variables,
-            columns: &self.study.columns,
-            freedoms: self.freedoms,
-            keep: self.study.keep,
-        };
-        let (title, identity) = (&self.study.title, self.study.echo.clone());
-        let part = (shard, &self.schedule);
-        let anew = self.make.restart;
-        let mut report = StudyReport::open(&self.folder, title, identity, layout, part, anew)?;
-        let chains = shard.chains(&self.schedule);
-        let count = chains.end - chains.start;
-        let kept = report.done().clone();
-        let mut done = (chains.clone()).filter(|chain| kept.holds(*chain)).count() as u64;
-        if done > 0 {
-            let of = |chain| self.schedule.runs_of(chain..chain + 1);
-            let runs = chains.clone().filter(|chain| kept.holds(*chain)).map(of);
-            let runs: u64 = runs.map(|runs| runs.end - runs.start).sum();
-            stream::tell(&format!("going on behind {runs} runs that are done\n"));
-        }
-        let traces = report.traces()?;
-        let keep = |run| match &traces {
-            Some(traces) => traces.begin(run),
-            None => Err(io::ErrorKind::Unsupported.into()),
-        };
-        let maker = Maker {
-            traces: traces.is_some().then_some(&keep),
-            ..*maker
-        };
+        let title = &self.study.title;
         let mut progress = Progress::new(title);
-        let left = chains.filter(|chain| !kept.holds(*chain));
-        work(
-            left,
-            self.threads(),
-            stop::flag(),
-            |chain| maker.chain(chain),
-            |chain, records| -> Result<(), Failure> {
-                let records = match records {
-                    Ok(records) => records,
-                    // it is made again when the study goes on
-                    Err(Unmade::Stopped) => return Ok(()),
-                    Err(unmade) => return Err(unmade.into()),
-                };
-                report.add(chain, &records)?;
-                done += 1;
-                progress.show(done as f64 / count as f64);
-                Ok(())
+        let making = Making {
+            folder: &self.folder,
+            shard: self.make.shard.unwrap_or(Shard::WHOLE),
+            threads: self.threads(),
+            anew: self.make.restart,
+        };
+        let mut watch = StudyWatch {
+            stop: stop::flag(),
+            resumed: &mut |runs| {
+                stream::tell(&format!("going on behind {runs} runs that are done\n"));
             },
-        )?;
+            progress: &mut |part| progress.show(part),
+        };
+        let (files, digest) = self.runs.make(&making, &mut watch)?;
         drop(progress);
-        if done < count {
-            return Err(Failure::Interrupted);
-        }
-        let (files, digest) = report.finish()?;
-        let runs = self.schedule.runs_of(shard.chains(&self.schedule));
+        let schedule = &self.runs.schedule;
+        let runs = schedule.runs_of(making.shard.chains(schedule));
         let runs = runs.end - runs.start;
         let seconds = started.elapsed().as_secs_f64();
         show(title, &files, digest.as_ref(), self.make.json)?;
@@ -314,15 +231,20 @@ impl<'a> Task<'a> {
     }
 
     /// Makes one run with all its files.
-    fn only(&self, number: u64, maker: &Maker<'_>) -> Result<Outcome, Failure> {
-        let last = self.schedule.runs().saturating_sub(1);
+    fn only(&self, number: u64) -> Result<Outcome, Failure> {
+        let schedule = self.runs.schedule;
+        let last = schedule.runs().saturating_sub(1);
         if number > last {
             return Err(Failure::NoRun { number, last });
         }
         let failed = |message| Failure::Run { number, message };
-        let model = maker.alone(number)?.map_err(failed)?;
+        let model = |values: &[f64]| self.study.model(values).map_err(|error| error.message);
+        let maker = self.study.maker(schedule, &model, stop::flag());
+        let alone = maker.alone(number).map_err(MakeError::from)?;
+        let model = alone.map_err(failed)?;
+        let freedoms = self.runs.first.rotor.shaft.freedoms.count();
         let title = format!("{}, run {number}", self.study.title);
-        let turn = self.schedule.chain(self.schedule.chain_of(number));
+        let turn = schedule.chain(schedule.chain_of(number));
         let point = turn
             .filter(|turn| turn.number == number)
             .map(|turn| turn.point)
@@ -341,7 +263,7 @@ impl<'a> Task<'a> {
         let scenario = self.study.scenario(&values);
         let scenario = scenario.map_err(|error| failed(error.message))?;
         let folder = self.folder.join(format!("run-{number}"));
-        let mut report = RunReport::open(&folder, outputs, &title, scenario, self.freedoms)?;
+        let mut report = RunReport::open(&folder, outputs, &title, scenario, freedoms)?;
         let mut progress = Progress::new(&title);
         let mut monitor = Monitor {
             stop: stop::flag(),

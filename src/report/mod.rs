@@ -13,6 +13,7 @@ mod folder;
 pub(crate) mod many;
 mod motion;
 mod page;
+mod recorded;
 mod restart;
 mod run_report;
 pub(crate) mod run_tables;
@@ -36,6 +37,11 @@ pub(crate) use error::Failure;
 pub use error::{FileAction, ReportError};
 pub(crate) use figure_trace::{Bucket, Decimator, TraceFigure};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
+pub use many::{
+    Digest, MakeError, Making, MergeError, StudyRuns, StudyWatch, merge as merge_study,
+};
+pub use recorded::RunAnswer;
+pub use table::{Column, ColumnKind, Table};
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub(crate) use run_report::{KeptFiles, Outputs};
 pub use run_report::{RunReport, RunSummary};
@@ -53,6 +59,7 @@ pub use study::{study_answer, study_text};
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::ParquetTable;
 #[cfg(test)]
-pub(crate) use table::{Column, CsvTable, MatTable, Origin};
+pub(crate) use table::{CsvTable, MatTable, Origin};
 pub(crate) use terminal::wrapped;
-pub(crate) use text::{contact_choice_text, text};
+pub use text::contact_choice_text;
+pub(crate) use text::text;

@@ -3,9 +3,8 @@
 use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, distinct};
-use super::table::Column;
+use super::table::{Column, Table};
 use super::terminal::{Lines, MICRO, MILLI, significant};
-use super::{ReportError, RunFolder, WholeFile};
 use crate::analysis::{
     Channel, Drift, Kind, LONGEST_PERIOD, Motion, PoincarePoint, Section, SectionKind,
 };
@@ -136,43 +135,39 @@ fn velocity(motion: &Motion, channel: Channel) -> String {
     })
 }
 
-/// Writes one row a point, section by section: which section, cycles since the start, time, then
-/// displacements and velocities.
-pub(super) fn write_poincare(
-    motion: &Motion,
-    folder: &RunFolder,
-) -> Result<Vec<WholeFile>, ReportError> {
-    folder.write_rows("poincare", &columns(), |take| {
-        motion.sections.iter().try_for_each(|section| {
-            let word = match section.kind {
-                SectionKind::Revolution => 0.0,
-                SectionKind::BallPass => 1.0,
-            };
-            let mut points = section.points.iter();
-            points.try_for_each(|point| take(&row(word, point)))
-        })
-    })
-}
-
-fn columns() -> Vec<Column> {
-    let mut columns = vec![
-        Column::words("section", ["revolution", "ball_pass"]),
-        Column::count("number"),
-        Column::number("t_s"),
-    ];
-    let channels = || (0..FREEDOMS).map(Channel::Displacement);
-    columns.extend(channels().map(|channel| Column::number(channel.column())));
-    columns.extend(
-        channels()
-            .map(|channel| Column::number(format!("{channel}_velocity_{}_s", channel.unit()))),
-    );
-    columns
-}
-
-fn row(section: f64, point: &PoincarePoint) -> Vec<f64> {
-    let mut row = vec![section, point.number as f64, point.time];
-    row.extend(point.displacement.iter().chain(&point.velocity));
-    row
+/// One row a point, section by section: which section, cycles since the start, time, then displacements and
+/// velocities.
+pub(super) fn poincare_table(motion: &Motion) -> Table {
+    let sections = motion.sections.iter();
+    let points = sections.flat_map(|section| {
+        let points = section.points.iter();
+        points.map(|point| (section.kind, point))
+    });
+    let points: Vec<(SectionKind, &PoincarePoint)> = points.collect();
+    let values = |value: &dyn Fn(&PoincarePoint) -> f64| -> Vec<f64> {
+        points.iter().map(|(_, point)| value(point)).collect()
+    };
+    let word = |kind| match kind {
+        SectionKind::Revolution => 0.0,
+        SectionKind::BallPass => 1.0,
+    };
+    let mut table = Table::default();
+    let section = Column::words("section", ["revolution", "ball_pass"]);
+    table.add(section, points.iter().map(|(kind, _)| word(*kind)));
+    table.counts("number", values(&|point| point.number as f64));
+    table.numbers("t_s", values(&|point| point.time));
+    let channels = || (0..FREEDOMS).map(Channel::Displacement).enumerate();
+    for (freedom, channel) in channels() {
+        table.numbers(
+            channel.column(),
+            values(&|point| point.displacement[freedom]),
+        );
+    }
+    for (freedom, channel) in channels() {
+        let name = format!("{channel}_velocity_{}_s", channel.unit());
+        table.numbers(name, values(&|point| point.velocity[freedom]));
+    }
+    table
 }
 
 /// Height of the plot, px.

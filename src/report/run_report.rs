@@ -8,11 +8,13 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::error::{Failure, FailureSummary, until_failure};
-use super::motion::{MotionSummary, orbit_figure, write_poincare};
+use super::motion::{MotionSummary, orbit_figure, poincare_table};
 use super::page::Page;
 use super::run_tables::{SampleTable, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::{MapsSummary, write_maps};
-use super::spectra::{EstimatedSummary, estimated_figure, write_estimated};
+use super::spectra::{
+    EstimatedSummary, estimated_columns, estimated_figure, estimated_rows, table_name,
+};
 use super::spectrum::{NamedPeak, frequency_limit_of, peak_table, spectrum_columns, spectrum_rows};
 use super::table::{Column, Origin, TableFiles};
 use super::text::MethodUseSummary;
@@ -269,7 +271,7 @@ impl RunReport {
             }
         }
         if let Some(motion) = &run.motion {
-            files.extend(write_poincare(motion, folder)?);
+            files.extend(folder.write_table("poincare", &poincare_table(motion))?);
             if self.outputs.figures {
                 let figure = orbit_figure(&self.title, motion);
                 files.push(self.folder.write_figure(&figure)?);
@@ -289,7 +291,10 @@ impl RunReport {
         }
         let limit = frequency_limit_of(run);
         for spectrum in &run.spectra {
-            files.extend(write_estimated(spectrum, folder)?);
+            let columns = estimated_columns(spectrum);
+            files.extend(folder.write_rows(&table_name(spectrum), &columns, |take| {
+                estimated_rows(spectrum, take)
+            })?);
             if self.outputs.figures {
                 let figure = estimated_figure(title, spectrum, limit);
                 files.push(self.folder.write_figure(&figure)?);

@@ -49,8 +49,16 @@ impl SampleTable {
 
 /// A whole trace that is there as samples.
 pub(super) fn trace_table(samples: &[Sample]) -> Table {
+    sample_table(samples, Channel::of_trace())
+}
+
+/// Some columns of samples.
+pub(super) fn sample_table(
+    samples: &[Sample],
+    channels: impl IntoIterator<Item = Channel>,
+) -> Table {
     let mut table = Table::default();
-    for channel in Channel::of_trace() {
+    for channel in channels {
         let values = samples.iter().map(|sample| channel.of(sample));
         table.add(column(channel), values);
     }

@@ -1,10 +1,12 @@
 //! A run whose speed changes: its waterfall and its order tracks.
 
+use std::io;
+
 use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinct, graded};
 use super::spectrum::{amplitude_column, phase_column};
-use super::table::Column;
+use super::table::{Column, Table};
 use super::terminal::{MICRO, PER_MINUTE, PER_SECOND};
 use super::{ReportError, RunFolder, WholeFile};
 use crate::analysis::{OrderTracks, Track, TrackedOrder, Waterfall};
@@ -17,8 +19,11 @@ pub(super) fn write_maps(
     maps: &Maps,
     figures: bool,
 ) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = write_waterfall(&maps.waterfall, folder)?;
-    files.extend(write_order_tracks(&maps.tracks, folder)?);
+    let waterfall = &maps.waterfall;
+    let mut files = folder.write_rows("waterfall", &waterfall_columns(waterfall), |take| {
+        waterfall_rows(waterfall, take)
+    })?;
+    files.extend(folder.write_table("order_tracks", &order_tracks_table(&maps.tracks))?);
     if figures && !maps.waterfall.slices.is_empty() {
         let figure = waterfall_figure(title, maps);
         files.push(folder.write_figure(&figure)?);
@@ -89,26 +94,29 @@ impl<'a> From<&'a Maps> for MapsSummary<'a> {
     }
 }
 
-/// Writes time, mean speed and frequency, then the amplitude of every channel.
-fn write_waterfall(
-    waterfall: &Waterfall,
-    folder: &RunFolder,
-) -> Result<Vec<WholeFile>, ReportError> {
+/// Time, mean speed and frequency, then the amplitude of every channel.
+pub(super) fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
     let mut columns = ["t_s", "speed_rad_s", "f_Hz"].map(Column::number).to_vec();
     let channels = waterfall.channels.iter();
     columns.extend(channels.map(|channel| Column::number(amplitude_column(*channel))));
-    folder.write_rows("waterfall", &columns, |take| {
-        let mut row = Vec::new();
-        for slice in &waterfall.slices {
-            for k in 0..waterfall.bins() {
-                row.clear();
-                row.extend([slice.time, slice.speed, k as f64 * waterfall.resolution]);
-                row.extend(slice.amplitude.iter().map(|amplitude| amplitude[k]));
-                take(&row)?;
-            }
+    columns
+}
+
+/// Gives the rows one by one, spectrum by spectrum.
+pub(super) fn waterfall_rows(
+    waterfall: &Waterfall,
+    take: &mut dyn FnMut(&[f64]) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut row = Vec::new();
+    for slice in &waterfall.slices {
+        for k in 0..waterfall.bins() {
+            row.clear();
+            row.extend([slice.time, slice.speed, k as f64 * waterfall.resolution]);
+            row.extend(slice.amplitude.iter().map(|amplitude| amplitude[k]));
+            take(&row)?;
         }
-        Ok(())
-    })
+    }
+    Ok(())
 }
 
 /// Height of a plot, px.
@@ -126,7 +134,7 @@ pub(in crate::report) fn runs_figure(title: &str, over: &str, rows: &[(String, R
 }
 
 /// Every channel that moves over time and, with its orders, over speed.
-fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
+pub(super) fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
     let waterfall = &maps.waterfall;
     let channels = 0..waterfall.channels.len();
     let over_time: Vec<Raster> = channels
@@ -336,31 +344,23 @@ const ORDERS_HEIGHT: u32 = 212;
 /// A phase is drawn where its order has this part of the channel's largest amplitude.
 const HEARD: f64 = 0.01;
 
-/// Writes one row a window: time, speed, then amplitude and phase of every order of every channel.
-fn write_order_tracks(
-    tracks: &OrderTracks,
-    folder: &RunFolder,
-) -> Result<Vec<WholeFile>, ReportError> {
-    folder.write_rows("order_tracks", &columns(tracks), |take| {
-        tracks.points.iter().try_for_each(|point| {
-            let tracks = point.tracks.iter().flatten();
-            let mut row = vec![point.time, point.speed];
-            row.extend(tracks.flat_map(|track| [track.amplitude, track.phase]));
-            take(&row)
-        })
-    })
-}
-
-fn columns(tracks: &OrderTracks) -> Vec<Column> {
-    let mut columns = ["t_s", "speed_rad_s"].map(Column::number).to_vec();
-    for channel in &tracks.channels {
-        for order in &tracks.orders {
+/// One row a window: time, speed, then amplitude and phase of every order of every channel.
+pub(super) fn order_tracks_table(tracks: &OrderTracks) -> Table {
+    let points = || tracks.points.iter();
+    let mut table = Table::default();
+    table.numbers("t_s", points().map(|point| point.time));
+    table.numbers("speed_rad_s", points().map(|point| point.speed));
+    for (row, channel) in tracks.channels.iter().enumerate() {
+        for (place, order) in tracks.orders.iter().enumerate() {
             let of = column(&order.name);
-            let names = [amplitude_column(*channel), phase_column(*channel)];
-            columns.extend(names.map(|name| Column::number(format!("{of}_{name}"))));
+            let track = || points().map(move |point| &point.tracks[row][place]);
+            let name = format!("{of}_{}", amplitude_column(*channel));
+            table.numbers(name, track().map(|track| track.amplitude));
+            let name = format!("{of}_{}", phase_column(*channel));
+            table.numbers(name, track().map(|track| track.phase));
         }
     }
-    columns
+    table
 }
 
 /// `1×` → `order_1`, `2×BPFO` → `BPFO_2x`, `BPFO of bearing 2` → `BPFO_of_bearing_2`.
@@ -374,7 +374,7 @@ fn column(name: &str) -> String {
 }
 
 /// A row of amplitude and phase for each channel.
-fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
+pub(super) fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
     let channels = 0..tracks.channels.len();
     let loudest = channels.map(|channel| loudest(tracks, channel));
     let loudest: Vec<f64> = loudest.collect();

@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
+use serde_json::Value;
+
 use super::node::{Node, read_json, read_toml};
 use super::problems::Problems;
 use super::{Format, Issue, ScenarioError};
@@ -66,6 +68,11 @@ impl Document {
             name: name.to_owned(),
             text: text.to_owned(),
         })
+    }
+
+    /// Its tables and values as they are written.
+    pub fn value(&self) -> Value {
+        Value::from(&self.root)
     }
 
     /// Whether it is a study file: it names the scenario that it starts from.

@@ -39,12 +39,13 @@ use key::Key;
 use node::Node;
 use problems::Problems;
 
-pub(crate) use input::{Output, TableFormat};
-pub use key::methods;
-pub(crate) use key::{OpenNumber, method, speed, time, tolerance};
+pub(crate) use input::Output;
+pub use input::TableFormat;
+pub use key::{OpenNumber, method, methods, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
 pub use schema::schema;
-pub(crate) use study_file::{StudyFile, load_study, study_schema};
+pub(crate) use study_file::study_schema;
+pub use study_file::{StudyFile, load_study, parse_study};
 pub(crate) use tolerance_file::ToleranceFile;
 
 /// Language of a scenario file.
@@ -94,7 +95,16 @@ pub fn is_study(path: &Path) -> bool {
     Document::open(path).is_ok_and(|document| document.is_study())
 }
 
-/// Reads and checks the text of a scenario; `name` is what messages call it.
+/// What a text says, unchecked: its tables and values as they are written, without defaults.
+///
+/// # Errors
+/// [`ScenarioError`] where it is no TOML or JSON.
+pub fn written(text: &str, name: &str, format: Format) -> Result<Value, ScenarioError> {
+    Document::parse(text, name, format).map(|document| document.value())
+}
+
+/// Reads and checks the text of a scenario; `name` is what messages call it, and files that it names are looked for
+/// from the folder of that path.
 ///
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong.
@@ -220,6 +230,11 @@ impl Scenario {
     /// [`ScenarioError`] with everything that is wrong.
     pub fn from_toml(text: &str) -> Result<Self, ScenarioError> {
         parse(text, "scenario.toml", Format::Toml)
+    }
+
+    /// Formats that it asks for its tables to be written in.
+    pub fn formats(&self) -> &[TableFormat] {
+        &self.output.formats
     }
 
     /// Runs it and keeps all samples in memory; writes no file.

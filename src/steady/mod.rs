@@ -1,7 +1,7 @@
 //! The stair past the wait: a [`Model`](crate::simulate::Model) goes in, the motion that it settles to comes out, found directly
 //! instead of waiting for the start to die. No files, no clock, no printing.
 //!
-//! [`steady`] finds the motion of a scene, `response` follows it along a parameter.
+//! [`steady`] finds the motion of a scene, [`response`] follows it along a parameter.
 
 mod basis;
 mod error;
@@ -19,7 +19,7 @@ pub(crate) use basis::bases;
 pub use error::SteadyError;
 pub use lines::{SteadyLine, SteadyLines};
 pub use motion::{Measured, Steady, SteadyQuestion, steady};
-pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response};
+pub use response::{Response, ResponsePoint, ResponseQuestion, response};
 pub use swing::Swing;
 
 pub use crate::shooting::{Multipliers, SpecialKind};

@@ -10,6 +10,7 @@ mod rung;
 
 pub use contact_choice::ContactChoice;
 pub(crate) use contact_choice::{ContactQuestion, RungDifference, choose_contact};
+pub use many::Shard;
 pub use rung::Rung;
 
 pub use crate::quasi_static::{QuasiStatic, StaticQuestion, Twist, quasi_static};

@@ -49,7 +49,7 @@ pub use assertion::{ComparedSpectrum, spectra_close};
 pub use column::{ColumnComparison, Worst};
 pub use difference::Difference;
 pub use error::CompareError;
-pub(crate) use figure::write_comparison_figure;
+pub use figure::write_comparison_figure;
 pub use paths::{Comparison, compare};
 pub use rows::TableComparison;
 pub use rules::Rules;

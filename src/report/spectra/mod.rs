@@ -9,7 +9,7 @@ mod table;
 pub(super) use figure::estimated_figure;
 pub(super) use json::EstimatedSummary;
 pub(super) use shown::{ShownColumns, shown_columns, shown_places};
-pub(super) use table::write_estimated;
+pub(super) use table::{estimated_columns, estimated_rows};
 
 use crate::analysis::EstimatedSpectrum;
 

@@ -1,26 +1,25 @@
 //! One spectrum as a table.
 
+use std::io;
+
 use super::super::table::Column;
-use super::super::{ReportError, RunFolder, WholeFile};
-use super::{names, table_name};
+use super::names;
 use crate::analysis::{Axis, EstimatedSpectrum};
 
-/// Writes one row a bin: `f_Hz` and, where the shaft turns steadily, `order`, in the other order over
+/// Gives one row a bin: `f_Hz` and, where the shaft turns steadily, `order`, in the other order over
 /// orders; then every column.
-pub(in super::super) fn write_estimated(
+pub(in super::super) fn estimated_rows(
     spectrum: &EstimatedSpectrum,
-    folder: &RunFolder,
-) -> Result<Vec<WholeFile>, ReportError> {
-    folder.write_rows(&table_name(spectrum), &columns(spectrum), |take| {
-        let mut row = Vec::new();
-        for k in 0..spectrum.bins() {
-            row.clear();
-            row.extend(axes(spectrum, k).into_iter().flatten());
-            row.extend(spectrum.columns.iter().map(|column| column.values[k]));
-            take(&row)?;
-        }
-        Ok(())
-    })
+    take: &mut dyn FnMut(&[f64]) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut row = Vec::new();
+    for k in 0..spectrum.bins() {
+        row.clear();
+        row.extend(axes(spectrum, k).into_iter().flatten());
+        row.extend(spectrum.columns.iter().map(|column| column.values[k]));
+        take(&row)?;
+    }
+    Ok(())
 }
 
 /// The places of a row, that of the axis first.
@@ -32,7 +31,8 @@ fn axes(spectrum: &EstimatedSpectrum, k: usize) -> [Option<f64>; 2] {
     }
 }
 
-fn columns(spectrum: &EstimatedSpectrum) -> Vec<Column> {
+/// Columns of the table.
+pub(in super::super) fn estimated_columns(spectrum: &EstimatedSpectrum) -> Vec<Column> {
     let names = match spectrum.request.axis {
         Axis::Frequency => ["f_Hz", "order"],
         Axis::Order => ["order", "f_Hz"],
