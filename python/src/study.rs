@@ -44,6 +44,11 @@ impl StudyPlan {
         &self.0.title
     }
 
+    /// All that its runs depend on, JSON.
+    fn echo(&self) -> String {
+        self.0.echo.to_string()
+    }
+
     /// Number of runs, and of the parts that they can be made in.
     fn size(&self, py: Python<'_>) -> PyResult<(u64, u64)> {
         let runs = self.runs(py)?;
