@@ -56,13 +56,14 @@ def compare(
     stand; `common` leaves out what only one of them has; `worst` places of every column are told.
     """
     with ExitStack() as stack:
-        paths = []
-        for result in (first, second):
-            if isinstance(result, Result):
-                folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
-                result.write(folder)
-                paths.append(folder)
-            else:
-                paths.append(Path(result))
-        found, text = _compare(*paths, relative, absolute, dict(columns or {}), worst, lines, common)
+
+        def path(result: Compared) -> Path:
+            if not isinstance(result, Result):
+                return Path(result)
+            folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+            result.write(folder)
+            return folder
+
+        single = dict(columns or {})
+        found, text = _compare(path(first), path(second), relative, absolute, single, worst, lines, common)
     return Comparison(json.loads(found), text)

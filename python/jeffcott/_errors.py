@@ -16,7 +16,7 @@ class Problem(NamedTuple):
     hint: str | None
     """What to do about it."""
     line: int | None
-    """Line of the text, from 1; None where no line is to blame."""
+    """Line of the text, from 1, of a dict or of changed keys that of the JSON shown; None where none is to blame."""
     column: int | None
     """Column of that line, from 1."""
 

@@ -220,8 +220,7 @@ class Steady(Result):
     def multipliers(self) -> Array:
         """Its Floquet multipliers, complex, the largest first; where the motion has two frequencies their sizes."""
         found = self.summary["multipliers"]
-        pairs = [m if isinstance(m, list) else [m, 0.0] for m in found]
-        return np.array([complex(*pair) for pair in pairs])
+        return np.array([complex(m["re"], m["im"]) if "re" in m else complex(m["magnitude"]) for m in found])
 
     @property
     def trace(self) -> Table:
@@ -268,7 +267,7 @@ class Statics(Result):
     @property
     def stiffness(self) -> Array:
         """K = ∂F/∂q, rows and columns x, y, z, tilt x, tilt y: N/m, N/rad, N m/m, N m/rad."""
-        return np.array(self.summary["stiffness"])
+        return np.array(self.summary["stiffness"]["matrix"])
 
     @property
     def residual(self) -> float:

@@ -123,17 +123,16 @@ class Scenario:
         self._tree: dict[str, Any] | None = None
         if isinstance(source, Mapping):
             self._tree = json.loads(dumped(source))
-            self.scene = self._parsed(dumped(source), "scenario.json", folder)
+            self.scene = self._parsed(dumped(source), "scenario.dict", folder, True)
         elif isinstance(source, str) and ("\n" in source or "=" in source or source.lstrip().startswith("{")):
             is_json = source.lstrip().startswith("{")
-            self.scene = self._parsed(source, f"scenario.{'json' if is_json else 'toml'}", folder)
+            self.scene = self._parsed(source, f"scenario.{'json' if is_json else 'toml'}", folder, is_json)
         else:
             self.scene = Scene.load(Path(source))
 
     @staticmethod
-    def _parsed(text: str, name: str, folder: str | os.PathLike[str] | None) -> Scene:
-        path = name if folder is None else os.path.join(os.fspath(folder), name)
-        return Scene.parse(text, path, name.endswith(".json"))
+    def _parsed(text: str, name: str, folder: str | os.PathLike[str] | None, is_json: bool) -> Scene:
+        return Scene.parse(text, name if folder is None else os.path.join(os.fspath(folder), name), is_json)
 
     def copy(self) -> Scenario:
         """Another scenario of the same keys."""
@@ -195,7 +194,7 @@ class Scenario:
         for path, value in changes.items():
             _put(tree, path, value)
         text, name = dumped(tree), Path(self.scene.name())
-        self.scene = Scene.parse(text, str(name.with_suffix(".json")), True)
+        self.scene = Scene.parse(text, str(name.with_suffix(".changed")), True)
         self._tree = json.loads(text)
 
     def with_(self, changes: Mapping[str, Any]) -> Scenario:
@@ -295,8 +294,6 @@ class Scenario:
 
 
 def _restored(tree: dict[str, Any], name: str) -> Scenario:
-    folder, stem = os.path.split(name)
-    del stem
-    return Scenario(tree, folder=folder)
+    return Scenario(tree, folder=os.path.dirname(name))
 
 

@@ -245,8 +245,8 @@ def sweep(
         {"key": key, **(values if isinstance(values, Mapping) else {"values": values})} for key, values in axes.items()
     ]
     text = dumped({"base": scenario.title, "axis": listed, **settings})
-    name = Path(os.path.abspath(scenario.scene.name())).with_suffix(".json")
-    task = (dumped(scenario.to_dict()), str(name), text)
+    name = os.path.abspath(scenario.scene.name())
+    task = (dumped(scenario.to_dict()), name, text)
     temporary = tempfile.TemporaryDirectory() if out is None else None
     folder = Path(temporary.name) / "sweep" if temporary is not None else Path(out or "")
     return _made(

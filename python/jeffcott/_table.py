@@ -66,7 +66,7 @@ class Table(Mapping[str, Array]):
         """As a polars DataFrame; what is missing is null."""
         import polars
 
-        return polars.DataFrame(self)
+        return polars.DataFrame(self).fill_nan(None)
 
     def to_arrow(self) -> pyarrow.Table:
         """As a pyarrow Table; what is missing is null."""

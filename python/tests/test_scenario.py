@@ -50,7 +50,8 @@ def test_a_wrong_key_tells_the_nearest_one_and_changes_nothing(scenarios: Path) 
         scenario["shaft.mas"] = "6 kg"
     [problem] = caught.value.problems
     assert problem.key == "shaft.mas"
-    assert problem.hint == "did you mean `mass`?"
+    assert "`mass`" in str(problem.hint)
+    assert "steady-7205c.changed" in str(caught.value)
     assert '"mas": "6 kg"' in str(caught.value)
     assert "shaft.mas" not in scenario
     with pytest.raises(jc.ScenarioError, match="needs a unit"):
@@ -100,7 +101,7 @@ def test_a_scenario_without_time_does_not_run() -> None:
 
 def test_a_scene_that_fails_says_why() -> None:
     scenario = jc.Scenario(
-        TEXT + '[time]\nduration = "0.1 s"\n[[load]]\nshock = { peak = { y = "1e9 N" }, start = "0.01 s", duration = "5 ms" }\n'
+        TEXT + '[time]\nduration = "0.1 s"\n[[load]]\nshock = { peak = { y = "1e9 N" }, at = "0.01 s", duration = "5 ms" }\n'
     )
     with pytest.raises(jc.RunError, match="look at the loads"):
         scenario.run()
