@@ -12,6 +12,18 @@ _Path = str | PathLike[str]
 _Told = Callable[[float], object] | None
 _Made = tuple[list[Path], str | None]
 
+__all__ = [
+    "Answer",
+    "RunAnswer",
+    "Scene",
+    "Stop",
+    "StudyPlan",
+    "__version__",
+    "arrow_stream",
+    "catalogue",
+    "compare",
+    "merge",
+]
 __version__: str
 
 @final

@@ -312,4 +312,4 @@ class Accuracy(Result):
         """How far the reference itself can be off: two methods agree on it so well."""
         of = self.summary["reference"]
         uncertainty = of["uncertainty"]
-        return Error(uncertainty["displacement_m"], uncertainty["displacement_relative"], of["reference"][1])
+        return Error(uncertainty["displacement_m"], uncertainty["displacement_relative"], of["run"]["tolerance"])

@@ -128,7 +128,11 @@ impl RunAnswer {
     /// None where the scenario asks for none or it failed.
     fn error(&self) -> Option<(f64, f64, f64)> {
         let error = self.0.recorded.error()?;
-        Some((error.displacement, error.relative, error.reference_tolerance))
+        Some((
+            error.displacement,
+            error.relative,
+            error.reference_tolerance,
+        ))
     }
 
     /// All samples of a column by its name in the files; NaN where a value was not observed.

@@ -35,7 +35,9 @@ fn array(column: &Bound<'_, PyAny>) -> PyResult<ArrayRef> {
     if let Ok(numbers) = column.cast::<PyArray1<f64>>() {
         let numbers = numbers.readonly();
         let numbers = numbers.as_array();
-        let numbers = numbers.iter().map(|value| Some(*value).filter(|v| !v.is_nan()));
+        let numbers = numbers
+            .iter()
+            .map(|value| Some(*value).filter(|v| !v.is_nan()));
         return Ok(Arc::new(numbers.collect::<Float64Array>()));
     }
     if let Ok(counts) = column.cast::<PyArray1<i64>>() {

@@ -30,9 +30,8 @@ pub fn compare(
         let causes: String = causes.map(|cause| format!(": {cause}")).collect();
         PyValueError::new_err(format!("{error}{causes}"))
     };
-    let tolerance = |relative, absolute| {
-        Tolerance::new(relative, absolute).map_err(|error| wrong(&error))
-    };
+    let tolerance =
+        |relative, absolute| Tolerance::new(relative, absolute).map_err(|error| wrong(&error));
     let mut tolerances = Tolerances::uniform(tolerance(relative, absolute)?);
     for (name, (relative, absolute)) in columns {
         tolerances = tolerances.with_column(&name, tolerance(relative, absolute)?);

@@ -62,7 +62,8 @@ def test_a_study_has_a_row_a_run(whole: jc.Study) -> None:
     assert np.ptp(ratio) < 0.01 * ratio.mean()
     assert whole.error is not None and whole.error.relative < 1e-4
     assert whole.digest["runs"] == 9
-    assert "sensitivity" in whole.figures
+    assert whole.figures == ["response"]
+    assert whole.figure().svg.startswith("<svg")
     assert "9 runs, 0 of them failed" in str(whole)
 
 

@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 import pytest
+from conftest import short
 
 import jeffcott as jc
 
@@ -70,9 +71,16 @@ def test_progress_is_told_and_a_callback_can_stop_the_run(scenarios: Path) -> No
     assert 0 < told[0] < told[1] < told[2] < 1
 
 
-def test_a_short_run_shows_no_line(scenarios: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    jc.Scenario(scenarios / "steady-7205c.toml").run(tolerance=1e-5, progress=True)
-    assert capsys.readouterr() == ("", "")
+def test_only_a_long_run_shows_a_line(
+    scenarios: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from jeffcott import _progress
+
+    for patience, line in ((3600.0, ""), (0.0, "100 %\n")):
+        monkeypatch.setattr(_progress, "PATIENCE", patience)
+        short(scenarios).run(progress=True)
+        out, err = capsys.readouterr()
+        assert out == "" and err.endswith(line) and bool(err) == bool(line)
 
 
 def test_other_threads_go_on_during_a_run(scenarios: Path) -> None:

@@ -41,7 +41,6 @@ pub use many::{
     Digest, MakeError, Making, MergeError, StudyRuns, StudyWatch, merge as merge_study,
 };
 pub use recorded::RunAnswer;
-pub use table::{Column, ColumnKind, Table};
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
 pub(crate) use run_report::{KeptFiles, Outputs};
 pub use run_report::{RunReport, RunSummary};
@@ -58,6 +57,7 @@ pub(crate) use study::study_json;
 pub use study::{study_answer, study_text};
 #[cfg(all(test, feature = "parquet"))]
 pub(crate) use table::ParquetTable;
+pub use table::{Column, ColumnKind, Table};
 #[cfg(test)]
 pub(crate) use table::{CsvTable, MatTable, Origin};
 pub(crate) use terminal::wrapped;

@@ -180,7 +180,10 @@ impl RunAnswer {
                 let svg = spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks));
                 return svg.transpose();
             }
-            "orbit" => run.motion.as_ref().map(|motion| orbit_figure(title, motion)),
+            "orbit" => run
+                .motion
+                .as_ref()
+                .map(|motion| orbit_figure(title, motion)),
             "waterfall" => maps.map(|maps| waterfall_figure(title, maps)),
             "order_tracks" => maps.map(|maps| order_figure(title, &maps.tracks)),
             "campbell" => {
