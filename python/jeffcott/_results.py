@@ -144,16 +144,16 @@ class Run(Result):
 
     _source: RunAnswer
 
+    def __init__(self, source: RunAnswer, scenario: Scenario) -> None:
+        super().__init__(source)
+        self.scenario = scenario.copy()
+
     @property
     def error(self) -> Error | None:
         """The measured error: largest difference from a second pass at a tenth of the tolerance; None where the
         scenario says `verify = false`, or the pass failed, as a warning then says."""
         found = self._source.error()
         return None if found is None else Error(*found)
-
-    def __init__(self, source: RunAnswer, scenario: Scenario) -> None:
-        super().__init__(source)
-        self.scenario = scenario.copy()
 
     @property
     def t(self) -> Array:

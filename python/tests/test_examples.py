@@ -28,3 +28,13 @@ def test_an_example_runs(example: Path, tmp_path: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     assert done.stdout
+
+
+@pytest.mark.parametrize("page", ["README.md", "python/README.md", "docs/python/README.md"])
+def test_what_a_page_shows_runs(page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, scenarios: Path) -> None:
+    blocks = (ROOT / page).read_text(encoding="utf-8").split("```python\n")[1:]
+    assert blocks
+    (tmp_path / "scenarios").symlink_to(scenarios, target_is_directory=True)
+    monkeypatch.chdir(tmp_path)
+    for block in blocks:
+        exec(block.partition("```")[0], {})
