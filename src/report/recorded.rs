@@ -151,8 +151,13 @@ impl RunAnswer {
     /// Names of the figures that the run has.
     pub fn figures(&self) -> Vec<String> {
         let run = &self.recorded.run;
-        let drawn = ["spectrum", "waterfall", "order_tracks", "campbell"];
-        let drawn = |name: &String| drawn.contains(&name.as_str()) || name.contains("spectrum_");
+        // the map of a run-up that is too short for it is a table without rows
+        let drawn = |name: &String| match (name.as_str(), &run.maps) {
+            ("waterfall", Some(maps)) => !maps.waterfall.slices.is_empty(),
+            ("order_tracks", Some(maps)) => !maps.tracks.points.is_empty(),
+            ("spectrum" | "campbell", _) => true,
+            (other, _) => other.starts_with("spectrum_"),
+        };
         let orbit = run.motion.as_ref().map(|_| "orbit".to_owned());
         let tables = self.tables().into_iter().filter(drawn);
         std::iter::once("trace".to_owned())
@@ -166,6 +171,9 @@ impl RunAnswer {
     /// # Errors
     /// [`ReportError::Draw`] where the drawing library fails.
     pub fn figure(&self, name: &str) -> Result<Option<String>, ReportError> {
+        if !self.figures().iter().any(|known| known == name) {
+            return Ok(None);
+        }
         let (run, title) = (&self.recorded.run, &self.scenario.title);
         let maps = run.maps.as_ref();
         let figure = match name {
