@@ -23,13 +23,14 @@ def told(progress: Progress, title: str) -> Iterator[Callable[[float], object] |
     if callable(progress):
         yield progress
         return
-    started, shown = time.monotonic(), False
+    started, shown = time.monotonic(), ""
 
     def show(part: float) -> None:
         nonlocal shown
-        if time.monotonic() - started > PATIENCE:
-            shown = True
-            print(f"\r{title}: {100 * part:3.0f} %", end="", file=sys.stderr, flush=True)
+        line = f"\r{title}: {100 * part:3.0f} %"
+        if line != shown and time.monotonic() - started > PATIENCE:
+            shown = line
+            print(line, end="", file=sys.stderr, flush=True)
 
     try:
         yield show

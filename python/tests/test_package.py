@@ -24,12 +24,11 @@ def test_stubs_are_those_of_the_module() -> None:
     assert checked.returncode == 0, checked.stdout + checked.stderr
 
 
-def test_types_hold() -> None:
+def test_types_hold(tmp_path: Path) -> None:
     pytest.importorskip("mypy")
-    package = Path(jc.__file__).parent
-    command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", str(package)]
-    checked = subprocess.run(command, capture_output=True, text=True, cwd=package.parent)
-    assert checked.returncode == 0, checked.stdout
+    command = [sys.executable, "-m", "mypy", "--strict", "--ignore-missing-imports", "--package", "jeffcott"]
+    checked = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path)
+    assert checked.returncode == 0, checked.stdout + checked.stderr
 
 
 def test_it_says_that_it_is_typed() -> None:

@@ -99,6 +99,17 @@ def test_a_run_up_has_its_maps(scenarios: Path) -> None:
     assert {"waterfall", "order_tracks", "campbell"} <= set(run.figures)
 
 
+def test_a_run_up_that_is_too_short_for_maps_draws_none(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "run-up-7205c.toml")
+    scenario.update({"speed.over": "1 ms", "time": {"duration": "2 ms"}})
+    run = scenario.run(tolerance=1e-6)
+    for name in run.figures:
+        assert run.figure(name).svg
+    assert "trace" in run.figures
+    empty = [name for name in ("waterfall", "order_tracks") if run.table(name).rows == 0]
+    assert empty and not set(empty) & set(run.figures)
+
+
 def test_accuracy_is_measured(scenarios: Path) -> None:
     found = short(scenarios).accuracy(methods=["verner76"], tolerances=[1e-6, 1e-4], longest="2 s")
     assert list(found.methods["tolerance"]) == [1e-4, 1e-6]
