@@ -7,8 +7,8 @@ use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{
     AccuracyQuestion, AccuracyWatch, CampbellQuestion, Destination, Findings, OpenNumber,
     ResponseQuestion, RunFindings, accuracy_findings, answer_findings, campbell_findings,
-    check_range, contact_choice_text, method, methods, response, response_findings, speed,
-    steady_findings, study_findings, time, written,
+    check_range, contact_choice_text, method, response, response_findings, speed, steady_findings,
+    study_findings, time, written,
 };
 use jeffcott::scenario::{self, Format, Scenario};
 use jeffcott::simulate::{Model, Monitor};
@@ -257,17 +257,17 @@ impl Scene {
     fn accuracy(
         &self,
         py: Python<'_>,
-        named: Vec<String>,
+        methods: Vec<String>,
         tolerances: Vec<f64>,
         longest: String,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Answer> {
         let model = self.model(py)?;
         let refused = |issue| issue_error(py, &issue);
-        let named = named.iter().map(|name| method(name));
+        let named = methods.iter().map(|name| method(name));
         let named = named.collect::<Result<Vec<_>, _>>().map_err(refused)?;
         let longest = time(&longest).map_err(refused)?;
-        let known = methods();
+        let known = scenario::methods();
         let question = AccuracyQuestion {
             model,
             oils: &self.scenario.oils,

@@ -103,7 +103,7 @@ def test_a_scene_that_fails_says_why() -> None:
     scenario = jc.Scenario(
         TEXT + '[time]\nduration = "0.1 s"\n[[load]]\nshock = { peak = { y = "1e9 N" }, at = "0.01 s", duration = "5 ms" }\n'
     )
-    with pytest.raises(jc.RunError, match="look at the loads"):
+    with pytest.raises(jc.RunError, match="check the loads"):
         scenario.run()
 
 
