@@ -64,6 +64,6 @@ def compare(
             result.write(folder)
             return folder
 
-        single = dict(columns or {})
-        found, text = _compare(path(first), path(second), relative, absolute, single, worst, lines, common)
+        paths, single = (path(first), path(second)), dict(columns or {})
+        found, text = _compare(*paths, relative, absolute, single, worst, lines, common)
     return Comparison(json.loads(found), text)

@@ -132,11 +132,6 @@ impl Scene {
         self.scenario.warnings.clone()
     }
 
-    /// Whether anything moves.
-    fn moves(&self) -> bool {
-        self.scenario.model.is_some()
-    }
-
     /// Runs it.
     fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<RunAnswer> {
         let scenario = self.scenario.clone();
