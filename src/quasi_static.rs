@@ -41,7 +41,7 @@ pub struct StaticQuestion {
     pub rotor: RotorDefinition,
     /// Displacements that are given instead of loads: those freedoms are held there.
     pub(crate) displacement: [Option<f64>; FREEDOMS],
-    /// Whether the unbalance force m e ω² acts as a static load along +X.
+    /// Whether the unbalance, m e ω² along +X and what planes add to it, acts as a static load.
     pub(crate) unbalance: bool,
     /// Torsion of the shaft, the sixth freedom.
     pub(crate) torsion: Option<Torsion>,
@@ -107,7 +107,9 @@ pub(crate) fn answer_on(
     let rotor = &question.rotor;
     let mut load = rotor.static_load();
     if question.unbalance {
-        load[0] += rotor.unbalance_force();
+        for (load, part) in load.iter_mut().zip(rotor.unbalance_force()) {
+            *load += part;
+        }
     }
     let found = static_place(rotor, supports, load, &question.displacement)?;
     let bearings = found.bearing_states(supports, rotor.speed);

@@ -285,9 +285,9 @@ impl Scene {
 
 /// Designations of the bearings of the catalogue, and where their dimensions come from.
 #[pyfunction]
-pub fn catalogue() -> Vec<(&'static str, &'static str)> {
+pub fn catalogue() -> Vec<(String, String)> {
     let entries = CATALOGUE.iter();
     entries
-        .map(|entry| (entry.designation, entry.source))
+        .map(|entry| (entry.designation.clone(), entry.source.clone()))
         .collect()
 }

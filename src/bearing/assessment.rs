@@ -1,14 +1,17 @@
 //! From the place of the inner ring to everything that is known of a loaded bearing.
 
 use super::ball_line::{BallLines, BallReading};
+use super::bearing_friction::skf_moment;
+use super::estimate::fatigue_load_limit;
 use super::law::{BallLaw, Share, with_law};
 use super::life::reference_rating_life;
-use super::static_safety::static_safety;
+use super::static_safety::{static_rating, static_safety};
 use super::support::Support;
 use super::{
-    BallLine, Bearing, BearingRotation, BearingState, Matrix5, StiffnessShares, Vector5, warnings,
+    BallLine, Bearing, BearingRotation, BearingState, GeometryState, Matrix5, StiffnessShares,
+    Vector5, warnings,
 };
-use crate::physics::{BallPass, ball_pass_frequencies};
+use crate::physics::{BallPass, ball_pass_frequencies, dynamic_rating};
 
 /// Share of the largest load at the inner race below which a ball counts as unloaded: behind an oil
 /// film the load of a ball never quite vanishes.
@@ -39,16 +42,23 @@ impl<'a> Assessment<'a> {
         let balls = self.balls();
         let loads = || balls.iter().map(|ball| [ball.inner.load, ball.outer.load]);
         let bearing = self.bearing();
+        let life = bearing
+            .dynamic_rating
+            .and_then(|rating| reference_rating_life(&bearing.geometry, rating, loads()));
+        let speed = self.rotation.speed;
         BearingState {
+            rating_lives: life.and_then(|life| bearing.rating_lives(life, &force, speed)),
+            fit: bearing.fit,
+            preload: self.preload(),
+            friction_moment_skf: skf_moment(bearing, &support.contacts, &force, speed),
+            geometry: self.geometry(),
             clearance: self.bearing().clearance(),
             displacement: self.place,
             force,
             stiffness: support.seat.condense(stiffness),
             shares: self.shares(),
             balls_loaded: loaded(&balls).count(),
-            life: bearing
-                .dynamic_rating
-                .and_then(|rating| reference_rating_life(&bearing.geometry, rating, loads())),
+            life,
             static_safety: static_safety(&support.contacts, loads()),
             friction_moment: support.friction_moment(&force, self.rotation.speed),
             ball_pass: self.ball_pass(&balls),
@@ -59,6 +69,36 @@ impl<'a> Assessment<'a> {
                 &loaded(&balls).collect::<Vec<_>>(),
             ),
             balls,
+        }
+    }
+
+    /// Axial force in N with the shaft in its place.
+    fn preload(&self) -> f64 {
+        let Support {
+            ring, law, seat, ..
+        } = self.support;
+        let place = [0.0, 0.0, seat.offset(), 0.0, 0.0];
+        let rest = BearingRotation::at_start(0.0);
+        with_law!(law, law => ring.force_and_stiffness(law, &place, &rest).0[2])
+    }
+
+    fn geometry(&self) -> GeometryState {
+        let (bearing, contacts) = (self.bearing(), &self.support.contacts);
+        let geometry = &bearing.geometry;
+        let (balls, ball_diameter) = (geometry.balls(), geometry.ball_diameter());
+        let pitch_diameter = geometry.pitch_diameter();
+        let angle = geometry.nominal_angle();
+        GeometryState {
+            balls,
+            ball_diameter,
+            pitch_diameter,
+            contact_angle: geometry.contact_angle(),
+            groove_factor_inner: geometry.groove_factor_inner(),
+            groove_factor_outer: geometry.groove_factor_outer(),
+            dynamic_rating: dynamic_rating(balls, ball_diameter, pitch_diameter, angle),
+            static_rating: static_rating(geometry, contacts),
+            fatigue_load_limit: fatigue_load_limit(geometry, contacts),
+            estimated: bearing.estimated,
         }
     }
 

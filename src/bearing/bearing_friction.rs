@@ -1,8 +1,8 @@
 //! The friction moment of a mounted bearing.
 
 use super::static_safety::static_rating;
-use super::{FrictionMoment, MountedBearing, Vector5};
-use crate::physics::{FrictionFactors, HertzContact, MINERAL_OIL_DENSITY};
+use super::{Bearing, FrictionMoment, MountedBearing, SkfMoment, Vector5};
+use crate::physics::{FrictionFactors, HertzContact, MINERAL_OIL_DENSITY, SkfOperation};
 
 /// What the friction moment of a bearing rests on besides load and speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,9 +24,12 @@ impl BearingFriction {
             pitch_diameter: geometry.pitch_diameter(),
             static_rating: static_rating(geometry, contacts),
             // ν = η0/ρ
-            viscosity: definition
-                .oil
-                .map(|oil| oil.viscosity / MINERAL_OIL_DENSITY),
+            viscosity: match definition.bearing.lubrication {
+                Some(lubrication) => Some(lubrication.viscosity),
+                None => definition
+                    .oil
+                    .map(|oil| oil.viscosity / MINERAL_OIL_DENSITY),
+            },
         }
     }
 
@@ -45,4 +48,26 @@ impl BearingFriction {
             }),
         }
     }
+}
+
+/// Moment after SKF under a force of the ring in N at a shaft speed in rad/s, where series, boundary dimensions and
+/// lubricant of a bearing are known.
+pub(super) fn skf_moment(
+    bearing: &Bearing,
+    contacts: &[HertzContact; 2],
+    force: &Vector5,
+    speed: f64,
+) -> Option<SkfMoment> {
+    let lubrication = bearing.lubrication?;
+    let operation = SkfOperation {
+        boundary: bearing.boundary?,
+        pitch_diameter: bearing.geometry.pitch_diameter(),
+        static_rating: static_rating(&bearing.geometry, contacts),
+        loads: [force[0].hypot(force[1]), force[2]],
+        viscosity: lubrication.viscosity,
+        speed,
+        grease: lubrication.grease,
+    };
+    let [rolling, sliding] = bearing.skf_friction?.moment(&operation);
+    (speed != 0.0).then_some(SkfMoment { rolling, sliding })
 }

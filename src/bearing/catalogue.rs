@@ -1,179 +1,503 @@
-//! Bearings by their designation, each number with its source.
+//! Bearings by their designation: what catalogues print, and what is known of their inside.
 
-use super::{Bearing, BearingError, ClearanceClass, FreePosition, Geometry};
-use crate::physics::Material;
+use std::collections::BTreeMap;
+use std::sync::{LazyLock, OnceLock};
 
-/// Internal dimensions of a standard bearing, as printed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+use super::{Bearing, BearingError, CatalogueLine, ClearanceClass, Estimate, FreePosition};
+use crate::physics::SkfFriction;
+
+/// A bearing of a catalogue.
+#[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct CatalogueEntry {
     /// Designation, for instance `7205C`.
-    pub designation: &'static str,
-    /// Number of balls.
-    pub balls: usize,
-    /// Ball diameter, mm.
-    pub ball_diameter_mm: f64,
-    /// Pitch diameter, mm.
-    pub pitch_diameter_mm: f64,
-    /// Free contact angle in degrees; deep-groove bearings have none.
-    pub contact_angle_deg: Option<f64>,
-    /// Groove factor of the inner race.
-    pub groove_factor_inner: f64,
-    /// Groove factor of the outer race.
-    pub groove_factor_outer: f64,
-    /// Bore, outside diameter and width, mm.
-    pub boundary_mm: [f64; 3],
-    /// Basic dynamic load rating, N.
-    pub dynamic_rating: f64,
+    pub designation: String,
+    /// Maker whose ratings are printed; empty where the numbers come from elsewhere.
+    pub maker: String,
     /// Where the numbers come from.
-    pub source: &'static str,
+    pub source: String,
+    /// Width, m.
+    pub width: Option<f64>,
+    /// What is printed or known.
+    pub line: CatalogueLine,
 }
 
-/// All bearings known by designation.
-pub const CATALOGUE: &[CatalogueEntry] = &[
-    CatalogueEntry {
-        designation: "7205C",
-        balls: 12,
-        ball_diameter_mm: 7.938,
-        pitch_diameter_mm: 38.5,
-        contact_angle_deg: Some(15.0),
-        groove_factor_inner: 0.52,
-        groove_factor_outer: 0.53,
-        boundary_mm: [25.0, 52.0, 15.0],
-        dynamic_rating: 16_600.0,
-        source: "balls of 5/16 in, 12 of them: with the formulas of ISO 281 they give the \
-                 catalogues' C = 16.6 kN and C0 = 10.2 kN (13 balls would give 17.5 kN); pitch: mean of \
-                 bore and outside diameter; 15°: suffix C; grooves: reference of ISO/TS 16281",
-    },
-    CatalogueEntry {
-        designation: "6204",
-        balls: 8,
-        ball_diameter_mm: 7.938,
-        pitch_diameter_mm: 33.5,
-        contact_angle_deg: None,
-        groove_factor_inner: 0.52,
-        groove_factor_outer: 0.53,
-        boundary_mm: [20.0, 47.0, 14.0],
-        dynamic_rating: 13_500.0,
-        source: "8 balls, ball-pass factor 3.05: Tiwari, Gupta & Prakash (2000), met by balls of \
-                 5/16 in on the mean of bore and outside diameter; C: SKF, Rolling bearings; grooves: \
-                 reference of ISO/TS 16281",
-    },
-    CatalogueEntry {
-        designation: "6205",
-        balls: 9,
-        ball_diameter_mm: 7.940,
-        pitch_diameter_mm: 39.04,
-        contact_angle_deg: None,
-        groove_factor_inner: 0.52,
-        groove_factor_outer: 0.53,
-        boundary_mm: [25.0, 52.0, 15.0],
-        dynamic_rating: 14_800.0,
-        source: "9 balls of 0.3126 in, pitch 1.537 in: 6205-2RS of the Case Western Reserve \
-                 University bearing data; C: SKF, Rolling bearings; grooves: reference of ISO/TS 16281",
-    },
-    CatalogueEntry {
-        designation: "6305",
-        balls: 7,
-        ball_diameter_mm: 11.5,
-        pitch_diameter_mm: 43.5,
-        contact_angle_deg: None,
-        groove_factor_inner: 0.52,
-        groove_factor_outer: 0.53,
-        boundary_mm: [25.0, 62.0, 17.0],
-        dynamic_rating: 23_400.0,
-        source: "all of balls, pitch, grooves and C: the 6305 of the public repository \
-                 minzhun/ISO16281, computed there with a commercial program",
-    },
-    CatalogueEntry {
-        designation: "6306",
-        balls: 8,
-        ball_diameter_mm: 11.9062,
-        pitch_diameter_mm: 52.0,
-        contact_angle_deg: None,
-        groove_factor_inner: 0.52,
-        groove_factor_outer: 0.53,
-        boundary_mm: [30.0, 72.0, 19.0],
-        dynamic_rating: 29_600.0,
-        source: "8 balls of 11.9062 mm, pitch 52.0 mm: JIS 6306 of Fukata et al. (1985) and Mevel & \
-                 Guyader (1993); C: SKF, Rolling bearings; grooves: reference of ISO/TS 16281",
-    },
+/// The catalogue that is shipped, as a file of the user's own has it.
+pub(crate) const SHIPPED: &str = include_str!("bearings.csv");
+
+/// All bearings that are shipped; of two with one designation the first one, whose inside is known, is found.
+pub static CATALOGUE: LazyLock<Vec<CatalogueEntry>> =
+    LazyLock::new(|| read(SHIPPED).unwrap_or_default());
+
+/// The user's own bearings, which come first.
+static OWN: OnceLock<Vec<CatalogueEntry>> = OnceLock::new();
+
+/// Lets the user's own bearings be found wherever a designation is looked up, from now on; once.
+pub(crate) fn add_own(entries: Vec<CatalogueEntry>) {
+    let _ = OWN.set(entries);
+}
+
+/// All bearings: of a file that a scenario names, the user's own ones, those that are shipped.
+pub(crate) fn all(file: &[CatalogueEntry]) -> impl Iterator<Item = &CatalogueEntry> {
+    let own = OWN.get().map_or(&[][..], Vec::as_slice);
+    file.iter().chain(own).chain(CATALOGUE.iter())
+}
+
+/// A bearing that was looked up, and the class of clearance that its suffixes name.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Found<'a> {
+    pub entry: &'a CatalogueEntry,
+    pub class: Option<ClearanceClass>,
+}
+
+/// Suffixes that change neither balls nor races: seals and shields, cages, tolerances, snap rings, greases. Longer ones
+/// before those that they begin with.
+const SUFFIXES: &str = "2RS1 2RSR 2RSH 2RSL 2RZ 2RS 2ZR 2Z RS1 RSR RSH RSL RS RZ ZZ ZR ZNR Z DDU DD DU VV LLU LLB LLH LU LB EE TN9 TNH TVH TVP TYN TN JN J MA M NR N P6 P5 P4 P2 P0";
+
+const CLASSES: [(&str, ClearanceClass); 5] = [
+    ("C2", ClearanceClass::C2),
+    ("CN", ClearanceClass::CN),
+    ("C3", ClearanceClass::C3),
+    ("C4", ClearanceClass::C4),
+    ("C5", ClearanceClass::C5),
 ];
 
-/// The entry of a designation; letter case and blanks do not matter.
-pub fn find(designation: &str) -> Option<&'static CatalogueEntry> {
-    let wanted = designation.replace(' ', "").to_ascii_uppercase();
-    CATALOGUE.iter().find(|entry| entry.designation == wanted)
+/// Capital letters without blanks.
+fn normal(designation: &str) -> String {
+    let letters = designation.chars().filter(|c| !c.is_whitespace());
+    letters.collect::<String>().to_uppercase()
+}
+
+/// The class that suffixes name, or the part of them that is not known.
+fn suffixes(mut rest: &str) -> Result<Option<ClearanceClass>, &str> {
+    let mut class = None;
+    loop {
+        rest = rest.trim_start_matches(['-', '/', '.', ',']);
+        if rest.is_empty() {
+            return Ok(class);
+        }
+        let named = CLASSES.iter().find(|(name, _)| rest.starts_with(name));
+        if let Some((name, named)) = named {
+            class = Some(*named);
+            rest = &rest[name.len()..];
+        } else if let Some(known) = SUFFIXES.split(' ').find(|known| rest.starts_with(known)) {
+            rest = &rest[known.len()..];
+        } else {
+            return Err(rest);
+        }
+    }
+}
+
+/// The bearing of a designation; letter case and blanks do not matter, and suffixes of seals, cages and tolerances
+/// change nothing.
+///
+/// # Errors
+/// [`UnknownBearing`] says what comes near.
+pub(crate) fn look_up<'a>(
+    file: &'a [CatalogueEntry],
+    designation: &str,
+) -> Result<Found<'a>, UnknownBearing> {
+    let wanted = normal(designation);
+    let mut found: Option<Found> = None;
+    let mut odd: Option<(&CatalogueEntry, &str)> = None;
+    for entry in all(file) {
+        let base = normal(&entry.designation);
+        let Some(rest) = wanted.strip_prefix(&base) else {
+            continue;
+        };
+        if rest.starts_with(|c: char| c.is_ascii_digit()) || base.is_empty() {
+            continue;
+        }
+        let longer = |entry: &CatalogueEntry| base.len() > normal(&entry.designation).len();
+        match suffixes(rest) {
+            Ok(class) if found.as_ref().is_none_or(|found| longer(found.entry)) => {
+                found = Some(Found { entry, class });
+            }
+            Ok(_) => {}
+            Err(part) => odd = odd.or(Some((entry, part))),
+        }
+    }
+    found.ok_or_else(|| UnknownBearing::new(file, designation, odd))
+}
+
+/// The entry of a designation that is shipped or the user's own.
+#[cfg(test)]
+pub(crate) fn find(designation: &str) -> Option<CatalogueEntry> {
+    let found = look_up(&[], designation).ok()?;
+    Some(found.entry.clone())
 }
 
 /// A designation that is in no catalogue.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("no bearing is called `{designation}`; known are {}", known.join(", "))]
+#[error("no bearing of the catalogue is called \"{designation}\": {help}")]
+#[non_exhaustive]
 pub struct UnknownBearing {
     /// The designation as given.
     pub designation: String,
-    /// All designations.
-    pub known: Vec<&'static str>,
+    /// What comes near, or which bearings there are.
+    pub help: String,
+}
+
+impl UnknownBearing {
+    fn new(
+        file: &[CatalogueEntry],
+        designation: &str,
+        odd: Option<(&CatalogueEntry, &str)>,
+    ) -> Self {
+        let digits = |text: &str| {
+            text.chars()
+                .filter(char::is_ascii_digit)
+                .collect::<String>()
+        };
+        let same = |entry: &&CatalogueEntry| {
+            let number = digits(&entry.designation);
+            !number.is_empty() && number == digits(designation)
+        };
+        let help = match (odd, all(file).find(same)) {
+            (Some((entry, part)), _) => format!(
+                "the suffix \"{part}\" is not known; if it changes neither balls nor races, write \"{}\", else give \
+                 [bearing.ratings] with the line of its maker's catalogue",
+                entry.designation
+            ),
+            (None, Some(entry)) => format!("did you mean \"{}\"?", entry.designation),
+            (None, None) => format!(
+                "there are {}; any other bearing is found from its catalogue line in [bearing.ratings]",
+                series(file)
+            ),
+        };
+        Self {
+            designation: designation.to_owned(),
+            help,
+        }
+    }
+}
+
+/// The designations, series by series: `6000 to 6024`.
+pub(crate) fn series(file: &[CatalogueEntry]) -> String {
+    let mut groups: BTreeMap<(String, String), [&str; 2]> = BTreeMap::new();
+    for entry in all(file) {
+        let name = entry.designation.as_str();
+        let letters = name.trim_start_matches(|c: char| c.is_ascii_digit());
+        let digits = &name[..name.len() - letters.len()];
+        let series = digits[..digits.len().saturating_sub(2)].to_owned();
+        let [first, last] = groups
+            .entry((series, letters.to_owned()))
+            .or_insert([name, name]);
+        *first = name.min(first);
+        *last = name.max(last);
+    }
+    let spans = groups.values().map(|[first, last]| match first == last {
+        true => (*first).to_owned(),
+        false => format!("{first} to {last}"),
+    });
+    spans.collect::<Vec<_>>().join(", ")
 }
 
 impl Bearing {
     /// The bearing of a designation, in SI units, balls and rings of bearing steel; letter case and blanks do not
-    /// matter.
+    /// matter, and suffixes of seals, cages, tolerances and clearance are understood.
     ///
     /// # Errors
-    /// [`UnknownBearing`] names those that are known.
+    /// [`UnknownBearing`] says what comes near.
     pub fn catalogue(designation: &str) -> Result<Self, UnknownBearing> {
-        let entry = find(designation).and_then(|entry| entry.bearing().ok());
-        entry.ok_or_else(|| UnknownBearing {
+        let Found { entry, class } = look_up(&[], designation)?;
+        let bearing = entry.of_class(class.unwrap_or_default());
+        bearing.map_err(|error| UnknownBearing {
             designation: designation.to_owned(),
-            known: CATALOGUE.iter().map(|entry| entry.designation).collect(),
+            help: error.to_string(),
         })
     }
 }
 
-impl CatalogueEntry {
-    /// Bore, m.
-    pub fn bore(&self) -> f64 {
-        self.boundary_mm[0] / 1e3
-    }
-
+impl CatalogueLine {
     /// Where the races stand without load: by the contact angle, or by the middle of a class of clearance of a
-    /// deep-groove bearing.
-    pub(crate) fn free_position(&self, class: ClearanceClass) -> FreePosition {
-        match self.contact_angle_deg {
-            Some(degrees) => FreePosition::ContactAngle(degrees.to_radians()),
-            // every shipped bore stands in the table
-            None => FreePosition::DiametralClearance(class.middle(self.bore()).unwrap_or(0.0)),
+    /// deep-groove bearing; none where the class has no clearance for the bore.
+    pub(crate) fn free_position(&self, class: ClearanceClass) -> Option<FreePosition> {
+        if self.contact_angle > 0.0 {
+            return Some(FreePosition::ContactAngle(self.contact_angle));
         }
+        let clearance = class.middle(self.bore)?;
+        Some(FreePosition::DiametralClearance(clearance))
     }
+}
 
+impl CatalogueEntry {
     /// The bearing in SI units, balls and rings of bearing steel, a deep-groove bearing with the clearance of
     /// class CN.
     ///
     /// # Errors
-    /// [`BearingError::Geometry`], which no shipped entry gives.
+    /// [`BearingError`], which no shipped entry gives.
     pub(crate) fn bearing(&self) -> Result<Bearing, BearingError> {
-        let geometry = Geometry::new(
-            self.balls,
-            self.ball_diameter_mm / 1e3,
-            self.pitch_diameter_mm / 1e3,
-            self.free_position(ClearanceClass::CN),
-            self.groove_factor_inner,
-            self.groove_factor_outer,
-        )?;
+        self.of_class(ClearanceClass::CN)
+    }
+
+    fn of_class(&self, class: ClearanceClass) -> Result<Bearing, BearingError> {
+        let estimate = self.line.estimate().map_err(Box::new)?;
+        let free = self.line.free_position(class);
+        let free = free.unwrap_or(FreePosition::DiametralClearance(0.0));
+        let angular = self.line.contact_angle > 0.0;
         Ok(Bearing {
-            geometry,
-            ring_material: Material::BEARING_STEEL,
-            ball_material: Material::BEARING_STEEL,
-            contact_stiffness: None,
-            dynamic_rating: Some(self.dynamic_rating),
-            roughness: None,
-            limiting_speed: None,
-            shoulder_angle: None,
-            clearance_class: self
-                .contact_angle_deg
-                .is_none()
-                .then_some(ClearanceClass::CN),
+            dynamic_rating: Some(self.line.dynamic_rating),
+            clearance_class: (!angular).then_some(class),
+            boundary: Some([self.line.bore, self.line.outside_diameter]),
+            estimated: estimate.is_estimated(),
+            skf_friction: SkfFriction::of_designation(&self.designation),
+            ..Bearing::of_steel(estimate.geometry(free)?)
         })
+    }
+}
+
+impl Estimate {
+    /// Whether balls or grooves are estimated.
+    pub fn is_estimated(&self) -> bool {
+        !self.estimated.is_empty()
+    }
+}
+
+/// Columns of a catalogue file that must be there.
+const NEEDED: [&str; 5] = [
+    "designation",
+    "bore_mm",
+    "outside_diameter_mm",
+    "contact_angle_deg",
+    "dynamic_rating_N",
+];
+
+/// Columns that may be there.
+const OPTIONAL: [&str; 10] = [
+    "static_rating_N",
+    "f0",
+    "balls",
+    "ball_diameter_mm",
+    "pitch_diameter_mm",
+    "groove_factor_inner",
+    "groove_factor_outer",
+    "width_mm",
+    "maker",
+    "source",
+];
+
+/// Most problems of a catalogue file that are told.
+const MOST_PROBLEMS: usize = 20;
+
+/// Reads the bearings of a catalogue file: CSV with a header, one bearing a row.
+///
+/// # Errors
+/// Everything that is wrong with it, each with its line.
+pub(crate) fn read(text: &str) -> Result<Vec<CatalogueEntry>, Vec<String>> {
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .from_reader(text.trim_start_matches('\u{feff}').as_bytes());
+    let header = reader
+        .headers()
+        .map_err(|error| vec![error.to_string()])?
+        .clone();
+    let mut problems = header_problems(&header);
+    if !problems.is_empty() {
+        return Err(problems);
+    }
+    let mut entries: Vec<CatalogueEntry> = Vec::new();
+    for record in reader.records() {
+        let record = match record {
+            Ok(record) => record,
+            Err(error) => {
+                problems.push(error.to_string());
+                continue;
+            }
+        };
+        let line = record.position().map_or(0, csv::Position::line);
+        let row = Row {
+            header: &header,
+            record: &record,
+        };
+        match row.entry() {
+            Ok(entry) => entries.push(entry),
+            Err(found) => {
+                problems.extend(
+                    found
+                        .iter()
+                        .map(|problem| format!("line {line}: {problem}")),
+                );
+            }
+        }
+    }
+    if entries.is_empty() && problems.is_empty() {
+        problems.push("it has no bearing".to_owned());
+    }
+    if problems.len() > MOST_PROBLEMS {
+        let more = problems.len() - MOST_PROBLEMS;
+        problems.truncate(MOST_PROBLEMS);
+        problems.push(format!("and {more} more"));
+    }
+    if problems.is_empty() {
+        Ok(entries)
+    } else {
+        Err(problems)
+    }
+}
+
+fn header_problems(header: &csv::StringRecord) -> Vec<String> {
+    let known = || NEEDED.iter().chain(&OPTIONAL);
+    let missing = NEEDED
+        .iter()
+        .filter(|name| !header.iter().any(|h| h == **name));
+    let missing = missing.map(|name| format!("it has no column `{name}`"));
+    let strange = header
+        .iter()
+        .filter(|name| known().all(|known| known != name));
+    let strange = strange.map(|name| {
+        let names: Vec<_> = known().copied().collect();
+        format!("it has a column `{name}`; known are {}", names.join(", "))
+    });
+    let twice = header.iter().enumerate();
+    let twice = twice.filter(|(index, name)| header.iter().take(*index).any(|h| h == *name));
+    let twice = twice.map(|(_, name)| format!("it has two columns `{name}`"));
+    missing.chain(strange).chain(twice).collect()
+}
+
+/// A row of a catalogue file.
+struct Row<'a> {
+    header: &'a csv::StringRecord,
+    record: &'a csv::StringRecord,
+}
+
+impl Row<'_> {
+    fn text(&self, column: &str) -> &str {
+        let place = self.header.iter().position(|name| name == column);
+        place.and_then(|place| self.record.get(place)).unwrap_or("")
+    }
+
+    /// The number of a column over a divisor; none where it is empty.
+    fn number(&self, column: &str, divisor: f64, problems: &mut Vec<String>) -> Option<f64> {
+        let text = self.text(column);
+        if text.is_empty() {
+            if NEEDED.contains(&column) {
+                problems.push(format!("`{column}` is empty"));
+            }
+            return None;
+        }
+        match text.parse::<f64>() {
+            Ok(number) if number.is_finite() && (number > 0.0 || column == "contact_angle_deg") => {
+                Some(number / divisor)
+            }
+            Ok(_) => {
+                problems.push(format!("`{column}` must be above zero, not {text}"));
+                None
+            }
+            Err(_) => {
+                problems.push(format!("`{column}` has \"{text}\", which is not a number"));
+                None
+            }
+        }
+    }
+
+    fn entry(&self) -> Result<CatalogueEntry, Vec<String>> {
+        let mut problems = Vec::new();
+        let designation = self.text("designation").to_owned();
+        if designation.is_empty() {
+            problems.push("`designation` is empty".to_owned());
+        }
+        let mut number = |column, divisor| self.number(column, divisor, &mut problems);
+        let [bore, outside, ball, pitch, width] = [
+            "bore_mm",
+            "outside_diameter_mm",
+            "ball_diameter_mm",
+            "pitch_diameter_mm",
+            "width_mm",
+        ]
+        .map(|column| number(column, 1e3));
+        let [angle, dynamic, statical, factor, balls, inner, outer] = [
+            "contact_angle_deg",
+            "dynamic_rating_N",
+            "static_rating_N",
+            "f0",
+            "balls",
+            "groove_factor_inner",
+            "groove_factor_outer",
+        ]
+        .map(|column| number(column, 1.0));
+        if balls.is_some_and(|balls| balls.fract() != 0.0) {
+            problems.push("`balls` is no whole number".to_owned());
+        }
+        if inner.is_some() != outer.is_some() {
+            problems.push("give both groove factors or none".to_owned());
+        }
+        let (Some(bore), Some(outside), Some(angle), Some(dynamic), true) =
+            (bore, outside, angle, dynamic, problems.is_empty())
+        else {
+            return Err(problems);
+        };
+        let line = CatalogueLine {
+            bore,
+            outside_diameter: outside,
+            contact_angle: angle.to_radians(),
+            dynamic_rating: dynamic,
+            static_rating: statical,
+            static_factor: factor,
+            balls: balls.map(|balls| balls as usize),
+            ball_diameter: ball,
+            pitch_diameter: pitch,
+            groove_factors: inner.zip(outer).map(|(inner, outer)| [inner, outer]),
+        };
+        Ok(CatalogueEntry {
+            designation,
+            maker: self.text("maker").to_owned(),
+            source: self.text("source").to_owned(),
+            width,
+            line,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn suffixes_change_nothing_but_the_clearance() {
+        for (text, designation, class) in [
+            ("6205-2RS", "6205", None),
+            ("6205/C3", "6205", Some(ClearanceClass::C3)),
+            ("6205 ZZ C3", "6205", Some(ClearanceClass::C3)),
+            ("6205-2RS1/C4", "6205", Some(ClearanceClass::C4)),
+            ("6306DDUC3", "6306", Some(ClearanceClass::C3)),
+            ("7205 c", "7205C", None),
+            ("7205C-P4", "7205C", None),
+        ] {
+            let found = look_up(&[], text).expect(text);
+            assert_eq!(
+                (found.entry.designation.as_str(), found.class),
+                (designation, class)
+            );
+        }
+    }
+
+    #[test]
+    fn only_the_same_number_is_suggested() {
+        let help = |text| look_up(&[], text).expect_err(text).help;
+        assert!(help("7205").contains("\"7205C\""));
+        assert!(help("6205C").contains("the suffix \"C\" is not known"));
+        assert!(help("6299").contains("6200 to 6220"), "{}", help("6299"));
+        assert!(!help("62089").contains("did you mean"));
+    }
+
+    #[test]
+    fn every_shipped_bearing_is_one() {
+        assert!(CATALOGUE.len() >= 120);
+        for entry in CATALOGUE.iter() {
+            assert!(entry.bearing().is_ok(), "{}", entry.designation);
+        }
+    }
+
+    #[test]
+    fn all_that_is_wrong_is_told_with_its_line() {
+        let needed = "designation,bore_mm,outside_diameter_mm,contact_angle_deg,dynamic_rating_N";
+        let text = format!("{needed}\nA,25,52,0,many\nB,-1,52,0,1000\n,1,2,0,3\n");
+        let problems = read(&text).expect_err("three problems");
+        assert_eq!(problems.len(), 3, "{problems:?}");
+        assert!(problems[1].starts_with("line 3: `bore_mm` must be above zero"));
+        let problems = read("designation,bore\nA,1\n").expect_err("columns");
+        assert!(problems.iter().any(|problem| problem.contains("`bore`")));
     }
 }

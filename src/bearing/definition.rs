@@ -3,10 +3,13 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Clearance, ClearanceClass, ContactDamping, ContactLaw, Geometry, GeometryError, Oil};
+use super::{
+    Clearance, ClearanceClass, ContactDamping, ContactLaw, EstimateError, FitState, Geometry,
+    GeometryError, Lubrication, Oil,
+};
 use crate::physics::{
-    Curvature, HertzContact, HertzError, Material, contact_modulus, inner_race_curvature,
-    outer_race_curvature, series_stiffness,
+    Curvature, HertzContact, HertzError, Material, SkfFriction, contact_modulus,
+    inner_race_curvature, outer_race_curvature, series_stiffness,
 };
 
 /// Why a bearing cannot be built or mounted.
@@ -16,6 +19,9 @@ pub enum BearingError {
     /// The dimensions do not make a bearing.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// No internal geometry follows from the catalogue line.
+    #[error(transparent)]
+    Estimate(#[from] Box<EstimateError>),
     /// Ball and race do not form a Hertz contact.
     #[error("the contact of ball and {race} race: {source}")]
     Contact {
@@ -88,6 +94,18 @@ pub struct Bearing {
     pub shoulder_angle: Option<f64>,
     /// The class whose middle the clearance of a deep-groove bearing is, where it was taken from there.
     pub clearance_class: Option<ClearanceClass>,
+    /// Bore and outside diameter, m; fits and SKF's friction model need them.
+    pub boundary: Option<[f64; 2]>,
+    /// Whether balls, pitch diameter or grooves were estimated from the ratings of a catalogue.
+    pub estimated: bool,
+    /// Constants of SKF's friction model, where the series of the bearing is known.
+    pub skf_friction: Option<SkfFriction>,
+    /// Lubricant; the modified life and SKF's friction model need it.
+    pub lubrication: Option<Lubrication>,
+    /// Reliability of the modified life, per cent; 90 where it is not given.
+    pub reliability: Option<f64>,
+    /// What fits and temperatures have done to it.
+    pub fit: Option<FitState>,
 }
 
 /// Speed factor `ω d_m`, m/s, above which manufacturers ask for bearings and lubrication of special
@@ -95,6 +113,27 @@ pub struct Bearing {
 pub const LIMITING_SPEED_FACTOR: f64 = 1e6 * 1e-3 * std::f64::consts::TAU / 60.0;
 
 impl Bearing {
+    /// A bearing of a geometry with balls and rings of bearing steel, of which nothing else is known.
+    pub fn of_steel(geometry: Geometry) -> Self {
+        Self {
+            geometry,
+            ring_material: Material::BEARING_STEEL,
+            ball_material: Material::BEARING_STEEL,
+            contact_stiffness: None,
+            dynamic_rating: None,
+            roughness: None,
+            limiting_speed: None,
+            shoulder_angle: None,
+            clearance_class: None,
+            boundary: None,
+            estimated: false,
+            skf_friction: None,
+            lubrication: None,
+            reliability: None,
+            fit: None,
+        }
+    }
+
     /// Highest permissible speed, rad/s, given or by its pitch diameter.
     pub fn highest_permissible_speed(&self) -> f64 {
         self.limiting_speed

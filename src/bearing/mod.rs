@@ -12,10 +12,13 @@ mod clearance;
 mod contact_band;
 mod contact_damping;
 pub(crate) mod definition;
+mod estimate;
+mod fit;
 mod geometry;
 pub(crate) mod law;
 mod life;
 mod linear_force;
+mod lubrication;
 pub(crate) mod number;
 mod oil;
 pub(crate) mod ring;
@@ -40,6 +43,8 @@ pub(crate) use contact_band::ContactBand;
 pub(crate) use contact_damping::ContactDamping;
 pub use definition::{Bearing, BearingError, LIMITING_SPEED_FACTOR};
 pub(crate) use definition::{Facing, MountedBearing, Preload};
+pub use estimate::{Candidate, CatalogueLine, Estimate, EstimateError};
+pub use fit::{Fit, FitState};
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use law::BallContact;
 pub(crate) use law::{
@@ -50,6 +55,7 @@ pub(crate) use law::{
 pub(crate) use law::{BallRegion, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw};
 pub(crate) use life::RatingLife;
 pub use life::reference_rating_life;
+pub use lubrication::{Lubrication, ModifiedLife, RatingLives};
 pub use oil::Oil;
 pub(crate) use ring::Ring;
 pub use ring::{Matrix5, Vector5};
@@ -57,7 +63,8 @@ pub(crate) use ring::{in_registers, quarter_turn};
 pub use ring_contacts::BallLoads;
 pub(crate) use rotation::{Angle, BearingRotation};
 pub use state::{
-    Around, BallLine, BearingState, FilmState, FrictionMoment, RaceContact, StiffnessShares,
+    Around, BallLine, BearingState, FilmState, FrictionMoment, GeometryState, RaceContact,
+    SkfMoment, StiffnessShares,
 };
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;

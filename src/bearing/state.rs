@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use super::{BallContact, Clearance, Matrix5, Vector5};
+use super::{BallContact, Clearance, FitState, Matrix5, RatingLives, Vector5};
 use crate::keys;
 use crate::physics::{BallPass, Race};
 
@@ -105,10 +105,45 @@ pub struct BallLine {
     pub controlling_race: Option<Race>,
 }
 
+/// Internal geometry of a bearing, and the ratings that it has by the standards' formulas.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct GeometryState {
+    /// Number of balls.
+    pub balls: usize,
+    /// Ball diameter, m.
+    #[serde(rename = "ball_diameter_m")]
+    pub ball_diameter: f64,
+    /// Pitch diameter, m.
+    #[serde(rename = "pitch_diameter_m")]
+    pub pitch_diameter: f64,
+    /// Free contact angle as mounted, rad.
+    #[serde(rename = "contact_angle_rad")]
+    pub contact_angle: f64,
+    /// Groove factor of the inner race.
+    pub groove_factor_inner: f64,
+    /// Groove factor of the outer race.
+    pub groove_factor_outer: f64,
+    /// C of ISO 281, N, [`crate::physics::dynamic_rating`].
+    #[serde(rename = "dynamic_rating_N")]
+    pub dynamic_rating: f64,
+    /// C_0 of ISO 76, N, [`super::Bearing::static_rating`].
+    #[serde(rename = "static_rating_N")]
+    pub static_rating: f64,
+    /// C_u of ISO 281, N, [`super::Bearing::fatigue_load_limit`].
+    #[serde(rename = "fatigue_load_limit_N")]
+    pub fatigue_load_limit: f64,
+    /// Whether balls, pitch diameter or grooves were estimated from a catalogue's ratings, and with them every number that
+    /// rests on them.
+    pub estimated: bool,
+}
+
 /// A bearing under load.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct BearingState {
+    /// Its internal geometry.
+    pub geometry: GeometryState,
     /// Clearance of a deep-groove bearing; none of an angular contact bearing.
     pub clearance: Option<Clearance>,
     /// Displacement of the inner from the outer ring, in the bearing's own orientation, m and rad.
@@ -134,7 +169,17 @@ pub struct BearingState {
     /// Permissible static ball load of ISO 76, [`super::permissible_static_load`], over the largest
     /// one, at the race where that is less; none without load.
     pub static_safety: Option<f64>,
-    /// Friction moment, [`crate::physics::FrictionFactors`], of an oil of
+    /// Rating lives in revolutions and hours; none without a dynamic load rating or load.
+    pub rating_lives: Option<RatingLives>,
+    /// What fits and temperatures have done to it; none without them.
+    pub fit: Option<FitState>,
+    /// Axial force that the inner ring carries where the shaft is not displaced, N: the preload in operation.
+    #[serde(rename = "preload_N")]
+    pub preload: f64,
+    /// Friction moment after SKF, [`crate::physics::SkfFriction`]; known of deep-groove bearings of a catalogue with
+    /// oil, in motion.
+    pub friction_moment_skf: Option<SkfMoment>,
+    /// Friction moment after Palmgren, [`crate::physics::FrictionFactors`], of an oil of
     /// [`crate::physics::MINERAL_OIL_DENSITY`].
     pub friction_moment: FrictionMoment,
     /// Ball-pass frequencies at the mean operating contact angle, Hz: its size, weighted by the load
@@ -168,6 +213,25 @@ pub struct FrictionMoment {
     pub load: f64,
     /// Viscous part, N m; zero without oil.
     pub viscous: f64,
+}
+
+/// Friction moment after SKF and its parts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SkfMoment {
+    /// Rolling part, N m.
+    pub rolling: f64,
+    /// Sliding part, N m.
+    pub sliding: f64,
+}
+
+impl Serialize for SkfMoment {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map([
+            ("rolling_N_m", self.rolling),
+            ("sliding_N_m", self.sliding),
+            ("total_N_m", self.rolling + self.sliding),
+        ])
+    }
 }
 
 impl Serialize for FrictionMoment {

@@ -86,8 +86,12 @@ impl Support {
         bearing.load_deflection_constant_by(&self.contacts)
     }
 
-    /// Whether the bearing is preset axially.
+    /// Whether the bearing is preset axially, apart from what fits and temperatures do.
     pub(crate) fn is_preloaded(&self) -> bool {
+        let fit = self.definition.bearing.fit.and_then(|fit| fit.axial_offset);
+        if let Some([before, _]) = fit {
+            return before != 0.0;
+        }
         match self.definition.preload {
             Preload::AxialOffset(value) | Preload::Force(value) | Preload::Spring(value) => {
                 value != 0.0

@@ -45,11 +45,14 @@ pub struct Arguments {
 #[derive(Debug, Clone, Copy)]
 enum Order {
     Number(f64),
-    OfBearings(&'static str, fn(&BallPass) -> f64),
+    OfBearings(&'static str, OfBearing),
 }
 
+/// The frequency of one kind, Hz.
+type OfBearing = fn(&BallPass) -> f64;
+
 /// Orders of bearings by their names.
-const OF_BEARINGS: [(&str, fn(&BallPass) -> f64); 4] = [
+const OF_BEARINGS: [(&str, OfBearing); 4] = [
     ("bpfo", |pass| pass.outer),
     ("bpfi", |pass| pass.inner),
     ("ftf", |pass| pass.cage),

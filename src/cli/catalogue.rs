@@ -1,36 +1,107 @@
 //! `jeffcott catalogue`.
 
 use std::io;
+use std::path::{Path, PathBuf};
 
 use comfy_table::{Table, presets};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::{Outcome, terminal};
-use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
-use crate::report::wrapped;
+use crate::bearing::catalogue::{self, CatalogueEntry};
+use crate::bearing::{Bearing, Estimate};
+use crate::report::{entry_json, entry_text, wrapped};
+use crate::scenario::catalogue_file;
 
-/// Lists the bearings that a scenario can name, with the source of every number.
+/// Lists the bearings that a scenario can name, or shows one of them, with the source of every number.
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:\n  jeffcott catalogue --json")]
+#[command(after_help = "Example:\n  jeffcott catalogue 6208\n\n\
+                  Exit code: 0 done, 2 there is no such bearing.")]
 pub struct Arguments {
-    /// Print the list as JSON
-    #[arg(long)]
+    /// Designation of one bearing
+    #[arg(value_name = "DESIGNATION")]
+    designation: Option<String>,
+    /// Print as JSON
+    #[arg(long, conflicts_with = "csv")]
     json: bool,
+    /// Print the shipped catalogue as the CSV that a file of your own has the shape of
+    #[arg(long, conflicts_with = "designation")]
+    csv: bool,
 }
 
-/// Prints the catalogue.
+/// The environment variable that names the user's own catalogue.
+const VARIABLE: &str = "JEFFCOTT_CATALOGUE";
+
+/// Reads the user's own catalogue, from the command line or the environment; false where it is wrong, after telling.
+pub fn add_own(given: Option<&Path>) -> bool {
+    let named = std::env::var_os(VARIABLE).filter(|value| !value.is_empty());
+    let Some(path) = given.map(Path::to_owned).or(named.map(PathBuf::from)) else {
+        return true;
+    };
+    match catalogue_file::read(&path) {
+        Ok(entries) => {
+            catalogue::add_own(entries);
+            true
+        }
+        Err(problems) => {
+            for problem in problems {
+                terminal::tell(&format!("error: {}: {problem}\n", path.display()));
+            }
+            false
+        }
+    }
+}
+
+/// Prints the catalogue or one bearing.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
-    let text = if arguments.json {
-        let entries = CATALOGUE.iter().map(record).collect();
-        format!("{:#}\n", Value::Array(entries))
+    let text = if arguments.csv {
+        catalogue::SHIPPED.to_owned()
+    } else if let Some(designation) = &arguments.designation {
+        match one(designation, arguments.json) {
+            Ok(text) => text,
+            Err(message) => {
+                terminal::tell(&format!("error: {message}\n"));
+                return Ok(Outcome::WrongInput);
+            }
+        }
     } else {
-        format!("{}\n\nSources\n{}", table().trim_fmt(), sources())
+        all(arguments.json)
     };
     terminal::print(&text)?;
     Ok(Outcome::Done)
 }
 
-fn table() -> Table {
+fn one(designation: &str, json: bool) -> Result<String, String> {
+    let found = catalogue::look_up(&[], designation).map_err(|error| error.to_string())?;
+    let entry = found.entry;
+    let estimate = entry.line.estimate();
+    let estimate = estimate.map_err(|error| format!("{}: {error}", entry.designation))?;
+    let bearing = Bearing::catalogue(designation).map_err(|error| error.to_string())?;
+    Ok(match json {
+        true => format!("{:#}\n", entry_json(entry, &bearing, &estimate)),
+        false => entry_text(entry, &bearing, &estimate),
+    })
+}
+
+/// Every bearing that its designation finds, with its estimate.
+fn found() -> Vec<(&'static CatalogueEntry, Bearing, Estimate)> {
+    let found = catalogue::all(&[]).filter_map(|entry| {
+        let first = catalogue::look_up(&[], &entry.designation).ok()?;
+        let bearing = entry.bearing().ok()?;
+        let estimate = entry.line.estimate().ok()?;
+        std::ptr::eq(first.entry, entry).then_some((entry, bearing, estimate))
+    });
+    let mut found: Vec<_> = found.collect();
+    found.sort_by(|(a, ..), (b, ..)| a.designation.cmp(&b.designation));
+    found
+}
+
+fn all(json: bool) -> String {
+    if json {
+        let entries = found()
+            .into_iter()
+            .map(|(entry, bearing, estimate)| entry_json(entry, &bearing, &estimate));
+        return format!("{:#}\n", Value::Array(entries.collect()));
+    }
     let mut table = Table::new();
     table.load_style(presets::UTF8_HORIZONTAL_ONLY).set_header([
         "name",
@@ -38,51 +109,58 @@ fn table() -> Table {
         "ball\nmm",
         "pitch\nmm",
         "angle\ndeg",
-        "groove factor\ninner, outer",
-        "bore × outside × width\nmm",
+        "grooves\nin, out",
+        "bore × outside\nmm",
         "C\nN",
+        "C0\nN",
+        "inside",
     ]);
-    for entry in CATALOGUE {
-        let [bore, outside, width] = entry.boundary_mm;
-        let angle = entry.contact_angle_deg.map(|angle| angle.to_string());
+    let mut sources: Vec<(&str, Vec<&str>)> = Vec::new();
+    for (entry, _, estimate) in found() {
+        let line = &entry.line;
+        let length = |length: f64| format!("{}", (1e6 * length).round() / 1e3);
+        let angle = line.contact_angle.to_degrees().round();
         table.add_row([
-            entry.designation.to_owned(),
-            entry.balls.to_string(),
-            entry.ball_diameter_mm.to_string(),
-            entry.pitch_diameter_mm.to_string(),
-            angle.unwrap_or_else(|| "–".to_owned()),
+            entry.designation.clone(),
+            estimate.balls.to_string(),
+            length(estimate.ball_diameter),
+            length(estimate.pitch_diameter),
+            if angle > 0.0 {
+                angle.to_string()
+            } else {
+                "–".to_owned()
+            },
             format!(
                 "{}, {}",
-                entry.groove_factor_inner, entry.groove_factor_outer
+                estimate.groove_factor_inner, estimate.groove_factor_outer
             ),
-            format!("{bore} × {outside} × {width}"),
-            entry.dynamic_rating.to_string(),
+            format!("{} × {}", length(line.bore), length(line.outside_diameter)),
+            line.dynamic_rating.to_string(),
+            line.static_rating
+                .map_or("–".to_owned(), |rating| rating.to_string()),
+            match estimate.is_estimated() {
+                true => "estimated".to_owned(),
+                false => "given".to_owned(),
+            },
         ]);
+        match sources
+            .iter_mut()
+            .find(|(source, _)| *source == entry.source)
+        {
+            Some((_, names)) => names.push(&entry.designation),
+            None => sources.push((&entry.source, vec![&entry.designation])),
+        }
     }
-    table
-}
-
-fn sources() -> String {
-    let line = |entry: &CatalogueEntry| {
-        let line = format!("  {}: {}", entry.designation, entry.source);
-        wrapped(&line, 4) + "\n"
-    };
-    CATALOGUE.iter().map(line).collect()
-}
-
-fn record(entry: &CatalogueEntry) -> Value {
-    json!({
-        "designation": entry.designation,
-        "balls": entry.balls,
-        "ball_diameter_mm": entry.ball_diameter_mm,
-        "pitch_diameter_mm": entry.pitch_diameter_mm,
-        "contact_angle_deg": entry.contact_angle_deg,
-        "groove_factor_inner": entry.groove_factor_inner,
-        "groove_factor_outer": entry.groove_factor_outer,
-        "bore_mm": entry.boundary_mm[0],
-        "outside_diameter_mm": entry.boundary_mm[1],
-        "width_mm": entry.boundary_mm[2],
-        "dynamic_rating_N": entry.dynamic_rating,
-        "source": entry.source,
-    })
+    let sources = sources.iter().map(|(source, names)| {
+        let names = match names[..] {
+            [first, .., last] if names.len() > 2 => format!("{first} … {last}"),
+            _ => names.join(", "),
+        };
+        wrapped(&format!("  {names}: {source}"), 4) + "\n"
+    });
+    format!(
+        "{}\n\nSources\n{}",
+        table.trim_fmt(),
+        sources.collect::<String>()
+    )
 }

@@ -11,6 +11,7 @@ mod check;
 mod compare;
 mod demand;
 mod describe;
+mod estimate;
 mod jobs;
 mod new;
 mod pace;
@@ -22,6 +23,7 @@ mod terminal;
 mod written;
 
 use std::ffi::OsString;
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -35,6 +37,9 @@ use clap::{Parser, Subcommand};
     after_help = "Examples:\n  jeffcott new shaft.toml\n  jeffcott run shaft.toml --open"
 )]
 struct Arguments {
+    /// CSV file of your own bearings; also $JEFFCOTT_CATALOGUE
+    #[arg(long, global = true, value_name = "FILE")]
+    catalogue: Option<PathBuf>,
     #[command(subcommand)]
     verb: Verb,
     #[command(flatten)]
@@ -53,6 +58,7 @@ enum Verb {
     Check(check::Arguments),
     Compare(compare::Arguments),
     Catalogue(catalogue::Arguments),
+    Estimate(estimate::Arguments),
     Schema(describe::Schema),
     Completions(describe::Completions),
     Man(describe::Manual),
@@ -79,7 +85,11 @@ impl From<Outcome> for ExitCode {
 
 /// Runs the command line, the name of the program first.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let Arguments { verb, manner } = match Arguments::try_parse_from(arguments) {
+    let Arguments {
+        verb,
+        manner,
+        catalogue,
+    } = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(usage) => {
             // A closed terminal is no reason to fail: the exit code already tells.
@@ -92,6 +102,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     manner.set();
+    if !catalogue::add_own(catalogue.as_deref()) {
+        return Outcome::WrongInput.into();
+    }
     let outcome = match verb {
         Verb::New(arguments) => new::run(&arguments),
         Verb::Run(arguments) => run::run(&arguments),
@@ -103,6 +116,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
+        Verb::Estimate(arguments) => estimate::run(&arguments),
         Verb::Schema(arguments) => describe::schema(&arguments),
         Verb::Completions(arguments) => describe::completions(&arguments),
         Verb::Man(arguments) => describe::manual(&arguments),

@@ -143,7 +143,7 @@ fn open(page: &Path) {
     let mut command = Command::new(&browser);
     command.arg(page).stdin(Stdio::null());
     command.stdout(Stdio::null()).stderr(Stdio::null());
-    let refused = match command.spawn().map(|child| refusal(child)) {
+    let refused = match command.spawn().map(refusal) {
         Ok(None) => return,
         Ok(Some(status)) => status.to_string(),
         Err(error) => error.to_string(),

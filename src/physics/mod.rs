@@ -5,19 +5,37 @@
 mod ball_motion;
 mod curvature;
 mod elliptic;
+mod equivalent_load;
 mod film;
+mod fits;
 mod friction;
 mod hertz;
 mod inertia;
 mod kinematics;
+mod life_modification;
 mod material;
+mod rating;
+mod skf_friction;
+mod vibration_zones;
+mod viscosity;
 
 pub use ball_motion::{BallMotion, Race, RaceControl, controlling_race};
 pub use curvature::{Curvature, inner_race_curvature, outer_race_curvature};
 pub use elliptic::{complete_elliptic_first, complete_elliptic_second};
+pub use equivalent_load::equivalent_load;
 pub use film::{FilmContact, FilmInputs, entrainment_speed};
+pub use fits::{
+    RingFit, STEEL_EXPANSION, inner_ring_fit, outer_ring_fit, thermal_clearance_change,
+};
 pub use friction::{FrictionFactors, MINERAL_OIL_DENSITY, SMALLEST_ANGULAR_CONTACT};
 pub use hertz::{ContactEllipse, HertzContact, HertzError, series_stiffness};
 pub use inertia::{ball_inertia, ball_mass, centrifugal_force, gyroscopic_moment};
 pub use kinematics::{BallPass, ball_pass_frequencies, nominal_cage_speed};
+pub use life_modification::{
+    Contamination, life_modification_factor, reference_viscosity, reliability_factor,
+};
 pub use material::{Material, contact_modulus};
+pub use rating::{dynamic_rating, rating_factor};
+pub use skf_friction::{SkfFriction, SkfOperation};
+pub use vibration_zones::{GROUP_2_LIMITS, VibrationZone};
+pub use viscosity::ViscosityLaw;

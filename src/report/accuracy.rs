@@ -199,7 +199,7 @@ fn method_errors(irregular: bool) -> &'static [ErrorColumn] {
 }
 
 const VIBRATION: [ErrorColumn; 4] = [
-    ("from the top\nplace", |errors| {
+    ("from the top\nposition", |errors| {
         short(errors.statistics.mean)
     }),
     ("\nvibration", |errors| short(errors.displacement_relative)),
@@ -207,7 +207,7 @@ const VIBRATION: [ErrorColumn; 4] = [
     ("\nlines", |errors| or_dash(errors.lines.map(short))),
 ];
 const SPREAD: [ErrorColumn; 4] = [
-    ("from the top\nplace", |errors| {
+    ("from the top\nposition", |errors| {
         short(errors.statistics.mean)
     }),
     ("\nrms", |errors| short(errors.statistics.rms)),
@@ -248,7 +248,7 @@ fn put_ladder(out: &mut Lines, accuracy: &Accuracy) {
     let cells = rows.iter().filter_map(|row| ladder_cells(row, accuracy));
     out.table(header.into_iter().chain(titles(errors)), cells);
     out.put(
-        "relative to the rms of the vibration of the highest level after the settle time; place: of its middle",
+        "relative to the RMS vibration of the highest level after the settle time; position: of its mean",
     );
     for row in rows {
         if let Err(reason) = &row.result {

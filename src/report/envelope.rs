@@ -1,7 +1,9 @@
 //! The envelope of a curve, in memory that does not grow with it.
 
-/// Buckets of a curve: more cannot be seen on the width of a figure or a screen.
+/// Buckets of a curve: more cannot be seen on the width of a figure.
 pub(super) const BUCKETS: usize = 2048;
+/// The same of a wide screen.
+pub(super) const SCREEN_BUCKETS: usize = 3072;
 
 /// Smallest and largest value of a stretch of a curve, in the order in which they came.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,14 +112,6 @@ impl Decimator {
     pub fn points(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let buckets = self.buckets();
         buckets.flat_map(|Bucket { first, last }| [first, last])
-    }
-
-    /// First and last abscissa.
-    pub fn ends(&self) -> Option<[f64; 2]> {
-        let mut buckets = self.buckets();
-        let first = buckets.next()?;
-        let last = buckets.last().unwrap_or(first);
-        Some([first.first.0, last.last.0])
     }
 
     /// Lowest and highest value.

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use serde_json::{Value, json};
 
-use super::envelope::{BUCKETS, Decimator};
+use super::envelope::{Decimator, SCREEN_BUCKETS};
 use super::figure::{Axis, Curve, Figure, Panel, distinct};
 use super::page::{PagePanel, curve, narrow};
 use super::terminal::{MICRO, NAMES, shown_unit};
@@ -56,6 +56,8 @@ const FURTHER: [(Channel, &str); 5] = [
 #[derive(Debug, Clone)]
 pub struct Histories {
     histories: Vec<History>,
+    /// First and last time, s.
+    time: Option<[f64; 2]>,
     /// Samples that the stretch around an event still takes.
     open: usize,
 }
@@ -67,12 +69,13 @@ impl Histories {
         let further = FURTHER.iter().map(|(channel, _)| *channel);
         let history = |channel| History {
             channel,
-            envelope: Decimator::new(BUCKETS),
+            envelope: Decimator::new(SCREEN_BUCKETS),
             last: VecDeque::with_capacity(LAST),
             stretches: Vec::new(),
         };
         Self {
             histories: moving.chain(further).map(history).collect(),
+            time: None,
             open: 0,
         }
     }
@@ -94,6 +97,8 @@ impl Histories {
 
     /// Takes one sample.
     pub fn sample(&mut self, sample: &Sample) {
+        let [start, _] = self.time.unwrap_or([sample.time; 2]);
+        self.time = Some([start, sample.time]);
         for history in &mut self.histories {
             if let Some(value) = history.channel.of(sample) {
                 history.take(sample.time, value, self.open > 0);
@@ -108,8 +113,7 @@ impl Histories {
         let displacements: Vec<_> = displacements
             .filter(|history| matches!(history.channel, Channel::Displacement(_)))
             .collect();
-        let times = displacements.first().map(|history| history.envelope.ends());
-        let time = match times.flatten() {
+        let time = match self.time {
             Some([start, end]) if end > start => start..end,
             _ => 0.0..1.0,
         };

@@ -7,6 +7,7 @@ pub mod compare;
 pub(crate) mod destination;
 mod envelope;
 mod error;
+mod estimate;
 mod figure;
 mod folder;
 mod histories;
@@ -36,6 +37,7 @@ pub(crate) use destination::{Destination, Findings, Written, document};
 pub(crate) use envelope::Decimator;
 pub(crate) use error::Failure;
 pub use error::{FileAction, ReportError};
+pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;

@@ -103,21 +103,44 @@ fn put_stiffness(out: &mut Lines, stiffness: &Matrix5) {
 
 fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     out.put(format_args!("bearing {number}"));
+    let geometry = &state.geometry;
+    let mark = if geometry.estimated {
+        " (estimated)"
+    } else {
+        ""
+    };
+    let balls = format!(
+        "{} of {:.3} mm on {:.3} mm{mark}",
+        geometry.balls,
+        MILLI * geometry.ball_diameter,
+        MILLI * geometry.pitch_diameter
+    );
+    out.line("balls", balls);
     if let Some(clearance) = &state.clearance {
         out.line("clearance", clearance_text(clearance));
     }
+    put_fit(out, state);
     out.line("balls loaded", state.balls_loaded);
     if let Some(life) = state.life {
         out.line("life L10r", format!("{life:.4e} million revolutions"));
     }
+    put_lives(out, state);
     if let Some(safety) = state.static_safety {
         out.line("static safety", format!("{safety:.3}"));
     }
     let friction = &state.friction_moment;
     let [total, load, viscous] =
         [friction.total(), friction.load, friction.viscous].map(|moment| decimal(MILLI * moment));
-    let text = format!("{total} N mm: load {load}, viscous {viscous}");
+    let text = format!("{total} N mm: load {load}, viscous {viscous} (Palmgren)");
     out.line("friction", text);
+    if let Some(skf) = &state.friction_moment_skf {
+        let [rolling, sliding] = [skf.rolling, skf.sliding].map(|moment| MILLI * moment);
+        let total = decimal(rolling + sliding);
+        let [rolling, sliding] = [rolling, sliding].map(decimal);
+        out.more(format!(
+            "{total} N mm: rolling {rolling}, sliding {sliding} (SKF)"
+        ));
+    }
     let pass = &state.ball_pass;
     let pass = format!(
         "outer race {:.3} Hz, inner race {:.3} Hz, ball spin {:.3} Hz, cage {:.3} Hz",
@@ -131,6 +154,77 @@ fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     if !state.balls.is_empty() {
         put_balls(out, &state.balls);
     }
+}
+
+/// What fits and temperatures have done.
+fn put_fit(out: &mut Lines, state: &BearingState) {
+    let Some(fit) = &state.fit else { return };
+    let [inner, outer] = fit.clearance_loss.map(|loss| decimal(-MICRO * loss));
+    out.line(
+        "fits",
+        format!(
+            "clearance {} µm: inner ring {inner}, outer ring {outer}, temperature {}",
+            decimal(MICRO * fit.clearance_change),
+            decimal(MICRO * fit.thermal_change)
+        ),
+    );
+    let [inner, outer] = fit.pressure.map(|pressure| digits(pressure / 1e6));
+    out.more(format!(
+        "pressure in the seats: inner {inner}, outer {outer} MPa"
+    ));
+    out.more(format!(
+        "free contact angle {:.3}°, {:.3}° before; preload in operation {} N",
+        fit.angle.to_degrees(),
+        fit.angle_before.to_degrees(),
+        digits(state.preload)
+    ));
+    for (name, interference) in ["inner", "outer"].iter().zip(fit.interference) {
+        if interference < 0.0 {
+            let gap = decimal(-MICRO * interference);
+            out.more(format!("the {name} ring is loose by {gap} µm"));
+        }
+    }
+}
+
+/// Lives in hours, and what lubrication makes of them.
+fn put_lives(out: &mut Lines, state: &BearingState) {
+    let Some(lives) = &state.rating_lives else {
+        return;
+    };
+    let shown = |life: f64, hours: Option<f64>| {
+        let hours = hours.map(|hours| format!(", {} h", digits(hours)));
+        format!(
+            "{life:.4e} million revolutions{}",
+            hours.unwrap_or_default()
+        )
+    };
+    if let Some(hours) = lives.reference_hours {
+        out.more(format!("{} h at this speed (ISO/TS 16281)", digits(hours)));
+    }
+    if let (Some(basic), Some(load)) = (lives.basic, lives.equivalent_load) {
+        let text = shown(basic, lives.basic_hours);
+        out.line(
+            "life L10",
+            format!("{text} (ISO 281, P {} N)", digits(load)),
+        );
+    }
+    let Some(modified) = &lives.modified else {
+        return;
+    };
+    let text = shown(modified.life, modified.hours);
+    out.line("life L_nm", format!("{text} at {} %", modified.reliability));
+    let factors = [
+        ("κ", modified.viscosity_ratio),
+        ("e_C", modified.contamination_factor),
+        ("C_u in N", Some(modified.fatigue_load_limit)),
+        ("a_ISO", modified.life_modification_factor),
+        ("a_1", Some(modified.reliability_factor)),
+    ];
+    let factors = factors.iter().filter_map(|(name, value)| {
+        let value = (*value)?;
+        Some(format!("{name} {}", digits(value)))
+    });
+    out.more(listed(factors));
 }
 
 /// A column of the ball table: its title and its cells.

@@ -108,7 +108,7 @@ fn twist(answer: &QuasiStatic, value: fn(&Twist) -> f64) -> f64 {
 }
 
 /// Columns of one bearing, after `bearing_1_`.
-const BEARING: [Named<BearingState>; 12] = [
+const BEARING: [Named<BearingState>; 15] = [
     ("balls_loaded", |state| state.balls_loaded as f64),
     ("largest_load_inner_N", |state| {
         largest(state, |ball| ball.inner.load)
@@ -137,6 +137,19 @@ const BEARING: [Named<BearingState>; 12] = [
         })
     }),
     ("life_Mrev", |state| state.life.unwrap_or(f64::NAN)),
+    ("life_h", |state| {
+        let lives = state.rating_lives.as_ref();
+        lives
+            .and_then(|lives| lives.reference_hours)
+            .unwrap_or(f64::NAN)
+    }),
+    ("modified_life_h", |state| {
+        let lives = state.rating_lives.as_ref();
+        lives
+            .and_then(|lives| lives.modified?.hours)
+            .unwrap_or(f64::NAN)
+    }),
+    ("preload_N", |state| state.preload),
     ("static_safety", |state| {
         state.static_safety.unwrap_or(f64::NAN)
     }),

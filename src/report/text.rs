@@ -110,6 +110,10 @@ pub(super) fn put_histories(out: &mut Lines, bearings: &[BearingHistory]) {
             let loaded = balls_loaded(&zone.balls, bearing.balls);
             out.line("load zone", format!("{name}{loaded}{}", losses(bearing)));
         }
+        if bearing.estimated {
+            let text = "balls and grooves follow from a catalogue's ratings, and with them all numbers here";
+            out.line("estimated", format!("{name}{text}"));
+        }
         // the start is left out where enough remains
         let life = bearing
             .life
@@ -119,7 +123,20 @@ pub(super) fn put_histories(out: &mut Lines, bearings: &[BearingHistory]) {
             });
         if let Some((life, hours)) = life.and_then(|life| life.rating_life().zip(life.hours())) {
             let text = format!("{life:.4e} million revolutions, {hours:.3e} h of this motion");
-            out.line("life L10r", name + &text);
+            let mark = if bearing.estimated {
+                " (estimated)"
+            } else {
+                ""
+            };
+            out.line("life L10r", format!("{name}{text}{mark}"));
+        }
+        if let Some(modified) = bearing.life.and_then(|life| life.modified)
+            && let Some(hours) = modified.hours
+        {
+            let factor = modified.life_modification_factor;
+            let factor = factor.map_or(String::new(), |factor| format!(", a_ISO {factor:.3}"));
+            let text = format!("{name}{hours:.3e} h at {} %{factor}", modified.reliability);
+            out.line("life L_nm", text);
         }
     }
 }

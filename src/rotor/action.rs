@@ -141,8 +141,7 @@ impl Rotor {
             rotation.acceleration = moments.total() / self.inertia_polar;
             moments
         });
-        let [x, y] = self.unbalance.force(&rotation, Angle::new(rotation.angle));
-        let unbalance = [x, y, 0.0, 0.0, 0.0];
+        let unbalance = self.unbalance.force(&rotation, Angle::new(rotation.angle));
         shaft.add_force(1.0, &on_mass, sum);
         shaft.add_force(1.0, &unbalance, sum);
         self.gyroscopic.add_product(-rotation.speed, velocity, sum);

@@ -105,7 +105,7 @@ impl Rotor {
             speed,
             drive: definition.drive,
             cage: definition.cage,
-            unbalance: Unbalance::new(shaft.mass, shaft.eccentricity),
+            unbalance: Unbalance::new(shaft),
             energy: false,
             load: definition.constant_load(),
             weight: definition.weight(),
@@ -224,10 +224,11 @@ impl RotorDefinition {
         SpeedProfile::new(self.speed, &self.speed_points)
     }
 
-    /// Unbalance force m e ω² at t = 0, N.
-    pub(crate) fn unbalance_force(&self) -> f64 {
-        let [x, _] = Unbalance::new(self.shaft.mass, self.shaft.eccentricity).phasor(self.speed);
-        x.re
+    /// Force and moment of the unbalance at a shaft angle of zero and the speed at t = 0, N and N m.
+    pub(crate) fn unbalance_force(&self) -> Vector5 {
+        Unbalance::new(&self.shaft)
+            .phasor(self.speed)
+            .map(|part| part.re)
     }
 }
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Drive, Load, SpeedPoint};
+use super::{Drive, Load, PlaneUnbalance, SpeedPoint};
 use crate::bearing::Support;
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
@@ -47,6 +47,8 @@ pub struct Shaft {
     pub inertia_polar: f64,
     /// Mass eccentricity e, m. The heavy side points along +X at shaft angle 0.
     pub eccentricity: f64,
+    /// Unbalances in planes, besides the eccentricity.
+    pub unbalance: PlaneUnbalance,
     /// Freedoms that move.
     pub freedoms: Freedoms,
     /// Whether the weight m g acts along −Y.

@@ -178,8 +178,7 @@ impl Rotor {
     /// Time derivative of the forces on the shaft that do not come from bearings: unbalance exactly,
     /// varying loads by a difference over a time that is short against all that they do.
     fn outer_rate(&self, time: f64, rotation: &Rotation) -> Vector5 {
-        let [x, y] = self.unbalance.force_rate(rotation);
-        let mut rate = [x, y, 0.0, 0.0, 0.0];
+        let mut rate = self.unbalance.force_rate(rotation);
         if !self.loads.is_empty() {
             let loads = |step: f64| {
                 let (angle, mut sum) = (self.speed.at(time + step).angle, [0.0; FREEDOMS]);

@@ -48,4 +48,5 @@ pub use motion_scale::MotionScale;
 pub use observation::{BallContacts, Sample};
 pub use speed_profile::{Rotation, SpeedPoint, SpeedProfile};
 pub use tabulation::Tabulation;
+pub use unbalance::PlaneUnbalance;
 pub use unconstrained::{UnconstrainedError, check_constraints};

@@ -227,9 +227,8 @@ impl Rotor {
     /// Loads, weight and unbalance on the shaft, N and N m.
     #[inline(always)]
     fn outer_force(&self, time: f64, rotation: &Rotation, phases: &Phases) -> Vector5 {
-        let [x, y] = self.unbalance.force(rotation, phases.shaft);
-        let [f_x, f_y, f_z, m_x, m_y] = self.load;
-        let force = [f_x + x, f_y + y, f_z, m_x, m_y];
+        let unbalance = self.unbalance.force(rotation, phases.shaft);
+        let force = std::array::from_fn(|axis| self.load[axis] + unbalance[axis]);
         if self.loads.is_empty() {
             force
         } else {

@@ -126,8 +126,7 @@ impl Rotor {
 
     /// Force of the unbalance at a speed as complex amplitudes, N.
     fn unbalance_phasor(&self, speed: f64) -> [Complex<f64>; FREEDOMS] {
-        let [x, y] = self.unbalance.phasor(speed);
-        [x, y, Complex::ZERO, Complex::ZERO, Complex::ZERO]
+        self.unbalance.phasor(speed)
     }
 
     /// Largest amplitude under the unbalance at the speeds of the profile.

@@ -35,6 +35,7 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
             inertia_transverse: 0.01,
             inertia_polar: 0.004,
             eccentricity: 2e-6,
+            unbalance: Default::default(),
             freedoms,
             gravity: true,
             held_tilt: [0.0; 2],

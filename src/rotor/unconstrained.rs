@@ -217,8 +217,10 @@ impl Rotor {
 
     /// Which degrees of freedom unbalance, varying loads and passing balls drive.
     fn driven(&self, contact: f64) -> Vec<bool> {
-        let unbalance = self.unbalance.is_some() && self.speed.highest() > 0.0;
-        let mut on_shaft = [unbalance, unbalance, false, false, false];
+        let turns = self.speed.highest() > 0.0;
+        let [unbalance, couple] = [self.unbalance.is_some(), self.unbalance.is_couple()];
+        let mut on_shaft =
+            [unbalance, unbalance, false, couple, couple].map(|driven| driven && turns);
         for load in &self.loads {
             let amplitude = load.main_vibration(self.shaft_mass).amplitude;
             for (driven, part) in on_shaft.iter_mut().zip(amplitude) {

@@ -187,6 +187,13 @@ impl Key {
         }
     }
 
+    /// A place that another key has, too.
+    pub fn shared_with(&self, other: &Self) -> Option<&str> {
+        let mut places = self.places.iter();
+        let shared = places.find(|place| other.places.contains(place));
+        shared.map(String::as_str)
+    }
+
     /// What two keys must have in common to have one value.
     fn measure(&self) -> (&Value, &Value, Vec<&'static str>) {
         let of = |name: &str| &self.schema[name];
@@ -287,13 +294,16 @@ impl Key {
 
     /// What varies, shown in the unit of `value`.
     pub fn variable(&self, value: &Value) -> Variable {
+        // a scale with another zero has no size of its own
         let shown = self.parsed(value).map(|(_, unit)| unit);
+        let shown = shown.filter(|unit| unit.si(0.0) == 0.0);
+        let own = self
+            .dimension()
+            .map_or("", |dimension| dimension.units()[0].symbol);
         Variable {
             key: self.path.clone(),
-            unit: self
-                .dimension()
-                .map_or("", |dimension| dimension.units()[0].symbol),
-            shown_unit: shown.map_or("", |unit| unit.symbol),
+            unit: own,
+            shown_unit: shown.map_or(own, |unit| unit.symbol),
             shown_size: shown.map_or(1.0, |unit| unit.si(1.0)),
         }
     }
@@ -476,6 +486,12 @@ mod tests {
         let refused = found(&["bearing[*].preload", "bearing[*].position"]).unwrap_err();
         assert!(refused.message.contains("cannot have one value"));
         assert!(found(&["bearing[7].preload"]).is_err());
+        let second = found(&["bearing[1].preload"]).unwrap();
+        assert_eq!(both.shared_with(&second), Some("bearing[1].preload"));
+        assert_eq!(
+            second.shared_with(&found(&["bearing[0].preload"]).unwrap()),
+            None
+        );
     }
 
     #[test]

@@ -12,6 +12,7 @@
 //! ```
 
 mod axis;
+pub(crate) mod catalogue_file;
 pub(crate) mod document;
 mod input;
 pub(crate) mod key;
@@ -29,12 +30,12 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::Value;
 
-use super::bearing::Oil;
+use super::bearing::{CatalogueLine, Oil};
 use super::quasi_static::StaticQuestion;
 use super::simulate::{Model, RecordedRun, SimulateError};
 use super::study::{ContactChoice, Study};
 use document::Document;
-use input::{Questions, ScenarioInput};
+use input::{Questions, RatingsInput, ScenarioInput};
 use key::Key;
 use node::Node;
 use problems::Problems;
@@ -46,7 +47,7 @@ pub use input::TableFormat;
 pub use key::methods;
 pub(crate) use key::{OpenNumber, method, number, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
-pub(crate) use quantity::si_units;
+pub(crate) use quantity::{si_units, unit_size};
 pub use schema::schema;
 use study_file::check_study;
 pub(crate) use study_file::{StudyFile, load_study, study_schema};
@@ -112,6 +113,29 @@ pub(crate) fn load_any(path: &Path) -> Result<Loaded, ScenarioError> {
         return check_study(&document).map(|study| Loaded::Study(study.into()));
     }
     check(&document).map(|scenario| Loaded::Scenario(scenario.into()))
+}
+
+/// A catalogue line from the texts of the keys of `[bearing.ratings]`, quantities with their units.
+///
+/// # Errors
+/// Everything that is wrong with them.
+pub(crate) fn ratings<'a>(
+    given: impl Iterator<Item = (&'a str, &'a str)>,
+) -> Result<CatalogueLine, Vec<Issue>> {
+    let schema = &schema()["properties"]["bearing"]["items"]["properties"]["ratings"];
+    let value = |(key, text): (&str, &str)| {
+        let plain = schema["properties"][key]["x-dimension"].is_null();
+        let number = plain.then(|| serde_json::from_str(text).ok()).flatten();
+        (key.to_owned(), number.unwrap_or_else(|| Value::from(text)))
+    };
+    let root = Node::from(&Value::Object(given.map(value).collect()));
+    let mut problems = Problems::new(&root, Path::new("")).about("the line");
+    let input: Option<RatingsInput> = reader::read(schema, &mut problems);
+    let (issues, _) = problems.finish();
+    match input {
+        Some(input) if issues.is_empty() => Ok(input.line()),
+        _ => Err(issues),
+    }
 }
 
 /// Reads and checks the text of a scenario; `name` is what messages call it, and files that it names are looked for

@@ -91,9 +91,9 @@ impl<'a> Problems<'a> {
     }
 
     /// Adds a problem of a checked value, unless a key that it rests on has one already.
-    pub fn refuse(&mut self, mut issue: Issue) {
+    pub fn refuse(&mut self, problem: impl Into<Contradiction>) {
+        let Contradiction { mut issue, others } = problem.into();
         issue.path = self.path(&issue.path);
-        let others = std::mem::take(&mut issue.others);
         let others: Vec<_> = others.iter().map(|path| self.path(path)).collect();
         let mut paths = std::iter::once(&issue.path).chain(&others);
         if paths.any(|path| self.distrusts(path)) {
@@ -148,9 +148,6 @@ pub struct Issue {
     pub related: Vec<Range<usize>>,
     /// What to do about it.
     pub help: Option<String>,
-    /// Paths of the keys that it contradicts: they are shown too, and nothing is said where one of them is
-    /// wrong itself.
-    pub(super) others: Vec<String>,
 }
 
 impl std::error::Error for Issue {}
@@ -175,7 +172,6 @@ impl Issue {
             span: None,
             related: Vec::new(),
             help: None,
-            others: Vec::new(),
         }
     }
 
@@ -205,14 +201,40 @@ impl Issue {
     }
 
     /// The same as a contradiction to another key.
-    pub(super) fn against(mut self, path: impl Into<String>) -> Self {
-        self.others.push(path.into());
-        self
+    pub(super) fn against(self, path: impl Into<String>) -> Contradiction {
+        Contradiction::from(self).against(path)
     }
 
     /// The same as a contradiction to some keys.
-    pub(super) fn against_all(self, paths: impl IntoIterator<Item = impl Into<String>>) -> Self {
-        paths.into_iter().fold(self, Self::against)
+    pub(super) fn against_all(
+        self,
+        paths: impl IntoIterator<Item = impl Into<String>>,
+    ) -> Contradiction {
+        paths.into_iter().fold(self.into(), Contradiction::against)
+    }
+}
+
+/// A problem of one key together with others: these are shown too, and nothing is said where one of them is
+/// wrong itself.
+pub(super) struct Contradiction {
+    /// The problem; its path is the key to change.
+    pub issue: Issue,
+    /// Paths of the others.
+    pub others: Vec<String>,
+}
+
+impl From<Issue> for Contradiction {
+    fn from(issue: Issue) -> Self {
+        let others = Vec::new();
+        Self { issue, others }
+    }
+}
+
+impl Contradiction {
+    /// The same to one more key.
+    pub fn against(mut self, path: impl Into<String>) -> Self {
+        self.others.push(path.into());
+        self
     }
 }
 

@@ -7,7 +7,7 @@ use std::marker::PhantomData;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
-use Scale::{Per, Times};
+use Scale::{Above, Per, Times};
 pub(super) use measure::*;
 
 /// Why a text is not a quantity of the dimension asked for.
@@ -197,6 +197,8 @@ impl<D: Measure> JsonSchema for Quantity<D> {
 enum Scale {
     Times(f64),
     Per(f64),
+    /// A scale whose zero stands this much below that of the base unit.
+    Above(f64),
 }
 
 /// A unit of some dimension.
@@ -213,6 +215,7 @@ impl Unit {
         match self.scale {
             Times(factor) => number * factor,
             Per(divisor) => number / divisor,
+            Above(zero) => number - zero,
         }
     }
 
@@ -221,6 +224,7 @@ impl Unit {
         let exact = match self.scale {
             Times(factor) => si / factor,
             Per(divisor) => si * divisor,
+            Above(zero) => si + zero,
         };
         format!("{exact:.9e}").parse().unwrap_or(exact)
     }
@@ -302,6 +306,10 @@ dimensions! {
     ContactStiffness "contact stiffness" "1.334e10 N/m^1.5" 1e16 [times("N/m^1.5", 1.0), times("N/mm^1.5", 31_622.776_601_683_792)],
     Stiffness "stiffness" "100 N/um" 1e12 [times("N/m", 1.0), times("N/mm", 1e3), times("N/um", 1e6), times("kN/mm", 1e6)],
     Viscosity "viscosity" "0.04 Pa s" 1e4 [times("Pa s", 1.0), per("mPa s", 1e3), per("cP", 1e3)],
+    KinematicViscosity "kinematic viscosity" "68 mm^2/s" 1.0 [times("m^2/s", 1.0), per("mm^2/s", 1e6), per("cSt", 1e6)],
+    Unbalance "unbalance" "20 g mm" 1e6 [times("kg m", 1.0), per("g mm", 1e6), per("kg mm", 1e3), per("g cm", 1e5), per("g m", 1e3)],
+    Temperature "temperature" "70 degC" 2e3 [times("degC", 1.0), Unit { symbol: "K", scale: Above(273.15) }],
+    ThermalExpansion "thermal expansion" "12.5e-6 1/K" 1e-2 [times("1/K", 1.0), per("um/m/K", 1e6)],
     PressureViscosity "pressure-viscosity coefficient" "22 1/GPa" 1e-3 [times("1/Pa", 1.0), per("1/MPa", 1e6), per("1/GPa", 1e9), per("mm^2/N", 1e6)],
     SecondMoment "second moment of area" "2.5e-8 m^4" 1e6 [times("m^4", 1.0), per("mm^4", 1e12), per("cm^4", 1e8)],
 }
@@ -346,6 +354,14 @@ impl Dimension {
 /// The SI unit of every dimension.
 pub(crate) fn si_units() -> impl Iterator<Item = &'static str> {
     Dimension::ALL.iter().map(|(_, _, units)| units[0].symbol)
+}
+
+/// SI value of one unit by its symbol, of the dimension that has the SI unit `si`.
+pub(crate) fn unit_size(si: &str, symbol: &str) -> Option<f64> {
+    let mut dimensions = Dimension::ALL.iter().map(|(_, _, units)| units);
+    let units = dimensions.find(|units| units[0].symbol == si)?;
+    let unit = units.iter().find(|unit| unit.symbol == symbol)?;
+    Some(unit.si(1.0))
 }
 
 /// A number with the four significant digits that a message needs.

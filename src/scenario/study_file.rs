@@ -77,32 +77,7 @@ pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioErro
         return Err(document.refused(issue));
     }
     let mut problems = document.problems().about("the study");
-    let input: Option<StudyFileInput> = reader::read(study_schema(), &mut problems);
-    let title = input.as_ref().and_then(|input| input.title.as_deref());
-    super::check_title(title, &mut problems);
-    let base = input.as_ref().filter(|_| !problems.distrusts("base"));
-    let base = base.map(|input| document.folder().join(&input.base));
-    let scenario = match &base {
-        Some(base) if base.exists() => Some(super::load(base)?),
-        _ => None,
-    };
-    let study = match (input, scenario, base) {
-        (Some(input), Some(scenario), Some(base)) => {
-            let title = input.title.clone().unwrap_or_else(|| document.stem());
-            let folder = base.parent().unwrap_or(Path::new("")).to_owned();
-            build(&input, &scenario, title, folder, &mut problems)
-        }
-        (Some(input), None, Some(base)) => {
-            let message = format!("there is no scenario {}", base.display());
-            let help = format!(
-                "`{}` is looked for from the folder of the study",
-                input.base
-            );
-            problems.add(Issue::new("base", message).help(help));
-            None
-        }
-        _ => None,
-    };
+    let study = build(document, &mut problems)?;
     let (issues, _) = problems.finish();
     match study {
         Some(study) if issues.is_empty() => Ok(study),
@@ -126,9 +101,8 @@ pub fn parse_study(
     let input: Option<StudyFileInput> = reader::read(study_schema(), &mut problems);
     let study = input.and_then(|input| {
         super::check_title(input.title.as_deref(), &mut problems);
-        let title = input.title.clone();
-        let title = title.unwrap_or_else(|| scenario.title.clone());
-        build(&input, scenario, title, folder.to_owned(), &mut problems)
+        let title = input.title.as_ref().unwrap_or(&scenario.title).clone();
+        input.study(scenario, title, folder.to_owned(), &mut problems)
     });
     let (issues, _) = problems.finish();
     match study {
@@ -137,212 +111,240 @@ pub fn parse_study(
     }
 }
 
+/// The study, as far as nothing contradicts it.
+///
+/// # Errors
+/// [`ScenarioError`] of the scenario that it starts from.
 fn build(
-    input: &StudyFileInput,
-    scenario: &Scenario,
-    title: String,
-    folder: PathBuf,
+    document: &Document,
     problems: &mut Problems<'_>,
-) -> Option<StudyFile> {
-    let Some(model) = &scenario.model else {
-        let issue = Issue::new("base", "a study needs a scenario with a `[time]`");
-        problems.refuse(issue);
-        return None;
-    };
-    let columns = columns(input, model, problems);
-    let base = base_of(input, scenario, &folder, problems)?;
-    let known = number_keys(&base, &LEFT_OUT);
-    let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
-    for (index, axis) in input.axis.iter().enumerate() {
-        let path = format!("axis[{index}]");
-        let named = format!("{path}.key");
-        let key = match key::find(&known, axis.key.all(), &named) {
-            Ok(key) => key,
-            Err(issue) => {
-                problems.refuse(issue);
+) -> Result<Option<StudyFile>, ScenarioError> {
+    let input: Option<StudyFileInput> = reader::read(study_schema(), problems);
+    let Some(input) = input else { return Ok(None) };
+    super::check_title(input.title.as_deref(), problems);
+    if problems.distrusts("base") {
+        return Ok(None);
+    }
+    let base = document.folder().join(&input.base);
+    if !base.exists() {
+        let message = format!("there is no scenario {}", base.display());
+        let named = &input.base;
+        let help = format!("`{named}` is looked for from the folder of the study");
+        problems.add(Issue::new("base", message).help(help));
+        return Ok(None);
+    }
+    let scenario = super::load(&base)?;
+    let title = input.title.clone().unwrap_or_else(|| document.stem());
+    let folder = base.parent().unwrap_or(Path::new("")).to_owned();
+    Ok(input.study(&scenario, title, folder, problems))
+}
+
+impl StudyFileInput {
+    /// The study of a scenario whose files stand in `folder`.
+    fn study(
+        &self,
+        scenario: &Scenario,
+        title: String,
+        folder: PathBuf,
+        problems: &mut Problems<'_>,
+    ) -> Option<StudyFile> {
+        let Some(model) = &scenario.model else {
+            let issue = Issue::new("base", "a study needs a scenario with a `[time]`");
+            problems.refuse(issue);
+            return None;
+        };
+        let columns = self.columns(model, problems);
+        let base = self.base_scenario(scenario, &folder, problems)?;
+        let known = number_keys(&base, &LEFT_OUT);
+        let (mut axes, mut variables, mut keys) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, axis) in self.axis.iter().enumerate() {
+            let path = format!("axis[{index}]");
+            let named = format!("{path}.key");
+            let key = match key::find(&known, axis.key.all(), &named) {
+                Ok(key) => key,
+                Err(issue) => {
+                    problems.refuse(issue);
+                    continue;
+                }
+            };
+            if let Some(place) = keys.iter().find_map(|other| key.shared_with(other)) {
+                let message = format!("`{place}` changes along another axis already");
+                problems.refuse(Issue::new(&named, message).help("give every key one axis"));
                 continue;
             }
-        };
-        let reader = AxisReader {
-            path,
-            named,
-            input: axis,
-            key: &key,
-            problems,
-        };
-        if let Some((axis, variable)) = reader.build() {
-            axes.push(axis);
-            variables.push(variable);
-            keys.push(key);
+            let reader = AxisReader {
+                path,
+                named,
+                input: axis,
+                key: &key,
+                problems,
+            };
+            if let Some((axis, variable)) = reader.build() {
+                axes.push(axis);
+                variables.push(variable);
+                keys.push(key);
+            }
         }
+        let sampling = self.sampling(&axes, problems)?;
+        let plan = Plan::new(axes, sampling, self.seed);
+        self.check_count(&plan, problems);
+        self.check_sweep(problems);
+        self.check_cycles(problems);
+        let echo = json!({ "study": echo(self), "base": base });
+        problems.is_clean().then(|| StudyFile {
+            title,
+            plan,
+            variables,
+            sweep: self.sweep,
+            verify_every: self.verify_every,
+            keep: self.keep(),
+            columns,
+            echo,
+            base,
+            folder,
+            keys,
+            cycles: self.cycles,
+        })
     }
-    let sampling = sampling(input, &axes, problems)?;
-    let plan = Plan::new(axes, sampling, input.seed);
-    check_count(&plan, input, problems);
-    check_sweep(input, problems);
-    check_cycles(input, problems);
-    let echo = json!({ "study": echo(input), "base": base });
-    problems.is_clean().then(|| StudyFile {
-        title,
-        plan,
-        variables,
-        sweep: input.sweep,
-        verify_every: input.verify_every,
-        keep: keep(input),
-        columns,
-        echo,
-        base,
-        folder,
-        keys,
-        cycles: input.cycles,
-    })
-}
 
-/// The scenario with what all runs have otherwise.
-fn base_of(
-    input: &StudyFileInput,
-    scenario: &Scenario,
-    folder: &Path,
-    problems: &mut Problems<'_>,
-) -> Option<Value> {
-    let mut base = without(&scenario.echo, &["study"]);
-    let known = all_keys(&base, &LEFT_OUT);
-    for (index, set) in input.set.iter().enumerate() {
-        let path = format!("set[{index}]");
-        let key = key::find(&known, set.key.all(), &format!("{path}.key"))
-            .map_err(|issue| problems.refuse(issue))
-            .ok()?;
-        let value = key.read(&format!("{path}.value"), problems)?;
-        key.put(&mut base, &value);
-    }
-    if let Err(issue) = questions(&base, folder) {
-        let message = format!("the base with `set`: {}", issue.message);
-        problems.refuse(Issue::new("set", message));
-        return None;
-    }
-    Some(base)
-}
-
-/// The numbers that are kept: of a scene all, or those that are named and the measured error.
-fn columns(
-    input: &StudyFileInput,
-    model: &Model,
-    problems: &mut Problems<'_>,
-) -> Vec<NumberColumn> {
-    let all = number_columns(
-        model.rotor.shaft.freedoms.count(),
-        model.rotor.bearings.len(),
-    );
-    let Some(named) = &input.keep.numbers else {
-        return all;
-    };
-    for (index, name) in named.iter().enumerate() {
-        if all.iter().all(|column| column.name != *name) {
-            let message = format!("no run of this scene has a number `{name}`");
-            let known = all.iter().map(|column| column.name.as_str());
-            let issue = Issue::new(format!("keep.numbers[{index}]"), message);
-            problems.refuse(issue.help_nearest(name, known, "for instance: \"x_rms_m\""));
+    /// The scenario with what all runs have otherwise.
+    fn base_scenario(
+        &self,
+        scenario: &Scenario,
+        folder: &Path,
+        problems: &mut Problems<'_>,
+    ) -> Option<Value> {
+        let mut base = without(&scenario.echo, &["study"]);
+        let known = all_keys(&base, &LEFT_OUT);
+        for (index, set) in self.set.iter().enumerate() {
+            let path = format!("set[{index}]");
+            let key = key::find(&known, set.key.all(), &format!("{path}.key"))
+                .map_err(|issue| problems.refuse(issue))
+                .ok()?;
+            let value = key.read(&format!("{path}.value"), problems)?;
+            key.put(&mut base, &value);
         }
-    }
-    let kept = |column: &NumberColumn| named.contains(&column.name) || column.is_error();
-    all.into_iter().filter(kept).collect()
-}
-
-fn sampling(
-    input: &StudyFileInput,
-    axes: &[Axis],
-    problems: &mut Problems<'_>,
-) -> Option<Sampling> {
-    let drawn: fn(u64) -> Sampling = match input.sampling {
-        SamplingKind::Grid => return grid(input, axes, problems),
-        SamplingKind::LatinHypercube => Sampling::LatinHypercube,
-        SamplingKind::Sobol => Sampling::Sobol,
-        SamplingKind::MonteCarlo => Sampling::MonteCarlo,
-    };
-    if input.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
-        let message = format!("Sobol's sequence has at most {MOST_SOBOL_AXES} axes");
-        let issue = Issue::new("sampling", message).help("take \"latin_hypercube\"");
-        problems.refuse(issue);
-    }
-    match input.runs {
-        Some(runs) => Some(drawn(runs)),
-        None => {
-            let issue = Issue::new("sampling", "runs that are drawn need a number of them");
-            problems.refuse(issue.help("for instance: runs = 1000"));
-            None
+        if let Err(issue) = questions(&base, folder) {
+            let message = format!("the base with `set`: {}", issue.message);
+            problems.refuse(Issue::new("set", message));
+            return None;
         }
+        Some(base)
     }
-}
 
-fn grid(input: &StudyFileInput, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
-    if input.runs.is_some() {
-        let issue = Issue::new("runs", "a grid has as many runs as its axes make");
-        problems.refuse(issue.help("remove it, or draw: sampling = \"sobol\""));
-    }
-    for (index, axis) in axes.iter().enumerate() {
-        if matches!(axis, Axis::Drawn(_)) {
-            let path = format!("axis[{index}].distribution");
-            let issue = Issue::new(path, "a distribution has no values for a grid");
-            let help = "set sampling = \"latin_hypercube\", \"sobol\" or \"monte_carlo\"";
-            problems.refuse(issue.help(help).against("sampling"));
-        }
-    }
-    Some(Sampling::Grid)
-}
-
-fn check_count(plan: &Plan, input: &StudyFileInput, problems: &mut Problems<'_>) {
-    let runs = plan.runs();
-    if runs.is_none_or(|runs| runs > MOST_RUNS) {
-        let shown = runs.map_or_else(|| "more than 1e19".to_owned(), |runs| runs.to_string());
-        let message = format!("the axes make {shown} runs: at most {MOST_RUNS:e} in a study");
-        let issue = Issue::new("axis", message).help("take fewer values, or draw the runs");
-        let counts = (0..input.axis.len()).map(|index| format!("axis[{index}].count"));
-        problems.refuse(issue.against_all(counts));
-    }
-}
-
-fn check_sweep(input: &StudyFileInput, problems: &mut Problems<'_>) {
-    if input.sweep.is_some() && input.sampling != SamplingKind::Grid {
-        let issue = Issue::new(
-            "sweep",
-            "runs that are drawn have no neighbours to go on from",
+    /// The numbers that are kept: of a scene all, or those that are named and the measured error.
+    fn columns(&self, model: &Model, problems: &mut Problems<'_>) -> Vec<NumberColumn> {
+        let all = number_columns(
+            model.rotor.shaft.freedoms.count(),
+            model.rotor.bearings.len(),
         );
-        problems.refuse(issue.help("take a grid").against("sampling"));
+        let Some(named) = &self.keep.numbers else {
+            return all;
+        };
+        for (index, name) in named.iter().enumerate() {
+            if all.iter().all(|column| column.name != *name) {
+                let message = format!("no run of this scene has a number `{name}`");
+                let known = all.iter().map(|column| column.name.as_str());
+                let issue = Issue::new(format!("keep.numbers[{index}]"), message);
+                problems.refuse(issue.help_nearest(name, known, "for instance: \"x_rms_m\""));
+            }
+        }
+        let kept = |column: &NumberColumn| named.contains(&column.name) || column.is_error();
+        all.into_iter().filter(kept).collect()
     }
-    if input.keep.highest_order.is_some() && !input.keep.spectra {
-        let issue = Issue::new("keep.highest_order", "no spectra are kept");
-        problems.refuse(issue.help("set spectra = true, or remove it"));
-    }
-}
 
-/// Refuses times that cycles decide.
-fn check_cycles(input: &StudyFileInput, problems: &mut Problems<'_>) {
-    let axes = input.axis.iter().map(|axis| &axis.key).enumerate();
-    let axes = axes.map(|(index, key)| (format!("axis[{index}].key"), key));
-    let sets = input.set.iter().map(|set| &set.key).enumerate();
-    let sets = sets.map(|(index, key)| (format!("set[{index}].key"), key));
-    if input.cycles.is_none() {
-        return;
+    fn sampling(&self, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
+        let drawn: fn(u64) -> Sampling = match self.sampling {
+            SamplingKind::Grid => return self.grid(axes, problems),
+            SamplingKind::LatinHypercube => Sampling::LatinHypercube,
+            SamplingKind::Sobol => Sampling::Sobol,
+            SamplingKind::MonteCarlo => Sampling::MonteCarlo,
+        };
+        if self.sampling == SamplingKind::Sobol && axes.len() > MOST_SOBOL_AXES {
+            let message = format!("Sobol's sequence has at most {MOST_SOBOL_AXES} axes");
+            let issue = Issue::new("sampling", message).help("take \"latin_hypercube\"");
+            problems.refuse(issue);
+        }
+        match self.runs {
+            Some(runs) => Some(drawn(runs)),
+            None => {
+                let issue = Issue::new("sampling", "runs that are drawn need a number of them");
+                problems.refuse(issue.help("for instance: runs = 1000"));
+                None
+            }
+        }
     }
-    let named = axes.chain(sets).filter_map(|(path, keys)| {
-        let key = keys.all().iter().find(|key| TIMES.contains(&key.as_str()));
-        Some((path, key?))
-    });
-    for (path, key) in named {
-        let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
-        problems.refuse(issue.help("remove one of them").against("cycles"));
-    }
-}
 
-fn keep(input: &StudyFileInput) -> Keep {
-    let keep = &input.keep;
-    Keep {
-        highest_order: keep
-            .spectra
-            .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
-        bearing_stiffness: keep.bearing_stiffness,
-        traces: keep.traces,
-        section: keep.poincare,
+    fn grid(&self, axes: &[Axis], problems: &mut Problems<'_>) -> Option<Sampling> {
+        if self.runs.is_some() {
+            let issue = Issue::new("runs", "a grid has as many runs as its axes make");
+            problems.refuse(issue.help("remove it, or draw: sampling = \"sobol\""));
+        }
+        for (index, axis) in axes.iter().enumerate() {
+            if matches!(axis, Axis::Drawn(_)) {
+                let path = format!("axis[{index}].distribution");
+                let issue = Issue::new(path, "a distribution has no values for a grid");
+                let help = "set sampling = \"latin_hypercube\", \"sobol\" or \"monte_carlo\"";
+                problems.refuse(issue.help(help).against("sampling"));
+            }
+        }
+        Some(Sampling::Grid)
+    }
+
+    fn check_count(&self, plan: &Plan, problems: &mut Problems<'_>) {
+        let runs = plan.runs();
+        if runs.is_none_or(|runs| runs > MOST_RUNS) {
+            let shown = runs.map_or_else(|| "more than 1e19".to_owned(), |runs| runs.to_string());
+            let message = format!("the axes make {shown} runs: at most {MOST_RUNS:e} in a study");
+            let issue = Issue::new("axis", message).help("take fewer values, or draw the runs");
+            let counts = (0..self.axis.len()).map(|index| format!("axis[{index}].count"));
+            problems.refuse(issue.against_all(counts));
+        }
+    }
+
+    fn check_sweep(&self, problems: &mut Problems<'_>) {
+        if self.sweep.is_some() && self.sampling != SamplingKind::Grid {
+            let issue = Issue::new(
+                "sweep",
+                "runs that are drawn have no neighbours to go on from",
+            );
+            problems.refuse(issue.help("take a grid").against("sampling"));
+        }
+        if self.keep.highest_order.is_some() && !self.keep.spectra {
+            let issue = Issue::new("keep.highest_order", "no spectra are kept");
+            problems.refuse(issue.help("set spectra = true, or remove it"));
+        }
+    }
+
+    /// Refuses times that cycles decide.
+    fn check_cycles(&self, problems: &mut Problems<'_>) {
+        let axes = self.axis.iter().map(|axis| &axis.key).enumerate();
+        let axes = axes.map(|(index, key)| (format!("axis[{index}].key"), key));
+        let sets = self.set.iter().map(|set| &set.key).enumerate();
+        let sets = sets.map(|(index, key)| (format!("set[{index}].key"), key));
+        if self.cycles.is_none() {
+            return;
+        }
+        let named = axes.chain(sets).filter_map(|(path, keys)| {
+            let key = keys.all().iter().find(|key| TIMES.contains(&key.as_str()));
+            Some((path, key?))
+        });
+        for (path, key) in named {
+            let issue = Issue::new(path, format!("`cycles` decides `{key}`"));
+            problems.refuse(issue.help("remove one of them").against("cycles"));
+        }
+    }
+
+    fn keep(&self) -> Keep {
+        let keep = &self.keep;
+        Keep {
+            highest_order: keep
+                .spectra
+                .then(|| keep.highest_order.unwrap_or(HIGHEST_ORDER)),
+            bearing_stiffness: keep.bearing_stiffness,
+            traces: keep.traces,
+            section: keep.poincare,
+        }
     }
 }
 

@@ -87,7 +87,7 @@ fn bearings(rotor: &Rotor) -> Vec<String> {
 
 /// An eccentricity that no balanced shaft has: most often a unit mistaken.
 fn unbalance(model: &Model, rotor: &Rotor) -> Option<String> {
-    let eccentricity = model.rotor.shaft.eccentricity;
+    let eccentricity = model.rotor.shaft.mass_eccentricity();
     let grade = 1e3 * eccentricity * rotor.highest_speed().abs();
     (grade > COARSEST_BALANCE).then(|| {
         format!(

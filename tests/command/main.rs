@@ -6,6 +6,7 @@
 mod accuracy;
 mod bad_scenarios;
 mod bearing;
+mod catalogue;
 mod compare;
 mod documents;
 mod endings;

@@ -29,7 +29,7 @@ const LIBRARIES: [(&str, &[&str]); 17] = [
     ("rustfft", &["analysis"]),
     ("realfft", &["analysis"]),
     ("ellip", &["physics"]),
-    ("csv", &["report", "scenario"]),
+    ("csv", &["bearing", "report", "scenario"]),
     ("parquet", &["report"]),
     ("ryu", &["report"]),
     ("plotters", &["report"]),

@@ -47,7 +47,7 @@ fn bearing(dice: &mut Dice) -> Bearing {
     let names = ["7205C", "6204", "6205", "6305", "6306"];
     let entry = catalogue::find(names[dice.below(names.len())]).expect("a designation");
     let bearing = entry.bearing().expect("a sound bearing");
-    if entry.contact_angle_deg.is_some() || dice.roll() < 0.3 {
+    if entry.line.contact_angle > 0.0 || dice.roll() < 0.3 {
         return bearing;
     }
     let clearance = FreePosition::DiametralClearance(dice.between(0.0, 40e-6));

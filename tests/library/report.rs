@@ -50,6 +50,7 @@ fn model() -> Model {
                 inertia_transverse: 0.0,
                 inertia_polar: 0.0,
                 eccentricity: 1e-5,
+                unbalance: Default::default(),
                 freedoms: Freedoms::Translational,
                 gravity: true,
                 held_tilt: [0.0; 2],
@@ -131,7 +132,9 @@ fn history() -> BearingHistory {
         life: Some(LifeHistory {
             whole_run: life,
             after_settle: life,
+            modified: None,
         }),
+        estimated: false,
     }
 }
 

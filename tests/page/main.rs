@@ -306,7 +306,9 @@ fn a_title_stays_text() {
 fn the_keyboard_reads_and_zooms_a_chart() {
     let shown = run(&shipped("linear-7205c"));
     let script = r#"<script>
-        const chart = document.querySelector(".chart");
+        const body = document.getElementById("motion").firstElementChild;
+        body.open = true;
+        const chart = body.querySelector(".chart");
         const press = (key) => chart.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
         const told = () => chart.querySelector(".u-legend .u-value").textContent;
         const first = () => { press("."); return told(); };

@@ -84,7 +84,7 @@ impl Table {
     }
 
     /// What only one of two tables has, with the table that has it.
-    pub fn alone<'a>(tables: &'a [Self; 2]) -> impl Iterator<Item = (&'a Self, &'a String)> {
+    pub fn alone(tables: &[Self; 2]) -> impl Iterator<Item = (&Self, &String)> {
         [(0, 1), (1, 0)].into_iter().flat_map(move |(own, other)| {
             let names = tables[own].names.iter();
             let alone = names.filter(move |name| !tables[other].names.contains(name));

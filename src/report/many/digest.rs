@@ -12,6 +12,7 @@ use super::tables::BETWEEN_WARNINGS;
 use crate::report::ReportError;
 use crate::report::study::{axis_label, unit_of_column};
 use crate::report::terminal::shown_unit;
+use crate::scenario::unit_size;
 
 /// Most rows that are looked at for quantiles and figures: of more, every so many.
 const MOST_ROWS: u64 = 20_000;
@@ -21,6 +22,8 @@ const MOST_WARNINGS: usize = 20;
 const MOST_FAILURES: usize = 20;
 /// Runs whose rows are shown.
 const MOST_SHOWN: usize = 100;
+/// What changes by less than this part of it does not change.
+const CONSTANT: f64 = 1e-9;
 /// Quantiles that are told.
 const QUANTILES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
@@ -150,7 +153,8 @@ impl Digest {
         let columns = names.iter().skip(2);
         let labels = keys.iter().zip(columns).map(|(axis, column)| {
             let key = axis["key"].as_str().unwrap_or_default();
-            let (unit, factor) = shown_unit(unit_of_column(key, column));
+            let si = unit_of_column(key, column);
+            let (unit, factor) = written_unit(axis, si).unwrap_or_else(|| shown_unit(si));
             (axis_label(key, &unit), factor)
         });
         let own = |name: &str| name.to_owned();
@@ -334,6 +338,15 @@ impl Digest {
     }
 }
 
+/// The unit that the values of an axis are written in, and how many of it make one of `si`.
+fn written_unit(axis: &Value, si: &str) -> Option<(String, f64)> {
+    let listed = axis["values"].get(0).and_then(Value::as_str);
+    let bound = ["from", "mean"].iter().find_map(|key| axis[*key].as_str());
+    let (_, symbol) = listed.or(bound)?.split_once(' ')?;
+    let size = unit_size(si, symbol.trim())?;
+    Some((symbol.trim().replacen("um", "µm", 1), size.recip()))
+}
+
 /// The words of a warning that are no numbers.
 fn words(warning: &str) -> impl Iterator<Item = &str> {
     let digits = |word: &&str| word.contains(|letter: char| letter.is_ascii_digit());
@@ -367,6 +380,12 @@ impl ColumnDigest {
             highest_in_run: 0,
             quantiles: None,
         }
+    }
+
+    /// Whether more than one run has it and it is not the same in all.
+    pub(super) fn varies(&self) -> bool {
+        let size = self.lowest.abs().max(self.highest.abs());
+        self.known > 1 && self.highest - self.lowest > CONSTANT * size
     }
 
     fn add(&mut self, run: u64, value: f64) {

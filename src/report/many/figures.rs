@@ -83,7 +83,7 @@ impl Shown {
 }
 
 impl Digest {
-    /// The numbers that the study names or else some of all, as far as runs have them.
+    /// The numbers that the study names or else some of all that vary, as far as runs have them.
     pub(super) fn shown(&self) -> Vec<Shown> {
         let names: Vec<&str> = match &self.named {
             Some(named) => named.iter().map(String::as_str).collect(),
@@ -91,7 +91,9 @@ impl Digest {
         };
         let known = |name: &&str| {
             let column = self.column(name)?;
-            (self.columns[column].known > 1).then(|| shown(name, column))
+            let digest = &self.columns[column];
+            let tells = digest.varies() || (self.named.is_some() && digest.known > 1);
+            tells.then(|| shown(name, column))
         };
         names.iter().filter_map(known).collect()
     }
@@ -102,7 +104,11 @@ impl Digest {
             return None;
         };
         let ends = self.ends(0)?;
-        let panels = self.shown().into_iter().map(|shown| {
+        let shown = self.shown();
+        if shown.is_empty() {
+            return None;
+        }
+        let panels = shown.into_iter().map(|shown| {
             let both = [false, true].into_iter();
             let curves = both.filter_map(|down| self.curve(&shown, down)).collect();
             Panel::of(Axis::spanning(axis, ends), shown.title, ROW_HEIGHT, curves)

@@ -326,7 +326,7 @@
   function velocities() {
     const levels = Object.entries(summary.motion?.velocity_rms ?? {}).filter(([, level]) => level);
     return levels.map(([axis, { rms_m_s: rms, band_Hz: [low, high] }]) => [`vibration velocity, ${named(axis)}`,
-      `${number(1e3 * rms, 4)} mm/s`, `RMS, ${number(low, 3)} to ${number(high, 4)} Hz`]);
+      `${number(1e3 * rms, 4)} mm/s`, `RMS, ${number(low, 2)} to ${number(high, 2)} Hz`]);
   }
 
   function keyNumbers() {
@@ -354,9 +354,9 @@
     const seen = new Set();
     const lines = summary.peaks.filter((peak) => peak.unit === "m").sort((a, b) => velocityOf(b) - velocityOf(a))
       .filter(({ name, frequency_Hz: at }) => { const key = name ?? at; return !seen.has(key) && seen.add(key); }).slice(0, 5);
-    const rows = lines.map((peak) => [peak.name ?? "no name", named(peak.channel), number(peak.frequency_Hz), number(peak.order, 4),
-      number(velocityOf(peak), 4), number(1e6 * peak.amplitude, 4)]);
-    return rows.length ? table(["strongest lines", "direction", "Hz", "order", "mm/s", "µm"], rows, "Peak values.", 2) : null;
+    const rows = lines.map((peak) => [peak.name ?? "no name", number(velocityOf(peak), 4), number(peak.frequency_Hz),
+      number(1e6 * peak.amplitude, 4), named(peak.channel), number(peak.order, 4)]);
+    return rows.length ? table(["line", "mm/s", "Hz", "µm", "along", "order"], rows, "The strongest lines by velocity; peak values.") : null;
   }
 
   function warnings() {

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use serde_json::{Value, json};
 
-use crate::report::envelope::BUCKETS;
+use crate::report::envelope::SCREEN_BUCKETS;
 use crate::report::figure::{Axis, Curve, Name, Panel, Point, distinct};
 use crate::report::page::{PagePanel, curve};
 
@@ -134,7 +134,7 @@ impl ShownSpectrum<'_> {
     fn prominent_rows(&self) -> Vec<usize> {
         let count = self.columns.first().map_or(0, |(_, values)| values.len());
         let rows: Vec<usize> = (0..count).filter(|row| self.place(*row) != 0.0).collect();
-        let stretch = rows.len().div_ceil(BUCKETS);
+        let stretch = rows.len().div_ceil(SCREEN_BUCKETS);
         if stretch <= 2 {
             return rows;
         }

@@ -5,20 +5,22 @@ use std::f64::consts::FRAC_PI_2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::geometry::{GeometryInput, Sources};
+use super::fit::FitInput;
+use super::geometry::{GeometryInput, Printed, Sources};
+use super::oil::OilInput;
+use super::ratings::RatingsInput;
 use super::settings::{ContactChoice, ModelInput};
 use crate::bearing::catalogue::{CATALOGUE, CatalogueEntry};
 use crate::bearing::{
-    Bearing, BearingError, ClearanceClass, ContactDamping, Facing, MountedBearing, Oil, Preload,
-    catalogue,
+    Bearing, BearingError, ClearanceClass, ContactDamping, Estimate, Facing, GeometryError,
+    MountedBearing, Oil, Preload, catalogue,
 };
-use crate::physics::{Material, RaceControl};
+use crate::physics::{Material, RaceControl, SkfFriction};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
-use crate::scenario::problems::{Problems, nearest};
+use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{
-    Angle, AngularSpeed, Density, Force, Length, Pressure, PressureViscosity, Quantity, Viscosity,
-    si,
+    Angle, AngularSpeed, Density, Force, Length, Pressure, Quantity, si,
 };
 
 /// A ball bearing and its place on the shaft.
@@ -26,8 +28,8 @@ use crate::scenario::quantity::{
 #[serde(deny_unknown_fields)]
 #[schemars(extend("x-at-most-one" = ["axial_offset", "preload", "spring_preload"]))]
 pub struct BearingInput {
-    /// Designation of a bearing that `jeffcott catalogue` lists, for instance "7205C". Without
-    /// it `[bearing.geometry]` must be complete.
+    /// Designation of a bearing that `jeffcott catalogue` lists, for instance "7205C" or "6205-2RS/C3". Without
+    /// it `[bearing.ratings]` or a complete `[bearing.geometry]` is needed.
     #[schemars(extend("examples" = designations()))]
     pub catalogue: Option<String>,
     /// Position along the shaft, from the centre of mass towards +Z. Default: "0 m".
@@ -89,9 +91,16 @@ pub struct BearingInput {
     /// the catalogue.
     #[schemars(extend("examples" = ["16.6 kN"], "x-above" = 0.0))]
     pub dynamic_rating: Option<Quantity<Force>>,
+    /// Reliability of the modified life L_nm in per cent, 90 to 99. Default: 90.
+    #[schemars(range(min = 90.0, max = 99.0))]
+    pub reliability: Option<f64>,
+    /// Fits and temperatures; clearance, contact angle and preload in operation follow from them.
+    pub fit: Option<FitInput>,
     /// Oil in the bearing; without `film` it is known but parts nothing.
     pub oil: Option<OilInput>,
-    /// Internal dimensions; with a catalogue bearing, those that differ.
+    /// What a maker's catalogue prints of the bearing, instead of `catalogue`.
+    pub ratings: Option<RatingsInput>,
+    /// Internal dimensions; with a catalogue bearing or ratings, those that differ.
     pub geometry: Option<GeometryInput>,
     /// Material of the rings, and of the balls unless they differ. Default: bearing steel.
     pub material: Option<MaterialInput>,
@@ -100,7 +109,10 @@ pub struct BearingInput {
 }
 
 fn designations() -> Vec<&'static str> {
-    CATALOGUE.iter().map(|entry| entry.designation).collect()
+    CATALOGUE
+        .iter()
+        .map(|entry| entry.designation.as_str())
+        .collect()
 }
 
 impl BearingInput {
@@ -125,9 +137,10 @@ impl BearingInput {
         &self,
         model: &ModelInput,
         freedoms: Freedoms,
+        catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
-        let mounted = self.build_one(model, freedoms, problems);
+        let mounted = self.build_one(model, freedoms, catalogue, problems);
         let places = self.places(problems);
         let mounted = mounted?;
         let is_symmetric = mounted.bearing.geometry.is_symmetric();
@@ -142,7 +155,17 @@ impl BearingInput {
             facing,
             ..mounted
         };
-        Some(places?.into_iter().map(place).collect())
+        let places = places?.into_iter().map(place);
+        let Some(input) = &self.fit else {
+            return Some(places.collect());
+        };
+        let (fit, boundary) = input.build(&mounted.bearing, problems)?;
+        let fitted = places.map(|mounted| {
+            let fitted = mounted.with_fit(&fit, boundary);
+            fitted.map_err(|error| refuse_fit(&error, &mounted.bearing, problems))
+        });
+        let fitted: Vec<_> = fitted.collect();
+        fitted.into_iter().collect::<Result<_, _>>().ok()
     }
 
     /// The bearing at its nominal position.
@@ -150,29 +173,47 @@ impl BearingInput {
         &self,
         model: &ModelInput,
         freedoms: Freedoms,
+        catalogue: &[CatalogueEntry],
         problems: &mut Problems<'_>,
     ) -> Option<MountedBearing> {
-        let entry = self.entry(problems)?;
+        let (printed, class) = self.printed(catalogue, problems)?;
+        let line = printed.as_ref().map(|printed| printed.line);
+        let skf_friction = printed
+            .as_ref()
+            .and_then(|printed| SkfFriction::of_designation(&printed.name));
         let input = self.geometry.clone().unwrap_or_default();
         let sources = Sources {
             input: &input,
-            entry,
-            clearance_class: self.clearance_class,
-            clearance_change: self.clearance_change.si(),
+            printed,
+            clearance_class: self.clearance_class.or(class),
         };
         let rating = si(&self.dynamic_rating);
         let ring_material = material(self.material.as_ref(), Material::BEARING_STEEL);
+        let (geometry, estimate) = sources.build(freedoms, problems)?;
+        let change = self.clearance_change.si();
         let bearing = Bearing {
-            geometry: sources.build(freedoms, problems)?,
+            geometry: sources.changed(&geometry, change, "clearance_change", problems)?,
             ring_material,
             ball_material: material(self.ball_material.as_ref(), ring_material),
             contact_stiffness: si(&input.contact_stiffness),
-            dynamic_rating: rating.or(entry.map(|entry| entry.dynamic_rating)),
+            dynamic_rating: rating.or(line.map(|line| line.dynamic_rating)),
             roughness: si(&self.roughness),
             limiting_speed: si(&self.limiting_speed),
             shoulder_angle: si(&self.shoulder_angle),
             clearance_class: sources.class_taken(),
+            boundary: line.map(|line| [line.bore, line.outside_diameter]),
+            estimated: estimate.as_ref().is_some_and(Estimate::is_estimated),
+            skf_friction,
+            lubrication: self.oil.as_ref().map(OilInput::lubrication),
+            reliability: self.reliability,
+            fit: None,
         };
+        if let Some(oil) = &self.oil {
+            oil.check(problems);
+        }
+        if let Some(estimate) = estimate.filter(|estimate| !estimate.notes.is_empty()) {
+            warn_of_estimate(&estimate, problems);
+        }
         check_contact(&bearing, problems);
         self.check_law(model, problems);
         let control = self.race_control.or(model.race_control);
@@ -277,32 +318,110 @@ impl BearingInput {
         }
     }
 
-    /// The catalogue entry, `Some(None)` where the geometry stands alone, `None` where neither
-    /// tells what the bearing is.
-    fn entry(&self, problems: &mut Problems<'_>) -> Option<Option<&'static CatalogueEntry>> {
-        let Some(designation) = &self.catalogue else {
-            if self.geometry.is_none() {
+    /// What a catalogue prints of the bearing and the class of clearance that its suffixes name, `(None, None)` where the
+    /// geometry stands alone; `None` where nothing tells what the bearing is.
+    fn printed(
+        &self,
+        catalogue: &[CatalogueEntry],
+        problems: &mut Problems<'_>,
+    ) -> Option<(Option<Printed>, Option<ClearanceClass>)> {
+        match (&self.catalogue, &self.ratings) {
+            (Some(_), Some(_)) => {
+                let message = "`catalogue` and `ratings` both say what the bearing is";
+                let issue = Issue::new(".ratings", message).help("keep one of them");
+                problems.refuse(issue.against(".catalogue"));
+                None
+            }
+            (None, Some(ratings)) => {
+                let printed = Printed {
+                    line: ratings.line(),
+                    name: "the bearing of these ratings".to_owned(),
+                    key: ".ratings",
+                };
+                Some((Some(printed), None))
+            }
+            (None, None) if self.geometry.is_some() => Some((None, None)),
+            (None, None) => {
                 let path = problems.path(".");
-                let message = format!("`{path}` needs `catalogue` or a table `[bearing.geometry]`");
+                let message = format!(
+                    "`{path}` needs `catalogue`, a table `[bearing.ratings]` or `[bearing.geometry]`"
+                );
                 let issue =
                     Issue::new(".catalogue", message).help("for instance: catalogue = \"7205C\"");
-                problems.refuse(issue.against(".geometry"));
+                problems.refuse(issue.against(".geometry").against(".ratings"));
+                None
+            }
+            (Some(designation), None) => self.found(catalogue, designation, problems),
+        }
+    }
+
+    fn found(
+        &self,
+        catalogue: &[CatalogueEntry],
+        designation: &str,
+        problems: &mut Problems<'_>,
+    ) -> Option<(Option<Printed>, Option<ClearanceClass>)> {
+        let found = match catalogue::look_up(catalogue, designation) {
+            Ok(found) => found,
+            Err(unknown) => {
+                let message = format!("the catalogue has no bearing \"{designation}\"");
+                problems.refuse(Issue::new(".catalogue", message).help(unknown.help));
                 return None;
             }
-            return Some(None);
         };
-        let entry = catalogue::find(designation);
-        if entry.is_none() {
-            let known = designations();
-            let help = match nearest(designation, known.iter().copied()) {
-                Some(near) => format!("did you mean \"{near}\"? It has {}", known.join(", ")),
-                None => format!("it has {}", known.join(", ")),
-            };
-            let message = format!("the catalogue has no bearing \"{designation}\"");
-            problems.refuse(Issue::new(".catalogue", message).help(help));
+        if let (Some(named), Some(given)) = (found.class, self.clearance_class)
+            && named != given
+        {
+            let message = format!(
+                "\"{designation}\" has the clearance {}, and `clearance_class` is {}",
+                named.name(),
+                given.name()
+            );
+            let issue = Issue::new(".clearance_class", message).help("keep one of them");
+            problems.refuse(issue.against(".catalogue"));
         }
-        entry.map(Some)
+        let printed = Printed {
+            line: found.entry.line,
+            name: found.entry.designation.clone(),
+            key: ".catalogue",
+        };
+        Some((Some(printed), found.class))
     }
+}
+
+/// Refuses a fit that leaves no clearance, or whose preload cannot be reached.
+fn refuse_fit(error: &BearingError, bearing: &Bearing, problems: &mut Problems<'_>) {
+    let BearingError::Geometry(GeometryError::ClearanceChange {
+        change,
+        smallest,
+        largest,
+    }) = error
+    else {
+        return problems.refuse(Issue::new(".fit", error.to_string()));
+    };
+    let message = format!(
+        "fits and temperatures change the diametral clearance by {:.1} um, and the bearing allows {:.1} … {:.1} um, where \
+         its free contact angle goes from 0 deg to 60 deg",
+        1e6 * change,
+        1e6 * smallest,
+        1e6 * largest
+    );
+    let help = match bearing.geometry.is_symmetric() {
+        true => "give a wider `clearance_class`, for instance \"C3\", or less interference",
+        false => "give less interference, or smaller differences of temperature",
+    };
+    problems.refuse(Issue::new(".fit", message).help(help));
+}
+
+/// Tells what is doubtful about an internal geometry that was estimated from ratings.
+fn warn_of_estimate(estimate: &Estimate, problems: &mut Problems<'_>) {
+    problems.warn(format!(
+        "`{}`: {} balls of {:.3} mm are estimated from the ratings: {}",
+        problems.path("."),
+        estimate.balls,
+        1e3 * estimate.ball_diameter,
+        estimate.notes.join("; ")
+    ));
 }
 
 /// Refuses dimensions whose balls and races do not form a Hertz contact.
@@ -344,28 +463,6 @@ impl Arrangement {
             (centre - 0.5 * spacing, low),
             (centre + 0.5 * spacing, high),
         ]
-    }
-}
-
-/// Lubricating oil at the temperature of the bearing.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct OilInput {
-    /// Dynamic viscosity at ambient pressure, for instance "0.04 Pa s".
-    #[schemars(extend("x-above" = 0.0))]
-    pub viscosity: Quantity<Viscosity>,
-    /// How the viscosity grows with the pressure, for instance "22 1/GPa".
-    #[schemars(extend("x-above" = 0.0))]
-    pub pressure_viscosity: Quantity<PressureViscosity>,
-}
-
-impl OilInput {
-    /// The oil.
-    pub fn build(&self) -> Oil {
-        Oil {
-            viscosity: self.viscosity.si(),
-            pressure_viscosity: self.pressure_viscosity.si(),
-        }
     }
 }
 

@@ -3,8 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::bearing::catalogue::CatalogueEntry;
-use crate::bearing::{ClearanceClass, FreePosition, Geometry, GeometryError};
+use crate::bearing::{
+    CatalogueLine, ClearanceClass, Estimate, EstimateError, FreePosition, Geometry, GeometryError,
+};
 use crate::rotor::Freedoms;
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
@@ -51,28 +52,44 @@ pub struct GeometryInput {
     pub contact_stiffness: Option<Quantity<ContactStiffness>>,
 }
 
+/// What a catalogue prints of a bearing.
+pub struct Printed {
+    /// The line.
+    pub line: CatalogueLine,
+    /// Its designation, or what stands for it.
+    pub name: String,
+    /// The key that gives it, from the bearing.
+    pub key: &'static str,
+}
+
 /// Where the dimensions of one bearing come from.
 pub struct Sources<'a> {
     /// The table of the file, or an empty one.
     pub input: &'a GeometryInput,
-    /// The catalogue bearing that it overrides.
-    pub entry: Option<&'a CatalogueEntry>,
+    /// What a catalogue prints of the bearing, its name and the key that gives it; the table overrides it.
+    pub printed: Option<Printed>,
     /// Class of the clearance, where it is given.
     pub clearance_class: Option<ClearanceClass>,
-    /// Change of the diametral clearance, m.
-    pub clearance_change: f64,
 }
 
 impl Sources<'_> {
-    /// The checked geometry.
-    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Geometry> {
+    /// The checked geometry as it is made, and what of it was estimated.
+    pub fn build(
+        &self,
+        freedoms: Freedoms,
+        problems: &mut Problems<'_>,
+    ) -> Option<(Geometry, Option<Estimate>)> {
         let input = self.input;
-        let entry = self.entry;
+        let estimate = match &self.printed {
+            Some(printed) => Some(self.estimate(printed, problems)?),
+            None => None,
+        };
+        let entry = estimate.as_ref();
         let balls = input.balls.map(|balls| balls as usize);
         let balls = self.need("balls", balls.or(entry.map(|entry| entry.balls)), problems);
-        let ball_diameter = si(&input.ball_diameter).or(entry.map(|e| e.ball_diameter_mm / 1e3));
+        let ball_diameter = si(&input.ball_diameter).or(entry.map(|e| e.ball_diameter));
         let ball_diameter = self.need("ball_diameter", ball_diameter, problems);
-        let pitch_diameter = si(&input.pitch_diameter).or(entry.map(|e| e.pitch_diameter_mm / 1e3));
+        let pitch_diameter = si(&input.pitch_diameter).or(entry.map(|e| e.pitch_diameter));
         let pitch_diameter = self.need("pitch_diameter", pitch_diameter, problems);
         let free = self.free_position(problems);
         let any = self.grooves_cancel(freedoms).then_some(ANY_GROOVE_FACTOR);
@@ -84,7 +101,7 @@ impl Sources<'_> {
             .groove_factor_outer
             .or(entry.map(|e| e.groove_factor_outer));
         let outer = self.need("groove_factor_outer", outer.or(any), problems);
-        Geometry::new(
+        let geometry = Geometry::new(
             balls?,
             ball_diameter?,
             pitch_diameter?,
@@ -92,9 +109,46 @@ impl Sources<'_> {
             inner?,
             outer?,
         )
-        .and_then(|geometry| geometry.with_clearance_change(self.clearance_change))
         .map_err(|error| self.refuse(&error, problems))
-        .ok()
+        .ok()?;
+        Some((geometry, estimate))
+    }
+
+    /// The geometry with its clearance changed, for instance by `clearance_change`; `key` is what changes it.
+    pub fn changed(
+        &self,
+        geometry: &Geometry,
+        change: f64,
+        key: &str,
+        problems: &mut Problems<'_>,
+    ) -> Option<Geometry> {
+        let changed = geometry.with_clearance_change(change);
+        let refuse = |error: GeometryError| {
+            let message = self.message(&error).replace("clearance_change", key);
+            problems.refuse(Issue::new(format!(".{key}"), message));
+        };
+        changed.map_err(refuse).ok()
+    }
+
+    /// The internal geometry that belongs to the ratings and to what the table gives of it.
+    fn estimate(&self, printed: &Printed, problems: &mut Problems<'_>) -> Option<Estimate> {
+        let input = self.input;
+        let grooves = input.groove_factor_inner.zip(input.groove_factor_outer);
+        let line = CatalogueLine {
+            balls: input.balls.map(|n| n as usize).or(printed.line.balls),
+            ball_diameter: si(&input.ball_diameter).or(printed.line.ball_diameter),
+            pitch_diameter: si(&input.pitch_diameter).or(printed.line.pitch_diameter),
+            groove_factors: grooves.map(Into::into).or(printed.line.groove_factors),
+            ..printed.line
+        };
+        let refuse = |error| match error {
+            EstimateError::Geometry(error) => self.refuse(&error, problems),
+            error => {
+                let message = format!("{}: {error}", printed.name);
+                problems.refuse(Issue::new(printed.key, message));
+            }
+        };
+        line.estimate().map_err(refuse).ok()
     }
 
     fn need<T>(&self, key: &str, value: Option<T>, problems: &mut Problems<'_>) -> Option<T> {
@@ -109,10 +163,9 @@ impl Sources<'_> {
     /// The class whose middle the clearance is: the one given, or else CN of a deep-groove bearing of the catalogue.
     pub fn class_taken(&self) -> Option<ClearanceClass> {
         let is_open = self.given_position().is_none();
-        let entry = self
-            .entry
-            .filter(|entry| is_open && entry.contact_angle_deg.is_none());
-        entry.map(|_| self.clearance_class.unwrap_or_default())
+        let printed = self.printed.as_ref();
+        let printed = printed.filter(|printed| is_open && printed.line.contact_angle == 0.0);
+        printed.map(|_| self.clearance_class.unwrap_or_default())
     }
 
     fn given_position(&self) -> Option<FreePosition> {
@@ -129,7 +182,7 @@ impl Sources<'_> {
             return;
         }
         let keys = ["contact_angle", "diametral_clearance", "radial_clearance"].map(at);
-        let (message, help) = match self.entry {
+        let (message, help) = match &self.printed {
             _ if self.given_position().is_some() => (
                 "the geometry says already how the races stand to each other".to_owned(),
                 "remove `clearance_class`, or the clearance or contact angle in the geometry",
@@ -137,12 +190,12 @@ impl Sources<'_> {
             Some(entry) => (
                 format!(
                     "{} is an angular contact bearing, which has no class of clearance",
-                    entry.designation
+                    entry.name
                 ),
                 "remove it; `clearance_change` and `preload` tighten the bearing",
             ),
             None => (
-                "a class of clearance needs the bore, which only a bearing of the catalogue has"
+                "a class of clearance needs the bore, which only `catalogue` or [bearing.ratings] gives"
                     .to_owned(),
                 "give diametral_clearance in [bearing.geometry] instead, for instance \"12 um\"",
             ),
@@ -154,10 +207,19 @@ impl Sources<'_> {
     fn free_position(&self, problems: &mut Problems<'_>) -> Option<FreePosition> {
         self.check_class(problems);
         let class = self.clearance_class.unwrap_or_default();
+        let printed = self.printed.as_ref();
         let given = self
             .given_position()
-            .or_else(|| self.entry.map(|entry| entry.free_position(class)));
-        if given.is_none() {
+            .or_else(|| printed.and_then(|printed| printed.line.free_position(class)));
+        if given.is_none() && printed.is_some() {
+            let message = format!(
+                "class {} has no clearance for this bore (ISO 5753-1, above 6 mm to 140 mm)",
+                class.name()
+            );
+            let issue = Issue::new(at("diametral_clearance"), message)
+                .help("give [bearing.geometry] with diametral_clearance = \"20 um\", for instance");
+            problems.refuse(issue.against(".clearance_class"));
+        } else if given.is_none() {
             let message = format!(
                 "`{}` needs one of `contact_angle`, `diametral_clearance`, `radial_clearance`",
                 problems.path(".geometry")
@@ -188,9 +250,7 @@ impl Sources<'_> {
             GeometryError::GrooveFactor { .. } => ("groove_factor_outer", &[]),
             GeometryError::ContactAngle { .. } => ("contact_angle", &[]),
             GeometryError::Clearance { .. } => (self.clearance_key(), &["ball_diameter"]),
-            GeometryError::ClearanceChange { .. } => {
-                return problems.refuse(Issue::new(".clearance_change", self.message(error)));
-            }
+            GeometryError::ClearanceChange { .. } => ("diametral_clearance", &[]),
             GeometryError::Overlap { .. } => ("balls", &["ball_diameter", "pitch_diameter"]),
         };
         let issue = Issue::new(at(key), self.message(error));

@@ -4,15 +4,20 @@
 mod bearing;
 mod components;
 mod damping;
+mod fit;
 mod geometry;
 mod load;
+mod oil;
 mod output;
+mod ratings;
 mod scenario;
 mod settings;
 mod shaft;
 mod spectrum;
 mod speed;
 mod study;
+mod unbalance;
 
 pub use output::{Output, TableFormat};
+pub use ratings::RatingsInput;
 pub use scenario::{Questions, ScenarioInput};

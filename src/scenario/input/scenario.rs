@@ -13,11 +13,13 @@ use super::shaft::{ShaftInput, TorsionInput};
 use super::spectrum::{self, Recorded, SpectrumInput};
 use super::speed::SpeedInput;
 use super::study::StudyInput;
+use super::unbalance::{self, Balanced, UnbalanceInput};
+use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{Damping, Drive, Freedoms, RotorDefinition};
-use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
+use crate::scenario::{Issue, catalogue_file};
 use crate::simulate::Model;
 use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
 
@@ -48,9 +50,16 @@ pub struct ScenarioInput {
     /// The shaft, a concentrated mass with an eccentricity.
     #[schemars(extend("examples" = [{ "mass": "5 kg", "freedoms": "translational" }]))]
     pub shaft: ShaftInput,
+    /// Unbalances in planes of the shaft, one `[[unbalance]]` for each; they and that of `[shaft]` add up.
+    #[serde(default)]
+    pub unbalance: Vec<UnbalanceInput>,
     /// How fast the shaft turns.
     #[schemars(extend("examples" = [{ "constant": "500 rad/s" }]))]
     pub speed: SpeedInput,
+    /// CSV file of your own bearings, which are looked up before those that are shipped; `jeffcott catalogue --csv`
+    /// shows the columns.
+    #[schemars(extend("examples" = ["bearings.csv"]))]
+    pub catalogue_file: Option<String>,
     /// The bearings that carry the shaft, one `[[bearing]]` for each, at least one.
     #[schemars(extend("minItems" = 1, "examples" = [[{ "catalogue": "7205C" }]]))]
     pub bearing: Vec<BearingInput>,
@@ -131,10 +140,11 @@ impl ScenarioInput {
     /// Refuses more of a kind than any machine has, before room is made for them.
     fn check_counts(&self, problems: &mut Problems<'_>) -> Option<()> {
         let bearings = self.bearing.iter().map(BearingInput::count).sum();
-        let counts = [
+        let counts: [_; 4] = [
             ("bearing", bearings, MOST_BEARINGS),
             ("load", self.load.len(), MOST_LOADS),
             ("spectrum", self.spectrum.len(), MOST_SPECTRA),
+            ("unbalance", self.unbalance.len(), MOST_LOADS),
         ];
         let mut all_right = true;
         for (key, count, most) in counts {
@@ -220,7 +230,7 @@ impl ScenarioInput {
         if freedoms == Freedoms::All {
             self.warn_of_far_positions(&bearings, problems);
         }
-        Some(RotorDefinition {
+        let mut rotor = RotorDefinition {
             shaft,
             speed: points.next()?.speed,
             speed_points: points.collect(),
@@ -231,7 +241,23 @@ impl ScenarioInput {
             loads,
             initial,
             bearings,
-        })
+        };
+        let balanced = Balanced {
+            mass: rotor.shaft.mass,
+            speed: rotor.highest_speed(),
+        };
+        rotor.shaft.unbalance = unbalance::build(
+            self.shaft.unbalance.as_deref(),
+            &self.unbalance,
+            rotor.shaft.eccentricity,
+            &balanced,
+            freedoms,
+            problems,
+        );
+        if turns {
+            unbalance::refuse_driven_couple(&rotor.shaft.unbalance, problems);
+        }
+        Some(rotor)
     }
 
     fn drive(&self) -> Option<Drive> {
@@ -246,9 +272,10 @@ impl ScenarioInput {
         freedoms: Freedoms,
         problems: &mut Problems<'_>,
     ) -> Option<Vec<MountedBearing>> {
+        let catalogue = self.catalogue(problems)?;
         let mount = |(index, bearing): (usize, &BearingInput)| {
             problems.inside(format!("bearing[{index}]"), |problems| {
-                bearing.build(&self.model, freedoms, problems)
+                bearing.build(&self.model, freedoms, &catalogue, problems)
             })
         };
         let sets: Vec<_> = self.bearing.iter().enumerate().map(mount).collect();
@@ -259,6 +286,23 @@ impl ScenarioInput {
             ..bearing
         };
         Some(sets?.into_iter().flatten().map(damped).collect())
+    }
+
+    /// The bearings of the user's catalogue file.
+    fn catalogue(&self, problems: &mut Problems<'_>) -> Option<Vec<CatalogueEntry>> {
+        let Some(file) = &self.catalogue_file else {
+            return Some(Vec::new());
+        };
+        match catalogue_file::read(&problems.folder().join(file)) {
+            Ok(entries) => Some(entries),
+            Err(found) => {
+                for problem in found {
+                    let message = format!("`{file}` is no catalogue: {problem}");
+                    problems.refuse(Issue::new("catalogue_file", message));
+                }
+                None
+            }
+        }
     }
 
     /// Warns where the centre of mass or a load stands far outside the bearings: most often a unit mistaken.

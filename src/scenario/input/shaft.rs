@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::quasi_static::{Torsion, TorsionCause};
-use crate::rotor::{Freedoms, Shaft};
+use crate::rotor::{Freedoms, PlaneUnbalance, Shaft};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{
@@ -25,6 +25,10 @@ pub struct ShaftInput {
     #[serde(default)]
     #[schemars(extend("examples" = ["0.01 mm"], "x-minimum" = 0.0))]
     pub eccentricity: Quantity<Length>,
+    /// Unbalance at the centre of mass instead of the eccentricity, for instance "20 g mm", or as a balance quality grade
+    /// of ISO 21940-11 at the highest speed of the scenario, for instance "G 6.3".
+    #[schemars(extend("examples" = ["20 g mm", "G 6.3"]))]
+    pub unbalance: Option<String>,
     /// Which freedoms move: "radial" (x, y), "translational" (x, y, z) or "all" (x, y, z and
     /// both tilts). The rest is held.
     pub freedoms: Freedoms,
@@ -61,6 +65,7 @@ impl ShaftInput {
             inertia_transverse: si(&self.inertia_transverse).unwrap_or(0.0),
             inertia_polar: si(&self.inertia_polar).unwrap_or(0.0),
             eccentricity: self.eccentricity.si(),
+            unbalance: PlaneUnbalance::default(),
             freedoms: self.freedoms,
             gravity: self.gravity,
             held_tilt: [

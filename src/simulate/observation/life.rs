@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::{Serialize, Serializer};
 
-use crate::bearing::{Geometry, RatingLife};
+use crate::bearing::{Bearing, ModifiedLife, RatingLife};
 use crate::rotor::Sample;
 
 /// Seconds of an hour.
@@ -66,11 +66,15 @@ pub struct LifeHistory {
     pub whole_run: ConsumedLife,
     /// From the first sample after the settle time on.
     pub after_settle: ConsumedLife,
+    /// L_nm of ISO/TS 16281 at the mean speed after the settle time, by the life L10r there; none where neither
+    /// lubricant nor reliability is given.
+    pub modified: Option<ModifiedLife>,
 }
 
 /// Adds up the life consumed by one bearing.
 #[derive(Debug)]
 pub(super) struct LifeSums {
+    bearing: Bearing,
     rating: RatingLife,
     settle: f64,
     before: Option<Rate>,
@@ -94,9 +98,10 @@ const NOTHING: ConsumedLife = ConsumedLife {
 };
 
 impl LifeSums {
-    pub fn new(geometry: &Geometry, dynamic_rating: f64, settle: f64) -> Self {
+    pub fn new(bearing: &Bearing, dynamic_rating: f64, settle: f64) -> Self {
         Self {
-            rating: RatingLife::new(geometry, dynamic_rating),
+            bearing: *bearing,
+            rating: RatingLife::new(&bearing.geometry, dynamic_rating),
             settle,
             before: None,
             whole_run: NOTHING,
@@ -121,11 +126,21 @@ impl LifeSums {
         }
     }
 
+    fn modified(&self) -> Option<ModifiedLife> {
+        let history = match self.after_settle.rating_life() {
+            Some(_) => self.after_settle,
+            None => self.whole_run,
+        };
+        let speed = history.revolutions * TAU / history.time;
+        self.bearing.modified_life(history.rating_life()?, speed)
+    }
+
     /// None where the shaft never turned.
     pub fn finish(self) -> Option<LifeHistory> {
         (self.whole_run.revolutions > 0.0).then_some(LifeHistory {
             whole_run: self.whole_run,
             after_settle: self.after_settle,
+            modified: self.modified(),
         })
     }
 }
@@ -173,7 +188,7 @@ mod tests {
             reference_rating_life(&bearing.geometry, rating, loads)
         };
         let powers = |load: f64| [7.0 * load.powi(3), 7.0 * load.powf(10.0 / 3.0)];
-        let mut sums = LifeSums::new(&bearing.geometry, rating, 0.0);
+        let mut sums = LifeSums::new(&bearing, rating, 0.0);
         // 30 revolutions in 3 s, then, after a jump, 10 in 4 s
         for (load, from, to) in [
             (400.0, [0.0, 0.0], [3.0, 30.0]),

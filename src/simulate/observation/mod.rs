@@ -40,6 +40,8 @@ pub struct BearingHistory {
     pub load_zone: Option<LoadZone>,
     /// Life that the loads consumed; none without a dynamic load rating or balls, or at rest.
     pub life: Option<LifeHistory>,
+    /// Whether its internal geometry was estimated from a catalogue's ratings, and with it every number of its balls.
+    pub estimated: bool,
 }
 
 impl BearingHistory {
@@ -153,6 +155,7 @@ impl<'a> Observation<'a> {
             events: bearing.counts.finish(),
             load_zone: bearing.zone.finish(),
             life: bearing.life.and_then(LifeSums::finish),
+            estimated: bearing.support.definition().bearing.estimated,
         };
         self.bearings.into_iter().map(history).collect()
     }
@@ -171,7 +174,7 @@ impl<'a> BearingObserver<'a> {
             peaks: PeakLoads::default(),
             counts: EventCounts::new(balls > 0, preloaded),
             zone: LoadZoneSums::default(),
-            life: rated.map(|rating| LifeSums::new(&bearing.geometry, rating, model.settle)),
+            life: rated.map(|rating| LifeSums::new(bearing, rating, model.settle)),
         }
     }
 

@@ -116,6 +116,8 @@ impl Columns {
             lost,
         );
         self.add(name("life_h"), NOTHING, life);
+        let modified = move |run: &Run| run.bearings.get(bearing)?.life?.modified?.hours;
+        self.add(name("modified_life_h"), NOTHING, modified);
     }
 }
 

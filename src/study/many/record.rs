@@ -214,7 +214,7 @@ impl End {
         let sample = self.whole?;
         let rotor = &model.rotor;
         let turned = match rotor.cage {
-            CageMotion::Rolling if rotor.shaft.eccentricity != 0.0 => sample.angle,
+            CageMotion::Rolling if rotor.shaft.is_unbalanced() => sample.angle,
             _ => 0.0,
         };
         let first_balls = rotor.bearings.iter().map(|bearing| {
@@ -235,7 +235,7 @@ fn cycle(model: &Model) -> f64 {
     let first = rotor
         .bearings
         .first()
-        .filter(|_| rotor.shaft.eccentricity == 0.0);
+        .filter(|_| !rotor.shaft.is_unbalanced());
     first.map_or(1.0, |bearing| {
         1.0 / bearing.bearing.geometry.ball_pass(TAU).outer
     })

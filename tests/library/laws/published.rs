@@ -116,15 +116,9 @@ fn high_speed_case_of_a_public_program() {
     };
     let angle = FreePosition::ContactAngle(20f64.to_radians());
     let bearing = Bearing {
-        geometry: Geometry::new(10, 7.938e-3, 38.5e-3, angle, 0.56, 0.52).unwrap(),
         ring_material: material,
         ball_material: material,
-        contact_stiffness: None,
-        dynamic_rating: None,
-        roughness: None,
-        limiting_speed: None,
-        shoulder_angle: None,
-        clearance_class: None,
+        ..Bearing::of_steel(Geometry::new(10, 7.938e-3, 38.5e-3, angle, 0.56, 0.52).unwrap())
     };
     let speed = 50_000.0 * std::f64::consts::TAU / 60.0;
     let law = JonesLaw::new(&bearing, RaceControl::Outer).unwrap();

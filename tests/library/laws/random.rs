@@ -51,15 +51,8 @@ impl Random {
             Material::BEARING_STEEL
         };
         Bearing {
-            geometry: Geometry::new(5, diameter, pitch, angle, inner, outer).unwrap(),
-            ring_material: Material::BEARING_STEEL,
             ball_material,
-            contact_stiffness: None,
-            dynamic_rating: None,
-            roughness: None,
-            limiting_speed: None,
-            shoulder_angle: None,
-            clearance_class: None,
+            ..Bearing::of_steel(Geometry::new(5, diameter, pitch, angle, inner, outer).unwrap())
         }
     }
 

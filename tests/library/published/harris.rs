@@ -12,15 +12,8 @@ use crate::tests::support::{assert_near, assert_printed, half_last_digit, ring};
 fn crowded_bearing() -> Bearing {
     let angle = FreePosition::ContactAngle(30f64.to_radians());
     Bearing {
-        geometry: Geometry::new(200, 1e-3, 0.1, angle, 0.52, 0.52).expect("a bearing"),
-        ring_material: Material::BEARING_STEEL,
-        ball_material: Material::BEARING_STEEL,
         contact_stiffness: Some(1e10),
-        dynamic_rating: None,
-        roughness: None,
-        limiting_speed: None,
-        shoulder_angle: None,
-        clearance_class: None,
+        ..Bearing::of_steel(Geometry::new(200, 1e-3, 0.1, angle, 0.52, 0.52).expect("a bearing"))
     }
 }
 

@@ -10,7 +10,6 @@ use crate::bearing::{
     Matrix5, MountedBearing, Preload, Ring, Support, Vector5, catalogue,
 };
 use crate::integrate::{Method, Settings, System};
-use crate::physics::Material;
 use crate::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, RotorDefinition, Sample, Shaft,
 };
@@ -25,15 +24,14 @@ pub const MICROMETRE: f64 = 1e-6;
 
 /// A deep-groove bearing of the catalogue without clearance.
 pub fn without_clearance(designation: &str) -> Bearing {
-    let entry = catalogue::find(designation).expect("an entry");
     let bearing = bearing(designation);
     let geometry = Geometry::new(
-        entry.balls,
+        bearing.geometry.balls(),
         bearing.geometry.ball_diameter(),
         bearing.geometry.pitch_diameter(),
         FreePosition::DiametralClearance(0.0),
-        entry.groove_factor_inner,
-        entry.groove_factor_outer,
+        bearing.geometry.groove_factor_inner(),
+        bearing.geometry.groove_factor_outer(),
     );
     Bearing {
         geometry: geometry.expect("a geometry"),
@@ -58,15 +56,8 @@ pub fn literature_bearing(
     let [ball, pitch] = diameters;
     let free = FreePosition::RadialClearance(clearance);
     Bearing {
-        geometry: Geometry::new(balls, ball, pitch, free, 0.52, 0.52).expect("a bearing"),
-        ring_material: Material::BEARING_STEEL,
-        ball_material: Material::BEARING_STEEL,
         contact_stiffness: Some(contact_stiffness),
-        dynamic_rating: None,
-        roughness: None,
-        limiting_speed: None,
-        shoulder_angle: None,
-        clearance_class: None,
+        ..Bearing::of_steel(Geometry::new(balls, ball, pitch, free, 0.52, 0.52).expect("a bearing"))
     }
 }
 
@@ -188,6 +179,7 @@ pub fn shaft(freedoms: Freedoms) -> Shaft {
         inertia_transverse: 2e-3,
         inertia_polar: 1.5e-3,
         eccentricity: 0.0,
+        unbalance: Default::default(),
         freedoms,
         gravity: false,
         held_tilt: [0.0; 2],

@@ -1,0 +1,89 @@
+//! `jeffcott estimate`.
+
+use std::io;
+
+use super::{Outcome, terminal};
+use crate::report::{estimate_json, estimate_text};
+use crate::scenario;
+
+/// Finds the inside of a bearing from what its catalogue prints: balls, ball diameter and grooves.
+///
+/// The same is found for [bearing.ratings] of a scenario and for the bearings of the catalogue.
+#[derive(Debug, clap::Args)]
+#[command(
+    after_help = "Example:\n  jeffcott estimate --bore 40mm --outside-diameter 80mm --contact-angle 0deg --dynamic 29.1kN \
+                  --static 17.9kN\n\n\
+                  Exit code: 0 done, 2 the line is wrong, or belongs to no balls or to several."
+)]
+pub struct Arguments {
+    /// Bore
+    #[arg(long, value_name = "LENGTH")]
+    bore: String,
+    /// Outside diameter
+    #[arg(long, value_name = "LENGTH")]
+    outside_diameter: String,
+    /// Nominal contact angle, 0deg of a deep-groove bearing
+    #[arg(long, value_name = "ANGLE", default_value = "0 deg")]
+    contact_angle: String,
+    /// Basic dynamic load rating C
+    #[arg(long, value_name = "FORCE")]
+    dynamic: String,
+    /// Basic static load rating C0
+    #[arg(long = "static", value_name = "FORCE")]
+    statical: String,
+    /// Number of balls, where it is printed
+    #[arg(long, value_name = "COUNT")]
+    balls: Option<String>,
+    /// Ball diameter, where it is printed
+    #[arg(long, value_name = "LENGTH")]
+    ball_diameter: Option<String>,
+    /// Pitch diameter, where it is printed
+    #[arg(long, value_name = "LENGTH")]
+    pitch_diameter: Option<String>,
+    /// Factor f0, where it is printed
+    #[arg(long, value_name = "NUMBER")]
+    f0: Option<String>,
+    /// Print as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Prints the estimate.
+pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
+    let given = [
+        ("bore", Some(&arguments.bore)),
+        ("outside_diameter", Some(&arguments.outside_diameter)),
+        ("contact_angle", Some(&arguments.contact_angle)),
+        ("dynamic", Some(&arguments.dynamic)),
+        ("static", Some(&arguments.statical)),
+        ("balls", arguments.balls.as_ref()),
+        ("ball_diameter", arguments.ball_diameter.as_ref()),
+        ("pitch_diameter", arguments.pitch_diameter.as_ref()),
+        ("f0", arguments.f0.as_ref()),
+    ];
+    let given = given.into_iter();
+    let given = given.filter_map(|(key, text)| Some((key, text?.as_str())));
+    let line = match scenario::ratings(given) {
+        Ok(line) => line,
+        Err(issues) => {
+            for issue in issues {
+                let help = issue
+                    .help
+                    .map_or(String::new(), |help| format!(" ({help})"));
+                terminal::tell(&format!("error: {}{help}\n", issue.message));
+            }
+            return Ok(Outcome::WrongInput);
+        }
+    };
+    match line.estimate() {
+        Ok(estimate) if arguments.json => {
+            terminal::print(&format!("{:#}\n", estimate_json(&line, &estimate)))?;
+        }
+        Ok(estimate) => terminal::print(&estimate_text("Estimate", &line, &estimate))?,
+        Err(error) => {
+            terminal::tell(&format!("error: {error}\n"));
+            return Ok(Outcome::WrongInput);
+        }
+    }
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,137 @@
+//! Viscosity of oils over the temperature.
+
+/// Kinematic viscosity over the temperature.
+///
+/// `log10 log10(ν + 0.7) = A − B log10 T`, ν in mm²/s, T in K. Holds for mineral oils above 2 mm²/s and for most
+/// synthetic ones.
+///
+/// Source: C. Walther (1931); ASTM D341.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ViscosityLaw {
+    intercept: f64,
+    slope: f64,
+}
+
+/// Zero of the Celsius scale, K.
+const ZERO_CELSIUS: f64 = 273.15;
+
+impl ViscosityLaw {
+    /// Viscosity index of a common mineral oil.
+    pub const USUAL_INDEX: f64 = 95.0;
+
+    /// Through two points, each a temperature in °C and a kinematic viscosity in m²/s.
+    ///
+    /// ```
+    /// use jeffcott::physics::ViscosityLaw;
+    /// let law = ViscosityLaw::through([(40.0, 68e-6), (100.0, 8.6e-6)]);
+    /// assert!((law.at(40.0) - 68e-6).abs() < 1e-15);
+    /// assert!((law.at(100.0) - 8.6e-6).abs() < 1e-15);
+    /// assert!((law.at(70.0) - 19.97e-6).abs() < 0.01e-6, "{}", law.at(70.0));
+    /// ```
+    pub fn through(points: [(f64, f64); 2]) -> Self {
+        let [(x0, y0), (x1, y1)] = points.map(|(temperature, viscosity)| {
+            let outer = (1e6 * viscosity + 0.7).log10().log10();
+            ((temperature + ZERO_CELSIUS).log10(), outer)
+        });
+        let slope = (y0 - y1) / (x1 - x0);
+        Self {
+            intercept: y0 + slope * x0,
+            slope,
+        }
+    }
+
+    /// Of an oil by its kinematic viscosity at 40 °C in m²/s, the number of its ISO VG class in mm²/s (ISO 3448), and its
+    /// viscosity index (ASTM D2270, ISO 2909): the viscosity at 100 °C is the one with that index.
+    ///
+    /// ```
+    /// use jeffcott::physics::ViscosityLaw;
+    /// // ASTM D2270: 73.30 mm²/s at 40 °C and 8.86 at 100 °C have the index 92, which is rounded to a whole number
+    /// let law = ViscosityLaw::of_grade(73.30e-6, 92.0);
+    /// assert!((law.at(100.0) - 8.86e-6).abs() < 0.02e-6, "{}", law.at(100.0));
+    /// // 22.83 and 5.05 mm²/s have the index 156
+    /// let law = ViscosityLaw::of_grade(22.83e-6, 156.0);
+    /// assert!((law.at(100.0) - 5.05e-6).abs() < 0.02e-6, "{}", law.at(100.0));
+    /// ```
+    pub fn of_grade(at_40: f64, index: f64) -> Self {
+        let (mut low, mut high) = (2.0, 1e6 * at_40);
+        for _ in 0..80 {
+            let middle = 0.5 * (low + high);
+            // thicker at 100 °C: a higher index
+            if viscosity_index(1e6 * at_40, middle) < index {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Self::through([(40.0, at_40), (100.0, 0.5e-6 * (low + high))])
+    }
+
+    /// Kinematic viscosity at a temperature in °C, m²/s.
+    pub fn at(&self, temperature: f64) -> f64 {
+        let outer = self.intercept - self.slope * (temperature + ZERO_CELSIUS).log10();
+        1e-6 * (10f64.powf(10f64.powf(outer)) - 0.7)
+    }
+}
+
+/// From this viscosity at 100 °C on in mm²/s, `L = a Y² + b Y + c` and `H = d Y² + e Y + f`.
+type Reference = (f64, [f64; 3], [f64; 3]);
+
+/// ASTM D2270, table X2.1.
+#[rustfmt::skip]
+const REFERENCES: [Reference; 15] = [
+    (2.0, [1.14673, 1.7576, -0.109], [0.84155, 1.5521, -0.077]),
+    (3.8, [3.38095, -15.4952, 33.196], [0.78571, 1.7929, -0.183]),
+    (4.4, [2.5, -7.2143, 13.812], [0.82143, 1.5679, 0.119]),
+    (5.0, [0.101, 16.635, -45.469], [0.04985, 9.1613, -18.557]),
+    (6.4, [3.35714, -23.5643, 78.466], [0.22619, 7.7369, -16.656]),
+    (7.0, [0.01191, 21.475, -72.87], [0.79762, -0.7321, 14.61]),
+    (7.7, [0.41858, 16.1558, -56.04], [0.05794, 10.5156, -28.24]),
+    (9.0, [0.88779, 7.5527, -16.6], [0.26665, 6.7015, -10.81]),
+    (12.0, [0.7672, 10.7972, -38.18], [0.20073, 8.4658, -22.49]),
+    (15.0, [0.97305, 5.3135, -2.2], [0.28889, 5.9741, -4.93]),
+    (18.0, [0.97256, 5.25, -0.98], [0.24504, 7.416, -16.73]),
+    (22.0, [0.91413, 7.4759, -21.82], [0.20323, 9.1267, -34.23]),
+    (28.0, [0.87031, 9.7157, -50.77], [0.18411, 10.1015, -46.75]),
+    (40.0, [0.84703, 12.6752, -133.31], [0.17029, 11.4866, -80.62]),
+    (70.0, [0.83531, 14.6731, -216.246], [0.16841, 11.8493, -96.947]),
+];
+
+/// Viscosity index of kinematic viscosities U at 40 °C and Y at 100 °C in mm²/s: `100 (L − U)/(L − H)`, above 100
+/// `100 + (10^N − 1)/0.00715` with `N = log(H/U)/log Y`.
+fn viscosity_index(at_40: f64, at_100: f64) -> f64 {
+    let last = REFERENCES.iter().rev().find(|(from, ..)| at_100 >= *from);
+    let (_, l, h) = last.unwrap_or(&REFERENCES[0]);
+    let square = |[a, b, c]: &[f64; 3]| (a * at_100 + b) * at_100 + c;
+    let (l, h) = (square(l), square(h));
+    if at_40 < h {
+        let exponent = (h / at_40).ln() / at_100.ln();
+        return 100.0 + (10f64.powf(exponent) - 1.0) / 0.00715;
+    }
+    100.0 * (l - at_40) / (l - h)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_reference_viscosities_join() {
+        for pair in REFERENCES.windows(2) {
+            let edge = pair[1].0;
+            let value = |[a, b, c]: [f64; 3]| (a * edge + b) * edge + c;
+            for (below, above) in [(pair[0].1, pair[1].1), (pair[0].2, pair[1].2)] {
+                let ratio = value(below) / value(above);
+                assert!((ratio - 1.0).abs() < 0.01, "{edge}: {ratio}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_grade_thins_with_the_temperature() {
+        for grade in [2.5, 10.0, 32.0, 100.0, 460.0, 1500.0] {
+            let law = ViscosityLaw::of_grade(1e-6 * grade, ViscosityLaw::USUAL_INDEX);
+            assert!((law.at(40.0) / (1e-6 * grade) - 1.0).abs() < 1e-9);
+            assert!(law.at(60.0) < law.at(40.0) && law.at(100.0) > 0.0);
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! `[bearing.fit]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::bearing::{MaterialInput, material};
+use crate::bearing::{Bearing, Fit};
+use crate::physics::{Material, STEEL_EXPANSION};
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Length, Quantity, Temperature, ThermalExpansion, si};
+
+/// How the rings sit on shaft and in housing, and how warm everything is: what is left of clearance, contact angle and
+/// preload in operation. The bearing itself, its preload too, is given as it is before it is mounted.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FitInput {
+    /// Interference of shaft and inner ring on the diameter, for instance "10 um"; negative is loose. Default: "0 m".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["10 um"], "x-minimum" = -1e-3, "x-maximum" = 1e-3))]
+    pub inner_interference: Quantity<Length>,
+    /// Interference of outer ring and housing on the diameter. Default: "0 m".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["5 um"], "x-minimum" = -1e-3, "x-maximum" = 1e-3))]
+    pub outer_interference: Quantity<Length>,
+    /// Bore of a hollow shaft, for instance "12.5 mm". Default: a solid one.
+    #[schemars(extend("examples" = ["12.5 mm"], "x-minimum" = 0.0))]
+    pub shaft_bore: Option<Quantity<Length>>,
+    /// Outside diameter of the housing, for instance "80 mm". Default: a thick one.
+    #[schemars(extend("examples" = ["80 mm"], "x-above" = 0.0))]
+    pub housing_diameter: Option<Quantity<Length>>,
+    /// Material of the shaft. Default: steel.
+    pub shaft_material: Option<MaterialInput>,
+    /// Material of the housing. Default: steel.
+    pub housing_material: Option<MaterialInput>,
+    /// Thermal expansion of the shaft. Default: "12.5e-6 1/K", steel.
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub shaft_expansion: Option<Quantity<ThermalExpansion>>,
+    /// Thermal expansion of the housing, for instance "23.8e-6 1/K" (aluminium). Default: "12.5e-6 1/K", steel.
+    #[schemars(extend("examples" = ["23.8e-6 1/K"], "x-minimum" = 0.0))]
+    pub housing_expansion: Option<Quantity<ThermalExpansion>>,
+    /// Temperature at which everything has the sizes given. Default: "20 degC".
+    #[schemars(extend("examples" = ["20 degC"], "x-minimum" = -273.0, "x-maximum" = 1000.0))]
+    pub reference_temperature: Option<Quantity<Temperature>>,
+    /// Temperature of the inner ring. Default: that of the shaft, or else the reference.
+    #[schemars(extend("x-minimum" = -273.0, "x-maximum" = 1000.0))]
+    pub inner_temperature: Option<Quantity<Temperature>>,
+    /// Temperature of the outer ring. Default: that of the housing, or else the reference.
+    #[schemars(extend("x-minimum" = -273.0, "x-maximum" = 1000.0))]
+    pub outer_temperature: Option<Quantity<Temperature>>,
+    /// Temperature of the balls. Default: the mean of both rings.
+    #[schemars(extend("x-minimum" = -273.0, "x-maximum" = 1000.0))]
+    pub ball_temperature: Option<Quantity<Temperature>>,
+    /// Temperature of the shaft. Default: that of the inner ring.
+    #[schemars(extend("x-minimum" = -273.0, "x-maximum" = 1000.0))]
+    pub shaft_temperature: Option<Quantity<Temperature>>,
+    /// Temperature of the housing. Default: that of the outer ring.
+    #[schemars(extend("x-minimum" = -273.0, "x-maximum" = 1000.0))]
+    pub housing_temperature: Option<Quantity<Temperature>>,
+    /// Bore of the bearing, where neither `catalogue` nor [bearing.ratings] gives it.
+    #[schemars(extend("examples" = ["25 mm"], "x-above" = 0.0))]
+    pub bore: Option<Quantity<Length>>,
+    /// Outside diameter of the bearing, where neither `catalogue` nor [bearing.ratings] gives it.
+    #[schemars(extend("examples" = ["52 mm"], "x-above" = 0.0))]
+    pub outside_diameter: Option<Quantity<Length>>,
+}
+
+impl FitInput {
+    /// The fit with bore and outside diameter of the bearing, m.
+    pub fn build(&self, bearing: &Bearing, problems: &mut Problems<'_>) -> Option<(Fit, [f64; 2])> {
+        let boundary = self.boundary(bearing, problems)?;
+        let [bore, outside] = boundary;
+        let shaft_bore = si(&self.shaft_bore).unwrap_or(0.0);
+        let housing_outside = si(&self.housing_diameter).unwrap_or(f64::INFINITY);
+        let geometry = &bearing.geometry;
+        let (ball, pitch) = (geometry.ball_diameter(), geometry.pitch_diameter());
+        let orders = [
+            (
+                "shaft_bore",
+                shaft_bore < bore,
+                "the bore of the shaft must be smaller than that of the bearing",
+            ),
+            (
+                "housing_diameter",
+                outside < housing_outside,
+                "the housing must be larger than the outside diameter of the bearing",
+            ),
+            (
+                "bore",
+                bore < pitch - ball,
+                "the bore must be smaller than the inner raceway, pitch diameter less ball diameter",
+            ),
+            (
+                "outside_diameter",
+                pitch + ball < outside,
+                "the outside diameter must be larger than the outer raceway, pitch diameter and ball diameter",
+            ),
+        ];
+        let wrong = orders.into_iter().find(|(_, right, _)| !right);
+        if let Some((key, _, message)) = wrong {
+            problems.refuse(Issue::new(format!(".fit.{key}"), message));
+            return None;
+        }
+        let reference = si(&self.reference_temperature).unwrap_or(20.0);
+        let [inner, outer, balls, shaft, housing] = [
+            &self.inner_temperature,
+            &self.outer_temperature,
+            &self.ball_temperature,
+            &self.shaft_temperature,
+            &self.housing_temperature,
+        ]
+        .map(|temperature| si(temperature).map(|celsius| celsius - reference));
+        let (inner_ring, outer_ring) = (
+            inner.or(shaft).unwrap_or(0.0),
+            outer.or(housing).unwrap_or(0.0),
+        );
+        let mate =
+            |input: &Option<MaterialInput>| material(input.as_ref(), Material::BEARING_STEEL);
+        let fit = Fit {
+            interference: [self.inner_interference.si(), self.outer_interference.si()],
+            shaft_bore,
+            housing_outside,
+            mates: [mate(&self.shaft_material), mate(&self.housing_material)],
+            expansions: [&self.shaft_expansion, &self.housing_expansion]
+                .map(|expansion| si(expansion).unwrap_or(STEEL_EXPANSION)),
+            rings: [
+                inner_ring,
+                balls.unwrap_or(0.5 * (inner_ring + outer_ring)),
+                outer_ring,
+            ],
+            around: [shaft.unwrap_or(inner_ring), housing.unwrap_or(outer_ring)],
+        };
+        Some((fit, boundary))
+    }
+
+    fn boundary(&self, bearing: &Bearing, problems: &mut Problems<'_>) -> Option<[f64; 2]> {
+        let known = bearing.boundary.map_or([None; 2], |known| known.map(Some));
+        let given = [
+            ("bore", &self.bore, known[0]),
+            ("outside_diameter", &self.outside_diameter, known[1]),
+        ];
+        let mut value = |(key, given, known): (&str, &Option<Quantity<Length>>, Option<f64>)| {
+            let value = si(given).or(known);
+            if value.is_none() {
+                let message = format!("`{}` needs `{key}`", problems.path(".fit"));
+                let issue = Issue::new(format!(".fit.{key}"), message);
+                problems.refuse(issue.help(
+                    "it is known of bearings that `catalogue` or [bearing.ratings] describes",
+                ));
+            }
+            value
+        };
+        let [bore, outside] = given.map(&mut value);
+        Some([bore?, outside?])
+    }
+}

@@ -1,0 +1,60 @@
+//! `[bearing.ratings]`.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::bearing::{CatalogueLine, Geometry};
+use crate::scenario::quantity::{Angle, Force, Length, Quantity, si};
+
+/// What a maker's catalogue prints of a bearing: balls and grooves are estimated from it, by the ratings of ISO 281 and
+/// ISO 76 (`jeffcott estimate` shows how).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RatingsInput {
+    /// Bore, for instance "40 mm".
+    #[schemars(extend("examples" = ["40 mm"], "x-minimum" = 1e-4))]
+    pub bore: Quantity<Length>,
+    /// Outside diameter, for instance "80 mm".
+    #[schemars(extend("examples" = ["80 mm"], "x-minimum" = 1e-4))]
+    pub outside_diameter: Quantity<Length>,
+    /// Nominal contact angle; "0 deg" of a deep-groove bearing.
+    #[schemars(extend("examples" = ["0 deg"], "x-minimum" = 0.0, "x-maximum" = Geometry::LARGEST_CONTACT_ANGLE))]
+    pub contact_angle: Quantity<Angle>,
+    /// Basic dynamic load rating C, for instance "29.1 kN".
+    #[schemars(extend("examples" = ["29.1 kN"], "x-above" = 0.0))]
+    pub dynamic: Quantity<Force>,
+    /// Basic static load rating C0, for instance "17.9 kN".
+    #[serde(rename = "static")]
+    #[schemars(extend("examples" = ["17.9 kN"], "x-above" = 0.0))]
+    pub statical: Quantity<Force>,
+    /// Number of balls, where it is printed, 3 to 200.
+    #[schemars(range(min = 3, max = 200))]
+    pub balls: Option<u32>,
+    /// Ball diameter, where it is printed.
+    #[schemars(extend("examples" = ["11.906 mm"], "x-minimum" = 1e-5))]
+    pub ball_diameter: Option<Quantity<Length>>,
+    /// Pitch diameter, where it is printed. Default: the mean of bore and outside diameter.
+    #[schemars(extend("examples" = ["60 mm"], "x-minimum" = 1e-5))]
+    pub pitch_diameter: Option<Quantity<Length>>,
+    /// Factor f0 that catalogues print beside the ratings, for instance 14.0; it settles which balls they are.
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 30.0))]
+    pub f0: Option<f64>,
+}
+
+impl RatingsInput {
+    /// The line of the catalogue.
+    pub fn line(&self) -> CatalogueLine {
+        CatalogueLine {
+            static_factor: self.f0,
+            balls: self.balls.map(|balls| balls as usize),
+            ball_diameter: si(&self.ball_diameter),
+            pitch_diameter: si(&self.pitch_diameter),
+            ..CatalogueLine::printed(
+                [self.bore.si(), self.outside_diameter.si()],
+                self.contact_angle.si(),
+                self.dynamic.si(),
+                self.statical.si(),
+            )
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! `[[unbalance]]`, and the unbalance of the shaft as a text.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::rotor::{Freedoms, PlaneUnbalance};
+use crate::scenario::Issue;
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{self, Angle, Dimension, Length, Quantity, Unbalance};
+
+/// An unbalance in a plane of the shaft. Several add up: on a rigid shaft to a static unbalance and a couple.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct UnbalanceInput {
+    /// Mass times its distance from the axis, for instance "20 g mm".
+    #[schemars(extend("x-minimum" = 0.0))]
+    pub amount: Quantity<Unbalance>,
+    /// Angle on the shaft, from +X towards +Y at shaft angle 0. Default: "0 rad".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["180 deg"]))]
+    pub angle: Quantity<Angle>,
+    /// Position of the plane along the shaft, from the centre of mass towards +Z. Default: "0 m".
+    #[serde(default)]
+    #[schemars(extend("examples" = ["-30 mm"]))]
+    pub position: Quantity<Length>,
+}
+
+/// Speed and mass that a balance quality grade rests on.
+pub struct Balanced {
+    /// Mass of the shaft, kg.
+    pub mass: f64,
+    /// Highest speed of the scenario, rad/s.
+    pub speed: f64,
+}
+
+/// What `[shaft]` and the planes give together; `eccentricity` in m is that of the shaft.
+pub fn build(
+    text: Option<&str>,
+    planes: &[UnbalanceInput],
+    eccentricity: f64,
+    balanced: &Balanced,
+    freedoms: Freedoms,
+    problems: &mut Problems<'_>,
+) -> PlaneUnbalance {
+    let mut sum = PlaneUnbalance::default();
+    if let Some(text) = text {
+        if eccentricity != 0.0 {
+            let message = "`eccentricity` and `unbalance` both say how the shaft is balanced";
+            let issue = Issue::new("shaft.unbalance", message).help("keep one of them");
+            problems.refuse(issue.against("shaft.eccentricity"));
+        }
+        match amount(text, balanced) {
+            Ok(amount) => sum.add(amount, 0.0, 0.0),
+            Err(issue) => problems.refuse(issue),
+        }
+    }
+    for plane in planes {
+        sum.add(plane.amount.si(), plane.angle.si(), plane.position.si());
+    }
+    if sum.couple != [0.0; 2] && freedoms != Freedoms::All {
+        problems.warn(
+            "the unbalances have a couple about the centre of mass, which has no effect: the tilts are held \
+             (freedoms = \"all\" lets them move)",
+        );
+    }
+    sum
+}
+
+/// Refuses a couple where the speed is not given: the equation of a drive knows the static unbalance only.
+pub fn refuse_driven_couple(unbalance: &PlaneUnbalance, problems: &mut Problems<'_>) {
+    if unbalance.couple != [0.0; 2] {
+        let message = "a drive knows the static unbalance only, and these have a couple about the centre of mass";
+        let issue = Issue::new("unbalance", message)
+            .help("move them to the position of the centre of mass, or give the speed instead of the drive");
+        problems.refuse(issue.against("speed.drive"));
+    }
+}
+
+/// Static unbalance in kg m of `20 g mm`, or of a balance quality grade `G 6.3`: `U = m G/ω` (ISO 21940-11).
+fn amount(text: &str, balanced: &Balanced) -> Result<f64, Issue> {
+    let path = "shaft.unbalance";
+    if let Some(grade) = text.trim().strip_prefix(['G', 'g']) {
+        let grade = grade.trim().parse::<f64>();
+        let grade = grade.ok().filter(|grade| (0.0..=4000.0).contains(grade));
+        let Some(grade) = grade else {
+            let message = format!(
+                "`{text}` is no balance quality grade: a number of 0 to 4000 mm/s follows the G"
+            );
+            return Err(Issue::new(path, message).help("for instance: unbalance = \"G 6.3\""));
+        };
+        if balanced.speed <= 0.0 {
+            let message =
+                "a balance quality grade is an unbalance at a speed, and the shaft stands still";
+            return Err(Issue::new(path, message).help("give the unbalance, as in \"20 g mm\""));
+        }
+        return Ok(balanced.mass * 1e-3 * grade / balanced.speed);
+    }
+    let parsed = quantity::parse(text, Dimension::Unbalance);
+    match parsed {
+        Ok(parsed) if (0.0..=1e6).contains(&parsed.si) => Ok(parsed.si),
+        Ok(_) => Err(Issue::new(path, "`unbalance` must be zero or positive")),
+        Err(_) => {
+            let units = format!(
+                "units of unbalance: {}; or a balance quality grade, as in \"G 6.3\"",
+                Dimension::Unbalance.unit_list()
+            );
+            let message = "`unbalance` must be a number with its unit, as in \"20 g mm\"";
+            Err(Issue::new(path, message).help(units))
+        }
+    }
+}

@@ -1,0 +1,109 @@
+//! Bearings by designation, by the line of a catalogue and from a file of one's own.
+
+use std::fs;
+
+use serde_json::Value;
+
+use crate::support::{jeffcott, jeffcott_in, root, text};
+
+const OWN: &str = "designation,bore_mm,outside_diameter_mm,contact_angle_deg,dynamic_rating_N,static_rating_N\n\
+                   MY-6406,30,90,0,43000,23800\n";
+
+const LINE: [&str; 11] = [
+    "estimate",
+    "--bore",
+    "40mm",
+    "--outside-diameter",
+    "80mm",
+    "--contact-angle",
+    "0deg",
+    "--dynamic",
+    "29.1kN",
+    "--static",
+    "17.9kN",
+];
+
+#[test]
+fn a_page_of_one_bearing() {
+    let output = jeffcott_in(root(), &["catalogue", "6208-2RS/C3"]);
+    let page = text(&output.stdout);
+    assert!(output.status.success());
+    for part in [
+        "6208",
+        "9 of 11.906 mm (estimated)",
+        "class C3",
+        "NSK",
+        "f0 14.03",
+    ] {
+        assert!(page.contains(part), "{part}: {page}");
+    }
+    assert!(!page.contains("6205"));
+}
+
+#[test]
+fn an_unknown_designation_suggests_no_other_number() {
+    let output = jeffcott_in(root(), &["catalogue", "62089"]);
+    assert_eq!(output.status.code(), Some(2));
+    let message = text(&output.stderr);
+    assert!(message.contains("[bearing.ratings]") && !message.contains("did you mean"));
+}
+
+#[test]
+fn the_estimate_of_a_line_has_the_ratings_beside_the_geometry() {
+    let output = jeffcott_in(root(), &[&LINE[..], &["--json"]].concat());
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(found["balls"], 9);
+    for (key, printed) in [
+        ("dynamic_rating_N", 29_100.0),
+        ("static_rating_N", 17_900.0),
+    ] {
+        let rating = found[key].as_f64().unwrap();
+        assert!((rating / printed - 1.0).abs() < 0.01, "{key}: {rating}");
+        assert_eq!(found["printed"][key], printed);
+    }
+    assert!(
+        found["estimated"]
+            .as_array()
+            .is_some_and(|names| names.len() == 5)
+    );
+    assert_eq!(found["runner_up"]["balls"], 8);
+    let refused = jeffcott_in(root(), &[&LINE[..9], &["--static", "3 kN"]].concat());
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("give `balls` and `ball_diameter`"));
+}
+
+#[test]
+fn a_file_of_ones_own_is_looked_up_first() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("own.csv"), OWN).unwrap();
+    let named = ["--catalogue", "own.csv", "catalogue", "my-6406"];
+    let output = jeffcott_in(folder.path(), &named);
+    assert!(text(&output.stdout).contains("7 of 16.669 mm"));
+    let mut by_environment = jeffcott();
+    by_environment
+        .args(["catalogue", "MY-6406"])
+        .current_dir(folder.path());
+    let output = by_environment
+        .env("JEFFCOTT_CATALOGUE", "own.csv")
+        .output()
+        .unwrap();
+    assert!(text(&output.stdout).contains("7 of 16.669 mm"));
+    let scenario = "catalogue_file = \"own.csv\"\n[shaft]\nmass = \"5 kg\"\nfreedoms = \"radial\"\n\
+        [speed]\nconstant = \"3000 rpm\"\n[[bearing]]\ncatalogue = \"MY-6406/C3\"\n[[load]]\nconstant = { y = \"-300 N\" }\n";
+    fs::write(folder.path().join("a.toml"), scenario).unwrap();
+    let output = jeffcott_in(folder.path(), &["bearing", "a.toml", "--json"]);
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let geometry = &answer["bearings"][0]["geometry"];
+    assert_eq!(
+        (&geometry["balls"], &geometry["estimated"]),
+        (&7.into(), &true.into())
+    );
+    fs::write(
+        folder.path().join("own.csv"),
+        OWN.replace("30,90", "thirty,90"),
+    )
+    .unwrap();
+    let output = jeffcott_in(folder.path(), &["check", "a.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("line 2: `bore_mm` has \"thirty\""));
+}

@@ -1,0 +1,261 @@
+//! Fits, temperatures, lubrication and friction: closed forms of Lamé, ISO 281 and SKF's catalogue, by independent
+//! calculation.
+
+use crate::physics::{
+    Material, SkfFriction, SkfOperation, ViscosityLaw, equivalent_load, inner_ring_fit,
+    life_modification_factor, outer_ring_fit, rating_factor, reference_viscosity,
+    reliability_factor, thermal_clearance_change,
+};
+use crate::scenario::Scenario;
+use crate::tests::support::assert_near;
+
+const PER_MINUTE: f64 = std::f64::consts::PI / 30.0;
+
+/// E = 206 GPa, as the pressures below take it.
+const STEEL: Material = Material {
+    youngs_modulus: 206e9,
+    ..Material::BEARING_STEEL
+};
+
+#[test]
+fn interference_fits_of_steel() {
+    let inner = |bore: f64, raceway: f64, hole: f64| {
+        inner_ring_fit(bore, raceway, hole, 1e-6, &STEEL, &STEEL)
+    };
+    let outer = |outside: f64, raceway: f64, housing: f64| {
+        outer_ring_fit(outside, raceway, housing, 1e-6, &STEEL, &STEEL).clearance_loss / 1e-6
+    };
+    // 6205-like: d_m = 38.5 mm, D = 7.938 mm
+    let solid = inner(0.025, 0.030_562, 0.0);
+    assert_near("solid", solid.clearance_loss / 1e-6, 0.8180, 5e-5);
+    assert_near("MPa a µm", solid.pressure / 1e6, 1.363, 5e-4);
+    assert_near(
+        "hollow",
+        inner(0.025, 0.030_562, 0.0125).clearance_loss / 1e-6,
+        0.7368,
+        5e-5,
+    );
+    assert_near(
+        "outer",
+        outer(0.052, 0.046_438, f64::INFINITY),
+        0.8930,
+        5e-5,
+    );
+    assert_near("thin housing", outer(0.052, 0.046_438, 0.078), 0.7685, 5e-5);
+    // 6306: d_m = 51 mm, D = 11.906 mm
+    assert_near(
+        "6306",
+        inner(0.030, 0.039_094, 0.0).clearance_loss / 1e-6,
+        0.7674,
+        5e-5,
+    );
+    assert_near("6306", outer(0.072, 0.062_906, f64::INFINITY), 0.8737, 5e-5);
+    assert_eq!(
+        inner_ring_fit(0.025, 0.03, 0.0, -1e-6, &STEEL, &STEEL).pressure,
+        0.0
+    );
+}
+
+#[test]
+fn a_warmer_inner_ring_takes_clearance() {
+    // 10 K over the outer ring, balls between them: 12.5e-6 (10 F_i + 2·5 D)
+    let change = thermal_clearance_change(7.938e-3, 38.5e-3, [10.0, 5.0, 0.0]);
+    assert_near(
+        "µm",
+        change / 1e-6,
+        -12.5e-6 * (10.0 * 30.562e3 + 10.0 * 7.938e3),
+        1e-9,
+    );
+}
+
+#[test]
+fn rating_factors_of_iso_281() {
+    for (gamma, factor) in [
+        (0.05, 46.7),
+        (0.1, 55.5),
+        (0.16, 59.6),
+        (0.2, 59.9),
+        (0.28, 57.1),
+        (0.4, 48.4),
+    ] {
+        assert!(
+            (rating_factor(gamma) / factor - 1.0).abs() < 1.5e-3,
+            "{gamma}"
+        );
+    }
+}
+
+#[test]
+fn reference_viscosities_and_life_factors() {
+    for (rpm, expected) in [(500.0, 41.72), (1500.0, 18.73), (3000.0, 13.24)] {
+        let found = 1e6 * reference_viscosity(rpm * PER_MINUTE, 38.5e-3);
+        assert_near("ν1", found, expected, 5.1e-3);
+    }
+    // the standard jumps by 2.3 % at 1000 rpm
+    let at = |rpm: f64| reference_viscosity(rpm * PER_MINUTE, 38.5e-3);
+    assert_near("jump", at(999.9999) / at(1000.0), 1.023, 1e-3);
+    for (ratio, dirty, clean) in [
+        (0.2, 0.1647, 0.2237),
+        (0.5, 0.366, 0.8617),
+        (1.0, 1.1437, 6.9181),
+        (2.0, 1.7018, 15.11),
+    ] {
+        assert_near(
+            "a_ISO",
+            life_modification_factor(ratio, 0.05),
+            dirty,
+            5.1e-5,
+        );
+        let digits = if clean > 10.0 { 5.1e-3 } else { 5.1e-5 };
+        assert_near("a_ISO", life_modification_factor(ratio, 0.2), clean, digits);
+    }
+    let factors = [95.0, 96.0, 97.0, 98.0, 99.0].map(reliability_factor);
+    assert_eq!(factors, [0.64, 0.55, 0.47, 0.37, 0.25]);
+}
+
+#[test]
+fn friction_of_a_6205_after_skf() {
+    let operation = SkfOperation {
+        boundary: [0.025, 0.052],
+        pitch_diameter: 38.5e-3,
+        static_rating: 7850.0,
+        loads: [1000.0, 0.0],
+        viscosity: 20e-6,
+        speed: 3000.0 * PER_MINUTE,
+        grease: false,
+    };
+    let series = SkfFriction::of_designation("6205").expect("a series");
+    let [rolling, sliding] = series.moment(&operation);
+    assert_near("N mm", 1e3 * (rolling + sliding), 20.631, 5.1e-4);
+    assert_eq!(SkfFriction::of_designation("7205C"), None);
+}
+
+#[test]
+fn viscosities_of_iso_vg_grades() {
+    // ASTM D2270: 73.30 and 8.86 mm²/s have the index 92, 22.83 and 5.05 mm²/s 156
+    let law = ViscosityLaw::of_grade(73.30e-6, 92.0);
+    assert_near("index 92", 1e6 * law.at(100.0), 8.86, 0.02);
+    let law = ViscosityLaw::of_grade(22.83e-6, 156.0);
+    assert_near("index 156", 1e6 * law.at(100.0), 5.05, 0.02);
+}
+
+#[test]
+fn equivalent_loads_of_iso_281() {
+    assert_eq!(equivalent_load(1000.0, 100.0, 0.0, 0.689), 1000.0);
+    assert_near("P", equivalent_load(1000.0, 800.0, 0.0, 1.38), 1720.0, 1e-9);
+    assert_near(
+        "P",
+        equivalent_load(0.0, 1000.0, 15f64.to_radians(), 1.38),
+        1190.0,
+        10.0,
+    );
+}
+
+/// A scenario of a pair of 7208C that is preloaded by 490 N, with a table after the bearing.
+fn pair(table: &str) -> crate::bearing::BearingState {
+    let text = format!(
+        "[shaft]\nmass = \"5 kg\"\nfreedoms = \"translational\"\n[speed]\nconstant = \"3000 rpm\"\n\
+         [[bearing]]\ncatalogue = \"7208C\"\narrangement = \"back-to-back\"\nspacing = \"100 mm\"\npreload = \"490 N\"\n\
+         {table}"
+    );
+    let scenario = Scenario::from_toml(&text).expect("a scenario");
+    let answer = crate::quasi_static::quasi_static(&scenario.question).expect("an answer");
+    answer.bearings[0].clone()
+}
+
+#[test]
+fn fits_raise_the_preload_of_a_pair_and_a_warm_shaft_lowers_it() {
+    let bare = pair("");
+    assert!(bare.geometry.estimated && bare.fit.is_none());
+    assert_near("N", bare.preload, 490.0, 1e-6);
+    let fitted = pair("[bearing.fit]\ninner_interference = \"5 um\"\n");
+    let fit = fitted.fit.expect("a fit");
+    assert!(fit.angle < fit.angle_before);
+    assert!(fitted.preload > 490.0, "{}", fitted.preload);
+    let [before, after] = fit.axial_offset.expect("a preset");
+    let shift = bare.geometry.contact_angle.sin() - fitted.geometry.contact_angle.sin();
+    // A = 0.05 D
+    let expected = 0.05 * bare.geometry.ball_diameter * shift;
+    assert_near("µm", (after - before) / 1e-6, expected / 1e-6, 1e-6);
+    // back to back, the shaft with its inner rings 10 K warmer: apart by α_T L/2 a side, and tighter by the rings
+    let warm =
+        pair("[bearing.fit]\nshaft_temperature = \"30 degC\"\ninner_temperature = \"20 degC\"\n");
+    let [before, after] = warm.fit.expect("a fit").axial_offset.expect("a preset");
+    let growth = -12.5e-6 * 10.0 * 0.05;
+    // the shaft grows into the ring as well, by 5 µm on 40 mm
+    let fit = warm.fit.expect("a fit");
+    assert_near("µm", fit.interference[0] / 1e-6, 5.0, 1e-9);
+    let turned = 0.05 * warm.geometry.ball_diameter * (fit.angle_before.sin() - fit.angle.sin());
+    assert_near(
+        "µm",
+        (after - before) / 1e-6,
+        (growth + turned) / 1e-6,
+        1e-6,
+    );
+}
+
+#[test]
+fn lives_with_oil_and_contamination() {
+    let oil = "[[load]]\nconstant = { y = \"-2000 N\" }\n";
+    let plain = pair(oil);
+    let lives = plain.rating_lives.expect("lives");
+    assert!(lives.modified.is_none());
+    let hours = lives.reference_hours.expect("hours");
+    assert_near(
+        "h",
+        hours,
+        lives.reference * 1e6 / (3000.0 * 60.0),
+        1e-6 * hours,
+    );
+    let table = format!(
+        "reliability = 95.0\n[bearing.oil]\niso_vg = 68.0\ntemperature = \"70 degC\"\ncontamination = \"normal\"\n{oil}"
+    );
+    let lives = pair(&table).rating_lives.expect("lives");
+    let modified = lives.modified.expect("a life");
+    let factor = modified.life_modification_factor.expect("a_ISO");
+    let load = 36_500.0 / lives.reference.cbrt();
+    let ratio = modified.viscosity_ratio.expect("κ");
+    let expected = life_modification_factor(ratio, 0.55 * modified.fatigue_load_limit / load);
+    assert_near("a_ISO", factor, expected, 1e-9);
+    assert_near(
+        "L5",
+        modified.life / (0.64 * factor * lives.reference),
+        1.0,
+        1e-12,
+    );
+}
+
+#[test]
+fn unbalance_as_people_have_it() {
+    let scene = |shaft: &str, planes: &str| {
+        let text = format!(
+            "[shaft]\nmass = \"8 kg\"\ninertia_transverse = \"0.05 kg m^2\"\ninertia_polar = \"0.01 kg m^2\"\n\
+             freedoms = \"all\"\n{shaft}\n[speed]\nconstant = \"1480 rpm\"\n\
+             [[bearing]]\ncatalogue = \"6205\"\nposition = \"-60 mm\"\n\
+             [[bearing]]\ncatalogue = \"6205-2RS/C3\"\nposition = \"60 mm\"\n{planes}"
+        );
+        Scenario::from_toml(&text).map(|scenario| scenario.question.rotor)
+    };
+    let force =
+        |shaft: &str, planes: &str| scene(shaft, planes).expect("a scenario").unbalance_force();
+    let speed = 1480.0 * PER_MINUTE;
+    let [x, y, ..] = force("unbalance = \"20 g mm\"", "");
+    assert_near("N", x, 20e-6 * speed * speed, 1e-12);
+    assert_eq!(y, 0.0);
+    // G 6.3: U = m G/ω
+    let [x, ..] = force("unbalance = \"G 6.3\"", "");
+    assert_near("N", x, 8.0 * 6.3e-3 * speed, 1e-9);
+    let planes = "[[unbalance]]\namount = \"10 g mm\"\nposition = \"50 mm\"\n\
+                  [[unbalance]]\namount = \"10 g mm\"\nposition = \"-50 mm\"\nangle = \"180 deg\"\n";
+    let [x, y, z, about_x, about_y] = force("", planes);
+    assert!(x.abs() + y.abs() + z.abs() < 1e-12);
+    assert!(about_x.abs() < 1e-12);
+    assert_near("N m", about_y, 2.0 * 10e-6 * 0.05 * speed * speed, 1e-12);
+    for wrong in [
+        "unbalance = \"20\"",
+        "unbalance = \"G x\"",
+        "unbalance = \"3 kg\"",
+    ] {
+        assert!(scene(wrong, "").is_err(), "{wrong}");
+    }
+}
