@@ -1,4 +1,5 @@
-//! What the benches of this crate measure from inside: for them alone, without any promise.
+//! What the benches of this crate measure from inside, and what its Python package calls: for them alone, without any
+//! promise.
 
 pub use crate::analysis::estimation::estimate;
 pub use crate::analysis::recording::{Recording, SampleGrid};
@@ -11,10 +12,29 @@ pub use crate::bearing::rotation::BearingRotation;
 pub use crate::bearing::support::Support;
 pub use crate::bearing::surface::Imperfections;
 pub use crate::integrate::System;
+pub use crate::report::accuracy::accuracy_findings;
+pub use crate::report::campbell::campbell_findings;
+pub use crate::report::destination::{Destination, Findings};
+pub use crate::report::many::{
+    Digest, MakeError, Making, StudyRuns, StudyWatch, merge as merge_study,
+};
+pub use crate::report::recorded::RunFindings;
+pub use crate::report::response::response_findings;
 pub use crate::report::run_tables::trace_columns;
+pub use crate::report::statics::answer_findings;
+pub use crate::report::steady::steady_findings;
+pub use crate::report::study::study_findings;
 #[cfg(feature = "parquet")]
 pub use crate::report::table::ParquetTable;
-pub use crate::report::table::{CsvTable, MatTable, Origin};
+pub use crate::report::table::{Column, ColumnKind, CsvTable, MatTable, Origin, Table};
+pub use crate::report::text::contact_choice_text;
 pub use crate::rotor::{MotionScale, Rotor, StaticProblem};
-pub use crate::scenario::key::time;
+pub use crate::scenario::TableFormat;
+pub use crate::scenario::document::written;
+pub use crate::scenario::key::{OpenNumber, method, speed, time};
+pub use crate::scenario::study_file::{StudyFile, load_study, parse_study};
 pub use crate::simulate::passes::BareRun;
+pub use crate::steady::response::{ResponseQuestion, response};
+pub use crate::study::accuracy::{Question as AccuracyQuestion, Watch as AccuracyWatch};
+pub use crate::study::campbell::{CampbellQuestion, check_range};
+pub use crate::study::many::Shard;

@@ -139,10 +139,14 @@ pub(crate) fn answer_on(
     })
 }
 
-/// Largest over smallest singular value of K of the free freedoms.
+/// Largest over smallest singular value of K of the free freedoms; 1 where there are none.
 fn condition(stiffness: &Matrix5, free: &[bool; FREEDOMS], arm: f64) -> f64 {
     let lengths = [1.0, 1.0, 1.0, arm, arm];
     let axes: Vec<usize> = (0..FREEDOMS).filter(|&axis| free[axis]).collect();
+    if axes.is_empty() {
+        // held all around: nothing is solved for
+        return 1.0;
+    }
     let scaled = DMatrix::from_fn(axes.len(), axes.len(), |row, column| {
         let (row, column) = (axes[row], axes[column]);
         stiffness[(row, column)] / (lengths[row] * lengths[column])

@@ -18,7 +18,7 @@ use crate::scenario::Scenario;
 use crate::simulate::{
     Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, StateKeeper, simulate_part,
 };
-use crate::study::campbell::{Campbell, CampbellQuestion};
+use crate::study::campbell::along_run_up;
 
 /// Runs scenarios and writes their traces, spectra and figures.
 #[derive(Debug, clap::Args)]
@@ -65,9 +65,6 @@ impl Arguments {
         format!("jeffcott run {file}{out}{verify}{written} --resume")
     }
 }
-
-/// Speeds of the diagram of a run-up.
-const CAMPBELL_SPEEDS: usize = 61;
 
 /// Checks all files, then runs them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
@@ -167,26 +164,6 @@ impl Motion<'_> {
         }
     }
 
-    /// Natural frequencies up to the highest speed, where the run is mapped; where there is no diagram the run
-    /// tells why.
-    fn campbell(&self, run: &mut Run) -> Option<Campbell> {
-        let highest = self.model.rotor.highest_speed();
-        let maps = run.maps.as_ref().filter(|_| highest > 0.0)?;
-        let orders = maps.tracks.orders.iter();
-        let question = CampbellQuestion {
-            rotor: self.model.rotor.clone(),
-            from: 0.0,
-            to: highest,
-            count: CAMPBELL_SPEEDS,
-            orders: orders.map(|order| order.order).collect(),
-        };
-        let refused = |error| {
-            let warning = format!("there is no diagram of natural frequencies: {error}");
-            run.warnings.push(warning);
-        };
-        question.solve().map_err(refused).ok()
-    }
-
     fn finish(
         &self,
         report: RunReport,
@@ -200,7 +177,7 @@ impl Motion<'_> {
             contact_choice,
             ..
         } = &self.job.scenario;
-        let campbell = self.campbell(&mut run);
+        let campbell = along_run_up(&self.model, &mut run);
         self.job.warn(&run.warnings);
         let files = report
             .with_campbell(campbell.clone())

@@ -2,7 +2,6 @@
 
 use std::io;
 use std::num::NonZeroUsize;
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Instant;
@@ -14,12 +13,13 @@ use super::jobs::{folder_of, name_of};
 use super::terminal::Progress;
 use super::{Outcome, terminal};
 use crate::report::many::{
-    Digest, JournalError, Layout, MergeError, StudyReport, merge as merge_parts,
+    Digest, JournalError, MakeError, Making, MergeError, StudyRuns, StudyWatch,
+    merge as merge_parts,
 };
 use crate::report::{self, Outputs, RunReport};
 use crate::scenario::{self, StudyFile};
 use crate::simulate::{Monitor, RunSize, simulate};
-use crate::study::many::{Maker, Schedule, Shard, Unmade, work};
+use crate::study::many::Shard;
 
 /// Makes many runs of one scenario: grids, samples, sweeps.
 #[derive(Debug, clap::Args)]
@@ -152,10 +152,12 @@ impl From<io::Error> for Failure {
     }
 }
 
-impl From<JournalError> for Failure {
-    fn from(error: JournalError) -> Self {
+impl From<MakeError> for Failure {
+    fn from(error: MakeError) -> Self {
         match error {
-            JournalError::Other { .. } | JournalError::Unreadable { .. } => {
+            MakeError::First(_)
+            | MakeError::NoPart { .. }
+            | MakeError::Journal(JournalError::Other { .. } | JournalError::Unreadable { .. }) => {
                 Self::Wrong(error.to_string())
             }
             _ => failed(error),
@@ -163,140 +165,55 @@ impl From<JournalError> for Failure {
     }
 }
 
-impl From<Unmade> for Failure {
-    fn from(unmade: Unmade) -> Self {
-        match unmade {
-            Unmade::Stopped => interrupted(),
-            Unmade::Trace(error) => failed(format!(
-                "{error}; with that mended the same command goes on from what is done"
-            )),
-        }
-    }
-}
-
-fn interrupted() -> Failure {
-    failed("interrupted; the same command goes on from what is done")
-}
-
 /// A checked study and what is asked of it.
 struct Task<'a> {
     study: &'a StudyFile,
     make: &'a Make,
     folder: PathBuf,
-    schedule: Schedule,
-    freedoms: usize,
-    /// Of the first run, if it can begin.
-    size: Option<RunSize>,
+    runs: StudyRuns<'a>,
 }
 
 impl<'a> Task<'a> {
     fn new(study: &'a StudyFile, make: &'a Make, folder: PathBuf) -> Result<Self, Failure> {
-        let plan = &study.plan;
-        let points = plan.runs().unwrap_or(u64::MAX);
-        let last = plan.axes().last().map_or(1, |axis| axis.length());
-        let first = study.model(&plan.values(0));
-        let model = first.map_err(|error| {
-            let message = error.message;
-            Failure::Wrong(format!(
-                "the first point of the study is no scenario: {message}"
-            ))
-        })?;
-        let freedoms = model.rotor.shaft.freedoms.count();
         Ok(Self {
             study,
             make,
             folder,
-            schedule: Schedule::new(points, last, study.sweep),
-            freedoms,
-            size: RunSize::of(&model).ok(),
+            runs: StudyRuns::new(study)?,
         })
     }
 
     fn run(&self) -> Result<Outcome, Failure> {
-        let model = |values: &[f64]| self.study.model(values).map_err(|error| error.message);
-        let maker = Maker {
-            plan: &self.study.plan,
-            schedule: self.schedule,
-            keep: self.study.keep,
-            verify_every: self.study.verify_every,
-            traces: None,
-            columns: &self.study.columns,
-            model: &model,
-            stop: terminal::stop(),
-        };
         match self.make.only {
-            Some(number) => self.only(number, &maker),
-            None => self.all(&maker),
+            Some(number) => self.only(number),
+            None => self.all(),
         }
     }
 
-    fn all(&self, maker: &Maker<'_>) -> Result<Outcome, Failure> {
+    fn all(&self) -> Result<Outcome, Failure> {
         let started = Instant::now();
-        let shard = self.make.shard.unwrap_or(Shard::WHOLE);
-        if let Some(size) = &self.size {
-            check_memory(size, self.threads()).map_err(Failure::Wrong)?;
+        // what keeps the first run from beginning it tells itself
+        if let Ok(size) = RunSize::of(&self.runs.first) {
+            check_memory(&size, self.threads()).map_err(Failure::Wrong)?;
         }
-        let most = self.schedule.chains();
-        if shard.count > most.max(1) {
-            let Shard { number, count } = shard;
-            return Err(Failure::Wrong(format!(
-                "there is no part {number} of {count}: the study has {most} to share at most"
-            )));
-        }
-        let layout = Layout {
-            variables: &self.study.variables,
-            columns: &self.study.columns,
-            freedoms: self.freedoms,
-            keep: self.study.keep,
-        };
-        let (title, identity) = (&self.study.title, self.study.echo.clone());
-        let part = (shard, &self.schedule);
-        let anew = self.make.restart;
-        let mut report = StudyReport::open(&self.folder, title, identity, layout, part, anew)?;
-        let chains = shard.chains(&self.schedule);
-        let count = chains.end - chains.start;
-        let kept = report.done().clone();
-        let is_done = |chain: &u64| kept.holds(*chain);
-        let mut done = chains.clone().filter(is_done).count() as u64;
-        if done > 0 {
-            let runs = chains.clone().filter(is_done);
-            let runs: u64 = runs.map(|chain| self.runs_of(chain..chain + 1)).sum();
-            terminal::remark(&format!("going on behind {runs} runs that are done\n"));
-        }
-        let traces = report.traces().map_err(failed)?;
-        let keep = |run| match &traces {
-            Some(traces) => traces.begin(run),
-            None => Err(io::ErrorKind::Unsupported.into()),
-        };
-        let maker = Maker {
-            traces: traces.is_some().then_some(&keep),
-            ..*maker
+        let title = &self.study.title;
+        let making = Making {
+            folder: &self.folder,
+            shard: self.make.shard.unwrap_or(Shard::WHOLE),
+            threads: self.threads(),
+            anew: self.make.restart,
         };
         let mut progress = Progress::new(title);
-        work(
-            chains.filter(|chain| !is_done(chain)),
-            self.threads(),
-            terminal::stop(),
-            |chain| maker.chain(chain),
-            |chain, records| -> Result<(), Failure> {
-                let records = match records {
-                    Ok(records) => records,
-                    // it is made again when the study goes on
-                    Err(Unmade::Stopped) => return Ok(()),
-                    Err(unmade) => return Err(unmade.into()),
-                };
-                report.add(chain, &records).map_err(failed)?;
-                done += 1;
-                progress.show(done as f64 / count as f64);
-                Ok(())
+        let mut watch = StudyWatch {
+            stop: terminal::stop(),
+            resumed: &mut |runs| {
+                terminal::remark(&format!("going on behind {runs} runs that are done\n"));
             },
-        )?;
+            progress: &mut |part| progress.show(part),
+        };
+        let (files, digest) = self.runs.make(&making, &mut watch)?;
         drop(progress);
-        if done < count {
-            return Err(interrupted());
-        }
-        let (files, digest) = report.finish().map_err(failed)?;
-        let runs = self.runs_of(shard.chains(&self.schedule));
+        let runs = self.runs.runs_of(making.shard.chains(&self.runs.schedule));
         let seconds = started.elapsed().as_secs_f64();
         if self.make.open {
             terminal::open_page(&files);
@@ -309,12 +226,6 @@ impl<'a> Task<'a> {
         Ok(outcome)
     }
 
-    /// Number of runs of some chains.
-    fn runs_of(&self, chains: Range<u64>) -> u64 {
-        let runs = self.schedule.runs_of(chains);
-        runs.end - runs.start
-    }
-
     /// Threads that make runs: as many as asked for, or as the machine has.
     fn threads(&self) -> usize {
         let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
@@ -322,16 +233,20 @@ impl<'a> Task<'a> {
     }
 
     /// Makes one run with all its files.
-    fn only(&self, number: u64, maker: &Maker<'_>) -> Result<Outcome, Failure> {
-        let last = self.schedule.runs().saturating_sub(1);
+    fn only(&self, number: u64) -> Result<Outcome, Failure> {
+        let schedule = self.runs.schedule;
+        let last = schedule.runs().saturating_sub(1);
         if number > last {
             let message = format!("there is no run {number}: they count from 0 to {last}");
             return Err(Failure::Wrong(message));
         }
         let no_run = |message| failed(format!("run {number}: {message}"));
-        let model = maker.alone(number)?.map_err(no_run)?;
+        let model = |values: &[f64]| self.study.model(values).map_err(|error| error.message);
+        let maker = self.study.maker(schedule, &model, terminal::stop());
+        let alone = maker.alone(number).map_err(MakeError::from)?;
+        let model = alone.map_err(no_run)?;
         let title = format!("{}, run {number}", self.study.title);
-        let turn = self.schedule.chain(self.schedule.chain_of(number));
+        let turn = schedule.chain(schedule.chain_of(number));
         let point = turn
             .filter(|turn| turn.number == number)
             .map(|turn| turn.point)
@@ -350,7 +265,8 @@ impl<'a> Task<'a> {
         let scenario = self.study.scenario(&values);
         let scenario = scenario.map_err(|error| no_run(error.message))?;
         let folder = self.folder.join(format!("run-{number}"));
-        let report = RunReport::open(&folder, outputs, &title, scenario, self.freedoms);
+        let freedoms = self.runs.first.rotor.shaft.freedoms.count();
+        let report = RunReport::open(&folder, outputs, &title, scenario, freedoms);
         let mut report = report.map_err(failed)?;
         let mut progress = Progress::new(&title);
         let mut monitor = Monitor {

@@ -9,10 +9,7 @@ use super::{Destination, FileSet, Findings};
 use crate::study::accuracy::{Accuracy, Agreement, Cost, Errors, FidelityRow, Measured, Row};
 
 /// Reference, methods and ladder of a measurement.
-pub fn accuracy_findings<'a>(
-    destination: &Destination<'_>,
-    accuracy: &'a Accuracy,
-) -> Findings<'a> {
+pub fn accuracy_findings(destination: &Destination<'_>, accuracy: &Accuracy) -> Findings {
     let title = destination.title;
     let mut text = Lines::titled(title);
     put_reference(&mut text, &accuracy.agreement);

@@ -13,10 +13,7 @@ use crate::rotor::{Mode, Whirl};
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
 
 /// Branches and critical speeds.
-pub fn campbell_findings<'a>(
-    destination: &Destination<'_>,
-    campbell: &'a Campbell,
-) -> Findings<'a> {
+pub fn campbell_findings(destination: &Destination<'_>, campbell: &Campbell) -> Findings {
     let mut text = Lines::titled(destination.title);
     put_branches(&mut text, campbell);
     if campbell.critical_speeds.is_empty() {

@@ -34,7 +34,7 @@ impl Destination<'_> {
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn.
-    pub fn write(&self, findings: Findings<'_>) -> Result<Written, ReportError> {
+    pub fn write(&self, findings: Findings) -> Result<Written, ReportError> {
         let origin = Origin {
             scenario: self.scenario.to_string(),
         };
@@ -58,18 +58,39 @@ impl Destination<'_> {
 }
 
 /// What a verb has found, in every form in which it is told.
-#[derive(Debug)]
-pub struct Findings<'a> {
+#[derive(Debug, Clone)]
+pub struct Findings {
     /// The files that it is made of.
     pub(super) set: FileSet,
     /// Tables by their names without ending.
-    pub(super) tables: Vec<(&'static str, Table<'a>)>,
+    pub tables: Vec<(&'static str, Table<'static>)>,
     /// Figures.
     pub(super) figures: Vec<Figure>,
     /// The document that seals the files.
-    pub(super) document: Value,
+    pub document: Value,
     /// What people read.
     pub(super) text: Lines,
+}
+
+impl Findings {
+    /// What people read.
+    pub fn text(&self) -> &str {
+        self.text.as_str()
+    }
+
+    /// Names of the figures, without ending.
+    pub fn figures(&self) -> impl Iterator<Item = &str> {
+        self.figures.iter().map(Figure::name)
+    }
+
+    /// A figure by its name as SVG; none where no figure is called so.
+    ///
+    /// # Errors
+    /// [`ReportError::Draw`] where the drawing library fails.
+    pub fn figure(&self, name: &str) -> Result<Option<String>, ReportError> {
+        let found = self.figures.iter().find(|figure| figure.name() == name);
+        found.map(Figure::svg).transpose()
+    }
 }
 
 /// Findings whose files are written.

@@ -1,10 +1,10 @@
 //! From results to files: CSV, JSON, SVG figures, a few lines for the terminal, and comparison.
 
-mod accuracy;
-mod campbell;
+pub(crate) mod accuracy;
+pub(crate) mod campbell;
 mod checksum;
 pub mod compare;
-mod destination;
+pub(crate) mod destination;
 mod envelope;
 mod error;
 mod estimate;
@@ -14,18 +14,19 @@ mod histories;
 pub(crate) mod many;
 mod motion;
 mod page;
-mod response;
+pub(crate) mod recorded;
+pub(crate) mod response;
 mod restart;
 mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
 mod spectra;
-mod statics;
-mod steady;
-mod study;
+pub(crate) mod statics;
+pub(crate) mod steady;
+pub(crate) mod study;
 pub(crate) mod table;
 mod terminal;
-mod text;
+pub(crate) mod text;
 
 pub(crate) use accuracy::accuracy_findings;
 pub(crate) use campbell::campbell_findings;

@@ -14,11 +14,11 @@ use crate::steady::{Response, ResponsePoint, Swing};
 use crate::study::Variable;
 
 /// Branches of steady motions along a parameter.
-pub fn response_findings<'a>(
+pub fn response_findings(
     destination: &Destination<'_>,
     variable: &Variable,
-    branches: &'a [Response],
-) -> Findings<'a> {
+    branches: &[Response],
+) -> Findings {
     let title = destination.title;
     Findings {
         set: FileSet::RESPONSE,

@@ -212,7 +212,15 @@ impl RunReport {
         let summary = RunSummary::new(model, run, choice, campbell);
         let summary = document(&self.title, &self.scenario, summary);
         let mut files = Vec::new();
-        let figures = self.figures(run);
+        let figures = match self.outputs.figures {
+            true => figures(
+                &self.title,
+                run,
+                self.histories.as_ref(),
+                self.campbell.as_ref(),
+            ),
+            false => Vec::new(),
+        };
         let streamed = self.tables.into_iter().map(|table| table.files);
         for table in streamed.chain(self.balls).chain(self.events) {
             files.extend(table.close()?);
@@ -236,33 +244,33 @@ impl RunReport {
         self.folder
             .commit(files, format!("{summary:#}\n").as_bytes())
     }
+}
 
-    /// What is drawn of a run.
-    fn figures(&self, run: &Run) -> Vec<Figure> {
-        let title = &self.title;
-        if !self.outputs.figures {
-            return Vec::new();
-        }
-        let trace = self.histories.iter();
-        let mut figures: Vec<_> = trace
-            .map(|histories| histories.figure("trace.svg", title))
-            .collect();
-        let spectrum = run.spectrum.iter();
-        figures.extend(spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks)));
-        let motion = run.motion.iter();
-        figures.extend(motion.map(|motion| orbit_figure(title, motion)));
-        figures.extend(run.maps.iter().flat_map(|maps| maps_figures(title, maps)));
-        let campbell = self.campbell.iter();
-        figures.extend(campbell.map(|campbell| campbell::figure(title, campbell)));
-        let limit = frequency_limit_of(run);
-        let spectra = run.spectra.iter();
-        figures.extend(spectra.map(|spectrum| estimated_figure(title, spectrum, limit)));
-        figures
-    }
+/// What is drawn of a run.
+pub(super) fn figures(
+    title: &str,
+    run: &Run,
+    histories: Option<&Histories>,
+    campbell: Option<&Campbell>,
+) -> Vec<Figure> {
+    let trace = histories.iter();
+    let mut figures: Vec<_> = trace
+        .map(|histories| histories.figure("trace.svg", title))
+        .collect();
+    let spectrum = run.spectrum.iter();
+    figures.extend(spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks)));
+    let motion = run.motion.iter();
+    figures.extend(motion.map(|motion| orbit_figure(title, motion)));
+    figures.extend(run.maps.iter().flat_map(|maps| maps_figures(title, maps)));
+    figures.extend(campbell.map(|campbell| campbell::figure(title, campbell)));
+    let limit = frequency_limit_of(run);
+    let spectra = run.spectra.iter();
+    figures.extend(spectra.map(|spectrum| estimated_figure(title, spectrum, limit)));
+    figures
 }
 
 /// Tables of a run that are known at its end, but for the waterfall, which is too long to be held twice.
-fn tables<'a>(
+pub(super) fn tables<'a>(
     run: &'a Run,
     with_spectrum: bool,
     campbell: Option<&'a Campbell>,

@@ -54,10 +54,13 @@ fn put_row(channels: impl Iterator<Item = Channel>, sample: &Sample, row: &mut V
     row.extend(channels.map(|channel| channel.of(sample).unwrap_or(f64::NAN)));
 }
 
-/// A whole trace that is there as samples.
-pub(super) fn trace_table(samples: &[Sample]) -> Table<'static> {
+/// Channels of samples that are there, a row a sample.
+pub(super) fn sample_table(
+    samples: &[Sample],
+    channels: impl IntoIterator<Item = Channel>,
+) -> Table<'static> {
     let mut table = Table::default();
-    for channel in Channel::of_trace() {
+    for channel in channels {
         let values = samples.iter().map(|sample| channel.of(sample));
         table.add(column(channel), values);
     }

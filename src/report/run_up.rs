@@ -1,5 +1,7 @@
 //! A run whose speed changes: its waterfall and its order tracks.
 
+use std::io;
+
 use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinct, graded};
@@ -78,26 +80,49 @@ impl<'a> From<&'a Maps> for MapsSummary<'a> {
     }
 }
 
-/// Writes time, mean speed and frequency, then the amplitude of every channel.
+/// Writes the waterfall, which is too long to be held twice.
 pub(super) fn write_waterfall(
     waterfall: &Waterfall,
     folder: &RunFolder,
 ) -> Result<Vec<WholeFile>, ReportError> {
+    let mut files = TableFiles::open(folder, "waterfall", &waterfall_columns(waterfall))?;
+    let written = waterfall_rows(waterfall, &mut |row| files.row(row));
+    written.map_err(ReportError::file(FileAction::Write, folder.path()))?;
+    files.close()
+}
+
+/// The same in memory.
+pub(super) fn waterfall_table(waterfall: &Waterfall) -> io::Result<Table<'static>> {
+    let columns = waterfall_columns(waterfall);
+    Table::of_rows(&columns, |take| waterfall_rows(waterfall, take))
+}
+
+/// Time, mean speed and frequency, then the amplitude of every channel.
+fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
     let mut columns = ["t_s", "speed_rad_s", "f_Hz"].map(Column::number).to_vec();
     let channels = waterfall.channels.iter();
     columns.extend(channels.map(|channel| Column::number(amplitude_column(*channel))));
-    let mut files = TableFiles::open(folder, "waterfall", &columns)?;
+    columns
+}
+
+/// Gives the rows one by one, spectrum by spectrum.
+///
+/// # Errors
+/// What `take` answers.
+fn waterfall_rows(
+    waterfall: &Waterfall,
+    take: &mut dyn FnMut(&[f64]) -> io::Result<()>,
+) -> io::Result<()> {
     let mut row = Vec::new();
     for slice in &waterfall.slices {
         for k in 0..waterfall.bins() {
             row.clear();
             row.extend([slice.time, slice.speed, k as f64 * waterfall.resolution]);
             row.extend(slice.amplitude.iter().map(|amplitude| amplitude[k]));
-            let written = files.row(&row);
-            written.map_err(ReportError::file(FileAction::Write, folder.path()))?;
+            take(&row)?;
         }
     }
-    files.close()
+    Ok(())
 }
 
 /// Height of a plot, px.

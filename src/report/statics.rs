@@ -12,7 +12,7 @@ use crate::quasi_static::QuasiStatic;
 use crate::rotor::FREEDOMS;
 
 /// Equilibrium, stiffness and every bearing with its balls.
-pub fn answer_findings<'a>(destination: &Destination<'_>, answer: &'a QuasiStatic) -> Findings<'a> {
+pub fn answer_findings(destination: &Destination<'_>, answer: &QuasiStatic) -> Findings {
     let title = destination.title;
     Findings {
         set: FileSet::BEARING,

@@ -7,21 +7,18 @@ use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::histories::Histories;
-use super::run_tables::trace_table;
+use super::run_tables::sample_table;
 use super::spectra::{amplitude_column, phase_column};
 use super::table::Table;
 use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_unit};
 use super::{Destination, FileSet, Findings};
+use crate::analysis::Channel;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
 use crate::steady::{Base, Measured, Steady, SteadyLine, SteadyLines};
 
 /// A steady motion: its trace, its spectrum, its stability and its error.
-pub fn steady_findings<'a>(
-    destination: &Destination<'_>,
-    model: &Model,
-    steady: &'a Steady,
-) -> Findings<'a> {
+pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Findings {
     let title = destination.title;
     let mut histories = Histories::new(model.rotor.shaft.freedoms.count());
     steady
@@ -35,7 +32,10 @@ pub fn steady_findings<'a>(
     Findings {
         set: FileSet::STEADY,
         tables: vec![
-            ("steady_trace", trace_table(&steady.trace)),
+            (
+                "steady_trace",
+                sample_table(&steady.trace, Channel::of_trace()),
+            ),
             ("steady_spectrum", line_table(steady, model.rotor.speed)),
         ],
         figures: vec![

@@ -15,11 +15,7 @@ use crate::scenario::si_units;
 use crate::study::{Study, StudyRow, Variable};
 
 /// The answers of a study, and the bearings all around; the numbers stand in the tables alone.
-pub fn study_findings<'a>(
-    destination: &Destination<'_>,
-    study: &Study,
-    rows: &'a [StudyRow],
-) -> Findings<'a> {
+pub fn study_findings(destination: &Destination<'_>, study: &Study, rows: &[StudyRow]) -> Findings {
     let (title, variable) = (destination.title, &study.variable);
     Findings {
         set: FileSet::STUDY,

@@ -43,7 +43,7 @@ pub fn tell_details() {
 const INDENT: usize = 16;
 
 /// Lines for people, one below the other.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Lines(String);
 
 impl Lines {
@@ -89,6 +89,11 @@ impl Lines {
     /// The files that were written, and all as one text.
     pub fn wrote(self, files: &[PathBuf]) -> String {
         self.0 + &wrote(files)
+    }
+
+    /// All as one text.
+    pub fn as_str(&self) -> &str {
+        &self.0
     }
 
     /// All as one text.

@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
+use serde_json::Value;
+
 use super::node::{Node, read_json, read_toml};
 use super::problems::Problems;
 use super::{Format, Issue, ScenarioError};
@@ -23,6 +25,15 @@ pub(super) struct Document {
     pub name: String,
     text: String,
     root: Node,
+}
+
+/// What a text says, unchecked: its tables and values as they are written, without defaults.
+///
+/// # Errors
+/// [`ScenarioError`] where it is no TOML or JSON.
+pub fn written(text: &str, name: &str, format: Format) -> Result<Value, ScenarioError> {
+    let document = Document::parse(text, name, format)?;
+    Ok(Value::from(&document.root))
 }
 
 impl Document {

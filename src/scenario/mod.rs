@@ -13,7 +13,7 @@
 
 mod axis;
 pub(crate) mod catalogue_file;
-mod document;
+pub(crate) mod document;
 mod input;
 pub(crate) mod key;
 mod node;
@@ -22,7 +22,7 @@ mod quantity;
 mod reader;
 mod schema;
 mod series_file;
-mod study_file;
+pub(crate) mod study_file;
 mod tolerance_file;
 
 use std::path::Path;
@@ -41,7 +41,9 @@ use node::Node;
 use problems::Problems;
 
 pub(crate) use document::{STDIN, STDIN_NAME};
-pub(crate) use input::{Output, TableFormat};
+pub(crate) use input::Output;
+#[doc(hidden)]
+pub use input::TableFormat;
 pub use key::methods;
 pub(crate) use key::{OpenNumber, method, number, speed, time, tolerance};
 pub use problems::{Issue, ScenarioError};
@@ -136,7 +138,8 @@ pub(crate) fn ratings<'a>(
     }
 }
 
-/// Reads and checks the text of a scenario; `name` is what messages call it.
+/// Reads and checks the text of a scenario; `name` is what messages call it, and files that it names are looked for
+/// from the folder of that path.
 ///
 /// # Errors
 /// [`ScenarioError`] with everything that is wrong.
@@ -265,6 +268,12 @@ impl Scenario {
     /// [`ScenarioError`] with everything that is wrong.
     pub fn from_toml(text: &str) -> Result<Self, ScenarioError> {
         parse(text, "scenario.toml", Format::Toml)
+    }
+
+    /// Formats that it asks for its tables to be written in.
+    #[doc(hidden)]
+    pub fn formats(&self) -> &[TableFormat] {
+        &self.output.formats
     }
 
     /// Runs it and keeps all samples in memory; writes no file.

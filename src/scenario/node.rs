@@ -72,6 +72,26 @@ impl From<&Value> for Node {
     }
 }
 
+impl From<&Node> for Value {
+    /// The value without its places; a date, which no key takes, is null.
+    fn from(node: &Node) -> Self {
+        match &node.content {
+            Content::Text(text) => text.as_str().into(),
+            Content::Integer(integer) => (*integer).into(),
+            Content::Number(number) => (*number).into(),
+            Content::Switch(switch) => (*switch).into(),
+            Content::Date | Content::Null => Self::Null,
+            Content::List(items) => items.iter().map(Self::from).collect(),
+            Content::Table(entries) => {
+                let entries = entries.iter();
+                entries
+                    .map(|entry| (entry.key.clone(), Self::from(&entry.node)))
+                    .collect()
+            }
+        }
+    }
+}
+
 impl Content {
     /// What the value is called in messages.
     pub fn kind(&self) -> &'static str {

@@ -1,6 +1,7 @@
 //! Study files: many runs of one scenario.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -11,11 +12,11 @@ use super::document::Document;
 use super::key::{Key, KeyPaths, all_keys, number_keys, put};
 use super::problems::Problems;
 use super::schema::schema_of;
-use super::{Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
+use super::{Format, Issue, Scenario, ScenarioError, echo, key, questions, reader, without};
 use crate::analysis::SectionKind;
 use crate::simulate::Model;
 use crate::study::Variable;
-use crate::study::many::{Cycles, Keep, NumberColumn, Sweep, number_columns};
+use crate::study::many::{Cycles, Keep, Maker, NumberColumn, Schedule, Sweep, number_columns};
 use crate::study::plan::{Axis, MOST_RUNS, MOST_SOBOL_AXES, Plan, Sampling};
 
 /// Tables of a scenario that say nothing of its motion.
@@ -77,6 +78,32 @@ pub(super) fn check_study(document: &Document) -> Result<StudyFile, ScenarioErro
     }
     let mut problems = document.problems().about("the study");
     let study = build(document, &mut problems)?;
+    let (issues, _) = problems.finish();
+    match study {
+        Some(study) if issues.is_empty() => Ok(study),
+        _ => Err(document.error(issues)),
+    }
+}
+
+/// Reads and checks the text of a study of a scenario that is there already, whatever `base` says; the files that
+/// the scenario names stand in `folder`.
+///
+/// # Errors
+/// [`ScenarioError`] with everything that is wrong.
+pub fn parse_study(
+    text: &str,
+    format: Format,
+    scenario: &Scenario,
+    folder: &Path,
+) -> Result<StudyFile, ScenarioError> {
+    let document = Document::parse(text, "study", format)?;
+    let mut problems = document.problems().about("the study");
+    let input: Option<StudyFileInput> = reader::read(study_schema(), &mut problems);
+    let study = input.and_then(|input| {
+        super::check_title(input.title.as_deref(), &mut problems);
+        let title = input.title.as_ref().unwrap_or(&scenario.title).clone();
+        input.study(scenario, title, folder.to_owned(), &mut problems)
+    });
     let (issues, _) = problems.finish();
     match study {
         Some(study) if issues.is_empty() => Ok(study),
@@ -340,6 +367,25 @@ impl StudyFile {
             }
         }
         Ok(scenario)
+    }
+
+    /// What makes its runs, without traces; `model` gives the motion of a run's values.
+    pub(crate) fn maker<'a>(
+        &'a self,
+        schedule: Schedule,
+        model: &'a (dyn Fn(&[f64]) -> Result<Model, String> + Sync),
+        stop: &'a AtomicBool,
+    ) -> Maker<'a> {
+        Maker {
+            plan: &self.plan,
+            schedule,
+            keep: self.keep,
+            verify_every: self.verify_every,
+            traces: None,
+            columns: &self.columns,
+            model,
+            stop,
+        }
     }
 
     /// The motion of a run.

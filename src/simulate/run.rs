@@ -6,15 +6,18 @@ use std::sync::atomic::AtomicBool;
 use serde::Serialize;
 
 use super::{
-    BearingHistory, EnergyReport, Maps, Model, Monitor, SimulateError, TableUse, TraceSink,
-    simulate,
+    BearingHistory, EnergyReport, Event, Maps, Model, Monitor, SimulateError, TableUse, TraceSink,
+    sampling, simulate,
 };
-use crate::analysis::{Channel, ChannelSpectrum, EstimatedSpectrum, Motion, Peak, Spectrum};
+use crate::analysis::{
+    Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Motion, Peak, Spectrum,
+    SpectrumRequest, estimate,
+};
 use crate::bearing::BearingState;
 use crate::integrate::{Counters, MethodUse};
 use crate::keys;
 use crate::physics::BallPass;
-use crate::rotor::{FREEDOMS, NaturalFrequency, Rotor, Sample};
+use crate::rotor::{BallContacts, FREEDOMS, NaturalFrequency, Rotor, Sample};
 
 /// The static equilibrium that the run starts from, or is linearised about.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -153,6 +156,10 @@ pub struct RecordedRun {
     pub run: Run,
     /// The samples, in the order of time.
     pub samples: Vec<Sample>,
+    /// The events, likewise.
+    pub events: Vec<Event>,
+    /// The balls of all bearings at every sample, where asked for.
+    pub balls: Vec<BallContacts>,
 }
 
 /// A name that is that of no column.
@@ -171,15 +178,76 @@ impl RecordedRun {
     /// # Errors
     /// [`SimulateError`].
     pub(crate) fn of(model: &Model) -> Result<Self, SimulateError> {
-        let mut samples = Samples(Vec::new());
         let stop = AtomicBool::new(false);
         let mut monitor = Monitor {
             stop: &stop,
             progress: &mut |_part| {},
         };
-        let run = simulate(model, &mut samples, &mut monitor)?;
-        let Samples(samples) = samples;
-        Ok(Self { run, samples })
+        Self::watched(model, false, &mut monitor)
+    }
+
+    /// The same while somebody watches, and with all balls where `balls` says so.
+    ///
+    /// # Errors
+    /// [`SimulateError`].
+    pub(crate) fn watched(
+        model: &Model,
+        balls: bool,
+        monitor: &mut Monitor<'_>,
+    ) -> Result<Self, SimulateError> {
+        let mut keeper = Keeper {
+            balls: balls.then(Vec::new),
+            ..Keeper::default()
+        };
+        let run = simulate(model, &mut keeper, monitor)?;
+        Ok(Self {
+            run,
+            samples: keeper.samples,
+            events: keeper.events,
+            balls: keeper.balls.unwrap_or_default(),
+        })
+    }
+
+    /// Gives everything to a sink as the run did.
+    ///
+    /// # Errors
+    /// What the sink answers.
+    pub(crate) fn replay(&self, sink: &mut dyn TraceSink) -> io::Result<()> {
+        let mut events = self.events.iter().peekable();
+        for (index, sample) in self.samples.iter().enumerate() {
+            sink.sample(sample)?;
+            if let Some(balls) = self.balls.get(index) {
+                sink.balls(sample, balls)?;
+            }
+            while let Some(event) = events.next_if(|event| event.time <= sample.time) {
+                sink.event(event)?;
+            }
+        }
+        events.try_for_each(|event| sink.event(event))
+    }
+
+    /// Spectra of the samples that the run, which was one of `model`, was not asked for.
+    ///
+    /// # Errors
+    /// [`SimulateError`] where the shaft cannot be assembled.
+    pub(crate) fn estimated(
+        &self,
+        model: &Model,
+        spectra: Vec<SpectrumRequest>,
+    ) -> Result<Vec<Result<EstimatedSpectrum, EstimateError>>, SimulateError> {
+        let model = Model {
+            spectrum: None,
+            spectra,
+            ..model.clone()
+        };
+        let rotor = Rotor::assemble(&model.rotor)?;
+        let Some(mut recording) = sampling::recording(&model, &rotor) else {
+            return Ok(Vec::new());
+        };
+        let samples = self.samples.iter();
+        samples.for_each(|sample| recording.record(sample));
+        let requests = model.spectra.iter();
+        Ok(requests.map(|one| estimate(&recording, one)).collect())
     }
 
     /// A column of the samples by its name in the files without the unit, SI units: `t`, `x`, `tilt_x`,
@@ -215,16 +283,37 @@ fn named(name: &str) -> Result<Channel, UnknownColumn> {
     })
 }
 
-/// Keeps all samples.
-struct Samples(Vec<Sample>);
+/// Keeps all samples, events and, where asked for, balls.
+#[derive(Default)]
+struct Keeper {
+    samples: Vec<Sample>,
+    events: Vec<Event>,
+    balls: Option<Vec<BallContacts>>,
+}
 
-impl TraceSink for Samples {
+impl TraceSink for Keeper {
     fn needs_acceleration(&self) -> bool {
         true
     }
 
+    fn needs_contact_angles(&self) -> bool {
+        self.balls.is_some()
+    }
+
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        self.0.push(*sample);
+        self.samples.push(*sample);
+        Ok(())
+    }
+
+    fn balls(&mut self, _sample: &Sample, balls: &BallContacts) -> io::Result<()> {
+        if let Some(kept) = &mut self.balls {
+            kept.push(balls.clone());
+        }
+        Ok(())
+    }
+
+    fn event(&mut self, event: &Event) -> io::Result<()> {
+        self.events.push(*event);
         Ok(())
     }
 }

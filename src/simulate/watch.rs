@@ -74,7 +74,7 @@ pub enum SimulateError {
     #[error(
         "bearing {bearing}: at t = {time:.4e} s a ball carries {load:.3e} N and its contact gives way by {:.2} mm, more \
          than the radius of the ball, {:.2} mm: no bearing bears that; check the loads, shocks and base \
-         motion of the scenario and at their units",
+         motion of the scenario and their units",
         1e3 * approach, 1e3 * radius
     )]
     BeyondContact {

@@ -6,7 +6,7 @@
 mod error;
 mod lines;
 mod periods;
-mod response;
+pub(crate) mod response;
 mod rotor_map;
 mod samples;
 mod search;

@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::integrate::root::Bracket;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
+use crate::simulate::{Model, Run};
 
 pub use crate::rotor::Mode;
 
@@ -23,6 +24,28 @@ pub struct CampbellQuestion {
     pub count: usize,
     /// Multiples of the shaft's frequency whose crossings are sought, positive.
     pub orders: Vec<f64>,
+}
+
+/// Speeds of the diagram of a run-up.
+const RUN_UP_SPEEDS: usize = 61;
+
+/// Natural frequencies up to the highest speed, where the run is mapped; where there is no diagram the run tells why.
+pub(crate) fn along_run_up(model: &Model, run: &mut Run) -> Option<Campbell> {
+    let highest = model.rotor.highest_speed();
+    let maps = run.maps.as_ref().filter(|_| highest > 0.0)?;
+    let orders = maps.tracks.orders.iter();
+    let question = CampbellQuestion {
+        rotor: model.rotor.clone(),
+        from: 0.0,
+        to: highest,
+        count: RUN_UP_SPEEDS,
+        orders: orders.map(|order| order.order).collect(),
+    };
+    let refused = |error| {
+        let warning = format!("there is no diagram of natural frequencies: {error}");
+        run.warnings.push(warning);
+    };
+    question.solve().map_err(refused).ok()
 }
 
 /// A mode followed over the speeds by its shape.
@@ -117,7 +140,7 @@ pub enum CampbellError {
 ///
 /// # Errors
 /// [`CampbellError::Range`] and [`CampbellError::Order`].
-pub(crate) fn check_range(
+pub fn check_range(
     [from, to]: [f64; 2],
     count: usize,
     orders: &[f64],

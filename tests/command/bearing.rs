@@ -157,3 +157,14 @@ fn warnings_are_messages_and_a_load_that_nothing_carries_is_code_1() {
     assert!(text(&output.stderr).contains("no static equilibrium"));
     assert!(!out.exists());
 }
+
+#[test]
+fn a_shaft_that_is_held_all_around_has_an_answer() {
+    let out = TempDir::new().unwrap();
+    let held = "[static]\ndisplacement = { x = \"0 m\", y = \"0 m\", z = \"10 um\" }\n";
+    let output = bearing(&[standing(&out, held)], out.path(), &["--json"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(answer["condition"], 1.0);
+    assert!(answer["force"]["force_z_N"].as_f64().unwrap() > 0.0);
+}

@@ -26,6 +26,7 @@ cargo() {
     esac
 }
 sbatch() { :; }
+pip() { :; }
 mdbook() { :; }
 "#;
 

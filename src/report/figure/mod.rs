@@ -118,6 +118,11 @@ impl Figure {
         }
     }
 
+    /// Name of its file without the ending.
+    pub fn name(&self) -> &str {
+        self.file.trim_end_matches(".svg")
+    }
+
     /// The figure as SVG.
     ///
     /// # Errors

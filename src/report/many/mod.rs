@@ -3,6 +3,7 @@
 mod digest;
 mod figures;
 mod journal;
+mod make;
 mod page;
 mod part;
 mod ross;
@@ -22,6 +23,7 @@ pub use self::digest::Digest;
 use self::digest::DigestSummary;
 use self::journal::Journal;
 pub use self::journal::{Done, JournalError};
+pub use self::make::{MakeError, Making, StudyRuns, StudyWatch};
 use self::page::write_page;
 pub use self::part::MergeError;
 use self::part::{PartSeal, part_name, seals};

@@ -73,11 +73,47 @@ pub(super) type Named<T> = (&'static str, fn(&T) -> f64);
 
 /// A table of named columns, all of the same length.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(in crate::report) struct Table<'a> {
+pub struct Table<'a> {
     columns: Vec<(Column, Cow<'a, [f64]>)>,
 }
 
 impl<'a> Table<'a> {
+    /// A table of rows that come one by one, as they go into a file.
+    ///
+    /// # Errors
+    /// What `rows` answers.
+    pub fn of_rows(
+        columns: &[Column],
+        rows: impl FnOnce(&mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()>,
+    ) -> io::Result<Self> {
+        let mut values = vec![Vec::new(); columns.len()];
+        rows(&mut |row| {
+            for (column, value) in values.iter_mut().zip(row) {
+                column.push(*value);
+            }
+            Ok(())
+        })?;
+        let columns = columns.iter().cloned();
+        Ok(Self {
+            columns: columns.zip(values.into_iter().map(Cow::Owned)).collect(),
+        })
+    }
+
+    /// The same, holding all of its numbers itself.
+    pub fn into_owned(self) -> Table<'static> {
+        let columns = self.columns.into_iter();
+        let owned = columns.map(|(column, values)| (column, Cow::Owned(values.into_owned())));
+        Table {
+            columns: owned.collect(),
+        }
+    }
+
+    /// The columns with their values, of which one that is missing is NaN.
+    pub fn iter(&self) -> impl Iterator<Item = (&Column, &[f64])> {
+        let columns = self.columns.iter();
+        columns.map(|(column, values)| (column, &values[..]))
+    }
+
     /// Adds a column of numbers, some of which may be missing; the name ends with the unit.
     pub fn numbers<T: Into<Option<f64>>>(
         &mut self,

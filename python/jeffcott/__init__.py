@@ -1,0 +1,61 @@
+"""A shaft on rolling bearings: transient response and spectra, with the error of every answer.
+
+    >>> import jeffcott as jc
+    >>> scenario = jc.Scenario("scenarios/steady-7205c.toml")
+    >>> scenario["shaft.mass"] = "6 kg"        # keys and units of the file, checked at once
+    >>> run = scenario.run()                   # Ctrl-C stops it, other threads go on meanwhile
+    >>> run["x_m"], run.error.relative         # numpy; the measured error is always there
+    >>> run.figure("trace")                    # SVG, which notebooks show
+
+A scenario (a file, a text or a dict) answers by `run`, `steady`, `bearing`, `campbell` and `accuracy`; `study` and
+`sweep` make many runs of it, on threads or on any executor of `concurrent.futures`; `compare` tells whether two results
+are the same; a `Bearing` is asked by itself.
+
+Values with a dimension are given as text with a unit, "6 kg"; results are in SI units (m, N, s, rad), and the name of a
+column ends with its unit, as `x_velocity_m_s`. What is wrong with a scenario is a `ScenarioError` with all its problems;
+a question that has no answer is a `RunError`.
+"""
+
+from ._bearing import Bearing, catalogue
+from ._compare import Comparison, compare
+from ._errors import Problem, RunError, ScenarioError
+from ._jeffcott import __version__
+from ._results import (
+    Accuracy,
+    Campbell,
+    Error,
+    Figure,
+    Response,
+    Result,
+    Run,
+    Statics,
+    Steady,
+)
+from ._scenario import Scenario
+from ._study import Study, study, sweep
+from ._table import Table
+
+__all__ = [
+    "Accuracy",
+    "Bearing",
+    "Campbell",
+    "Comparison",
+    "Error",
+    "Figure",
+    "Problem",
+    "Response",
+    "Result",
+    "Run",
+    "RunError",
+    "Scenario",
+    "ScenarioError",
+    "Statics",
+    "Steady",
+    "Study",
+    "Table",
+    "__version__",
+    "catalogue",
+    "compare",
+    "study",
+    "sweep",
+]

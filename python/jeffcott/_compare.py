@@ -1,0 +1,69 @@
+"""Whether two results are the same."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from collections.abc import Mapping
+from contextlib import ExitStack
+from pathlib import Path
+from typing import Any
+
+from ._jeffcott import compare as _compare
+from ._results import Result
+
+Compared = str | os.PathLike[str] | Result
+
+
+class Comparison:
+    """What a comparison found; true where both agree. `print` tells the worst places of every column."""
+
+    def __init__(self, summary: dict[str, Any], text: str) -> None:
+        self.summary = summary
+        self._text = text
+
+    @property
+    def agrees(self) -> bool:
+        """Whether both are the same within the tolerances."""
+        return bool(self.summary["agrees"])
+
+    def __bool__(self) -> bool:
+        return self.agrees
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __repr__(self) -> str:
+        return f"<Comparison: {'agrees' if self else 'differs'}>"
+
+
+def compare(
+    first: Compared,
+    second: Compared,
+    *,
+    relative: float = 1e-6,
+    absolute: float = 0.0,
+    columns: Mapping[str, tuple[float, float]] | None = None,
+    lines: int | None = None,
+    common: bool = False,
+    worst: int = 1,
+) -> Comparison:
+    """Compares two CSV files, two run folders or two results.
+
+    Values agree where |a − b| ≤ absolute + relative · max|column|; `columns` has (relative, absolute) for single ones,
+    `absolute` in the unit of the column. `lines` compares that many of the strongest lines of spectra, wherever they
+    stand; `common` leaves out what only one of them has; `worst` places of every column are told.
+    """
+    with ExitStack() as stack:
+
+        def path(result: Compared) -> Path:
+            if not isinstance(result, Result):
+                return Path(result)
+            folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+            result.write(folder)
+            return folder
+
+        paths, single = (path(first), path(second)), dict(columns or {})
+        found, text = _compare(*paths, relative, absolute, single, worst, lines, common)
+    return Comparison(json.loads(found), text)

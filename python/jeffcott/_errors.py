@@ -1,0 +1,48 @@
+"""What can go wrong."""
+
+from __future__ import annotations
+
+import json
+from typing import NamedTuple
+
+
+class Problem(NamedTuple):
+    """One thing that is wrong with a scenario or a study."""
+
+    key: str
+    """Path of the key, as `bearing[0].geometry.balls`; empty for the whole."""
+    message: str
+    """What is wrong, and which rule it breaks."""
+    hint: str | None
+    """What to do about it."""
+    line: int | None
+    """Line of the text, from 1, of a dict or of changed keys that of the JSON shown; None where none is to blame."""
+    column: int | None
+    """Column of that line, from 1."""
+
+
+class ScenarioError(ValueError):
+    """A scenario or a study that cannot be asked: everything that is wrong with it.
+
+    `str()` shows every problem with its line; `problems` has them one by one.
+    """
+
+    problems: list[Problem]
+
+    def __init__(self, text: str, problems: str = "[]") -> None:
+        super().__init__(text, problems)
+        found = json.loads(problems)
+        self.problems = [Problem(p["key"], p["message"], p["help"], p["line"], p["column"]) for p in found]
+
+    def __str__(self) -> str:
+        return str(self.args[0]).rstrip()
+
+
+class RunError(RuntimeError):
+    """A question that has no answer, as a shaft that leaves its bearings: its message says what to do."""
+
+    def __init__(self, text: str, problems: str = "[]") -> None:
+        super().__init__(text, problems)
+
+    def __str__(self) -> str:
+        return str(self.args[0])

@@ -1,0 +1,315 @@
+"""Results: their documents, tables, figures and errors."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+
+import numpy as np
+
+from ._table import Array, Table, nearest
+
+if TYPE_CHECKING:
+    import os
+
+    from ._jeffcott import RunAnswer
+    from ._scenario import Scenario
+
+
+class Error(NamedTuple):
+    """How far a result is off, as a second computation at a tenth of the tolerance measured it."""
+
+    displacement_m: float
+    """Largest difference of a displacement (tilts times their arm), m."""
+    relative: float
+    """The same relative to the motion."""
+    reference_tolerance: float
+    """Tolerance of the second computation."""
+
+
+class Figure:
+    """A figure as SVG, which notebooks show; `save` writes it to a file."""
+
+    def __init__(self, name: str, svg: str) -> None:
+        self.name = name
+        self.svg = svg
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the SVG to a file."""
+        Path(path).write_text(self.svg, encoding="utf-8")
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<Figure {self.name!r}: {len(self.svg)} characters of SVG>"
+
+
+class _Source(Protocol):
+    """What a result reads from: an answer of the compiled part, or a folder."""
+
+    def document(self) -> str: ...
+    def text(self) -> str: ...
+    def warnings(self) -> list[str]: ...
+    def tables(self) -> Sequence[str]: ...
+    def table(self, name: str) -> Sequence[tuple[str, Any]] | None: ...
+    def figures(self) -> Sequence[str]: ...
+    def figure(self, name: str) -> str | None: ...
+    def write(self, folder: os.PathLike[str]) -> list[Path]: ...
+
+
+class Result:
+    """The answer to a question: a summary, tables, figures, warnings and the measured error.
+
+    `print(result)` tells what the command tells; a notebook shows that and the first figure.
+    """
+
+    def __init__(self, source: _Source) -> None:
+        self._source = source
+        self._tables: dict[str, Table] = {}
+
+    @cached_property
+    def summary(self) -> dict[str, Any]:
+        """The JSON document that the command writes, as a dict; numbers are in the units of their keys."""
+        document: dict[str, Any] = json.loads(self._source.document())
+        return document
+
+    @property
+    def error(self) -> Error | None:
+        """The measured error; None where the scenario asks for none, or the question has none to measure."""
+        found = self.summary.get("measured_error")
+        if found is None:
+            return None
+        return Error(found["displacement_m"], found["relative"], found["reference_tolerance"])
+
+    @property
+    def warnings(self) -> list[str]:
+        """What the reader should know, each with its numbers."""
+        return self._source.warnings()
+
+    @property
+    def tables(self) -> list[str]:
+        """Names of the tables."""
+        return list(self._source.tables())
+
+    @property
+    def figures(self) -> list[str]:
+        """Names of the figures."""
+        return list(self._source.figures())
+
+    def table(self, name: str) -> Table:
+        """A table by its name: that of the file without its ending."""
+        if name not in self._tables:
+            columns = self._source.table(name)
+            if columns is None:
+                raise KeyError(f"this result has no table {name!r}; {nearest(name, self.tables)}")
+            self._tables[name] = Table(name, columns)
+        return self._tables[name]
+
+    def figure(self, name: str | None = None) -> Figure:
+        """A figure by its name: that of the file without its ending; the first one where none is given."""
+        known = self.figures
+        if name is None and known:
+            name = known[0]
+        svg = None if name is None else self._source.figure(name)
+        if name is None or svg is None:
+            raise KeyError(f"this result has no figure {name!r}; {nearest(name or '', known)}")
+        return Figure(name, svg)
+
+    def write(self, folder: str | os.PathLike[str]) -> list[Path]:
+        """Writes all files into `folder`, as the command does: whole, or not at all. Returns their paths."""
+        return [Path(path) for path in self._source.write(Path(folder))]
+
+    def __str__(self) -> str:
+        return self._source.text()
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.summary.get('title')!r}, error {self.error}>"
+
+    def _repr_html_(self) -> str:
+        from html import escape
+
+        figures = self.figure().svg if self.figures else ""
+        return f"{figures}<pre>{escape(str(self))}</pre>"
+
+
+class Run(Result):
+    """A run: samples of the motion, events, spectra.
+
+    `run["x_m"]` is a column of all samples; `run.keys()` names them. SI units.
+    """
+
+    _source: RunAnswer
+
+    def __init__(self, source: RunAnswer, scenario: Scenario) -> None:
+        super().__init__(source)
+        self.scenario = scenario.copy()
+
+    @property
+    def error(self) -> Error | None:
+        """The measured error: largest difference from a second pass at a tenth of the tolerance; None where the
+        scenario says `verify = false`, or the pass failed, as a warning then says."""
+        found = self._source.error()
+        return None if found is None else Error(*found)
+
+    @property
+    def t(self) -> Array:
+        """Times of the samples, s."""
+        return self["t_s"]
+
+    def __getitem__(self, column: str) -> Array:
+        """A column of the samples: `x_m`, `y_velocity_m_s`, `z_acceleration_m_s2`, `force_x_N`, `kinetic_J` …; NaN
+        where a value was not observed."""
+        return self._source.column(column)
+
+    def keys(self) -> list[str]:
+        """Names of the columns of the trace."""
+        return list(self.trace)
+
+    def __len__(self) -> int:
+        """Number of samples."""
+        return self._source.samples()
+
+    @property
+    def trace(self) -> Table:
+        """All samples: time, angle, speed, displacements, velocities, forces of the bearings on the shaft, balls."""
+        return self.table("trace")
+
+    @property
+    def events(self) -> Table:
+        """Contacts that are lost and found: time, kind, bearing and ball, both from 1."""
+        return self.table("events")
+
+    @property
+    def peaks(self) -> Table:
+        """Peaks of the spectra with what makes them; amplitudes in the unit of their row."""
+        return self.table("peaks")
+
+    def spectrum(self, *channels: str, name: str = "spectrum", **settings: Any) -> Table:
+        """A spectrum of the samples behind the settle time.
+
+        Without arguments that of the run: amplitude (peak value) and phase of every displacement and force. With
+        channels and keys of a `[[spectrum]]` one that is estimated from the samples of this run, as
+        `run.spectrum("y_acceleration", scaling="rms", window="hann")`; channels are named as in the files, without the
+        unit: `x`, `y_velocity`, `z_acceleration`, `force_x`. Units stand in the names of the columns.
+        """
+        if not channels and not settings:
+            return self.table(name)
+        asked = self.scenario.copy()
+        asked["spectrum"] = [{"name": name, "channels": list(channels), **settings}]
+        return Table(name, self._source.estimated(asked.scene))
+
+
+class Steady(Result):
+    """The motion that a shaft settles to."""
+
+    @property
+    def stable(self) -> bool:
+        """Whether it is stable."""
+        return bool(self.summary["stable"])
+
+    @property
+    def period(self) -> float:
+        """Its period, s."""
+        return float(self.summary["period_s"])
+
+    @property
+    def multipliers(self) -> Array:
+        """Its Floquet multipliers, complex, the largest first; where the motion has two frequencies their sizes."""
+        found = self.summary["multipliers"]
+        return np.array([complex(m["re"], m["im"]) if "re" in m else complex(m["magnitude"]) for m in found])
+
+    @property
+    def trace(self) -> Table:
+        """Samples of the motion, as those of a run."""
+        return self.table("steady_trace")
+
+    def __getitem__(self, column: str) -> Array:
+        """A column of the trace."""
+        return self.trace[column]
+
+    @property
+    def spectrum(self) -> Table:
+        """Its exact lines: frequency in Hz, amplitude (peak value) and phase of every channel."""
+        return self.table("steady_spectrum")
+
+
+class Response(Result):
+    """Steady motions along a number of the scenario, with turning points and doublings."""
+
+    @property
+    def points(self) -> Table:
+        """Every motion of every branch: value, period, stability, ranges, multipliers."""
+        return self.table("response")
+
+    @property
+    def specials(self) -> Table:
+        """Where branches turn, or motions lose their stability."""
+        return self.table("response_specials")
+
+
+class Statics(Result):
+    """Where a shaft stands: equilibrium, stiffness, every ball."""
+
+    @property
+    def equilibrium(self) -> Array:
+        """x, y, z in m and the tilts about x and y in rad."""
+        return np.array(list(self.summary["equilibrium"].values()))
+
+    @property
+    def force(self) -> Array:
+        """Force of the shaft onto the bearings: x, y, z in N, moments about x and y in N m."""
+        return np.array(list(self.summary["force"].values()))
+
+    @property
+    def stiffness(self) -> Array:
+        """K = ∂F/∂q, rows and columns x, y, z, tilt x, tilt y: N/m, N/rad, N m/m, N m/rad."""
+        return np.array(self.summary["stiffness"]["matrix"])
+
+    @property
+    def residual(self) -> float:
+        """Largest unbalanced force relative to the forces in play."""
+        return float(self.summary["residual"])
+
+    @property
+    def balls(self) -> Table:
+        """Load, angle, pressure and more of every ball, of every bearing."""
+        return self.table("balls")
+
+
+class Campbell(Result):
+    """Natural frequencies over the speed, and critical speeds."""
+
+    @property
+    def modes(self) -> Table:
+        """Frequency in Hz and damping ratio of every branch at every speed in rad/s."""
+        return self.table("campbell")
+
+    @property
+    def critical_speeds(self) -> list[dict[str, Any]]:
+        """Crossings of natural frequencies and orders: `speed_rad_s`, `frequency_Hz`, `order`, `whirl` …."""
+        return list(self.summary["critical_speeds"])
+
+
+class Accuracy(Result):
+    """Speed against error of methods at tolerances, and what each level of the physics costs and changes."""
+
+    @property
+    def methods(self) -> Table:
+        """Wall time in s, work and errors of every method at every tolerance."""
+        return self.table("accuracy")
+
+    @property
+    def ladder(self) -> Table:
+        """The same of every level of the physics."""
+        return self.table("ladder")
+
+    @property
+    def error(self) -> Error:
+        """How far the reference itself can be off: two methods agree on it so well."""
+        of = self.summary["reference"]
+        uncertainty = of["uncertainty"]
+        return Error(uncertainty["displacement_m"], uncertainty["displacement_relative"], of["run"]["tolerance"])

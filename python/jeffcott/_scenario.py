@@ -1,0 +1,299 @@
+"""Scenarios: read, changed, and asked."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from . import _results as results
+from ._errors import ScenarioError
+from ._jeffcott import Scene
+from ._progress import Progress, told
+
+if TYPE_CHECKING:
+    from ._study import Study
+
+TOLERANCES = (1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
+"""Tolerances at which accuracy is measured where none are given."""
+
+
+def plain(value: Any) -> Any:
+    """A value as JSON has it: of numpy the number, the list or the text."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    if isinstance(value, Mapping):
+        return dict(value)
+    if isinstance(value, os.PathLike):
+        return os.fspath(value)
+    if isinstance(value, Iterable):
+        return list(value)
+    raise TypeError(f"a scenario has no value of type {type(value).__name__}: {value!r}")
+
+
+def dumped(tree: Any) -> str:
+    """JSON of a tree, a line a value, so that messages show where they belong."""
+    return json.dumps(tree, default=plain, indent=2, ensure_ascii=False)
+
+
+def _steps(path: str) -> list[str | int]:
+    """`load[0].constant.z` → `load`, 0, `constant`, `z`."""
+    if not re.fullmatch(r"[^.\[\]]+(\[\d+\]|\.[^.\[\]]+)*", path):
+        raise _wrong(path, "this is no path of a key", 'for instance: "load[0].constant.z"')
+    found = re.findall(r"[^.\[\]]+|\[\d+\]", path)
+    return [int(step[1:-1]) if step.startswith("[") else step for step in found]
+
+
+def _wrong(path: str, message: str, hint: str) -> ScenarioError:
+    problem = {"key": path, "message": message, "help": hint, "line": None, "column": None}
+    return ScenarioError(f"error: {path}: {message}; {hint}", json.dumps([problem]))
+
+
+def _find(tree: Any, path: str) -> Any:
+    """The value at a path; raises KeyError where there is none."""
+    for step in _steps(path):
+        try:
+            tree = tree[step]
+        except (KeyError, IndexError, TypeError):
+            raise KeyError(path) from None
+    return tree
+
+
+def _put(tree: Any, path: str, value: Any) -> None:
+    """Puts a value, making the tables on its way; None takes it away. A list grows by its next entry only."""
+    *way, last = _steps(path)
+    for step, following in zip(way, [*way[1:], last]):
+        if isinstance(step, str):
+            _table(tree, path)
+            tree = tree.setdefault(step, [] if isinstance(following, int) else {})
+        else:
+            _entry(tree, step, path)
+            if step == len(tree):
+                tree.append({})
+            tree = tree[step]
+    if isinstance(last, str):
+        _table(tree, path)
+    else:
+        _entry(tree, last, path)
+    if value is None:
+        if isinstance(last, str):
+            tree.pop(last, None)
+        elif last < len(tree):
+            del tree[last]
+    elif isinstance(last, int) and last == len(tree):
+        tree.append(value)
+    else:
+        tree[last] = value
+
+
+def _table(tree: Any, path: str) -> None:
+    if not isinstance(tree, dict):
+        raise _wrong(path, "no table stands on this path", "a list has entries [0], [1] …, a value has no keys")
+
+
+def _entry(tree: Any, index: int, path: str) -> None:
+    if not isinstance(tree, list) or index > len(tree):
+        have = len(tree) if isinstance(tree, list) else "no"
+        raise _wrong(path, f"there is no entry [{index}]", f"the list has {have} entries; the next one may be set")
+
+
+class Scenario:
+    """A shaft, its bearings and loads, and what is asked of them.
+
+    `source` is the path of a file (.toml or .json), a text in TOML or JSON, or a dict of the same structure. Files that
+    it names are looked for in `folder`: that of the file, or else the current one.
+
+        >>> s = Scenario("scenarios/steady-7205c.toml")
+        >>> s["shaft.mass"] = "6 kg"            # checked at once; None or `del` takes a key away
+        >>> s["load[1]"] = {"harmonic": {"x": "20 N", "frequency": "80 Hz"}}   # a further load
+        >>> s.update({"speed.constant": "300 rad/s", "time.duration": "1 s"})  # checked together
+
+    Raises `ScenarioError`, whose `problems` have key, message, hint and line.
+    """
+
+    def __init__(
+        self,
+        source: str | os.PathLike[str] | Mapping[str, Any],
+        *,
+        folder: str | os.PathLike[str] | None = None,
+    ) -> None:
+        self._tree: dict[str, Any] | None = None
+        if isinstance(source, Mapping):
+            self._tree = json.loads(dumped(source))
+            self.scene = self._parsed(dumped(source), "scenario.dict", folder, True)
+        elif isinstance(source, str) and ("\n" in source or "=" in source or source.lstrip().startswith("{")):
+            is_json = source.lstrip().startswith("{")
+            self.scene = self._parsed(source, f"scenario.{'json' if is_json else 'toml'}", folder, is_json)
+        else:
+            self.scene = Scene.load(Path(source))
+
+    @staticmethod
+    def _parsed(text: str, name: str, folder: str | os.PathLike[str] | None, is_json: bool) -> Scene:
+        return Scene.parse(text, name if folder is None else os.path.join(os.fspath(folder), name), is_json)
+
+    def copy(self) -> Scenario:
+        """Another scenario of the same keys."""
+        other = object.__new__(Scenario)
+        other.scene, other._tree = self.scene, self._tree
+        return other
+
+    def _written(self) -> dict[str, Any]:
+        if self._tree is None:
+            self._tree = json.loads(self.scene.written())
+        return self._tree
+
+    def to_dict(self) -> dict[str, Any]:
+        """The keys as they are written."""
+        tree: dict[str, Any] = json.loads(json.dumps(self._written()))
+        return tree
+
+    @property
+    def defaults(self) -> dict[str, Any]:
+        """All keys, those with their default values too."""
+        tree: dict[str, Any] = json.loads(self.scene.echo())
+        return tree
+
+    @property
+    def title(self) -> str:
+        """Its title, or the name of its file."""
+        return self.scene.title()
+
+    @property
+    def warnings(self) -> list[str]:
+        """What the user should know although the scenario can be run."""
+        return self.scene.warnings()
+
+    def __getitem__(self, path: str) -> Any:
+        """The value of a key by its path, `bearing[0].geometry.balls`; its default where it is not written."""
+        try:
+            return _find(self._written(), path)
+        except KeyError:
+            return _find(self.defaults, path)
+
+    def __contains__(self, path: object) -> bool:
+        try:
+            self[str(path)]
+        except KeyError:
+            return False
+        return True
+
+    def __setitem__(self, path: str, value: Any) -> None:
+        self.update({path: value})
+
+    def __delitem__(self, path: str) -> None:
+        _find(self._written(), path)
+        self.update({path: None})
+
+    def update(self, changes: Mapping[str, Any]) -> None:
+        """Sets several keys by their paths and checks them together; None takes a key away. Where something is wrong
+        the scenario stays as it was."""
+        tree = self.to_dict()
+        for path, value in changes.items():
+            _put(tree, path, value)
+        text, name = dumped(tree), Path(self.scene.name())
+        self.scene = Scene.parse(text, str(name.with_suffix(".changed")), True)
+        self._tree = json.loads(text)
+
+    def with_(self, changes: Mapping[str, Any]) -> Scenario:
+        """A copy with some keys set, as by `update`."""
+        other = self.copy()
+        other.update(changes)
+        return other
+
+    def __repr__(self) -> str:
+        return f"<Scenario {self.title!r}>"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self.to_dict(), self.scene.name())
+
+    def _with_integrator(self, tolerance: float | None, verify: bool | None) -> Scenario:
+        changes = {"integrator.tolerance": tolerance, "integrator.verify": verify}
+        given = {key: value for key, value in changes.items() if value is not None}
+        return self.with_(given) if given else self
+
+    def run(
+        self, *, tolerance: float | None = None, verify: bool | None = None, progress: Progress = None
+    ) -> results.Run:
+        """Integrates the motion and keeps all samples in memory.
+
+        `tolerance` and `verify` stand in place of those of `[integrator]`; `verify=False` leaves out the second pass,
+        which measures the error. `progress=True` shows a line on stderr, a callback gets the part that is done, 0 … 1.
+        Ctrl-C stops the run (KeyboardInterrupt). Raises `RunError` where the motion cannot be integrated.
+        """
+        asked = self._with_integrator(tolerance, verify)
+        with told(progress, self.title) as tell:
+            return results.Run(asked.scene.run(tell), asked)
+
+    def bearing(self) -> results.Statics:
+        """Where the shaft stands, without motion: equilibrium, stiffness, every ball. With a `[study]` the tables
+        `study` and `around` have all of its values."""
+        return results.Statics(self.scene.bearing())
+
+    def steady(
+        self,
+        *,
+        period: int | None = None,
+        tolerance: float | None = None,
+        verify: bool | None = None,
+    ) -> results.Steady:
+        """The motion that the shaft settles to, found without waiting for it, its stability and its exact lines.
+
+        `period`: how many periods of the forcing it takes; otherwise one, or those of a stable motion beside it.
+        """
+        return results.Steady(self._with_integrator(tolerance, verify).scene.steady(period))
+
+    def response(
+        self,
+        over: str,
+        start: str,
+        stop: str,
+        *,
+        period: int = 1,
+        points: int = 20_000,
+        doubled: bool = True,
+        progress: Progress = None,
+    ) -> results.Response:
+        """Steady motions along a number of the scenario, past turning points and doublings of the period.
+
+        `over` is the path of a key, as "speed.constant", `start` and `stop` are its values with their units; at most
+        `points` motions a branch, and none of doubled periods where `doubled` is false.
+        """
+        with told(progress, self.title) as tell:
+            followed = (over, str(start), str(stop))
+            return results.Response(self.scene.response(followed, period, points, doubled, tell))
+
+    def campbell(
+        self, to: str, *, start: str = "0 rpm", count: int = 61, orders: Sequence[float] = (1.0,)
+    ) -> results.Campbell:
+        """Natural frequencies from `start` to `to`, as "60000 rpm", at `count` speeds, and the critical speeds, where
+        they are `orders` times the frequency of the shaft."""
+        return results.Campbell(self.scene.campbell([start, to], count, list(map(float, orders))))
+
+    def accuracy(
+        self,
+        *,
+        methods: Sequence[str] = (),
+        tolerances: Sequence[float] = TOLERANCES,
+        longest: str = "10 s",
+        progress: Progress = None,
+    ) -> results.Accuracy:
+        """Speed against error of `methods` (all where none are named) at `tolerances`, without what runs longer than
+        `longest`."""
+        loosest_first = sorted(set(map(float, tolerances)), reverse=True)
+        with told(progress, self.title) as tell:
+            return results.Accuracy(self.scene.accuracy(list(methods), loosest_first, longest, tell))
+
+    def sweep(self, axes: Mapping[str, Any], **settings: Any) -> Study:
+        """Many runs of this scenario; see `jeffcott.sweep`."""
+        from ._study import sweep
+
+        return sweep(self, axes, **settings)
+
+
+def _restored(tree: dict[str, Any], name: str) -> Scenario:
+    return Scenario(tree, folder=os.path.dirname(name))
+
+

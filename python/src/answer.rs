@@ -1,0 +1,194 @@
+//! Findings: their documents, tables and figures.
+
+use std::path::{Path, PathBuf};
+
+use jeffcott::analysis::Channel;
+use jeffcott::internals::{
+    Column, ColumnKind, Destination, Findings, RunFindings, Table, TableFormat,
+};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::exceptions::PyKeyError;
+use pyo3::prelude::*;
+
+use crate::errors::{other, run_error};
+use crate::scene::Scene;
+
+/// Names and columns of a table: numpy arrays, or lists of words.
+pub type Columns<'py> = Vec<(String, Bound<'py, PyAny>)>;
+
+/// The columns of a table. Whole numbers are int64 where none is missing, else float64 with NaN.
+pub fn columns<'py>(py: Python<'py>, table: &Table<'_>) -> PyResult<Columns<'py>> {
+    let column = |(column, values): (&Column, &[f64])| {
+        let array = match &column.kind {
+            ColumnKind::Count if values.iter().all(|value| !value.is_nan()) => {
+                let counts: Vec<i64> = values.iter().map(|value| *value as i64).collect();
+                counts.into_pyarray(py).into_any()
+            }
+            ColumnKind::Word(words) => {
+                let word = |value: &f64| words.get(*value as usize).map_or("", String::as_str);
+                let words: Vec<&str> = values.iter().map(word).collect();
+                words.into_pyobject(py)?.into_any()
+            }
+            _ => PyArray1::from_slice(py, values).into_any(),
+        };
+        Ok((column.name.to_string(), array))
+    };
+    table.iter().map(column).collect()
+}
+
+/// An answer to a question that is no run.
+#[pyclass(frozen, module = "jeffcott._jeffcott")]
+pub struct Answer {
+    pub(crate) findings: Findings,
+    /// What is said beside what was found.
+    pub(crate) remark: String,
+    pub(crate) title: String,
+    pub(crate) scenario: serde_json::Value,
+    pub(crate) formats: Vec<TableFormat>,
+    pub(crate) warnings: Vec<String>,
+}
+
+#[pymethods]
+impl Answer {
+    /// The document, JSON.
+    fn document(&self) -> String {
+        self.findings.document.to_string()
+    }
+
+    /// What a person reads.
+    fn text(&self) -> String {
+        self.findings.text().to_owned() + &self.remark
+    }
+
+    /// What the reader should know.
+    fn warnings(&self) -> Vec<String> {
+        self.warnings.clone()
+    }
+
+    /// Names of the tables.
+    fn tables(&self) -> Vec<&'static str> {
+        self.findings.tables.iter().map(|(name, _)| *name).collect()
+    }
+
+    /// The columns of a table; None where there is none of this name.
+    fn table<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Option<Columns<'py>>> {
+        let mut tables = self.findings.tables.iter();
+        let found = tables.find(|(known, _)| *known == name);
+        found.map(|(_, table)| columns(py, table)).transpose()
+    }
+
+    /// Names of the figures.
+    fn figures(&self) -> Vec<String> {
+        self.findings.figures().map(str::to_owned).collect()
+    }
+
+    /// A figure as SVG; None where there is none of this name.
+    fn figure(&self, name: &str) -> PyResult<Option<String>> {
+        self.findings.figure(name).map_err(other)
+    }
+
+    /// Writes all files into a folder; returns their paths.
+    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
+        let destination = Destination {
+            folder: &folder,
+            title: &self.title,
+            scenario: &self.scenario,
+            formats: &self.formats,
+        };
+        let written = py.detach(|| destination.write(self.findings.clone()));
+        let written = written.map_err(|error| run_error(py, &error))?;
+        Ok(written.files)
+    }
+}
+
+/// A run with its samples.
+#[pyclass(frozen, module = "jeffcott._jeffcott")]
+pub struct RunAnswer(pub(crate) RunFindings);
+
+#[pymethods]
+impl RunAnswer {
+    /// What `summary.json` says.
+    fn document(&self, py: Python<'_>) -> String {
+        py.detach(|| self.0.document().to_string())
+    }
+
+    /// What a person reads.
+    fn text(&self) -> String {
+        self.0.text()
+    }
+
+    /// What the reader should know.
+    fn warnings(&self) -> Vec<String> {
+        self.0.recorded.run.warnings.clone()
+    }
+
+    /// Number of samples.
+    fn samples(&self) -> usize {
+        self.0.recorded.samples.len()
+    }
+
+    /// Largest difference from the second pass in m, the same relative to the motion, and the tolerance of that pass;
+    /// None where the scenario asks for none or it failed.
+    fn error(&self) -> Option<(f64, f64, f64)> {
+        let error = self.0.recorded.error()?;
+        Some((
+            error.displacement,
+            error.relative,
+            error.reference_tolerance,
+        ))
+    }
+
+    /// All samples of a column by its name in the files; NaN where a value was not observed.
+    fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let mut channels = Channel::all();
+        let Some(channel) = channels.find(|channel| channel.column() == name) else {
+            let known: Vec<_> = Channel::all().map(Channel::column).collect();
+            return Err(PyKeyError::new_err(format!(
+                "no column is called {name:?}; the columns are {}",
+                known.join(", ")
+            )));
+        };
+        let samples = self.0.recorded.samples.iter();
+        let values = samples.map(|sample| channel.of(sample).unwrap_or(f64::NAN));
+        Ok(values.collect::<Vec<_>>().into_pyarray(py))
+    }
+
+    /// Names of the tables.
+    fn tables(&self) -> Vec<String> {
+        self.0.tables()
+    }
+
+    /// The columns of a table; None where the run has none of this name.
+    fn table<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Option<Columns<'py>>> {
+        let table = py.detach(|| self.0.table(name)).map_err(other)?;
+        table.map(|table| columns(py, &table)).transpose()
+    }
+
+    /// Names of the figures.
+    fn figures(&self) -> Vec<String> {
+        self.0.figures()
+    }
+
+    /// A figure as SVG; None where the run has none of this name.
+    fn figure(&self, py: Python<'_>, name: &str) -> PyResult<Option<String>> {
+        py.detach(|| self.0.figure(name)).map_err(other)
+    }
+
+    /// The columns of the first spectrum that another version of the scenario asks for, from the samples of this run.
+    fn estimated<'py>(&self, py: Python<'py>, asked: &Scene) -> PyResult<Columns<'py>> {
+        let estimated = py.detach(|| self.0.estimated(asked.scenario()));
+        let estimated = estimated.map_err(|error| run_error(py, &error))?;
+        match estimated.into_iter().next() {
+            Some(Ok(table)) => columns(py, &table),
+            Some(Err(message)) => Err(other(message)),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    /// Writes all files of the run into a folder; returns their paths.
+    fn write(&self, py: Python<'_>, folder: PathBuf) -> PyResult<Vec<PathBuf>> {
+        let folder: &Path = &folder;
+        let files = py.detach(|| self.0.write(folder));
+        files.map_err(|error| run_error(py, &error))
+    }
+}

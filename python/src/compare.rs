@@ -1,0 +1,48 @@
+//! Two results compared.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use jeffcott::report::compare::{Rules, Tolerance, Tolerances, compare as compare_files};
+use pyo3::exceptions::{PyFileNotFoundError, PyValueError};
+use pyo3::prelude::*;
+
+/// Compares two tables or run folders; returns what was found as JSON and as text.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)]
+pub fn compare(
+    py: Python<'_>,
+    first: PathBuf,
+    second: PathBuf,
+    relative: f64,
+    absolute: f64,
+    columns: BTreeMap<String, (f64, f64)>,
+    worst: usize,
+    lines: Option<usize>,
+    common: bool,
+) -> PyResult<(String, String)> {
+    if let Some(missing) = [&first, &second].into_iter().find(|path| !path.exists()) {
+        let text = format!("there is no {}", missing.display());
+        return Err(PyFileNotFoundError::new_err(text));
+    }
+    let wrong = |error: &dyn std::error::Error| {
+        let causes = std::iter::successors(error.source(), |cause| cause.source());
+        let causes: String = causes.map(|cause| format!(": {cause}")).collect();
+        PyValueError::new_err(format!("{error}{causes}"))
+    };
+    let tolerance =
+        |relative, absolute| Tolerance::new(relative, absolute).map_err(|error| wrong(&error));
+    let mut tolerances = Tolerances::uniform(tolerance(relative, absolute)?);
+    for (name, (relative, absolute)) in columns {
+        tolerances = tolerances.with_column(&name, tolerance(relative, absolute)?);
+    }
+    let rules = Rules {
+        tolerances,
+        worst: worst.max(1),
+        common,
+        lines,
+    };
+    let found = py.detach(|| compare_files(&first, &second, &rules));
+    let found = found.map_err(|error| wrong(&error))?;
+    Ok((found.to_json().to_string(), found.to_string()))
+}

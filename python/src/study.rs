@@ -1,0 +1,119 @@
+//! Studies: many runs of one scenario, whole or in parts.
+
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::thread;
+
+use jeffcott::internals::{
+    Digest, MakeError, Making, Shard, StudyFile, StudyRuns, StudyWatch, load_study,
+    merge_study as merge_parts, parse_study,
+};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
+use pyo3::prelude::*;
+
+use crate::errors::{run_error, scenario_error};
+use crate::scene::{Scene, format};
+use crate::watch::{Stop, watched};
+
+/// Paths of the files, and the digest of a whole study as JSON.
+type Made = (Vec<PathBuf>, Option<String>);
+
+/// A checked study.
+#[pyclass(frozen, module = "jeffcott._jeffcott")]
+pub struct StudyPlan(StudyFile);
+
+#[pymethods]
+impl StudyPlan {
+    /// Reads and checks a study file and its scenario.
+    #[staticmethod]
+    fn load(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let study = py.detach(|| load_study(&path));
+        study.map(Self).map_err(|error| scenario_error(py, &error))
+    }
+
+    /// Checks the text of a study of a scenario, JSON.
+    #[staticmethod]
+    fn of(py: Python<'_>, scene: &Scene, text: &str) -> PyResult<Self> {
+        let study = parse_study(text, format(true), scene.scenario(), scene.folder());
+        study.map(Self).map_err(|error| scenario_error(py, &error))
+    }
+
+    /// Its title.
+    fn title(&self) -> &str {
+        &self.0.title
+    }
+
+    /// All that its runs depend on, JSON.
+    fn echo(&self) -> String {
+        self.0.echo.to_string()
+    }
+
+    /// Number of runs, and of the parts that they can be made in.
+    fn size(&self, py: Python<'_>) -> PyResult<(u64, u64)> {
+        let runs = self.runs(py)?;
+        Ok((runs.schedule.runs(), runs.schedule.chains()))
+    }
+
+    /// Makes part `number` of `count`, or all by 1 of 1, and writes its files into `folder`.
+    #[allow(clippy::too_many_arguments)]
+    fn make(
+        &self,
+        py: Python<'_>,
+        folder: PathBuf,
+        part: (u64, u64),
+        threads: Option<NonZeroUsize>,
+        anew: bool,
+        stop: Option<&Stop>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Made> {
+        let (number, count) = part;
+        if !(1..=count).contains(&number) {
+            let text = format!("there is no part {number} of {count}");
+            return Err(PyValueError::new_err(text));
+        }
+        let runs = self.runs(py)?;
+        let available = || thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        let making = Making {
+            folder: &folder,
+            shard: Shard { number, count },
+            threads: threads.unwrap_or_else(available).get(),
+            anew,
+        };
+        let made = watched(py, stop, progress.as_ref(), |watch| {
+            runs.make(
+                &making,
+                &mut StudyWatch {
+                    stop: watch.stop,
+                    resumed: &mut |_| {},
+                    progress: watch.progress,
+                },
+            )
+        })?;
+        match made {
+            Ok((files, digest)) => Ok((files, digest.as_ref().map(summary))),
+            Err(MakeError::Interrupted) => Err(PyKeyboardInterrupt::new_err(
+                "interrupted; the same call goes on from what is done",
+            )),
+            Err(error) => Err(run_error(py, &error)),
+        }
+    }
+}
+
+impl StudyPlan {
+    fn runs(&self, py: Python<'_>) -> PyResult<StudyRuns<'_>> {
+        StudyRuns::new(&self.0).map_err(|error| run_error(py, &error))
+    }
+}
+
+fn summary(digest: &Digest) -> String {
+    serde_json::to_string(&digest.summary()).unwrap_or_default()
+}
+
+/// Puts the parts of a study together, in the folder that they stand in; returns the paths of the files and the digest.
+#[pyfunction]
+pub fn merge(py: Python<'_>, folder: PathBuf) -> PyResult<Made> {
+    let folder: &Path = &folder;
+    let merged = py.detach(|| merge_parts(folder));
+    let (files, digest) = merged.map_err(|error| run_error(py, &error))?;
+    Ok((files, Some(summary(&digest))))
+}

@@ -1,0 +1,143 @@
+"""Results have the columns, tables, figures and files of the command."""
+
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import short
+
+import jeffcott as jc
+
+
+def test_columns_are_those_of_the_file(steady_run: jc.Run, tmp_path: Path) -> None:
+    assert steady_run.keys()[:4] == ["t_s", "angle_rad", "speed_rad_s", "x_m"]
+    assert steady_run["y_acceleration_m_s2"].dtype == np.float64
+    assert np.array_equal(steady_run["x_m"], steady_run.trace["x_m"])
+    assert steady_run.trace["balls_loaded"].dtype == np.int64
+    with pytest.raises(KeyError, match="the columns are t_s"):
+        steady_run["x"]
+    with pytest.raises(KeyError, match="did you mean 'x_m'"):
+        steady_run.trace["xm"]
+    with pytest.raises(KeyError, match="did you mean 'spectrum'"):
+        steady_run.table("spectra")
+
+
+def test_the_summary_is_the_document(steady_run: jc.Run) -> None:
+    error = steady_run.error
+    assert error is not None
+    assert error.displacement_m == steady_run.summary["measured_error"]["displacement_m"]
+    assert error.reference_tolerance == pytest.approx(1e-9)
+    assert "equilibrium" in str(steady_run)
+    assert "<svg" in steady_run._repr_html_()
+    assert steady_run.figure("spectrum")._repr_svg_().startswith("<svg")
+    assert set(steady_run.figures) == {"trace", "spectrum", "orbit"}
+    with pytest.raises(KeyError, match="no figure"):
+        steady_run.figure("waterfall")
+
+
+def test_tolerance_and_second_pass_can_be_chosen(scenarios: Path) -> None:
+    scenario = short(scenarios)
+    tight, bare = scenario.run(tolerance=1e-9), scenario.run(verify=False)
+    assert tight.error is not None
+    assert tight.error.reference_tolerance == pytest.approx(1e-10)
+    assert bare.error is None
+    assert scenario["integrator.tolerance"] == 1e-6
+
+
+@pytest.mark.parametrize("name", ["steady-7205c", "run-up-7205c", "coal-impact-7205c"])
+def test_a_run_writes_the_bytes_of_the_command(name: str, scenarios: Path, tmp_path: Path, command: str) -> None:
+    file = scenarios / f"{name}.toml"
+    subprocess.run([command, "run", file, "--out", tmp_path / "command"], check=True, capture_output=True)
+    run = jc.Scenario(file).run()
+    written = run.write(tmp_path / "package")
+    theirs = sorted((tmp_path / "command" / name).iterdir())
+    assert sorted(path.name for path in written) == [path.name for path in theirs]
+    for path in theirs:
+        assert (tmp_path / "package" / path.name).read_bytes() == path.read_bytes(), path.name
+    # tables and figures in memory are those of the files
+    for path in theirs:
+        if path.suffix == ".svg":
+            assert run.figure(path.stem).svg == path.read_text(encoding="utf-8")
+        if path.suffix == ".csv":
+            header = path.read_text(encoding="utf-8").partition("\n")[0]
+            assert list(run.table(path.stem)) == header.split(",")
+
+
+def test_answers_write_the_bytes_of_the_command(scenarios: Path, tmp_path: Path, command: str) -> None:
+    file = scenarios / "steady-7205c.toml"
+    scenario = jc.Scenario(file)
+    asked: dict[str, tuple[list[str], jc.Result]] = {
+        "bearing": ([], scenario.bearing()),
+        "steady": ([], scenario.steady()),
+        "campbell": (["--to", "60000 rpm"], scenario.campbell("60000 rpm")),
+    }
+    for verb, (options, answer) in asked.items():
+        subprocess.run([command, verb, file, *options, "--out", tmp_path / verb], check=True, capture_output=True)
+        answer.write(tmp_path / f"{verb}-package")
+        for path in (tmp_path / verb / "steady-7205c").iterdir():
+            assert (tmp_path / f"{verb}-package" / path.name).read_bytes() == path.read_bytes(), path.name
+
+
+def test_a_motion_is_followed_along_a_key(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "varying-compliance-6306.toml")
+    found = scenario.response("speed.constant", "198 rad/s", "200 rad/s", doubled=False)
+    values = found.points["speed_constant_rad_s"]
+    assert values.min() == pytest.approx(198) and values.max() == pytest.approx(200)
+    assert found.points["stable"].dtype == np.int64
+    with pytest.raises(jc.ScenarioError, match="no number"):
+        scenario.response("speed.const", "190 rad/s", "200 rad/s")
+    with pytest.raises(ValueError, match="same value"):
+        scenario.response("speed.constant", "190 rad/s", "190 rad/s")
+
+
+def test_a_run_up_has_its_maps(scenarios: Path) -> None:
+    run = jc.Scenario(scenarios / "run-up-7205c.toml").run(tolerance=1e-6)
+    waterfall = run.table("waterfall")
+    assert list(waterfall)[:3] == ["t_s", "speed_rad_s", "f_Hz"]
+    assert run.table("order_tracks").rows > 10
+    assert {"waterfall", "order_tracks", "campbell"} <= set(run.figures)
+
+
+def test_a_run_up_that_is_too_short_for_maps_draws_none(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "run-up-7205c.toml")
+    scenario.update({"speed.over": "1 ms", "time": {"duration": "2 ms"}})
+    run = scenario.run(tolerance=1e-6)
+    for name in run.figures:
+        assert run.figure(name).svg
+    assert "trace" in run.figures
+    empty = [name for name in ("waterfall", "order_tracks") if run.table(name).rows == 0]
+    assert empty and not set(empty) & set(run.figures)
+
+
+def test_accuracy_is_measured(scenarios: Path) -> None:
+    found = short(scenarios).accuracy(methods=["verner76"], tolerances=[1e-6, 1e-4], longest="2 s")
+    assert list(found.methods["tolerance"]) == [1e-4, 1e-6]
+    errors = found.methods["error_displacement_relative"]
+    assert errors[1] < errors[0]
+    assert found.error.relative < 1e-7
+    with pytest.raises(jc.ScenarioError, match="method"):
+        short(scenarios).accuracy(methods=["euler"])
+
+
+def test_spectra_are_estimated_from_the_samples(steady_run: jc.Run) -> None:
+    amplitude = steady_run.spectrum()["x_amplitude_m"]
+    rms = steady_run.spectrum("x", scaling="rms", window="rectangular")["x_rms_m"]
+    # the record of the run ends with the settle time that its own spectrum leaves out, too
+    assert rms.max() == pytest.approx(amplitude[1:].max() / np.sqrt(2), rel=1e-9)
+    with pytest.raises(jc.ScenarioError, match="y_accelerations"):
+        steady_run.spectrum("y_accelerations")
+
+
+def test_results_are_compared(steady_run: jc.Run, scenarios: Path, tmp_path: Path) -> None:
+    steady_run.write(tmp_path / "one")
+    same = jc.compare(tmp_path / "one", steady_run)
+    assert same and same.agrees
+    heavier = jc.Scenario(scenarios / "steady-7205c.toml").with_({"shaft.mass": "6 kg"}).run()
+    differs = jc.compare(steady_run, heavier, relative=1e-3)
+    assert not differs
+    assert "x_m" in str(differs)
+    with pytest.raises(FileNotFoundError):
+        jc.compare(tmp_path / "two", tmp_path / "one")
+    with pytest.raises(ValueError):
+        jc.compare(tmp_path / "one", tmp_path / "one", relative=-1.0)

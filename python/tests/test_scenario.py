@@ -1,0 +1,128 @@
+"""Scenarios are read, changed and refused as files are."""
+
+import pickle
+from pathlib import Path
+
+import pytest
+
+import jeffcott as jc
+
+TEXT = """
+[shaft]
+mass = "5 kg"
+freedoms = "translational"
+[speed]
+constant = "500 rad/s"
+[[bearing]]
+catalogue = "7205C"
+[[load]]
+constant = { z = "1000 N" }
+"""
+
+
+def test_file_text_and_dict_say_the_same(scenarios: Path) -> None:
+    file = jc.Scenario(scenarios / "steady-7205c.toml")
+    text = jc.Scenario((scenarios / "steady-7205c.toml").read_text(encoding="utf-8"))
+    tree = jc.Scenario(file.to_dict())
+    assert file.defaults == text.defaults == tree.defaults
+    assert file.title == "7205C drive shaft, 500 rad/s, 1000 N axial"
+
+
+def test_keys_are_read_with_their_defaults_and_set_with_their_units(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "steady-7205c.toml")
+    assert scenario["bearing[0].catalogue"] == "7205C"
+    assert scenario["bearing[0].position"] == "0 m"
+    assert "damping.stiffness_time" not in scenario
+    scenario["shaft.mass"] = "6 kg"
+    assert scenario["shaft.mass"] == "6 kg"
+    scenario["load[1]"] = {"constant": {"y": "-50 N"}}
+    assert len(scenario["load"]) == 2
+    del scenario["load[1]"]
+    assert len(scenario["load"]) == 1
+    other = scenario.with_({"damping.ratio": None, "damping.stiffness_time": "10 us"})
+    assert "damping.ratio" not in other
+    assert scenario["damping.ratio"] == 0.02
+
+
+def test_a_wrong_key_tells_the_nearest_one_and_changes_nothing(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "steady-7205c.toml")
+    with pytest.raises(jc.ScenarioError) as caught:
+        scenario["shaft.mas"] = "6 kg"
+    [problem] = caught.value.problems
+    assert problem.key == "shaft.mas"
+    assert "`mass`" in str(problem.hint)
+    assert "steady-7205c.changed" in str(caught.value)
+    assert '"mas": "6 kg"' in str(caught.value)
+    assert "shaft.mas" not in scenario
+    with pytest.raises(jc.ScenarioError, match="needs a unit"):
+        scenario["shaft.mass"] = 6
+    assert scenario["shaft.mass"] == "5 kg"
+
+
+def test_all_problems_come_at_once_with_their_lines() -> None:
+    wrong = TEXT.replace('"5 kg"', "5").replace("7205C", "7205D")
+    with pytest.raises(jc.ScenarioError) as caught:
+        jc.Scenario(wrong)
+    problems = caught.value.problems
+    assert [(problem.key, problem.line) for problem in problems] == [
+        ("shaft.mass", 3),
+        ("bearing[0].catalogue", 8),
+    ]
+    assert isinstance(caught.value, ValueError)
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert again.problems == problems
+    assert str(again) == str(caught.value)
+
+
+def test_a_file_that_is_missing() -> None:
+    with pytest.raises(jc.ScenarioError, match="cannot read the file") as caught:
+        jc.Scenario("nowhere.toml")
+    assert caught.value.problems[0].line is None
+
+
+def test_a_path_that_leads_nowhere(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "steady-7205c.toml")
+    for path in ("load[3].constant.x", "shaft.mass.x", "title[0]"):
+        with pytest.raises(jc.ScenarioError) as caught:
+            scenario[path] = "1 N"
+        assert caught.value.problems[0].key == path
+    with pytest.raises(jc.ScenarioError, match="no path"):
+        scenario["load[0]..z"] = "1 N"
+    with pytest.raises(KeyError):
+        scenario["load[3]"]
+
+
+def test_a_scenario_without_time_does_not_run() -> None:
+    scenario = jc.Scenario(TEXT)
+    with pytest.raises(jc.ScenarioError, match=r"no \[time\]"):
+        scenario.run()
+    assert scenario.bearing().stiffness.shape == (5, 5)
+
+
+def test_a_scene_that_fails_says_why() -> None:
+    scenario = jc.Scenario(
+        TEXT + '[time]\nduration = "0.1 s"\n[[load]]\nshock = { peak = { y = "1e9 N" }, at = "0.01 s", duration = "5 ms" }\n'
+    )
+    with pytest.raises(jc.RunError, match="check the loads"):
+        scenario.run()
+
+
+def test_files_of_a_dict_are_looked_for_in_its_folder(tmp_path: Path) -> None:
+    (tmp_path / "force.csv").write_text("t_s,x_N\n0,0\n0.1,10\n")
+    tree = jc.Scenario(TEXT).to_dict()
+    tree["load"].append({"series": {"file": "force.csv"}})
+    assert jc.Scenario(tree, folder=tmp_path)["load[1].series.file"] == "force.csv"
+    with pytest.raises(jc.ScenarioError):
+        jc.Scenario(tree)
+
+
+def test_it_goes_to_another_process_and_back(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "steady-7205c.toml")
+    scenario["shaft.mass"] = "7 kg"
+    assert pickle.loads(pickle.dumps(scenario)).defaults == scenario.defaults
+
+
+def test_a_bearing_is_checked_when_it_is_made() -> None:
+    with pytest.raises(jc.ScenarioError, match="did you mean"):
+        jc.Bearing("7205")
+    assert "7205C" in jc.catalogue()
