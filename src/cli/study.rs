@@ -115,8 +115,12 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             return Ok(Outcome::WrongInput);
         }
     };
-    let Some(folder) = folder_of(file, &make.out) else {
-        return Ok(Outcome::WrongInput);
+    let folder = match folder_of(file, &make.out) {
+        Ok(folder) => folder,
+        Err(message) => {
+            terminal::tell(&format!("error: {message}\n"));
+            return Ok(Outcome::WrongInput);
+        }
     };
     let failure = match Task::new(&study, make, folder).and_then(|task| task.run()) {
         Ok(outcome) => return Ok(outcome),
@@ -240,7 +244,12 @@ impl<'a> Task<'a> {
         if shard.count > most.max(1) {
             let Shard { number, count } = shard;
             return Err(Failure::Wrong(format!(
-                "there is no part {number} of {count}: the study has {most} to share at most"
+                "there is no part {number} of {count}: the study has {most} {}, so at most {most} parts",
+                if self.schedule.carries() {
+                    "sweeps"
+                } else {
+                    "runs"
+                }
             )));
         }
         let layout = Layout {
