@@ -131,8 +131,10 @@ impl HannSpectrum {
         Some(Refined {
             maximum: k,
             beside,
-            // unknown, it is as large as it gets
-            uncertainty: uncertainty.min(BINS_KNOWN).max(LEAST_UNCERTAINTY),
+            uncertainty: match uncertainty.is_nan() {
+                true => BINS_KNOWN,
+                false => uncertainty.clamp(LEAST_UNCERTAINTY, BINS_KNOWN),
+            },
             amplitude: amplitude[k] / hann_response(offset, self.length),
         })
     }
