@@ -19,8 +19,10 @@ use std::sync::atomic::Ordering;
 pub use energy_audit::EnergyReport;
 pub use model::Model;
 pub(crate) use model::{Analyses, MotionAnalysis, Sampling};
+pub(crate) use observation::PeakWatch;
 pub use observation::{
-    BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone, Spread,
+    BearingHistory, BeyondContact, ConsumedLife, Event, EventCount, EventKind, LifeHistory,
+    LoadZone, Spread,
 };
 pub(crate) use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub(crate) use passes::{BareRun, reference_settings};
@@ -28,6 +30,7 @@ pub use recorders::Maps;
 pub use run::{MeasuredError, RecordedRun, Run, StaticState, UnknownColumn};
 pub(crate) use sampling::RunSize;
 pub(crate) use tables::TableUse;
+pub(crate) use warnings::{of_speed, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 pub use crate::integrate::{Counters, IntegrateError};
@@ -128,7 +131,10 @@ fn integrate(
         states.clear();
         let result = passes.main.advance(BLOCK, &mut states);
         part.counters = passes.main.counters();
-        passes.compare(&states)?;
+        // an interrupted block has no second pass, which would tell of its own start
+        if !matches!(result, Err(IntegrateError::Interrupted { .. })) {
+            passes.compare(&states)?;
+        }
         observers.take(passes.rotor, first, &states)?;
         result?;
         part.keep(&states)?;

@@ -17,10 +17,55 @@ const MESHING_MULTIPLES: u32 = 8;
 /// Shaft orders looked for on either side of a ball-pass line, cage orders beside one of spin.
 const SIDEBANDS: i32 = 3;
 
-/// A line this many bins from its cause is still named by it.
-pub const TOLERANCE_BINS: f64 = 0.75;
-/// Causes whose distances differ by less than this many bins cannot be told apart.
-const TIE_BINS: f64 = 0.1;
+/// Bins within which a frequency is known that is read off a spectrum, and no better.
+pub(super) const BINS_KNOWN: f64 = 0.75;
+/// Causes whose distances differ by less than this part of the uncertainty cannot be told apart.
+const TIE: f64 = 2.0 / 15.0;
+/// Bins between lines that are told apart: the main lobe of the Hann window.
+const LOBE_BINS: f64 = 4.0;
+
+/// How exactly a frequency of a spectrum is known. From a width of a bin in Hz: to three quarters of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Precision {
+    /// Width of a bin, Hz.
+    pub resolution: f64,
+    /// How far the frequency may be off, Hz.
+    pub uncertainty: f64,
+}
+
+impl From<f64> for Precision {
+    fn from(resolution: f64) -> Self {
+        Self {
+            resolution,
+            uncertainty: BINS_KNOWN * resolution,
+        }
+    }
+}
+
+impl Precision {
+    /// How far from a line a frequency may be to bear its name, Hz; none where such lines stand closer than the
+    /// spectrum tells apart, and one of them is near any frequency. A natural frequency is itself an estimate.
+    fn reach(&self, line: &Line) -> Option<f64> {
+        let apart = LOBE_BINS * self.resolution;
+        match line.kind {
+            LineKind::Natural { .. } => Some(self.uncertainty.max(BINS_KNOWN * self.resolution)),
+            LineKind::ShaftHalves(halves) | LineKind::BallPassHalves { halves, .. } => {
+                let spacing = line.frequency / f64::from(halves);
+                (spacing >= apart).then_some(self.uncertainty)
+            }
+            _ => Some(self.uncertainty),
+        }
+    }
+
+    /// Lines that a frequency may bear the name of, each with its distance, Hz.
+    fn near<'a>(&self, frequency: f64, lines: &'a [Line]) -> impl Iterator<Item = (f64, &'a Line)> {
+        let precision = *self;
+        lines.iter().filter_map(move |line| {
+            let distance = (line.frequency - frequency).abs();
+            (distance <= precision.reach(line)?).then_some((distance, line))
+        })
+    }
+}
 
 /// A frequency at which a cause would show.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -187,42 +232,40 @@ fn odd(largest: u32) -> impl Iterator<Item = u32> {
     (1..2 * largest).step_by(2)
 }
 
-/// The cause nearest to `frequency`, no further than three quarters of a bin of `resolution` Hz.
+/// The cause nearest to `frequency`, no further than it is known.
 ///
-/// Causes that are equally near within a tenth of a bin are ranked by simplicity: shaft order,
-/// meshing, ball pass, natural frequency, cage, halves, sidebands.
-pub fn nearest_cause(frequency: f64, resolution: f64, causes: &[Line]) -> Option<Line> {
-    let distance = |line: &Line| (line.frequency - frequency).abs();
-    let nearest = causes.iter().map(distance).fold(f64::INFINITY, f64::min);
-    if nearest > TOLERANCE_BINS * resolution {
-        return None;
-    }
-    let reach = (nearest + TIE_BINS * resolution).min(TOLERANCE_BINS * resolution);
-    causes
-        .iter()
-        .filter(|line| distance(line) <= reach)
+/// Causes that are equally near are ranked by simplicity: shaft order, meshing, ball pass, natural frequency, cage,
+/// halves, sidebands.
+pub fn nearest_cause(
+    frequency: f64,
+    precision: impl Into<Precision>,
+    causes: &[Line],
+) -> Option<Line> {
+    let precision = precision.into();
+    let near = || precision.near(frequency, causes);
+    let nearest = near()
+        .map(|(distance, _)| distance)
+        .fold(f64::INFINITY, f64::min);
+    let tie = nearest + TIE * precision.uncertainty;
+    let tied = near().filter(|(distance, _)| *distance <= tie);
+    tied.map(|(_, line)| line)
         .min_by_key(|line| line.kind.rank())
         .copied()
 }
 
-/// Causes within [`TOLERANCE_BINS`] of `frequency` besides the one that names it, nearest first.
+/// Causes as near to `frequency` as it is known besides the one that names it, nearest first.
 pub fn other_causes(
     frequency: f64,
-    resolution: f64,
+    precision: impl Into<Precision>,
     causes: &[Line],
     named: Option<Line>,
 ) -> Vec<Line> {
-    let distance = |line: &Line| (line.frequency - frequency).abs();
-    let near = |line: &&Line| distance(line) <= TOLERANCE_BINS * resolution;
-    let mut others: Vec<Line> = causes
-        .iter()
-        .filter(near)
-        .filter(|line| named != Some(**line))
-        .copied()
-        .collect();
-    others.sort_by(|a, b| {
-        let places = distance(a).total_cmp(&distance(b));
-        places.then_with(|| a.kind.rank().cmp(&b.kind.rank()))
+    let precision = precision.into();
+    let near = precision.near(frequency, causes);
+    let mut others: Vec<_> = near.filter(|(_, line)| named != Some(**line)).collect();
+    others.sort_by(|(a, first), (b, second)| {
+        let places = a.total_cmp(b);
+        places.then_with(|| first.kind.rank().cmp(&second.kind.rank()))
     });
-    others
+    others.into_iter().map(|(_, line)| *line).collect()
 }

@@ -5,7 +5,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{Channel, Line, Transform, Window, nearest_cause, other_causes};
+use super::causes::BINS_KNOWN;
+use super::{Channel, Line, Precision, Transform, Window, nearest_cause, other_causes};
+
+/// Part of the difference of two estimates of a frequency that it is known to, and the least of it in bins.
+const UNCERTAIN: f64 = 2.0;
+const LEAST_UNCERTAINTY: f64 = 0.05;
 
 /// Largest number of peaks kept of one channel.
 pub const MOST_PEAKS: usize = 12;
@@ -26,9 +31,9 @@ pub struct Peak {
     /// Phase in rad of `cos(2πft + phase)` at the refined frequency, time counted from the start of the
     /// window.
     pub phase: f64,
-    /// The nearest known cause within three quarters of a bin, if any.
+    /// The nearest known cause within the uncertainty of the frequency, if any.
     pub line: Option<Line>,
-    /// Further causes within three quarters of a bin, nearest first.
+    /// Further causes as near, nearest first.
     pub others: Vec<Line>,
 }
 
@@ -67,8 +72,9 @@ fn strongest_first(mut found: Vec<Refined>) -> Vec<Refined> {
 struct Refined {
     /// The bin that is above its neighbours.
     maximum: usize,
-    /// Distance of the line from it, in bins.
+    /// Distance of the line from it, in bins, and how far that may be off.
     beside: f64,
+    uncertainty: f64,
     /// Peak value.
     amplitude: f64,
 }
@@ -112,16 +118,34 @@ impl HannSpectrum {
             return None;
         }
         let beside = if upwards { offset } else { -offset };
+        // a single line has the same offset by the pair of bins on the other side
+        let ratio =
+            |near: usize, far: usize| hann_offset(amplitude[near] / amplitude[far], self.length);
+        let again = match (upwards, k) {
+            (true, 1) if k + 2 <= last => ratio(k + 2, k + 1) + 1.0,
+            (true, 1) => f64::NAN,
+            (true, _) => ratio(k, k - 1) - 1.0,
+            (false, _) => ratio(k, k + 1) - 1.0,
+        };
+        let uncertainty = UNCERTAIN * (again - offset).abs();
         Some(Refined {
             maximum: k,
             beside,
+            uncertainty: match uncertainty.is_nan() {
+                true => BINS_KNOWN,
+                false => uncertainty.clamp(LEAST_UNCERTAINTY, BINS_KNOWN),
+            },
             amplitude: amplitude[k] / hann_response(offset, self.length),
         })
     }
 
     fn named(&self, found: &Refined, channel: Channel, resolution: f64, causes: &[Line]) -> Peak {
         let frequency = (found.maximum as f64 + found.beside) * resolution;
-        let line = nearest_cause(frequency, resolution, causes);
+        let precision = Precision {
+            resolution,
+            uncertainty: found.uncertainty * resolution,
+        };
+        let line = nearest_cause(frequency, precision, causes);
         // the periodic window is even about its middle: a line δ bins beside turns by πδ
         let phase = self.centred.line(found.maximum, Window::Hann).arg() - PI * found.beside;
         Peak {
@@ -130,7 +154,7 @@ impl HannSpectrum {
             amplitude: found.amplitude,
             phase: wrapped(phase),
             line,
-            others: other_causes(frequency, resolution, causes, line),
+            others: other_causes(frequency, precision, causes, line),
         }
     }
 }

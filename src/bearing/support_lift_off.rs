@@ -10,8 +10,8 @@ use super::{BearingRotation, Vector5};
 /// Slope of the distance to lift-off by the place of the inner groove centre: one, but for what the
 /// inertia of the ball and the table of a law add.
 const LIFT_OFF_SLOPE: f64 = 1.1;
-/// Positions of the cage within one ball spacing at which balls are looked at.
-const CAGE_POSITIONS: u32 = 8;
+/// Parts of one ball spacing between whose ends balls are looked at.
+const CAGE_STEPS: u32 = 8;
 
 impl Support {
     /// Number of balls whose force is not smooth where they lift off: none of a linear bearing, and
@@ -40,7 +40,8 @@ impl Support {
     }
 
     /// Whether any ball comes to its lift-off as the shaft moves by the distance of two displacements about the first
-    /// of them, at a speed in rad/s: at the start's position of the cage, or, where the cage turns, at any.
+    /// of them, at a speed in rad/s: at the start's position of the cage, or, where the cage turns, at any, and between
+    /// two neighbouring ones where a ball is pressed at one and not at the other.
     ///
     /// A bound for a bearing that is held; one on a spring is taken to follow the shaft along its axis.
     pub(crate) fn may_part(
@@ -58,14 +59,19 @@ impl Support {
         }
         let shift = self.shift_of_centres(&from, &to, 0.0) + self.largest_drop();
         let reach = LIFT_OFF_SLOPE * shift;
-        let positions = if cage_turns { CAGE_POSITIONS } else { 1 };
-        let spacing = TAU / self.definition.bearing.geometry.balls() as f64;
+        let step = TAU / (self.definition.bearing.geometry.balls() as f64 * f64::from(CAGE_STEPS));
+        let last = if cage_turns { CAGE_STEPS } else { 0 };
         let mut past = vec![0.0; self.balls_that_lift_off()];
-        (0..positions).any(|position| {
-            let part = f64::from(position) / f64::from(CAGE_POSITIONS);
-            let rotation = BearingRotation::at_start(speed).with_cage_at(part * spacing);
+        let mut before = Vec::new();
+        (0..=last).any(|position| {
+            let cage_angle = f64::from(position) * step;
+            let rotation = BearingRotation::at_start(speed).with_cage_at(cage_angle);
             self.past_lift_offs(place, &rotation, &mut past);
-            past.iter().any(|past| past.abs() <= reach)
+            let comes_near = past.iter().any(|past| past.abs() <= reach);
+            let mut turned = before.iter().zip(&past);
+            let parts = comes_near || turned.any(|(before, past)| before * past < 0.0);
+            before.clone_from(&past);
+            parts
         })
     }
 

@@ -58,15 +58,16 @@ pub(super) fn of(
 fn too_fast(bearing: &Bearing, speed: f64) -> Option<String> {
     const PER_MINUTE: f64 = 60.0 / TAU;
     let limit = bearing.highest_permissible_speed();
-    let source = match bearing.limiting_speed {
-        Some(_) => "its limiting speed",
-        None => {
-            "the limiting speed that a factor n·d_m of 1e6 mm/min gives it (`limiting_speed` gives its own)"
-        }
+    let (source, advice) = match bearing.limiting_speed {
+        Some(_) => ("its limiting speed", ""),
+        None => (
+            "the estimated limiting speed",
+            " (set `limiting_speed` to the maker's)",
+        ),
     };
     (speed.abs() > limit).then(|| {
         format!(
-            "{:.0} rpm is {:.2} times {source}, {:.0} rpm",
+            "{:.0} rpm is {:.2} times {source}, {:.0} rpm{advice}",
             speed.abs() * PER_MINUTE,
             speed.abs() / limit,
             limit * PER_MINUTE

@@ -8,6 +8,7 @@ use super::{Outcome, terminal};
 use crate::physics::BallPass;
 use crate::report;
 use crate::scenario;
+use crate::simulate::speed_warnings;
 use crate::study::campbell::{self, CampbellQuestion};
 
 /// Follows natural frequencies over the speed, and finds the critical speeds.
@@ -98,6 +99,8 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
         orders: orders(job, arguments),
     };
     let campbell = question.solve()?;
+    let fastest = question.rotor.at_constant_speed(question.to);
+    job.warn(speed_warnings(&fastest));
     let written = destination.write(report::campbell_findings(&destination, &campbell))?;
     Ok(Answer::from(written))
 }

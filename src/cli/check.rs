@@ -59,7 +59,7 @@ struct Checked {
 }
 
 fn check(file: &Path) -> Result<Checked, ScenarioError> {
-    Ok(match scenario::load_any(file)? {
+    let mut checked = match scenario::load_any(file)? {
         Loaded::Study(study) => Checked {
             demand: demand_of_study(&study),
             title: study.title,
@@ -74,7 +74,10 @@ fn check(file: &Path) -> Result<Checked, ScenarioError> {
                 warnings: [scenario.warnings, of_speed].concat(),
             }
         }
-    })
+    };
+    let refused = checked.demand.as_ref().and_then(Demand::memory_warning);
+    checked.warnings.extend(refused);
+    Ok(checked)
 }
 
 fn demand_of_study(study: &StudyFile) -> Option<Demand> {

@@ -4,6 +4,8 @@ use std::error::Error;
 use std::io::{self, ErrorKind};
 use std::path::PathBuf;
 
+use serde_json::json;
+
 use super::{Outcome, terminal};
 use crate::report::compare::{
     CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison_figure,
@@ -86,6 +88,11 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     match comparison(arguments) {
         Err(message) => {
             terminal::tell(&message);
+            if arguments.json {
+                let message = message.trim_end();
+                let error = message.strip_prefix("error: ").unwrap_or(message);
+                terminal::print(&format!("{:#}\n", json!({ "error": error })))?;
+            }
             Ok(Outcome::WrongInput)
         }
         Ok(comparison) => {

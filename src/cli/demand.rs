@@ -81,6 +81,12 @@ impl Demand {
         })
     }
 
+    /// What keeps `run` from beginning it, if it needs more memory than there is.
+    pub fn memory_warning(&self) -> Option<String> {
+        let refused = check_memory(&self.size, 1).err()?;
+        Some(format!("`run` and `study` refuse it here: {refused}"))
+    }
+
     /// For programs.
     pub fn json(&self) -> Value {
         json!({

@@ -65,19 +65,22 @@ impl Files {
         prepare: impl Fn(&mut Job) -> Result<T, Failure>,
         answer: impl Fn(&Job, T) -> Result<Answer, Failure>,
     ) -> io::Result<Outcome> {
-        let prepared = |mut job: Job| match prepare(&mut job) {
-            Ok(task) => Some((job, task)),
-            Err(failure) => {
-                job.tell("error", &failure.to_string());
-                None
+        let (jobs, mut wrong) = self.jobs();
+        let mut tasks = Vec::new();
+        // what is wrong with the files comes first, and alone
+        let right = if wrong.is_empty() { jobs } else { Vec::new() };
+        for mut job in right {
+            match prepare(&mut job) {
+                Ok(task) => tasks.push((job, task)),
+                Err(failure) => wrong.push(job.failed(&failure.to_string())),
             }
-        };
-        let jobs = self.jobs().into_iter().flatten();
-        let tasks: Vec<_> = jobs.map(prepared).collect();
-        let tasks: Option<Vec<_>> = tasks.into_iter().collect();
-        let Some(tasks) = tasks.filter(|tasks| !tasks.is_empty()) else {
+        }
+        if !wrong.is_empty() {
+            if self.json {
+                terminal::print(&document(self.files.len(), wrong))?;
+            }
             return Ok(Outcome::WrongInput);
-        };
+        }
         let count = tasks.len();
         let (mut outcome, mut documents) = (Outcome::Done, Vec::new());
         for (job, task) in tasks {
@@ -92,10 +95,8 @@ impl Files {
                     terminal::remark(&answer.told);
                 }
                 Err(failure) => {
-                    let message = failure.to_string();
-                    job.tell("error", &message);
                     outcome = Outcome::Failed;
-                    documents.push(json!({ "file": job.name, "error": message }));
+                    documents.push(job.failed(&failure.to_string()));
                 }
             }
         }
@@ -105,32 +106,36 @@ impl Files {
         Ok(outcome)
     }
 
-    /// One job a file; `None` where a file is wrong, after telling all that is wrong with all of them.
-    fn jobs(&self) -> Option<Vec<Job>> {
-        let mut jobs = Vec::new();
+    /// One job a file, and what is wrong with the others, for programs, after telling people.
+    fn jobs(&self) -> (Vec<Job>, Vec<Value>) {
+        let (mut jobs, mut wrong) = (Vec::new(), Vec::new());
         let mut folders: HashMap<PathBuf, &Path> = HashMap::new();
-        let mut complete = true;
         for file in &self.files {
             let name = name_of(file);
             let scenario = match scenario::load(file) {
                 Ok(scenario) => scenario,
                 Err(error) => {
                     terminal::tell(&error.render(terminal::color()));
-                    complete = false;
+                    wrong.push(failure(&name, &error.to_string()));
                     continue;
                 }
             };
-            let Some(folder) = folder_of(file, &self.out) else {
-                complete = false;
-                continue;
+            let folder = match folder_of(file, &self.out) {
+                Ok(folder) => folder,
+                Err(message) => {
+                    terminal::tell(&format!("error: {message}\n"));
+                    wrong.push(failure(&name, &message));
+                    continue;
+                }
             };
             if let Some(other) = folders.insert(folder.clone(), file) {
-                terminal::tell(&format!(
-                    "error: {name} and {} would both write to {}; rename one or run them apart\n",
+                let message = format!(
+                    "{name} and {} would both write to {}; rename one or run them apart",
                     other.display(),
                     folder.display()
-                ));
-                complete = false;
+                );
+                terminal::tell(&format!("error: {message}\n"));
+                wrong.push(failure(&name, &message));
             }
             let job = Job {
                 file: file.clone(),
@@ -141,8 +146,13 @@ impl Files {
             job.warn(&job.scenario.warnings);
             jobs.push(job);
         }
-        complete.then_some(jobs)
+        (jobs, wrong)
     }
+}
+
+/// Why a file has no answer, for programs.
+fn failure(name: &str, message: &str) -> Value {
+    json!({ "file": name, "error": message })
 }
 
 /// What messages call a file.
@@ -153,20 +163,21 @@ pub fn name_of(file: &Path) -> String {
     }
 }
 
-/// The folder of a file's results in `out`, called like the file without its ending; none, after telling, where that is
-/// no name.
-pub fn folder_of(file: &Path, out: &Path) -> Option<PathBuf> {
+/// The folder of a file's results in `out`, called like the file without its ending.
+///
+/// # Errors
+/// That this is no name, in words.
+pub fn folder_of(file: &Path, out: &Path) -> Result<PathBuf, String> {
     let shown = name_of(file);
     let name = Path::new(&shown).file_stem().unwrap_or_default();
     if name.is_empty() || name == "." || name == ".." {
-        terminal::tell(&format!(
-            "error: {}: the folder of the results is called like the file without its ending, and {name:?} is no name \
-             for a folder: rename the file\n",
+        return Err(format!(
+            "{}: the folder of the results is called like the file without its ending, and {name:?} is no name \
+             for a folder: rename the file",
             file.display()
         ));
-        return None;
     }
-    Some(out.join(name))
+    Ok(out.join(name))
 }
 
 impl Job {
@@ -201,6 +212,12 @@ impl Job {
     /// Tells of something about the file.
     pub fn tell(&self, kind: &str, message: &str) {
         terminal::tell(&format!("{kind}: {}: {message}\n", self.name));
+    }
+
+    /// Tells why there is no answer, and returns it for programs.
+    fn failed(&self, message: &str) -> Value {
+        self.tell("error", message);
+        failure(&self.name, message)
     }
 
     /// Tells what is good to know, unless quiet is asked for.

@@ -5,7 +5,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 use super::jobs::Job;
-use super::terminal::Progress;
+use super::terminal::{Progress, in_words};
 use crate::integrate::{Counters, Method, Pace};
 use crate::rotor::Rotor;
 use crate::simulate::Model;
@@ -82,7 +82,10 @@ impl<'a> PaceWatch<'a> {
         while ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
             let present = self.look();
             let (time, duration) = (present.time, self.model.duration);
-            let words = || format!(", t = {time:.4e} of {duration} s{}", present.pass);
+            let words = || {
+                let left = in_words(present.left);
+                format!("{left}, t = {time:.4e} of {duration} s{}", present.pass)
+            };
             progress.show_with(present.part, words);
             let is_due = self.started.elapsed() > PATIENCE && self.looks.len() == LOOKS;
             if is_due && !is_told && present.left > SLOW {
@@ -181,16 +184,5 @@ impl<'a> PaceWatch<'a> {
         format!(
             ", {steps:.0} in a period of the highest natural frequency at rest, {highest:.0} Hz: {what}"
         )
-    }
-}
-
-/// Time left in words.
-fn in_words(seconds: f64) -> String {
-    match seconds {
-        s if s < 100.0 => format!("{s:.0} s left"),
-        s if s < 6000.0 => format!("{:.0} min left", s / 60.0),
-        s if s < 2e5 => format!("{:.0} h left", s / 3600.0),
-        s if s < 1e8 => format!("{:.0} days left", s / 86400.0),
-        _ => "no end in sight".to_owned(),
     }
 }

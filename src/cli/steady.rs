@@ -2,14 +2,17 @@
 
 use std::io;
 use std::path::Path;
-use std::time::Instant;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use super::jobs::{Answer, Failure, Files, Job};
-use super::terminal::Progress;
+use super::terminal::{Progress, in_words};
 use super::{Outcome, terminal};
 use crate::report;
 use crate::scenario::OpenNumber;
-use crate::simulate::Model;
+use crate::simulate::{Model, speed_warnings};
 use crate::steady::{ResponseQuestion, SteadyQuestion, response, steady};
 use crate::study::Variable;
 
@@ -114,14 +117,92 @@ fn stretch(job: &Job, arguments: &Arguments) -> Result<Option<Stretch>, Failure>
 
 fn alone(job: &Job, model: &Model, arguments: &Arguments) -> Result<Answer, Failure> {
     let destination = job.destination();
-    let found = steady(&SteadyQuestion {
-        model,
-        multiple: arguments.period,
-        stop: terminal::stop(),
+    let pace = SearchPace::default();
+    let found = pace.watched(job, || {
+        steady(&SteadyQuestion {
+            model,
+            multiple: arguments.period,
+            stop: terminal::stop(),
+            integrated: &pace.periods,
+        })
     })?;
     job.warn(&found.warnings);
     let written = destination.write(report::steady_findings(&destination, model, &found))?;
     Ok(Answer::from(written))
+}
+
+/// What is told of both ends of a stretch before anything moves, each once.
+fn warnings_at_ends(stretch: &Stretch) -> Vec<String> {
+    let mut warnings: Vec<String> = Vec::new();
+    for end in stretch.ends {
+        let rotor = stretch.varied.rotor(end);
+        let told = rotor.map_or_else(|_| Vec::new(), |rotor| speed_warnings(&rotor));
+        for warning in told {
+            if !warnings.contains(&warning) {
+                warnings.push(warning);
+            }
+        }
+    }
+    warnings
+}
+
+/// Time between two looks at a search.
+const LOOK: Duration = Duration::from_millis(100);
+/// Time that a search goes without a word.
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// How far a search has come, for whoever watches it.
+#[derive(Debug, Default)]
+struct SearchPace {
+    /// Periods integrated.
+    periods: AtomicU64,
+    /// Bits of the part of the parameter's range that is followed, 0 … 1.
+    part: AtomicU64,
+}
+
+impl SearchPace {
+    /// Does a search and watches it from another thread.
+    fn watched<T>(&self, job: &Job, search: impl FnOnce() -> T) -> T {
+        let (running, ended) = mpsc::channel();
+        thread::scope(|scope| {
+            // a system without a further thread searches all the same, unwatched
+            let _ = thread::Builder::new().spawn_scoped(scope, move || self.watch(job, &ended));
+            let _running: mpsc::Sender<()> = running;
+            search()
+        })
+    }
+
+    /// Looks at the search until the other end of the channel is gone.
+    fn watch(&self, job: &Job, ended: &Receiver<()>) {
+        let started = Instant::now();
+        let mut progress = Progress::new(&job.scenario.title);
+        let mut is_told = false;
+        while ended.recv_timeout(LOOK) == Err(RecvTimeoutError::Timeout) {
+            let part = f64::from_bits(self.part.load(Ordering::Relaxed));
+            let elapsed = started.elapsed();
+            progress.show_with(part, || self.words(part, elapsed));
+            if elapsed > PATIENCE && !is_told {
+                let words = self.words(part, elapsed);
+                let slow = format!(
+                    "slow: {words} in {:.0} s; Ctrl-C ends the search, and `jeffcott run` computes the motion from its \
+                     start",
+                    elapsed.as_secs_f64()
+                );
+                progress.hidden(|| job.warn([slow]));
+                is_told = true;
+            }
+        }
+    }
+
+    /// `1234 periods integrated`, and the time left where it is known.
+    fn words(&self, part: f64, elapsed: Duration) -> String {
+        let periods = self.periods.load(Ordering::Relaxed);
+        let left = (1.0 - part) * elapsed.as_secs_f64() / part;
+        match part > 0.0 {
+            true => format!("{}, {periods} periods integrated", in_words(left)),
+            false => format!("{periods} periods integrated"),
+        }
+    }
 }
 
 fn along(
@@ -131,7 +212,7 @@ fn along(
     arguments: &Arguments,
 ) -> Result<Answer, Failure> {
     let destination = job.destination();
-    let mut progress = Progress::new(destination.title);
+    let pace = SearchPace::default();
     let varied = &stretch.varied;
     let question = ResponseQuestion {
         model,
@@ -141,9 +222,11 @@ fn along(
         points: arguments.points,
         doubled: !arguments.no_doubled,
         stop: terminal::stop(),
+        integrated: &pace.periods,
     };
-    let branches = response(&question, &mut |part| progress.show(part))?;
-    drop(progress);
+    let mut reached = |part: f64| pace.part.store(part.to_bits(), Ordering::Relaxed);
+    let branches = pace.watched(job, || response(&question, &mut reached))?;
+    job.warn(warnings_at_ends(stretch));
     let incomplete = || branches.iter().filter(|branch| branch.incomplete);
     job.warn(incomplete().map(|branch| &branch.end));
     let variable = &stretch.variable;

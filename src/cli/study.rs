@@ -115,8 +115,12 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
             return Ok(Outcome::WrongInput);
         }
     };
-    let Some(folder) = folder_of(file, &make.out) else {
-        return Ok(Outcome::WrongInput);
+    let folder = match folder_of(file, &make.out) {
+        Ok(folder) => folder,
+        Err(message) => {
+            terminal::tell(&format!("error: {message}\n"));
+            return Ok(Outcome::WrongInput);
+        }
     };
     let failure = match Task::new(&study, make, folder).and_then(|task| task.run()) {
         Ok(outcome) => return Ok(outcome),

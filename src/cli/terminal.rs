@@ -192,10 +192,12 @@ impl Progress {
 
     /// Shows that `part` (0 … 1) of the run is done.
     pub fn show(&mut self, part: f64) {
-        self.show_with(part, String::new);
+        let elapsed = self.started.elapsed().as_secs_f64();
+        let left = (1.0 - part) * elapsed / part.max(f64::MIN_POSITIVE);
+        self.show_with(part, || in_words(left));
     }
 
-    /// Shows the same with what is known of it in words.
+    /// Shows the same with what is known of it in words, such as the time left.
     pub fn show_with(&mut self, part: f64, words: impl Fn() -> String) {
         if manner().quiet || (self.bar.is_none() && self.started.elapsed() < PATIENCE) {
             return;
@@ -223,11 +225,22 @@ impl Drop for Progress {
     }
 }
 
+/// Time left, s, in words.
+pub fn in_words(seconds: f64) -> String {
+    match seconds {
+        s if s < 100.0 => format!("{s:.0} s left"),
+        s if s < 6000.0 => format!("{:.0} min left", s / 60.0),
+        s if s < 2e5 => format!("{:.0} h left", s / 3600.0),
+        s if s < 1e8 => format!("{:.0} days left", s / 86400.0),
+        _ => "no end in sight".to_owned(),
+    }
+}
+
 fn new_bar(title: &str, started: Instant) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(STEPS), ProgressDrawTarget::stderr())
         .with_elapsed(started.elapsed())
         .with_message(title.to_owned());
-    match ProgressStyle::with_template("{msg} {bar:30} {percent} %, {eta} left{prefix}") {
+    match ProgressStyle::with_template("{msg} {bar:30} {percent} %, {prefix}") {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }

@@ -148,6 +148,11 @@ fn table(
         let [re, im] = ["re", "im"].map(|part| format!("multiplier_{}_{part}", index + 1));
         table.numbers(re, values().map(|value| Some(value?.re)));
         table.numbers(im, values().map(|value| Some(value?.im)));
+        if points().any(|point| !point.multiplier_errors.is_empty()) {
+            let error = format!("multiplier_{}_error", index + 1);
+            let errors = points().map(|point| point.multiplier_errors.get(index).copied());
+            table.numbers(error, errors);
+        }
     }
     table
 }

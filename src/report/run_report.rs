@@ -19,7 +19,7 @@ use super::spectra::{
     spectrum_table, table_name,
 };
 use super::table::{Origin, Table, TableFiles};
-use super::text::MethodUseSummary;
+use super::text::{MethodUseSummary, parted};
 use super::{
     FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
     WholeFile, campbell, document, spectrum_figure,
@@ -459,7 +459,10 @@ impl<'a> RunSummary<'a> {
         let peaks = run.peaks.iter();
         Self {
             run,
-            method_use: run.method_use.as_ref().map(MethodUseSummary::from),
+            method_use: run
+                .method_use
+                .as_ref()
+                .map(|used| MethodUseSummary::new(used, parted(&run.bearings))),
             measured_error: run.measured_error.as_ref().map(|error| ErrorSummary {
                 error,
                 tolerance: model.integrator.tolerance,

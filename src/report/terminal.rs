@@ -180,15 +180,32 @@ pub(super) fn measured_text(
     [tolerance, reference]: [f64; 2],
 ) -> String {
     format!(
-        "{:.2e} µm, {relative:.1e} of the motion (tolerance {tolerance:e}, measured against {reference:e})",
-        MICRO * displacement
+        "{:.2e} µm, {relative:.1e} of the motion (tolerance {}, measured against {})",
+        MICRO * displacement,
+        shortest(tolerance),
+        shortest(reference)
     )
+}
+
+/// A power of ten with at most five significant digits, without zeros at their end: `1e-8`, `2.5e-9`.
+fn shortest(value: f64) -> String {
+    let rounded: f64 = format!("{value:.4e}").parse().unwrap_or(value);
+    format!("{rounded:e}")
+}
+
+/// Decimals without a minus sign before zeros.
+pub(super) fn decimals(value: f64, count: usize) -> String {
+    let text = format!("{value:.count$}");
+    let is_zero = text.bytes().all(|byte| matches!(byte, b'-' | b'0' | b'.'));
+    match text.strip_prefix('-') {
+        Some(zero) if is_zero => zero.to_owned(),
+        _ => text,
+    }
 }
 
 /// Four decimals, without a minus sign before zeros.
 pub(super) fn decimal(value: f64) -> String {
-    let rounded = (value * 1e4).round() / 1e4;
-    format!("{:.4}", rounded + 0.0)
+    decimals(value, 4)
 }
 
 /// Four decimals, or powers of ten where they would not show the value.

@@ -6,13 +6,14 @@ use serde::Serialize;
 
 use super::motion::put_motion;
 use super::terminal::{
-    Lines, MICRO, clearance_text, displacement_text, listed, measured_text, significant,
+    Lines, MICRO, clearance_text, decimals, displacement_text, listed, measured_text, significant,
 };
 use crate::analysis::{Peak, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::scenario;
 use crate::simulate::{
-    BearingHistory, EventCount, EventKind, Model, Run, Spread, StaticState, TableUse,
+    BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Run, Spread, StaticState,
+    TableUse,
 };
 use crate::study::{ContactChoice, Fidelity, FidelityDifference};
 
@@ -34,7 +35,7 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
         ),
     );
     if let Some(used) = &run.method_use {
-        out.detail("method", method_use_text(used));
+        out.detail("method", method_use_text(used, parted(&run.bearings)));
     }
     put_table_use(&mut out, &run.tables);
     if let Some(error) = &run.measured_error {
@@ -67,7 +68,11 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
 /// `512.3 Hz (ζ 0.020), …`.
 fn natural(state: &StaticState) -> String {
     let modes = state.natural_frequencies.iter();
-    listed(modes.map(|mode| format!("{:.2} Hz (ζ {:.3})", mode.frequency, mode.damping_ratio)))
+    let text = |mode: &NaturalFrequency| {
+        let damping = decimals(mode.damping_ratio, 3);
+        format!("{:.2} Hz (ζ {damping})", mode.frequency)
+    };
+    listed(modes.map(text))
 }
 
 /// The strongest peaks of x, y and z, which have one unit and so one order.
@@ -194,11 +199,19 @@ fn name(method: Method) -> &'static str {
     named.map_or("", |named| named.name.as_str())
 }
 
-fn why_method(first: Method) -> &'static str {
-    match first {
-        Method::Verner76 => "a ball may part from a race on this motion",
-        _ => "no ball is expected to part from a race on this motion",
+/// Why a method was chosen before the first step; `parted` where balls then did part from a race.
+fn why_method(first: Method, parted: bool) -> &'static str {
+    match (first, parted) {
+        (Method::Verner76, _) => "a ball may part from a race on this motion",
+        (_, false) => "no ball is expected to part from a race on this motion",
+        (_, true) => "no ball was expected to part from a race, but some did",
     }
+}
+
+/// Whether a ball of any bearing parted from a race.
+pub(super) fn parted(bearings: &[BearingHistory]) -> bool {
+    let lost = |bearing: &BearingHistory| bearing.events(EventKind::ContactLost).count > 0;
+    bearings.iter().any(lost)
 }
 
 fn why_changed(reason: ChangeReason) -> &'static str {
@@ -209,8 +222,8 @@ fn why_changed(reason: ChangeReason) -> &'static str {
 }
 
 /// `exponential: no ball is expected to part from a race on this motion; verner76 from 1.234 ms on: …`
-pub(super) fn method_use_text(used: &MethodUse) -> String {
-    let mut line = format!("{}: {}", name(used.first), why_method(used.first));
+pub(super) fn method_use_text(used: &MethodUse, parted: bool) -> String {
+    let mut line = format!("{}: {}", name(used.first), why_method(used.first, parted));
     if let Some((reason, time)) = used.change {
         let [latest, why] = [name(used.latest()), why_changed(reason)];
         line.push_str(&format!("; {latest} from {:.3} ms on: {why}", 1e3 * time));
@@ -237,11 +250,12 @@ struct MethodChange {
     why: &'static str,
 }
 
-impl From<&MethodUse> for MethodUseSummary {
-    fn from(used: &MethodUse) -> Self {
+impl MethodUseSummary {
+    /// Of a run in which balls did or did not part from a race.
+    pub fn new(used: &MethodUse, parted: bool) -> Self {
         Self {
             method: name(used.first),
-            why: why_method(used.first),
+            why: why_method(used.first, parted),
             change: used.change.map(|(reason, time)| MethodChange {
                 time_s: time,
                 method: name(used.latest()),

@@ -11,7 +11,7 @@ use super::{
     Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
     SpeedProfile,
 };
-use crate::bearing::{BearingError, Support, Vector5};
+use crate::bearing::{BearingError, Geometry, Support, Vector5};
 
 /// Why a rotor cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -37,6 +37,17 @@ pub enum RotorError {
         value: f64,
         /// What it must be.
         rule: &'static str,
+    },
+    /// The centre of mass lies outside every bearing.
+    #[error(
+        "the eccentricity is {:.4} mm, more than the pitch radius of the largest bearing, {:.4} mm: check its unit",
+        1e3 * eccentricity, 1e3 * pitch_radius
+    )]
+    Eccentricity {
+        /// The eccentricity, m.
+        eccentricity: f64,
+        /// The pitch radius, m.
+        pitch_radius: f64,
     },
     /// The times of a speed profile do not rise.
     #[error("speed point {number} stands at {time} s; it must come after {before} s")]
@@ -73,6 +84,7 @@ impl Rotor {
     ) -> Result<Self, RotorError> {
         check_inertia(definition)?;
         let mut supports = build_supports(definition)?;
+        check_eccentricity(definition.shaft.eccentricity, &supports)?;
         let speed = definition.speed_profile()?;
         let load = definition.static_load();
         let StaticPlace {
@@ -120,6 +132,18 @@ impl Rotor {
             rest,
             tangent,
         })
+    }
+}
+
+/// No shaft has its centre of mass outside its bearings.
+fn check_eccentricity(eccentricity: f64, supports: &[Support]) -> Result<(), RotorError> {
+    let pitch_radius = 0.5 * Support::largest(supports, Geometry::pitch_diameter);
+    match eccentricity > pitch_radius {
+        true => Err(RotorError::Eccentricity {
+            eccentricity,
+            pitch_radius,
+        }),
+        false => Ok(()),
     }
 }
 

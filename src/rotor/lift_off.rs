@@ -8,16 +8,21 @@ use crate::bearing::Support;
 
 impl Rotor {
     /// Whether a ball may part from a race, or meet it again, on the motion to come: whether its amplitudes about the
-    /// static equilibrium, as they are estimated from unbalance, loads, passing balls and the initial state, reach
-    /// the lift-off of any ball at any position of the cage; at the start's speed, at those of the profile and at the
-    /// highest.
+    /// static equilibrium, as they are estimated from unbalance, loads, passing balls, the initial state and the free
+    /// vibrations of a start beside the forced motion, reach the lift-off of any ball at any position of the cage; at
+    /// the start's speed, at those of the profile and at the highest.
     pub(super) fn balls_may_part(&self) -> bool {
         let speeds = self.speed.points().map(|point| point.speed);
         let mut speeds = speeds.chain([self.highest_speed()]);
         let cage_turns = self.cage == CageMotion::Rolling;
         self.balls_that_lift_off > 0
             && speeds.any(|speed| {
-                let amplitudes = self.amplitude_estimate(speed);
+                let mut amplitudes = self.amplitude_estimate(speed);
+                let free = self.forced_amplitudes(speed);
+                amplitudes
+                    .iter_mut()
+                    .zip(free)
+                    .for_each(|(sum, free)| *sum += free);
                 self.bearings().any(|bearing| {
                     let place = bearing.displacement(&self.rest[..self.dofs()]);
                     let reach = bearing.attachment.reach(&amplitudes);

@@ -97,35 +97,42 @@ impl Rotor {
         Support::largest(&self.supports, Geometry::groove_centre_distance)
     }
 
-    /// Estimated amplitudes of the degrees of freedom about the static equilibrium at a speed of the shaft in rad/s, m and
-    /// rad: the sum of what [`Rotor::motion_scale`] takes the largest of.
-    pub(super) fn amplitude_estimate(&self, speed: f64) -> Vec<f64> {
+    /// Estimated amplitudes of the degrees of freedom under unbalance and loads at a speed of the shaft in rad/s, m and
+    /// rad. A shaft that starts beside this motion has free vibrations of these amplitudes besides.
+    pub(super) fn forced_amplitudes(&self, speed: f64) -> Vec<f64> {
         let mut sum = vec![0.0; self.dofs()];
-        let mut add = |part: Vec<f64>| {
-            for (sum, part) in sum.iter_mut().zip(part) {
-                *sum += part.abs();
-            }
-        };
-        add(self.amplitudes(&self.unbalance_phasor(speed), speed, speed));
+        add_sizes(
+            &mut sum,
+            &self.amplitudes(&self.unbalance_phasor(speed), speed, speed),
+        );
         for load in &self.loads {
             let load = load.main_vibration(self.shaft_mass);
             let frequency = load.frequency + load.order * speed;
-            add(self.amplitudes(&load.amplitude.map(Complex::from), frequency, speed));
+            let forced = self.amplitudes(&load.amplitude.map(Complex::from), frequency, speed);
+            add_sizes(&mut sum, &forced);
         }
+        sum
+    }
+
+    /// Estimated amplitudes of the degrees of freedom about the static equilibrium at a speed of the shaft in rad/s, m and
+    /// rad: the sum of what [`Rotor::motion_scale`] takes the largest of.
+    pub(super) fn amplitude_estimate(&self, speed: f64) -> Vec<f64> {
+        let mut sum = self.forced_amplitudes(speed);
         let mut passing = vec![0.0_f64; self.dofs()];
         for shift in self.passing_shifts() {
             for (passing, shift) in passing.iter_mut().zip(shift.iter()) {
                 *passing = passing.max(shift.abs());
             }
         }
-        add(passing);
+        add_sizes(&mut sum, &passing);
         let [shift, velocity] = self.initial_deviation();
         let frequency = self.highest_frequency();
-        add(shift);
-        add(velocity
+        add_sizes(&mut sum, &shift);
+        let swept: Vec<f64> = velocity
             .iter()
             .map(|velocity| velocity / frequency)
-            .collect());
+            .collect();
+        add_sizes(&mut sum, &swept);
         sum
     }
 
@@ -296,5 +303,12 @@ impl Rotor {
             .map(|(value, coordinate)| value.abs() * coordinate.length(arm))
             .filter(|value| value.is_finite())
             .fold(0.0, f64::max)
+    }
+}
+
+/// Adds the magnitudes of amplitudes to others.
+fn add_sizes(sum: &mut [f64], amplitudes: &[f64]) {
+    for (sum, amplitude) in sum.iter_mut().zip(amplitudes) {
+        *sum += amplitude.abs();
     }
 }

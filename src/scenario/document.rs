@@ -122,7 +122,7 @@ fn text_of(path: &Path) -> Result<String, ScenarioError> {
         .map_err(|error| unreadable(path, &format!("cannot read the file: {error}")))?;
     if bytes.len() as u64 > LARGEST {
         let message = format!(
-            "the file is larger than the {} MB that a scenario or study may have; a long load belongs into the \
+            "the file is larger than the {} MB that a scenario or study may have; a long load belongs in the \
              CSV file of a `series`",
             LARGEST >> 20
         );

@@ -2,10 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use super::warnings::of_speed;
+use super::warnings::speed_warnings;
 use crate::analysis::{SectionKind, SpectrumRequest, Window};
 use crate::integrate::Settings;
-use crate::rotor::{Rotor, RotorDefinition};
+use crate::rotor::RotorDefinition;
 
 /// How often the motion is sampled.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,8 +62,7 @@ impl Model {
 
     /// What is told of its highest speed before anything moves; nothing where it cannot be assembled.
     pub(crate) fn speed_warnings(&self) -> Vec<String> {
-        let rotor = Rotor::assemble(&self.rotor);
-        rotor.map_or_else(|_| Vec::new(), |rotor| of_speed(self, &rotor))
+        speed_warnings(&self.rotor)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::analysis::{Channel, Kind, Motion};
 use crate::bearing::{ContactLaw, Support};
 use crate::integrate::{Method, Stiffness};
 use crate::physics::{ball_mass, centrifugal_force};
-use crate::rotor::Rotor;
+use crate::rotor::{Rotor, RotorDefinition};
 
 /// Balance quality grade of ISO 21940-11 beyond all that it lists but rigidly mounted marine engines, mm/s.
 const COARSEST_BALANCE: f64 = 100.0;
@@ -60,14 +60,20 @@ pub(super) fn warnings(
         ));
     }
     warnings.extend(passes.main.stiffness().as_ref().map(stiff));
-    warnings.extend(of_speed(model, rotor));
+    warnings.extend(of_speed(&model.rotor, rotor));
     warnings.extend(motion.and_then(not_settled));
     warnings
 }
 
-/// What is told of the highest speed before anything moves.
-pub(super) fn of_speed(model: &Model, rotor: &Rotor) -> Vec<String> {
-    let unbalance = unbalance(model, rotor).into_iter();
+/// What is told of the highest speed of a shaft before anything moves; nothing where it cannot be assembled.
+pub(crate) fn speed_warnings(definition: &RotorDefinition) -> Vec<String> {
+    let rotor = Rotor::assemble(definition);
+    rotor.map_or_else(|_| Vec::new(), |rotor| of_speed(definition, &rotor))
+}
+
+/// The same of an assembled shaft.
+pub(crate) fn of_speed(definition: &RotorDefinition, rotor: &Rotor) -> Vec<String> {
+    let unbalance = unbalance(definition, rotor).into_iter();
     let inertia = inertia_left_out(rotor).into_iter();
     unbalance.chain(inertia).chain(bearings(rotor)).collect()
 }
@@ -86,8 +92,8 @@ fn bearings(rotor: &Rotor) -> Vec<String> {
 }
 
 /// An eccentricity that no balanced shaft has: most often a unit mistaken.
-fn unbalance(model: &Model, rotor: &Rotor) -> Option<String> {
-    let eccentricity = model.rotor.shaft.mass_eccentricity();
+fn unbalance(definition: &RotorDefinition, rotor: &Rotor) -> Option<String> {
+    let eccentricity = definition.shaft.mass_eccentricity();
     let grade = 1e3 * eccentricity * rotor.highest_speed().abs();
     (grade > COARSEST_BALANCE).then(|| {
         format!(
@@ -141,11 +147,16 @@ fn not_settled(motion: &Motion) -> Option<String> {
     if matches!(motion.recognition.kind, Kind::Irregular { .. }) {
         return None;
     }
+    // the size of a drift that rounds to nothing has no sign
+    let percent = |part: f64| match (1e3 * part).round() {
+        0.0 => 0.0,
+        thousandths => 0.1 * thousandths,
+    };
     Some(format!(
         "the motion has not settled: from the second to the last third after the settle time the mean of \
          {} moves by {:.1} % of the vibration and its RMS by {:.1} %; make `settle` and `duration` longer",
         Channel::Displacement(drift.freedom),
-        100.0 * drift.mean,
-        100.0 * drift.rms
+        percent(drift.mean),
+        percent(drift.rms)
     ))
 }

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::Event;
+use super::{BeyondContact, Event};
 use crate::integrate::{CheckpointMismatch, IntegrateError};
 use crate::rotor::{BallContacts, RotorError, Sample, UnconstrainedError};
 
@@ -70,25 +70,9 @@ pub enum SimulateError {
     /// The integration cannot go on.
     #[error(transparent)]
     Integrate(#[from] IntegrateError),
-    /// A ball is pressed into its races by more than its radius, which is no contact any more.
-    #[error(
-        "bearing {bearing}: at t = {time:.4e} s a ball carries {load:.3e} N and its contact gives way by {:.2} mm, more \
-         than the radius of the ball, {:.2} mm: no bearing bears that; check the loads, shocks and base \
-         motion of the scenario and their units",
-        1e3 * approach, 1e3 * radius
-    )]
-    BeyondContact {
-        /// Number of the bearing, from 1.
-        bearing: usize,
-        /// Time of the largest load, s.
-        time: f64,
-        /// That load, N.
-        load: f64,
-        /// Approach of ball and race under it, m.
-        approach: f64,
-        /// Radius of the ball, m.
-        radius: f64,
-    },
+    /// A ball is pressed into its races by more than its radius.
+    #[error(transparent)]
+    BeyondContact(#[from] BeyondContact),
     /// The sink refused a sample.
     #[error("the trace cannot be written: {0}")]
     Sink(#[from] std::io::Error),

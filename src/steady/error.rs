@@ -3,6 +3,7 @@
 use crate::integrate::IntegrateError;
 use crate::rotor::{RotorError, UnconstrainedError, Unrepeated};
 use crate::shooting::{MapError, ShootingError};
+use crate::simulate::BeyondContact;
 
 /// Why no motion that repeats was found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -14,6 +15,9 @@ pub enum SteadyError {
     /// Nothing holds the shaft in a freedom, and the scene rests on what does.
     #[error(transparent)]
     Unconstrained(#[from] UnconstrainedError),
+    /// A ball is pressed into its races by more than its radius.
+    #[error(transparent)]
+    BeyondContact(#[from] BeyondContact),
     /// The forcing does not repeat.
     #[error("there is no steady motion: {0}")]
     Unrepeated(#[from] Unrepeated),

@@ -11,7 +11,7 @@ mod rotor_map;
 mod samples;
 mod search;
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use nalgebra::DVector;
 use serde::Serialize;
@@ -23,7 +23,7 @@ pub use periods::Base;
 use periods::Periods;
 pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response};
 use rotor_map::{RotorMap, Solver};
-use samples::{observed, sampled, trace, trajectories};
+use samples::{observed, peak_warnings, sampled, trace, trajectories};
 use search::{Found, find, found_from, subharmonic};
 
 use crate::analysis::Channel;
@@ -32,7 +32,7 @@ use crate::keys;
 use crate::rotor::{Rotor, Sample, check_constraints};
 use crate::shooting::{Circle, Crossing, ReturnMap, Slopes, multipliers, refine};
 pub use crate::shooting::{Multipliers, SpecialKind};
-use crate::simulate::{Model, StaticState, reference_settings};
+use crate::simulate::{Model, StaticState, of_speed, reference_settings};
 
 /// A measured error above this many tolerances is worth a warning.
 const PROMISE: f64 = 10.0;
@@ -49,6 +49,8 @@ pub struct SteadyQuestion<'a> {
     pub multiple: Option<u32>,
     /// Set to end the search at its next step.
     pub stop: &'a AtomicBool,
+    /// Counts the periods that were integrated, for whoever watches the search.
+    pub integrated: &'a AtomicU64,
 }
 
 /// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
@@ -191,6 +193,7 @@ fn answer(
     let solver = Solver {
         settings: question.model.integrator,
         stop: question.stop,
+        integrated: question.integrated,
     };
     let mut map = RotorMap::new(rotor, periods, solver);
     let (found, single_period) = search(&mut map, question.multiple)?;
@@ -205,7 +208,10 @@ fn answer(
     let error = measured.as_ref().map_or(0.0, |error| error.relative);
     let noise = error.max(NOISE * solver.settings.tolerance);
     let instability = Crossing::instability(&found.multipliers);
-    let warnings = warnings(&found, measured.as_ref(), solver.settings.tolerance);
+    let mut warnings = peak_warnings(&map, &trajectories)?;
+    warnings.extend(of_speed(&question.model.rotor, &map.rotor));
+    let error = measured.as_ref();
+    warnings.extend(self::warnings(&found, error, solver.settings.tolerance));
     Ok(Steady {
         equilibrium: StaticState::of(&map.rotor),
         period: map.periods.circle.period(),

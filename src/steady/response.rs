@@ -1,6 +1,6 @@
 //! Steady motions along a parameter: turning points, both branches of a hysteresis, doubled periods.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use nalgebra::Complex;
 use serde::Serialize;
@@ -16,10 +16,10 @@ use crate::integrate::Counters;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition};
 use crate::shooting::{
-    Branch, BranchEnd, BranchPoint, Continuation, Family, SpecialKind, Unrefined, follow,
-    follow_doubled,
+    Branch, BranchEnd, BranchPoint, Continuation, Family, ReturnMap, Slopes, SpecialKind,
+    Unrefined, follow, follow_doubled, multipliers, refine,
 };
-use crate::simulate::Model;
+use crate::simulate::{Model, reference_settings};
 
 /// Steps that the range of the parameter is divided into at least, and the least part of one.
 const STEPS: f64 = 50.0;
@@ -47,6 +47,8 @@ pub struct ResponseQuestion<'a> {
     pub doubled: bool,
     /// Set to end the search at its next step.
     pub stop: &'a AtomicBool,
+    /// Counts the periods that were integrated, for whoever watches the search.
+    pub integrated: &'a AtomicU64,
 }
 
 /// A motion of a branch.
@@ -62,6 +64,8 @@ pub struct ResponsePoint {
     /// Floquet multipliers over the period, magnitudes where it has two frequencies.
     #[serde(serialize_with = "keys::complex")]
     pub multipliers: Vec<Complex<f64>>,
+    /// Error of every multiplier, in their order; none where it was not measured or the motion not found again.
+    pub multiplier_errors: Vec<f64>,
     /// Whether neighbouring motions come closer.
     pub stable: bool,
 }
@@ -148,6 +152,7 @@ fn branches(
     let solver = Solver {
         settings,
         stop: question.stop,
+        integrated: question.integrated,
     };
     let mut map = RotorMap::new(rotor, periods, solver);
     let guess = find(&mut map)?.states;
@@ -298,6 +303,23 @@ fn response_point(
         period: map.periods.circle.period(),
         swings: swings(&channels, &map.periods.circle, &sampled),
         multipliers: point.multipliers.values(),
+        multiplier_errors: match question.model.verify {
+            true => multiplier_errors(map, point).unwrap_or_default(),
+            false => Vec::new(),
+        },
         stable: point.multipliers.is_stable(),
     })
+}
+
+/// Distances of the multipliers of a motion from those of the same one found again at a tenth of the tolerance; none
+/// where it is not found again, as where two motions meet.
+fn multiplier_errors(map: &mut RotorMap<'_>, point: &BranchPoint) -> Option<Vec<f64>> {
+    let asked = map.solver.settings;
+    map.solver.settings = reference_settings(asked);
+    let tolerance = map.solver.settings.tolerance;
+    let again = refine(map, point.states.clone(), &point.slopes, tolerance).ok();
+    let image = again.and_then(|again| map.image(&again.states, Slopes::All).ok());
+    map.solver.settings = asked;
+    let found = multipliers(map.circle(), &image?.slopes);
+    Some(point.multipliers.distances(&found))
 }

@@ -1,6 +1,6 @@
 //! A rotor over one period of its forcing, as shooting asks for it.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use nalgebra::{DMatrix, DVector};
 
@@ -24,6 +24,8 @@ pub(super) type Source<'a> = &'a dyn Fn(f64) -> Result<RotorDefinition, String>;
 pub(super) struct Solver<'a> {
     pub settings: Settings,
     pub stop: &'a AtomicBool,
+    /// Counts the periods that were integrated.
+    pub integrated: &'a AtomicU64,
 }
 
 /// The map of a rotor over a multiple of the period of its forcing.
@@ -90,6 +92,7 @@ impl<'a> RotorMap<'a> {
         let mut states = States::with_capacity(state.len(), grid.count as usize);
         let result = integration.advance(grid.count as usize, &mut states);
         self.counters.add(&integration.counters());
+        self.solver.integrated.fetch_add(1, Ordering::Relaxed);
         result.map(|()| states)
     }
 
@@ -134,6 +137,7 @@ impl<'a> RotorMap<'a> {
         let scaling = self.scaling();
         let found = variation(&system, &scaling, &settings, solver.stop, period, state)?;
         self.counters.add(&found.counters);
+        solver.integrated.fetch_add(1, Ordering::Relaxed);
         Ok(found.slopes)
     }
 }

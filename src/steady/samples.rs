@@ -7,7 +7,7 @@ use super::{Base, SteadyError};
 use crate::integrate::{Grid, States};
 use crate::rotor::{BallContacts, Sample};
 use crate::shooting::ReturnMap;
-use crate::simulate::Model;
+use crate::simulate::{BeyondContact, Model, PeakWatch};
 
 /// Least number of samples of a period, and the most.
 const LEAST_SAMPLES: usize = 128;
@@ -81,6 +81,28 @@ fn samples_along(
         .zip(circle.strobes())
         .map(&mut trajectory)
         .collect()
+}
+
+/// What to know of how hard the balls are pressed along the trajectories of a period.
+///
+/// # Errors
+/// [`BeyondContact`] where that is beyond any contact of a ball.
+pub(super) fn peak_warnings(
+    map: &RotorMap<'_>,
+    trajectories: &[States],
+) -> Result<Vec<String>, BeyondContact> {
+    let (circle, mut contacts) = (&map.periods.circle, PeakWatch::contacts(&map.rotor));
+    let mut peaks = PeakWatch::new(&map.rotor);
+    for (states, strobe) in trajectories.iter().zip(circle.strobes()) {
+        let start = map.periods.time(*strobe);
+        let interval = circle.period() / states.len() as f64;
+        for (number, state) in states.iter().enumerate() {
+            let time = start + number as f64 * interval;
+            map.rotor.sample(time, state, &mut contacts);
+            peaks.take(time, &contacts);
+        }
+    }
+    peaks.warnings(&map.rotor)
 }
 
 /// Samples of a period: as many as the scene asks for, and a power of two.

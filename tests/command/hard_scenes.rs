@@ -408,16 +408,10 @@ fn more_bearings_than_a_shaft_has_and_files_larger_than_any_are_refused() {
     };
     let many = text.clone() + &"[[bearing]]\ncatalogue = \"7205C\"\n".repeat(64);
     std::fs::write(&file, many).expect("a written file");
-    assert_says(
-        &check(),
-        &["65 times `[[bearing]]` are too many: at most 64"],
-    );
+    assert_says(&check(), &["65 `[[bearing]]` tables; at most 64"]);
     let many = text.clone() + &"[[load]]\nconstant = { y = \"1 N\" }\n".repeat(1000);
     std::fs::write(&file, many).expect("a written file");
-    assert_says(
-        &check(),
-        &["1001 times `[[load]]` are too many: at most 1000"],
-    );
+    assert_says(&check(), &["1001 `[[load]]` tables; at most 1000"]);
     std::fs::write(&file, text + &"# much\n".repeat(3_000_000)).expect("a written file");
     assert_says(&check(), &["larger than the 16 MB"]);
 }

@@ -29,7 +29,7 @@ impl Chance {
     }
 }
 
-/// Two files of one name, whose results belong into one folder, and what each leaves there when it is let alone.
+/// Two files of one name, whose results belong in one folder, and what each leaves there when it is let alone.
 struct Two {
     folder: TempDir,
     verb: &'static str,

@@ -192,3 +192,26 @@ fn a_wrong_range_of_speeds_is_told() {
         text(&unit.stderr)
     );
 }
+
+/// The limits of the model are told of at the highest speed, as `run` tells of them.
+#[test]
+fn campbell_warns_of_unbalance_and_pressure() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("heavy.toml");
+    let mut scene = crate::support::shipped_text("steady-7205c");
+    for (from, to) in [("0.01 mm", "0.3 mm"), ("1000 N", "60000 N")] {
+        scene = scene.replace(from, to);
+    }
+    fs::write(&file, scene).expect("a written file");
+    let file = file.to_str().expect("a path of letters");
+    let arguments = ["campbell", file, "--to", "4000 rad/s", "--count", "2"];
+    let told = text(&jeffcott(&arguments, folder.path()).stderr);
+    for words in [
+        "beyond balance grade G 100",
+        "the inner race exceeds",
+        "the outer race exceeds",
+        "d_m·n is",
+    ] {
+        assert!(told.contains(words), "{words}: {told}");
+    }
+}

@@ -183,3 +183,22 @@ fn exit_codes_tell_wrong_input_from_a_scene_without_a_steady_motion() {
     assert_eq!(alone.status.code(), Some(2));
     assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
 }
+
+/// Programs are told, too, what keeps a file from an answer.
+#[test]
+fn json_tells_of_files_that_cannot_be_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a path of letters");
+    for verb in ["run", "steady", "bearing"] {
+        let output = jeffcott_in(root(), &[verb, "nowhere.toml", "--json", "--out", out]);
+        assert_eq!(output.status.code(), Some(2));
+        let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(answer["file"], "nowhere.toml");
+        let error = answer["error"].as_str().expect("an error");
+        assert!(error.contains("cannot read"), "{error}");
+    }
+    let output = jeffcott_in(root(), &["compare", "nowhere.csv", "nor.csv", "--json"]);
+    assert_eq!(output.status.code(), Some(2));
+    let answer: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert!(answer["error"].is_string());
+}

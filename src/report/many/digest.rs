@@ -43,8 +43,11 @@ pub struct Failure {
 pub struct RunsWarned {
     /// Number of the first run.
     pub run: u64,
-    /// Number of runs that have the same one but for its numbers.
+    /// Number of runs that have the same one but for its numbers, of one bearing and race.
     pub runs: u64,
+    /// The latest of them that was counted.
+    #[serde(skip)]
+    latest: u64,
     /// Its words.
     pub warning: String,
 }
@@ -227,10 +230,11 @@ impl Digest {
     fn warn(&mut self, run: u64, warning: &str) {
         let same = |known: &RunsWarned| words(&known.warning).eq(words(warning));
         match self.warnings.iter().position(same) {
-            Some(place) => self.warnings[place].runs += 1,
+            Some(place) => self.warnings[place].count(run),
             None if self.warnings.len() < MOST_WARNINGS => self.warnings.push(RunsWarned {
                 run,
                 runs: 1,
+                latest: run,
                 warning: warning.to_owned(),
             }),
             None => {}
@@ -314,7 +318,11 @@ impl Digest {
         if let Some(error) = self.largest_error() {
             let measured = self.measured();
             text += &format!(
-                "  error         at most {error:.1e} of the motion in {measured} runs that measured it\n"
+                "  error         at most {error:.1e} of the motion in {}\n",
+                match measured {
+                    1 => "the 1 run that measured it".to_owned(),
+                    runs => format!("the {runs} runs that measured it"),
+                }
             );
         }
         text
@@ -347,10 +355,27 @@ fn written_unit(axis: &Value, si: &str) -> Option<(String, f64)> {
     Some((symbol.trim().replacen("um", "µm", 1), size.recip()))
 }
 
-/// The words of a warning that are no numbers.
+/// The words of a warning that are no numbers, but for the number of a bearing, bare of punctuation.
 fn words(warning: &str) -> impl Iterator<Item = &str> {
-    let digits = |word: &&str| word.contains(|letter: char| letter.is_ascii_digit());
-    warning.split_whitespace().filter(move |word| !digits(word))
+    let mut follows_bearing = false;
+    warning.split_whitespace().filter_map(move |word| {
+        let names_bearing = std::mem::replace(&mut follows_bearing, word == "bearing");
+        let is_number = word.contains(|letter: char| letter.is_ascii_digit());
+        match is_number {
+            false => Some(word),
+            true => names_bearing.then(|| word.trim_end_matches([',', ':'])),
+        }
+    })
+}
+
+impl RunsWarned {
+    /// Counts a run, once however often it has the warning.
+    fn count(&mut self, run: u64) {
+        if self.latest != run {
+            self.runs += 1;
+            self.latest = run;
+        }
+    }
 }
 
 impl std::fmt::Display for RunsWarned {
@@ -420,6 +445,27 @@ fn quantiles(values: impl Iterator<Item = f64>) -> Option<[f64; QUANTILES.len()]
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_run_counts_once_in_a_warning_and_bearings_have_their_own() {
+        let mut digest = Digest::empty(csv::StringRecord::new(), &Value::Null);
+        for run in [0, 1] {
+            for bearing in [1, 2] {
+                for load in [310, 320] {
+                    let warning =
+                        format!("bearing {bearing}, ball pressed with {load} N on the inner race");
+                    digest.warn(run, &warning);
+                }
+            }
+        }
+        let counts: Vec<_> = digest.warnings.iter().map(|warned| warned.runs).collect();
+        assert_eq!(counts, [2, 2]);
+        let second = digest.warnings[1].to_string();
+        assert!(
+            second.starts_with("run 0 and 1 more: bearing 2,"),
+            "{second}"
+        );
+    }
 
     #[test]
     fn quantiles_are_those_of_numpy() {

@@ -24,7 +24,7 @@ pub enum MakeError {
     #[error(transparent)]
     Report(#[from] ReportError),
     /// The study has fewer parts.
-    #[error("there is no part {number} of {count}: the study has {most} to share at most")]
+    #[error("there is no part {number} of {count}: the study can be divided into at most {most} parts")]
     NoPart {
         /// The part that was asked for.
         number: u64,

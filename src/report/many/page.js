@@ -17,7 +17,7 @@
     return tiles([
       ["runs", number(digest.runs, 12), digest.failed ? `${number(digest.failed, 12)} failed` : "none failed"],
       ["measured error", error === null ? "not measured" : `${number(error, 3)} of the motion`,
-        error !== null && `the largest of ${number(digest.runs_with_measured_error, 12)} runs that measured it`],
+        error !== null && `the largest of the ${number(digest.runs_with_measured_error, 12)} that were measured`],
       ["values", samplings[study.sampling], study.sampling === "grid" ? null : `seed ${study.seed}`],
       study.sweep && ["each run goes on from its neighbour", sweeps[study.sweep]],
       resonance && ["highest resonance with a bandwidth", `${axes[0]} ${number(resonance.at)}`,

@@ -60,6 +60,7 @@ const page = (() => {
     if (value === null || value === undefined) return "–";
     if (value === 0) return "0";
     const size = Math.abs(value);
+    if (Number.isInteger(value) && size < 10 ** digits) return String(value);
     if (size >= 1e-3 && size < 1e6) return String(Number(value.toPrecision(digits)));
     return value.toExponential(digits - 2);
   }

@@ -184,7 +184,7 @@ impl Sources<'_> {
         let keys = ["contact_angle", "diametral_clearance", "radial_clearance"].map(at);
         let (message, help) = match &self.printed {
             _ if self.given_position().is_some() => (
-                "the geometry says already how the races stand to each other".to_owned(),
+                "the geometry already gives a clearance".to_owned(),
                 "remove `clearance_class`, or the clearance or contact angle in the geometry",
             ),
             Some(entry) => (

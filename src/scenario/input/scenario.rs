@@ -151,7 +151,7 @@ impl ScenarioInput {
         for (key, count, most) in counts {
             if count > most {
                 all_right = false;
-                let message = format!("{count} times `[[{key}]]` are too many: at most {most}");
+                let message = format!("{count} `[[{key}]]` tables; at most {most}");
                 problems.refuse(Issue::new(key, message));
             }
         }

@@ -14,7 +14,7 @@ pub use event::{Event, EventCount, EventKind};
 pub use life::{ConsumedLife, LifeHistory};
 pub use load_zone::{LoadZone, Spread};
 
-use super::{Model, SimulateError, TraceSink};
+use super::{Model, TraceSink};
 use crate::bearing::{BallLoads, Clearance, ContactBand, Support};
 use crate::keys;
 use crate::rotor::{BallContacts, Rotor, Sample};
@@ -22,7 +22,8 @@ use contact_watch::ContactWatch;
 use event::EventCounts;
 use life::LifeSums;
 use load_zone::LoadZoneSums;
-use peak_loads::PeakLoads;
+pub use peak_loads::BeyondContact;
+pub(crate) use peak_loads::PeakWatch;
 
 /// What a run observed of one bearing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -56,6 +57,7 @@ impl BearingHistory {
 #[derive(Debug)]
 pub(super) struct Observation<'a> {
     contacts: BallContacts,
+    peaks: PeakWatch<'a>,
     bearings: Vec<BearingObserver<'a>>,
     /// Events since the sample before, in the order of time.
     found: Vec<Event>,
@@ -69,7 +71,6 @@ struct BearingObserver<'a> {
     /// Speed in rad/s and where contacts part at it.
     band: (f64, ContactBand),
     watch: Option<ContactWatch>,
-    peaks: PeakLoads,
     counts: EventCounts,
     zone: LoadZoneSums,
     life: Option<LifeSums>,
@@ -78,10 +79,9 @@ struct BearingObserver<'a> {
 impl<'a> Observation<'a> {
     /// With the contact angles of the balls where somebody needs them, or a shoulder bounds them.
     pub fn new(model: &Model, rotor: &'a Rotor, angles: bool) -> Self {
-        let bounded = |support: &Support| support.definition().bearing.shoulder_angle.is_some();
-        let contacts = match angles || rotor.supports().iter().any(bounded) {
+        let contacts = match angles {
             true => rotor.ball_contacts(),
-            false => rotor.ball_loads(),
+            false => PeakWatch::contacts(rotor),
         };
         let observer =
             |(index, support)| BearingObserver::new(index, support, rotor.speed(), model);
@@ -96,6 +96,7 @@ impl<'a> Observation<'a> {
             ),
             bearings: rotor.supports().iter().enumerate().map(observer).collect(),
             contacts,
+            peaks: PeakWatch::new(rotor),
             settle: model.settle,
         }
     }
@@ -108,14 +109,9 @@ impl<'a> Observation<'a> {
     /// What to know of how hard the balls were pressed in the run.
     ///
     /// # Errors
-    /// [`SimulateError::BeyondContact`] where that is beyond any contact of a ball.
-    pub fn peak_warnings(&self, rotor: &Rotor) -> Result<Vec<String>, SimulateError> {
-        let states = rotor.bearing_states(rotor.highest_speed());
-        let mut warnings = Vec::new();
-        for (index, (bearing, state)) in self.bearings.iter().zip(states).enumerate() {
-            warnings.extend(bearing.peaks.warnings(index + 1, bearing.support, &state)?);
-        }
-        Ok(warnings)
+    /// [`BeyondContact`] where that is beyond any contact of a ball.
+    pub fn peak_warnings(&self, rotor: &Rotor) -> Result<Vec<String>, BeyondContact> {
+        self.peaks.warnings(rotor)
     }
 
     /// Where the rotor leaves what it observes of the balls.
@@ -138,9 +134,8 @@ impl<'a> Observation<'a> {
     /// Hands on what has happened since the sample before, at a time and a speed in s and rad/s.
     fn watch(&mut self, instant: [f64; 2], sink: &mut dyn TraceSink) -> io::Result<()> {
         self.found.clear();
+        self.peaks.take(instant[0], &self.contacts);
         for (index, bearing) in self.bearings.iter_mut().enumerate() {
-            let balls = &self.contacts.bearings()[index];
-            bearing.peaks.take(instant[0], balls, bearing.support);
             bearing.watch(index, instant, &self.contacts, &mut self.found);
         }
         self.found.sort_unstable_by(Event::order);
@@ -171,7 +166,6 @@ impl<'a> BearingObserver<'a> {
             support,
             band: (speed, support.contact_band(speed)),
             watch: watched.then(|| ContactWatch::new(index, balls, preloaded)),
-            peaks: PeakLoads::default(),
             counts: EventCounts::new(balls > 0, preloaded),
             zone: LoadZoneSums::default(),
             life: rated.map(|rating| LifeSums::new(bearing, rating, model.settle)),

@@ -1,13 +1,81 @@
 //! The hardest that balls are pressed in a run, and whether Hertz contact still means something there.
 
 use crate::bearing::{BallLine, BallLoads, BearingState, PERMISSIBLE_PRESSURE, Support};
-use crate::simulate::SimulateError;
+use crate::rotor::{BallContacts, Rotor};
 
 const RACES: [&str; 2] = ["inner", "outer"];
 
+/// A ball is pressed into its races by more than its radius, which is no contact any more.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error(
+    "bearing {bearing}: at t = {time:.4e} s a ball carries {load:.3e} N and its contact gives way by {:.2} mm, more \
+     than the radius of the ball, {:.2} mm: no bearing bears that; check the loads, shocks and base \
+     motion of the scenario and their units",
+    1e3 * approach, 1e3 * radius
+)]
+#[non_exhaustive]
+pub struct BeyondContact {
+    /// Number of the bearing, from 1.
+    pub bearing: usize,
+    /// Time of the largest load, s.
+    pub time: f64,
+    /// That load, N.
+    pub load: f64,
+    /// Approach of ball and race under it, m.
+    pub approach: f64,
+    /// Radius of the ball, m.
+    pub radius: f64,
+}
+
+/// Watches how hard the balls of all bearings of a rotor are pressed.
+#[derive(Debug)]
+pub(crate) struct PeakWatch<'a> {
+    bearings: Vec<(&'a Support, PeakLoads)>,
+}
+
+impl<'a> PeakWatch<'a> {
+    pub fn new(rotor: &'a Rotor) -> Self {
+        let supports = rotor.supports().iter();
+        Self {
+            bearings: supports
+                .map(|support| (support, PeakLoads::default()))
+                .collect(),
+        }
+    }
+
+    /// Room for the balls of a rotor; with their contact angles, too, where a shoulder bounds them.
+    pub fn contacts(rotor: &Rotor) -> BallContacts {
+        let bounded = |support: &Support| support.definition().bearing.shoulder_angle.is_some();
+        match rotor.supports().iter().any(bounded) {
+            true => rotor.ball_contacts(),
+            false => rotor.ball_loads(),
+        }
+    }
+
+    /// Takes the balls at a time, s.
+    pub fn take(&mut self, time: f64, contacts: &BallContacts) {
+        for ((support, peaks), balls) in self.bearings.iter_mut().zip(contacts.bearings()) {
+            peaks.take(time, balls, support);
+        }
+    }
+
+    /// What to know of the peaks.
+    ///
+    /// # Errors
+    /// [`BeyondContact`] where a ball is pressed into its races by more than its radius.
+    pub fn warnings(&self, rotor: &Rotor) -> Result<Vec<String>, BeyondContact> {
+        let states = rotor.bearing_states(rotor.highest_speed());
+        let mut warnings = Vec::new();
+        for (index, ((support, peaks), state)) in self.bearings.iter().zip(states).enumerate() {
+            warnings.extend(peaks.warnings(index + 1, support, &state)?);
+        }
+        Ok(warnings)
+    }
+}
+
 /// What the balls of a bearing came to at each race, and when, s.
 #[derive(Debug, Default)]
-pub(super) struct PeakLoads {
+struct PeakLoads {
     /// Largest load, N.
     load: [(f64, f64); 2],
     /// Farthest reach of a contact ellipse over the shoulder, rad.
@@ -15,7 +83,7 @@ pub(super) struct PeakLoads {
 }
 
 impl PeakLoads {
-    pub fn take(&mut self, time: f64, balls: &BallLoads, support: &Support) {
+    fn take(&mut self, time: f64, balls: &BallLoads, support: &Support) {
         for (peak, &load) in self.load.iter_mut().zip(&balls.largest) {
             raise(peak, load, time);
         }
@@ -37,20 +105,20 @@ impl PeakLoads {
     /// given, is as hard pressed: that has its own warnings.
     ///
     /// # Errors
-    /// [`SimulateError::BeyondContact`] where a ball is pressed into its races by more than its radius.
-    pub fn warnings(
+    /// [`BeyondContact`] where a ball is pressed into its races by more than its radius.
+    fn warnings(
         &self,
         number: usize,
         support: &Support,
         at_rest: &BearingState,
-    ) -> Result<Vec<String>, SimulateError> {
+    ) -> Result<Vec<String>, BeyondContact> {
         let radius = 0.5 * support.definition().bearing.geometry.ball_diameter();
         let mut warnings = Vec::new();
         for (race, contact) in support.contacts().iter().enumerate() {
             let (load, time) = self.load[race];
             let ellipse = contact.ellipse(load);
             if ellipse.approach > radius {
-                return Err(SimulateError::BeyondContact {
+                return Err(BeyondContact {
                     bearing: number,
                     time,
                     load,
@@ -66,7 +134,7 @@ impl PeakLoads {
             if ellipse.peak_pressure > PERMISSIBLE_PRESSURE && !known {
                 warnings.push(format!(
                     "bearing {number}: at t = {time:.4e} s a ball is pressed onto the {} race with {load:.0} N, \
-                     {:.0} MPa where ISO 76 permits {:.0}: the race keeps a dent, and the model knows none",
+                     {:.0} MPa where ISO 76 permits {:.0}: the race is dented; the model stays elastic",
                     RACES[race],
                     ellipse.peak_pressure / 1e6,
                     PERMISSIBLE_PRESSURE / 1e6

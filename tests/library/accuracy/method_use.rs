@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::scenario::{self, methods};
-use crate::simulate::{Model, Run};
+use crate::simulate::{BearingHistory, EventKind, Model, Run};
 
 use super::{read, text};
 use crate::tests::support::try_run;
@@ -88,6 +88,33 @@ fn the_rule_knows_every_law_and_the_loads_to_come() {
     }
 }
 
+/// Two deep groove bearings in their clearance, where three to four of nine balls bear; and an unbalance whose start
+/// from rest swings the shaft twice as far as it whirls.
+#[test]
+fn balls_that_leave_the_load_zone_or_part_at_the_start_are_expected_to_part() {
+    let bearing = |position: &str| {
+        format!(
+            "[[bearing]]\ncatalogue = \"6205\"\nposition = \"{position}\"\n\
+             [bearing.geometry]\ndiametral_clearance = \"10 um\"\n"
+        )
+    };
+    let pair = format!(
+        "[shaft]\nmass = \"8 kg\"\neccentricity = \"2.5 um\"\nfreedoms = \"all\"\n\
+         inertia_transverse = \"0.02 kg m^2\"\ninertia_polar = \"0.008 kg m^2\"\ngravity = true\n\
+         [speed]\nconstant = \"1480 rpm\"\n{}{}[damping]\nratio = 0.03\n\
+         [[load]]\nconstant = {{ y = \"-300 N\" }}\n[time]\nduration = \"0.042 s\"\n",
+        bearing("-60 mm"),
+        bearing("60 mm")
+    );
+    let unbalanced = [("5 um", "1 mm"), ("-300 N", "0 N"), ("0.5 s", "0.03 s")];
+    for scene in [model(&pair), open("500 rad/s", &unbalanced)] {
+        let (chosen, used) = run(&scene);
+        let lost = |bearing: &BearingHistory| bearing.events(EventKind::ContactLost).count;
+        assert!(chosen.bearings.iter().all(|bearing| lost(bearing) > 0));
+        assert_eq!(used.first, Method::Verner76);
+    }
+}
+
 #[test]
 fn stiff_contact_damping_is_not_left_to_an_explicit_method() {
     let damping = "ratio = 0.02\ncontact = { inner = \"5000 s/m\", outer = \"5000 s/m\" }\n";
@@ -113,8 +140,8 @@ fn a_run_whose_balls_part_again_and_again_goes_on_with_the_pair_that_lands() {
     let changes = [
         ("constant = \"1 rad/s\"", start),
         ("y = \"-300 N\", z = \"1000 N\"", "z = \"200 N\""),
-        ("5 um", "1 um"),
-        ("ratio = 0.02", "ratio = 0.01"),
+        ("5 um", "0.5 um"),
+        ("ratio = 0.02", "ratio = 0.005"),
     ];
     let mut model = open("1 rad/s", &changes);
     model.integrator.tolerance = 1e-6;
@@ -126,7 +153,7 @@ fn a_run_whose_balls_part_again_and_again_goes_on_with_the_pair_that_lands() {
     assert_eq!(used.latest(), Method::Verner76);
     let exponential = evaluations(&model, Method::Exponential);
     let chosen = chosen.counters.evaluations;
-    assert!(2 * chosen < exponential, "{chosen} of {exponential}");
+    assert!(3 * chosen < 2 * exponential, "{chosen} of {exponential}");
 }
 
 #[test]

@@ -3,8 +3,8 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::analysis::{
-    Analysis, BearingFrequencies, Channel, Line, MOST_PEAKS, Peak, Recording, SampleGrid, Sources,
-    Transform, Window, causes, nearest_cause, other_causes,
+    Analysis, BearingFrequencies, Channel, Line, MOST_PEAKS, Peak, Precision, Recording,
+    SampleGrid, Sources, Transform, Window, causes, nearest_cause, other_causes,
 };
 use crate::physics::BallPass;
 use crate::rotor::{NaturalFrequency, Sample, Whirl};
@@ -369,4 +369,21 @@ proptest! {
         prop_assert!((peaks[0].frequency - bin).abs() < 1e-4);
         prop_assert!((peaks[0].amplitude - 1.0).abs() < 1e-4);
     }
+}
+
+/// A pure line is known far better than to a bin: half a bin beside an order of the shaft it is not that order.
+/// Where half orders stand closer than lines are told apart, none is named.
+#[test]
+fn a_name_asks_for_no_more_than_the_uncertainty_of_a_peak() {
+    let lines = lines_of(100.0, &[], &[]);
+    let known = Precision {
+        resolution: 20.0,
+        uncertainty: 1.0,
+    };
+    let name =
+        |frequency| nearest_cause(frequency, known, &lines).map(|line| line.kind.to_string());
+    assert_eq!(name(1400.9).as_deref(), Some("14×"));
+    assert_eq!(name(1413.0), None);
+    assert_eq!(name(1650.0), None);
+    assert_eq!(cause(1650.0, 1.0, &lines).as_deref(), Some("33/2×"));
 }

@@ -1,7 +1,7 @@
 //! Period doubling by passing balls, where the literature has it.
 
 use std::f64::consts::PI;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use crate::analysis::Channel;
 use crate::rotor::RotorDefinition;
@@ -189,6 +189,7 @@ fn followed(from: f64, to: f64) -> Vec<Response> {
         points: 500,
         doubled: true,
         stop: &stop,
+        integrated: &AtomicU64::new(0),
     };
     response(&question, &mut |_| {}).expect("branches")
 }

@@ -2,7 +2,7 @@
 //! turning points there are two stable motions and one that is not.
 
 use std::sync::LazyLock;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use crate::bearing::MountedBearing;
 use crate::rotor::load::{Harmonic, Pace};
@@ -63,6 +63,7 @@ fn followed(from: f64, to: f64) -> Response {
         points: 1000,
         doubled: false,
         stop: &stop,
+        integrated: &AtomicU64::new(0),
     };
     let mut branches = response(&question, &mut |_| {}).expect("a branch");
     branches.swap_remove(0)
@@ -181,5 +182,31 @@ fn turning_points_are_the_same_from_either_end() {
     assert_eq!((down.len(), up.len()), (2, 2));
     for (down, up) in down.iter().zip(&up) {
         assert_near("turning point", *up, *down, 1e-5 * down);
+    }
+}
+
+#[test]
+fn every_multiplier_of_a_branch_has_an_error_where_it_is_verified() {
+    let mut model = question(0.3 * natural());
+    for verify in [true, false] {
+        model.verify = verify;
+        let question = ResponseQuestion {
+            model: &model,
+            family: &|speed| Ok(definition(speed)),
+            range: [0.3 * natural(), 0.31 * natural()],
+            multiple: 1,
+            points: 2,
+            doubled: false,
+            stop: &AtomicBool::new(false),
+            integrated: &AtomicU64::new(0),
+        };
+        let branches = response(&question, &mut |_| {}).expect("a branch");
+        for point in &branches[0].points {
+            let errors = &point.multiplier_errors;
+            println!("{errors:?}");
+            let count = if verify { point.multipliers.len() } else { 0 };
+            assert_eq!(errors.len(), count);
+            assert!(errors.iter().all(|error| 0.0 < *error && *error < 1e-5));
+        }
     }
 }

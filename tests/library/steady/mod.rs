@@ -6,7 +6,7 @@ mod doubling;
 mod hysteresis;
 mod refusal;
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use crate::scenario;
 use crate::simulate::Model;
@@ -26,6 +26,7 @@ fn search(model: &Model, multiple: Option<u32>) -> Result<Steady, SteadyError> {
         model,
         multiple,
         stop,
+        integrated: &AtomicU64::new(0),
     })
 }
 

@@ -1,11 +1,13 @@
 //! Where there is no motion that repeats, the answer says why.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, AtomicU64};
 
 use crate::bearing::MountedBearing;
 use crate::integrate::IntegrateError;
 use crate::rotor::load::{Harmonic, Pace};
-use crate::rotor::{CageMotion, Freedoms, Load, LoadKind, RotorDefinition, Unrepeated};
+use crate::rotor::{
+    CageMotion, Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, RotorError, Unrepeated,
+};
 use crate::steady::{SteadyError, SteadyQuestion, steady};
 
 use super::{search, shipped};
@@ -78,6 +80,7 @@ fn a_search_can_be_stopped() {
         model: &model,
         multiple: None,
         stop: &stop,
+        integrated: &AtomicU64::new(0),
     });
     let error = error.expect_err("stopped");
     assert!(error.is_interrupted(), "{error}");
@@ -105,4 +108,50 @@ fn an_undamped_shaft_has_multipliers_on_the_unit_circle() {
     for multiplier in found.multipliers.values() {
         assert!((multiplier.norm() - 1.0).abs() < 1e-5, "{multiplier}");
     }
+}
+
+/// As `run`, `steady` tells of an unbalance and of pressures that no bearing is made for.
+#[test]
+fn the_limits_of_the_model_are_watched_as_in_a_run() {
+    let mut shaft = shaft(Freedoms::Translational);
+    shaft.eccentricity = 3e-4;
+    let model = model(
+        RotorDefinition {
+            speed: 500.0,
+            cage: CageMotion::Frozen,
+            damping: Damping::Ratio(0.02),
+            load: [0.0, 0.0, 6e4, 0.0, 0.0],
+            ..rotor(shaft, vec![mounted(bearing("7205C"))])
+        },
+        1.0,
+        1e4,
+    );
+    let (stop, integrated) = (AtomicBool::new(false), AtomicU64::new(0));
+    let found = steady(&SteadyQuestion {
+        model: &model,
+        multiple: None,
+        stop: &stop,
+        integrated: &integrated,
+    });
+    let warnings = found.expect("a motion").warnings;
+    for words in [
+        "balance grade G",
+        "at the inner race exceeds",
+        "at the outer race exceeds",
+    ] {
+        assert!(
+            warnings.iter().any(|told| told.contains(words)),
+            "{words}: {warnings:#?}"
+        );
+    }
+    assert!(integrated.into_inner() > 1);
+}
+
+#[test]
+fn a_centre_of_mass_outside_the_bearings_is_refused() {
+    let mut shaft = shaft(Freedoms::Translational);
+    shaft.eccentricity = 2.7;
+    let definition = rotor(shaft, vec![mounted(bearing("7205C"))]);
+    let error = Rotor::assemble(&definition).expect_err("no such shaft");
+    assert!(matches!(error, RotorError::Eccentricity { .. }), "{error}");
 }
