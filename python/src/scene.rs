@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicU64;
 
 use jeffcott::bearing::CATALOGUE;
 use jeffcott::internals::{
@@ -174,6 +175,7 @@ impl Scene {
                 model,
                 multiple: period,
                 stop: watch.stop,
+                integrated: &AtomicU64::new(0),
             })
         })?;
         let found = found.map_err(|error| run_error(py, &error))?;
@@ -213,6 +215,7 @@ impl Scene {
                 points,
                 doubled,
                 stop: watch.stop,
+                integrated: &AtomicU64::new(0),
             };
             response(&question, watch.progress)
         })?;

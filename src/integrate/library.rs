@@ -96,7 +96,9 @@ impl LibraryStepper {
                 return block((index + whole) * interval, whole);
             }
         }
-        let next = ((time / interval).floor() + 1.0) * interval;
+        // the sample at which the block begins, within round-off, is behind it
+        let behind = ((time + problem.slack) / interval).floor();
+        let next = (behind + 1.0) * interval;
         let is_cut = limit < next - problem.slack;
         block(if is_cut { limit } else { next }, 1.0)
     }

@@ -64,6 +64,10 @@ fn every_shipped_scenario_runs_and_states_its_error() {
             "spectrum.svg",
             "summary.json",
         ] {
+            // its speed changes to the end: the lines of a plain spectrum would smear
+            if name.starts_with("spectrum") && run.ends_with("run-up-spall-6205") {
+                continue;
+            }
             let size = fs::metadata(run.join(name))
                 .map(|data| data.len())
                 .unwrap_or(0);

@@ -89,7 +89,7 @@ fn a_response_writes_its_branches() {
         "{header}"
     );
     assert!(
-        header.ends_with("multiplier_4_re,multiplier_4_im"),
+        header.ends_with("multiplier_4_re,multiplier_4_im,multiplier_4_error"),
         "{header}"
     );
     let last = rows.last().expect("rows");

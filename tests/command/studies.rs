@@ -87,6 +87,7 @@ fn every_shipped_study_runs() {
     for (name, figure) in [
         ("hysteresis-6306", "bifurcation.svg"),
         ("map-6306", "map.svg"),
+        ("spall-growth-6205", "response.svg"),
         ("tolerances-7205c", "sensitivity.svg"),
         ("waterfall-6306", "waterfall.svg"),
     ] {
@@ -96,7 +97,7 @@ fn every_shipped_study_runs() {
     let long = shipped("bifurcation-6306");
     done(study(&long, out.path(), &["--shard", "50/100"]));
     let known = toml_files(&scenarios().join("studies"));
-    assert_eq!(known.len(), 7, "{known:?}");
+    assert_eq!(known.len(), 8, "{known:?}");
 }
 
 /// The balanced shaft answers where its balls pass at a natural frequency.

@@ -24,7 +24,9 @@ pub enum MakeError {
     #[error(transparent)]
     Report(#[from] ReportError),
     /// The study has fewer parts.
-    #[error("there is no part {number} of {count}: the study can be divided into at most {most} parts")]
+    #[error(
+        "there is no part {number} of {count}: the study can be divided into at most {most} parts"
+    )]
     NoPart {
         /// The part that was asked for.
         number: u64,
