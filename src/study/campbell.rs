@@ -139,7 +139,7 @@ pub enum CampbellError {
 /// Whether a diagram from one speed to another in rad/s has a range, and all orders a frequency.
 ///
 /// # Errors
-/// [`CampbellError::Range`] and [`CampbellError::Order`].
+/// `CampbellError::Range` and `CampbellError::Order`.
 pub fn check_range(
     [from, to]: [f64; 2],
     count: usize,

@@ -183,7 +183,7 @@ fn tables_of(keep: &Keep) -> Vec<String> {
 /// one piece.
 ///
 /// # Errors
-/// [`MergeError`] where one is missing, broken or of another study.
+/// `MergeError` where one is missing, broken or of another study.
 pub fn merge(folder: &Path) -> Result<(Vec<PathBuf>, Digest), MergeError> {
     let seals = seals(folder)?;
     let Some(first) = seals.first().cloned() else {
