@@ -3,6 +3,7 @@
 //! Everything here is a pure function of numbers in SI units: no bearing, no shaft, no time.
 
 mod ball_motion;
+mod beam;
 mod curvature;
 mod elliptic;
 mod equivalent_load;
@@ -20,6 +21,7 @@ mod vibration_zones;
 mod viscosity;
 
 pub use ball_motion::{BallMotion, Race, RaceControl, controlling_race};
+pub use beam::{BeamElement, ElementMatrix};
 pub use curvature::{Curvature, inner_race_curvature, outer_race_curvature};
 pub use elliptic::{complete_elliptic_first, complete_elliptic_second};
 pub use equivalent_load::equivalent_load;

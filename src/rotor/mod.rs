@@ -12,6 +12,7 @@ mod definition;
 mod drive;
 mod energy;
 mod equilibrium;
+mod flexible;
 mod forcing;
 mod housing;
 mod lift_off;

@@ -1,0 +1,254 @@
+//! Sections and discs as beam elements between nodes, in one plane of bending.
+
+use nalgebra::DMatrix;
+
+use crate::physics::{BeamElement, ElementMatrix, Material};
+
+/// Positions nearer than this part of the shaft's length are one node.
+const SAME_NODE: f64 = 1e-9;
+/// Fewest elements of a shaft: the lowest ten frequencies are then those of the beam to 1e-4.
+const LEAST_ELEMENTS: f64 = 40.0;
+
+/// A part of the shaft of one cross-section.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// Length, m.
+    pub length: f64,
+    /// Outer diameter, m.
+    pub outer_diameter: f64,
+    /// Inner diameter, m; zero of a solid section.
+    pub inner_diameter: f64,
+    /// Elastic constants and density; a density of zero makes a massless section.
+    pub material: Material,
+}
+
+/// A rigid disc on the shaft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Disc {
+    /// Distance of its centre from the left end of the shaft, m.
+    pub position: f64,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Moment of inertia about a diameter, kg m².
+    pub inertia_transverse: f64,
+    /// Moment of inertia about the axis of the shaft, kg m².
+    pub inertia_polar: f64,
+}
+
+impl Disc {
+    /// A ring of a width and of outer and inner diameters in m, of a density in kg/m³.
+    pub fn of_size(position: f64, width: f64, diameters: [f64; 2], density: f64) -> Self {
+        let [outer, inner] = diameters;
+        let mass = density * std::f64::consts::FRAC_PI_4 * width * (outer * outer - inner * inner);
+        let squares = outer * outer + inner * inner;
+        Self {
+            position,
+            mass,
+            inertia_transverse: mass * (squares / 16.0 + width * width / 12.0),
+            inertia_polar: mass * squares / 8.0,
+        }
+    }
+}
+
+/// A shaft of sections one after the other, with discs.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FlexibleShaft {
+    /// From the left end on, towards +Z.
+    pub sections: Vec<Section>,
+    /// In any order.
+    pub discs: Vec<Disc>,
+}
+
+/// Why a shaft cannot be built.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ShaftError {
+    /// A position beyond the ends of the shaft.
+    #[error(
+        "a position of {position} m lies beyond the shaft, which is {length} m long from its left end"
+    )]
+    Beyond {
+        /// The position from the left end, m.
+        position: f64,
+        /// Length of the shaft, m.
+        length: f64,
+    },
+    /// The matrices cannot be reduced.
+    #[error(
+        "the shaft cannot be reduced to {points} points and {modes} modes: a part of it has neither stiffness nor mass"
+    )]
+    Singular {
+        /// Number of points that are kept.
+        points: usize,
+        /// Number of modes in each plane.
+        modes: usize,
+    },
+}
+
+/// Matrices of one plane of bending: deflection and slope of every node, from the left.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::rotor) struct Plane {
+    /// Mass with the rotary inertia about a diameter.
+    pub mass: DMatrix<f64>,
+    /// Rotary inertia about the axis of the shaft.
+    pub polar: DMatrix<f64>,
+    pub stiffness: DMatrix<f64>,
+}
+
+/// Nodes of a shaft and its matrices in a plane.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::rotor) struct Mesh {
+    /// Positions of the nodes from the left end, m.
+    pub nodes: Vec<f64>,
+    pub plane: Plane,
+}
+
+impl FlexibleShaft {
+    /// Length, m.
+    pub fn length(&self) -> f64 {
+        self.sections.iter().map(|section| section.length).sum()
+    }
+
+    /// Mass of sections and discs, kg.
+    pub fn mass(&self) -> f64 {
+        let sections = self
+            .elements_of_sections()
+            .map(|(_, element)| element.mass());
+        let discs = self.discs.iter().map(|disc| disc.mass);
+        sections.chain(discs).sum()
+    }
+
+    /// Moment of inertia about the axis of the shaft, kg m².
+    pub fn inertia_polar(&self) -> f64 {
+        let of_section = |(_, element): (f64, BeamElement)| {
+            2.0 * element.material.density * element.second_moment() * element.length
+        };
+        let discs = self.discs.iter().map(|disc| disc.inertia_polar);
+        discs
+            .chain(self.elements_of_sections().map(of_section))
+            .sum()
+    }
+
+    /// Every section as one element, with the position of its left end.
+    fn elements_of_sections(&self) -> impl Iterator<Item = (f64, BeamElement)> {
+        self.sections.iter().scan(0.0, |left, section| {
+            let start = *left;
+            *left += section.length;
+            let element = BeamElement {
+                length: section.length,
+                outer_diameter: section.outer_diameter,
+                inner_diameter: section.inner_diameter,
+                material: section.material,
+            };
+            Some((start, element))
+        })
+    }
+
+    /// Beam elements with nodes at the ends of sections, at discs and at `points`, none longer than `longest` in m or,
+    /// without it, than a fortieth of the shaft.
+    ///
+    /// # Errors
+    /// [`ShaftError::Beyond`] where a disc or a point lies beyond the shaft.
+    pub(in crate::rotor) fn mesh(
+        &self,
+        points: &[f64],
+        longest: Option<f64>,
+    ) -> Result<Mesh, ShaftError> {
+        let length = self.length();
+        let same = SAME_NODE * length;
+        let discs = self.discs.iter().map(|disc| disc.position);
+        let mut fixed: Vec<f64> = discs.chain(points.iter().copied()).collect();
+        if let Some(&position) = fixed
+            .iter()
+            .find(|at| !(-same..=length + same).contains(*at))
+        {
+            return Err(ShaftError::Beyond { position, length });
+        }
+        fixed.extend(self.elements_of_sections().map(|(start, _)| start));
+        fixed.push(length);
+        fixed.sort_by(f64::total_cmp);
+        fixed.dedup_by(|a, b| *a - *b < same);
+        let longest = longest.unwrap_or(length / LEAST_ELEMENTS);
+        let nodes = subdivided(&fixed, longest);
+        let plane = self.plane(&nodes);
+        Ok(Mesh { nodes, plane })
+    }
+
+    fn plane(&self, nodes: &[f64]) -> Plane {
+        let size = 2 * nodes.len();
+        let [mut mass, mut polar, mut stiffness] = [(); 3].map(|()| DMatrix::zeros(size, size));
+        for (index, ends) in nodes.windows(2).enumerate() {
+            let element = self.element_between(ends[0], ends[1]);
+            add(&mut stiffness, 1.0, &element.stiffness(), index);
+            add(&mut mass, 1.0, &element.translational_inertia(), index);
+            add(&mut mass, 1.0, &element.rotary_inertia(), index);
+            add(&mut polar, 2.0, &element.rotary_inertia(), index);
+        }
+        for disc in &self.discs {
+            let slope = 2 * nearest(nodes, disc.position) + 1;
+            mass[(slope - 1, slope - 1)] += disc.mass;
+            mass[(slope, slope)] += disc.inertia_transverse;
+            polar[(slope, slope)] += disc.inertia_polar;
+        }
+        Plane {
+            mass,
+            polar,
+            stiffness,
+        }
+    }
+
+    /// The element between two neighbouring nodes, with the cross-section of the section that they lie in.
+    fn element_between(&self, left: f64, right: f64) -> BeamElement {
+        let middle = 0.5 * (left + right);
+        let (_, element) = self
+            .elements_of_sections()
+            .take_while(|(start, _)| *start <= middle)
+            .last()
+            .unwrap_or_else(|| unreachable!("a mesh has nodes inside its sections"));
+        BeamElement {
+            length: right - left,
+            ..element
+        }
+    }
+}
+
+impl Mesh {
+    /// Index of the node at a position.
+    pub fn node_at(&self, position: f64) -> usize {
+        nearest(&self.nodes, position)
+    }
+}
+
+/// Positions with others evenly between them, none farther apart than `longest`.
+fn subdivided(fixed: &[f64], longest: f64) -> Vec<f64> {
+    let mut nodes = vec![0.0];
+    for ends in fixed.windows(2) {
+        let parts = ((ends[1] - ends[0]) / longest).ceil().max(1.0);
+        let step = (ends[1] - ends[0]) / parts;
+        nodes.extend((1..parts as usize).map(|part| ends[0] + part as f64 * step));
+        nodes.push(ends[1]);
+    }
+    nodes
+}
+
+fn nearest(nodes: &[f64], position: f64) -> usize {
+    let after = nodes.partition_point(|node| *node < position);
+    let distance = |index: &usize| {
+        nodes
+            .get(*index)
+            .map_or(f64::INFINITY, |at| (at - position).abs())
+    };
+    [after, after.saturating_sub(1)]
+        .into_iter()
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .unwrap_or(0)
+}
+
+/// Adds a matrix of the element behind node `index`.
+fn add(sum: &mut DMatrix<f64>, factor: f64, element: &ElementMatrix, index: usize) {
+    for (row, entries) in element.iter().enumerate() {
+        for (column, entry) in entries.iter().enumerate() {
+            sum[(2 * index + row, 2 * index + column)] += factor * entry;
+        }
+    }
+}

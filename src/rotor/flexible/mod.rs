@@ -1,0 +1,9 @@
+//! A shaft that bends: sections and discs → beam elements → few coordinates.
+//!
+//! The shaft is round, so that one plane holds for both: its matrices are assembled once, reduced once, and laid out
+//! twice, coupled by the gyroscopic matrix.
+
+mod mesh;
+mod reduction;
+
+pub use mesh::{Disc, FlexibleShaft, Section, ShaftError};

@@ -1,0 +1,108 @@
+//! Craig–Bampton reduction of a plane: the points that forces act at, and the lowest modes between them.
+
+use nalgebra::DMatrix;
+
+use super::ShaftError;
+use super::mesh::{Mesh, Plane};
+
+/// Modes whose 1/ω² is below this part of the largest have no mass to speak of.
+const MASSLESS: f64 = 1e-12;
+
+impl Mesh {
+    /// The matrices of deflection and slope of the points at `positions`, in their order, and behind them of the `modes`
+    /// lowest modes of the shaft with all these points fixed.
+    ///
+    /// ```text
+    /// q = T (q_b, η),   T = [ I 0 ; −K_ii⁻¹ K_ib  Φ ],   K_ii Φ = M_ii Φ Λ,   Φᵀ M_ii Φ = I
+    /// ```
+    ///
+    /// Fewer modes stand where the shaft has no more inside. Static deflections under forces at the points, and the inertia
+    /// of motions as a rigid body, are exact with any number of modes.
+    ///
+    /// Source: R. R. Craig & M. C. C. Bampton, *AIAA J.* 6 (1968) 1313–1319.
+    ///
+    /// # Errors
+    /// [`ShaftError::Singular`] where the inside is not held by the points.
+    pub fn reduced(&self, positions: &[f64], modes: usize) -> Result<Plane, ShaftError> {
+        let transformation = self
+            .transformation(positions, modes)
+            .ok_or(ShaftError::Singular {
+                points: positions.len(),
+                modes,
+            })?;
+        let reduce = |matrix: &DMatrix<f64>| {
+            let reduced = transformation.tr_mul(&(matrix * &transformation));
+            // what round-off leaves of the symmetry
+            0.5 * (&reduced + reduced.transpose())
+        };
+        Ok(Plane {
+            mass: reduce(&self.plane.mass),
+            polar: reduce(&self.plane.polar),
+            stiffness: reduce(&self.plane.stiffness),
+        })
+    }
+
+    /// T, a row for each deflection and slope of the nodes.
+    fn transformation(&self, positions: &[f64], modes: usize) -> Option<DMatrix<f64>> {
+        let points = positions.iter().map(|position| self.node_at(*position));
+        let boundary: Vec<usize> = points.flat_map(|node| [2 * node, 2 * node + 1]).collect();
+        let size = 2 * self.nodes.len();
+        let interior: Vec<usize> = (0..size).filter(|row| !boundary.contains(row)).collect();
+        let Plane {
+            mass, stiffness, ..
+        } = &self.plane;
+        let inner_stiffness = block(stiffness, &interior, &interior).cholesky()?;
+        let followed = inner_stiffness.solve(&block(stiffness, &interior, &boundary));
+        let shapes = lowest_modes(
+            &block(mass, &interior, &interior),
+            &inner_stiffness.l(),
+            modes,
+        )?;
+        let mut transformation = DMatrix::zeros(size, boundary.len() + shapes.ncols());
+        for (column, row) in boundary.iter().enumerate() {
+            transformation[(*row, column)] = 1.0;
+        }
+        for (inner, row) in interior.iter().enumerate() {
+            for column in 0..boundary.len() {
+                transformation[(*row, column)] = -followed[(inner, column)];
+            }
+            for mode in 0..shapes.ncols() {
+                transformation[(*row, boundary.len() + mode)] = shapes[(inner, mode)];
+            }
+        }
+        Some(transformation)
+    }
+}
+
+/// At most `count` of the lowest modes of `K φ = ω² M φ` with φᵀ M φ = 1, where K = L Lᵀ; the mass may be singular.
+fn lowest_modes(mass: &DMatrix<f64>, factor: &DMatrix<f64>, count: usize) -> Option<DMatrix<f64>> {
+    // L⁻¹ M L⁻ᵀ has the eigenvalues 1/ω², the largest of which are the most exact
+    let half = factor.solve_lower_triangular(mass)?;
+    let compliance = factor.solve_lower_triangular(&half.transpose())?;
+    let symmetric = 0.5 * (&compliance + compliance.transpose());
+    let modes = symmetric.symmetric_eigen();
+    let least = MASSLESS * modes.eigenvalues.amax();
+    let mut order: Vec<usize> = (0..modes.eigenvalues.len())
+        .filter(|mode| modes.eigenvalues[*mode] > least)
+        .collect();
+    order.sort_by(|a, b| modes.eigenvalues[*b].total_cmp(&modes.eigenvalues[*a]));
+    order.truncate(count);
+    let mut shapes = DMatrix::zeros(mass.nrows(), order.len());
+    for (column, mode) in order.into_iter().enumerate() {
+        let shape = factor.tr_solve_lower_triangular(&modes.eigenvectors.column(mode))?;
+        // the largest deflection points along the axis, so that shapes do not turn with round-off
+        let sign = shape[shape.iamax()].signum();
+        shapes.set_column(column, &(shape * (sign / modes.eigenvalues[mode].sqrt())));
+    }
+    Some(shapes)
+}
+
+fn block(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
+    DMatrix::from_fn(rows.len(), columns.len(), |row, column| {
+        matrix[(rows[row], columns[column])]
+    })
+}
+
+#[cfg(test)]
+#[path = "reduction_tests.rs"]
+mod tests;

@@ -1,0 +1,188 @@
+//! The element and its reduction against book cases, by the eigenvalues of a rotor on linear springs.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Complex, DMatrix};
+
+use super::*;
+use crate::physics::Material;
+use crate::rotor::flexible::{Disc, FlexibleShaft, Section};
+
+/// Of the book cases: G = 81.2 GPa.
+const STEEL: Material = Material {
+    youngs_modulus: 211e9,
+    poisson_ratio: 211.0 / (2.0 * 81.2) - 1.0,
+    density: 7810.0,
+};
+
+/// A shaft of 1.5 m and 50 mm with discs at its thirds.
+///
+/// Source: Friswell et al., *Dynamics of Rotating Machines* (2010), example 5.9.1.
+fn book_shaft() -> FlexibleShaft {
+    FlexibleShaft {
+        sections: vec![Section {
+            length: 1.5,
+            outer_diameter: 0.05,
+            inner_diameter: 0.0,
+            material: STEEL,
+        }],
+        discs: [(0.5, 0.28), (1.0, 0.35)]
+            .map(|(position, diameter)| Disc::of_size(position, 0.07, [diameter, 0.05], 7810.0))
+            .to_vec(),
+    }
+}
+
+/// Whirl frequencies of a plane laid out twice, on springs at some of its deflections, lowest first, rad/s.
+fn whirl(plane: &Plane, springs: &[(usize, f64)], speed: f64) -> Vec<f64> {
+    let size = plane.mass.nrows();
+    let mut stiffness = plane.stiffness.clone();
+    for (deflection, spring) in springs {
+        stiffness[(*deflection, *deflection)] += spring;
+    }
+    // with u = x, v = y as deflection and slope of both planes: M ü + ω P v̇ + K u = 0, M v̈ − ω P u̇ + K v = 0; of
+    // u + i v with frequency s this is one complex problem
+    let mass = plane.mass.clone().cholesky().expect("a mass matrix").l();
+    let normal = |matrix: &DMatrix<f64>| {
+        let half = mass.solve_lower_triangular(matrix).expect("solved");
+        mass.solve_lower_triangular(&half.transpose())
+            .expect("solved")
+    };
+    let (stiffness, polar) = (normal(&stiffness), normal(&plane.polar));
+    // w = u + i v: ẅ − i ω P ẇ + K w = 0; w ~ e^{i s t}: −s² + ω P s + K = 0, a real problem in s
+    let mut matrix = DMatrix::zeros(2 * size, 2 * size);
+    matrix.view_mut((0, size), (size, size)).fill_diagonal(1.0);
+    matrix
+        .view_mut((size, 0), (size, size))
+        .copy_from(&stiffness);
+    matrix
+        .view_mut((size, size), (size, size))
+        .copy_from(&(polar * speed));
+    let values: Vec<Complex<f64>> = matrix.complex_eigenvalues().iter().copied().collect();
+    let mut frequencies: Vec<f64> = values.iter().map(|value| value.re.abs()).collect();
+    frequencies.sort_by(f64::total_cmp);
+    frequencies
+}
+
+fn near(found: &[f64], expected: &[f64], relative: f64) {
+    for (found, expected) in found.iter().zip(expected) {
+        let apart = (found / expected - 1.0).abs();
+        assert!(apart <= relative, "{found}, not {expected}: {apart:.1e}");
+    }
+}
+
+/// As printed, where the last of the `decimals` may be cut or rounded.
+fn printed(found: &[f64], expected: &[f64], decimals: i32) {
+    for (found, expected) in found.iter().zip(expected) {
+        let apart = (found - expected).abs();
+        assert!(apart <= 10f64.powi(-decimals), "{found}, not {expected}");
+    }
+}
+
+#[test]
+fn six_elements_have_the_whirl_frequencies_of_the_book() {
+    let shaft = book_shaft();
+    let mesh = shaft.mesh(&[0.0, 1.5], Some(0.25)).expect("a mesh");
+    assert_eq!(mesh.nodes.len(), 7);
+    let springs = [(0, 1e6), (12, 1e6)];
+    let standing = [86.658, 86.658, 274.313, 274.313, 716.786, 716.786, 1066.156];
+    printed(&whirl(&mesh.plane, &springs, 0.0), &standing, 3);
+    let turning = [
+        85.389, 87.796, 251.785, 294.713, 600.179, 827.075, 1038.996, 1088.193,
+    ];
+    let speed = 4000.0 / 60.0 * TAU;
+    printed(&whirl(&mesh.plane, &springs, speed), &turning, 3);
+    let fine = shaft.mesh(&[0.0, 1.5], Some(1.5 / 48.0)).expect("a mesh");
+    let springs = [(0, 1e6), (2 * (fine.nodes.len() - 1), 1e6)];
+    printed(
+        &whirl(&fine.plane, &springs, speed)[4..],
+        &[600.082, 826.659],
+        3,
+    );
+}
+
+#[test]
+fn a_pinned_shaft_vibrates_a_little_slower_than_eulers() {
+    let shaft = FlexibleShaft {
+        sections: vec![Section {
+            length: 1.0,
+            outer_diameter: 0.025,
+            inner_diameter: 0.0,
+            material: STEEL,
+        }],
+        discs: Vec::new(),
+    };
+    let mesh = shaft.mesh(&[], None).expect("a mesh");
+    let last = 2 * (mesh.nodes.len() - 1);
+    let frequencies = whirl(&mesh.plane, &[(0, 1e13), (last, 1e11)], 0.0);
+    let hertz: Vec<f64> = frequencies.iter().map(|value| value / TAU).collect();
+    printed(&hertz[..1], &[50.990], 3);
+    printed(&[hertz[2], hertz[4]], &[203.50, 456.18], 2);
+}
+
+#[test]
+fn a_reduction_errs_as_its_modes_allow_and_not_at_all_in_statics() {
+    let mesh = book_shaft().mesh(&[0.0, 1.5], None).expect("a mesh");
+    let speed = 4000.0 / 60.0 * TAU;
+    let last = 2 * (mesh.nodes.len() - 1);
+    let exact = whirl(&mesh.plane, &[(0, 1e8), (last, 1e8)], speed);
+    // largest errors of whirl frequencies 1–2, 3–4 and 5–6, independently found
+    let bounds = [
+        (2, [1.3e-3, 4.7e-3, 1.0]),
+        (4, [2e-5, 8e-5, 3e-3]),
+        (6, [8e-6, 3e-6, 7e-4]),
+    ];
+    for (modes, bounds) in bounds {
+        let plane = mesh.reduced(&[0.0, 1.5], modes).expect("a reduction");
+        assert_eq!(plane.mass.nrows(), 4 + modes);
+        let found = whirl(&plane, &[(0, 1e8), (2, 1e8)], speed);
+        for (pair, bound) in bounds.into_iter().enumerate() {
+            let error = |at: usize| (found[at] / exact[at] - 1.0).abs();
+            let largest = error(2 * pair).max(error(2 * pair + 1));
+            assert!(
+                largest < 2.0 * bound,
+                "{modes} modes, pair {pair}: {largest:.2e}"
+            );
+        }
+    }
+    // a force at a point that is kept
+    let points = [0.0, 0.6, 1.5];
+    let mesh = book_shaft().mesh(&points, None).expect("a mesh");
+    let compliance = |plane: &Plane, ends: [usize; 2], at: usize| {
+        let mut stiffness = plane.stiffness.clone();
+        for end in ends {
+            stiffness[(end, end)] += 1e7;
+        }
+        let inverse = stiffness.try_inverse().expect("held");
+        inverse[(at, at)]
+    };
+    let last = 2 * (mesh.nodes.len() - 1);
+    let whole = compliance(&mesh.plane, [0, last], 2 * mesh.node_at(0.6));
+    let few = compliance(&mesh.reduced(&points, 1).expect("a reduction"), [0, 4], 2);
+    near(&[few], &[whole], 1e-8);
+}
+
+#[test]
+fn a_rigid_motion_has_the_inertia_of_the_whole_shaft() {
+    let shaft = book_shaft();
+    let points = [0.2, 1.1];
+    let plane = shaft
+        .mesh(&points, None)
+        .expect("a mesh")
+        .reduced(&points, 3)
+        .expect("a reduction");
+    let along: Vec<f64> = [1.0, 0.0, 1.0, 0.0].into_iter().chain([0.0; 3]).collect();
+    let along = nalgebra::DVector::from_vec(along);
+    near(&[(&plane.mass * &along).dot(&along)], &[shaft.mass()], 1e-9);
+    let tilt: Vec<f64> = [0.2, 1.0, 1.1, 1.0].into_iter().chain([0.0; 3]).collect();
+    let tilt = nalgebra::DVector::from_vec(tilt);
+    near(
+        &[(&plane.polar * &tilt).dot(&tilt)],
+        &[shaft.inertia_polar()],
+        1e-9,
+    );
+    let energy = (&plane.stiffness * &tilt).norm() / plane.stiffness.norm();
+    assert!(
+        energy < 1e-9,
+        "a rigid motion strains the shaft by {energy:e}"
+    );
+}
