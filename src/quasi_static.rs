@@ -105,13 +105,7 @@ pub(crate) fn answer_on(
     supports: &[Support],
 ) -> Result<QuasiStatic, RotorError> {
     let rotor = &question.rotor;
-    let mut load = rotor.static_load();
-    if question.unbalance {
-        for (load, part) in load.iter_mut().zip(rotor.unbalance_force()) {
-            *load += part;
-        }
-    }
-    let found = static_place(rotor, supports, load, &question.displacement)?;
+    let found = static_place(rotor, supports, question.unbalance, &question.displacement)?;
     let bearings = found.bearing_states(supports, rotor.speed);
     let (free, equilibrium) = (found.free, found.equilibrium);
     let friction = bearings

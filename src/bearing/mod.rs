@@ -61,7 +61,7 @@ pub use lubrication::{Lubrication, ModifiedLife, RatingLives};
 pub use oil::Oil;
 pub(crate) use ring::Ring;
 pub use ring::{Matrix5, Vector5};
-pub(crate) use ring::{in_registers, quarter_turn};
+pub(crate) use ring::quarter_turn;
 pub use ring_contacts::BallLoads;
 pub(crate) use rotation::{Angle, BearingRotation};
 pub use state::{

@@ -1,58 +1,59 @@
 //! What acts on a shaft in a state, by what it comes from, and at which power.
 
 use super::energy::Works;
+use super::structure::UnbalancedPoint;
 use super::{Drive, DriveMoments, Rotation, Rotor};
 use crate::bearing::{Angle, Vector5, quarter_turn};
 
 /// What acts on the shaft in a state.
 pub(super) struct Action {
     pub rotation: Rotation,
-    /// Velocity of the centre of mass and tilting rates.
-    velocity: Vector5,
-    unbalance: Vector5,
     bearings: Bearings,
-    /// Loads at the centre of mass.
-    on_mass: Vector5,
-    /// Loads on the shaft's axis.
-    on_axis: Vector5,
-    /// Power of the base on housings, W.
-    on_housings: f64,
-    /// Power that viscous damping takes, W.
+    internal: InternalDamping,
+    /// Power of the loads and the weight, W; on a driven shaft of their share in the masses beside the axis, too.
+    loads: f64,
+    /// Power of the unbalances at a prescribed speed, W.
+    unbalance: f64,
+    /// Power that viscous damping which stands still takes, W.
     viscous: f64,
     pub moments: Option<DriveMoments>,
 }
 
 impl Action {
     /// Powers in the order of [`Works`], W.
-    pub fn powers(&self, rotor: &Rotor) -> Works {
-        let velocity = &self.velocity;
-        let mut loads = dot(&self.on_mass, velocity) + dot(&self.on_axis, velocity);
-        loads += self.on_housings;
+    pub fn powers(&self) -> Works {
         let bearings = &self.bearings;
         let speed = self.rotation.speed;
-        let mut powers = Works {
-            loads,
-            viscous: self.viscous,
+        let powers = Works {
+            loads: self.loads,
+            viscous: self.viscous + self.internal.power,
             contact: bearings.damping_power,
             bearings: bearings.power,
             ..Works::default()
         };
         match &self.moments {
-            None => {
-                powers.unbalance = dot(&self.unbalance, velocity);
-                powers.rotation = -bearings.cage_moment * speed;
-            }
-            Some(moments) => {
-                let [x, y, ..] = self.on_mass;
-                loads += rotor.unbalance.power([x, y], &self.rotation);
-                powers.loads = loads;
-                powers.drive = moments.drive * speed;
-                powers.load_torque = moments.load * speed;
-                powers.friction = moments.friction * speed;
-            }
+            None => Works {
+                unbalance: self.unbalance,
+                rotation: -(bearings.cage_moment + self.internal.moment) * speed,
+                ..powers
+            },
+            Some(moments) => Works {
+                drive: moments.drive * speed,
+                load_torque: moments.load * speed,
+                friction: moments.friction * speed,
+                ..powers
+            },
         }
-        powers
     }
+}
+
+/// What damping inside the shaft does besides exerting its forces.
+#[derive(Default)]
+struct InternalDamping {
+    /// Power that it takes, W.
+    power: f64,
+    /// Its moment on the rotation, N m.
+    moment: f64,
 }
 
 /// What the bearings do besides exerting their forces.
@@ -108,13 +109,13 @@ impl Rotor {
         total
     }
 
-    /// Moments on a driven shaft; `on_axis` is the force in x and y that does not act at the centre of mass.
+    /// Moments on a driven shaft; `unbalances` is the moment by which its unbalances resist as they are moved.
     fn moments(
         &self,
         drive: &Drive,
         bearings: &Bearings,
         rotation: &Rotation,
-        on_axis: [f64; 2],
+        unbalances: f64,
     ) -> DriveMoments {
         let resistance = Drive::resistance(rotation.speed);
         let friction = resistance * bearings.friction;
@@ -122,9 +123,26 @@ impl Rotor {
             drive: drive.torque_at(rotation.speed),
             load: resistance * drive.load_torque,
             friction,
-            // e (f_x sin ψ − f_y cos ψ) + Σ (ω_c/ω) F·Sq
-            vibration: self.unbalance.moment_of(on_axis, rotation) + bearings.cage_moment,
+            vibration: unbalances + bearings.cage_moment,
             twist: friction * drive.compliance,
+        }
+    }
+
+    /// Damping inside the shaft, of the velocities in the frame that turns with it.
+    fn internal_damping(
+        &self,
+        place: &[f64],
+        velocity: &[f64],
+        speed: f64,
+    ) -> InternalDamping {
+        let [mut across, mut resisting] = [(); 2].map(|()| vec![0.0; self.dofs()]);
+        self.circulatory.add_product(1.0, place, &mut across);
+        self.internal_damping.add_product(1.0, place, &mut resisting);
+        let (crossing, held) = (product(&across, velocity), product(&resisting, place));
+        let moment = crossing - speed * held;
+        InternalDamping {
+            power: 2.0 * self.internal_damping.half_square(velocity) - speed * (crossing + moment),
+            moment,
         }
     }
 
@@ -132,39 +150,72 @@ impl Rotor {
     pub(super) fn act(&self, time: f64, state: &[f64], sum: &mut [f64]) -> Action {
         let dofs = self.dofs();
         let (place, velocity) = state[..2 * dofs].split_at(dofs);
-        let shaft = &self.structure.shaft;
         let mut rotation = self.rotation(time, state);
-        let [on_mass, on_axis] = self.loads_apart(time, rotation.angle);
         sum.fill(0.0);
         // first, so that bearings that balance each other leave nothing
         let bearings = self.bearings_act(place, velocity, &rotation, sum);
-        shaft.add_force(1.0, &on_axis, sum);
-        self.shake_housings(time, rotation.angle, sum);
+        let mut outer = self.constant_force.clone();
+        self.add_loads(time, rotation.angle, &mut outer);
+        let mut unbalances = vec![0.0; dofs];
+        self.add_unbalances::<false>(&rotation, &self.phases(&rotation), &mut unbalances);
+        for (sum, (outer, unbalance)) in sum.iter_mut().zip(outer.iter().zip(&unbalances)) {
+            *sum += outer + unbalance;
+        }
         self.damping.add_product(-1.0, velocity, sum);
         self.structure.stiffness.add_product(-1.0, place, sum);
-        let moments = self.drive.as_ref().map(|drive| {
-            let [x, y, ..] = shaft.rate(sum);
-            let moments = self.moments(drive, &bearings, &rotation, [x, y]);
-            rotation.acceleration = moments.total() / self.inertia_polar;
-            moments
-        });
-        let unbalance = self.unbalance.force(&rotation, Angle::new(rotation.angle));
-        shaft.add_force(1.0, &on_mass, sum);
-        shaft.add_force(1.0, &unbalance, sum);
+        self.circulatory.add_product(rotation.speed, place, sum);
         self.gyroscopic.add_product(-rotation.speed, velocity, sum);
         self.mass.accelerate(sum);
+        let internal = self.internal_damping(place, velocity, rotation.speed);
+        let mut loads = product(&outer, velocity);
+        let moments = self.drive.as_ref().map(|drive| {
+            let mut along = self.unbalances_along(rotation.angle);
+            // masses beside the axis feel the base and the weight
+            let base = self.felt_by_unbalances(time, rotation.angle);
+            loads -= rotation.speed * base;
+            let resisting = product(&along, sum) + base + internal.moment;
+            let moments = self.moments(drive, &bearings, &rotation, resisting);
+            rotation.acceleration = moments.total() / self.inertia_polar;
+            self.mass.accelerate(&mut along);
+            for (sum, along) in sum.iter_mut().zip(&along) {
+                *sum += rotation.acceleration * along;
+            }
+            moments
+        });
         Action {
             rotation,
-            velocity: shaft.rate(velocity),
-            unbalance,
             bearings,
-            on_mass,
-            on_axis,
-            on_housings: self.base_power(time, rotation.angle, velocity),
-            viscous: 2.0 * self.damping.half_square(velocity),
+            loads,
+            unbalance: product(&unbalances, velocity),
+            viscous: 2.0
+                * (self.damping.half_square(velocity) - self.internal_damping.half_square(velocity)),
+            internal,
             moments,
         }
     }
+
+    /// Forces of the unbalances on the degrees of freedom per angular acceleration at an angle of the shaft, kg m and kg m².
+    pub(super) fn unbalances_along(&self, angle: f64) -> Vec<f64> {
+        let mut sum = vec![0.0; self.dofs()];
+        for UnbalancedPoint { point, unbalance } in &self.structure.unbalances {
+            point.add_force(1.0, &unbalance.along(Angle::new(angle)), &mut sum);
+        }
+        sum
+    }
+
+    /// Moment on the rotation of base motion and weight through the unbalances, N m.
+    fn felt_by_unbalances(&self, time: f64, angle: f64) -> f64 {
+        let [a_x, a_y, _] = self.base_acceleration(time, angle);
+        let moment = |own: &UnbalancedPoint| {
+            let [x, y, ..] = own.unbalance.along(Angle::new(angle));
+            x * a_x + y * (a_y + self.gravity)
+        };
+        self.structure.unbalances.iter().map(moment).sum()
+    }
+}
+
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 fn dot(a: &Vector5, b: &Vector5) -> f64 {

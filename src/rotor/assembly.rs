@@ -1,22 +1,22 @@
 //! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
 
 use fearless_simd::Level;
-use nalgebra::DMatrix;
-
 use super::coefficients::{Coefficients, Mass};
 use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_place_of};
 use super::structure::Structure;
-use super::unbalance::Unbalance;
 use super::{
     Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
-    SpeedProfile,
+    ShaftError, SpeedProfile,
 };
-use crate::bearing::{BearingError, Geometry, Support, Vector5};
+use crate::bearing::{BearingError, Geometry, MountedBearing, Support, Vector5};
 
 /// Why a rotor cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RotorError {
+    /// A shaft that bends cannot be built.
+    #[error(transparent)]
+    Shaft(#[from] ShaftError),
     /// A bearing cannot be built.
     #[error("bearing {number}: {source}")]
     Bearing {
@@ -74,7 +74,7 @@ impl Rotor {
     /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
     /// outside its range.
     pub(crate) fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
-        Self::of_structure(Structure::of(definition), definition)
+        Self::of_structure(Structure::of(definition)?, definition)
     }
 
     /// The same of a structure with that shaft.
@@ -86,45 +86,45 @@ impl Rotor {
         let mut supports = build_supports(definition)?;
         check_eccentricity(definition.shaft.eccentricity, &supports)?;
         let speed = definition.speed_profile()?;
-        let load = definition.static_load();
+        let load = structure.static_load(definition);
         let StaticPlace {
             structure,
             coordinates: rest,
             stiffness: tangent,
             equilibrium,
             ..
-        } = static_place_of(structure, definition, &supports, load, &[None; FREEDOMS])?;
+        } = static_place_of(structure, definition, &supports, &load, &[None; FREEDOMS])?;
         for (support, attachment) in supports.iter_mut().zip(&structure.attachments) {
             support.freeze(&attachment.displacement(&rest, &[]), definition.speed);
         }
         let shaft = &definition.shaft;
-        let (dofs, size) = (structure.dofs, structure.coordinates.len());
+        let dofs = structure.dofs;
         let mass = structure.mass.view((0, 0), (dofs, dofs)).into_owned();
         let damping = &structure.damping + definition.damping.matrix(&structure, &tangent);
-        let mut gyroscopic = DMatrix::zeros(size, size);
-        let [.., tilt_x, tilt_y] = structure.shaft.coordinates();
-        gyroscopic[(tilt_x, tilt_y)] = shaft.inertia_polar;
-        gyroscopic[(tilt_y, tilt_x)] = -shaft.inertia_polar;
+        let inertia = |axis| structure.inertia_along(axis).as_slice()[..dofs].to_vec();
+        let base_inertia = [inertia(0), inertia(1), inertia(2)];
         Ok(Self {
             level: Level::new(),
             mass: Mass::new(mass).ok_or(RotorError::Mass)?,
             damping: Coefficients::new(damping, dofs),
-            gyroscopic: Coefficients::new(gyroscopic, dofs),
+            gyroscopic: Coefficients::new(structure.gyroscopic.clone(), dofs),
+            circulatory: Coefficients::new(structure.circulatory.clone(), dofs),
+            internal_damping: Coefficients::new(structure.internal_damping.clone(), dofs),
+            constant_force: structure.constant_load(definition)[..dofs].to_vec(),
+            base_inertia,
             rigid: structure.is_rigid(),
             structure,
+            gravity: if shaft.gravity { STANDARD_GRAVITY } else { 0.0 },
             shaft_mass: shaft.mass,
             inertia_polar: shaft.inertia_polar,
             speed,
             drive: definition.drive,
             cage: definition.cage,
-            unbalance: Unbalance::new(shaft),
             energy: false,
-            load: definition.constant_load(),
-            weight: definition.weight(),
             loads: definition.loads.clone(),
             contacts_damped: supports.iter().any(Support::is_damped),
             balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
-            leading_ratio: definition.cage.ratio(&supports[0]),
+            leading_ratio: supports.first().map_or(0.0, |first| definition.cage.ratio(first)),
             supports,
             starts_from: definition.initial.from,
             initial: initial_state(definition, &equilibrium),
@@ -178,7 +178,7 @@ fn check_ranges(definition: &RotorDefinition) -> Result<(), RotorError> {
     positive("the mass in kg", shaft.mass)?;
     not_negative("the eccentricity in m", shaft.eccentricity)?;
     definition.speed_profile()?;
-    if definition.bearings.is_empty() {
+    if definition.bearings.is_empty() && definition.linear_bearings.is_empty() {
         return Err(RotorError::NoBearing);
     }
     Ok(())
@@ -203,8 +203,17 @@ fn range(name: &'static str, value: f64, fits: bool, rule: &'static str) -> Resu
 /// Checks a definition and builds its bearings.
 pub(crate) fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support>, RotorError> {
     check_ranges(definition)?;
-    let build = |(index, bearing)| {
-        Support::new(bearing, definition.speed).map_err(|source| RotorError::Bearing {
+    let build = |(index, bearing): (usize, &MountedBearing)| {
+        // on a shaft that bends a bearing sits at a point of its own
+        let position = match definition.flexible {
+            Some(_) => 0.0,
+            None => bearing.position,
+        };
+        let mounted = MountedBearing {
+            position,
+            ..bearing.clone()
+        };
+        Support::new(&mounted, definition.speed).map_err(|source| RotorError::Bearing {
             number: index + 1,
             source,
         })
@@ -212,48 +221,42 @@ pub(crate) fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support
     definition.bearings.iter().enumerate().map(build).collect()
 }
 
-impl RotorDefinition {
-    /// Constant loads and the weight, N and N m.
-    fn constant_load(&self) -> Vector5 {
-        let mut load = self.load;
-        load[1] -= self.weight();
-        load
-    }
-
-    /// The weight, N; zero where it does not act.
-    fn weight(&self) -> f64 {
-        if self.shaft.gravity {
-            self.shaft.mass * STANDARD_GRAVITY
-        } else {
-            0.0
-        }
-    }
-
-    /// What the static equilibrium carries, N and N m: constant loads, the weight, and of every
-    /// varying load its static part.
-    pub(crate) fn static_load(&self) -> Vector5 {
-        let mut sum = self.constant_load();
-        for load in &self.loads {
-            for (sum, part) in sum.iter_mut().zip(load.static_part()) {
-                *sum += part;
+impl Structure {
+    /// Constant loads and the weight on all coordinates.
+    fn constant_load(&self, definition: &RotorDefinition) -> Vec<f64> {
+        let mut sum = vec![0.0; self.coordinates.len()];
+        self.shaft.add_force(1.0, &definition.load, &mut sum);
+        if definition.shaft.gravity {
+            let inertia = self.shaft_inertia_along(1);
+            for (sum, inertia) in sum.iter_mut().zip(inertia.iter()) {
+                *sum -= STANDARD_GRAVITY * inertia;
             }
         }
         sum
     }
 
+    /// What the static equilibrium carries: constant loads, the weight, and of every varying load its static part.
+    pub(super) fn static_load(&self, definition: &RotorDefinition) -> Vec<f64> {
+        let mut sum = self.constant_load(definition);
+        for (load, point) in definition.loads.iter().zip(&self.load_points) {
+            let part = load.static_part();
+            let part = match definition.flexible {
+                Some(_) => part,
+                None => load.about_centre(&part),
+            };
+            point.add_force(1.0, &part, &mut sum);
+        }
+        sum
+    }
+}
+
+impl RotorDefinition {
     /// The speed from t = 0 on.
     ///
     /// # Errors
     /// [`RotorError`] where a speed is negative or not finite, or the times do not rise.
     pub(crate) fn speed_profile(&self) -> Result<SpeedProfile, RotorError> {
         SpeedProfile::new(self.speed, &self.speed_points)
-    }
-
-    /// Force and moment of the unbalance at a shaft angle of zero and the speed at t = 0, N and N m.
-    pub(crate) fn unbalance_force(&self) -> Vector5 {
-        Unbalance::new(&self.shaft)
-            .phasor(self.speed)
-            .map(|part| part.re)
     }
 }
 

@@ -142,6 +142,18 @@ impl Mass {
         half_square(&self.entries, velocity)
     }
 
+    /// `M^½`.
+    pub fn root(&self) -> DMatrix<f64> {
+        self.power(f64::sqrt)
+    }
+
+    /// A function of M by its eigenvalues.
+    fn power(&self, of: impl Fn(f64) -> f64) -> DMatrix<f64> {
+        let modes = self.entries.clone().symmetric_eigen();
+        let diagonal = DMatrix::from_diagonal(&modes.eigenvalues.map(of));
+        &modes.eigenvectors * diagonal * modes.eigenvectors.transpose()
+    }
+
     /// `M^(−½) A M^(−½)`: a matrix in coordinates in which the mass is one.
     pub fn normalised(&self, matrix: &DMatrix<f64>) -> DMatrix<f64> {
         match &self.inverse {
@@ -152,10 +164,7 @@ impl Mass {
             }
             Inverse::Factor(factor) => {
                 let size = factor.nrows();
-                let modes = self.entries.clone().symmetric_eigen();
-                let roots =
-                    DMatrix::from_diagonal(&modes.eigenvalues.map(|mass| 1.0 / mass.sqrt()));
-                let root = &modes.eigenvectors * roots * modes.eigenvectors.transpose();
+                let root = self.power(|mass| 1.0 / mass.sqrt());
                 &root * matrix.view((0, 0), (size, size)) * &root
             }
         }

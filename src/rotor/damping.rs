@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::structure::Structure;
+use super::coefficients::Mass;
 use super::{Damping, FREEDOMS, Rotation, Rotor};
 use crate::bearing::Vector5;
 
@@ -20,6 +21,9 @@ impl Damping {
         match self {
             Self::Undamped => DMatrix::zeros(size, size),
             Self::Coefficients(coefficients) => of_shaft(&|axis, _| coefficients[axis]),
+            Self::Ratio(ratio) if structure.bending.is_some() => {
+                *ratio * critical(structure, stiffness)
+            }
             // c = 2 ζ √(K m)
             Self::Ratio(ratio) => of_shaft(&|_, index| {
                 let [stiffness, mass] =
@@ -30,6 +34,24 @@ impl Damping {
             Self::StiffnessTime(time) => *time * stiffness,
         }
     }
+}
+
+/// Critical damping of every mode of a structure without rotation, `C = Σ 2 ω_r (M φ_r)(M φ_r)ᵀ` with φ_rᵀ M φ_r = 1.
+fn critical(structure: &Structure, stiffness: &DMatrix<f64>) -> DMatrix<f64> {
+    let (dofs, size) = (structure.dofs, stiffness.nrows());
+    let mut whole = DMatrix::zeros(size, size);
+    let mass = structure.mass.view((0, 0), (dofs, dofs)).into_owned();
+    let Some(mass) = Mass::new(mass) else {
+        return whole;
+    };
+    let normalised = mass.normalised(stiffness);
+    let modes = (0.5 * (&normalised + normalised.transpose())).symmetric_eigen();
+    let doubled = modes.eigenvalues.map(|square| 2.0 * square.max(0.0).sqrt());
+    let scaled = &modes.eigenvectors * DMatrix::from_diagonal(&doubled);
+    let root = mass.root();
+    let critical = &root * (scaled * modes.eigenvectors.transpose()) * &root;
+    whole.view_mut((0, 0), (dofs, dofs)).copy_from(&critical);
+    whole
 }
 
 impl Rotor {

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Drive, Load, PlaneUnbalance, SpeedPoint};
+use super::{Drive, FlexibleShaft, LinearBearing, Load, PlaneUnbalance, SpeedPoint};
 use crate::bearing::Support;
 
 /// Standard acceleration of gravity, m/s² (ISO 80000-3).
@@ -138,8 +138,12 @@ pub struct RotorDefinition {
     pub(crate) loads: Vec<Load>,
     /// State at t = 0.
     pub(crate) initial: InitialState,
-    /// Bearings that carry the shaft, at least one.
+    /// Ball bearings that carry the shaft.
     pub(crate) bearings: Vec<crate::bearing::MountedBearing>,
+    /// Bearings of constant stiffness that carry it besides, or instead.
+    pub(crate) linear_bearings: Vec<LinearBearing>,
+    /// The shaft that bends, in place of the concentrated mass.
+    pub(crate) flexible: Option<FlexibleShaft>,
 }
 
 impl RotorDefinition {
@@ -149,6 +153,22 @@ impl RotorDefinition {
         let idle = self.drive.and_then(|drive| drive.no_load_speed);
         let points = self.speed_points.iter().map(|point| point.speed);
         points.chain(idle).fold(self.speed, f64::max)
+    }
+
+    /// Angular frequency of the highest excitation at the highest speed, rad/s: the unbalance, the balls that pass, and
+    /// the main vibrations of the loads.
+    pub(crate) fn highest_excitation(&self) -> f64 {
+        let speed = self.highest_speed();
+        let passing = |bearing: &crate::bearing::MountedBearing| {
+            let geometry = &bearing.bearing.geometry;
+            geometry.ball_pass(speed).inner.abs()
+        };
+        let passing = self.bearings.iter().map(passing);
+        let loads = self.loads.iter().map(|load| {
+            let vibration = load.main_vibration();
+            vibration.frequency + vibration.order * speed
+        });
+        passing.chain(loads).fold(speed, f64::max)
     }
 
     /// The same shaft at a constant speed in rad/s.

@@ -123,7 +123,7 @@ impl Rotor {
             rate[2 * dofs] = action.rotation.speed;
             rate[2 * dofs + 1] = action.rotation.acceleration;
         }
-        rate[self.first_work()..].copy_from_slice(&action.powers(self).values());
+        rate[self.first_work()..].copy_from_slice(&action.powers().values());
     }
 
     /// Kinetic energy, J.
@@ -132,9 +132,14 @@ impl Rotor {
         if self.drive.is_none() {
             return motion;
         }
-        let turning = 0.5 * self.inertia_polar * rotation.speed * rotation.speed;
-        let [x, y, ..] = self.structure.shaft.rate(velocity);
-        motion + turning + self.unbalance.kinetic_energy([x, y], rotation)
+        // masses beside the axis: ½ ω² U² a, with a the acceleration by a force at them, and −ω along·q̇
+        let along = self.unbalances_along(rotation.angle);
+        let mut accelerated = along.clone();
+        self.mass.accelerate(&mut accelerated);
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let inertia = self.inertia_polar + product(&along, &accelerated);
+        let speed = rotation.speed;
+        motion + 0.5 * inertia * speed * speed - speed * product(&along, velocity)
     }
 
     /// Energy that bearings and elastic parts store, J.

@@ -4,7 +4,7 @@ use nalgebra::DMatrix;
 
 use super::point::Attachment;
 use super::static_search::{Balance, StaticCoordinate, StaticSearch};
-use super::structure::Structure;
+use super::structure::{Structure, UnbalancedPoint};
 use super::{FREEDOMS, RotorDefinition, RotorError};
 use crate::bearing::{
     Bearing, BearingState, Facing, Geometry, Matrix5, MountedBearing, Support, Vector5,
@@ -82,11 +82,18 @@ impl StaticProblem<'_> {
     /// [`EquilibriumError`] names the freedom that nothing carries.
     pub fn solve(&self) -> Result<Equilibrium, EquilibriumError> {
         let structure = Structure::rigid([0.0; FREEDOMS], FREEDOMS, self.supports.len());
-        Ok(self.on(&structure)?.equilibrium(&structure))
+        let mut load = vec![0.0; FREEDOMS];
+        structure.shaft.add_force(1.0, &self.load, &mut load);
+        Ok(self.on(&structure, &load)?.equilibrium(&structure))
     }
 
-    /// The same of a structure with more coordinates than those of its shaft: the others are free and without load.
-    pub(super) fn on(&self, structure: &Structure) -> Result<Balance, EquilibriumError> {
+    /// The same of a structure with more coordinates than those of its shaft, under loads on all of them; those that are
+    /// not of its observed point are free.
+    pub(super) fn on(
+        &self,
+        structure: &Structure,
+        load: &[f64],
+    ) -> Result<Balance, EquilibriumError> {
         let arm = self.arm();
         let coordinates = structure.coordinates.iter().enumerate();
         let coordinates = coordinates.map(|(index, coordinate)| {
@@ -94,7 +101,7 @@ impl StaticProblem<'_> {
             StaticCoordinate {
                 name: coordinate.name.clone(),
                 length: coordinate.length(arm),
-                load: axis.map_or(0.0, |axis| self.load[axis]),
+                load: load[index],
                 free: axis.is_none_or(|axis| self.free[axis]),
                 start: axis.map_or(0.0, |axis| self.start[axis]),
             }
@@ -158,14 +165,26 @@ impl StaticPlace {
     }
 }
 
-/// The equilibrium of a shaft under `load` in N and N m, with the freedoms held whose displacement is given.
+/// The equilibrium of a shaft under its static loads, with the freedoms held whose displacement is given. The unbalance of
+/// a shaft angle of zero may act besides.
+///
+/// # Errors
+/// [`RotorError`] where the shaft cannot be built, or nothing carries the load.
 pub(crate) fn static_place(
     definition: &RotorDefinition,
     supports: &[Support],
-    load: Vector5,
+    unbalanced: bool,
     given: &[Option<f64>; FREEDOMS],
-) -> Result<StaticPlace, EquilibriumError> {
-    static_place_of(Structure::of(definition), definition, supports, load, given)
+) -> Result<StaticPlace, RotorError> {
+    let structure = Structure::of(definition)?;
+    let mut load = structure.static_load(definition);
+    if unbalanced {
+        for UnbalancedPoint { point, unbalance } in &structure.unbalances {
+            let force = unbalance.phasor(definition.speed).map(|part| part.re);
+            point.add_force(1.0, &force, &mut load);
+        }
+    }
+    Ok(static_place_of(structure, definition, supports, &load, given)?)
 }
 
 /// The same of a structure with that shaft.
@@ -173,10 +192,11 @@ pub(super) fn static_place_of(
     structure: Structure,
     definition: &RotorDefinition,
     supports: &[Support],
-    load: Vector5,
+    load: &[f64],
     given: &[Option<f64>; FREEDOMS],
 ) -> Result<StaticPlace, EquilibriumError> {
-    let (mut free, mut start) = static_start(definition, supports, load[2]);
+    let [_, _, z, ..] = structure.shaft.coordinates();
+    let (mut free, mut start) = static_start(definition, supports, load[z]);
     for (axis, given) in given.iter().enumerate() {
         if let Some(position) = *given {
             (free[axis], start[axis]) = (false, position);
@@ -184,12 +204,12 @@ pub(super) fn static_place_of(
     }
     let problem = StaticProblem {
         supports,
-        load,
+        load: [0.0; FREEDOMS],
         free,
         start,
         speed: definition.speed,
     };
-    let balance = problem.on(&structure)?;
+    let balance = problem.on(&structure, load)?;
     Ok(StaticPlace {
         free,
         equilibrium: balance.equilibrium(&structure),
@@ -206,7 +226,8 @@ fn static_start(
     axial_load: f64,
 ) -> ([bool; FREEDOMS], Vector5) {
     let active = definition.shaft.freedoms.count();
-    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < active);
+    let bends = definition.flexible.is_some();
+    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < active || bends && axis != 2);
     let mut start = [0.0; FREEDOMS];
     for axis in (3..FREEDOMS).filter(|&axis| !free[axis]) {
         start[axis] = definition.shaft.held_tilt[axis - 3];

@@ -117,7 +117,7 @@ impl Rotor {
                 });
             }
         };
-        if self.unbalance.is_some() {
+        if self.structure.unbalances.iter().any(|own| own.unbalance.is_some()) {
             add(ForcingCause::Unbalance, speed, 0.0);
         }
         for (bearing, support) in self.supports.iter().enumerate() {

@@ -3,7 +3,8 @@
 use nalgebra::{ArrayStorage, DMatrix};
 
 use super::motion::AttachedBearing;
-use super::{FREEDOMS, Rotation, Rotor};
+use super::structure::UnbalancedPoint;
+use super::{LoadKind, Rotation, Rotor};
 use crate::bearing::{BearingRotation, Geometry, Matrix5, Support, Vector5};
 use crate::integrate::System;
 
@@ -61,17 +62,11 @@ impl Rotor {
         for (by_time, slope) in by_time.iter_mut().zip(&slopes.by_time) {
             *by_time -= slope;
         }
-        let outer = self.outer_rate(time, &rotation);
-        self.structure.shaft.add_force(1.0, &outer, by_time);
-        for housing in &self.structure.housings {
-            let force = |step: f64| {
-                let angle = self.speed.at(time + step).angle;
-                self.base_force(housing, time + step, angle)
-            };
-            housing.point.add_force(1.0, &forward_rate(force), by_time);
-        }
+        self.add_outer_rate(time, &rotation, by_time);
         self.gyroscopic
             .add_product(-rotation.acceleration, velocity, by_time);
+        self.circulatory
+            .add_product(rotation.acceleration, place, by_time);
         self.mass.accelerate(by_time);
     }
 
@@ -81,7 +76,8 @@ impl Rotor {
         let rotation = self.speed.at(time);
         let size = self.structure.coordinates.len();
         let mut sum = ForceSlopes {
-            by_place: self.structure.stiffness.entries().clone(),
+            by_place: self.structure.stiffness.entries()
+                - self.circulatory.entries() * rotation.speed,
             by_rate: DMatrix::zeros(size, size),
             by_time: vec![0.0; size],
         };
@@ -191,23 +187,27 @@ impl Rotor {
         STEP * APPROACH * unit / lever
     }
 
-    /// Time derivative of the forces on the shaft that do not come from bearings: unbalance exactly,
+    /// Adds the time derivative of the forces that do not come from bearings: unbalance exactly,
     /// varying loads by a difference over a time that is short against all that they do.
-    fn outer_rate(&self, time: f64, rotation: &Rotation) -> Vector5 {
-        let mut rate = self.unbalance.force_rate(rotation);
-        if !self.loads.is_empty() {
-            let loads = |step: f64| {
-                let (angle, mut sum) = (self.speed.at(time + step).angle, [0.0; FREEDOMS]);
-                for load in &self.loads {
-                    load.add(time + step, angle, self.shaft_mass, &mut sum);
+    fn add_outer_rate(&self, time: f64, rotation: &Rotation, sum: &mut [f64]) {
+        for UnbalancedPoint { point, unbalance } in &self.structure.unbalances {
+            point.add_force(1.0, &unbalance.force_rate(rotation), sum);
+        }
+        for (load, point) in self.loads.iter().zip(&self.structure.load_points) {
+            let at = |step: f64| {
+                let (time, angle) = (time + step, self.speed.at(time + step).angle);
+                match &load.kind {
+                    LoadKind::Base(base) => base.acceleration(time, angle),
+                    _ => self.about_point(load, &load.at(time, angle)),
                 }
-                sum
             };
-            for (rate, change) in rate.iter_mut().zip(forward_rate(loads)) {
-                *rate += change;
+            let rate = forward_rate(at);
+            if load.acts_on_mass() {
+                self.add_base_force(&rate, sum);
+            } else {
+                point.add_force(1.0, &rate, sum);
             }
         }
-        rate
     }
 }
 

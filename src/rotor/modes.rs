@@ -6,7 +6,7 @@ use std::fmt;
 use nalgebra::{Complex, DMatrix};
 use serde::Serialize;
 
-use super::{FREEDOMS, Rotor};
+use super::Rotor;
 
 /// Part of the kinetic energy along z above which a mode is axial.
 const AXIAL: f64 = 0.5;
@@ -66,8 +66,8 @@ pub struct Mode {
     /// Displacements of the degrees of freedom times the root of their mass or moment of inertia, of unit
     /// length: `M^½ q`.
     pub shape: Vec<Complex<f64>>,
-    /// Of those, x, y, z, θx and θy of the shaft; zero of what is held.
-    shaft: [Complex<f64>; FREEDOMS],
+    /// What goes round forward and backward, and what moves along the axis, by their kinetic energy.
+    shares: [f64; 3],
 }
 
 impl Mode {
@@ -102,14 +102,10 @@ impl Mode {
     /// ```text
     /// F = |x + iy|² + |θx + iθy|²,   B = |x − iy|² + |θx − iθy|²,   (F − B)/(F + B)
     /// ```
+    ///
+    /// Of a shaft that bends over all its coordinates.
     pub fn forward_share(&self) -> f64 {
-        let (mut forward, mut backward) = (0.0, 0.0);
-        for pair in [0, 3] {
-            let [x, y] = [self.shaft[pair], self.shaft[pair + 1]];
-            let turned = Complex::<f64>::I * y;
-            forward += (x + turned).norm_sqr();
-            backward += (x - turned).norm_sqr();
-        }
+        let [forward, backward, _] = self.shares;
         let both = forward + backward;
         if both > 0.0 {
             (forward - backward) / both
@@ -121,7 +117,7 @@ impl Mode {
     /// How the shaft goes round.
     pub fn whirl(&self) -> Whirl {
         let all: f64 = self.shape.iter().map(Complex::norm_sqr).sum();
-        if self.shaft[2].norm_sqr() > AXIAL * all {
+        if self.shares[2] > AXIAL * all {
             return Whirl::Axial;
         }
         match self.forward_share() {
@@ -174,13 +170,15 @@ impl Rotor {
     /// Modes of an eigenvalue, or of several that are the same.
     fn modes_of(&self, matrices: &[DMatrix<f64>; 2], group: &[Complex<f64>]) -> Vec<Mode> {
         let shapes = self.shapes(matrices, group[0], group.len().min(self.dofs()));
-        let shaft = self.structure.shaft.coordinates();
         let pairs = group.iter().zip(shapes.column_iter());
         pairs
-            .map(|(eigenvalue, shape)| Mode {
-                eigenvalue: *eigenvalue,
-                shape: shape.iter().copied().collect(),
-                shaft: shaft.map(|index| shape.get(index).copied().unwrap_or(Complex::ZERO)),
+            .map(|(eigenvalue, shape)| {
+                let shape: Vec<_> = shape.iter().copied().collect();
+                Mode {
+                    eigenvalue: *eigenvalue,
+                    shares: self.shares(&shape),
+                    shape,
+                }
             })
             .collect()
     }
@@ -215,15 +213,27 @@ impl Rotor {
         shapes * whirl.symmetric_eigen().eigenvectors
     }
 
+    /// Of a shape, what goes round forward and backward, and what moves along the axis.
+    fn shares(&self, shape: &[Complex<f64>]) -> [f64; 3] {
+        let at = |index: usize| shape.get(index).copied().unwrap_or(Complex::ZERO);
+        let (mut forward, mut backward) = (0.0, 0.0);
+        for (first, second, sign) in self.structure.planes() {
+            let turned = Complex::<f64>::I * at(second) * sign;
+            forward += (at(first) + turned).norm_sqr();
+            backward += (at(first) - turned).norm_sqr();
+        }
+        let [_, _, z, ..] = self.structure.shaft.coordinates();
+        [forward, backward, at(z).norm_sqr()]
+    }
+
     /// The Hermitian form of [`Mode::forward_share`]'s F − B.
     fn whirl(&self) -> DMatrix<Complex<f64>> {
         let dofs = self.dofs();
         let mut form = DMatrix::zeros(dofs, dofs);
-        let [x, y, _, tilt_x, tilt_y] = self.structure.shaft.coordinates();
-        for (first, second) in [(x, y), (tilt_x, tilt_y)] {
+        for (first, second, sign) in self.structure.planes() {
             if first.max(second) < dofs {
-                form[(first, second)] = Complex::new(0.0, 2.0);
-                form[(second, first)] = Complex::new(0.0, -2.0);
+                form[(first, second)] = Complex::new(0.0, 2.0 * sign);
+                form[(second, first)] = Complex::new(0.0, -2.0 * sign);
             }
         }
         form
@@ -232,7 +242,8 @@ impl Rotor {
     /// K at the static equilibrium and C + ωG in coordinates in which the mass is one.
     fn normalised(&self) -> [DMatrix<f64>; 2] {
         let rate = self.damping.entries() + self.gyroscopic.entries() * self.speed();
-        [&self.tangent, &rate].map(|matrix| self.mass.normalised(matrix))
+        let stiffness = &self.tangent - self.circulatory.entries() * self.speed();
+        [&stiffness, &rate].map(|matrix| self.mass.normalised(matrix))
     }
 }
 

@@ -7,10 +7,11 @@ use super::coefficients::{Coefficients, Mass};
 use super::equilibrium::Equilibrium;
 use super::phases::Phases;
 use super::point::{Attachment, Point};
-use super::structure::Structure;
-use super::unbalance::Unbalance;
-use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, Rotation, SpeedProfile};
-use crate::bearing::{Angle, BearingRotation, BearingState, Support, Vector5, in_registers};
+use super::structure::{Structure, UnbalancedPoint};
+use super::{
+    CageMotion, Drive, FREEDOMS, InitialPosition, Load, LoadKind, Rotation, SpeedProfile,
+};
+use crate::bearing::{Angle, BearingRotation, BearingState, Support, Vector5};
 use crate::registers::in_wide_registers;
 
 /// A shaft on its bearings, assembled and ready to move.
@@ -19,9 +20,9 @@ use crate::registers::in_wide_registers;
 /// M q̈ + (C + ω G) q̇ + K q + Σ_b B_bᵀ F_b(B_b q, B_b q̇, ψ_b, ω) = f(t, ψ)
 /// ```
 ///
-/// q are its degrees of freedom, B_b takes from them the displacement between the points that the rings of bearing b
+/// with the forces ω τ K_s J q of internal damping on the right where there is one. q are its degrees of freedom, B_b takes from them the displacement between the points that the rings of bearing b
 /// sit at, F_b is the force that moves its inner ring there against the damping of the contacts, and f are the
-/// unbalance, the weight and the loads at the centre of mass of the shaft. Of a rigid shaft on bearings that stand on the
+/// unbalances, the weight and the loads. Of a rigid shaft on bearings that stand on the
 /// ground, K = 0 and
 ///
 /// ```text
@@ -52,6 +53,10 @@ pub struct Rotor {
     pub(super) damping: Coefficients,
     /// G.
     pub(super) gyroscopic: Coefficients,
+    /// Forces per speed and displacement, of damping that turns with the shaft.
+    pub(super) circulatory: Coefficients,
+    /// The part of C that turns with the shaft.
+    pub(super) internal_damping: Coefficients,
     /// Mass of the shaft, kg.
     pub(super) shaft_mass: f64,
     pub(super) inertia_polar: f64,
@@ -59,13 +64,14 @@ pub struct Rotor {
     /// Decides the speed in place of the profile, which then holds that of the start.
     pub(super) drive: Option<Drive>,
     pub(super) cage: CageMotion,
-    pub(super) unbalance: Unbalance,
     /// Whether energy is accounted for.
     pub(super) energy: bool,
-    /// Constant loads and the weight.
-    pub(super) load: Vector5,
-    /// The part of it that is weight, N.
-    pub(super) weight: f64,
+    /// Constant loads and the weight on the degrees of freedom.
+    pub(super) constant_force: Vec<f64>,
+    /// Acceleration of gravity along −Y, m/s²; zero where no weight acts.
+    pub(super) gravity: f64,
+    /// Forces on the degrees of freedom where the base accelerates by one along x, y and z, with another sign, kg.
+    pub(super) base_inertia: [Vec<f64>; 3],
     /// Varying loads.
     pub(super) loads: Vec<Load>,
     /// Whether the contacts of any bearing are damped.
@@ -227,41 +233,63 @@ impl Rotor {
         }
     }
 
-    /// Loads, weight and unbalance on the shaft, N and N m.
+    /// Adds the forces of the unbalances.
     #[inline(always)]
-    fn outer_force(&self, time: f64, rotation: &Rotation, phases: &Phases) -> Vector5 {
-        let unbalance = self.unbalance.force(rotation, phases.shaft);
-        let force = std::array::from_fn(|axis| self.load[axis] + unbalance[axis]);
-        if self.loads.is_empty() {
-            force
-        } else {
-            in_registers(self.with_loads(time, rotation.angle, force))
+    pub(super) fn add_unbalances<const RIGID: bool>(
+        &self,
+        rotation: &Rotation,
+        phases: &Phases,
+        sum: &mut [f64],
+    ) {
+        for UnbalancedPoint { point, unbalance } in &self.structure.unbalances {
+            let point = if RIGID { &Point::RIGID_SHAFT } else { point };
+            point.add_force(1.0, &unbalance.force(rotation, phases.shaft), sum);
         }
     }
 
-    /// Loads that act at the centre of mass, and those that act on the shaft's axis, N and N m.
-    pub(super) fn loads_apart(&self, time: f64, angle: f64) -> [Vector5; 2] {
-        let mut on_mass = [0.0, -self.weight, 0.0, 0.0, 0.0];
-        let mut on_axis = self.load;
-        on_axis[1] += self.weight;
-        for load in &self.loads {
-            let sum = if load.acts_on_mass() {
-                &mut on_mass
-            } else {
-                &mut on_axis
-            };
-            load.add(time, angle, self.shaft_mass, sum);
-        }
-        [on_mass, on_axis]
-    }
-
-    /// Apart from the rest, which stays small where no load varies.
+    /// Adds the forces of the varying loads; apart from the rest, which stays small where no load varies.
     #[inline(never)]
-    fn with_loads(&self, time: f64, angle: f64, mut force: Vector5) -> Vector5 {
-        for load in &self.loads {
-            load.add(time, angle, self.shaft_mass, &mut force);
+    pub(super) fn add_loads(&self, time: f64, angle: f64, sum: &mut [f64]) {
+        for (load, point) in self.loads.iter().zip(&self.structure.load_points) {
+            match &load.kind {
+                LoadKind::Base(base) => {
+                    self.add_base_force(&base.acceleration(time, angle), sum);
+                }
+                _ => point.add_force(1.0, &self.about_point(load, &load.at(time, angle)), sum),
+            }
         }
-        force
+    }
+
+    /// A force or moment of a load at its position, about the point that it acts at.
+    pub(super) fn about_point(&self, load: &Load, force: &Vector5) -> Vector5 {
+        // the points of a shaft that bends are where the loads are
+        match self.structure.bending {
+            Some(_) => *force,
+            None => load.about_centre(force),
+        }
+    }
+
+    /// Adds the inertial forces of the shaft and the housings where the base accelerates, in m/s².
+    pub(super) fn add_base_force(&self, acceleration: &Vector5, sum: &mut [f64]) {
+        for (inertia, acceleration) in self.base_inertia.iter().zip(acceleration) {
+            for (sum, inertia) in sum.iter_mut().zip(inertia) {
+                *sum -= inertia * acceleration;
+            }
+        }
+    }
+
+    /// Acceleration of the base, m/s².
+    pub(super) fn base_acceleration(&self, time: f64, angle: f64) -> [f64; 3] {
+        let mut sum = [0.0; 3];
+        for load in &self.loads {
+            if let LoadKind::Base(base) = &load.kind {
+                let acceleration = base.acceleration(time, angle);
+                sum.iter_mut()
+                    .zip(acceleration)
+                    .for_each(|(sum, part)| *sum += part);
+            }
+        }
+        sum
     }
 
     /// The first time after `after` at which a load or the acceleration jumps, or a ball passes a kink of a defect, s.
@@ -304,7 +332,7 @@ impl Rotor {
         let (place, velocity) = state[..2 * dofs].split_at(dofs);
         let (displacement_rate, force) = rate[..2 * dofs].split_at_mut(dofs);
         displacement_rate.copy_from_slice(velocity);
-        force.fill(0.0);
+        force.copy_from_slice(&self.constant_force[..dofs]);
         let rotation = self.speed.at(time);
         let phases = self.phases(&rotation);
         let shaft = if RIGID {
@@ -312,15 +340,16 @@ impl Rotor {
         } else {
             self.structure.shaft
         };
-        shaft.add_force(1.0, &self.outer_force(time, &rotation, &phases), force);
+        self.add_unbalances::<RIGID>(&rotation, &phases, force);
+        if !self.loads.is_empty() {
+            self.add_loads(time, rotation.angle, force);
+        }
         self.gyroscopic
             .add_product(-rotation.speed, velocity, force);
         self.damping.add_product(-1.0, velocity, force);
         if !RIGID {
             self.structure.stiffness.add_product(-1.0, place, force);
-            if !self.loads.is_empty() {
-                self.shake_housings(time, rotation.angle, force);
-            }
+            self.circulatory.add_product(rotation.speed, place, force);
         }
         if self.contacts_damped {
             self.add_damped_bearings(place, velocity, &rotation, &phases, force);

@@ -7,7 +7,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::motion::AttachedBearing;
 use super::static_search::POSITION_ROUND_OFF;
 use super::unconstrained::NOTHING;
-use super::{CageMotion, FREEDOMS, Load, Rotor};
+use super::structure::UnbalancedPoint;
+use super::{CageMotion, Rotor};
 use crate::bearing::{BearingRotation, Geometry, Support};
 
 /// Smallest error of a position that a tolerance can ask for, relative to the groove centre distance.
@@ -101,15 +102,10 @@ impl Rotor {
     /// rad. A shaft that starts beside this motion has free vibrations of these amplitudes besides.
     pub(super) fn forced_amplitudes(&self, speed: f64) -> Vec<f64> {
         let mut sum = vec![0.0; self.dofs()];
-        add_sizes(
-            &mut sum,
-            &self.amplitudes(&self.unbalance_phasor(speed), speed, speed),
-        );
-        for load in &self.loads {
-            let load = load.main_vibration(self.shaft_mass);
-            let frequency = load.frequency + load.order * speed;
-            let forced = self.amplitudes(&load.amplitude.map(Complex::from), frequency, speed);
-            add_sizes(&mut sum, &forced);
+        let unbalance = self.unbalance_phasor(speed);
+        add_sizes(&mut sum, &self.amplitudes(unbalance, speed, speed));
+        for (frequency, force) in self.load_vibrations(speed) {
+            add_sizes(&mut sum, &self.amplitudes(force, frequency, speed));
         }
         sum
     }
@@ -146,16 +142,39 @@ impl Rotor {
         ]
     }
 
-    /// Force of the unbalance at a speed as complex amplitudes, N.
-    fn unbalance_phasor(&self, speed: f64) -> [Complex<f64>; FREEDOMS] {
-        self.unbalance.phasor(speed)
+    /// Forces of the unbalances on the degrees of freedom at a speed as complex amplitudes.
+    pub(super) fn unbalance_phasor(&self, speed: f64) -> DVector<Complex<f64>> {
+        let mut sum = DVector::zeros(self.dofs());
+        for UnbalancedPoint { point, unbalance } in &self.structure.unbalances {
+            point.add_phasor(&unbalance.phasor(speed), sum.as_mut_slice());
+        }
+        sum
+    }
+
+    /// Angular frequency of each varying load at a speed of the shaft, and its forces on the degrees of freedom.
+    pub(super) fn load_vibrations(&self, speed: f64) -> Vec<(f64, DVector<Complex<f64>>)> {
+        let loads = self.loads.iter().zip(&self.structure.load_points);
+        loads
+            .map(|(load, point)| {
+                let vibration = load.main_vibration();
+                let mut force = DVector::zeros(self.dofs());
+                if load.acts_on_mass() {
+                    self.add_base_force(&vibration.amplitude, force.as_mut_slice());
+                } else {
+                    let amplitude = self.about_point(load, &vibration.amplitude);
+                    point.add_force(1.0, &amplitude, force.as_mut_slice());
+                }
+                let frequency = vibration.frequency + vibration.order * speed;
+                (frequency, force.map(Complex::from))
+            })
+            .collect()
     }
 
     /// Largest amplitude under the unbalance at the speeds of the profile.
     fn unbalance_response(&self, arm: f64) -> f64 {
         let response = |speed: f64| {
             let force = self.unbalance_phasor(speed);
-            self.largest(&self.amplitudes(&force, speed, speed), arm)
+            self.largest(&self.amplitudes(force, speed, speed), arm)
         };
         let speeds = self.speed.points().map(|point| point.speed);
         speeds
@@ -166,32 +185,24 @@ impl Rotor {
 
     /// Largest amplitude under each of the varying loads by itself.
     fn load_response(&self, arm: f64) -> f64 {
-        let response = |load: &Load| {
-            let vibration = load.main_vibration(self.shaft_mass);
-            let speed = self.highest_speed();
-            let frequency = vibration.frequency + vibration.order * speed;
-            let force = vibration.amplitude.map(Complex::from);
-            self.largest(&self.amplitudes(&force, frequency, speed), arm)
-        };
-        self.loads.iter().map(response).fold(0.0, f64::max)
+        let speed = self.highest_speed();
+        let vibrations = self.load_vibrations(speed).into_iter();
+        vibrations
+            .map(|(frequency, force)| self.largest(&self.amplitudes(force, frequency, speed), arm))
+            .fold(0.0, f64::max)
     }
 
-    /// Amplitudes of the degrees of freedom under a force on the shaft of angular frequency ω while it turns at Ω,
+    /// Amplitudes of the degrees of freedom under forces of angular frequency ω while the shaft turns at Ω,
     /// `|(K − ω²M + iω(C + ΩG))⁻¹ F|`; none at an undamped resonance.
-    fn amplitudes(&self, force: &[Complex<f64>; FREEDOMS], omega: f64, speed: f64) -> Vec<f64> {
+    fn amplitudes(&self, force: DVector<Complex<f64>>, omega: f64, speed: f64) -> Vec<f64> {
         let dofs = self.dofs();
         let dynamic = DMatrix::from_fn(dofs, dofs, |row, column| {
             let inertia = omega * omega * self.mass.entry(row, column);
             let rate = self.rate_entry(row, column, speed);
-            Complex::new(self.tangent[(row, column)] - inertia, omega * rate)
+            let turning = speed * self.circulatory.entries()[(row, column)];
+            Complex::new(self.tangent[(row, column)] - turning - inertia, omega * rate)
         });
-        let of = |dof| match self.structure.shaft.axis_of(dof) {
-            Some(axis) => force[axis],
-            None => Complex::ZERO,
-        };
-        let response = dynamic
-            .lu()
-            .solve(&DVector::from_fn(dofs, |dof, _| of(dof)));
+        let response = dynamic.lu().solve(&force);
         response.map_or_else(Vec::new, |response| {
             response.iter().map(|part| part.norm()).collect()
         })

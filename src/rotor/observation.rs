@@ -89,7 +89,8 @@ impl Rotor {
         let mut total = [0.0; FREEDOMS];
         let observed = contacts.bearings.iter_mut().zip(&mut contacts.axial_forces);
         let phases = self.phases(rotation);
-        for (bearing, (loads, axial)) in self.bearings().zip(observed) {
+        let bearings = self.bearings().zip(&self.structure.arms);
+        for ((bearing, arm), (loads, axial)) in bearings.zip(observed) {
             let (support, displacement) = (bearing.support, bearing.displacement(position));
             let rotation = self.seen_by(support, rotation, &phases);
             let force = if loads.balls() > 0 {
@@ -100,6 +101,8 @@ impl Rotor {
             for axis in 0..FREEDOMS {
                 total[axis] += force[axis];
             }
+            total[3] -= arm * force[1];
+            total[4] += arm * force[0];
             *axial = support.definition().facing.sign() * force[2];
         }
         total

@@ -1,6 +1,6 @@
 //! Points on the axes of shaft and housings, and the rings of bearings between them.
 
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
 
 use crate::bearing::{Matrix5, Vector5};
 
@@ -23,6 +23,12 @@ impl Point {
     /// Index of the coordinate of each component.
     pub fn coordinates(&self) -> [usize; 5] {
         self.coordinates
+    }
+
+    /// Number of its translations, along x, y and z in this order, that are among so many degrees of freedom.
+    pub fn translations(&self, dofs: usize) -> usize {
+        let [x, y, z, ..] = self.coordinates;
+        [x, y, z].into_iter().take_while(|index| *index < dofs).count()
     }
 
     /// Which of the five components a coordinate is.
@@ -51,6 +57,17 @@ impl Point {
         for (index, part) in self.coordinates.iter().zip(force) {
             if let Some(sum) = sum.get_mut(*index) {
                 *sum += factor * part;
+            }
+        }
+    }
+}
+
+impl Point {
+    /// Adds the complex amplitudes of a force and moments at the point to those on the degrees of freedom.
+    pub fn add_phasor(&self, force: &[Complex<f64>; 5], sum: &mut [Complex<f64>]) {
+        for (index, part) in self.coordinates.iter().zip(force) {
+            if let Some(sum) = sum.get_mut(*index) {
+                *sum += part;
             }
         }
     }

@@ -3,10 +3,12 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::coefficients::Coefficients;
+use super::flexible::Bending;
 use super::equilibrium::FREEDOM_NAMES;
 use super::point::{Attachment, Point};
 use super::static_search::Restoring;
-use super::{FREEDOMS, RotorDefinition};
+use super::unbalance::Unbalance;
+use super::{FREEDOMS, RotorDefinition, ShaftError};
 use crate::bearing::{BearingRotation, MountedBearing, Support, Vector5};
 
 /// A generalised coordinate.
@@ -14,15 +16,48 @@ use crate::bearing::{BearingRotation, MountedBearing, Support, Vector5};
 pub(super) struct Coordinate {
     /// Name in messages.
     pub name: String,
-    /// Whether it is an angle in rad; otherwise it is a displacement in m.
-    pub tilts: bool,
+    pub kind: CoordinateKind,
+}
+
+/// What a coordinate measures.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum CoordinateKind {
+    /// A displacement in m.
+    Displacement,
+    /// An angle in rad.
+    Tilt,
+    /// The share of a mode shape, whose largest deflection for a share of one this is, m.
+    Mode(f64),
 }
 
 impl Coordinate {
+    /// x, y, z, θx or θy of a point, of which `owner` says which.
+    pub fn of_axis(axis: usize, owner: &str) -> Self {
+        Self {
+            name: format!("{}{owner}", FREEDOM_NAMES[axis]),
+            kind: if axis < 3 {
+                CoordinateKind::Displacement
+            } else {
+                CoordinateKind::Tilt
+            },
+        }
+    }
+
     /// Length that makes a displacement of it, m, by that of tilts.
     pub fn length(&self, arm: f64) -> f64 {
-        if self.tilts { arm } else { 1.0 }
+        match self.kind {
+            CoordinateKind::Displacement => 1.0,
+            CoordinateKind::Tilt => arm,
+            CoordinateKind::Mode(deflection) => deflection,
+        }
     }
+}
+
+/// An unbalance at a point of the shaft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct UnbalancedPoint {
+    pub point: Point,
+    pub unbalance: Unbalance,
 }
 
 /// What moves, and where bearings and loads act on it.
@@ -36,14 +71,29 @@ pub(super) struct Structure {
     pub mass: DMatrix<f64>,
     /// C of all that is damped but the shaft and the contacts.
     pub damping: DMatrix<f64>,
-    /// K of all that is elastic but the bearings; nothing couples degrees of freedom with what is held.
+    /// K of all that is elastic but the ball bearings; nothing couples degrees of freedom with what is held.
     pub stiffness: Coefficients,
-    /// The centre of mass of the shaft.
+    /// G: gyroscopic forces per speed and velocity.
+    pub gyroscopic: DMatrix<f64>,
+    /// The part of C that turns with the shaft.
+    pub internal_damping: DMatrix<f64>,
+    /// Forces per speed and displacement that follow from it.
+    pub circulatory: DMatrix<f64>,
+    /// The point of the shaft that is observed; of a rigid one its centre of mass, where everything acts.
     pub shaft: Point,
+    /// Where each of the loads acts; accelerations of the base act on all masses.
+    pub load_points: Vec<Point>,
+    pub unbalances: Vec<UnbalancedPoint>,
+    /// Coordinates of the shaft when it moves by one along x, y, z, or about X and Y through its observed point.
+    pub rigid_motions: [DVector<f64>; FREEDOMS],
+    /// Distance of each bearing from the observed point along the shaft, where its position is that of its point, m.
+    pub arms: Vec<f64>,
     /// One of every bearing.
     pub attachments: Vec<Attachment>,
     /// Masses on the ground that bearings stand in.
     pub housings: Vec<HousingPoint>,
+    /// Where the shaft bends: all of it.
+    pub bending: Option<Bending>,
 }
 
 /// A housing that moves.
@@ -60,87 +110,93 @@ impl Structure {
     /// A rigid shaft whose bearings stand on the ground, with the mass or moment of inertia of each of its five
     /// coordinates, of which the first `dofs` move.
     pub fn rigid(masses: Vector5, dofs: usize, bearings: usize) -> Self {
-        let coordinate = |axis: usize| Coordinate {
-            name: FREEDOM_NAMES[axis].to_owned(),
-            tilts: axis >= 3,
-        };
         let nothing = DMatrix::zeros(FREEDOMS, FREEDOMS);
+        let unit = |axis| DVector::from_fn(FREEDOMS, |row, _| f64::from(u8::from(row == axis)));
         Self {
-            coordinates: (0..FREEDOMS).map(coordinate).collect(),
+            coordinates: (0..FREEDOMS)
+                .map(|axis| Coordinate::of_axis(axis, ""))
+                .collect(),
             dofs,
             mass: DMatrix::from_diagonal(&DVector::from_column_slice(&masses)),
             damping: nothing.clone(),
-            stiffness: Coefficients::new(nothing, dofs),
+            stiffness: Coefficients::new(nothing.clone(), dofs),
+            gyroscopic: nothing.clone(),
+            internal_damping: nothing.clone(),
+            circulatory: nothing,
             shaft: Point::RIGID_SHAFT,
+            load_points: Vec::new(),
+            unbalances: Vec::new(),
+            rigid_motions: std::array::from_fn(unit),
+            arms: vec![0.0; bearings],
             attachments: vec![Attachment::GROUNDED; bearings],
             housings: Vec::new(),
+            bending: None,
         }
     }
 
     /// That of a definition.
-    pub fn of(definition: &RotorDefinition) -> Self {
+    ///
+    /// # Errors
+    /// [`ShaftError`] where a shaft that bends cannot be built.
+    pub fn of(definition: &RotorDefinition) -> Result<Self, ShaftError> {
+        let grounded = match &definition.flexible {
+            Some(flexible) => Self::bending(flexible, definition)?,
+            None => Self::of_rigid(definition),
+        };
+        let housed = |bearing: &MountedBearing| bearing.housing.is_some();
+        Ok(if definition.bearings.iter().any(housed) {
+            grounded.on_housings(&definition.bearings)
+        } else {
+            grounded
+        })
+    }
+
+    /// That of a definition whose shaft is rigid.
+    fn of_rigid(definition: &RotorDefinition) -> Self {
         let shaft = &definition.shaft;
         let (mass, inertia) = (shaft.mass, shaft.inertia_transverse);
-        let grounded = Self::rigid(
+        let mut structure = Self::rigid(
             [mass, mass, mass, inertia, inertia],
             shaft.freedoms.count(),
             definition.bearings.len(),
         );
-        if definition
-            .bearings
-            .iter()
-            .any(|bearing| bearing.housing.is_some())
-        {
-            grounded.on_housings(&definition.bearings)
-        } else {
-            grounded
+        let [.., tilt_x, tilt_y] = structure.shaft.coordinates();
+        structure.gyroscopic[(tilt_x, tilt_y)] = shaft.inertia_polar;
+        structure.gyroscopic[(tilt_y, tilt_x)] = -shaft.inertia_polar;
+        structure.load_points = vec![structure.shaft; definition.loads.len()];
+        structure.unbalances = vec![UnbalancedPoint {
+            point: structure.shaft,
+            unbalance: Unbalance::new(shaft),
+        }];
+        let mut stiffness = structure.stiffness.entries().clone();
+        for bearing in &definition.linear_bearings {
+            let point = structure.shaft;
+            bearing.add(point, bearing.position, &mut stiffness, &mut structure.damping);
         }
+        structure.stiffness = Coefficients::new(stiffness, structure.dofs);
+        structure
     }
 
     /// The same with those bearings on housings that have one. A housing moves along x and y, and along z where the shaft
     /// does; its displacement counts from where its own weight has put it.
     fn on_housings(self, bearings: &[MountedBearing]) -> Self {
-        let (active, axes) = (self.dofs, self.dofs.min(3));
+        let (first, axes) = (self.dofs, self.shaft.translations(self.dofs));
         let housings = bearings.iter().enumerate();
         let housings: Vec<_> = housings
             .filter_map(|(bearing, mounted)| Some((bearing, mounted.housing?)))
             .collect();
-        let added = axes * housings.len();
-        let size = FREEDOMS + added;
-        // degrees of freedom of the shaft, those of the housings, and what is held of the shaft
-        let shaft: [usize; 5] =
-            std::array::from_fn(|axis| if axis < active { axis } else { axis + added });
-        let mut coordinates = self.coordinates.clone();
-        let [mut mass, mut damping, mut stiffness] =
-            std::array::from_fn(|_| DMatrix::zeros(size, size));
-        for (axis, index) in shaft.into_iter().enumerate() {
-            mass[(index, index)] = self.mass[(axis, axis)];
-        }
-        let inner = Point::new(shaft);
-        let mut structure = Self {
-            dofs: active + added,
-            shaft: inner,
-            attachments: vec![Attachment { inner, outer: None }; bearings.len()],
-            ..self
-        };
+        let mut structure = self.with_room_for(axes * housings.len());
+        let mut stiffness = structure.stiffness.entries().clone();
         for (number, (bearing, housing)) in housings.into_iter().enumerate() {
-            let first = active + axes * number;
             let mut indices = [usize::MAX; 5];
             for axis in 0..axes {
-                let index = first + axis;
+                let index = first + axes * number + axis;
                 indices[axis] = index;
-                mass[(index, index)] = housing.mass;
+                structure.mass[(index, index)] = housing.mass;
                 stiffness[(index, index)] = housing.stiffness[axis];
-                damping[(index, index)] = housing.damping[axis];
-                let coordinate = Coordinate {
-                    name: format!(
-                        "{} of the housing of bearing {}",
-                        FREEDOM_NAMES[axis],
-                        bearing + 1
-                    ),
-                    tilts: false,
-                };
-                coordinates.insert(index, coordinate);
+                structure.damping[(index, index)] = housing.damping[axis];
+                let owner = format!(" of the housing of bearing {}", bearing + 1);
+                structure.coordinates[index] = Coordinate::of_axis(axis, &owner);
             }
             let point = Point::new(indices);
             structure.attachments[bearing].outer = Some(point);
@@ -150,13 +206,79 @@ impl Structure {
                 point,
             });
         }
-        Self {
-            coordinates,
-            stiffness: Coefficients::new(stiffness, active + added),
-            mass,
-            damping,
-            ..structure
+        structure.stiffness = Coefficients::new(stiffness, structure.dofs);
+        structure
+    }
+
+    /// The same with more degrees of freedom, behind its own, that nothing belongs to yet.
+    fn with_room_for(mut self, added: usize) -> Self {
+        let (dofs, size) = (self.dofs, self.coordinates.len() + added);
+        let index = |old: usize| if old < dofs { old } else { old + added };
+        let enlarged = |matrix: &DMatrix<f64>| {
+            let mut large = DMatrix::zeros(size, size);
+            for (column, entries) in matrix.column_iter().enumerate() {
+                for (row, entry) in entries.iter().enumerate() {
+                    large[(index(row), index(column))] = *entry;
+                }
+            }
+            large
+        };
+        for matrix in [
+            &mut self.mass,
+            &mut self.damping,
+            &mut self.gyroscopic,
+            &mut self.internal_damping,
+            &mut self.circulatory,
+        ] {
+            *matrix = enlarged(matrix);
         }
+        self.stiffness = Coefficients::new(enlarged(self.stiffness.entries()), dofs + added);
+        for deflections in self.bending.iter_mut().flat_map(|own| &mut own.deflections) {
+            let mut large = DMatrix::zeros(deflections.nrows(), size);
+            for (old, column) in deflections.column_iter().enumerate() {
+                large.set_column(index(old), &column);
+            }
+            *deflections = large;
+        }
+        for motion in &mut self.rigid_motions {
+            let mut large = DVector::zeros(size);
+            for (old, part) in motion.iter().enumerate() {
+                large[index(old)] = *part;
+            }
+            *motion = large;
+        }
+        let attachments = self.attachments.iter_mut().map(|own| &mut own.inner);
+        let unbalances = self.unbalances.iter_mut().map(|own| &mut own.point);
+        let points = attachments.chain(unbalances).chain(&mut self.load_points);
+        for point in points.chain([&mut self.shaft]) {
+            *point = Point::new(point.coordinates().map(index));
+        }
+        let room = Coordinate::of_axis(0, "");
+        self.coordinates
+            .splice(dofs..dofs, std::iter::repeat_n(room, added));
+        Self {
+            dofs: dofs + added,
+            ..self
+        }
+    }
+
+    /// Forces on all coordinates of the shaft and the housings where the base accelerates by one along an axis, with
+    /// another sign: kg.
+    pub fn inertia_along(&self, axis: usize) -> DVector<f64> {
+        let mut forces = self.shaft_inertia_along(axis);
+        for housing in &self.housings {
+            housing.point.add_force(
+                housing.mass,
+                &std::array::from_fn(|own| f64::from(u8::from(own == axis))),
+                forces.as_mut_slice(),
+            );
+        }
+        forces
+    }
+
+    /// The same of the shaft alone.
+    pub fn shaft_inertia_along(&self, axis: usize) -> DVector<f64> {
+        &self.mass * &self.rigid_motions[axis]
     }
 
     /// Whether it is nothing but a rigid shaft on bearings that stand on the ground.
@@ -165,6 +287,18 @@ impl Structure {
         self.coordinates.len() == FREEDOMS
             && self.attachments.iter().all(grounded)
             && self.stiffness.entries().iter().all(|entry| *entry == 0.0)
+    }
+
+    /// Coordinates of the plane of x with those of the plane of y that a forward whirl has a quarter turn behind, times a
+    /// sign.
+    pub fn planes(&self) -> Vec<(usize, usize, f64)> {
+        match &self.bending {
+            Some(bending) => bending.planes.clone(),
+            None => {
+                let [x, y, _, tilt_x, tilt_y] = self.shaft.coordinates();
+                vec![(x, y, 1.0), (tilt_x, tilt_y, 1.0)]
+            }
+        }
     }
 
     /// Lengths that make displacements of all coordinates, m.

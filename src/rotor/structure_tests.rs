@@ -57,6 +57,8 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
             velocity: [None; 5],
         },
         bearings: vec![mounted(-0.03, Facing::PlusZ), mounted(0.04, Facing::MinusZ)],
+        linear_bearings: Vec::new(),
+        flexible: None,
     }
 }
 
@@ -64,26 +66,11 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
 fn on_housing(definition: &RotorDefinition) -> Structure {
     let active = definition.shaft.freedoms.count();
     let housing = [active, active + 1, active + 2];
-    let mut shaft: [usize; 5] = std::array::from_fn(|axis| axis);
-    for index in &mut shaft[active..] {
-        *index += housing.len();
-    }
-    let grounded = Structure::of(definition);
-    let mut structure = Structure {
-        coordinates: vec![grounded.coordinates[0].clone(); 8],
-        dofs: active + housing.len(),
-        mass: DMatrix::zeros(8, 8),
-        damping: DMatrix::zeros(8, 8),
-        shaft: Point::new(shaft),
-        ..grounded.clone()
-    };
-    for (axis, index) in shaft.into_iter().enumerate() {
-        structure.coordinates[index] = grounded.coordinates[axis].clone();
-        structure.mass[(index, index)] = grounded.mass[(axis, axis)];
-    }
-    let mut stiffness = DMatrix::zeros(8, 8);
+    let grounded = Structure::of(definition).expect("a rigid shaft");
+    let mut structure = grounded.with_room_for(housing.len());
+    let mut stiffness = structure.stiffness.entries().clone();
     for (axis, index) in housing.into_iter().enumerate() {
-        structure.coordinates[index].name = format!("{} of the housing", FREEDOM_NAMES[axis]);
+        structure.coordinates[index] = Coordinate::of_axis(axis, " of the housing");
         structure.mass[(index, index)] = MASSES[1];
         stiffness[(index, index)] = SPRINGS[axis];
     }
@@ -215,7 +202,7 @@ fn what_the_bearings_do_to_the_shaft_they_do_back_to_the_housing() {
     let (state, mut rate) = (somewhere(&rotor), vec![0.0; rotor.states()]);
     rotor.derivative(0.01, &state, &mut rate);
     let rotation = rotor.speed.at(0.01);
-    let unbalance = rotor
+    let unbalance = rotor.structure.unbalances[0]
         .unbalance
         .force(&rotation, crate::bearing::Angle::new(rotation.angle));
     let external = [unbalance[0], unbalance[1] - 9.806_65 * MASSES[0], 300.0];

@@ -114,15 +114,25 @@ impl Rotor {
     /// State at t = 0: coordinates that do not belong to the shaft start where its own start from, at rest.
     pub(crate) fn start(&self) -> Vec<f64> {
         let (dofs, mut state) = (self.dofs(), vec![0.0; self.states()]);
+        if self.starts_from == InitialPosition::Equilibrium {
+            state[..dofs].copy_from_slice(&self.rest[..dofs]);
+        }
+        // what is given moves the shaft from there as a rigid body
         let [displacement, velocity] = &self.initial;
-        for dof in 0..dofs {
-            let axis = self.structure.shaft.axis_of(dof);
-            let elsewhere = match self.starts_from {
-                InitialPosition::Equilibrium => self.rest[dof],
-                InitialPosition::Origin => 0.0,
-            };
-            state[dof] = axis.map_or(elsewhere, |axis| displacement[axis]);
-            state[dofs + dof] = axis.map_or(0.0, |axis| velocity[axis]);
+        let from = self.structure.shaft.displacement(&state[..dofs], &self.rest);
+        let shaft = self.structure.shaft.coordinates();
+        for (axis, motion) in self.structure.rigid_motions.iter().enumerate() {
+            if shaft[axis] >= dofs {
+                continue;
+            }
+            let (moved, rate) = (displacement[axis] - from[axis], velocity[axis]);
+            for (dof, part) in motion.iter().take(dofs).enumerate() {
+                if *part != 0.0 {
+                    state[dof] += moved * part;
+                    state[dofs + dof] += rate * part;
+                }
+            }
+            state[shaft[axis]] = displacement[axis];
         }
         if self.drive.is_some() {
             state[2 * dofs + 1] = self.speed();

@@ -52,19 +52,24 @@ impl Shaft {
 pub(super) struct Unbalance {
     /// U, kg m.
     moment: [f64; 2],
-    /// U/m, m.
-    offset: [f64; 2],
     /// U_c, kg m².
     couple: [f64; 2],
 }
 
 impl Unbalance {
     pub fn new(shaft: &Shaft) -> Self {
-        let [x, y] = shaft.unbalance.moment;
         Self {
             moment: shaft.unbalance_moment(),
-            offset: [shaft.eccentricity + x / shaft.mass, y / shaft.mass],
             couple: shaft.unbalance.couple,
+        }
+    }
+
+    /// A static unbalance in kg m at an angle in rad.
+    pub fn in_plane(amount: f64, angle: f64) -> Self {
+        let (sin, cos) = angle.sin_cos();
+        Self {
+            moment: [amount * cos, amount * sin],
+            couple: [0.0; 2],
         }
     }
 
@@ -126,34 +131,16 @@ impl Unbalance {
         [x, y, Complex::ZERO, -along_x, along_y]
     }
 
-    /// What the static unbalance adds to the kinetic energy of a shaft that moves at a velocity (ẋ, ẏ) in m/s as it turns,
-    /// J: its centre of mass moves by e ω (−sin ψ, cos ψ) besides.
-    pub fn kinetic_energy(&self, velocity: [f64; 2], rotation: &Rotation) -> f64 {
-        let speed = rotation.speed;
-        let [cos, sin] = turned(self.moment, rotation);
-        let [u, v] = self.moment;
-        let square = u * self.offset[0] + v * self.offset[1];
-        speed * (velocity[1] * cos - velocity[0] * sin) + 0.5 * speed * speed * square
+    /// Force and moment per angular acceleration, kg m and kg m²: `−i U e^(iψ)` and that of the couple. A motion q̈ of the
+    /// point that it acts at resists the rotation by the moment that is its product with q̈.
+    pub fn along(&self, angle: Angle) -> Vector5 {
+        let rotation = Rotation {
+            angle: 0.0,
+            speed: 0.0,
+            acceleration: 1.0,
+        };
+        self.force(&rotation, angle)
     }
-
-    /// Power of a force in x and y at the centre of mass through that motion, W.
-    pub fn power(&self, force: [f64; 2], rotation: &Rotation) -> f64 {
-        let [cos, sin] = turned(self.offset, rotation);
-        rotation.speed * (force[1] * cos - force[0] * sin)
-    }
-
-    /// Moment about the shaft that a force in x and y on its axis has about the centre of mass, N m:
-    /// `e (f_x sin ψ − f_y cos ψ)`.
-    pub fn moment_of(&self, force: [f64; 2], rotation: &Rotation) -> f64 {
-        let [cos, sin] = turned(self.offset, rotation);
-        force[0] * sin - force[1] * cos
-    }
-}
-
-/// A vector that turns with the shaft, seen from the housing.
-fn turned([u, v]: [f64; 2], rotation: &Rotation) -> [f64; 2] {
-    let Angle { cos, sin } = Angle::new(rotation.angle);
-    [u * cos - v * sin, u * sin + v * cos]
 }
 
 /// `(u + i v)(ω² − i ω̇) e^(iψ)`.

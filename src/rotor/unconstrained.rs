@@ -11,7 +11,7 @@
 //!
 //! Every other scene runs, and is reported in a warning.
 
-use nalgebra::{DMatrix, SymmetricEigen};
+use nalgebra::{Complex, DMatrix, SymmetricEigen};
 
 use super::{CageMotion, Damping, InitialPosition, Rotor, RotorDefinition};
 use crate::bearing::{ContactLaw, Geometry, Support};
@@ -218,18 +218,14 @@ impl Rotor {
     /// Which degrees of freedom unbalance, varying loads and passing balls drive.
     fn driven(&self, contact: f64) -> Vec<bool> {
         let turns = self.speed.highest() > 0.0;
-        let [unbalance, couple] = [self.unbalance.is_some(), self.unbalance.is_couple()];
-        let mut on_shaft =
-            [unbalance, unbalance, false, couple, couple].map(|driven| driven && turns);
-        for load in &self.loads {
-            let amplitude = load.main_vibration(self.shaft_mass).amplitude;
-            for (driven, part) in on_shaft.iter_mut().zip(amplitude) {
-                *driven |= part != 0.0;
+        let mut driven = vec![false; self.dofs()];
+        let turning = turns.then(|| self.unbalance_phasor(1.0));
+        let loads = self.load_vibrations(0.0).into_iter();
+        for force in turning.into_iter().chain(loads.map(|(_, force)| force)) {
+            for (driven, part) in driven.iter_mut().zip(force.iter()) {
+                *driven |= *part != Complex::ZERO;
             }
         }
-        let shaft = self.structure.shaft;
-        let loaded = |dof| shaft.axis_of(dof).is_some_and(|axis| on_shaft[axis]);
-        let mut driven: Vec<bool> = (0..self.dofs()).map(loaded).collect();
         if self.cage == CageMotion::Rolling && self.speed.highest() > 0.0 {
             let nothing = NOTHING * contact * SMALL_DISPLACEMENT;
             for (driven, change) in driven.iter_mut().zip(self.passing_force().iter()) {
@@ -237,10 +233,10 @@ impl Rotor {
             }
         }
         // gyroscopic moments turn one tilt into the other
-        let [.., tilt_x, tilt_y] = shaft.coordinates();
-        if self.inertia_polar > 0.0 && tilt_x.max(tilt_y) < self.dofs() {
-            let either = driven[tilt_x] || driven[tilt_y];
-            (driven[tilt_x], driven[tilt_y]) = (either, either);
+        let gyroscopic = self.gyroscopic.entries();
+        let own = driven.clone();
+        for (dof, driven) in driven.iter_mut().enumerate() {
+            *driven |= (0..self.dofs()).any(|other| own[other] && gyroscopic[(dof, other)] != 0.0);
         }
         driven
     }

@@ -438,7 +438,6 @@ fn around(middle: Vector5, reach: f64, active: usize, arm: f64) -> Vec<Vector5> 
 
 /// Displacement of the shaft under its static load.
 fn equilibrium(rotor: &RotorDefinition, supports: &[Support]) -> Result<Vector5, RotorError> {
-    let load = rotor.static_load();
-    let position = static_place(rotor, supports, load, &[None; FREEDOMS])?;
+    let position = static_place(rotor, supports, false, &[None; FREEDOMS])?;
     Ok(position.equilibrium.displacement)
 }

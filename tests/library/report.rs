@@ -68,6 +68,8 @@ fn model() -> Model {
                 velocity: [None; 5],
             },
             bearings: Vec::new(),
+            linear_bearings: Vec::new(),
+            flexible: None,
         },
         duration: 0.1,
         settle: 0.0,

@@ -1,6 +1,6 @@
 //! Sections and discs as beam elements between nodes, in one plane of bending.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::physics::{BeamElement, ElementMatrix, Material};
 
@@ -50,13 +50,34 @@ impl Disc {
     }
 }
 
-/// A shaft of sections one after the other, with discs.
+/// An unbalance in a plane of the shaft.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointUnbalance {
+    /// Distance from the left end of the shaft, m.
+    pub position: f64,
+    /// U = m e, kg m.
+    pub amount: f64,
+    /// Angle from +X at shaft angle 0, rad.
+    pub angle: f64,
+}
+
+/// A shaft of sections one after the other, with discs. Positions count from its left end.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FlexibleShaft {
     /// From the left end on, towards +Z.
     pub sections: Vec<Section>,
+    /// Node positions and matrices of another program in place of sections.
+    pub matrices: Option<Mesh>,
     /// In any order.
     pub discs: Vec<Disc>,
+    /// Unbalances in planes.
+    pub unbalances: Vec<PointUnbalance>,
+    /// Position whose displacement is recorded, m.
+    pub observed: f64,
+    /// Modes between the points that forces act at, in each plane; none: as many as the excitation asks for.
+    pub modes: Option<usize>,
+    /// Time τ of the internal damping τ K, which turns with the shaft, s.
+    pub internal_damping: f64,
 }
 
 /// Why a shaft cannot be built.
@@ -75,38 +96,50 @@ pub enum ShaftError {
     },
     /// The matrices cannot be reduced.
     #[error(
-        "the shaft cannot be reduced to {points} points and {modes} modes: a part of it has neither stiffness nor mass"
+        "the shaft cannot be reduced to the {points} points where bearings, loads and unbalances sit: a part of it has no \
+         stiffness"
     )]
     Singular {
         /// Number of points that are kept.
         points: usize,
-        /// Number of modes in each plane.
-        modes: usize,
+    },
+    /// A point between the nodes of given matrices.
+    #[error("no node of the shaft's matrices lies at {position} m: the nearest one is at {nearest} m")]
+    NoNode {
+        /// The position from the left end, m.
+        position: f64,
+        /// Of the nearest node, m.
+        nearest: f64,
     },
 }
 
 /// Matrices of one plane of bending: deflection and slope of every node, from the left.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::rotor) struct Plane {
+pub struct Plane {
     /// Mass with the rotary inertia about a diameter.
     pub mass: DMatrix<f64>,
-    /// Rotary inertia about the axis of the shaft.
+    /// Rotary inertia about the axis of the shaft: the gyroscopic matrix couples both planes by it.
     pub polar: DMatrix<f64>,
+    /// Of bending and shear.
     pub stiffness: DMatrix<f64>,
 }
 
 /// Nodes of a shaft and its matrices in a plane.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::rotor) struct Mesh {
+pub struct Mesh {
     /// Positions of the nodes from the left end, m.
     pub nodes: Vec<f64>,
+    /// Matrices of deflection and slope of the nodes.
     pub plane: Plane,
 }
 
 impl FlexibleShaft {
     /// Length, m.
     pub fn length(&self) -> f64 {
-        self.sections.iter().map(|section| section.length).sum()
+        match &self.matrices {
+            Some(mesh) => mesh.nodes.last().map_or(0.0, |last| last - mesh.nodes[0]),
+            None => self.sections.iter().map(|section| section.length).sum(),
+        }
     }
 
     /// Mass of sections and discs, kg.
@@ -114,8 +147,10 @@ impl FlexibleShaft {
         let sections = self
             .elements_of_sections()
             .map(|(_, element)| element.mass());
+        let given = self.matrices.iter();
+        let given = given.map(|mesh| Plane::of_motion(&mesh.plane.mass, |_| [1.0, 0.0]));
         let discs = self.discs.iter().map(|disc| disc.mass);
-        sections.chain(discs).sum()
+        sections.chain(given).chain(discs).sum()
     }
 
     /// Moment of inertia about the axis of the shaft, kg m².
@@ -124,9 +159,17 @@ impl FlexibleShaft {
             2.0 * element.material.density * element.second_moment() * element.length
         };
         let discs = self.discs.iter().map(|disc| disc.inertia_polar);
+        let given = self.matrices.iter();
+        let given = given.map(|mesh| Plane::of_motion(&mesh.plane.polar, |node| [mesh.nodes[node], 1.0]));
         discs
             .chain(self.elements_of_sections().map(of_section))
+            .chain(given)
             .sum()
+    }
+
+    /// Positions nearer than this are one, m.
+    pub(super) fn same_position(&self) -> f64 {
+        SAME_NODE * self.length()
     }
 
     /// Every section as one element, with the position of its left end.
@@ -149,13 +192,13 @@ impl FlexibleShaft {
     ///
     /// # Errors
     /// [`ShaftError::Beyond`] where a disc or a point lies beyond the shaft.
-    pub(in crate::rotor) fn mesh(
+    pub(super) fn mesh(
         &self,
         points: &[f64],
         longest: Option<f64>,
     ) -> Result<Mesh, ShaftError> {
         let length = self.length();
-        let same = SAME_NODE * length;
+        let same = self.same_position();
         let discs = self.discs.iter().map(|disc| disc.position);
         let mut fixed: Vec<f64> = discs.chain(points.iter().copied()).collect();
         if let Some(&position) = fixed
@@ -163,6 +206,9 @@ impl FlexibleShaft {
             .find(|at| !(-same..=length + same).contains(*at))
         {
             return Err(ShaftError::Beyond { position, length });
+        }
+        if let Some(given) = &self.matrices {
+            return given.clone().with_discs(&fixed, same, &self.discs);
         }
         fixed.extend(self.elements_of_sections().map(|(start, _)| start));
         fixed.push(length);
@@ -184,17 +230,13 @@ impl FlexibleShaft {
             add(&mut mass, 1.0, &element.rotary_inertia(), index);
             add(&mut polar, 2.0, &element.rotary_inertia(), index);
         }
-        for disc in &self.discs {
-            let slope = 2 * nearest(nodes, disc.position) + 1;
-            mass[(slope - 1, slope - 1)] += disc.mass;
-            mass[(slope, slope)] += disc.inertia_transverse;
-            polar[(slope, slope)] += disc.inertia_polar;
-        }
-        Plane {
+        let mut plane = Plane {
             mass,
             polar,
             stiffness,
-        }
+        };
+        plane.add_discs(nodes, &self.discs);
+        plane
     }
 
     /// The element between two neighbouring nodes, with the cross-section of the section that they lie in.
@@ -212,7 +254,42 @@ impl FlexibleShaft {
     }
 }
 
+impl Plane {
+    fn add_discs(&mut self, nodes: &[f64], discs: &[Disc]) {
+        for disc in discs {
+            let slope = 2 * nearest(nodes, disc.position) + 1;
+            self.mass[(slope - 1, slope - 1)] += disc.mass;
+            self.mass[(slope, slope)] += disc.inertia_transverse;
+            self.polar[(slope, slope)] += disc.inertia_polar;
+        }
+    }
+
+    /// `vᵀ A v` of a matrix for the deflections w and slopes θ of a rigid motion at all nodes.
+    fn of_motion(matrix: &DMatrix<f64>, motion: impl Fn(usize) -> [f64; 2]) -> f64 {
+        let parts = (0..matrix.nrows() / 2).flat_map(motion);
+        let motion = DVector::from_iterator(matrix.nrows(), parts);
+        motion.dot(&(matrix * &motion))
+    }
+}
+
 impl Mesh {
+    /// With discs, where a node lies at each of some positions.
+    fn with_discs(
+        mut self,
+        positions: &[f64],
+        same: f64,
+        discs: &[Disc],
+    ) -> Result<Self, ShaftError> {
+        for &position in positions {
+            let nearest = self.nodes[self.node_at(position)];
+            if (nearest - position).abs() > same {
+                return Err(ShaftError::NoNode { position, nearest });
+            }
+        }
+        self.plane.add_discs(&self.nodes, discs);
+        Ok(self)
+    }
+
     /// Index of the node at a position.
     pub fn node_at(&self, position: f64) -> usize {
         nearest(&self.nodes, position)

@@ -3,7 +3,9 @@
 //! The shaft is round, so that one plane holds for both: its matrices are assembled once, reduced once, and laid out
 //! twice, coupled by the gyroscopic matrix.
 
+mod layout;
 mod mesh;
 mod reduction;
 
-pub use mesh::{Disc, FlexibleShaft, Section, ShaftError};
+pub(super) use layout::Bending;
+pub use mesh::{Disc, FlexibleShaft, Mesh, Plane, PointUnbalance, Section, ShaftError};

@@ -8,9 +8,41 @@ use super::mesh::{Mesh, Plane};
 /// Modes whose 1/ω² is below this part of the largest have no mass to speak of.
 const MASSLESS: f64 = 1e-12;
 
+/// Fewest modes of a plane where their number follows from the excitation.
+const LEAST_MODES: usize = 4;
+/// Most of them.
+const MOST_MODES: usize = 20;
+
+/// A plane in few coordinates: deflection and slope of the points that forces act at, in their order, and behind them the
+/// lowest modes of the shaft with all these points fixed.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::rotor) struct Reduction {
+    /// Positions of all nodes, m.
+    pub nodes: Vec<f64>,
+    /// Deflection and slope of all nodes by the coordinates that are kept.
+    pub transformation: DMatrix<f64>,
+    pub plane: Plane,
+    /// Angular frequencies of the modes, rad/s.
+    frequencies: Vec<f64>,
+}
+
+impl Reduction {
+    /// Number of modes.
+    pub fn modes(&self) -> usize {
+        self.frequencies.len()
+    }
+
+    /// Largest deflection of a node by a share of one of a mode, m.
+    pub fn largest_deflection(&self, mode: usize) -> f64 {
+        let shape = self
+            .transformation
+            .column(self.transformation.ncols() - self.modes() + mode);
+        shape.iter().step_by(2).fold(0.0, |largest: f64, part| largest.max(part.abs()))
+    }
+}
+
 impl Mesh {
-    /// The matrices of deflection and slope of the points at `positions`, in their order, and behind them of the `modes`
-    /// lowest modes of the shaft with all these points fixed.
+    /// Keeps the points at `positions` and so many modes.
     ///
     /// ```text
     /// q = T (q_b, η),   T = [ I 0 ; −K_ii⁻¹ K_ib  Φ ],   K_ii Φ = M_ii Φ Λ,   Φᵀ M_ii Φ = I
@@ -23,27 +55,53 @@ impl Mesh {
     ///
     /// # Errors
     /// [`ShaftError::Singular`] where the inside is not held by the points.
-    pub fn reduced(&self, positions: &[f64], modes: usize) -> Result<Plane, ShaftError> {
-        let transformation = self
-            .transformation(positions, modes)
-            .ok_or(ShaftError::Singular {
-                points: positions.len(),
-                modes,
-            })?;
+    pub(in crate::rotor) fn reduced(self, positions: &[f64], modes: usize) -> Result<Reduction, ShaftError> {
+        self.reduced_to(positions, |_| modes)
+    }
+
+    /// The same with the modes below an angular frequency in rad/s, but at least four and at most twenty.
+    pub(in crate::rotor) fn reduced_below(
+        self, positions: &[f64], frequency: f64) -> Result<Reduction, ShaftError> {
+        self.reduced_to(positions, |frequencies| {
+            let below = frequencies.iter().filter(|own| **own < frequency).count();
+            below.clamp(LEAST_MODES, MOST_MODES)
+        })
+    }
+
+    fn reduced_to(
+        self,
+        positions: &[f64],
+        count: impl Fn(&[f64]) -> usize,
+    ) -> Result<Reduction, ShaftError> {
+        let singular = ShaftError::Singular {
+            points: positions.len(),
+        };
+        let (transformation, frequencies) =
+            self.transformation(positions, count).ok_or(singular)?;
         let reduce = |matrix: &DMatrix<f64>| {
             let reduced = transformation.tr_mul(&(matrix * &transformation));
             // what round-off leaves of the symmetry
             0.5 * (&reduced + reduced.transpose())
         };
-        Ok(Plane {
+        let plane = Plane {
             mass: reduce(&self.plane.mass),
             polar: reduce(&self.plane.polar),
             stiffness: reduce(&self.plane.stiffness),
+        };
+        Ok(Reduction {
+            nodes: self.nodes,
+            transformation,
+            plane,
+            frequencies,
         })
     }
 
-    /// T, a row for each deflection and slope of the nodes.
-    fn transformation(&self, positions: &[f64], modes: usize) -> Option<DMatrix<f64>> {
+    /// T, a row for each deflection and slope of the nodes, and the frequencies of its modes.
+    fn transformation(
+        &self,
+        positions: &[f64],
+        count: impl Fn(&[f64]) -> usize,
+    ) -> Option<(DMatrix<f64>, Vec<f64>)> {
         let points = positions.iter().map(|position| self.node_at(*position));
         let boundary: Vec<usize> = points.flat_map(|node| [2 * node, 2 * node + 1]).collect();
         let size = 2 * self.nodes.len();
@@ -51,17 +109,21 @@ impl Mesh {
         let Plane {
             mass, stiffness, ..
         } = &self.plane;
-        let inner_stiffness = block(stiffness, &interior, &interior).cholesky()?;
-        let followed = inner_stiffness.solve(&block(stiffness, &interior, &boundary));
-        let shapes = lowest_modes(
-            &block(mass, &interior, &interior),
-            &inner_stiffness.l(),
-            modes,
-        )?;
-        let mut transformation = DMatrix::zeros(size, boundary.len() + shapes.ncols());
+        let mut transformation = DMatrix::zeros(size, boundary.len());
         for (column, row) in boundary.iter().enumerate() {
             transformation[(*row, column)] = 1.0;
         }
+        if interior.is_empty() {
+            return Some((transformation, Vec::new()));
+        }
+        let inner_stiffness = block(stiffness, &interior, &interior).cholesky()?;
+        let followed = inner_stiffness.solve(&block(stiffness, &interior, &boundary));
+        let (shapes, frequencies) = lowest_modes(
+            &block(mass, &interior, &interior),
+            &inner_stiffness.l(),
+            count,
+        )?;
+        transformation = transformation.resize_horizontally(boundary.len() + shapes.ncols(), 0.0);
         for (inner, row) in interior.iter().enumerate() {
             for column in 0..boundary.len() {
                 transformation[(*row, column)] = -followed[(inner, column)];
@@ -70,12 +132,17 @@ impl Mesh {
                 transformation[(*row, boundary.len() + mode)] = shapes[(inner, mode)];
             }
         }
-        Some(transformation)
+        Some((transformation, frequencies))
     }
 }
 
-/// At most `count` of the lowest modes of `K φ = ω² M φ` with φᵀ M φ = 1, where K = L Lᵀ; the mass may be singular.
-fn lowest_modes(mass: &DMatrix<f64>, factor: &DMatrix<f64>, count: usize) -> Option<DMatrix<f64>> {
+/// The lowest modes of `K φ = ω² M φ` with φᵀ M φ = 1, where K = L Lᵀ, and their frequencies in rad/s: of all, lowest
+/// first, `count` says how many. The mass may be singular.
+fn lowest_modes(
+    mass: &DMatrix<f64>,
+    factor: &DMatrix<f64>,
+    count: impl Fn(&[f64]) -> usize,
+) -> Option<(DMatrix<f64>, Vec<f64>)> {
     // L⁻¹ M L⁻ᵀ has the eigenvalues 1/ω², the largest of which are the most exact
     let half = factor.solve_lower_triangular(mass)?;
     let compliance = factor.solve_lower_triangular(&half.transpose())?;
@@ -86,6 +153,10 @@ fn lowest_modes(mass: &DMatrix<f64>, factor: &DMatrix<f64>, count: usize) -> Opt
         .filter(|mode| modes.eigenvalues[*mode] > least)
         .collect();
     order.sort_by(|a, b| modes.eigenvalues[*b].total_cmp(&modes.eigenvalues[*a]));
+    let frequency = |mode: &usize| 1.0 / modes.eigenvalues[*mode].sqrt();
+    let mut frequencies: Vec<f64> = order.iter().map(frequency).collect();
+    let count = count(&frequencies);
+    frequencies.truncate(count);
     order.truncate(count);
     let mut shapes = DMatrix::zeros(mass.nrows(), order.len());
     for (column, mode) in order.into_iter().enumerate() {
@@ -94,7 +165,7 @@ fn lowest_modes(mass: &DMatrix<f64>, factor: &DMatrix<f64>, count: usize) -> Opt
         let sign = shape[shape.iamax()].signum();
         shapes.set_column(column, &(shape * (sign / modes.eigenvalues[mode].sqrt())));
     }
-    Some(shapes)
+    Some((shapes, frequencies))
 }
 
 fn block(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {

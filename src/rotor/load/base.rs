@@ -3,7 +3,7 @@
 use super::{Harmonic, MainVibration, Shock};
 use crate::bearing::Vector5;
 
-/// The housing is shaken: in its frame an inertial force acts on the mass.
+/// The base is shaken: in its frame an inertial force acts on every mass.
 ///
 /// ```text
 /// P(t) = −m a(t)
@@ -21,25 +21,20 @@ pub enum BaseAcceleration {
 }
 
 impl BaseAcceleration {
-    /// Force on a shaft of `mass` in kg at a time in s and an angle of the shaft in rad.
+    /// Acceleration at a time in s and an angle of the shaft in rad, m/s².
     #[inline]
-    pub fn force(&self, mass: f64, time: f64, angle: f64) -> Vector5 {
-        let acceleration = match self {
+    pub fn acceleration(&self, time: f64, angle: f64) -> Vector5 {
+        match self {
             Self::Harmonic(harmonic) => harmonic.at(time, angle),
             Self::Shock(shock) => shock.at(time),
-        };
-        inertial(mass, &acceleration)
+        }
     }
 
-    /// Its force as a vibration.
-    pub fn main_vibration(&self, mass: f64) -> MainVibration {
-        let vibration = match self {
+    /// The acceleration as a vibration.
+    pub fn main_vibration(&self) -> MainVibration {
+        match self {
             Self::Harmonic(harmonic) => harmonic.main_vibration(),
             Self::Shock(shock) => shock.main_vibration(),
-        };
-        MainVibration {
-            amplitude: inertial(mass, &vibration.amplitude),
-            ..vibration
         }
     }
 
@@ -50,10 +45,4 @@ impl BaseAcceleration {
             Self::Shock(shock) => shock.next_break(after),
         }
     }
-}
-
-/// −m a; a shaken housing does not tilt.
-fn inertial(mass: f64, acceleration: &Vector5) -> Vector5 {
-    let [x, y, z, ..] = *acceleration;
-    [-mass * x, -mass * y, -mass * z, 0.0, 0.0]
 }

@@ -19,19 +19,21 @@ pub use sprocket::{ChainDrive, Sprocket};
 
 use crate::bearing::Vector5;
 
-/// A varying load at its position along the shaft.
+/// A load at its position along the shaft.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Load {
     /// What acts.
     pub kind: LoadKind,
-    /// Where it acts along the shaft, from the centre of mass towards +Z, m. A force (P_x, P_y)
-    /// there adds the moments `M_x = −a P_y`, `M_y = a P_x`.
+    /// Where it acts along the shaft, m: of a rigid one from the centre of mass towards +Z, where a force (P_x, P_y) adds
+    /// the moments `M_x = −a P_y`, `M_y = a P_x`; of one that bends from its left end.
     pub position: f64,
 }
 
-/// The kinds of varying load.
+/// The kinds of load.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LoadKind {
+    /// Forces along X, Y, Z in N and moments about X and Y in N m that stay.
+    Constant(Vector5),
     /// A cosine of time or of the shaft's angle.
     Harmonic(Harmonic),
     /// One half-sine shock, or one after the other at a fixed interval.
@@ -60,54 +62,53 @@ pub struct MainVibration {
 }
 
 impl Load {
-    /// Adds the load at a time (s) and angle of the shaft (rad) to the forces and moments on it;
-    /// `mass` in kg is that of the shaft.
+    /// The load at its position at a time (s) and angle of the shaft (rad), N and N m; zero of an acceleration of the base,
+    /// which acts on all masses.
     #[inline]
-    pub fn add(&self, time: f64, angle: f64, mass: f64, sum: &mut Vector5) {
-        let force = match &self.kind {
+    pub fn at(&self, time: f64, angle: f64) -> Vector5 {
+        match &self.kind {
+            LoadKind::Constant(constant) => *constant,
             LoadKind::Harmonic(harmonic) => harmonic.at(time, angle),
             LoadKind::Shock(shock) => shock.at(time),
             LoadKind::RandomShocks(shocks) => shocks.at(time),
             LoadKind::Sprocket(sprocket) => sprocket.at(angle),
             LoadKind::Noise(noise) => noise.at(time),
             LoadKind::Series(series) => series.at(time),
-            LoadKind::Base(base) => base.force(mass, time, angle),
-        };
-        for (sum, part) in sum.iter_mut().zip(self.about_centre(&force)) {
-            *sum += part;
+            LoadKind::Base(_) => [0.0; 5],
         }
     }
 
-    /// Whether it acts at the centre of mass: an acceleration of the housing does, everything else on
-    /// the shaft's axis.
+    /// Whether it acts on all masses, as an acceleration of the base does; everything else acts on the shaft's axis.
     pub fn acts_on_mass(&self) -> bool {
         matches!(self.kind, LoadKind::Base(_))
     }
 
     /// What the static equilibrium carries of it: the mean pull of a chain, the value of a series at
-    /// t = 0; nothing of what merely vibrates or strikes.
+    /// t = 0; nothing of what merely vibrates or strikes. At its position, as [`Load::at`].
     pub fn static_part(&self) -> Vector5 {
         match &self.kind {
-            LoadKind::Sprocket(sprocket) => self.about_centre(&sprocket.mean()),
-            LoadKind::Series(series) => self.about_centre(&series.at(0.0)),
+            LoadKind::Constant(constant) => *constant,
+            LoadKind::Sprocket(sprocket) => sprocket.mean(),
+            LoadKind::Series(series) => series.at(0.0),
             _ => [0.0; 5],
         }
     }
 
-    /// Its main vibration; `mass` in kg is that of the shaft.
-    pub fn main_vibration(&self, mass: f64) -> MainVibration {
-        let vibration = match &self.kind {
+    /// Its main vibration at its position; that of the base is an acceleration in m/s².
+    pub fn main_vibration(&self) -> MainVibration {
+        match &self.kind {
+            LoadKind::Constant(_) => MainVibration {
+                amplitude: [0.0; 5],
+                frequency: 0.0,
+                order: 0.0,
+            },
             LoadKind::Harmonic(harmonic) => harmonic.main_vibration(),
             LoadKind::Shock(shock) => shock.main_vibration(),
             LoadKind::RandomShocks(shocks) => shocks.main_vibration(),
             LoadKind::Sprocket(sprocket) => sprocket.main_vibration(),
             LoadKind::Noise(noise) => noise.main_vibration(),
             LoadKind::Series(series) => series.main_vibration(),
-            LoadKind::Base(base) => base.main_vibration(mass),
-        };
-        MainVibration {
-            amplitude: self.about_centre(&vibration.amplitude),
-            ..vibration
+            LoadKind::Base(base) => base.main_vibration(),
         }
     }
 
@@ -127,6 +128,7 @@ impl Load {
             LoadKind::Sprocket(sprocket) => {
                 Ok(Some((sprocket.main_vibration().order * speed, 0.0)))
             }
+            LoadKind::Constant(_) => Ok(None),
             LoadKind::RandomShocks(_) => Err("a series of random shocks"),
             LoadKind::Noise(_) => Err("noise"),
             LoadKind::Series(_) => Err("a series of values"),
@@ -140,12 +142,15 @@ impl Load {
             LoadKind::RandomShocks(shocks) => shocks.next_break(after),
             LoadKind::Series(series) => series.next_break(after),
             LoadKind::Base(base) => base.next_break(after),
-            LoadKind::Harmonic(_) | LoadKind::Sprocket(_) | LoadKind::Noise(_) => f64::INFINITY,
+            LoadKind::Constant(_)
+            | LoadKind::Harmonic(_)
+            | LoadKind::Sprocket(_)
+            | LoadKind::Noise(_) => f64::INFINITY,
         }
     }
 
-    /// The same load about the centre of mass.
-    fn about_centre(&self, load: &Vector5) -> Vector5 {
+    /// The same load about the centre of mass of a rigid shaft.
+    pub(crate) fn about_centre(&self, load: &Vector5) -> Vector5 {
         let [x, y, z, tilt_x, tilt_y] = *load;
         [
             x,

@@ -242,6 +242,8 @@ impl ScenarioInput {
             loads,
             initial,
             bearings,
+            linear_bearings: Vec::new(),
+            flexible: None,
         };
         let balanced = Balanced {
             mass: rotor.shaft.mass,

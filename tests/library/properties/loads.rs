@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::bearing::Vector5;
+use crate::integrate::System;
 use crate::rotor::load::{
     BaseAcceleration, ChainDrive, Column, Harmonic, Interpolation, Noise, NoiseBand, Pace,
     RandomShocks, Series, SeriesError, Shock, ShockStatistics, Sprocket,
@@ -256,29 +256,44 @@ fn rows_that_make_no_series_are_errors() {
 
 #[test]
 fn loads_add_up_and_a_force_off_the_centre_is_a_moment() {
-    let mut push = [1.0; 5];
     let kind = LoadKind::Harmonic(harmonic(Pace::Frequency(0.0)));
     let load = Load {
         kind,
         position: 0.5,
     };
     let force = harmonic(Pace::Frequency(0.0)).at(0.0, 0.0);
-    load.add(0.0, 0.0, 5.0, &mut push);
-    load.add(0.0, 0.0, 5.0, &mut push);
-    let tilt_y = force[4] + 0.5 * force[0];
-    let expected: Vector5 = [2.0 * force[0], 0.0, 2.0 * force[2], 0.0, 2.0 * tilt_y];
-    for axis in 0..5 {
-        assert_near("sum", push[axis], 1.0 + expected[axis], 1e-14);
+    let load_off_centre = load.about_centre(&force);
+    let rotor = Rotor::assemble(&RotorDefinition {
+        loads: vec![load.clone(), load],
+        ..at_rest(Vec::new())
+    });
+    let rotor = rotor.expect("a rotor");
+    let unloaded = Rotor::assemble(&at_rest(Vec::new())).expect("a rotor");
+    let accelerations = [&rotor, &unloaded].map(|rotor| {
+        let mut rate = vec![0.0; rotor.states()];
+        rotor.derivative(0.0, &rotor.start(), &mut rate);
+        rate.split_off(rotor.states() / 2)
+    });
+    for axis in [0, 1, 2] {
+        let added = accelerations[0][axis] - accelerations[1][axis];
+        assert_near("a", added, 2.0 * force[axis] / 5.0, 1e-9);
     }
+    let moment = load_off_centre[4] - force[4];
+    assert_near("moment", moment, 0.5 * force[0], 1e-14);
 }
 
 #[test]
 fn a_shaken_housing_pushes_with_mass_times_acceleration() {
-    let mut push = [0.0; 5];
     let kind = LoadKind::Base(BaseAcceleration::Shock(shock(None)));
-    at_centre(kind).add(6e-3, 0.0, 5.0, &mut push);
-    assert_near("x", push[0], -500.0, 1e-10);
-    assert_near("y", push[1], 250.0, 1e-10);
+    let acceleration = |loads| {
+        let rotor = Rotor::assemble(&at_rest(loads)).expect("a rotor");
+        let mut rate = vec![0.0; rotor.states()];
+        rotor.derivative(6e-3, &rotor.start(), &mut rate);
+        rate.split_off(rotor.states() / 2)
+    };
+    let [shaken, still] = [vec![at_centre(kind)], Vec::new()].map(acceleration);
+    assert_near("x", shaken[0] - still[0], -100.0, 1e-9);
+    assert_near("y", shaken[1] - still[1], 50.0, 1e-9);
 }
 
 /// A linear rotor at rest under some loads, its cage standing still: only they move it.

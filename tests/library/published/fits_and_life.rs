@@ -236,21 +236,22 @@ fn unbalance_as_people_have_it() {
         );
         Scenario::from_toml(&text).map(|scenario| scenario.question.rotor)
     };
-    let force =
-        |shaft: &str, planes: &str| scene(shaft, planes).expect("a scenario").unbalance_force();
+    let unbalance =
+        |shaft: &str, planes: &str| scene(shaft, planes).expect("a scenario").shaft.unbalance;
     let speed = 1480.0 * PER_MINUTE;
-    let [x, y, ..] = force("unbalance = \"20 g mm\"", "");
-    assert_near("N", x, 20e-6 * speed * speed, 1e-12);
+    let [x, y] = unbalance("unbalance = \"20 g mm\"", "").moment;
+    assert_near("kg m", x, 20e-6, 1e-12);
     assert_eq!(y, 0.0);
     // G 6.3: U = m G/ω
-    let [x, ..] = force("unbalance = \"G 6.3\"", "");
-    assert_near("N", x, 8.0 * 6.3e-3 * speed, 1e-9);
+    let [x, _] = unbalance("unbalance = \"G 6.3\"", "").moment;
+    assert_near("kg m", x, 8.0 * 6.3e-3 / speed, 1e-9);
     let planes = "[[unbalance]]\namount = \"10 g mm\"\nposition = \"50 mm\"\n\
                   [[unbalance]]\namount = \"10 g mm\"\nposition = \"-50 mm\"\nangle = \"180 deg\"\n";
-    let [x, y, z, about_x, about_y] = force("", planes);
-    assert!(x.abs() + y.abs() + z.abs() < 1e-12);
-    assert!(about_x.abs() < 1e-12);
-    assert_near("N m", about_y, 2.0 * 10e-6 * 0.05 * speed * speed, 1e-12);
+    let sum = unbalance("", planes);
+    let largest = |parts: [f64; 2]| parts[0].abs().max(parts[1].abs());
+    assert!(largest(sum.moment) < 1e-18);
+    assert_near("kg m²", sum.couple[0], 2.0 * 10e-6 * 0.05, 1e-12);
+    assert!(sum.couple[1].abs() < 1e-18);
     for wrong in [
         "unbalance = \"20\"",
         "unbalance = \"G x\"",

@@ -206,6 +206,8 @@ pub fn rotor(shaft: Shaft, bearings: Vec<MountedBearing>) -> RotorDefinition {
         loads: Vec::new(),
         initial: AT_EQUILIBRIUM,
         bearings,
+        linear_bearings: Vec::new(),
+        flexible: None,
     }
 }
 

@@ -1,0 +1,259 @@
+//! A reduced plane laid out twice, for x and y, as the coordinates of a structure.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::mesh::{FlexibleShaft, PointUnbalance, ShaftError};
+use super::reduction::Reduction;
+use crate::bearing::MountedBearing;
+use crate::rotor::coefficients::Coefficients;
+use crate::rotor::point::{Attachment, Point};
+use crate::rotor::structure::{Coordinate, CoordinateKind, Structure, UnbalancedPoint};
+use crate::rotor::unbalance::Unbalance;
+use crate::rotor::{FREEDOMS, Freedoms, RotorDefinition};
+
+/// Where coordinates stand: x, y, (z,) θx, θy of the observed point, of the other points x, y, θx, θy, then the modes of
+/// the plane of x and θy, those of y and θx, and last z where it is held.
+#[derive(Debug, Clone, Copy)]
+struct Layout {
+    points: usize,
+    modes: usize,
+    axial: bool,
+}
+
+impl Layout {
+    fn size(&self) -> usize {
+        4 * self.points + 2 * self.modes + 1
+    }
+
+    fn dofs(&self) -> usize {
+        self.size() - usize::from(!self.axial)
+    }
+
+    /// All points move by the same z.
+    fn z(&self) -> usize {
+        if self.axial { 2 } else { self.size() - 1 }
+    }
+
+    fn point(&self, number: usize) -> Point {
+        let first = 4 * number + usize::from(self.axial && number > 0);
+        let tilts = if number == 0 && self.axial { 3 } else { 2 };
+        Point::new([first, first + 1, self.z(), first + tilts, first + tilts + 1])
+    }
+
+    /// Coordinate and sign of each deflection, slope and mode of the plane of x and θy.
+    fn first_plane(&self) -> Vec<(usize, f64)> {
+        self.plane(|[x, _, _, _, tilt_y]| [(x, 1.0), (tilt_y, 1.0)], 0)
+    }
+
+    /// The same of y and −θx.
+    fn second_plane(&self) -> Vec<(usize, f64)> {
+        self.plane(|[_, y, _, tilt_x, _]| [(y, 1.0), (tilt_x, -1.0)], self.modes)
+    }
+
+    fn plane(
+        &self,
+        pair: impl Fn([usize; FREEDOMS]) -> [(usize, f64); 2],
+        first_mode: usize,
+    ) -> Vec<(usize, f64)> {
+        let points = (0..self.points).flat_map(|number| pair(self.point(number).coordinates()));
+        let behind = 4 * self.points + usize::from(self.axial) + first_mode;
+        let modes = (0..self.modes).map(|mode| (behind + mode, 1.0));
+        points.chain(modes).collect()
+    }
+
+    /// Coordinates of both planes with the sign of the second one's.
+    fn pairs(&self) -> Vec<(usize, usize, f64)> {
+        let planes = self.first_plane().into_iter().zip(self.second_plane());
+        planes.map(|((first, _), (second, sign))| (first, second, sign)).collect()
+    }
+
+    /// A symmetric matrix of a plane for both.
+    fn both(&self, plane: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut whole = DMatrix::zeros(self.size(), self.size());
+        for own in [self.first_plane(), self.second_plane()] {
+            for (row, (at, row_sign)) in own.iter().enumerate() {
+                for (column, (across, column_sign)) in own.iter().enumerate() {
+                    whole[(*at, *across)] = row_sign * column_sign * plane[(row, column)];
+                }
+            }
+        }
+        whole
+    }
+
+    /// The forces `a (−v, u)` of a matrix a of a plane, with u and v the coordinates of the first and the second plane.
+    fn across(&self, plane: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut whole = DMatrix::zeros(self.size(), self.size());
+        let (first, second) = (self.first_plane(), self.second_plane());
+        for (row, column) in
+            (0..first.len()).flat_map(|row| (0..first.len()).map(move |column| (row, column)))
+        {
+            let entry = plane[(row, column)];
+            whole[(first[row].0, second[column].0)] -= second[column].1 * entry;
+            whole[(second[row].0, first[column].0)] += second[row].1 * entry;
+        }
+        whole
+    }
+}
+
+/// A shaft that bends, as it was before its reduction.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::rotor) struct Bending {
+    /// Positions of all nodes from the left end, m.
+    pub nodes: Vec<f64>,
+    /// Number of modes between the points, in each plane.
+    pub modes: usize,
+    /// Coordinates of both planes, as by [`Structure::planes`].
+    pub planes: Vec<(usize, usize, f64)>,
+    /// Deflections of the nodes by all coordinates: along x, and along y.
+    pub deflections: [DMatrix<f64>; 2],
+}
+
+impl FlexibleShaft {
+    /// Positions of the points that are kept: the observed one first, then those of bearings, loads and unbalances.
+    fn points(&self, definition: &RotorDefinition) -> Vec<f64> {
+        let bearings = definition.bearings.iter().map(|bearing| bearing.position);
+        let linear = definition.linear_bearings.iter().map(|own| own.position);
+        let loads = definition.loads.iter().filter(|load| !load.acts_on_mass());
+        let loads = loads.map(|load| load.position);
+        let unbalances = self.unbalances.iter().map(|own| own.position);
+        let mut points = vec![self.observed];
+        for position in bearings.chain(linear).chain(loads).chain(unbalances) {
+            if self.index_of(position, &points).is_none() {
+                points.push(position);
+            }
+        }
+        points
+    }
+
+    fn index_of(&self, position: f64, points: &[f64]) -> Option<usize> {
+        let same = self.same_position();
+        points.iter().position(|point| (point - position).abs() < same)
+    }
+
+    fn reduction(&self, definition: &RotorDefinition, points: &[f64]) -> Result<Reduction, ShaftError> {
+        let mesh = self.mesh(points, None)?;
+        match self.modes {
+            Some(modes) => mesh.reduced(points, modes),
+            None => mesh.reduced_below(points, HEADROOM * definition.highest_excitation()),
+        }
+    }
+}
+
+/// Frequency of the modes that are kept over that of the highest excitation.
+const HEADROOM: f64 = 3.0;
+
+impl Structure {
+    /// That of a shaft that bends, on bearings that stand on the ground.
+    ///
+    /// # Errors
+    /// [`ShaftError`] where positions lie beyond the shaft or it cannot be reduced.
+    pub fn bending(shaft: &FlexibleShaft, definition: &RotorDefinition) -> Result<Self, ShaftError> {
+        let points = shaft.points(definition);
+        let reduction = shaft.reduction(definition, &points)?;
+        let layout = Layout {
+            points: points.len(),
+            modes: reduction.modes(),
+            axial: definition.shaft.freedoms != Freedoms::Radial,
+        };
+        let at = |position: f64| layout.point(shaft.index_of(position, &points).unwrap_or(0));
+        let plane = &reduction.plane;
+        let mut mass = layout.both(&plane.mass);
+        mass[(layout.z(), layout.z())] = shaft.mass();
+        let elastic = layout.both(&plane.stiffness);
+        let internal_damping = &elastic * shaft.internal_damping;
+        let (mut stiffness, mut damping) = (elastic, internal_damping.clone());
+        for bearing in &definition.linear_bearings {
+            bearing.add(at(bearing.position), 0.0, &mut stiffness, &mut damping);
+        }
+        let placed = |bearing: &MountedBearing| Attachment {
+            inner: at(bearing.position),
+            outer: None,
+        };
+        let unbalanced = |own: &PointUnbalance| UnbalancedPoint {
+            point: at(own.position),
+            unbalance: Unbalance::in_plane(own.amount, own.angle),
+        };
+        Ok(Self {
+            coordinates: coordinates(&layout, &points, &reduction),
+            dofs: layout.dofs(),
+            mass,
+            damping,
+            stiffness: Coefficients::new(stiffness, layout.dofs()),
+            // w = u + i v: the gyroscopic force is i ω P ẇ, that of damping inside the shaft −τ K (ẇ − i ω w)
+            gyroscopic: -layout.across(&plane.polar),
+            internal_damping,
+            circulatory: layout.across(&plane.stiffness) * shaft.internal_damping,
+            shaft: layout.point(0),
+            load_points: definition.loads.iter().map(|load| at(load.position)).collect(),
+            unbalances: shaft.unbalances.iter().map(unbalanced).collect(),
+            rigid_motions: rigid_motions(&layout, &points),
+            arms: definition
+                .bearings
+                .iter()
+                .map(|bearing| bearing.position - shaft.observed)
+                .collect(),
+            attachments: definition.bearings.iter().map(placed).collect(),
+            housings: Vec::new(),
+            bending: Some(Bending {
+                deflections: [layout.first_plane(), layout.second_plane()]
+                    .map(|plane| deflections(&layout, &reduction, &plane)),
+                planes: layout.pairs(),
+                modes: layout.modes,
+                nodes: reduction.nodes,
+            }),
+        })
+    }
+}
+
+fn coordinates(layout: &Layout, points: &[f64], reduction: &Reduction) -> Vec<Coordinate> {
+    let mut coordinates = vec![Coordinate::of_axis(2, ""); layout.size()];
+    for (number, position) in points.iter().enumerate() {
+        let owner = format!(" of the shaft at {:.1} mm", 1e3 * position);
+        for (axis, index) in layout.point(number).coordinates().into_iter().enumerate() {
+            if axis != 2 {
+                coordinates[index] = Coordinate::of_axis(axis, &owner);
+            }
+        }
+    }
+    for (plane, name) in [(layout.first_plane(), "x"), (layout.second_plane(), "y")] {
+        for (mode, (index, _)) in plane[2 * layout.points..].iter().enumerate() {
+            coordinates[*index] = Coordinate {
+                name: format!("bending mode {} along {name}", mode + 1),
+                kind: CoordinateKind::Mode(reduction.largest_deflection(mode)),
+            };
+        }
+    }
+    coordinates
+}
+
+fn rigid_motions(layout: &Layout, points: &[f64]) -> [DVector<f64>; FREEDOMS] {
+    let mut motions = std::array::from_fn(|_| DVector::zeros(layout.size()));
+    for (number, position) in points.iter().enumerate() {
+        let [x, y, z, tilt_x, tilt_y] = layout.point(number).coordinates();
+        let arm = position - points[0];
+        let parts = [
+            (0, x, 1.0),
+            (1, y, 1.0),
+            (2, z, 1.0),
+            (3, tilt_x, 1.0),
+            (3, y, -arm),
+            (4, tilt_y, 1.0),
+            (4, x, arm),
+        ];
+        for (axis, index, part) in parts {
+            motions[axis][index] = part;
+        }
+    }
+    motions
+}
+
+/// Deflections of all nodes along the axis of a plane, by all coordinates.
+fn deflections(layout: &Layout, reduction: &Reduction, plane: &[(usize, f64)]) -> DMatrix<f64> {
+    let mut rows = DMatrix::zeros(reduction.nodes.len(), layout.size());
+    for node in 0..reduction.nodes.len() {
+        for (column, (index, sign)) in plane.iter().enumerate() {
+            rows[(node, *index)] = sign * reduction.transformation[(2 * node, column)];
+        }
+    }
+    rows
+}
