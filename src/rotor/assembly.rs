@@ -5,7 +5,7 @@ use super::coefficients::{Coefficients, Mass};
 use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_place_of};
 use super::structure::Structure;
 use super::{
-    Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
+    LoadKind, Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
     ShaftError, SpeedProfile,
 };
 use crate::bearing::{BearingError, Geometry, MountedBearing, Support, Vector5};
@@ -99,6 +99,16 @@ impl Rotor {
         }
         let shaft = &definition.shaft;
         let dofs = structure.dofs;
+        let constant_force = structure.constant_load(definition)[..dofs].to_vec();
+        let loads = definition.loads.iter().zip(&structure.load_points);
+        let (loads, load_points) = loads
+            .filter(|(load, _)| !matches!(load.kind, LoadKind::Constant(_)))
+            .map(|(load, point)| (load.clone(), *point))
+            .unzip();
+        let structure = Structure {
+            load_points,
+            ..structure
+        };
         let mass = structure.mass.view((0, 0), (dofs, dofs)).into_owned();
         let damping = &structure.damping + definition.damping.matrix(&structure, &tangent);
         let inertia = |axis| structure.inertia_along(axis).as_slice()[..dofs].to_vec();
@@ -110,7 +120,7 @@ impl Rotor {
             gyroscopic: Coefficients::new(structure.gyroscopic.clone(), dofs),
             circulatory: Coefficients::new(structure.circulatory.clone(), dofs),
             internal_damping: Coefficients::new(structure.internal_damping.clone(), dofs),
-            constant_force: structure.constant_load(definition)[..dofs].to_vec(),
+            constant_force,
             base_inertia,
             rigid: structure.is_rigid(),
             structure,
@@ -121,7 +131,7 @@ impl Rotor {
             drive: definition.drive,
             cage: definition.cage,
             energy: false,
-            loads: definition.loads.clone(),
+            loads,
             contacts_damped: supports.iter().any(Support::is_damped),
             balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
             leading_ratio: supports.first().map_or(0.0, |first| definition.cage.ratio(first)),
@@ -226,6 +236,11 @@ impl Structure {
     fn constant_load(&self, definition: &RotorDefinition) -> Vec<f64> {
         let mut sum = vec![0.0; self.coordinates.len()];
         self.shaft.add_force(1.0, &definition.load, &mut sum);
+        for (load, point) in definition.loads.iter().zip(&self.load_points) {
+            if let LoadKind::Constant(constant) = &load.kind {
+                point.add_force(1.0, constant, &mut sum);
+            }
+        }
         if definition.shaft.gravity {
             let inertia = self.shaft_inertia_along(1);
             for (sum, inertia) in sum.iter_mut().zip(inertia.iter()) {

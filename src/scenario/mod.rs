@@ -16,6 +16,7 @@ pub(crate) mod catalogue_file;
 pub(crate) mod document;
 mod input;
 pub(crate) mod key;
+mod matrices_file;
 mod node;
 mod problems;
 mod quantity;

@@ -305,6 +305,7 @@ dimensions! {
     ContactLoss "contact damping coefficient" "0.2 s/m" 1e9 [times("s/m", 1.0), times("s/mm", 1e3)],
     ContactStiffness "contact stiffness" "1.334e10 N/m^1.5" 1e16 [times("N/m^1.5", 1.0), times("N/mm^1.5", 31_622.776_601_683_792)],
     Stiffness "stiffness" "100 N/um" 1e12 [times("N/m", 1.0), times("N/mm", 1e3), times("N/um", 1e6), times("kN/mm", 1e6)],
+    TiltStiffness "tilt stiffness" "1e4 N m/rad" 1e15 [times("N m/rad", 1.0), times("kN m/rad", 1e3), per("N mm/rad", 1e3)],
     Viscosity "viscosity" "0.04 Pa s" 1e4 [times("Pa s", 1.0), per("mPa s", 1e3), per("cP", 1e3)],
     KinematicViscosity "kinematic viscosity" "68 mm^2/s" 1.0 [times("m^2/s", 1.0), per("mm^2/s", 1e6), per("cSt", 1e6)],
     Unbalance "unbalance" "20 g mm" 1e6 [times("kg m", 1.0), per("g mm", 1e6), per("kg mm", 1e3), per("g cm", 1e5), per("g m", 1e3)],

@@ -167,6 +167,42 @@ impl FlexibleShaft {
             .sum()
     }
 
+    /// Positions of its ends, m.
+    pub(crate) fn ends(&self) -> [f64; 2] {
+        let left = self.matrices.as_ref().map_or(0.0, |mesh| mesh.nodes[0]);
+        [left, left + self.length()]
+    }
+
+    /// Position of its middle, m; of given matrices that of the node next to it.
+    pub(crate) fn middle(&self) -> f64 {
+        let [left, right] = self.ends();
+        let middle = 0.5 * (left + right);
+        self.matrices.as_ref().map_or(middle, |mesh| mesh.nodes[mesh.node_at(middle)])
+    }
+
+    /// Outer diameter at a position, m: the larger one where sections meet; zero of given matrices.
+    pub(crate) fn outer_diameter_at(&self, position: f64) -> f64 {
+        let same = self.same_position();
+        let here = self.elements_of_sections().filter(|(start, element)| {
+            (start - same..=start + element.length + same).contains(&position)
+        });
+        here.map(|(_, element)| element.outer_diameter).fold(0.0, f64::max)
+    }
+
+    /// Moment of inertia about a transverse axis through the centre of mass, were it rigid, kg m².
+    pub(crate) fn inertia_transverse(&self) -> f64 {
+        let Ok(Mesh { nodes, plane }) = self.mesh(&[], None) else {
+            return 0.0;
+        };
+        let about = |origin: f64| Plane::of_motion(&plane.mass, |node| [nodes[node] - origin, 1.0]);
+        // I(a) = I_c + m (a − c)² at three origins
+        let mass = self.mass();
+        let [left, right] = self.ends();
+        let (first, last) = (about(left), about(right));
+        let centre = 0.5 * (left + right) + (first - last) / (2.0 * mass * (right - left));
+        about(centre)
+    }
+
     /// Positions nearer than this are one, m.
     pub(super) fn same_position(&self) -> f64 {
         SAME_NODE * self.length()

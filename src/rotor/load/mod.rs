@@ -87,7 +87,6 @@ impl Load {
     /// t = 0; nothing of what merely vibrates or strikes. At its position, as [`Load::at`].
     pub fn static_part(&self) -> Vector5 {
         match &self.kind {
-            LoadKind::Constant(constant) => *constant,
             LoadKind::Sprocket(sprocket) => sprocket.mean(),
             LoadKind::Series(series) => series.at(0.0),
             _ => [0.0; 5],

@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::linear::LinearInput;
 use super::defect::DefectInput;
 use super::fit::FitInput;
 use super::geometry::{GeometryInput, Printed, Sources};
@@ -35,10 +36,13 @@ pub struct BearingInput {
     /// it `[bearing.ratings]` or a complete `[bearing.geometry]` is needed.
     #[schemars(extend("examples" = designations()))]
     pub catalogue: Option<String>,
-    /// Position along the shaft, from the centre of mass towards +Z. Default: "0 m".
+    /// Position along the shaft, from the centre of mass towards +Z, or, of a shaft that bends, from its left end.
+    /// Default: "0 m".
     #[serde(default)]
     #[schemars(extend("examples" = ["-30 mm"]))]
     pub position: Quantity<Length>,
+    /// Constant stiffness and damping in place of balls; of the other keys only `position` belongs to it.
+    pub linear: Option<LinearInput>,
     /// Makes a set of two bearings of this one, symmetric about the position and `spacing` apart:
     /// "back-to-back", "face-to-face" or "tandem".
     pub arrangement: Option<Arrangement>,
@@ -150,9 +154,11 @@ impl BearingInput {
         std::iter::repeat_n(oil, self.count())
     }
 
-    /// Number of bearings: two of a set.
+    /// Number of ball bearings: two of a set.
     pub fn count(&self) -> usize {
-        if self.arrangement.is_some() { 2 } else { 1 }
+        if self.linear.is_some() {
+            0
+        } else if self.arrangement.is_some() { 2 } else { 1 }
     }
 
     /// The mounted bearing, or both of a set, as far as nothing contradicts it.

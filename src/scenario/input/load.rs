@@ -48,10 +48,11 @@ pub struct LoadInput {
     pub noise: Option<NoiseInput>,
     /// A series of values from a CSV file.
     pub series: Option<SeriesInput>,
-    /// Acceleration of the housing: −m a acts at the centre of mass.
+    /// Acceleration of the base: −m a acts on all masses.
     pub base: Option<BaseInput>,
-    /// Where the load acts along the shaft, from the centre of mass towards +Z. A force there is
-    /// a moment as well where the tilts move. Default: "0 m".
+    /// Where the load acts along the shaft, from the centre of mass towards +Z; a force there is
+    /// a moment as well where the tilts move. Of a shaft that bends it counts from the left end. Default: "0 m", or the
+    /// observed position of a shaft that bends.
     #[schemars(extend("examples" = ["20 mm"]))]
     pub position: Option<Quantity<Length>>,
 }
@@ -63,6 +64,8 @@ pub struct Surroundings {
     pub freedoms: Freedoms,
     /// Simulated time, s.
     pub duration: f64,
+    /// Where a load acts whose position is not given, where the shaft bends, m.
+    pub observed: Option<f64>,
 }
 
 /// The sum of the constant loads, N and N m, and the varying ones.
@@ -75,10 +78,16 @@ pub fn build(
     let mut varying = Vec::new();
     for (index, load) in loads.iter().enumerate() {
         let (position, constant, kind) = problems.inside(format!("load[{index}]"), |problems| {
-            let position = load.position(around.freedoms, problems);
+            let position = load.position(around, problems);
             let constant = load.constant(around.freedoms, problems);
             (position, constant, load.kind(around, problems))
         });
+        if around.observed.is_some() {
+            let constant = (constant != [0.0; FREEDOMS]).then_some(rotor::LoadKind::Constant(constant));
+            let kinds = constant.into_iter().chain(kind);
+            varying.extend(kinds.map(|kind| rotor::Load { kind, position }));
+            continue;
+        }
         total[3] -= position * constant[1];
         total[4] += position * constant[0];
         for (sum, part) in total.iter_mut().zip(constant) {
@@ -91,16 +100,16 @@ pub fn build(
 
 impl LoadInput {
     /// The place of the load; zero where no tilt moves, with a warning.
-    fn position(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> f64 {
+    fn position(&self, around: Surroundings, problems: &mut Problems<'_>) -> f64 {
         let Some(position) = &self.position else {
-            return 0.0;
+            return around.observed.unwrap_or(0.0);
         };
         if self.base.is_some() {
             let message = "a `base` acceleration acts at the centre of mass, not at a `position`";
             let issue = Issue::new(".position", message);
             problems.refuse(issue.against(".base"));
         }
-        if freedoms != Freedoms::All {
+        if around.freedoms != Freedoms::All && around.observed.is_none() {
             let path = problems.path(".position");
             problems.warn(format!("`{path}` has no effect: the tilts are held"));
             return 0.0;

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::bearing::{BearingInput, warn_where_unheld};
 use super::components::{InitialInput, StaticInput};
 use super::damping::{self, DampingInput};
+use super::flexible::{self, DiscInput, check_position};
 use super::load::{self, LoadInput, Surroundings};
 use super::output::{Output, Turning};
 use super::settings::{ContactChoice, IntegratorInput, ModelInput, TimeInput};
@@ -18,7 +19,10 @@ use crate::analysis::{Channel, SpectrumRequest};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
-use crate::rotor::{Damping, Drive, Freedoms, MOST_HOUSINGS, RotorDefinition};
+use crate::rotor::{
+    Damping, Drive, FlexibleShaft, Freedoms, LinearBearing, MOST_HOUSINGS, RotorDefinition,
+};
+use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
 use crate::scenario::{Issue, catalogue_file};
 use crate::simulate::Model;
@@ -48,12 +52,15 @@ pub struct ScenarioInput {
     pub schema: Option<String>,
     /// One line on what the scenario shows. Default: the name of the file.
     pub title: Option<String>,
-    /// The shaft, a concentrated mass with an eccentricity.
+    /// The shaft: a concentrated mass with an eccentricity, or sections that bend.
     #[schemars(extend("examples" = [{ "mass": "5 kg", "freedoms": "translational" }]))]
     pub shaft: ShaftInput,
     /// Unbalances in planes of the shaft, one `[[unbalance]]` for each; they and that of `[shaft]` add up.
     #[serde(default)]
     pub unbalance: Vec<UnbalanceInput>,
+    /// Discs on a shaft with sections, one `[[disc]]` for each.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub disc: Vec<DiscInput>,
     /// How fast the shaft turns.
     #[schemars(extend("examples" = [{ "constant": "500 rad/s" }]))]
     pub speed: SpeedInput,
@@ -203,7 +210,11 @@ impl ScenarioInput {
 
     fn rotor(&self, problems: &mut Problems<'_>) -> Option<RotorDefinition> {
         let turns = self.speed.drive.is_some();
-        let shaft = self.shaft.build(self.time.is_some(), turns, problems);
+        let flexible = flexible::build(&self.shaft, &self.disc, &self.unbalance, problems)?;
+        let shaft = match &flexible {
+            Some(flexible) => self.shaft.build_flexible(flexible, problems),
+            None => self.shaft.build(self.time.is_some(), turns, problems),
+        };
         let freedoms = shaft.freedoms;
         self.check_race_control(problems);
         self.output.check_written(problems);
@@ -219,6 +230,7 @@ impl ScenarioInput {
         let around = Surroundings {
             freedoms,
             duration: self.time.as_ref().map_or(0.0, |time| time.duration.si()),
+            observed: flexible.as_ref().map(|shaft| shaft.observed),
         };
         let (load, loads) = load::build(&self.load, around, problems);
         let initial = self.initial.build(freedoms, problems);
@@ -228,8 +240,10 @@ impl ScenarioInput {
         if self.time.is_some() && freedoms.count() > AXIAL && load[AXIAL] == 0.0 {
             warn_where_unheld(&bearings, self.bearing.len(), problems);
         }
-        if freedoms == Freedoms::All {
-            self.warn_of_far_positions(&bearings, problems);
+        match &flexible {
+            Some(shaft) => self.check_positions(shaft, &bearings, problems),
+            None if freedoms == Freedoms::All => self.warn_of_far_positions(&bearings, problems),
+            None => {}
         }
         let mut rotor = RotorDefinition {
             shaft,
@@ -242,9 +256,12 @@ impl ScenarioInput {
             loads,
             initial,
             bearings,
-            linear_bearings: Vec::new(),
-            flexible: None,
+            linear_bearings: self.linear_bearings(problems),
+            flexible,
         };
+        if rotor.flexible.is_some() {
+            return Some(rotor);
+        }
         let balanced = Balanced {
             mass: rotor.shaft.mass,
             speed: rotor.highest_speed(),
@@ -261,6 +278,49 @@ impl ScenarioInput {
             unbalance::refuse_driven_couple(&rotor.shaft.unbalance, problems);
         }
         Some(rotor)
+    }
+
+    /// Bearings of constant stiffness.
+    fn linear_bearings(&self, problems: &mut Problems<'_>) -> Vec<LinearBearing> {
+        let mut found = Vec::new();
+        for (index, bearing) in self.bearing.iter().enumerate() {
+            let Some(linear) = &bearing.linear else {
+                continue;
+            };
+            let path = format!("bearing[{index}]");
+            let keys = problems.node(&path).map(Node::keys).unwrap_or_default();
+            for key in keys.into_iter().filter(|key| !matches!(*key, "linear" | "position")) {
+                let message = format!("`{key}` has no meaning in a bearing of constant stiffness");
+                let issue = Issue::new(format!("{path}.{key}"), message)
+                    .help("leave it out, or leave out [bearing.linear]");
+                problems.refuse(issue.against(format!("{path}.linear")));
+            }
+            found.push(linear.build(bearing.position.si()));
+        }
+        found
+    }
+
+    /// Refuses what lies off a shaft that bends.
+    fn check_positions(
+        &self,
+        shaft: &FlexibleShaft,
+        bearings: &[MountedBearing],
+        problems: &mut Problems<'_>,
+    ) {
+        for (index, bearing) in self.bearing.iter().enumerate() {
+            let path = format!("bearing[{index}].position");
+            check_position(shaft, &path, bearing.position.si(), problems);
+        }
+        // sets stand beside their positions
+        for bearing in bearings {
+            check_position(shaft, "bearing", bearing.position, problems);
+        }
+        for (index, load) in self.load.iter().enumerate() {
+            if let Some(position) = &load.position {
+                let path = format!("load[{index}].position");
+                check_position(shaft, &path, position.si(), problems);
+            }
+        }
     }
 
     /// Refuses columns of housings that are not there, and housings that have no columns.
@@ -335,7 +395,9 @@ impl ScenarioInput {
                 bearing.build(&self.model, freedoms, &catalogue, problems)
             })
         };
-        let sets: Vec<_> = self.bearing.iter().enumerate().map(mount).collect();
+        let of_balls = self.bearing.iter().enumerate();
+        let of_balls = of_balls.filter(|(_, bearing)| bearing.linear.is_none());
+        let sets: Vec<_> = of_balls.map(mount).collect();
         let sets: Option<Vec<_>> = sets.into_iter().collect();
         let contact_damping = damping::contact(self.damping.as_ref());
         let damped = |bearing| MountedBearing {

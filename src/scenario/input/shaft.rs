@@ -6,20 +6,43 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::quasi_static::{Torsion, TorsionCause};
-use crate::rotor::{Freedoms, PlaneUnbalance, Shaft};
+use super::bearing::MaterialInput;
+use super::flexible::SectionInput;
+use crate::rotor::{FlexibleShaft, Freedoms, PlaneUnbalance, Shaft};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{
-    Angle, Inertia, Length, Mass, Moment, Pressure, Quantity, SecondMoment, si,
+    Angle, Inertia, Length, Mass, Moment, Pressure, Quantity, SecondMoment, Time, si,
 };
 
-/// The shaft: a rigid, concentrated mass.
+/// The shaft: a rigid, concentrated mass, or, with sections, an elastic beam with discs.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShaftInput {
-    /// Mass of everything that moves with the shaft, for instance "5 kg".
-    #[schemars(extend("x-minimum" = 1e-6))]
-    pub mass: Quantity<Mass>,
+    /// Mass of everything that moves with a rigid shaft, for instance "5 kg".
+    #[schemars(extend("examples" = ["5 kg"], "x-minimum" = 1e-6))]
+    pub mass: Option<Quantity<Mass>>,
+    /// Sections of a shaft that bends, one `[[shaft.section]]` for each, from its left end on. Positions of bearings,
+    /// discs, loads and unbalances then count from there.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub section: Vec<SectionInput>,
+    /// JSON file with nodes and matrices M, K and G of a shaft from another program, instead of sections.
+    #[schemars(extend("examples" = ["shaft.json"]))]
+    pub matrices: Option<String>,
+    /// Material of the sections. Default: steel, 210 GPa, 0.3, 7850 kg/m³.
+    pub material: Option<MaterialInput>,
+    /// Modes of bending between the points where something acts, in each plane, 0 to 60. Default: those below three times
+    /// the highest excitation, but at least 4 and at most 20.
+    #[schemars(range(min = 0, max = 60))]
+    pub modes: Option<u32>,
+    /// Position whose motion is recorded, from the left end of a shaft that bends. Default: that of the heaviest disc, or
+    /// the middle.
+    #[schemars(extend("examples" = ["300 mm"]))]
+    pub observed: Option<Quantity<Length>>,
+    /// Internal damping of a shaft that bends, as this time multiplied by its stiffness; it turns with the shaft, and above
+    /// a critical speed it drives a whirl, for instance "2 us". Default: "0 s".
+    #[schemars(extend("examples" = ["2 us"], "x-minimum" = 0.0, "x-maximum" = 1.0))]
+    pub internal_damping: Option<Quantity<Time>>,
     /// Distance of the centre of mass from the axis of rotation, for instance "0.01 mm". The
     /// heavy side points along +X at shaft angle 0. Default: "0 m", a balanced shaft.
     #[serde(default)]
@@ -30,8 +53,9 @@ pub struct ShaftInput {
     #[schemars(extend("examples" = ["20 g mm", "G 6.3"]))]
     pub unbalance: Option<String>,
     /// Which freedoms move: "radial" (x, y), "translational" (x, y, z) or "all" (x, y, z and
-    /// both tilts). The rest is held.
-    pub freedoms: Freedoms,
+    /// both tilts). The rest is held. A shaft that bends always moves along x and y and tilts; "radial" holds its z.
+    /// Default of such a shaft: "all".
+    pub freedoms: Option<Freedoms>,
     /// Whether the weight acts, along −Y. Default: false.
     #[serde(default)]
     pub gravity: bool,
@@ -55,18 +79,57 @@ pub struct ShaftInput {
 }
 
 impl ShaftInput {
+    /// Whether the shaft bends.
+    pub fn bends(&self) -> bool {
+        !self.section.is_empty() || self.matrices.is_some()
+    }
+
+    /// Which freedoms move.
+    fn moving(&self, problems: &mut Problems<'_>) -> Freedoms {
+        match self.freedoms {
+            Some(Freedoms::Translational) if self.bends() => {
+                let message = "a shaft that bends tilts, too";
+                let issue = Issue::new("shaft.freedoms", message);
+                problems.refuse(issue.help("write \"all\", or \"radial\" to hold it along z"));
+                Freedoms::All
+            }
+            Some(freedoms) => freedoms,
+            None if self.bends() => Freedoms::All,
+            None => {
+                let issue = Issue::new("shaft", "`shaft` needs `freedoms`");
+                problems.refuse(issue.help("for instance: freedoms = \"all\""));
+                Freedoms::All
+            }
+        }
+    }
+
+    /// What of a shaft that bends the whole of it has.
+    pub fn build_flexible(&self, shaft: &FlexibleShaft, problems: &mut Problems<'_>) -> Shaft {
+        Shaft {
+            mass: shaft.mass(),
+            inertia_transverse: shaft.inertia_transverse(),
+            inertia_polar: shaft.inertia_polar(),
+            eccentricity: 0.0,
+            unbalance: PlaneUnbalance::default(),
+            freedoms: self.moving(problems),
+            gravity: self.gravity,
+            held_tilt: [0.0; 2],
+        }
+    }
+
     /// The shaft; its inertia is zero where no tilt moves and no drive `turns` it, and where nothing
     /// `moves` it may be.
     pub fn build(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) -> Shaft {
-        self.check_inertia(moves, turns, problems);
-        self.check_tilt(problems);
+        let freedoms = self.moving(problems);
+        self.check_inertia(freedoms, moves, turns, problems);
+        self.check_tilt(freedoms, problems);
         Shaft {
-            mass: self.mass.si(),
+            mass: si(&self.mass).unwrap_or(0.0),
             inertia_transverse: si(&self.inertia_transverse).unwrap_or(0.0),
             inertia_polar: si(&self.inertia_polar).unwrap_or(0.0),
             eccentricity: self.eccentricity.si(),
             unbalance: PlaneUnbalance::default(),
-            freedoms: self.freedoms,
+            freedoms,
             gravity: self.gravity,
             held_tilt: [
                 si(&self.tilt_x).unwrap_or(0.0),
@@ -76,9 +139,9 @@ impl ShaftInput {
     }
 
     /// Refuses a held tilt where the tilts move.
-    fn check_tilt(&self, problems: &mut Problems<'_>) {
+    fn check_tilt(&self, freedoms: Freedoms, problems: &mut Problems<'_>) {
         for (key, tilt) in [("tilt_x", &self.tilt_x), ("tilt_y", &self.tilt_y)] {
-            if tilt.is_some() && self.freedoms == Freedoms::All {
+            if tilt.is_some() && freedoms == Freedoms::All {
                 let message = format!("`{key}` holds a tilt that freedoms = \"all\" lets move");
                 let issue = Issue::new(format!("shaft.{key}"), message).help(format!(
                     "to start there: [initial] displacement = {{ {key} = … }}"
@@ -88,7 +151,13 @@ impl ShaftInput {
         }
     }
 
-    fn check_inertia(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) {
+    fn check_inertia(
+        &self,
+        freedoms: Freedoms,
+        moves: bool,
+        turns: bool,
+        problems: &mut Problems<'_>,
+    ) {
         let given = [
             ("inertia_transverse", &self.inertia_transverse),
             ("inertia_polar", &self.inertia_polar),
@@ -103,10 +172,10 @@ impl ShaftInput {
                 problems.refuse(issue.against("speed.drive"));
                 continue;
             }
-            if self.freedoms != Freedoms::All && inertia.is_some() && !turned {
+            if freedoms != Freedoms::All && inertia.is_some() && !turned {
                 problems.warn(format!("`{path}` has no effect: the tilts are held"));
             }
-            if moves && self.freedoms == Freedoms::All && inertia.is_none() {
+            if moves && freedoms == Freedoms::All && inertia.is_none() {
                 let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
                 let body = match key {
                     "inertia_polar" => "m·d²/8 about its axis",

@@ -19,7 +19,8 @@ pub struct UnbalanceInput {
     #[serde(default)]
     #[schemars(extend("examples" = ["180 deg"]))]
     pub angle: Quantity<Angle>,
-    /// Position of the plane along the shaft, from the centre of mass towards +Z. Default: "0 m".
+    /// Position of the plane along the shaft, from the centre of mass towards +Z, or, needed then, from the left end of a
+    /// shaft that bends. Default: "0 m".
     #[serde(default)]
     #[schemars(extend("examples" = ["-30 mm"]))]
     pub position: Quantity<Length>,

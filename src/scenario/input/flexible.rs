@@ -1,0 +1,287 @@
+//! `[[shaft.section]]` and `[[disc]]`: the shaft that bends.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::bearing::{MaterialInput, material};
+use super::shaft::ShaftInput;
+use super::unbalance::UnbalanceInput;
+use crate::physics::Material;
+use crate::rotor::{Disc, FlexibleShaft, PointUnbalance, Section};
+use crate::scenario::problems::Problems;
+use crate::scenario::quantity::{Inertia, Length, Mass, Quantity, si};
+use crate::scenario::{Issue, matrices_file};
+
+/// Steel of shafts, E = 210 GPa, ν = 0.3, 7850 kg/m³ (EN 1993-1-1 and tables of carbon steels).
+const STEEL: Material = Material {
+    youngs_modulus: 210e9,
+    poisson_ratio: 0.3,
+    density: 7850.0,
+};
+/// Longer shafts than this of a unit mistaken, in diameters.
+const MOST_SECTIONS: usize = 200;
+
+/// A part of the shaft of one cross-section. Sections follow each other from the left end on, towards +Z.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SectionInput {
+    /// Length, for instance "120 mm".
+    #[schemars(extend("examples" = ["120 mm"], "x-above" = 0.0))]
+    pub length: Quantity<Length>,
+    /// Outer diameter, for instance "40 mm".
+    #[schemars(extend("examples" = ["40 mm"], "x-above" = 0.0))]
+    pub outer_diameter: Quantity<Length>,
+    /// Inner diameter of a hollow section. Default: "0 m", solid.
+    #[serde(default)]
+    #[schemars(extend("examples" = ["20 mm"], "x-minimum" = 0.0))]
+    pub inner_diameter: Quantity<Length>,
+    /// Material where it differs from that of the shaft.
+    pub material: Option<MaterialInput>,
+}
+
+/// A rigid disc on a shaft with sections, given by its inertia or by its size.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("x-exactly-one" = ["mass", "outer_diameter"]))]
+pub struct DiscInput {
+    /// Position of its centre, from the left end of the shaft.
+    #[schemars(extend("examples" = ["300 mm"]))]
+    pub position: Quantity<Length>,
+    /// Mass, for instance "12 kg".
+    #[schemars(extend("examples" = ["12 kg"], "x-above" = 0.0))]
+    pub mass: Option<Quantity<Mass>>,
+    /// Moment of inertia about a diameter. Default: "0 kg m^2", a point mass.
+    #[schemars(extend("examples" = ["0.03 kg m^2"], "x-minimum" = 0.0))]
+    pub inertia_transverse: Option<Quantity<Inertia>>,
+    /// Moment of inertia about the axis of the shaft, at most twice the transverse one. Default: "0 kg m^2".
+    #[schemars(extend("examples" = ["0.05 kg m^2"], "x-minimum" = 0.0))]
+    pub inertia_polar: Option<Quantity<Inertia>>,
+    /// Outer diameter instead of mass and inertia; `width` is needed with it.
+    #[schemars(extend("examples" = ["280 mm"], "x-above" = 0.0))]
+    pub outer_diameter: Option<Quantity<Length>>,
+    /// Diameter of its bore. Default: the outer diameter of the shaft there.
+    #[schemars(extend("examples" = ["50 mm"], "x-minimum" = 0.0))]
+    pub inner_diameter: Option<Quantity<Length>>,
+    /// Width along the shaft.
+    #[schemars(extend("examples" = ["70 mm"], "x-above" = 0.0))]
+    pub width: Option<Quantity<Length>>,
+    /// Its material, of which the density counts. Default: steel of 7850 kg/m³.
+    pub material: Option<MaterialInput>,
+}
+
+/// The shaft that bends; `Some(None)` where it is rigid, `None` where something contradicts it.
+pub fn build(
+    shaft: &ShaftInput,
+    discs: &[DiscInput],
+    unbalances: &[UnbalanceInput],
+    problems: &mut Problems<'_>,
+) -> Option<Option<FlexibleShaft>> {
+    if !shaft.bends() {
+        refuse_without_sections(shaft, discs, problems);
+        return Some(None);
+    }
+    refuse_of_rigid(shaft, problems);
+    let base = material(shaft.material.as_ref(), STEEL);
+    let matrices = match &shaft.matrices {
+        None => None,
+        Some(file) => match matrices_file::read(&problems.folder().join(file)) {
+            Ok(mesh) => Some(mesh),
+            Err(problem) => {
+                let message = format!("`{file}` is no shaft: {problem}");
+                problems.refuse(Issue::new("shaft.matrices", message));
+                return None;
+            }
+        },
+    };
+    let sections: Option<Vec<Section>> = shaft
+        .section
+        .iter()
+        .enumerate()
+        .map(|(index, section)| {
+            problems.inside(format!("shaft.section[{index}]"), |problems| {
+                section.build(base, problems)
+            })
+        })
+        .collect();
+    let mut flexible = FlexibleShaft {
+        sections: sections?,
+        matrices,
+        modes: shaft.modes.map(|modes| modes as usize),
+        internal_damping: si(&shaft.internal_damping).unwrap_or(0.0),
+        ..FlexibleShaft::default()
+    };
+    let discs = discs.iter().enumerate().map(|(index, disc)| {
+        problems.inside(format!("disc[{index}]"), |problems| {
+            disc.build(&flexible, problems)
+        })
+    });
+    let discs: Vec<Option<Disc>> = discs.collect();
+    flexible.discs = discs.into_iter().collect::<Option<_>>()?;
+    for (index, plane) in unbalances.iter().enumerate() {
+        let path = format!("unbalance[{index}].position");
+        if problems.node(&path).is_none() {
+            let message = "an unbalance of a shaft that bends needs a `position`";
+            let issue = Issue::new(format!("unbalance[{index}]"), message);
+            problems.refuse(issue.help("it counts from the left end of the shaft"));
+        }
+        check_position(&flexible, &path, plane.position.si(), problems);
+        flexible.unbalances.push(PointUnbalance {
+            position: plane.position.si(),
+            amount: plane.amount.si(),
+            angle: plane.angle.si(),
+        });
+    }
+    flexible.observed = match &shaft.observed {
+        Some(position) => {
+            check_position(&flexible, "shaft.observed", position.si(), problems);
+            position.si()
+        }
+        None => heaviest(&flexible),
+    };
+    problems.is_clean().then_some(Some(flexible))
+}
+
+/// Position of the heaviest disc, or the middle of the shaft.
+fn heaviest(shaft: &FlexibleShaft) -> f64 {
+    let heaviest = shaft.discs.iter().max_by(|a, b| a.mass.total_cmp(&b.mass));
+    heaviest.map_or(shaft.middle(), |disc| disc.position)
+}
+
+/// Refuses a position off the shaft.
+pub fn check_position(
+    shaft: &FlexibleShaft,
+    path: &str,
+    position: f64,
+    problems: &mut Problems<'_>,
+) {
+    let [left, right] = shaft.ends();
+    let slack = 1e-9 * (right - left);
+    if !(left - slack..=right + slack).contains(&position) {
+        let message = format!(
+            "{:.1} mm lies off the shaft, which reaches from {:.1} to {:.1} mm",
+            1e3 * position,
+            1e3 * left,
+            1e3 * right
+        );
+        let issue = Issue::new(path, message);
+        problems.refuse(issue.help("positions count from the left end of the first section"));
+    }
+}
+
+/// Refuses what only a shaft that bends has.
+fn refuse_without_sections(
+    shaft: &ShaftInput,
+    discs: &[DiscInput],
+    problems: &mut Problems<'_>,
+) {
+    let keys = [
+        ("shaft.modes", shaft.modes.is_some()),
+        ("shaft.observed", shaft.observed.is_some()),
+        ("shaft.internal_damping", shaft.internal_damping.is_some()),
+        ("shaft.material", shaft.material.is_some()),
+        ("disc", !discs.is_empty()),
+    ];
+    for (path, _) in keys.into_iter().filter(|(_, given)| *given) {
+        let key = path.trim_start_matches("shaft.");
+        let message = format!("`{key}` belongs to a shaft that bends, and this one is rigid");
+        let help = "describe it by [[shaft.section]], or leave this out";
+        problems.refuse(Issue::new(path, message).help(help));
+    }
+    if shaft.mass.is_none() {
+        let issue = Issue::new("shaft", "`shaft` needs a `mass`, or sections that it consists of")
+            .help("for instance: mass = \"5 kg\", or [[shaft.section]] with length and outer_diameter");
+        problems.refuse(issue);
+    }
+}
+
+/// Refuses what follows from the sections and discs of a shaft that bends.
+fn refuse_of_rigid(shaft: &ShaftInput, problems: &mut Problems<'_>) {
+    let keys = [
+        ("mass", shaft.mass.is_some(), "it follows from sections and discs"),
+        ("inertia_transverse", shaft.inertia_transverse.is_some(), "it follows from sections and discs"),
+        ("inertia_polar", shaft.inertia_polar.is_some(), "it follows from sections and discs"),
+        ("eccentricity", shaft.eccentricity.si() != 0.0, "write [[unbalance]] with amount and position"),
+        ("unbalance", shaft.unbalance.is_some(), "write [[unbalance]] with amount and position"),
+        ("tilt_x", shaft.tilt_x.is_some(), "a shaft that bends tilts as it must"),
+        ("tilt_y", shaft.tilt_y.is_some(), "a shaft that bends tilts as it must"),
+    ];
+    for (key, _, help) in keys.into_iter().filter(|(_, given, _)| *given) {
+        let message = format!("`{key}` belongs to a rigid shaft, and this one bends");
+        problems.refuse(Issue::new(format!("shaft.{key}"), message).help(help));
+    }
+    if !shaft.section.is_empty() && shaft.matrices.is_some() {
+        let message = "`section` and `matrices` both say what the shaft is";
+        let issue = Issue::new("shaft.matrices", message).help("keep one of them");
+        problems.refuse(issue.against("shaft.section"));
+    }
+    if shaft.section.len() > MOST_SECTIONS {
+        let message = format!("{} sections; at most {MOST_SECTIONS}", shaft.section.len());
+        problems.refuse(Issue::new("shaft.section", message));
+    }
+}
+
+impl SectionInput {
+    fn build(&self, base: Material, problems: &mut Problems<'_>) -> Option<Section> {
+        let (outer, inner) = (self.outer_diameter.si(), self.inner_diameter.si());
+        if inner >= outer {
+            let message = format!(
+                "a bore of {:.2} mm leaves nothing of a section of {:.2} mm",
+                1e3 * inner,
+                1e3 * outer
+            );
+            let issue = Issue::new(".inner_diameter", message);
+            problems.refuse(issue.against(".outer_diameter"));
+            return None;
+        }
+        Some(Section {
+            length: self.length.si(),
+            outer_diameter: outer,
+            inner_diameter: inner,
+            material: material(self.material.as_ref(), base),
+        })
+    }
+}
+
+impl DiscInput {
+    fn build(&self, shaft: &FlexibleShaft, problems: &mut Problems<'_>) -> Option<Disc> {
+        let position = self.position.si();
+        let path = problems.path(".position");
+        check_position(shaft, &path, position, problems);
+        if let Some(mass) = &self.mass {
+            let (transverse, polar) = (si(&self.inertia_transverse), si(&self.inertia_polar));
+            let [transverse, polar] = [transverse, polar].map(Option::unwrap_or_default);
+            if polar > 2.0 * transverse * (1.0 + 1e-9) {
+                let message = "no body has an `inertia_polar` above twice its `inertia_transverse`";
+                let issue = Issue::new(".inertia_polar", message);
+                problems.refuse(issue.against(".inertia_transverse"));
+                return None;
+            }
+            return Some(Disc {
+                position,
+                mass: mass.si(),
+                inertia_transverse: transverse,
+                inertia_polar: polar,
+            });
+        }
+        let outer = si(&self.outer_diameter)?;
+        let Some(width) = si(&self.width) else {
+            let issue = Issue::new(".width", "a disc of a given `outer_diameter` needs a `width`")
+                .help("for instance: width = \"70 mm\"; or give mass and moments of inertia");
+            problems.refuse(issue.against(".outer_diameter"));
+            return None;
+        };
+        let inner = si(&self.inner_diameter).unwrap_or_else(|| shaft.outer_diameter_at(position));
+        if inner >= outer {
+            let message = format!(
+                "a bore of {:.2} mm leaves nothing of a disc of {:.2} mm",
+                1e3 * inner,
+                1e3 * outer
+            );
+            let issue = Issue::new(".inner_diameter", message);
+            problems.refuse(issue.against(".outer_diameter"));
+            return None;
+        }
+        let density = material(self.material.as_ref(), STEEL).density;
+        Some(Disc::of_size(position, width, [outer, inner], density))
+    }
+}
