@@ -27,7 +27,9 @@ pub use observation::{
 pub(crate) use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub(crate) use passes::{BareRun, reference_settings};
 pub use recorders::Maps;
-pub use run::{MeasuredError, RecordedRun, Run, StaticState, UnknownColumn};
+pub use run::{
+    MeasuredError, RecordedRun, Reduction, ReductionError, Run, StaticState, UnknownColumn,
+};
 pub(crate) use sampling::RunSize;
 pub(crate) use tables::TableUse;
 pub(crate) use warnings::{of_speed, speed_warnings};
@@ -59,6 +61,9 @@ pub fn simulate(
     simulate_part(model, sink, monitor, &mut Part::default())
 }
 
+/// Modes in each plane that the pass which measures the error of the reduction has besides.
+const MORE_MODES: usize = 4;
+
 /// As [`simulate`], but from where an earlier part of the run stopped, and up to where this one is
 /// to stop; the sink takes all samples from the first on.
 ///
@@ -82,7 +87,8 @@ pub(crate) fn simulate_part(
     }
     let unconstrained = check_constraints(&model.rotor, &rotor)?;
     let grid = sampling::grid(model, &rotor)?;
-    let mut passes = Passes::start(model, &rotor, grid, monitor.stop, part.paces);
+    let finer = finer_rotor(model, &rotor)?;
+    let mut passes = Passes::start(model, &rotor, finer.as_ref(), grid, monitor.stop, part.paces);
     let mut observers = Observers::new(model, &rotor, grid, sink, tables);
     if let Some(earlier) = &part.earlier {
         passes.go_on_from(&earlier.standing)?;
@@ -92,6 +98,18 @@ pub(crate) fn simulate_part(
     let mut warnings = unconstrained;
     warnings.extend(observers.observation.peak_warnings(&rotor)?);
     Ok(answer(model, &passes, observers, warnings))
+}
+
+/// Of a run that is verified, the shaft that bends with more modes.
+fn finer_rotor(model: &Model, rotor: &Rotor) -> Result<Option<Rotor>, SimulateError> {
+    let modes = rotor.bending_modes().filter(|_| model.verify);
+    let Some(modes) = modes else { return Ok(None) };
+    let definition = model.rotor.with_modes(modes + MORE_MODES);
+    let mut finer = Rotor::assemble(&definition)?;
+    if model.table {
+        finer.tabulate();
+    }
+    Ok(Some(finer))
 }
 
 /// Shows the observers what an earlier part of the run has integrated.
@@ -175,6 +193,7 @@ fn answer(
         tables: observers.tables.finish(),
         warnings,
         measured_error,
+        reduction: passes.reduction(),
         energy: observers.audit.finish(),
         spectrum,
         peaks,

@@ -75,10 +75,11 @@ impl Support {
         })
     }
 
-    /// Largest value of a dimension among the bearings of a shaft.
+    /// Largest value of a dimension among the bearings of a shaft, m; 10 mm where none has balls: it makes numbers of
+    /// displacements, and any length does.
     pub(crate) fn largest(supports: &[Self], dimension: fn(&Geometry) -> f64) -> f64 {
         let of = |support: &Self| dimension(&support.definition.bearing.geometry);
-        supports.iter().map(of).fold(0.0, f64::max)
+        supports.iter().map(of).reduce(f64::max).unwrap_or(0.01)
     }
 
     /// The bearing as it was defined.

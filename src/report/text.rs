@@ -12,6 +12,7 @@ use crate::analysis::{Peak, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::scenario;
 use crate::simulate::{
+    Reduction,
     BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Run, Spread, StaticState,
     TableUse,
 };
@@ -50,6 +51,9 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
             ),
         );
     }
+    if let Some(reduction) = &run.reduction {
+        out.line("shaft", reduction_text(reduction));
+    }
     if let Some(energy) = &run.energy {
         let (residual, relative) = (energy.largest_residual, energy.relative_residual);
         let text = format!("closes to {residual:.1e} J, {relative:.1e} of its largest part");
@@ -65,14 +69,33 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
     out.wrote(files)
 }
 
+/// `6 modes of bending in each plane, 1.2e-6 µm, 3e-6 of the motion, from 10`.
+fn reduction_text(reduction: &Reduction) -> String {
+    let kept = format!("{} modes of bending in each plane", reduction.modes);
+    match &reduction.error {
+        None => kept,
+        Some(error) => format!(
+            "{kept}: {} µm, {:.1e} of the motion, from {}",
+            significant(MICRO * error.displacement),
+            error.relative,
+            error.modes
+        ),
+    }
+}
+
+/// Natural frequencies shown.
+const FREQUENCIES: usize = 12;
+
 /// `512.3 Hz (ζ 0.020), …`.
 fn natural(state: &StaticState) -> String {
-    let modes = state.natural_frequencies.iter();
+    let more = state.natural_frequencies.len().saturating_sub(FREQUENCIES);
+    let modes = state.natural_frequencies.iter().take(FREQUENCIES);
     let text = |mode: &NaturalFrequency| {
         let damping = decimals(mode.damping_ratio, 3);
         format!("{:.2} Hz (ζ {damping})", mode.frequency)
     };
-    listed(modes.map(text))
+    let rest = (more > 0).then(|| format!("and {more} higher ones"));
+    listed(modes.map(text).chain(rest))
 }
 
 /// The strongest peaks of x, y and z, which have one unit and so one order.

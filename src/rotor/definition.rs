@@ -171,6 +171,15 @@ impl RotorDefinition {
         passing.chain(loads).fold(speed, f64::max)
     }
 
+    /// The same shaft with so many modes of bending in each plane.
+    pub(crate) fn with_modes(&self, modes: usize) -> Self {
+        let mut other = self.clone();
+        if let Some(flexible) = &mut other.flexible {
+            flexible.modes = Some(modes);
+        }
+        other
+    }
+
     /// The same shaft at a constant speed in rad/s.
     pub(crate) fn at_constant_speed(&self, speed: f64) -> Self {
         Self {

@@ -123,7 +123,8 @@ impl StaticProblem<'_> {
             let definition = support.definition();
             definition.bearing.geometry.inner_groove_radius() + definition.position.abs()
         };
-        self.supports.iter().map(reach).fold(0.0, f64::max)
+        let own = self.supports.iter().map(reach).reduce(f64::max);
+        own.unwrap_or_else(|| Support::largest(self.supports, Geometry::inner_groove_radius))
     }
 }
 

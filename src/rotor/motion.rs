@@ -121,9 +121,14 @@ impl Rotor {
         indices.take_while(|index| *index < dofs).count()
     }
 
+    /// Modes of bending that are kept in each plane of a shaft that bends.
+    pub(crate) fn bending_modes(&self) -> Option<usize> {
+        self.structure.bending.as_ref().map(|bending| bending.modes)
+    }
+
     /// Number of degrees of freedom.
     #[inline(always)]
-    pub(super) fn dofs(&self) -> usize {
+    pub(crate) fn dofs(&self) -> usize {
         self.structure.dofs
     }
 

@@ -35,6 +35,9 @@ pub struct Standing {
     pub main: Checkpoint,
     /// The second pass, where the run has one.
     pub reference: Option<ReferenceStanding>,
+    /// The pass with more modes of a shaft that bends, where the run has one.
+    #[serde(default)]
+    pub finer: Option<ReferenceStanding>,
 }
 
 /// Where the second pass stands, and how far the first has been from it.

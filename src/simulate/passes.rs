@@ -3,6 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use super::part::{ReferenceStanding, Standing};
+use super::run::{Reduction, ReductionError};
 use super::{BLOCK, MeasuredError, Model, SimulateError, sampling};
 use crate::integrate::{
     CheckpointMismatch, Counters, Grid, IntegrateError, Integration, Pace, Settings, States, System,
@@ -50,10 +51,13 @@ pub(super) struct Passes<'a> {
     pub main: Integration<'a>,
     scale: MotionScale,
     reference: Option<Reference<'a>>,
+    /// The pass with more modes of a shaft that bends.
+    finer: Option<Reference<'a>>,
 }
 
-/// The second pass, and how far the first is from it.
+/// Another pass, and how far the first is from it.
 struct Reference<'a> {
+    rotor: &'a Rotor,
     integration: Integration<'a>,
     states: States,
     /// Largest difference of a displacement so far, m.
@@ -69,63 +73,72 @@ impl<'a> Passes<'a> {
     pub fn start(
         model: &Model,
         rotor: &'a Rotor,
+        finer: Option<&'a Rotor>,
         grid: Grid,
         stop: &'a AtomicBool,
         [pace, reference_pace]: [Option<&'a Pace>; 2],
     ) -> Self {
         let scale = motion_scale(model, rotor);
         let second = reference_settings(model.integrator);
-        let reference = model.verify.then(|| Reference {
-            integration: pass(rotor, &scale, grid, second, stop).watched(reference_pace),
+        let another = |rotor: &'a Rotor, settings: Settings| Reference {
+            rotor,
+            integration: pass(rotor, &scale, grid, settings, stop),
             states: States::new(rotor.states()),
             difference: 0.0,
             excursion: 0.0,
             failure: None,
-            tolerance: second.tolerance,
+            tolerance: settings.tolerance,
+        };
+        let reference = model.verify.then(|| {
+            let mut reference = another(rotor, second);
+            reference.integration = reference.integration.watched(reference_pace);
+            reference
         });
+        let finer = finer.map(|finer| another(finer, model.integrator));
         Self {
             rotor,
             grid,
             main: pass(rotor, &scale, grid, model.integrator, stop).watched(pace),
             scale,
             reference,
+            finer,
         }
     }
 
     /// What it takes to go on from here another time.
     pub fn standing(&self) -> Standing {
-        let of_reference = |reference: &Reference<'_>| ReferenceStanding {
-            pass: reference.integration.checkpoint().clone(),
-            difference: reference.difference,
-            excursion: reference.excursion,
-            failure: reference.failure.clone(),
-        };
         Standing {
             time: self.grid.time(self.main.done()),
             main: self.main.checkpoint().clone(),
-            reference: self.reference.as_ref().map(of_reference),
+            reference: self.reference.as_ref().map(Reference::standing),
+            finer: self.finer.as_ref().map(Reference::standing),
         }
     }
 
     /// Goes on from where the passes of an earlier part stood.
     pub fn go_on_from(&mut self, standing: &Standing) -> Result<(), SimulateError> {
         self.main.go_on_from(&standing.main)?;
-        match (&mut self.reference, &standing.reference) {
-            (Some(reference), Some(standing)) => Ok(reference.go_on_from(standing)?),
-            (None, None) => Ok(()),
-            _ => Err(SimulateError::NoSecondPass),
+        let others = [
+            (&mut self.reference, &standing.reference),
+            (&mut self.finer, &standing.finer),
+        ];
+        for other in others {
+            match other {
+                (Some(other), Some(standing)) => other.go_on_from(standing)?,
+                (None, None) => {}
+                _ => return Err(SimulateError::NoSecondPass),
+            }
         }
+        Ok(())
     }
 
-    /// Goes on with the second pass over as many samples as the first has states in a block, and compares both.
+    /// Goes on with the other passes over as many samples as the first has states in a block, and compares them.
     ///
     /// # Errors
     /// [`IntegrateError::Interrupted`] where somebody asked the run to stop.
     pub fn compare(&mut self, states: &States) -> Result<(), IntegrateError> {
-        match &mut self.reference {
-            Some(reference) => reference.compare(states, self.rotor, &self.scale),
-            None => Ok(()),
-        }
+        let mut others = self.reference.iter_mut().chain(&mut self.finer);
+        others.try_for_each(|other| other.compare(states, self.rotor, &self.scale))
     }
 
     /// Why the error is not known, where it was to be measured.
@@ -146,7 +159,34 @@ impl<'a> Passes<'a> {
     }
 }
 
+impl Passes<'_> {
+    /// What is kept of a shaft that bends, and the difference of the pass with more modes.
+    pub fn reduction(&self) -> Option<Reduction> {
+        let measured = |finer: &Reference<'_>| {
+            finer.failure.is_none().then(|| ReductionError {
+                displacement: finer.difference,
+                relative: finer.difference / finer.excursion.max(self.scale.length),
+                modes: finer.rotor.bending_modes().unwrap_or_default(),
+            })
+        };
+        Some(Reduction {
+            modes: self.rotor.bending_modes()?,
+            degrees_of_freedom: self.rotor.dofs(),
+            error: self.finer.as_ref().and_then(measured),
+        })
+    }
+}
+
 impl Reference<'_> {
+    fn standing(&self) -> ReferenceStanding {
+        ReferenceStanding {
+            pass: self.integration.checkpoint().clone(),
+            difference: self.difference,
+            excursion: self.excursion,
+            failure: self.failure.clone(),
+        }
+    }
+
     fn go_on_from(&mut self, standing: &ReferenceStanding) -> Result<(), CheckpointMismatch> {
         self.integration.go_on_from(&standing.pass)?;
         self.difference = standing.difference;
@@ -178,8 +218,8 @@ impl Reference<'_> {
                 self.difference = self.difference.max(apart);
                 self.excursion = self.excursion.max(moved);
             }
-            for freedom in rotor.housing_freedoms() {
-                let apart = (state[freedom] - reference[freedom]).abs();
+            for (own, other) in rotor.housing_freedoms().zip(self.rotor.housing_freedoms()) {
+                let apart = (state[own] - reference[other]).abs();
                 self.difference = self.difference.max(apart);
             }
         }

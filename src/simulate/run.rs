@@ -60,6 +60,31 @@ pub struct MeasuredError {
     pub counters: Counters,
 }
 
+/// What is kept of a shaft that bends.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Reduction {
+    /// Modes of bending between the points where something acts, in each plane.
+    pub modes: usize,
+    /// Degrees of freedom of shaft and housings together.
+    pub degrees_of_freedom: usize,
+    /// Its error, where the run is verified.
+    pub error: Option<ReductionError>,
+}
+
+/// Difference of the run from one with more modes of the shaft.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct ReductionError {
+    /// Largest difference of a displacement of the observed point (tilts times their arm), m.
+    #[serde(rename = "displacement_m")]
+    pub displacement: f64,
+    /// The same relative to the largest excursion from the static equilibrium.
+    pub relative: f64,
+    /// Modes of the other run in each plane.
+    pub modes: usize,
+}
+
 impl MeasuredError {
     /// Share of the second pass in the evaluations of both.
     pub(crate) fn share_of_evaluations(&self, main: &Counters) -> f64 {
@@ -100,6 +125,9 @@ pub struct Run {
     /// Measured error, where asked for.
     #[serde(skip)]
     pub measured_error: Option<MeasuredError>,
+    /// What is kept of a shaft that bends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reduction: Option<Reduction>,
     /// Account of the energy, where asked for.
     pub energy: Option<EnergyReport>,
     /// Spectra, where asked for.

@@ -195,6 +195,7 @@ fn run() -> Run {
         method_use: None,
         samples: 257,
         bearings: vec![history()],
+        reduction: None,
         largest_ball_load: Some(310.0),
         tables: Vec::new(),
         measured_error: Some(MeasuredError {
