@@ -172,7 +172,7 @@ impl Rotor {
             let mut along = self.unbalances_along(rotation.angle);
             // masses beside the axis feel the base and the weight
             let base = self.felt_by_unbalances(time, rotation.angle);
-            loads -= rotation.speed * base;
+            loads += rotation.speed * base;
             let resisting = product(&along, sum) + base + internal.moment;
             let moments = self.moments(drive, &bearings, &rotation, resisting);
             rotation.acceleration = moments.total() / self.inertia_polar;

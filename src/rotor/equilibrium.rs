@@ -129,18 +129,42 @@ impl StaticProblem<'_> {
 }
 
 impl Balance {
-    /// What of it concerns the shaft.
+    /// What of it concerns the shaft: the displacement of its observed point, the force of the whole shaft onto what holds
+    /// it, and the stiffness that a force at the observed point meets.
     pub(super) fn equilibrium(&self, structure: &Structure) -> Equilibrium {
         let indices = structure.shaft.coordinates();
         let stiffness = &self.restoring.stiffness;
+        let motions = &structure.rigid_motions;
         Equilibrium {
             displacement: indices.map(|index| self.displacement[index]),
-            force: indices.map(|index| self.restoring.force[index]),
-            stiffness: Matrix5::from_fn(|row, column| stiffness[(indices[row], indices[column])]),
+            // what is elastic inside the shaft does no work as it moves as a rigid body
+            force: std::array::from_fn(|axis| motions[axis].dot(&self.restoring.force)),
+            stiffness: if structure.bending.is_some() {
+                condensed(stiffness, structure.dofs, indices)
+            } else {
+                Matrix5::from_fn(|row, column| stiffness[(indices[row], indices[column])])
+            },
             residual: self.residual,
             newton_steps: self.newton_steps,
         }
     }
+}
+
+/// Stiffness of some coordinates with all other degrees of freedom yielding: `K_oo − K_oe K_ee⁻¹ K_eo`. Where the others have
+/// no stiffness of their own, that with them held.
+fn condensed(stiffness: &DMatrix<f64>, dofs: usize, kept: [usize; FREEDOMS]) -> Matrix5 {
+    let yielding: Vec<usize> = (0..dofs).filter(|index| !kept.contains(index)).collect();
+    let block = |rows: &[usize], columns: &[usize]| {
+        DMatrix::from_fn(rows.len(), columns.len(), |row, column| {
+            stiffness[(rows[row], columns[column])]
+        })
+    };
+    let mut own = block(&kept, &kept);
+    let inner = block(&yielding, &yielding).lu();
+    if let Some(followed) = inner.solve(&block(&yielding, &kept)) {
+        own -= block(&kept, &yielding) * followed;
+    }
+    Matrix5::from_fn(|row, column| own[(row, column)])
 }
 
 /// Where a shaft stands.

@@ -9,3 +9,6 @@ mod reduction;
 
 pub(super) use layout::Bending;
 pub use mesh::{Disc, FlexibleShaft, Mesh, Plane, PointUnbalance, Section, ShaftError};
+
+#[cfg(test)]
+mod motion_tests;

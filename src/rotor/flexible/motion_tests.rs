@@ -1,0 +1,369 @@
+//! A shaft that bends in motion: the rigid limit, slopes, energy, statics, damping that turns with it.
+
+use std::f64::consts::TAU;
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::DMatrix;
+
+use crate::bearing::{
+    ContactDamping, ContactLaw, Facing, Housing, Imperfections, MountedBearing, Preload, catalogue,
+};
+use crate::integrate::{Grid, Integration, Method, Settings, States, System};
+use crate::physics::Material;
+use crate::rotor::load::{BaseAcceleration, Harmonic, Pace};
+use crate::rotor::{
+    CageMotion, Damping, Disc, Drive, FlexibleShaft, Freedoms, InitialPosition, InitialState,
+    LinearBearing, Load, LoadKind, PlaneUnbalance, PointUnbalance, Rotor, RotorDefinition, Section,
+    Shaft, Whirl,
+};
+
+const STEEL: Material = Material {
+    youngs_modulus: 210e9,
+    poisson_ratio: 0.3,
+    density: 7850.0,
+};
+const LENGTH: f64 = 0.5;
+const BEARINGS: [f64; 2] = [0.05, 0.45];
+const UNBALANCES: [(f64, f64, f64); 2] = [(2e-5, 0.4, 0.15), (3e-5, 2.0, 0.4)];
+
+/// A shaft of 40 mm with a disc off its middle, softer by a factor.
+fn shaft(softness: f64) -> FlexibleShaft {
+    FlexibleShaft {
+        sections: vec![Section {
+            length: LENGTH,
+            outer_diameter: 0.04,
+            inner_diameter: 0.0,
+            material: Material {
+                youngs_modulus: STEEL.youngs_modulus / softness,
+                ..STEEL
+            },
+        }],
+        discs: vec![Disc {
+            position: 0.2,
+            mass: 6.0,
+            inertia_transverse: 0.02,
+            inertia_polar: 0.03,
+        }],
+        unbalances: UNBALANCES
+            .map(|(amount, angle, position)| PointUnbalance {
+                position,
+                amount,
+                angle,
+            })
+            .to_vec(),
+        observed: 0.2,
+        modes: Some(2),
+        ..FlexibleShaft::default()
+    }
+}
+
+fn on_bearings(flexible: FlexibleShaft) -> RotorDefinition {
+    let entry = catalogue::find("7205C").expect("a designation of the catalogue");
+    let mounted = |position, facing| MountedBearing {
+        bearing: entry.bearing().expect("a bearing"),
+        law: ContactLaw::Hertz,
+        oil: None,
+        position,
+        facing,
+        preload: Preload::AxialOffset(20e-6),
+        contact_damping: ContactDamping::default(),
+        first_ball: 0.3,
+        imperfections: Imperfections::default(),
+        housing: None,
+    };
+    RotorDefinition {
+        shaft: Shaft {
+            mass: flexible.mass(),
+            inertia_transverse: flexible.inertia_transverse(),
+            inertia_polar: flexible.inertia_polar(),
+            eccentricity: 0.0,
+            unbalance: PlaneUnbalance::default(),
+            freedoms: Freedoms::All,
+            gravity: true,
+            held_tilt: [0.0; 2],
+        },
+        speed: 500.0,
+        speed_points: Vec::new(),
+        drive: None,
+        cage: CageMotion::Rolling,
+        damping: Damping::Undamped,
+        load: [0.0, 0.0, 300.0, 0.0, 0.0],
+        loads: Vec::new(),
+        initial: InitialState {
+            from: InitialPosition::Equilibrium,
+            displacement: [None; 5],
+            velocity: [None; 5],
+        },
+        bearings: vec![
+            mounted(BEARINGS[0], Facing::PlusZ),
+            mounted(BEARINGS[1], Facing::MinusZ),
+        ],
+        linear_bearings: Vec::new(),
+        flexible: Some(flexible),
+    }
+}
+
+/// The rigid shaft of the same masses, at the place of the observed point.
+fn rigid(definition: &RotorDefinition) -> RotorDefinition {
+    let flexible = definition.flexible.as_ref().expect("a shaft that bends");
+    let parts = [(flexible.discs[0].mass, flexible.discs[0].position)];
+    let own = flexible.mass() - parts[0].0;
+    let centre = (parts[0].0 * parts[0].1 + own * 0.5 * LENGTH) / flexible.mass();
+    let mut rigid = definition.clone();
+    rigid.flexible = None;
+    for bearing in &mut rigid.bearings {
+        bearing.position -= centre;
+    }
+    for (amount, angle, position) in UNBALANCES {
+        rigid.shaft.unbalance.add(amount, angle, position - centre);
+    }
+    rigid
+}
+
+/// The motion from the start, sampled every 0.2 ms.
+fn integrated(rotor: &Rotor, method: Method, count: usize) -> (Grid, States) {
+    let (stop, scale) = (AtomicBool::new(false), rotor.motion_scale(1e-10));
+    let grid = Grid {
+        interval: 2e-4,
+        count: count as u64,
+    };
+    let settings = Settings {
+        method,
+        tolerance: 1e-10,
+        step_limit: 10_000_000,
+    };
+    let scaling = rotor.scaling(&scale);
+    let start = rotor.start();
+    let mut integration = Integration::new(rotor, scaling, grid, settings, &stop, &start);
+    let mut states = States::with_capacity(start.len(), count);
+    integration.advance(count, &mut states).expect("a motion");
+    (grid, states)
+}
+
+/// All that may act: two loads at their places, a base that shakes, a housing, damping of both kinds.
+fn everything() -> RotorDefinition {
+    let harmonic = |amplitude, pace| Harmonic {
+        amplitude,
+        pace,
+        phase: 0.3,
+    };
+    let mut definition = on_bearings(FlexibleShaft {
+        internal_damping: 2e-6,
+        ..shaft(1.0)
+    });
+    definition.damping = Damping::Ratio(0.02);
+    definition.loads = vec![
+        Load {
+            kind: LoadKind::Harmonic(harmonic(
+                [100.0, 50.0, 20.0, 0.5, 0.2],
+                Pace::Frequency(700.0),
+            )),
+            position: 0.1,
+        },
+        Load {
+            kind: LoadKind::Base(BaseAcceleration::Harmonic(harmonic(
+                [3.0, 5.0, 1.0, 0.0, 0.0],
+                Pace::Order(1.5),
+            ))),
+            position: 0.0,
+        },
+        Load {
+            kind: LoadKind::Constant([200.0, -100.0, 0.0, 0.0, 0.0]),
+            position: 0.35,
+        },
+    ];
+    definition.bearings[0].housing = Some(Housing {
+        mass: 3.0,
+        stiffness: [2e8, 3e8, 1e8],
+        damping: [500.0, 400.0, 300.0],
+    });
+    definition.initial.displacement[0] = Some(3e-6);
+    definition.initial.velocity[1] = Some(2e-3);
+    definition
+}
+
+#[test]
+fn a_stiff_shaft_moves_as_a_rigid_one() {
+    let definition = on_bearings(shaft(1e-6));
+    let rotors = [&definition, &rigid(&definition)]
+        .map(|definition| Rotor::assemble(definition).expect("a rotor"));
+    let frequencies = rotors.each_ref().map(Rotor::natural_frequencies);
+    for (stiff, rigid) in frequencies[0].iter().zip(&frequencies[1]) {
+        let apart = (stiff.frequency / rigid.frequency - 1.0).abs();
+        assert!(apart < 1e-4, "{} Hz, not {} Hz", stiff.frequency, rigid.frequency);
+        assert_eq!(stiff.whirl, rigid.whirl);
+    }
+    let definition = on_bearings(shaft(1e-2));
+    let centre = definition.bearings[0].position - rigid(&definition).bearings[0].position;
+    let arm = 0.2 - centre;
+    let motions = [&definition, &rigid(&definition)].map(|definition| {
+        let rotor = Rotor::assemble(definition).expect("a rotor");
+        integrated(&rotor, Method::Verner76, 26).1
+    });
+    let mut largest = [0.0_f64; 2];
+    for (stiff, rigid) in motions[0].iter().zip(motions[1].iter()) {
+        let expected = [rigid[0] + arm * rigid[4], rigid[1] - arm * rigid[3], rigid[2]];
+        for (found, expected) in stiff.iter().zip(expected) {
+            largest[0] = largest[0].max((found - expected).abs());
+            largest[1] = largest[1].max(expected.abs());
+        }
+    }
+    assert!(largest[0] < 2e-2 * largest[1], "{largest:?}");
+}
+
+#[test]
+fn slopes_are_those_of_the_derivative() {
+    let mut definition = everything();
+    definition.speed_points = vec![crate::rotor::SpeedPoint {
+        time: 1.0,
+        speed: 900.0,
+    }];
+    let rotor = Rotor::assemble(&definition).expect("a rotor");
+    let (mut state, states) = (rotor.start(), rotor.states());
+    for (index, state) in state.iter_mut().enumerate() {
+        let size = if index < states / 2 { 1e-6 } else { 1e-3 };
+        *state += size * (1.7 * index as f64 + 0.4).sin();
+    }
+    let (mut slopes, mut by_time) = (DMatrix::zeros(states, states), vec![0.0; states]);
+    rotor.linearisation(0.01, &state, &mut slopes, &mut by_time);
+    let (mut expected, mut expected_by_time) = (slopes.clone(), by_time.clone());
+    rotor.linearise_by_differences(0.01, &state, &mut expected, &mut expected_by_time);
+    let near = |found: f64, expected: f64, scale: f64, what: &str| {
+        let apart = (found - expected).abs();
+        assert!(apart < 1e-5 * scale, "{what}: {found:e}, not {expected:e}");
+    };
+    for row in 0..states {
+        let scale = expected.row(row).amax();
+        for column in 0..states {
+            let what = format!("{row}, {column}");
+            near(slopes[(row, column)], expected[(row, column)], scale, &what);
+        }
+        let scale = expected_by_time.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+        near(by_time[row], expected_by_time[row], 100.0 * scale, "by time");
+    }
+}
+
+/// Largest residual of the energy of a motion, and the largest of its parts.
+fn energy_residual(definition: &RotorDefinition) -> [f64; 2] {
+    let mut rotor = Rotor::assemble(definition).expect("a rotor");
+    rotor.account_for_energy();
+    let (grid, states) = integrated(&rotor, Method::Verner76, 101);
+    let start = rotor.energy_balance(0.0, &rotor.start());
+    let mut found = [0.0_f64; 2];
+    for (sample, state) in states.iter().enumerate() {
+        let now = rotor.energy_balance(grid.time(sample as u64), state);
+        found[0] = found[0].max(now.residual(&start).abs());
+        found[1] = found[1].max(now.largest(&start));
+    }
+    found
+}
+
+#[test]
+fn the_energy_of_everything_closes() {
+    let [residual, largest] = energy_residual(&everything());
+    assert!(residual < 1e-8 * largest, "{residual:e} of {largest:e}");
+}
+
+#[test]
+fn the_energy_of_a_driven_shaft_closes_with_unbalances_in_two_planes() {
+    for bends in [true, false] {
+        let mut definition = everything();
+        // heavy unbalances, so that they ask much of the rotation
+        let flexible = definition.flexible.as_mut().expect("a shaft that bends");
+        for own in &mut flexible.unbalances {
+            own.amount *= 20.0;
+        }
+        if !bends {
+            definition.loads.truncate(2);
+            definition = rigid(&definition);
+            definition.shaft.unbalance.couple = [3e-5, -2e-5];
+        }
+        definition.drive = Some(Drive {
+            torque: 5.0,
+            no_load_speed: Some(800.0),
+            load_torque: 1.0,
+            friction: true,
+            compliance: 0.0,
+        });
+        let [residual, largest] = energy_residual(&definition);
+        assert!(residual < 1e-9 * largest, "{bends}: {residual:e} of {largest:e}");
+    }
+}
+
+/// A shaft of 20 mm between pins, with a point mass in its middle.
+fn laval(density: f64, internal_damping: f64) -> RotorDefinition {
+    let flexible = FlexibleShaft {
+        sections: vec![Section {
+            length: 0.8,
+            outer_diameter: 0.02,
+            inner_diameter: 0.0,
+            material: Material { density, ..STEEL },
+        }],
+        discs: vec![Disc {
+            position: 0.4,
+            mass: 4.0,
+            inertia_transverse: 0.02,
+            inertia_polar: 0.03,
+        }],
+        observed: 0.4,
+        modes: Some(4),
+        internal_damping,
+        ..FlexibleShaft::default()
+    };
+    let pin = |position| LinearBearing {
+        position,
+        stiffness: [1e12, 1e12, 1e9, 0.0, 0.0],
+        damping: [0.0; 5],
+    };
+    RotorDefinition {
+        bearings: Vec::new(),
+        linear_bearings: vec![pin(0.0), pin(0.8)],
+        load: [0.0; 5],
+        ..on_bearings(flexible)
+    }
+}
+
+#[test]
+fn a_pinned_shaft_yields_as_a_beam_and_has_its_frequency() {
+    let mut definition = laval(1.0, 0.0);
+    definition.shaft.gravity = false;
+    definition.loads = vec![Load {
+        kind: LoadKind::Constant([100.0, 0.0, 0.0, 0.0, 0.0]),
+        position: 0.4,
+    }];
+    let rotor = Rotor::assemble(&definition).expect("a rotor");
+    // F L³/(48 E I) + F L/(4 κ G A)
+    let (area, second) = (TAU / 8.0 * 4e-4, TAU / 128.0 * 1.6e-7);
+    let shear = 6.0 * 1.3 / (7.0 + 6.0 * 0.3) * 210e9 / 2.6 * area;
+    let compliance = 0.512 / (48.0 * 210e9 * second) + 0.2 / shear;
+    let deflection = rotor.equilibrium().displacement[0];
+    let expected = 100.0 * compliance;
+    assert!((deflection / expected - 1.0).abs() < 1e-6, "{deflection:e}, not {expected:e}");
+    let stiffness = rotor.equilibrium().stiffness[(0, 0)];
+    assert!((stiffness * compliance - 1.0).abs() < 1e-6, "{stiffness:e}");
+    let frequency = rotor.natural_frequencies()[0].frequency;
+    let expected = (1.0 / (4.0 * compliance)).sqrt() / TAU;
+    assert!((frequency / expected - 1.0).abs() < 1e-4, "{frequency} Hz, not {expected} Hz");
+}
+
+#[test]
+fn damping_inside_the_shaft_drives_a_whirl_above_the_speed_of_the_books() {
+    // ω = ω_n (1 + c_external/c_internal)
+    let (internal, external) = (20e-6, 3.0);
+    let mut definition = laval(1.0, internal);
+    definition.damping = Damping::Coefficients([external, external, 0.0, 0.0, 0.0]);
+    let natural = {
+        let rotor = Rotor::assemble(&laval(1.0, 0.0)).expect("a rotor");
+        TAU * rotor.natural_frequencies()[0].frequency
+    };
+    let limit = natural * (1.0 + external / (internal * natural * natural * 4.0));
+    for (factor, stable) in [(0.99, true), (1.01, false)] {
+        definition.speed = factor * limit;
+        let rotor = Rotor::assemble(&definition).expect("a rotor");
+        let modes = rotor.natural_frequencies();
+        let forward = modes.iter().find(|mode| mode.whirl == Whirl::Forward);
+        let ratio = forward.expect("a forward mode").damping_ratio;
+        assert_eq!(ratio > 0.0, stable, "{ratio:e} at {factor} of the limit");
+    }
+    assert!(limit > 1.2 * natural, "{limit}, {natural}");
+}
