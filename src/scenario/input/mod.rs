@@ -9,6 +9,7 @@ mod fit;
 mod geometry;
 mod housing;
 mod load;
+mod machine;
 mod oil;
 mod output;
 mod ratings;

@@ -30,8 +30,8 @@ pub struct ShaftInput {
     #[schemars(extend("examples" = ["20 g mm", "G 6.3"]))]
     pub unbalance: Option<String>,
     /// Which freedoms move: "radial" (x, y), "translational" (x, y, z) or "all" (x, y, z and
-    /// both tilts). The rest is held.
-    pub freedoms: Freedoms,
+    /// both tilts). The rest is held. Default: "all" where both moments of inertia are given, else "radial".
+    pub freedoms: Option<Freedoms>,
     /// Whether the weight acts, along −Y. Default: false.
     #[serde(default)]
     pub gravity: bool,
@@ -55,6 +55,26 @@ pub struct ShaftInput {
 }
 
 impl ShaftInput {
+    /// Which freedoms move.
+    fn freedoms(&self) -> Freedoms {
+        let tilts = self.inertia_transverse.is_some() && self.inertia_polar.is_some();
+        self.freedoms.unwrap_or(match tilts {
+            true => Freedoms::All,
+            false => Freedoms::Radial,
+        })
+    }
+
+    /// Writes down which freedoms move where the file does not say it, and tells it where some are held.
+    pub fn choose_freedoms(&mut self, problems: &mut Problems<'_>) {
+        if self.freedoms.is_none() && self.freedoms() == Freedoms::Radial {
+            problems.warn(
+                "no `freedoms` in `[shaft]`: x and y move (freedoms = \"radial\"), z and the tilts are held; both moments of \
+                 inertia let all of them move",
+            );
+        }
+        self.freedoms = Some(self.freedoms());
+    }
+
     /// The shaft; its inertia is zero where no tilt moves and no drive `turns` it, and where nothing
     /// `moves` it may be.
     pub fn build(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) -> Shaft {
@@ -66,7 +86,7 @@ impl ShaftInput {
             inertia_polar: si(&self.inertia_polar).unwrap_or(0.0),
             eccentricity: self.eccentricity.si(),
             unbalance: PlaneUnbalance::default(),
-            freedoms: self.freedoms,
+            freedoms: self.freedoms(),
             gravity: self.gravity,
             held_tilt: [
                 si(&self.tilt_x).unwrap_or(0.0),
@@ -78,7 +98,7 @@ impl ShaftInput {
     /// Refuses a held tilt where the tilts move.
     fn check_tilt(&self, problems: &mut Problems<'_>) {
         for (key, tilt) in [("tilt_x", &self.tilt_x), ("tilt_y", &self.tilt_y)] {
-            if tilt.is_some() && self.freedoms == Freedoms::All {
+            if tilt.is_some() && self.freedoms() == Freedoms::All {
                 let message = format!("`{key}` holds a tilt that freedoms = \"all\" lets move");
                 let issue = Issue::new(format!("shaft.{key}"), message).help(format!(
                     "to start there: [initial] displacement = {{ {key} = … }}"
@@ -103,10 +123,10 @@ impl ShaftInput {
                 problems.refuse(issue.against("speed.drive"));
                 continue;
             }
-            if self.freedoms != Freedoms::All && inertia.is_some() && !turned {
+            if self.freedoms() != Freedoms::All && inertia.is_some() && !turned {
                 problems.warn(format!("`{path}` has no effect: the tilts are held"));
             }
-            if moves && self.freedoms == Freedoms::All && inertia.is_none() {
+            if moves && self.freedoms() == Freedoms::All && inertia.is_none() {
                 let message = format!("`shaft` needs `{key}` where freedoms = \"all\"");
                 let body = match key {
                     "inertia_polar" => "m·d²/8 about its axis",
