@@ -108,13 +108,14 @@ impl Rotor {
         total
     }
 
-    /// Moments on a driven shaft; `on_axis` is the force in x and y that does not act at the centre of mass.
+    /// Moments on a driven shaft; `on_axis` are the forces that do not act at the centre of mass, and all moments across the
+    /// axis but those of the unbalance.
     fn moments(
         &self,
         drive: &Drive,
         bearings: &Bearings,
         rotation: &Rotation,
-        on_axis: [f64; 2],
+        on_axis: Vector5,
     ) -> DriveMoments {
         let resistance = Drive::resistance(rotation.speed);
         let friction = resistance * bearings.friction;
@@ -122,7 +123,7 @@ impl Rotor {
             drive: drive.torque_at(rotation.speed),
             load: resistance * drive.load_torque,
             friction,
-            // e (f_x sin ψ − f_y cos ψ) + Σ (ω_c/ω) F·Sq
+            // e (f_x sin ψ − f_y cos ψ) + U_c (m_x cos ψ + m_y sin ψ)/I_t + Σ (ω_c/ω) F·Sq
             vibration: self.unbalance.moment_of(on_axis, rotation) + bearings.cage_moment,
             twist: friction * drive.compliance,
         }
@@ -142,16 +143,25 @@ impl Rotor {
         self.shake_housings(time, rotation.angle, sum);
         self.damping.add_product(-1.0, velocity, sum);
         self.structure.stiffness.add_product(-1.0, place, sum);
+        // a couple asks for the gyroscopic moments, too
+        let whirls = self.drive.is_some() && self.unbalance.is_couple();
+        if whirls {
+            self.gyroscopic.add_product(-rotation.speed, velocity, sum);
+        }
         let moments = self.drive.as_ref().map(|drive| {
-            let [x, y, ..] = shaft.rate(sum);
-            let moments = self.moments(drive, &bearings, &rotation, [x, y]);
+            let mut acting = shaft.rate(sum);
+            acting[3] += on_mass[3];
+            acting[4] += on_mass[4];
+            let moments = self.moments(drive, &bearings, &rotation, acting);
             rotation.acceleration = moments.total() / self.inertia_polar;
             moments
         });
         let unbalance = self.unbalance.force(&rotation, Angle::new(rotation.angle));
         shaft.add_force(1.0, &on_mass, sum);
         shaft.add_force(1.0, &unbalance, sum);
-        self.gyroscopic.add_product(-rotation.speed, velocity, sum);
+        if !whirls {
+            self.gyroscopic.add_product(-rotation.speed, velocity, sum);
+        }
         self.mass.accelerate(sum);
         Action {
             rotation,

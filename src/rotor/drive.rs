@@ -6,7 +6,8 @@ const CREEP: f64 = 0.01;
 /// A drive: the speed of the shaft follows from the moments on it.
 ///
 /// ```text
-/// I_p ω̇ = T(ω) − s(ω) (T_L + M_f) + e (f_x sin ψ − f_y cos ψ) + Σ_bearings (ω_c/ω) F·Sq
+/// I_p ω̇ = T(ω) − s(ω) (T_L + M_f) + e (f_x sin ψ − f_y cos ψ) + U_c (m_x cos ψ + m_y sin ψ)/I_t
+///         + Σ_bearings (ω_c/ω) F·Sq
 /// T(ω) = T_0 (1 − ω/ω_0), or T_0 alone     s(ω) = ω/√(ω² + (0.01 rad/s)²)
 /// ```
 ///
@@ -14,6 +15,7 @@ const CREEP: f64 = 0.01;
 /// |---|---|---|
 /// | T, T_L, M_f | moment of the motor, of the load, of the bearings' friction | N m |
 /// | e, f | eccentricity; all forces on the shaft that do not act at its centre of mass | m, N |
+/// | U_c, m | couple unbalance; all moments across the shaft but its own, the gyroscopic ones too | kg m², N m |
 /// | F·Sq | moment that the balls ask of the cage as they roll past the displaced shaft | N m |
 ///
 /// So the unbalance takes from the rotation what it gives to the vibration: a weak motor may hang at

@@ -133,8 +133,8 @@ impl Rotor {
             return motion;
         }
         let turning = 0.5 * self.inertia_polar * rotation.speed * rotation.speed;
-        let [x, y, ..] = self.structure.shaft.rate(velocity);
-        motion + turning + self.unbalance.kinetic_energy([x, y], rotation)
+        let velocity = self.structure.shaft.rate(velocity);
+        motion + turning + self.unbalance.kinetic_energy(&velocity, rotation)
     }
 
     /// Energy that bearings and elastic parts store, J.

@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::{Rotation, Shaft};
+use super::{Freedoms, Rotation, Shaft};
 use crate::bearing::{Angle, Vector5};
 
 /// Unbalances in planes along a rigid shaft, summed in the frame that turns with it, X at shaft angle 0 first.
@@ -56,12 +56,20 @@ pub(super) struct Unbalance {
     offset: [f64; 2],
     /// U_c, kg m².
     couple: [f64; 2],
+    /// U_c/I_t, rad; zero where the tilts are held.
+    inclination: [f64; 2],
 }
 
 impl Unbalance {
     pub fn new(shaft: &Shaft) -> Self {
         let [x, y] = shaft.unbalance.moment;
+        let tilts = shaft.freedoms == Freedoms::All && shaft.inertia_transverse > 0.0;
+        let incline = |part: f64| match tilts {
+            true => part / shaft.inertia_transverse,
+            false => 0.0,
+        };
         Self {
+            inclination: shaft.unbalance.couple.map(incline),
             moment: shaft.unbalance_moment(),
             offset: [shaft.eccentricity + x / shaft.mass, y / shaft.mass],
             couple: shaft.unbalance.couple,
@@ -126,14 +134,18 @@ impl Unbalance {
         [x, y, Complex::ZERO, -along_x, along_y]
     }
 
-    /// What the static unbalance adds to the kinetic energy of a shaft that moves at a velocity (ẋ, ẏ) in m/s as it turns,
-    /// J: its centre of mass moves by e ω (−sin ψ, cos ψ) besides.
-    pub fn kinetic_energy(&self, velocity: [f64; 2], rotation: &Rotation) -> f64 {
+    /// What the unbalance adds to the kinetic energy of a shaft that moves at a velocity (ẋ, ẏ, ż, θ̇x, θ̇y) in m/s and rad/s
+    /// as it turns, J: its centre of mass moves by e ω (−sin ψ, cos ψ) besides, and its principal axis tilts by
+    /// −ω U_c (cos ψ, sin ψ)/I_t.
+    pub fn kinetic_energy(&self, velocity: &Vector5, rotation: &Rotation) -> f64 {
         let speed = rotation.speed;
+        let [x, y, _, tilt_x, tilt_y] = velocity;
         let [cos, sin] = turned(self.moment, rotation);
-        let [u, v] = self.moment;
-        let square = u * self.offset[0] + v * self.offset[1];
-        speed * (velocity[1] * cos - velocity[0] * sin) + 0.5 * speed * speed * square
+        let [along_x, along_y] = turned(self.couple, rotation);
+        let dot = |[a, b]: [f64; 2], [c, d]: [f64; 2]| a * c + b * d;
+        let square = dot(self.moment, self.offset) + dot(self.couple, self.inclination);
+        let mixed = (y * cos - x * sin) - (tilt_x * along_x + tilt_y * along_y);
+        speed * mixed + 0.5 * speed * speed * square
     }
 
     /// Power of a force in x and y at the centre of mass through that motion, W.
@@ -142,11 +154,12 @@ impl Unbalance {
         rotation.speed * (force[1] * cos - force[0] * sin)
     }
 
-    /// Moment about the shaft that a force in x and y on its axis has about the centre of mass, N m:
-    /// `e (f_x sin ψ − f_y cos ψ)`.
-    pub fn moment_of(&self, force: [f64; 2], rotation: &Rotation) -> f64 {
+    /// Moment about the shaft of forces and moments on its axis, N m: `e (f_x sin ψ − f_y cos ψ)` about the centre of mass,
+    /// and `U_c (m_x cos ψ + m_y sin ψ)/I_t` about the inclined principal axis.
+    pub fn moment_of(&self, [x, y, _, along_x, along_y]: Vector5, rotation: &Rotation) -> f64 {
         let [cos, sin] = turned(self.offset, rotation);
-        force[0] * sin - force[1] * cos
+        let [inclined_x, inclined_y] = turned(self.inclination, rotation);
+        (x * sin - y * cos) + (along_x * inclined_x + along_y * inclined_y)
     }
 }
 
@@ -175,7 +188,6 @@ fn turning([u, v]: [f64; 2], rotation: &Rotation, Angle { cos, sin }: Angle) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::rotor::Freedoms;
 
     /// Two unbalances in planes are the forces that they exert, each at its place.
     #[test]

@@ -258,9 +258,6 @@ impl ScenarioInput {
             freedoms,
             problems,
         );
-        if turns {
-            unbalance::refuse_driven_couple(&rotor.shaft.unbalance, problems);
-        }
         Some(rotor)
     }
 
