@@ -183,8 +183,7 @@ fn fatigue_limits(page: &mut String) {
         "\nNeither maker prints C_u in these lists. Against an independent implementation, with the known geometries of these bearings:\n\n\
          | bearing | independent N | model N |\n|---|---|---|\n",
     );
-    for (name, geometry, limit) in LIMITS {
-        let (balls, ball, pitch, angle) = geometry;
+    for (name, balls, [ball, pitch, angle, limit]) in LIMITS {
         let free = FreePosition::ContactAngle(f64::to_radians(angle));
         let geometry = Geometry::new(balls, ball / 1e3, pitch / 1e3, free, 0.52, 0.53);
         let bearing = Bearing::of_steel(geometry.expect("a geometry"));
@@ -193,11 +192,11 @@ fn fatigue_limits(page: &mut String) {
     }
 }
 
-/// C_u in N by an independent implementation: balls, ball and pitch diameter in mm, contact angle in degrees.
-const LIMITS: [(&str, (usize, f64, f64, f64), f64); 3] = [
-    ("7205C", (12, 7.938, 38.5, 15.0), 531.9),
-    ("6205", (9, 7.938, 38.5, 0.0), 408.0),
-    ("6306", (8, 11.906, 51.0, 0.0), 777.7),
+/// Balls, then ball and pitch diameter in mm, contact angle in degrees and C_u in N by an independent implementation.
+const LIMITS: [(&str, usize, [f64; 4]); 3] = [
+    ("7205C", 12, [7.938, 38.5, 15.0, 531.9]),
+    ("6205", 9, [7.938, 38.5, 0.0, 408.0]),
+    ("6306", 8, [11.906, 51.0, 0.0, 777.7]),
 ];
 
 fn radial(page: &mut String) {
