@@ -91,7 +91,7 @@ fn remarks(of_housing: bool, level: &VelocityLevel, speed: f64) -> Vec<String> {
     let mut remarks = Vec::new();
     if !of_housing {
         remarks.push(
-            "this is the velocity of the shaft: the zones speak of bearing housings, which move less; give the bearings \
+            "this is the velocity of the shaft: the zones speak of bearing housings, which most often move less; give the bearings \
              housings ([bearing.housing]) to see theirs"
                 .to_owned(),
         );
