@@ -9,6 +9,7 @@ pub(crate) mod passes;
 mod recorders;
 mod run;
 mod sampling;
+mod severity;
 mod spectra;
 mod tables;
 mod warnings;
@@ -31,6 +32,8 @@ pub use run::{
     MeasuredError, RecordedRun, Reduction, ReductionError, Run, StaticState, UnknownColumn,
 };
 pub(crate) use sampling::RunSize;
+pub(crate) use severity::Machine;
+pub use severity::VibrationSeverity;
 pub(crate) use tables::TableUse;
 pub(crate) use warnings::{of_speed, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
@@ -177,11 +180,14 @@ fn answer(
     let estimated = spectra::estimated(model, observers.recording.as_ref());
     let error = measured_error.as_ref();
     warnings.extend(warnings::warnings(model, passes, error, motion.as_ref()));
-    let speed_changes = rotor.steady_from(model.settle).is_none();
+    let steady = rotor.steady_from(model.settle);
+    let speed_changes = steady.is_none();
     let whole = spectrum.as_ref();
     let whole = whole.filter(|_| model.analyses.highest_order.is_none());
     warnings.extend(spectra::warnings(whole, &estimated, speed_changes));
+    let severity = |machine| VibrationSeverity::of(machine, motion.as_ref()?, steady?);
     Run {
+        vibration_severity: model.analyses.machine.and_then(severity),
         equilibrium: StaticState::of(rotor),
         ball_pass: sampling::ball_pass(rotor, sampling::reported_speed(model, rotor)),
         operating_ball_pass: sampling::operating_ball_pass(model, rotor),

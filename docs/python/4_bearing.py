@@ -35,6 +35,13 @@ assert np.isclose(loads.max(), max(loads)) and loads.min() >= 0
 loaded.figure("balls")
 
 # %% [markdown]
+# A bearing that no catalogue here has, by the ratings that its maker prints.
+
+# %%
+printed = {"bore": "40 mm", "outside_diameter": "80 mm", "dynamic": "29.1 kN", "static": "17.9 kN"}
+print(jc.Bearing.from_ratings(**printed).stiffness({"y": "-500 N", "z": "300 N"})[0, 0])
+
+# %% [markdown]
 # Dimensions of one's own stand in place of the catalogue:
 
 # %%

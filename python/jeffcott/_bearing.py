@@ -20,7 +20,7 @@ def catalogue() -> dict[str, str]:
 
 
 class Bearing:
-    """A ball bearing: one of the catalogue by its designation, or one of given dimensions.
+    """A ball bearing: one of the catalogue by its designation, one of given dimensions, or one by its printed ratings.
 
     Keys are those of `[[bearing]]` in a scenario, and `contact`, `film` and `race_control` of `[model]`:
 
@@ -35,6 +35,41 @@ class Bearing:
     def __init__(self, designation: str | None = None, **keys: Any) -> None:
         self.keys = {**({} if designation is None else {"catalogue": designation}), **keys}
         self.scenario()
+
+    @classmethod
+    def from_ratings(
+        cls,
+        *,
+        bore: str,
+        outside_diameter: str,
+        dynamic: str,
+        static: str,
+        contact_angle: str = "0 deg",
+        balls: int | None = None,
+        ball_diameter: str | None = None,
+        pitch_diameter: str | None = None,
+        f0: float | None = None,
+        **keys: Any,
+    ) -> Bearing:
+        """A bearing by the ratings C and C0 that its maker prints: balls and grooves are estimated from them.
+
+            >>> Bearing.from_ratings(bore="40 mm", outside_diameter="80 mm", dynamic="29.1 kN", static="17.9 kN")
+
+        What is known of the balls, and the factor f0 beside the ratings, settle which ones they are where several would do.
+        Further keys are those of a `Bearing`.
+        """
+        printed = {
+            "bore": bore,
+            "outside_diameter": outside_diameter,
+            "contact_angle": contact_angle,
+            "dynamic": dynamic,
+            "static": static,
+            "balls": balls,
+            "ball_diameter": ball_diameter,
+            "pitch_diameter": pitch_diameter,
+            "f0": f0,
+        }
+        return cls(ratings={key: value for key, value in printed.items() if value is not None}, **keys)
 
     def scenario(
         self,

@@ -126,3 +126,13 @@ def test_a_bearing_is_checked_when_it_is_made() -> None:
     with pytest.raises(jc.ScenarioError, match="did you mean"):
         jc.Bearing("7205")
     assert "7205C" in jc.catalogue()
+
+
+def test_a_bearing_by_its_ratings_is_that_of_the_catalogue() -> None:
+    printed = {"bore": "40 mm", "outside_diameter": "80 mm", "dynamic": "29.1 kN", "static": "17.9 kN"}
+    load = {"y": "-500 N", "z": "300 N"}
+    found = jc.Bearing.from_ratings(**printed, f0=14.0, clearance_class="C3").stiffness(load)
+    known = jc.Bearing("6208", clearance_class="C3").stiffness(load)
+    assert abs(found[0, 0] / known[0, 0] - 1.0) < 1e-9
+    with pytest.raises(jc.ScenarioError, match="no balls|does not belong|belong"):
+        jc.Bearing.from_ratings(**{**printed, "static": "60 kN"})

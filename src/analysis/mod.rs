@@ -31,8 +31,8 @@ pub(crate) use estimation::{Welch, envelope};
 use hermite::Hermite;
 pub use line_kind::LineKind;
 pub use motion::{
-    ChannelStatistics, ClosedCurve, Drift, Kind, Moments, Motion, PoincarePoint, Recognition,
-    Section, SectionKind, VelocityLevel,
+    ChannelLevel, ChannelStatistics, ClosedCurve, Drift, Kind, Moments, Motion, PoincarePoint,
+    Recognition, Section, SectionKind, VelocityLevel,
 };
 pub(crate) use motion::{LONGEST_PERIOD, MotionRecorder, MotionSettings};
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::ball_line::{BallLines, BallReading};
 use super::bearing_friction::skf_moment;
-use super::estimate::fatigue_load_limit;
+use super::fatigue_limit::fatigue_load_limit;
 use super::law::{BallLaw, Share, with_law};
 use super::life::reference_rating_life;
 use super::static_safety::{static_rating, static_safety};

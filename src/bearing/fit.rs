@@ -123,7 +123,7 @@ impl MountedBearing {
     /// a spring presses as before.
     ///
     /// # Errors
-    /// [`BearingError`] where no contact angle in 0° … 60° is left, or the preload cannot be reached.
+    /// [`BearingError`] where the contact angle exceeds 60° or the balls are squeezed too much, or the preload cannot be reached.
     pub(crate) fn with_fit(&self, fit: &Fit, boundary: [f64; 2]) -> Result<Self, BearingError> {
         let before = &self.bearing.geometry;
         let mut state = fit.state(&self.bearing, boundary);

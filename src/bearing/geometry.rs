@@ -37,21 +37,25 @@ pub enum GeometryError {
         /// Angle as given, degrees.
         degrees: f64,
     },
-    /// The clearance asks for a contact angle outside 0° … 60°.
+    /// The clearance asks for a contact angle above 60°, or squeezes the balls too much.
     #[error(
-        "a diametral clearance of {clearance} m does not fit the grooves: it must be in 0 … \
-         {largest} m, where the free contact angle reaches 60°"
+        "a diametral clearance of {clearance} m does not fit the grooves: it must be in {smallest} … \
+         {largest} m, where the balls are squeezed by a tenth of the distance of the groove centres and where the free \
+         contact angle reaches 60°"
     )]
     Clearance {
         /// Diametral clearance as given, m.
         clearance: f64,
+        /// Smallest clearance that is taken for one, m; negative.
+        smallest: f64,
         /// Largest clearance that the grooves allow, m.
         largest: f64,
     },
-    /// A change of clearance leaves no contact angle.
+    /// The same after a change of clearance.
     #[error(
         "a change of the diametral clearance by {change} m does not fit: it must be in {smallest} … \
-         {largest} m, where the free contact angle goes from 0° to 60°"
+         {largest} m, where the balls are squeezed by a tenth of the distance of the groove centres and where the free \
+         contact angle reaches 60°"
     )]
     ClearanceChange {
         /// Change as given, m.
@@ -87,7 +91,8 @@ pub struct Geometry {
     ball_diameter: f64,
     pitch_diameter: f64,
     contact_angle: f64,
-    rolling_angle: f64,
+    squeeze: f64,
+    rolls_flat: bool,
     nominal_angle: f64,
     symmetric: bool,
     groove_factor_inner: f64,
@@ -99,7 +104,8 @@ pub struct Geometry {
 pub enum FreePosition {
     /// Free contact angle α0 in rad (angular contact bearing).
     ContactAngle(f64),
-    /// Diametral clearance P_d in m (deep-groove bearing): α0 = acos(1 − P_d/(2A)) at either end of the axial play.
+    /// Diametral clearance P_d in m (deep-groove bearing): α0 = acos(1 − P_d/(2A)) at either end of the axial play. A
+    /// negative one squeezes the balls between the races: α0 = 0, and the groove centres stand A − P_d/2 apart.
     DiametralClearance(f64),
     /// Radial clearance in m of a literature model that knows no contact angle: the races stand
     /// as with `DiametralClearance` of twice the value, the balls roll as at 0°.
@@ -111,6 +117,9 @@ impl Geometry {
     pub const FEWEST_BALLS: usize = 3;
     /// Most balls that are taken for a bearing.
     pub const MOST_BALLS: usize = 200;
+    /// Largest squeeze of a ball between its races without load, in parts of the distance of the groove centres: about
+    /// 3 GPa.
+    pub const LARGEST_SQUEEZE: f64 = 0.1;
     /// Largest free contact angle, rad.
     pub const LARGEST_CONTACT_ANGLE: f64 = std::f64::consts::FRAC_PI_3;
 
@@ -157,24 +166,25 @@ impl Geometry {
         }
         let groove_centre_distance =
             (groove_factor_inner + groove_factor_outer - 1.0) * ball_diameter;
-        let (contact_angle, rolling_angle, nominal_angle) = match free_position {
-            FreePosition::ContactAngle(angle) => (checked_angle(angle)?, angle, angle),
+        let [contact_angle, squeeze, nominal_angle] = match free_position {
+            FreePosition::ContactAngle(angle) => [checked_angle(angle)?, 0.0, angle],
             FreePosition::DiametralClearance(clearance) => {
-                let angle = angle_of_clearance(clearance, groove_centre_distance)?;
-                (angle, angle, 0.0)
+                let [angle, squeeze] = position_of_clearance(clearance, groove_centre_distance)?;
+                [angle, squeeze, 0.0]
             }
-            FreePosition::RadialClearance(clearance) => (
-                angle_of_clearance(2.0 * clearance, groove_centre_distance)?,
-                0.0,
-                0.0,
-            ),
+            FreePosition::RadialClearance(clearance) => {
+                let [angle, squeeze] =
+                    position_of_clearance(2.0 * clearance, groove_centre_distance)?;
+                [angle, squeeze, 0.0]
+            }
         };
         Ok(Self {
             balls,
             ball_diameter,
             pitch_diameter,
             contact_angle,
-            rolling_angle,
+            squeeze,
+            rolls_flat: matches!(free_position, FreePosition::RadialClearance(_)),
             nominal_angle,
             symmetric: !matches!(free_position, FreePosition::ContactAngle(_)),
             groove_factor_inner,
@@ -185,35 +195,33 @@ impl Geometry {
     /// The bearing with its diametral clearance changed by `change` in m, as fits, temperature or a
     /// speed that widens the rings do; negative tightens.
     ///
-    /// `A cos α0' = A cos α0 − ΔP_d/2`: the change moves the groove centres radially.
+    /// `A cos α0' = A cos α0 − ΔP_d/2`: the change moves the groove centres radially. Where the right side exceeds A the
+    /// balls are squeezed without load, at a contact angle of zero.
     ///
     /// # Errors
-    /// [`GeometryError::ClearanceChange`] where no contact angle in 0° … 60° belongs to the result.
+    /// [`GeometryError::ClearanceChange`] where the contact angle exceeds 60°, or the squeeze
+    /// [`Geometry::LARGEST_SQUEEZE`].
     pub fn with_clearance_change(&self, change: f64) -> Result<Self, GeometryError> {
-        let distance = self.groove_centre_distance();
-        let cosine = self.contact_angle.cos() - change / (2.0 * distance);
-        let smallest = 2.0 * distance * (self.contact_angle.cos() - 1.0);
-        let largest =
-            2.0 * distance * (self.contact_angle.cos() - Self::LARGEST_CONTACT_ANGLE.cos());
         if change == 0.0 {
             return Ok(*self);
         }
-        if !(smallest..=largest).contains(&change) {
-            return Err(GeometryError::ClearanceChange {
-                change,
-                smallest,
-                largest,
-            });
-        }
-        let contact_angle = cosine.min(1.0).acos();
-        let rolling_angle = if self.rolling_angle == 0.0 {
-            0.0
-        } else {
-            contact_angle
-        };
+        let distance = self.groove_centre_distance();
+        // A − A cos α0, negative of squeezed balls
+        let free = 2.0 * distance * (0.5 * self.contact_angle).sin().powi(2) - self.squeeze;
+        let [contact_angle, squeeze] = position_of_clearance(2.0 * free + change, distance)
+            .map_err(|error| match error {
+                GeometryError::Clearance {
+                    smallest, largest, ..
+                } => GeometryError::ClearanceChange {
+                    change,
+                    smallest: smallest - 2.0 * free,
+                    largest: largest - 2.0 * free,
+                },
+                other => other,
+            })?;
         Ok(Self {
             contact_angle,
-            rolling_angle,
+            squeeze,
             ..*self
         })
     }
@@ -264,12 +272,19 @@ impl Geometry {
         self.symmetric
     }
 
-    /// Diametral clearance P_d = 2A(1 − cos α0) of a deep-groove bearing, m; none of an angular contact bearing.
+    /// Diametral clearance P_d = 2A(1 − cos α0) of a deep-groove bearing, m; none of an angular contact bearing. Negative
+    /// where the balls are squeezed.
     pub fn diametral_clearance(&self) -> Option<f64> {
         let half = (0.5 * self.contact_angle).sin();
         // 1 − cos α0 = 2 sin²(α0/2)
-        self.symmetric
-            .then(|| 4.0 * self.groove_centre_distance() * half * half)
+        let clearance = 4.0 * self.groove_centre_distance() * half * half;
+        self.symmetric.then_some(clearance - 2.0 * self.squeeze)
+    }
+
+    /// How much a ball is squeezed between its races without load, m: half of a negative diametral clearance, zero of any
+    /// other bearing.
+    pub fn squeeze(&self) -> f64 {
+        self.squeeze
     }
 
     /// Groove factor of the inner race f_i = r_i/D.
@@ -284,7 +299,11 @@ impl Geometry {
 
     /// γ = D cos α/d_m, the ratio that governs rolling and curvature.
     pub fn gamma(&self) -> f64 {
-        self.ball_diameter * self.rolling_angle.cos() / self.pitch_diameter
+        let angle = match self.rolls_flat {
+            true => 0.0,
+            false => self.contact_angle,
+        };
+        self.ball_diameter * angle.cos() / self.pitch_diameter
     }
 
     /// Ball-pass frequencies at the nominal contact angle and a shaft speed in rad/s.
@@ -318,9 +337,9 @@ impl Geometry {
         }
     }
 
-    /// Radial distance of the groove centres at zero displacement, A cos α0, m.
+    /// Radial distance of the groove centres at zero displacement, A cos α0 and what the balls are squeezed by, m.
     pub fn free_radial(&self) -> f64 {
-        self.groove_centre_distance() * self.contact_angle.cos()
+        self.groove_centre_distance() * self.contact_angle.cos() + self.squeeze
     }
 }
 
@@ -334,12 +353,19 @@ fn checked_angle(angle: f64) -> Result<f64, GeometryError> {
     }
 }
 
-/// α0 = acos(1 − P_d/(2A)), in the form that keeps its digits for small clearances.
-fn angle_of_clearance(clearance: f64, distance: f64) -> Result<f64, GeometryError> {
+/// Free contact angle α0 = acos(1 − P_d/(2A)) in rad, in the form that keeps its digits for small clearances, and the
+/// squeeze of the balls in m under a negative clearance.
+fn position_of_clearance(clearance: f64, distance: f64) -> Result<[f64; 2], GeometryError> {
     // 1 − cos α0 = 2 sin²(α0/2)
     let largest = 4.0 * distance * (0.5 * Geometry::LARGEST_CONTACT_ANGLE).sin().powi(2);
-    if !(0.0..=largest).contains(&clearance) {
-        return Err(GeometryError::Clearance { clearance, largest });
+    let smallest = -2.0 * distance * Geometry::LARGEST_SQUEEZE;
+    if !(smallest..=largest).contains(&clearance) {
+        return Err(GeometryError::Clearance {
+            clearance,
+            smallest,
+            largest,
+        });
     }
-    Ok(2.0 * (clearance / (4.0 * distance)).sqrt().asin())
+    let angle = 2.0 * (clearance.max(0.0) / (4.0 * distance)).sqrt().asin();
+    Ok([angle, 0.5 * (-clearance).max(0.0)])
 }

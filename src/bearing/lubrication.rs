@@ -98,7 +98,7 @@ impl Bearing {
         let geometry = &self.geometry;
         let diameter = 1e3 * geometry.ball_diameter();
         let angle = geometry.nominal_angle();
-        let area = geometry.balls() as f64 * diameter * diameter * angle.cos();
+        let area = geometry.balls() as f64 * diameter * diameter;
         let load = equivalent_load(radial, axial, angle, axial / area);
         let loaded = load > 0.0;
         let basic = loaded.then(|| (rating / load).powi(3));

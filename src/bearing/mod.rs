@@ -13,6 +13,7 @@ mod contact_band;
 mod contact_damping;
 pub(crate) mod definition;
 mod estimate;
+mod fatigue_limit;
 mod fit;
 mod geometry;
 pub(crate) mod law;

@@ -34,7 +34,11 @@ pub(super) fn of(
         ),
         ("outer", |ball| &ball.outer),
     ];
-    let first = [too_fast(bearing, speed), wrong_way(bearing, loaded)];
+    let first = [
+        too_fast(bearing, speed),
+        wrong_way(bearing, loaded),
+        squeezed(bearing),
+    ];
     let mut warnings: Vec<String> = first.into_iter().flatten().collect();
     for (race, contact) in contacts {
         let places: Vec<Place> = balls
@@ -135,6 +139,18 @@ fn overstressed(places: &[Place]) -> Option<String> {
         worst.number,
         worst.degrees(),
     ))
+}
+
+/// Balls that are loaded without any load on the bearing.
+fn squeezed(bearing: &Bearing) -> Option<String> {
+    let squeeze = bearing.geometry.squeeze();
+    (squeeze > 0.0).then(|| {
+        format!(
+            "the clearance is negative: every ball is squeezed by {:.2} µm without load, and a warmer inner ring squeezes \
+             it more; ball loads and life include it, the friction moment does not",
+            1e6 * squeeze
+        )
+    })
 }
 
 /// Films thinner than the surfaces are rough.

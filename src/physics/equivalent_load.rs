@@ -1,6 +1,6 @@
 //! Dynamic equivalent load of ISO 281.
 
-/// e, Y over the relative axial load f0 F_a/C_0 of one nominal angle, N/mm².
+/// e, Y over the relative axial load F_a/(Z D²) of one nominal angle, N/mm².
 type Rows = [(f64, f64, f64); 9];
 
 #[rustfmt::skip]
@@ -21,6 +21,14 @@ const FIFTEEN_DEGREES: Rows = [
     (2.07, 0.50, 1.12), (3.45, 0.55, 1.02), (5.17, 0.56, 1.00), (6.89, 0.56, 1.00),
 ];
 
+/// X where e and Y depend on the load, by the angle in degrees; at 5° the standard has the values of 0°.
+const FLAT: [(f64, f64, &Rows); 4] = [
+    (0.0, 0.56, &DEEP_GROOVE),
+    (5.0, 0.56, &DEEP_GROOVE),
+    (10.0, 0.46, &TEN_DEGREES),
+    (15.0, 0.44, &FIFTEEN_DEGREES),
+];
+
 /// Angle in degrees, e, X, Y where they do not depend on the load.
 const STEEP: [(f64, f64, f64, f64); 6] = [
     (20.0, 0.57, 0.43, 1.00),
@@ -34,14 +42,14 @@ const STEEP: [(f64, f64, f64, f64); 6] = [
 /// Dynamic equivalent load P of a single-row ball bearing, N.
 ///
 /// `P = F_r` where `F_a/F_r ≤ e`, else `X F_r + Y F_a`, never less than F_r; e, X and Y of the standard by the nominal
-/// contact angle in rad, up to 15° also by the `relative_axial` load f0 F_a/C_0 = F_a/(Z D² cos α) in N/mm²; straight lines
-/// between its values, the nearest of its angles up to 15°.
+/// contact angle in rad, up to 15° also by the `relative_axial` load F_a/(Z D²) = f0 F_a/C_0 · cos α in N/mm²; straight lines
+/// between its values and angles.
 ///
 /// Source: ISO 281:2007, table 3.
 ///
 /// ```
 /// use jeffcott::physics::equivalent_load;
-/// // deep groove, f0 F_a/C_0 = 1.38: e = 0.30, X = 0.56, Y = 1.45
+/// // deep groove, F_a/(Z D²) = 1.38 N/mm²: e = 0.30, X = 0.56, Y = 1.45
 /// assert_eq!(equivalent_load(1000.0, 250.0, 0.0, 1.38), 1000.0);
 /// assert!((equivalent_load(1000.0, 800.0, 0.0, 1.38) - 1720.0).abs() < 1e-9);
 /// // 40°: e = 1.14, X = 0.35, Y = 0.57
@@ -58,20 +66,17 @@ pub fn equivalent_load(radial: f64, axial: f64, contact_angle: f64, relative_axi
 }
 
 fn factors(degrees: f64, relative: f64) -> (f64, f64, f64) {
-    let of = |rows: &Rows, x: f64| {
+    let flat = FLAT.map(|(angle, x, rows)| {
         let [e, y] = between(rows.map(|(load, e, y)| (load, [e, y])), relative);
-        (e, x, y)
-    };
-    match degrees {
-        flat if flat < 5.0 => of(&DEEP_GROOVE, 0.56),
-        low if low < 12.5 => of(&TEN_DEGREES, 0.46),
-        middle if middle < 17.5 => of(&FIFTEEN_DEGREES, 0.44),
-        steep => {
-            let rows = STEEP.map(|(angle, e, x, y)| (angle, [e, x, y]));
-            let [e, x, y] = between(rows, steep);
-            (e, x, y)
-        }
-    }
+        (angle, [e, x, y])
+    });
+    let steep = STEEP.map(|(angle, e, x, y)| (angle, [e, x, y]));
+    let rows: [_; FLAT.len() + STEEP.len()] = std::array::from_fn(|index| match index {
+        low if low < FLAT.len() => flat[low],
+        high => steep[high - FLAT.len()],
+    });
+    let [e, x, y] = between(rows, degrees);
+    (e, x, y)
 }
 
 /// Straight lines between rows that rise; the first and the last row beyond them.
@@ -84,6 +89,37 @@ fn between<const N: usize, const M: usize>(rows: [(f64, [f64; M]); N], at: f64) 
             let ((from, low), (to, high)) = (rows[above - 1], rows[above]);
             let part = (at - from) / (to - from);
             std::array::from_fn(|index| low[index] + part * (high[index] - low[index]))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ISO 281:2007, table 3, first column of the block of 15°: f0 F_a/C_0 = 0.178 … 7.14, as makers of spindle bearings print
+    /// it, too.
+    #[test]
+    fn the_rows_of_15_degrees_stand_at_the_printed_relative_loads() {
+        let printed = [0.178, 0.357, 0.714, 1.07, 1.43, 2.14, 3.57, 5.35, 7.14];
+        let cosine = 15f64.to_radians().cos();
+        for (first, (second, e, y)) in printed.into_iter().zip(FIFTEEN_DEGREES) {
+            assert!(
+                (first * cosine / second - 1.0).abs() < 5e-3,
+                "{first} {second}"
+            );
+            let found = factors(15.0, second);
+            assert_eq!(found, (e, 0.44, y));
+        }
+    }
+
+    #[test]
+    fn factors_between_angles_are_between_theirs() {
+        assert_eq!(factors(3.0, 1.38), factors(0.0, 1.38));
+        // halfway from 15° to 20°
+        let (e, x, y) = factors(17.5, 1.38);
+        for (found, expected) in [(e, 0.52), (x, 0.435), (y, 1.095)] {
+            assert!((found - expected).abs() < 1e-12, "{found} {expected}");
         }
     }
 }

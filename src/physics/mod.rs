@@ -39,5 +39,5 @@ pub use life_modification::{
 pub use material::{Material, contact_modulus};
 pub use rating::{dynamic_rating, rating_factor};
 pub use skf_friction::{SkfFriction, SkfOperation};
-pub use vibration_zones::{GROUP_2_LIMITS, VibrationZone};
+pub use vibration_zones::{MachineGroup, MachineSupport, VibrationZone, zone_boundaries};
 pub use viscosity::ViscosityLaw;

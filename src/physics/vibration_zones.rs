@@ -1,6 +1,7 @@
 //! Evaluation zones of the vibration of machine housings.
 
-use serde::Serialize;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// Evaluation zone of ISO 20816-3.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -15,23 +16,71 @@ pub enum VibrationZone {
     D,
 }
 
-/// Limits between the zones, RMS velocity in m/s of 10 Hz to 1000 Hz, of machines of group 2 (15 kW to 300 kW): on a
-/// rigid support, then on a flexible one.
+/// Size of a machine by ISO 20816-3.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MachineGroup {
+    /// Rated power above 300 kW, or electrical machines with a shaft height of 315 mm or more.
+    Large,
+    /// Rated power of 15 kW to 300 kW, or electrical machines with a shaft height of 160 mm to 315 mm.
+    Medium,
+}
+
+/// Support of a machine in the direction of measurement, by ISO 20816-3.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MachineSupport {
+    /// The lowest natural frequency of machine and support lies at least 25 % above the main excitation frequency, most often
+    /// the rotation.
+    Rigid,
+    /// Any other.
+    Flexible,
+}
+
+/// Boundaries between the zones A and B, B and C, C and D: RMS velocity of bearing housings in m/s, from 10 Hz (2 Hz below
+/// 600 rpm) to 1000 Hz.
 ///
-/// Source: ISO 20816-3:2022, table A.2. The standard speaks of velocities measured on the housing at the bearings; those
-/// of a shaft in a housing that does not move are larger.
-pub const GROUP_2_LIMITS: [[f64; 3]; 2] = [[1.4e-3, 2.8e-3, 4.5e-3], [2.3e-3, 4.5e-3, 7.1e-3]];
+/// Source: ISO 20816-3:2022, tables A.1 (group 1, large machines) and A.2 (group 2, medium-sized ones). The standard holds
+/// for industrial machines above 15 kW at 120 rpm to 30 000 rpm, for velocities measured on the housings at the bearings;
+/// those of a shaft are larger.
+///
+/// ```
+/// use jeffcott::physics::{MachineGroup, MachineSupport, zone_boundaries};
+/// let boundaries = zone_boundaries(MachineGroup::Medium, MachineSupport::Rigid);
+/// assert_eq!(boundaries, [1.4e-3, 2.8e-3, 4.5e-3]);
+/// ```
+pub fn zone_boundaries(group: MachineGroup, support: MachineSupport) -> [f64; 3] {
+    match (group, support) {
+        (MachineGroup::Large, MachineSupport::Flexible) => [3.5e-3, 7.1e-3, 11.0e-3],
+        (MachineGroup::Large, MachineSupport::Rigid)
+        | (MachineGroup::Medium, MachineSupport::Flexible) => [2.3e-3, 4.5e-3, 7.1e-3],
+        (MachineGroup::Medium, MachineSupport::Rigid) => [1.4e-3, 2.8e-3, 4.5e-3],
+    }
+}
 
 impl VibrationZone {
-    /// The zone of an RMS velocity in m/s between limits.
+    /// The zone of an RMS velocity in m/s between boundaries.
     ///
     /// ```
-    /// use jeffcott::physics::{GROUP_2_LIMITS, VibrationZone};
-    /// let [rigid, flexible] = GROUP_2_LIMITS.map(|limits| VibrationZone::of(3e-3, &limits));
-    /// assert_eq!([rigid, flexible], [VibrationZone::C, VibrationZone::B]);
+    /// use jeffcott::physics::{MachineGroup, MachineSupport, VibrationZone, zone_boundaries};
+    /// let zone = |support| VibrationZone::of(3e-3, &zone_boundaries(MachineGroup::Medium, support));
+    /// assert_eq!(zone(MachineSupport::Rigid), VibrationZone::C);
+    /// assert_eq!(zone(MachineSupport::Flexible), VibrationZone::B);
     /// ```
-    pub fn of(velocity: f64, limits: &[f64; 3]) -> Self {
+    pub fn of(velocity: f64, boundaries: &[f64; 3]) -> Self {
         let zones = [Self::A, Self::B, Self::C, Self::D];
-        zones[limits.iter().filter(|limit| velocity > **limit).count()]
+        zones[boundaries
+            .iter()
+            .filter(|boundary| velocity > **boundary)
+            .count()]
+    }
+
+    /// What the standard says of a machine in this zone.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::A => "as a newly commissioned machine",
+            Self::B => "fit for unrestricted long-term operation",
+            Self::C => "unsatisfactory for long-term operation",
+            Self::D => "severe enough to cause damage",
+        }
     }
 }

@@ -126,6 +126,26 @@ mod tests {
         }
     }
 
+    /// Reference viscosities and indices of the worked examples of ASTM D2270, sections 5 and 6.
+    #[test]
+    fn the_examples_of_the_standard() {
+        for (at_40, at_100, index) in [
+            (73.30, 8.86, 92.0),
+            (22.83, 5.05, 156.0),
+            (53.47, 7.80, 111.0),
+        ] {
+            assert_eq!(viscosity_index(at_40, at_100).round(), index);
+        }
+        // indices of oils of other kinds, from Tribology-ABC
+        for (at_40, at_100, index) in [
+            (30.0, 4.24, -25.0),
+            (120.0, 8.0, -49.0),
+            (120.0, 50.0, 423.0),
+        ] {
+            assert_eq!(viscosity_index(at_40, at_100).trunc(), index);
+        }
+    }
+
     #[test]
     fn every_grade_thins_with_the_temperature() {
         for grade in [2.5, 10.0, 32.0, 100.0, 460.0, 1500.0] {

@@ -4,9 +4,13 @@ use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, Point, distinct};
 use super::table::Table;
-use super::terminal::{Lines, MICRO, MILLI, significant};
-use crate::analysis::{Channel, Drift, Kind, LONGEST_PERIOD, Motion, Section, SectionKind};
+use super::terminal::{Lines, MICRO, MILLI, listed, significant};
+use crate::analysis::{
+    Channel, ChannelLevel, Drift, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel,
+};
+use crate::physics::MachineSupport;
 use crate::rotor::FREEDOMS;
+use crate::simulate::VibrationSeverity;
 
 /// Everything about a steady motion but its points.
 #[derive(Debug, Serialize)]
@@ -71,6 +75,35 @@ pub(super) fn put_motion(out: &mut Lines, motion: &Motion) {
         out.line(&format!("vibration {}", each.channel), text);
         out.more(velocity(motion, each.channel));
     }
+    for ChannelLevel { channel, level } in &motion.housing_velocity {
+        out.line("vibration", level_text(*channel, level));
+    }
+}
+
+/// In which zone of ISO 20816-3 the vibration lies, and how far that holds.
+pub(super) fn put_severity(out: &mut Lines, severity: &VibrationSeverity) {
+    let support = match severity.support {
+        MachineSupport::Rigid => "rigid",
+        MachineSupport::Flexible => "flexible",
+    };
+    let (standard, group) = (severity.standard, severity.group);
+    out.line(
+        "zone",
+        format_args!(
+            "{:?} of {standard}, {}: {}; boundaries {} mm/s (group {group}, {support} support)",
+            severity.zone,
+            severity.meaning,
+            level_text(severity.channel, &severity.level),
+            listed(
+                severity
+                    .boundaries
+                    .map(|boundary| format!("{:.1}", MILLI * boundary))
+            ),
+        ),
+    );
+    for remark in &severity.remarks {
+        out.more(remark);
+    }
 }
 
 fn kind(kind: &Kind) -> String {
@@ -124,13 +157,22 @@ fn velocity(motion: &Motion, channel: Channel) -> String {
         return String::new();
     };
     let level = motion.velocity.get(axis).copied().flatten();
-    level.map_or_else(String::new, |level| {
-        let [low, high] = level.band;
-        format!(
-            "{} mm/s RMS from {low:.0} to {high:.0} Hz",
-            significant(MILLI * level.rms)
-        )
-    })
+    level.as_ref().map_or_else(String::new, rms_text)
+}
+
+/// The same and whose it is: `0.123 mm/s RMS from 10 to 1000 Hz of housing1 along x`.
+fn level_text(channel: Channel, level: &VelocityLevel) -> String {
+    let name = channel.name().trim_end_matches("_velocity");
+    let (part, axis) = name.split_once('_').unwrap_or(("the shaft", name));
+    format!("{} of {part} along {axis}", rms_text(level))
+}
+
+fn rms_text(level: &VelocityLevel) -> String {
+    let [low, high] = level.band;
+    format!(
+        "{} mm/s RMS from {low:.0} to {high:.0} Hz",
+        significant(MILLI * level.rms)
+    )
 }
 
 /// One row a point, section by section: which section, cycles since the start, time, then displacements and

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use super::motion::put_motion;
+use super::motion::{put_motion, put_severity};
 use super::terminal::{
     Lines, MICRO, clearance_text, decimals, displacement_text, listed, measured_text, significant,
 };
@@ -62,6 +62,9 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
     put_histories(&mut out, &run.bearings);
     if let Some(motion) = &run.motion {
         put_motion(&mut out, motion);
+    }
+    if let Some(severity) = &run.vibration_severity {
+        put_severity(&mut out, severity);
     }
     if !run.peaks.is_empty() {
         put_peaks(&mut out, &run.peaks, run.spectrum.as_ref());

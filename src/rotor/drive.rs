@@ -6,14 +6,16 @@ const CREEP: f64 = 0.01;
 /// A drive: the speed of the shaft follows from the moments on it.
 ///
 /// ```text
-/// I_p ω̇ = T(ω) − s(ω) (T_L + M_f) + e (f_x sin ψ − f_y cos ψ) + Σ_bearings (ω_c/ω) F·Sq
+/// I_p ω̇ = T(ω) − s(ω) (T_L + M_f) + Σ_unbalances d·(q̈ + a) + Σ_bearings (ω_c/ω) F·Sq
+/// d = U (sin ψ, −cos ψ), and of a couple U_c (cos ψ, sin ψ) about X and Y
 /// T(ω) = T_0 (1 − ω/ω_0), or T_0 alone     s(ω) = ω/√(ω² + (0.01 rad/s)²)
 /// ```
 ///
 /// | symbol | meaning | unit |
 /// |---|---|---|
 /// | T, T_L, M_f | moment of the motor, of the load, of the bearings' friction | N m |
-/// | e, f | eccentricity; all forces on the shaft that do not act at its centre of mass | m, N |
+/// | U, U_c | an unbalance, and a couple of unbalances | kg m, kg m² |
+/// | q̈, a | acceleration of its point of the shaft were ω̇ zero; that of the base with gravity | m/s² |
 /// | F·Sq | moment that the balls ask of the cage as they roll past the displaced shaft | N m |
 ///
 /// So the unbalance takes from the rotation what it gives to the vibration: a weak motor may hang at

@@ -186,7 +186,8 @@ fn check(document: &Document) -> Result<Scenario, ScenarioError> {
 
 /// The tables of a scenario and what they ask.
 fn build(problems: &mut Problems<'_>) -> Option<(ScenarioInput, Questions)> {
-    let input: ScenarioInput = reader::read(schema(), problems)?;
+    let mut input: ScenarioInput = reader::read(schema(), problems)?;
+    input.shaft.choose_freedoms(problems);
     check_title(input.title.as_deref(), problems);
     let questions = input.build(problems)?;
     Some((input, questions))

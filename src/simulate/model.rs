@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::Machine;
 use super::warnings::speed_warnings;
 use crate::analysis::{SectionKind, SpectrumRequest, Window};
 use crate::integrate::Settings;
@@ -72,6 +73,8 @@ impl Model {
 pub struct Analyses {
     /// What is found out of the last whole revolutions after the settle time, where the speed is constant there.
     pub motion: MotionAnalysis,
+    /// The machine whose zones of ISO 20816-3 the motion is judged by.
+    pub machine: Option<Machine>,
     /// Waterfall and order tracks of the whole run.
     pub maps: bool,
     /// Whether the bearings are observed after the settle time only: then no contacts part or meet.

@@ -8,7 +8,7 @@ use crate::analysis::{
     TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
-use crate::rotor::{FREEDOMS, Rotor, Sample};
+use crate::rotor::{FREEDOMS, MOST_HOUSINGS, Rotor, Sample};
 
 /// Number of freedoms that are lengths.
 const LENGTHS: usize = 3;
@@ -95,8 +95,17 @@ fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSett
         rate: 1.0 / grid.interval,
         levers: std::array::from_fn::<_, FREEDOMS, _>(|axis| scale.lever(axis)),
         sections,
+        housing_velocities: housing_velocities(model),
         kind: motion == MotionAnalysis::Kind,
     }
+}
+
+/// Velocities along X and Y of the housings that have columns.
+fn housing_velocities(model: &Model) -> Vec<Channel> {
+    let bearings = model.rotor.bearings.iter().take(MOST_HOUSINGS).enumerate();
+    let housed = bearings.filter(|(_, bearing)| bearing.housing.is_some());
+    let channels = housed.flat_map(|(bearing, _)| Channel::of_housing(bearing, 2));
+    channels.filter(|channel| channel.unit() == "m/s").collect()
 }
 
 /// Where the last whole revolutions begin, behind the sample that they begin after: the end of one is

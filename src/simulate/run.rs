@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::{
     BearingHistory, EnergyReport, Event, Maps, Model, Monitor, SimulateError, TableUse, TraceSink,
-    sampling, simulate,
+    VibrationSeverity, sampling, simulate,
 };
 use crate::analysis::{
     Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Motion, Peak, Spectrum,
@@ -139,6 +139,9 @@ pub struct Run {
     /// What the motion after the settle time is like, where asked for and at constant speed.
     #[serde(skip)]
     pub motion: Option<Motion>,
+    /// Zone of ISO 20816-3, where the motion is known and the machine is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vibration_severity: Option<VibrationSeverity>,
     /// Waterfall and order tracks, where asked for.
     #[serde(skip)]
     pub maps: Option<Maps>,

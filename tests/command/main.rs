@@ -20,6 +20,7 @@ mod options;
 mod run;
 mod schema;
 mod seed;
+mod severity;
 mod spectra;
 mod steady;
 mod studies;

@@ -18,6 +18,7 @@ mod integrate;
 mod laws;
 mod lines;
 mod motion;
+mod negative_clearance;
 mod observation;
 mod properties;
 mod published;

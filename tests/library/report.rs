@@ -207,6 +207,7 @@ fn run() -> Run {
         energy: None,
         spectrum: Some(spectrum),
         peaks,
+        vibration_severity: None,
         motion: None,
         maps: None,
         spectra: Vec::new(),

@@ -45,6 +45,8 @@ pub struct MotionSettings {
     pub levers: [f64; FREEDOMS],
     /// Sections, each with its cycles a revolution; none where the shaft does not turn.
     pub sections: Vec<(SectionKind, f64)>,
+    /// Velocities of housings whose RMS is asked for.
+    pub housing_velocities: Vec<Channel>,
     /// Whether the kind of the motion is recognised, by the points of the sections.
     pub kind: bool,
 }
@@ -59,6 +61,18 @@ pub struct ChannelStatistics {
     /// Its moments.
     #[serde(flatten)]
     pub moments: Moments,
+}
+
+/// RMS velocity of one quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct ChannelLevel {
+    /// The quantity.
+    #[serde(serialize_with = "Channel::serialize_with_unit")]
+    pub channel: Channel,
+    /// Its RMS.
+    #[serde(flatten)]
+    pub level: VelocityLevel,
 }
 
 /// What a steady motion is like.
@@ -76,6 +90,9 @@ pub struct Motion {
     /// RMS velocity of the lengths that move, in their order.
     #[serde(rename = "velocity_rms", serialize_with = "keys::by_axis")]
     pub velocity: Vec<Option<VelocityLevel>>,
+    /// RMS velocity of the housings along X and Y, bearing by bearing.
+    #[serde(rename = "housing_velocity_rms", skip_serializing_if = "Vec::is_empty")]
+    pub housing_velocity: Vec<ChannelLevel>,
     /// What kind of motion it is; unknown where not asked for.
     #[serde(flatten)]
     pub recognition: Recognition,
@@ -102,6 +119,7 @@ pub struct MotionRecorder {
     statistics: Vec<ChannelStatistics>,
     rates: [Moments; FREEDOMS],
     velocity: Vec<Vec<f64>>,
+    housing_velocity: Vec<(Channel, Vec<f64>)>,
     drift: DriftRecorder,
     sections: Vec<Section>,
     orbit: VecDeque<[f64; 2]>,
@@ -127,6 +145,11 @@ impl MotionRecorder {
                 .collect(),
             rates: [Moments::default(); FREEDOMS],
             velocity: vec![Vec::new(); freedoms.min(LENGTHS)],
+            housing_velocity: settings
+                .housing_velocities
+                .iter()
+                .map(|channel| (*channel, Vec::new()))
+                .collect(),
             drift: DriftRecorder::new(settings.start, settings.end),
             sections: sections
                 .map(|(kind, order)| Section::new(*kind, *order))
@@ -155,6 +178,9 @@ impl MotionRecorder {
         }
         for (kept, value) in self.velocity.iter_mut().zip(sample.velocity) {
             kept.push(value);
+        }
+        for (channel, kept) in &mut self.housing_velocity {
+            kept.extend(channel.of(sample));
         }
         self.drift.record(sample);
         if self.orbit.len() == ORBIT {
@@ -206,17 +232,25 @@ impl MotionRecorder {
             *moments = moments.above(floor.below(*channel));
         }
         let velocity = self.velocity.into_iter();
+        let rate = self.settings.rate;
+        let housing_velocity = self.housing_velocity.into_iter();
         Some(Motion {
             start,
             end,
             statistics,
             velocity: velocity
-                .map(|values| velocity_level(values, self.settings.rate))
+                .map(|values| velocity_level(values, rate))
+                .collect(),
+            housing_velocity: housing_velocity
+                .filter_map(|(channel, values)| {
+                    let level = velocity_level(values, rate)?;
+                    Some(ChannelLevel { channel, level })
+                })
                 .collect(),
             recognition,
             drift: drift.filter(|_| !resting),
             sections: self.sections,
-            rate: self.settings.rate,
+            rate,
             orbit: self.orbit.into(),
         })
     }

@@ -325,8 +325,26 @@
   /** RMS velocity of each direction. */
   function velocities() {
     const levels = Object.entries(summary.motion?.velocity_rms ?? {}).filter(([, level]) => level);
-    return levels.map(([axis, { rms_m_s: rms, band_Hz: [low, high] }]) => [`vibration velocity, ${named(axis)}`,
+    const housings = (summary.motion?.housing_velocity_rms ?? []).map((level) => [level.channel.replace(/_velocity.*$/, ""), level]);
+    return [...levels, ...housings].map(([axis, { rms_m_s: rms, band_Hz: [low, high] }]) => [`vibration velocity, ${named(axis)}`,
       `${number(1e3 * rms, 4)} mm/s`, `RMS, ${number(low, 2)} to ${number(high, 2)} Hz`]);
+  }
+
+  /** Zone of ISO 20816-3. */
+  function zoneTile() {
+    const found = summary.vibration_severity;
+    return found && ["vibration zone", found.zone, found.meaning];
+  }
+
+  /** What the zone rests on. */
+  function zoneText() {
+    const found = summary.vibration_severity;
+    if (!found) return null;
+    const boundaries = found.boundaries_m_s.map((boundary) => number(1e3 * boundary, 3)).join(", ");
+    const [axis, part] = found.channel.replace(/_velocity.*$/, "").split("_").reverse();
+    const text = `Zone ${found.zone} of ${found.standard} for bearing housings, group ${found.group}, ${found.support} support: `
+      + `${number(1e3 * found.rms_m_s, 4)} mm/s RMS of ${part ?? "the shaft"} along ${axis}, boundaries ${boundaries} mm/s`;
+    return element("p", {}, `${[text, ...(found.remarks ?? [])].join("; ")}.`);
   }
 
   function keyNumbers() {
@@ -338,6 +356,7 @@
     return tiles([
       ["speed", speedText(summary.scenario.speed ?? {})],
       ...velocities(),
+      zoneTile(),
       summary.motion && ["kind of motion", kindText(summary.motion.kind), summary.motion.settling
         && (summary.motion.settling.settled ? "settled" : "not settled")],
       lives.length > 0 && ["life L10r", `${number(Math.min(...lives), 4)} h`, lives.length > 1 ? "of the shortest-lived bearing" : "of this motion"],
@@ -434,7 +453,7 @@
 
   function write() {
     document.getElementById("origin").textContent = `jeffcott ${summary.jeffcott}, ${summary.samples} samples`;
-    section("numbers", "Key numbers", keyNumbers(), ...warnings(), strongestLines());
+    section("numbers", "Key numbers", keyNumbers(), zoneText(), ...warnings(), strongestLines());
     const [first, ...others] = spectra;
     if (first) section("spectra", "Spectrum", addChart(first, "frequency", 300), peaks());
     if (others.length) folded("further", "Spectra of displacements and forces", ...others.map((panel) => addChart(panel, "frequency", 300)));

@@ -494,7 +494,7 @@ impl BearingInput {
     }
 }
 
-/// Refuses a fit that leaves no clearance, or whose preload cannot be reached.
+/// Refuses a fit that squeezes the balls too much, or whose preload cannot be reached.
 fn refuse_fit(error: &BearingError, bearing: &Bearing, problems: &mut Problems<'_>) {
     let BearingError::Geometry(GeometryError::ClearanceChange {
         change,
@@ -505,8 +505,9 @@ fn refuse_fit(error: &BearingError, bearing: &Bearing, problems: &mut Problems<'
         return problems.refuse(Issue::new(".fit", error.to_string()));
     };
     let message = format!(
-        "fits and temperatures change the diametral clearance by {:.1} um, and the bearing allows {:.1} … {:.1} um, where \
-         its free contact angle goes from 0 deg to 60 deg",
+        "fits and temperatures change the diametral clearance by {:.1} um, and the bearing allows {:.1} … {:.1} um, from \
+         where its balls are squeezed by a tenth of the distance of the groove centres to where its free contact angle \
+         reaches 60 deg",
         1e6 * change,
         1e6 * smallest,
         1e6 * largest

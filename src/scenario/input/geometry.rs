@@ -33,8 +33,9 @@ pub struct GeometryInput {
     /// Contact angle of the unloaded bearing, "0 deg" to "60 deg".
     #[schemars(extend("x-minimum" = 0.0, "x-maximum" = Geometry::LARGEST_CONTACT_ANGLE))]
     pub contact_angle: Option<Quantity<Angle>>,
-    /// Diametral clearance of a deep-groove bearing, for instance "10 um".
-    #[schemars(extend("examples" = ["10 um"], "x-minimum" = 0.0))]
+    /// Diametral clearance of a deep-groove bearing, for instance "10 um"; negative where the balls are squeezed between the
+    /// races without load.
+    #[schemars(extend("examples" = ["10 um"]))]
     pub diametral_clearance: Option<Quantity<Length>>,
     /// Radial clearance (half the diametral one) of a literature model that knows no contact
     /// angle, for instance "3 um": the balls roll as at 0°.
@@ -260,23 +261,30 @@ impl Sources<'_> {
     /// The message of the error, with lengths in the units of a drawing.
     fn message(&self, error: &GeometryError) -> String {
         match *error {
-            GeometryError::Clearance { largest, .. } => {
+            GeometryError::Clearance {
+                clearance,
+                smallest,
+                largest,
+            } => {
                 let key = self.clearance_key();
-                let largest = if key == "radial_clearance" {
-                    largest / 2.0
-                } else {
-                    largest
-                };
+                let part = if key == "radial_clearance" { 0.5 } else { 1.0 };
+                if clearance < smallest {
+                    return format!(
+                        "`{key}` must be at least {}: there the balls are squeezed by a tenth of the distance of the \
+                         groove centres",
+                        micrometres(part * smallest)
+                    );
+                }
                 format!(
                     "`{key}` must be at most {}: there the free contact angle reaches 60 deg",
-                    millimetres(largest)
+                    millimetres(part * largest)
                 )
             }
             GeometryError::ClearanceChange {
                 smallest, largest, ..
             } => format!(
-                "`clearance_change` must be in {} … {}, where the free contact angle goes from \
-                 0 deg to 60 deg",
+                "`clearance_change` must be in {} … {}, from where the balls are squeezed by a tenth of the distance of \
+                 the groove centres to where the free contact angle reaches 60 deg",
                 micrometres(smallest),
                 micrometres(largest)
             ),

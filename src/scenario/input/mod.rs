@@ -11,6 +11,7 @@ mod geometry;
 mod housing;
 mod linear;
 mod load;
+mod machine;
 mod oil;
 mod output;
 mod ratings;

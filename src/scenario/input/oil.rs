@@ -140,7 +140,7 @@ impl OilInput {
 /// Pressure–viscosity coefficient of a mineral oil by its dynamic viscosity in Pa s, 1/Pa:
 /// `α = (0.6 + 0.965 log10 η) 1e-8`, η in mPa s, not below 1 mPa s.
 ///
-/// Source: W. A. Wooster (1944).
+/// Source: W. A. Wooster (1944), as Stachowiak & Batchelor, *Engineering Tribology*, quote it with η in cP.
 fn wooster(viscosity: f64) -> f64 {
     1e-8 * (0.6 + 0.965 * (1e3 * viscosity).log10().max(0.0))
 }

@@ -8,6 +8,7 @@ use super::components::{InitialInput, StaticInput};
 use super::damping::{self, DampingInput};
 use super::flexible::{self, DiscInput, check_position};
 use super::load::{self, LoadInput, Surroundings};
+use super::machine::MachineInput;
 use super::output::{Output, Turning};
 use super::settings::{ContactChoice, IntegratorInput, ModelInput, TimeInput};
 use super::shaft::{ShaftInput, TorsionInput};
@@ -25,7 +26,7 @@ use crate::rotor::{
 use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
 use crate::scenario::{Issue, catalogue_file};
-use crate::simulate::Model;
+use crate::simulate::{Model, MotionAnalysis};
 use crate::study::{ContactChoice as ChosenContact, ContactQuestion, choose_contact};
 
 /// Largest difference of the law that is chosen, where none is given.
@@ -79,6 +80,8 @@ pub struct ScenarioInput {
     /// External loads, one `[[load]]` for each; they add up.
     #[serde(default)]
     pub load: Vec<LoadInput>,
+    /// The machine that the shaft is part of, for the zones of ISO 20816-3. Without this table no zone is told.
+    pub machine: Option<MachineInput>,
     /// Where the motion starts.
     #[serde(default)]
     pub initial: InitialInput,
@@ -274,9 +277,6 @@ impl ScenarioInput {
             freedoms,
             problems,
         );
-        if turns {
-            unbalance::refuse_driven_couple(&rotor.shaft.unbalance, problems);
-        }
         Some(rotor)
     }
 
@@ -502,7 +502,14 @@ impl ScenarioInput {
                  (0 s keeps it)",
             );
         }
-        let analyses = self.output.analyses(turning, problems);
+        let mut analyses = self.output.analyses(turning, problems);
+        analyses.machine = self.machine.as_ref().map(MachineInput::build);
+        if self.machine.is_some() && analyses.motion == MotionAnalysis::None {
+            problems.warn(
+                "`[machine]` has no effect: the zones of ISO 20816-3 are those of a motion at constant speed after \
+                 `settle`, which `motion` in `[output]` describes",
+            );
+        }
         Some(Model {
             rotor,
             duration: time.duration.si(),

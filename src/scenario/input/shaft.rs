@@ -53,8 +53,8 @@ pub struct ShaftInput {
     #[schemars(extend("examples" = ["20 g mm", "G 6.3"]))]
     pub unbalance: Option<String>,
     /// Which freedoms move: "radial" (x, y), "translational" (x, y, z) or "all" (x, y, z and
-    /// both tilts). The rest is held. A shaft that bends always moves along x and y and tilts; "radial" holds its z.
-    /// Default of such a shaft: "all".
+    /// both tilts). The rest is held. Default: "all" where both moments of inertia are given or the shaft bends, else
+    /// "radial". A shaft that bends always moves along x and y and tilts; "radial" holds its z.
     pub freedoms: Option<Freedoms>,
     /// Whether the weight acts, along −Y. Default: false.
     #[serde(default)]
@@ -84,43 +84,49 @@ impl ShaftInput {
         !self.section.is_empty() || self.matrices.is_some()
     }
 
-    /// Which freedoms move.
-    fn moving(&self, problems: &mut Problems<'_>) -> Freedoms {
-        match self.freedoms {
-            Some(Freedoms::Translational) if self.bends() => {
-                let message = "a shaft that bends tilts, too";
-                let issue = Issue::new("shaft.freedoms", message);
-                problems.refuse(issue.help("write \"all\", or \"radial\" to hold it along z"));
-                Freedoms::All
-            }
-            Some(freedoms) => freedoms,
-            None if self.bends() => Freedoms::All,
-            None => {
-                let issue = Issue::new("shaft", "`shaft` needs `freedoms`");
-                problems.refuse(issue.help("for instance: freedoms = \"all\""));
-                Freedoms::All
-            }
-        }
-    }
-
     /// What of a shaft that bends the whole of it has.
     pub fn build_flexible(&self, shaft: &FlexibleShaft, problems: &mut Problems<'_>) -> Shaft {
+        if self.freedoms == Some(Freedoms::Translational) {
+            let issue = Issue::new("shaft.freedoms", "a shaft that bends tilts, too");
+            problems.refuse(issue.help("write \"all\", or \"radial\" to hold it along z"));
+        }
         Shaft {
             mass: shaft.mass(),
             inertia_transverse: shaft.inertia_transverse(),
             inertia_polar: shaft.inertia_polar(),
             eccentricity: 0.0,
             unbalance: PlaneUnbalance::default(),
-            freedoms: self.moving(problems),
+            freedoms: self.freedoms(),
             gravity: self.gravity,
             held_tilt: [0.0; 2],
         }
     }
 
+    /// Which freedoms move.
+    fn freedoms(&self) -> Freedoms {
+        let inertia = self.inertia_transverse.is_some() && self.inertia_polar.is_some();
+        let tilts = inertia || self.bends();
+        self.freedoms.unwrap_or(match tilts {
+            true => Freedoms::All,
+            false => Freedoms::Radial,
+        })
+    }
+
+    /// Writes down which freedoms move where the file does not say it, and tells it where some are held.
+    pub fn choose_freedoms(&mut self, problems: &mut Problems<'_>) {
+        if self.freedoms.is_none() && self.freedoms() == Freedoms::Radial {
+            problems.warn(
+                "no `freedoms` in `[shaft]`: x and y move (freedoms = \"radial\"), z and the tilts are held; both moments of \
+                 inertia let all of them move",
+            );
+        }
+        self.freedoms = Some(self.freedoms());
+    }
+
     /// The shaft; its inertia is zero where no tilt moves and no drive `turns` it, and where nothing
     /// `moves` it may be.
     pub fn build(&self, moves: bool, turns: bool, problems: &mut Problems<'_>) -> Shaft {
-        let freedoms = self.moving(problems);
+        let freedoms = self.freedoms();
         self.check_inertia(freedoms, moves, turns, problems);
         self.check_tilt(freedoms, problems);
         Shaft {
@@ -129,7 +135,7 @@ impl ShaftInput {
             inertia_polar: si(&self.inertia_polar).unwrap_or(0.0),
             eccentricity: self.eccentricity.si(),
             unbalance: PlaneUnbalance::default(),
-            freedoms,
+            freedoms: self.freedoms(),
             gravity: self.gravity,
             held_tilt: [
                 si(&self.tilt_x).unwrap_or(0.0),

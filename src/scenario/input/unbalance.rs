@@ -67,16 +67,6 @@ pub fn build(
     sum
 }
 
-/// Refuses a couple where the speed is not given: the equation of a drive knows the static unbalance only.
-pub fn refuse_driven_couple(unbalance: &PlaneUnbalance, problems: &mut Problems<'_>) {
-    if unbalance.couple != [0.0; 2] {
-        let message = "a drive knows the static unbalance only, and these have a couple about the centre of mass";
-        let issue = Issue::new("unbalance", message)
-            .help("move them to the position of the centre of mass, or give the speed instead of the drive");
-        problems.refuse(issue.against("speed.drive"));
-    }
-}
-
 /// Static unbalance in kg m of `20 g mm`, or of a balance quality grade `G 6.3`: `U = m G/ω` (ISO 21940-11).
 fn amount(text: &str, balanced: &Balanced) -> Result<f64, Issue> {
     let path = "shaft.unbalance";

@@ -117,6 +117,7 @@ impl Maker<'_> {
                 None => MotionAnalysis::None,
                 section => MotionAnalysis::Statistics(section),
             },
+            machine: None,
             maps: false,
             settled_only: true,
             highest_order,

@@ -136,3 +136,33 @@ fn a_weak_motor_hangs_at_the_critical_speed() {
     let last = samples.last().expect("samples");
     assert!(last.speed > 1.2 * critical, "{}", last.speed);
 }
+
+/// A shaft with two unbalances half a turn apart, which a motor takes through its tilting resonance: what the couple takes
+/// from the rotation is what it gives to the tilts.
+#[test]
+fn a_couple_takes_from_the_rotation_what_it_gives_to_the_tilts() {
+    let mut tilting = shaft(Freedoms::All);
+    let inertia = tilting.inertia_polar;
+    tilting.unbalance.add(4e-4, 0.3, -0.05);
+    tilting
+        .unbalance
+        .add(3e-4, 0.3 + std::f64::consts::PI, 0.06);
+    let definition = RotorDefinition {
+        drive: Some(Drive {
+            torque: 6.0,
+            ..FREE
+        }),
+        damping: Damping::Ratio(0.03),
+        load: [0.0, 0.0, 1000.0, 0.0, 0.0],
+        ..rotor(tilting, vec![mounted(bearing("7205C"))])
+    };
+    let (run, samples) = run(definition, 0.25);
+    let last = samples.last().expect("samples");
+    let tilt = samples.iter().map(|sample| sample.displacement[3].abs());
+    assert!(tilt.fold(0.0, f64::max) > 1e-5);
+    // the shaft lags behind the one whose tilts take nothing
+    let free = 6.0 * 0.25 / inertia;
+    assert!(last.speed < 0.999 * free, "{} of {free}", last.speed);
+    let energy = run.energy.expect("an account");
+    assert!(energy.relative_residual < 1e-8, "{energy:?}");
+}

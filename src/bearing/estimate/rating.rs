@@ -1,0 +1,75 @@
+//! Static ratings of balls in grooves, and the grooves that a rating asks for.
+
+use super::{Candidate, CatalogueLine, EstimateError};
+use crate::bearing::permissible_static_load;
+use crate::physics::{
+    HertzContact, Material, contact_modulus, inner_race_curvature, outer_race_curvature,
+};
+
+/// Reference grooves of ISO/TS 16281, inner race first: taken where the groove is not known.
+pub(super) const REFERENCE_GROOVES: [f64; 2] = [0.52, 0.53];
+
+/// Range in which the groove factor of both races is looked for.
+pub(super) const GROOVES: [f64; 2] = [0.502, 0.6];
+
+impl CatalogueLine {
+    /// C_0 = Z Q cos α/5 with Q the load of 4200 MPa at the worse race; zero where no contact can be formed.
+    pub(super) fn static_rating_of(
+        &self,
+        balls: usize,
+        ball_diameter: f64,
+        pitch: f64,
+        [inner, outer]: [f64; 2],
+    ) -> f64 {
+        let steel = Material::BEARING_STEEL;
+        let cosine = self.contact_angle.cos();
+        let gamma = ball_diameter * cosine / pitch;
+        let curvatures = [
+            inner_race_curvature(ball_diameter, inner, gamma),
+            outer_race_curvature(ball_diameter, outer, gamma),
+        ];
+        let load = curvatures.map(|curvature| {
+            let contact = HertzContact::new(curvature, contact_modulus(&steel, &steel));
+            contact.map_or(0.0, |contact| permissible_static_load(&contact))
+        });
+        balls as f64 * load[0].min(load[1]) * cosine / 5.0
+    }
+
+    /// f0 = C_0/(Z D² cos α), N/mm².
+    pub(super) fn static_factor_of(&self, balls: usize, ball_diameter: f64) -> Option<f64> {
+        let area = 1e6 * ball_diameter * ball_diameter * self.contact_angle.cos();
+        Some(self.static_rating? / (balls as f64 * area))
+    }
+
+    /// The factor of both grooves at which the balls have the printed static rating.
+    pub(super) fn groove_of_static_rating(
+        &self,
+        candidate: &Candidate,
+        pitch: f64,
+    ) -> Result<f64, EstimateError> {
+        let statical = self.static_rating.ok_or(EstimateError::NoStaticRating)?;
+        let (balls, ball_diameter) = (candidate.balls, candidate.ball_diameter);
+        let rating = |groove| self.static_rating_of(balls, ball_diameter, pitch, [groove; 2]);
+        let [mut narrow, mut wide] = GROOVES;
+        let (least, largest) = (rating(wide), rating(narrow));
+        if !(least..=largest).contains(&statical) {
+            return Err(EstimateError::Groove {
+                statical,
+                balls,
+                ball_diameter,
+                least,
+                largest,
+            });
+        }
+        // the wider the groove, the smaller the contact and the rating
+        for _ in 0..60 {
+            let middle = 0.5 * (narrow + wide);
+            if rating(middle) > statical {
+                narrow = middle;
+            } else {
+                wide = middle;
+            }
+        }
+        Ok(0.5 * (narrow + wide))
+    }
+}

@@ -1,0 +1,128 @@
+//! Zones of ISO 20816-3, and scenarios that leave out which freedoms move.
+
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+use serde_json::Value;
+
+use crate::support::{done, json, text, told, verb};
+
+/// A shaft on one 6205 at 50 Hz, with tables and keys of the shaft put in.
+fn scene(unbalance: &str, shaft: &str, tables: &str) -> String {
+    format!(
+        "[shaft]\nmass = \"5 kg\"\nunbalance = \"{unbalance}\"\ngravity = true\n{shaft}\n\
+         [speed]\nconstant = \"3000 rpm\"\n[[bearing]]\ncatalogue = \"6205\"\n{tables}\n\
+         [damping]\nratio = 0.03\n[time]\nduration = \"0.3 s\"\nsettle = \"0.1 s\"\n"
+    )
+}
+
+const RADIAL: &str = "freedoms = \"radial\"";
+const MACHINE: &str = "[machine]\ngroup = 2\nsupport = \"rigid\"";
+const HOUSING: &str = "[bearing.housing]\nmass = \"3 kg\"\nstiffness = { x = \"20 N/um\", y = \"30 N/um\" }\n\
+    damping = { x = \"500 N s/m\", y = \"500 N s/m\" }";
+
+fn run(folder: &Path, scenario: &str) -> (Output, Value) {
+    let file = folder.join("scene.toml");
+    fs::write(&file, scenario).expect("a file");
+    let output = done(
+        verb("run", &[file], folder, &["--no-verify"])
+            .output()
+            .unwrap(),
+    );
+    let summary = json(&folder.join("scene/summary.json"));
+    (output, summary)
+}
+
+/// RMS about its mean of a column of the trace from a time on.
+fn rms(folder: &Path, column: &str, from: f64) -> f64 {
+    let trace = fs::read_to_string(folder.join("scene/trace.csv")).expect("a trace");
+    let mut lines = trace.lines();
+    let header = lines.next().expect("a header").split(',');
+    let index = header.clone().position(|name| name == column);
+    let index = index.unwrap_or_else(|| panic!("{column} of {header:?}"));
+    let rows = lines.map(|line| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)));
+    let rows: Vec<Vec<f64>> = rows.map(Iterator::collect).collect();
+    let late = rows.iter().filter(|row| row[0] >= from);
+    let values: Vec<f64> = late.map(|row| row[index]).collect();
+    let count = values.len() as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    let squares = values.iter().map(|value| (value - mean).powi(2));
+    (squares.sum::<f64>() / count).sqrt()
+}
+
+#[test]
+fn the_zone_is_that_of_the_housing_where_there_is_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scenario = scene("200 g mm", RADIAL, &format!("{HOUSING}\n{MACHINE}"));
+    let (output, summary) = run(folder.path(), &scenario);
+    let found = &summary["vibration_severity"];
+    assert_eq!(found["channel"], "housing1_x_velocity_m_s");
+    let level = found["rms_m_s"].as_f64().expect("a number");
+    let expected = rms(folder.path(), "housing1_x_velocity_m_s", 0.1);
+    assert!(
+        (level / expected - 1.0).abs() < 0.03,
+        "{level} and {expected}"
+    );
+    assert_eq!(found["zone"], if level > 1.4e-3 { "B" } else { "A" });
+    assert!(found["remarks"].is_null(), "{found}");
+    let both = &summary["motion"]["housing_velocity_rms"];
+    assert_eq!(both.as_array().map(Vec::len), Some(2));
+    let shown = text(&output.stdout);
+    let line = "boundaries 1.4, 2.8, 4.5 mm/s (group 2, rigid support)";
+    let words = shown.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("of ISO 20816-3:2022"), "{shown}");
+    assert!(words.contains(line), "{shown}");
+}
+
+#[test]
+fn a_zone_of_the_shaft_is_said_to_be_that_and_larger_machines_have_wider_zones() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let zone = |machine: &str| {
+        let (output, summary) = run(folder.path(), &scene("600 g mm", RADIAL, machine));
+        let found = summary["vibration_severity"].clone();
+        (text(&output.stdout), found)
+    };
+    let (shown, found) = zone(MACHINE);
+    assert!(
+        shown.contains("this is the velocity of the shaft"),
+        "{shown}"
+    );
+    let level = 1e3 * found["rms_m_s"].as_f64().expect("a number");
+    // between the boundaries B/C of both supports of group 2
+    assert!((2.8..4.5).contains(&level), "{level} mm/s");
+    assert_eq!(found["zone"], "C");
+    let (_, flexible) = zone("[machine]\ngroup = 2\nsupport = \"flexible\"");
+    assert_eq!(flexible["zone"], "B");
+    let (_, large) = zone("[machine]\ngroup = 1\nsupport = \"flexible\"");
+    assert_eq!(
+        large["boundaries_m_s"],
+        serde_json::json!([3.5e-3, 7.1e-3, 11e-3])
+    );
+    let (shown, none) = zone("");
+    assert!(none.is_null() && !shown.contains("20816"), "{shown}");
+}
+
+#[test]
+fn a_machine_whose_speed_changes_has_no_zone_and_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let changing = "from = \"1000 rpm\"\nto = \"3000 rpm\"\nover = \"0.3 s\"";
+    let scenario = scene("20 g mm", RADIAL, MACHINE).replace("constant = \"3000 rpm\"", changing);
+    let (output, summary) = run(folder.path(), &scenario);
+    assert!(summary["vibration_severity"].is_null());
+    assert!(told(&output).contains("`[machine]` has no effect"));
+}
+
+#[test]
+fn freedoms_that_are_left_out_follow_from_the_inertia() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (output, summary) = run(folder.path(), &scene("20 g mm", "", ""));
+    assert_eq!(summary["scenario"]["shaft"]["freedoms"], "radial");
+    assert!(told(&output).contains("no `freedoms` in `[shaft]`"));
+    let inertia = "inertia_transverse = \"0.02 kg m^2\"\ninertia_polar = \"0.01 kg m^2\"";
+    let second = "position = \"-60 mm\"\n[[bearing]]\ncatalogue = \"6205\"\nposition = \"60 mm\"\n\
+        [[load]]\nconstant = { z = \"100 N\" }";
+    let (output, summary) = run(folder.path(), &scene("20 g mm", inertia, second));
+    assert_eq!(summary["scenario"]["shaft"]["freedoms"], "all");
+    assert!(!told(&output).contains("no `freedoms`"));
+}
