@@ -18,7 +18,9 @@ mod waterfall;
 mod window;
 
 pub(crate) use causes::other_causes;
-pub use causes::{BearingFrequencies, Line, Precision, Sources, causes, nearest_cause};
+pub use causes::{
+    BearingFrequencies, Line, LineSurfaces, Precision, Sources, causes, nearest_cause,
+};
 pub use channel::Channel;
 pub(crate) use channel::column_unit;
 pub(crate) use estimation::estimate;

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{Model, Sampling, SimulateError};
 use crate::analysis::{
-    Analysis, BearingFrequencies, Channel, Recording, SampleGrid, Segment, Sources,
+    Analysis, BearingFrequencies, Channel, LineSurfaces, Recording, SampleGrid, Segment, Sources,
     SpectrumRequest, causes,
 };
 use crate::integrate::Grid;
@@ -154,9 +154,18 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
             .zip(operating_at(rotor_there, speed))
             .map(frequencies)
             .collect(),
+        surfaces: line_surfaces(rotor),
         natural: rotor_there.natural_frequencies(),
         meshing: rotor.meshing_frequencies(speed),
     }
+}
+
+/// What the surfaces of every bearing add to the lines.
+fn line_surfaces(rotor: &Rotor) -> Vec<LineSurfaces> {
+    let definitions = rotor.supports().iter().map(|support| support.definition());
+    definitions
+        .map(|own| LineSurfaces::new(own.bearing.geometry.balls(), &own.imperfections))
+        .collect()
 }
 
 /// Bytes of what does not grow with the duration: program, page, figures, blocks of samples.

@@ -168,7 +168,7 @@ fn run() -> Run {
             operating: pass,
         }],
         natural: vec![natural],
-        meshing: Vec::new(),
+        ..Sources::default()
     });
     let Analysis { spectrum, peaks } = recording
         .spectrum(&channels, Window::Rectangular, &lines)

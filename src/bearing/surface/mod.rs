@@ -11,10 +11,12 @@ pub(super) use surfaces::ImperfectSurfaces;
 pub use surfaces::TurningSurfaces;
 pub use waves::Wave;
 
+use std::fmt;
+
 use super::Geometry;
 
 /// Which surface of a bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Surface {
     /// Outer race; angles count from +X towards +Y.
     Outer,
@@ -171,6 +173,17 @@ impl Surface {
             Self::Outer => 0.5 * pitch * (1.0 + gamma),
             Self::Inner => 0.5 * pitch * (1.0 - gamma),
             Self::Ball(_) => 0.5 * geometry.ball_diameter(),
+        }
+    }
+}
+
+/// `the outer race`, `the inner race`, `ball 1`.
+impl fmt::Display for Surface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Outer => f.write_str("the outer race"),
+            Self::Inner => f.write_str("the inner race"),
+            Self::Ball(number) => write!(f, "ball {}", number + 1),
         }
     }
 }
