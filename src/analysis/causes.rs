@@ -226,9 +226,7 @@ pub fn causes(sources: &Sources) -> Vec<Line> {
     let shows_spin = |bearing| surfaces(bearing).is_some_and(|own| own.balls_show_spin);
     let balls = bearings.iter().enumerate();
     let balls = balls
-        .filter(|(bearing, own)| {
-            shows_spin(*bearing) || !bearings[..*bearing].contains(own)
-        })
+        .filter(|(bearing, own)| shows_spin(*bearing) || !bearings[..*bearing].contains(own))
         .flat_map(|(bearing, own)| bearing_lines(bearing, own, shaft, shows_spin(bearing)));
     let waves = bearings.iter().enumerate().flat_map(|(bearing, own)| {
         surfaces(bearing).map_or_else(Vec::new, |of| of.wave_lines(bearing, own, shaft))

@@ -12,6 +12,7 @@ mod order_tracks;
 mod peaks;
 pub(crate) mod recording;
 mod sampling_errors;
+mod spall_signal;
 mod spectrum;
 mod transform;
 mod waterfall;
@@ -25,8 +26,8 @@ pub use channel::Channel;
 pub(crate) use channel::column_unit;
 pub(crate) use estimation::estimate;
 pub use estimation::{
-    Axis, Detrend, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment, SpectrumColumn,
-    SpectrumKind, SpectrumQuantity, SpectrumRequest,
+    Axis, Detrend, EnvelopeLine, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment,
+    SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest,
 };
 #[cfg(test)]
 pub(crate) use estimation::{Welch, envelope};
@@ -47,6 +48,8 @@ pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;
 pub(crate) use recording::{Recording, SampleGrid};
 pub(crate) use sampling_errors::{Leak, TopPower, leak};
+pub(crate) use spall_signal::SpallRecorder;
+pub use spall_signal::{SpallInstants, SpallSignal};
 pub(crate) use spectrum::Analysis;
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub(crate) use transform::{Transform, fourier_coefficients};

@@ -171,7 +171,7 @@ impl Rotor {
 
     /// Speed of the cage of a bearing over that of the shaft.
     #[inline]
-    pub(super) fn cage_ratio(&self, support: &Support) -> f64 {
+    pub(crate) fn cage_ratio(&self, support: &Support) -> f64 {
         self.cage.ratio(support)
     }
 

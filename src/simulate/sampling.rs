@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::{Model, Sampling, SimulateError};
 use crate::analysis::{
-    Analysis, BearingFrequencies, Channel, LineSurfaces, Recording, SampleGrid, Segment, Sources,
-    SpectrumRequest, causes,
+    Analysis, BearingFrequencies, Channel, Line, LineSurfaces, Recording, SampleGrid, Segment,
+    Sources, SpectrumKind, SpectrumRequest, causes,
 };
 use crate::integrate::Grid;
 use crate::physics::BallPass;
@@ -131,6 +131,21 @@ pub(super) fn analyse(
             peaks: Vec::new(),
         },
     })
+}
+
+/// What can cause lines of envelopes; nothing where none is asked for.
+pub(super) fn envelope_causes(model: &Model, rotor: &Rotor) -> Vec<Line> {
+    let is_envelope = |request: &SpectrumRequest| {
+        matches!(
+            request.kind,
+            SpectrumKind::Envelope { .. } | SpectrumKind::ImpulsiveEnvelope
+        )
+    };
+    if model.spectra.iter().any(is_envelope) {
+        causes(&sources(model, rotor))
+    } else {
+        Vec::new()
+    }
 }
 
 /// What makes lines: nothing that turns where the speed changes.

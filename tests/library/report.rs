@@ -195,6 +195,7 @@ fn run() -> Run {
         bearings: vec![history()],
         largest_ball_load: Some(310.0),
         tables: Vec::new(),
+        spalls: Vec::new(),
         measured_error: Some(MeasuredError {
             displacement: 1e-14,
             relative: 1e-8,

@@ -1,11 +1,13 @@
 //! Surfaces that are not perfect: defects, waviness and balls of unequal size, as drops under the balls.
 
 mod passing;
+mod race_pass;
 mod slot;
 mod surfaces;
 mod waves;
 
 pub use passing::Passing;
+pub use race_pass::{RacePass, SideView};
 pub use slot::DefectProfile;
 pub(super) use surfaces::ImperfectSurfaces;
 pub use surfaces::TurningSurfaces;

@@ -329,15 +329,18 @@ fn waves_on(surface: Surface, imperfections: &Imperfections) -> Waves {
     )
 }
 
+/// Radius of a race in the rolling plane, m: (d_m ± D cos α)/(2 cos α).
+pub(super) fn rolling_radius(geometry: &Geometry, inner: bool) -> f64 {
+    let (side, gamma) = (if inner { -1.0 } else { 1.0 }, geometry.gamma());
+    0.5 * geometry.ball_diameter() * (1.0 + side * gamma) / gamma
+}
+
 impl Defect {
     /// The slot that it is between a ball and the inner or the outer race.
-    fn slot(&self, geometry: &Geometry, inner: bool) -> Slot {
-        let side = if inner { -1.0 } else { 1.0 };
-        let gamma = geometry.gamma();
+    pub(super) fn slot(&self, geometry: &Geometry, inner: bool) -> Slot {
         let plane = RollingPlane {
             ball_radius: 0.5 * geometry.ball_diameter(),
-            // (d_m ± D cos α)/(2 cos α)
-            race_radius: 0.5 * geometry.ball_diameter() * (1.0 + side * gamma) / gamma,
+            race_radius: rolling_radius(geometry, inner),
             inner,
         };
         Slot::new(self.length, self.depth, self.profile, plane)
