@@ -20,10 +20,11 @@ impl Support {
         surfaces.map_or(&[], ImperfectSurfaces::passings)
     }
 
-    /// Spalls of the races whose edges alone balls meet.
+    /// Spalls of the races whose edges alone balls meet, at equal angles of a cage that turns evenly; none of one that wanders.
     pub(crate) fn race_passes(&self) -> impl Iterator<Item = RacePass> + '_ {
         let own = &self.definition;
         let defects = own.imperfections.defects.iter();
+        let defects = defects.filter(|_| self.cage_walk().is_none());
         defects.filter_map(|defect| {
             defect.race_pass(&own.bearing.geometry, own.first_ball, own.position)
         })

@@ -10,7 +10,9 @@ use super::point::{Attachment, Point};
 use super::structure::Structure;
 use super::unbalance::Unbalance;
 use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, Rotation, SpeedProfile};
-use crate::bearing::{Angle, BearingRotation, BearingState, Support, Vector5, in_registers};
+use crate::bearing::{
+    Angle, BearingRotation, BearingState, CageWalk, Support, Vector5, in_registers,
+};
 use crate::registers::in_wide_registers;
 
 /// A shaft on its bearings, assembled and ready to move.
@@ -214,6 +216,9 @@ impl Rotor {
         phases: &Phases,
     ) -> BearingRotation {
         let ratio = self.cage_ratio(support);
+        if let Some(walk) = support.cage_walk() {
+            return wandering(walk, ratio, rotation, phases);
+        }
         BearingRotation {
             cage: if ratio == phases.ratio {
                 phases.cage
@@ -268,7 +273,23 @@ impl Rotor {
     pub(super) fn next_break_after(&self, after: f64) -> f64 {
         let breaks = self.loads.iter().map(|load| load.next_break(after));
         let known = breaks.fold(self.speed.next_break(after), f64::min);
-        known.min(self.next_passing(after))
+        known
+            .min(self.next_passing(after))
+            .min(self.next_cage_step(after))
+    }
+}
+
+/// The rotation of a bearing whose cage wanders.
+#[inline(never)]
+fn wandering(walk: &CageWalk, ratio: f64, rotation: &Rotation, phases: &Phases) -> BearingRotation {
+    let nominal = ratio * rotation.angle;
+    let [ahead, slope] = walk.at(nominal);
+    BearingRotation {
+        cage: Angle::new(nominal + ahead),
+        shaft: phases.shaft,
+        cage_angle: nominal + ahead,
+        cage_speed: ratio * rotation.speed * (1.0 + slope),
+        speed: rotation.speed,
     }
 }
 

@@ -1,11 +1,13 @@
 //! Surfaces that are not perfect: defects, waviness and balls of unequal size, as drops under the balls.
 
+mod cage_walk;
 mod passing;
 mod race_pass;
 mod slot;
 mod surfaces;
 mod waves;
 
+pub use cage_walk::CageWalk;
 pub use passing::Passing;
 pub use race_pass::{RacePass, SideView};
 pub use slot::DefectProfile;
@@ -54,6 +56,8 @@ pub struct Imperfections {
     pub oversizes: Vec<f64>,
     /// How much slower than nominal the cage turns, as a part of its nominal speed.
     pub cage_slip: f64,
+    /// Angles that the cage gains, one with every ball pass and then again, rad; empty where it turns evenly.
+    pub cage_steps: Vec<f64>,
 }
 
 /// Why a surface cannot be as it is described.
@@ -98,6 +102,18 @@ pub enum ImperfectionError {
         /// Number of balls.
         balls: usize,
     },
+    /// A cage gains too much with a ball pass.
+    #[error(
+        "the cage gains {:.3}° with a ball pass; it can gain or lose at most {:.3}°, half the spacing of its balls",
+        step.to_degrees(),
+        largest.to_degrees()
+    )]
+    CageStep {
+        /// Angle as given, rad.
+        step: f64,
+        /// Largest one, rad.
+        largest: f64,
+    },
     /// A number is not finite.
     #[error("{name} is {value}; it must be finite")]
     NotFinite {
@@ -111,6 +127,8 @@ pub enum ImperfectionError {
 impl Imperfections {
     /// Highest order of a wave.
     pub const LARGEST_ORDER: u32 = 10_000;
+    /// Largest step of a cage over the spacing of its balls: it never turns backwards.
+    pub const LARGEST_STEP: f64 = 0.5;
 
     /// Whether all surfaces are perfect.
     pub fn has_perfect_surfaces(&self) -> bool {
@@ -135,6 +153,14 @@ impl Imperfections {
             }
         }
         finite("the slip of the cage", self.cage_slip)?;
+        let largest = std::f64::consts::TAU / geometry.balls() as f64 * Self::LARGEST_STEP;
+        for step in &self.cage_steps {
+            finite("a step of the cage in rad", *step)?;
+            if step.abs() > largest {
+                let step = *step;
+                return Err(ImperfectionError::CageStep { step, largest });
+            }
+        }
         let (given, balls) = (self.oversizes.len(), geometry.balls());
         if given != 0 && given != balls {
             return Err(ImperfectionError::Oversizes { given, balls });
