@@ -89,7 +89,7 @@ pub enum Unrepeated {
     },
     /// A cage wanders.
     #[error(
-        "the cage of bearing {} wanders at random (cage_jitter), so no motion of the shaft repeats; leave `cage_jitter` out,          or use `jeffcott run`",
+        "the cage of bearing {} wanders at random (cage_jitter), so no motion of the shaft repeats; leave `cage_jitter` out, or use `jeffcott run`",
         bearing + 1
     )]
     CageJitter {

@@ -5,6 +5,7 @@ mod passing;
 mod race_pass;
 mod slot;
 mod surfaces;
+mod turned;
 mod waves;
 
 pub use cage_walk::CageWalk;

@@ -72,8 +72,7 @@ impl ImperfectSurfaces {
         if imperfections.has_perfect_surfaces() {
             return None;
         }
-        let gamma = geometry.gamma();
-        let rolling_ratio = (1.0 + gamma) * geometry.pitch_diameter() / geometry.ball_diameter();
+        let rolling_ratio = rolling_ratio(geometry);
         let races = [Surface::Inner, Surface::Outer]
             .map(|race| RaceSurface::new(race, imperfections, geometry));
         let balls = (0..geometry.balls())
@@ -327,6 +326,11 @@ fn waves_on(surface: Surface, imperfections: &Imperfections) -> Waves {
             .filter(|(on, _)| *on == surface)
             .map(|(_, wave)| *wave),
     )
+}
+
+/// Angle that a ball turns by over that of the cage: (1 + γ) d_m/D.
+pub(super) fn rolling_ratio(geometry: &Geometry) -> f64 {
+    (1.0 + geometry.gamma()) * geometry.pitch_diameter() / geometry.ball_diameter()
 }
 
 /// Radius of a race in the rolling plane, m: (d_m ± D cos α)/(2 cos α).
