@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use crate::bearing::{BearingState, Geometry, Matrix5, Support, Vector5};
 use crate::keys;
+use crate::physics::nominal_cage_speed;
 use crate::rotor::{
     FREEDOM_NAMES, FREEDOMS, RotorDefinition, RotorError, build_supports, static_place,
 };
@@ -45,6 +46,18 @@ pub struct StaticQuestion {
     pub(crate) unbalance: bool,
     /// Torsion of the shaft, the sixth freedom.
     pub(crate) torsion: Option<Torsion>,
+}
+
+impl StaticQuestion {
+    /// Asks about shaft and cages at other angles in rad than at the start; cages are where they roll to, unless an angle is
+    /// given. Loads and unbalance stay as they are.
+    pub(crate) fn turn(&mut self, shaft: f64, cage: Option<f64>) {
+        for bearing in &mut self.rotor.bearings {
+            let slip = 1.0 - bearing.imperfections.cage_slip;
+            let rolling = nominal_cage_speed(shaft, bearing.bearing.geometry.gamma()) * slip;
+            *bearing = bearing.turned(shaft, cage.unwrap_or(rolling));
+        }
+    }
 }
 
 /// Moment and twist of the shaft about its axis.

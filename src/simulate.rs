@@ -173,11 +173,15 @@ fn answer(
     let rotor = passes.rotor;
     let measured_error = passes.measured_error();
     let analysis = sampling::analyse(model, rotor, observers.recording.as_ref());
-    let (motion, maps) = observers.recorders.finish();
+    let (motion, maps, spalls) = observers.recorders.finish();
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });
-    let estimated = spectra::estimated(model, observers.recording.as_ref());
+    let estimated = spectra::estimated(
+        model,
+        observers.recording.as_ref(),
+        &sampling::envelope_causes(model, rotor),
+    );
     let error = measured_error.as_ref();
     warnings.extend(warnings::warnings(model, passes, error, motion.as_ref()));
     let steady = rotor.steady_from(model.settle);
@@ -205,6 +209,7 @@ fn answer(
         peaks,
         motion,
         maps,
+        spalls,
         spectra: estimated
             .into_iter()
             .filter_map(|(_, found)| found.ok())

@@ -1,6 +1,7 @@
 //! The frequencies at which causes would show, and which of them is nearest to a line.
 
 use super::LineKind;
+use crate::bearing::{Imperfections, Surface};
 use crate::physics::BallPass;
 use crate::rotor::NaturalFrequency;
 
@@ -12,6 +13,8 @@ const BALL_PASS_MULTIPLES: u32 = 6;
 const CAGE_MULTIPLES: u32 = 3;
 /// Multiples of a ball's spin frequency looked for.
 const SPIN_MULTIPLES: u32 = 4;
+/// The same of balls with dents, even ones beyond [`SPIN_MULTIPLES`]: a dent meets both races in a revolution.
+const DENT_MULTIPLES: u32 = 20;
 /// Multiples of a meshing frequency looked for.
 const MESHING_MULTIPLES: u32 = 8;
 /// Shaft orders looked for on either side of a ball-pass line, cage orders beside one of spin.
@@ -90,6 +93,71 @@ pub struct BearingFrequencies {
     pub operating: BallPass,
 }
 
+/// Imperfect surfaces of a bearing that make lines of their own.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LineSurfaces {
+    /// Number of balls.
+    pub balls: u32,
+    /// Whether a ball has a dent or waves.
+    pub balls_show_spin: bool,
+    /// Surfaces with orders of waves around them.
+    pub waves: Vec<(Surface, u32)>,
+}
+
+impl LineSurfaces {
+    /// Of a bearing with so many balls.
+    pub fn new(balls: usize, imperfections: &Imperfections) -> Self {
+        let is_ball = |on: &Surface| matches!(on, Surface::Ball(_));
+        let waves = imperfections.waves.iter();
+        let mut waves: Vec<_> = waves.map(|(on, wave)| (*on, wave.order)).collect();
+        waves.sort();
+        waves.dedup();
+        Self {
+            balls: balls as u32,
+            balls_show_spin: imperfections.defects.iter().any(|own| is_ball(&own.on))
+                || waves.iter().any(|(on, _)| is_ball(on)),
+            waves,
+        }
+    }
+
+    /// Lines of waves, with p up to [`SIDEBANDS`]: of n waves around
+    ///
+    /// ```text
+    /// outer race  q Z FTF           inner race  |q Z FTF − n f|     n + p = q Z
+    /// a ball      n BSF + p FTF     of even n: odd ones cancel between both races
+    /// ```
+    fn wave_lines(&self, bearing: usize, own: &BearingFrequencies, shaft: f64) -> Vec<Line> {
+        let besides = || -SIDEBANDS..=SIDEBANDS;
+        let orders = self.waves.iter();
+        let all = orders.flat_map(|&(on, order)| besides().map(move |beside| (on, order, beside)));
+        let line = |(on, order, beside): (Surface, u32, i32)| {
+            let (n, p) = (f64::from(order), f64::from(beside));
+            let passing = order.checked_add_signed(beside)?;
+            let is_multiple = passing.is_multiple_of(self.balls);
+            let of = |pass: &BallPass| match on {
+                Surface::Outer => is_multiple.then_some(f64::from(passing) * pass.cage),
+                Surface::Inner => {
+                    is_multiple.then_some((f64::from(passing) * pass.cage - n * shaft).abs())
+                }
+                Surface::Ball(_) => order
+                    .is_multiple_of(2)
+                    .then_some(n * pass.spin + p * pass.cage),
+            };
+            Some(Line {
+                kind: LineKind::Waviness {
+                    bearing,
+                    on,
+                    order,
+                    beside,
+                },
+                frequency: of(&own.simulated)?,
+                operating: of(&own.operating),
+            })
+        };
+        all.filter_map(line).collect()
+    }
+}
+
 /// What can cause lines, all in Hz.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sources {
@@ -97,6 +165,8 @@ pub struct Sources {
     pub shaft: f64,
     /// Every bearing.
     pub bearings: Vec<BearingFrequencies>,
+    /// Imperfect surfaces of every bearing; empty where all are perfect.
+    pub surfaces: Vec<LineSurfaces>,
     /// Natural frequencies of the linearised system, lowest first; lines stand at the damped ones.
     pub natural: Vec<NaturalFrequency>,
     /// Meshing frequency of every sprocket.
@@ -108,8 +178,8 @@ pub struct Sources {
 /// Bearings with the ball-pass frequencies of an earlier one add nothing: what they cause bears
 /// the earlier one's name.
 ///
-/// The spin of a ball shows by a spot on it, which nothing simulated has: its lines take the
-/// operating contact angle.
+/// The spin of a ball shows by a spot on it. Balls with dents or waves turn as the simulation turns them; on others nothing
+/// simulated has a spot, and their lines take the operating contact angle.
 ///
 /// ```
 /// use jeffcott::analysis::{BearingFrequencies, Sources, causes, nearest_cause};
@@ -152,12 +222,17 @@ pub fn causes(sources: &Sources) -> Vec<Line> {
         })
     });
     let bearings = &sources.bearings;
+    let surfaces = |bearing: usize| sources.surfaces.get(bearing);
+    let shows_spin = |bearing| surfaces(bearing).is_some_and(|own| own.balls_show_spin);
     let balls = bearings.iter().enumerate();
     let balls = balls
-        .filter(|(bearing, own)| !bearings[..*bearing].contains(own))
-        .flat_map(|(bearing, own)| bearing_lines(bearing, own, shaft));
+        .filter(|(bearing, own)| shows_spin(*bearing) || !bearings[..*bearing].contains(own))
+        .flat_map(|(bearing, own)| bearing_lines(bearing, own, shaft, shows_spin(bearing)));
+    let waves = bearings.iter().enumerate().flat_map(|(bearing, own)| {
+        surfaces(bearing).map_or_else(Vec::new, |of| of.wave_lines(bearing, own, shaft))
+    });
     let all = orders.chain(halves).chain(modes).chain(meshing);
-    let mut lines: Vec<Line> = all.chain(balls).collect();
+    let mut lines: Vec<Line> = all.chain(balls).chain(waves).collect();
     lines.retain(|line| line.frequency > 0.0);
     lines
 }
@@ -171,14 +246,26 @@ fn fixed(kind: LineKind, frequency: f64) -> Line {
     }
 }
 
-fn bearing_lines(bearing: usize, own: &BearingFrequencies, shaft: f64) -> Vec<Line> {
+fn bearing_lines(
+    bearing: usize,
+    own: &BearingFrequencies,
+    shaft: f64,
+    shows_spin: bool,
+) -> Vec<Line> {
+    let largest_spin = if shows_spin {
+        DENT_MULTIPLES
+    } else {
+        SPIN_MULTIPLES
+    };
+    let spins = multiples(largest_spin)
+        .filter(|(multiple, _)| *multiple <= SPIN_MULTIPLES || multiple.is_multiple_of(2));
     let mut lines = Vec::new();
     let mut add = |kind, of: &dyn Fn(&BallPass) -> f64| {
         let (simulated, operating) = (of(&own.simulated), of(&own.operating));
         lines.push(Line {
             kind,
             frequency: match kind {
-                LineKind::BallSpin { .. } => operating,
+                LineKind::BallSpin { .. } if !shows_spin => operating,
                 _ => simulated,
             },
             operating: Some(operating),
@@ -200,7 +287,7 @@ fn bearing_lines(bearing: usize, own: &BearingFrequencies, shaft: f64) -> Vec<Li
         add(outer, &|pass| factor * pass.outer + shift);
         add(inner, &|pass| factor * pass.inner + shift);
     }
-    for (multiple, sideband) in multiples(SPIN_MULTIPLES) {
+    for (multiple, sideband) in spins {
         let kind = LineKind::BallSpin {
             bearing,
             multiple,
@@ -234,7 +321,7 @@ fn odd(largest: u32) -> impl Iterator<Item = u32> {
 
 /// The cause nearest to `frequency`, no further than it is known.
 ///
-/// Causes that are equally near are ranked by simplicity: shaft order, meshing, ball pass, natural frequency, cage,
+/// Causes that are equally near are ranked by simplicity: shaft order, waviness under thrust, meshing, ball pass, natural frequency, cage,
 /// halves, sidebands.
 pub fn nearest_cause(
     frequency: f64,

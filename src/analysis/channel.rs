@@ -181,6 +181,18 @@ impl Channel {
             .collect()
     }
 
+    /// Whether it moves or pushes along the axis of the shaft.
+    pub(super) fn is_axial(self) -> bool {
+        matches!(
+            self,
+            Self::Displacement(2)
+                | Self::Velocity(2)
+                | Self::Acceleration(2)
+                | Self::Force(2)
+                | Self::Housing { axis: 2, .. }
+        )
+    }
+
     /// All columns, in the order in which the tables show them.
     pub fn all() -> impl Iterator<Item = Self> {
         COLUMNS.iter().map(|column| column.channel)

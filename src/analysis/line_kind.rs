@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::bearing::Surface;
 use crate::rotor::Whirl;
 
 /// What a spectral line can be caused by.
@@ -39,6 +40,18 @@ pub enum LineKind {
         /// Cage orders added.
         sideband: i32,
     },
+    /// A wave around a surface, which balls roll over.
+    Waviness {
+        /// Bearing, from 0.
+        bearing: usize,
+        /// The surface.
+        on: Surface,
+        /// Waves around it, n.
+        order: u32,
+        /// What the balls, the shaft or the cage turn by beside: of races n + p is a multiple of the number of balls, of a
+        /// ball p cage orders are added. Pure thrust gives lines of p = 0 along the axis and p = ±1 across it only.
+        beside: i32,
+    },
     /// Odd number of halves of the shaft frequency: motion that repeats after two revolutions.
     ShaftHalves(u32),
     /// Odd number of halves of the ball-pass frequency of the outer race: motion that repeats after
@@ -73,40 +86,53 @@ pub enum LineKind {
 }
 
 impl LineKind {
+    /// Whether pure thrust makes the line along the axis of the shaft, or across it where that is asked for; waves are told
+    /// apart by it whose lines have one frequency.
+    pub(super) fn is_of_wave(self, along: bool) -> bool {
+        match self {
+            Self::Waviness { beside, .. } => beside.abs() == i32::from(!along),
+            _ => false,
+        }
+    }
+
     /// Rank of simplicity: where several causes fit equally well, the lowest one names the line.
     pub(super) fn rank(self) -> (u32, u32) {
         match self {
             Self::ShaftOrder(order) => (0, order),
-            Self::Meshing { multiple, .. } => (1, multiple),
+            Self::Waviness { beside, .. } => match beside {
+                -1..=1 => (1, 0),
+                _ => (12, beside.unsigned_abs()),
+            },
+            Self::Meshing { multiple, .. } => (2, multiple),
             Self::BallPassOuter {
-                multiple,
-                sideband: 0,
-                ..
-            } => (2, multiple),
-            Self::BallPassInner {
                 multiple,
                 sideband: 0,
                 ..
             } => (3, multiple),
-            Self::Natural { mode, .. } => (4, mode as u32),
-            Self::Cage { multiple, .. } => (5, multiple),
-            Self::ShaftHalves(halves) => (6, halves),
-            Self::BallPassHalves { halves, .. } => (7, halves),
+            Self::BallPassInner {
+                multiple,
+                sideband: 0,
+                ..
+            } => (4, multiple),
+            Self::Natural { mode, .. } => (5, mode as u32),
+            Self::Cage { multiple, .. } => (6, multiple),
+            Self::ShaftHalves(halves) => (7, halves),
+            Self::BallPassHalves { halves, .. } => (8, halves),
             Self::BallPassOuter {
                 multiple, sideband, ..
-            } => (8, multiple + sideband.unsigned_abs()),
+            } => (9, multiple + sideband.unsigned_abs()),
             Self::BallPassInner {
                 multiple, sideband, ..
-            } => (9, multiple + sideband.unsigned_abs()),
+            } => (10, multiple + sideband.unsigned_abs()),
             Self::BallSpin {
                 multiple, sideband, ..
-            } => (10, multiple + sideband.unsigned_abs()),
+            } => (11, multiple + sideband.unsigned_abs()),
         }
     }
 }
 
 /// `1×`, `2×BPFO`, `BPFI − 1×`, `5/2×BPFO`, `cage`, `BSF + 1×cage`, `meshing of sprocket 1`,
-/// `natural frequency 1`; bearings and sprockets after the first by number.
+/// `natural frequency 1`, `waviness of the outer race, order 17`, `waviness of ball 1, order 4 − 1×cage`; bearings and sprockets after the first by number.
 impl fmt::Display for LineKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -126,6 +152,20 @@ impl fmt::Display for LineKind {
                 multiple,
                 sideband,
             } => write_ball_line(f, "BSF", [multiple, bearing as u32], sideband, "cage"),
+            Self::Waviness {
+                bearing,
+                on,
+                order,
+                beside,
+            } => {
+                write!(f, "waviness of {on}")?;
+                write_number(f, "bearing", bearing as u32)?;
+                write!(f, ", order {order}")?;
+                match on {
+                    Surface::Ball(_) => write_sideband(f, beside, "cage"),
+                    Surface::Inner | Surface::Outer => Ok(()),
+                }
+            }
             Self::ShaftHalves(halves) => write!(f, "{halves}/2×"),
             Self::BallPassHalves { bearing, halves } => {
                 write!(f, "{halves}/2×BPFO")?;
@@ -160,6 +200,10 @@ fn write_ball_line(
     write_multiple(f, multiple)?;
     write!(f, "{name}")?;
     write_number(f, "bearing", bearing)?;
+    write_sideband(f, sideband, of)
+}
+
+fn write_sideband(f: &mut fmt::Formatter<'_>, sideband: i32, of: &str) -> fmt::Result {
     match sideband {
         0 => Ok(()),
         1.. => write!(f, " + {sideband}×{of}"),

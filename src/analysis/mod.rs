@@ -12,19 +12,22 @@ mod order_tracks;
 mod peaks;
 pub(crate) mod recording;
 mod sampling_errors;
+mod spall_signal;
 mod spectrum;
 mod transform;
 mod waterfall;
 mod window;
 
 pub(crate) use causes::other_causes;
-pub use causes::{BearingFrequencies, Line, Precision, Sources, causes, nearest_cause};
+pub use causes::{
+    BearingFrequencies, Line, LineSurfaces, Precision, Sources, causes, nearest_cause,
+};
 pub use channel::Channel;
 pub(crate) use channel::column_unit;
 pub(crate) use estimation::estimate;
 pub use estimation::{
-    Axis, Detrend, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment, SpectrumColumn,
-    SpectrumKind, SpectrumQuantity, SpectrumRequest,
+    Axis, Detrend, EnvelopeLine, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment,
+    SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest,
 };
 #[cfg(test)]
 pub(crate) use estimation::{Welch, envelope};
@@ -45,6 +48,8 @@ pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;
 pub(crate) use recording::{Recording, SampleGrid};
 pub(crate) use sampling_errors::{Leak, TopPower, leak};
+pub(crate) use spall_signal::SpallRecorder;
+pub use spall_signal::{SpallInstants, SpallSignal};
 pub(crate) use spectrum::Analysis;
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub(crate) use transform::{Transform, fourier_coefficients};

@@ -51,11 +51,20 @@ pub(super) fn peaks(
     let found = strongest_first(hann.maxima().filter_map(|k| hann.refine(k)).collect());
     let strongest = found.first().map_or(0.0, |peak| peak.amplitude);
     let threshold = floor.max(RELATIVE_THRESHOLD * strongest);
+    let causes = &seen_in(channel, causes);
     found
         .into_iter()
         .take_while(|peak| peak.amplitude > threshold)
         .map(|refined| hann.named(&refined, channel, resolution, causes))
         .collect()
+}
+
+/// The causes with those waves first that a channel of this direction shows under thrust: of equal ones the first names a
+/// line.
+pub(super) fn seen_in(channel: Channel, causes: &[Line]) -> Vec<Line> {
+    let mut causes = causes.to_vec();
+    causes.sort_by_key(|line| !line.kind.is_of_wave(channel.is_axial()));
+    causes
 }
 
 /// The [`MOST_PEAKS`] strongest; of equal ones the lower in frequency first.

@@ -71,5 +71,5 @@ pub use state::{
 };
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;
-pub(crate) use surface::{Defect, Imperfections, Passing, Surface, Wave};
-pub use surface::{DefectProfile, ImperfectionError};
+pub(crate) use surface::{CageWalk, Defect, Imperfections, Passing, RacePass, SideView, Wave};
+pub use surface::{DefectProfile, ImperfectionError, Surface};

@@ -9,8 +9,8 @@ use super::law::{BallLaw, BallTable, Law, with_law};
 use super::linear_force::LinearForce;
 use super::seat::Seat;
 use super::{
-    Around, BallLoads, BearingError, BearingRotation, BearingState, ContactBand, ContactLaw,
-    FrictionMoment, Geometry, Matrix5, MountedBearing, Preload, Ring, Vector5,
+    Around, BallLoads, BearingError, BearingRotation, BearingState, CageWalk, ContactBand,
+    ContactLaw, FrictionMoment, Geometry, Matrix5, MountedBearing, Preload, Ring, Vector5,
 };
 use crate::physics::{BallPass, HertzContact, nominal_cage_speed};
 
@@ -37,6 +37,7 @@ pub struct Support {
     friction: BearingFriction,
     /// Speed of the cage over that of the shaft.
     cage_ratio: f64,
+    cage_walk: Option<CageWalk>,
     /// Set once the bearing is linear.
     pub(super) frozen: Option<LinearForce>,
     pub(super) definition: MountedBearing,
@@ -69,6 +70,10 @@ impl Support {
             table: None,
             cage_ratio: nominal_cage_speed(1.0, definition.bearing.geometry.gamma())
                 * (1.0 - definition.imperfections.cage_slip),
+            cage_walk: CageWalk::new(
+                &definition.imperfections.cage_steps,
+                bearing.geometry.balls(),
+            ),
             frozen: None,
             definition: definition.clone(),
             sign: definition.facing.sign(),
@@ -264,6 +269,12 @@ impl Support {
     #[inline]
     pub(crate) fn cage_ratio(&self) -> f64 {
         self.cage_ratio
+    }
+
+    /// How the cage wanders, where it does.
+    #[inline]
+    pub(crate) fn cage_walk(&self) -> Option<&CageWalk> {
+        self.cage_walk.as_ref()
     }
 
     /// Ball-pass frequencies at the nominal contact angle, with the slip of the cage: balls that roll on the outer race

@@ -6,7 +6,7 @@ use super::law::with_law;
 use super::ring::{Balls, Consumer, LaneVector, side_by_side};
 use super::support::Support;
 use super::surface::{ImperfectSurfaces, TurningSurfaces};
-use super::{BallLaw, BearingRotation, Passing, Ring, Vector5};
+use super::{BallLaw, BearingRotation, Passing, RacePass, Ring, Vector5};
 
 impl Support {
     /// Whether any surface of the bearing differs from a perfect one.
@@ -18,6 +18,16 @@ impl Support {
     pub(crate) fn passings(&self) -> &[Passing] {
         let surfaces = self.ring.surfaces.as_deref();
         surfaces.map_or(&[], ImperfectSurfaces::passings)
+    }
+
+    /// Spalls of the races whose edges alone balls meet, at equal angles of a cage that turns evenly; none of one that wanders.
+    pub(crate) fn race_passes(&self) -> impl Iterator<Item = RacePass> + '_ {
+        let own = &self.definition;
+        let defects = own.imperfections.defects.iter();
+        let defects = defects.filter(|_| self.cage_walk().is_none());
+        defects.filter_map(|defect| {
+            defect.race_pass(&own.bearing.geometry, own.first_ball, own.position)
+        })
     }
 
     /// Which of its surfaces turn.

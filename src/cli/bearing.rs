@@ -6,8 +6,9 @@ use serde::Serialize;
 
 use super::Outcome;
 use super::jobs::{Answer, Failure, Files, Job};
-use crate::quasi_static::{QuasiStatic, quasi_static};
+use crate::quasi_static::{QuasiStatic, StaticQuestion, quasi_static};
 use crate::report;
+use crate::scenario::{self, Issue};
 use crate::study::{ContactChoice, Study};
 
 /// Finds where the shaft stands, without motion: equilibrium, stiffness and every ball.
@@ -23,20 +24,48 @@ use crate::study::{ContactChoice, Study};
 pub struct Arguments {
     #[command(flatten)]
     files: Files,
+    /// Angle that the shaft has turned by
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true)]
+    shaft_angle: Option<f64>,
+    /// Angle that the cages have turned by; where they roll to with the shaft, if it is left out
+    #[arg(long, value_name = "ANGLE", value_parser = angle, allow_hyphen_values = true)]
+    cage_angle: Option<f64>,
+}
+
+/// An angle with its unit, rad.
+fn angle(text: &str) -> Result<f64, Issue> {
+    scenario::number(text, "bearing[].first_ball", "angle")
 }
 
 /// Checks all files, then answers them in turn.
 pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
+    let (shaft, cage) = (arguments.shaft_angle, arguments.cage_angle);
+    let turn = |question: &mut StaticQuestion| {
+        if shaft.or(cage).is_some() {
+            question.turn(shaft.unwrap_or(0.0), cage);
+        }
+    };
     let answer = |job: &Job, ()| match &job.scenario.study {
-        Some(study) => answer_study(job, study),
-        None => answer(job),
+        Some(study) => {
+            let mut study = study.clone();
+            study
+                .points
+                .iter_mut()
+                .for_each(|point| turn(&mut point.question));
+            answer_study(job, &study)
+        }
+        None => {
+            let mut question = job.scenario.question.clone();
+            turn(&mut question);
+            answer(job, &question)
+        }
     };
     arguments.files.answer(|_| Ok(()), answer)
 }
 
-fn answer(job: &Job) -> Result<Answer, Failure> {
+fn answer(job: &Job, question: &StaticQuestion) -> Result<Answer, Failure> {
     let destination = job.destination();
-    let answer = quasi_static(&job.scenario.question)?;
+    let answer = quasi_static(question)?;
     job.warn(&answer.warnings);
     let written = destination.write(report::answer_findings(&destination, &answer))?;
     let text = written.text + &job.contact_choice_text();

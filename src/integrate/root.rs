@@ -57,7 +57,7 @@ const MOST_VALUES: usize = 60;
 
 /// Root of a continuous function between two positions where it has these values, to within a distance; none where
 /// both have one sign.
-pub(super) fn root(
+pub(crate) fn root(
     mut value: impl FnMut(f64) -> f64,
     ends: [f64; 2],
     values: [f64; 2],

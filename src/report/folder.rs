@@ -48,6 +48,7 @@ impl FileSet {
             "spectrum.svg",
             "spectrum_*.svg",
             "orbit.svg",
+            "defects.svg",
             "waterfall.svg",
             "order_tracks.svg",
             "campbell.svg",

@@ -4,6 +4,7 @@ pub(crate) mod accuracy;
 pub(crate) mod campbell;
 mod checksum;
 pub mod compare;
+mod defects;
 pub(crate) mod destination;
 mod envelope;
 mod error;

@@ -7,6 +7,7 @@ use std::{fs, io};
 use serde::Serialize;
 use serde_json::Value;
 
+use super::defects;
 use super::error::{Failure, FailureSummary, until_failure};
 use super::figure::Figure;
 use super::histories::Histories;
@@ -221,6 +222,10 @@ impl RunReport {
             ),
             false => Vec::new(),
         };
+        let defects = self
+            .outputs
+            .figures
+            .then(|| defects::figure(&self.title, model, run));
         let streamed = self.tables.into_iter().map(|table| table.files);
         for table in streamed.chain(self.balls).chain(self.events) {
             files.extend(table.close()?);
@@ -232,7 +237,7 @@ impl RunReport {
         if let Some(maps) = &run.maps {
             files.extend(write_waterfall(&maps.waterfall, folder)?);
         }
-        for figure in figures {
+        for figure in figures.into_iter().chain(defects.flatten()) {
             files.push(folder.write_figure(&figure)?);
         }
         if let Some(histories) = self.histories.filter(|_| self.outputs.page) {
@@ -293,7 +298,12 @@ pub(super) fn tables<'a>(
 
 /// Figures that the page shows as they are: what its own charts do not.
 fn shown_figures(files: &[WholeFile]) -> Result<Vec<(&'static str, String)>, ReportError> {
-    const SHOWN: [&str; 3] = ["waterfall.svg", "order_tracks.svg", "campbell.svg"];
+    const SHOWN: [&str; 4] = [
+        "waterfall.svg",
+        "order_tracks.svg",
+        "campbell.svg",
+        defects::FILE,
+    ];
     let found = |name: &&'static str| {
         let name = *name;
         let file = files.iter().find(|file| file.path().ends_with(name))?;

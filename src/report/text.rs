@@ -8,7 +8,7 @@ use super::motion::{put_motion, put_severity};
 use super::terminal::{
     Lines, MICRO, clearance_text, decimals, displacement_text, listed, measured_text, significant,
 };
-use crate::analysis::{Peak, Spectrum};
+use crate::analysis::{Peak, SpallSignal, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::scenario;
 use crate::simulate::{
@@ -20,6 +20,8 @@ use crate::study::{ContactChoice, Fidelity, FidelityDifference};
 
 /// Peaks shown.
 const PEAKS: usize = 8;
+/// Lines of an envelope shown.
+const ENVELOPE_LINES: usize = 6;
 
 /// Key numbers of a run, its strongest peaks and the files written.
 pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String {
@@ -66,6 +68,14 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
     if let Some(severity) = &run.vibration_severity {
         put_severity(&mut out, severity);
     }
+    for spall in &run.spalls {
+        out.line("spall", spall_text(spall));
+    }
+    for spectrum in run.spectra.iter().filter(|of| !of.lines.is_empty()) {
+        let lines = spectrum.lines.iter().take(ENVELOPE_LINES);
+        let names = listed(lines.map(|line| line.line.kind.to_string()));
+        out.line("lines", format!("{}: {names}", spectrum.request.name));
+    }
     if !run.peaks.is_empty() {
         put_peaks(&mut out, &run.peaks, run.spectrum.as_ref());
     }
@@ -99,6 +109,23 @@ fn natural(state: &StaticState) -> String {
     };
     let rest = (more > 0).then(|| format!("and {more} higher ones"));
     listed(modes.map(text).chain(rest))
+}
+
+/// `bearing 1, the outer race: 151.6 µs from entry to impact in 53 averaged ball passes, 151.3 µs by kinematics (+0.2 %)`.
+fn spall_text(spall: &SpallSignal) -> String {
+    let known = MICRO * spall.known;
+    let where_it_is = format!("bearing {}, {}", spall.bearing, spall.on);
+    match spall.measured {
+        None => format!(
+            "{where_it_is}: {known:.1} µs from entry to impact by kinematics; the acceleration does not show it"
+        ),
+        Some(found) => format!(
+            "{where_it_is}: {:.1} µs from entry to impact in {:.0} averaged ball passes, {known:.1} µs by kinematics ({:+.1} %)",
+            MICRO * found.apart,
+            spall.passes,
+            100.0 * found.deviation,
+        ),
+    }
 }
 
 /// The strongest peaks of x, y and z, which have one unit and so one order.

@@ -80,10 +80,11 @@ impl Rotor {
     ) -> Bearings {
         let friction = self.drive.is_some_and(|drive| drive.friction);
         let mut total = Bearings::default();
+        let rotation_of_shaft = rotation;
         self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
             let support = bearing.support;
             let ratio = if support.follows_cage() {
-                self.cage_ratio(support)
+                self.cage_rate(support, rotation_of_shaft.angle)
             } else {
                 0.0
             };

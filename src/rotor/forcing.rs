@@ -87,6 +87,15 @@ pub enum Unrepeated {
         /// Bearing, from 0.
         bearing: usize,
     },
+    /// A cage wanders.
+    #[error(
+        "the cage of bearing {} wanders at random (cage_jitter), so no motion of the shaft repeats; leave `cage_jitter` out, or use `jeffcott run`",
+        bearing + 1
+    )]
+    CageJitter {
+        /// Bearing, from 0.
+        bearing: usize,
+    },
     /// A load does not repeat.
     #[error("varying load {} is {what}, which does not repeat: leave it out, or use `jeffcott run`", number + 1)]
     Load {
@@ -123,6 +132,9 @@ impl Rotor {
         for (bearing, support) in self.supports.iter().enumerate() {
             let balls = support.definition().bearing.geometry.balls() as f64;
             let cage = self.cage_ratio(support) * speed;
+            if support.cage_walk().is_some() && cage > 0.0 {
+                return Err(Unrepeated::CageJitter { bearing });
+            }
             let surfaces = support.surfaces_that_turn();
             if surfaces.defects && cage > 0.0 {
                 return Err(Unrepeated::Defect { bearing });

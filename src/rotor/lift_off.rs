@@ -57,8 +57,11 @@ impl Rotor {
         let (speeds, turn) = ([from.speed, to.speed], to.angle - from.angle);
         let change = |bearing: AttachedBearing<'_>| {
             let ends = places.map(|place| bearing.displacement(place));
-            let turn = self.cage_ratio(bearing.support) * turn;
             let support = bearing.support;
+            let faster = support
+                .cage_walk()
+                .map_or(1.0, |walk| 1.0 + walk.steepest());
+            let turn = self.cage_ratio(support) * faster * turn;
             support.approach_to_lift_off(ends.each_ref(), speeds, turn)
         };
         self.bearings().map(change).fold(0.0, f64::max)

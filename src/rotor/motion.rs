@@ -11,7 +11,7 @@ use super::structure::{Structure, UnbalancedPoint};
 use super::{
     CageMotion, Drive, FREEDOMS, InitialPosition, Load, LoadKind, Rotation, SpeedProfile,
 };
-use crate::bearing::{Angle, BearingRotation, BearingState, Support, Vector5};
+use crate::bearing::{Angle, BearingRotation, BearingState, CageWalk, Support, Vector5};
 use crate::registers::in_wide_registers;
 
 /// A shaft on its bearings, assembled and ready to move.
@@ -182,7 +182,7 @@ impl Rotor {
 
     /// Speed of the cage of a bearing over that of the shaft.
     #[inline]
-    pub(super) fn cage_ratio(&self, support: &Support) -> f64 {
+    pub(crate) fn cage_ratio(&self, support: &Support) -> f64 {
         self.cage.ratio(support)
     }
 
@@ -225,6 +225,9 @@ impl Rotor {
         phases: &Phases,
     ) -> BearingRotation {
         let ratio = self.cage_ratio(support);
+        if let Some(walk) = support.cage_walk() {
+            return wandering(walk, ratio, rotation, phases);
+        }
         BearingRotation {
             cage: if ratio == phases.ratio {
                 phases.cage
@@ -301,7 +304,23 @@ impl Rotor {
     pub(super) fn next_break_after(&self, after: f64) -> f64 {
         let breaks = self.loads.iter().map(|load| load.next_break(after));
         let known = breaks.fold(self.speed.next_break(after), f64::min);
-        known.min(self.next_passing(after))
+        known
+            .min(self.next_passing(after))
+            .min(self.next_cage_step(after))
+    }
+}
+
+/// The rotation of a bearing whose cage wanders.
+#[inline(never)]
+fn wandering(walk: &CageWalk, ratio: f64, rotation: &Rotation, phases: &Phases) -> BearingRotation {
+    let nominal = ratio * rotation.angle;
+    let [ahead, slope] = walk.at(nominal);
+    BearingRotation {
+        cage: Angle::new(nominal + ahead),
+        shaft: phases.shaft,
+        cage_angle: nominal + ahead,
+        cage_speed: ratio * rotation.speed * (1.0 + slope),
+        speed: rotation.speed,
     }
 }
 

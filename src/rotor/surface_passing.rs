@@ -3,7 +3,11 @@
 
 use super::motion::AttachedBearing;
 use super::{Rotation, Rotor};
-use crate::bearing::{BearingRotation, Passing};
+use crate::bearing::{BearingRotation, CageWalk, Passing, Support};
+use crate::integrate::root::root;
+
+/// Part of an angle of the shaft to which a passage is found.
+const FOUND: f64 = 1e-15;
 
 impl Rotor {
     /// The first time after `after` at which a ball passes a kink, s; infinite where none does or a drive turns the shaft.
@@ -22,7 +26,10 @@ impl Rotor {
             for passing in support.passings() {
                 // round-off of angles may bring back the passage that has just been
                 let times = (0..3).map_while(|later| {
-                    let angle = passing.next_angle(angle, ratio, later)?;
+                    let angle = match support.cage_walk() {
+                        None => passing.next_angle(angle, ratio, later)?,
+                        Some(walk) => angle_by_walk(passing, walk, ratio, angle, later)?,
+                    };
                     self.speed.time_of(angle)
                 });
                 let first = times.into_iter().find(|time| *time > after);
@@ -30,6 +37,35 @@ impl Rotor {
             }
         }
         next
+    }
+
+    /// The first time after `after` at which a ball pass ends with which a cage gains an angle, s.
+    pub(super) fn next_cage_step(&self, after: f64) -> f64 {
+        let wandering = self.supports.iter().filter_map(|support| {
+            let walk = support.cage_walk()?;
+            Some((walk.spacing(), self.cage_ratio(support)))
+        });
+        let angle = |(spacing, ratio): (f64, f64)| {
+            let passed = (ratio * self.speed.at(after).angle / spacing).floor();
+            // round-off may bring back the end that has just been
+            let times = (1..4).map_while(|later| {
+                let nominal = (passed + f64::from(later)) * spacing;
+                self.speed.time_of(nominal / ratio)
+            });
+            let mut later = times.filter(|time| *time > after);
+            later.next().unwrap_or(f64::INFINITY)
+        };
+        let turning = wandering.filter(|(_, ratio)| *ratio > 0.0);
+        turning.map(angle).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Change of a cage's angle by that of the shaft.
+    pub(super) fn cage_rate(&self, support: &Support, angle: f64) -> f64 {
+        let ratio = self.cage_ratio(support);
+        let slope = support
+            .cage_walk()
+            .map_or(0.0, |walk| walk.at(ratio * angle)[1]);
+        ratio * (1.0 + slope)
     }
 
     /// Kinks that are event surfaces, with their bearings.
@@ -50,7 +86,9 @@ impl Rotor {
     /// Writes how far balls are past them, m.
     pub(super) fn passing_distances(&self, rotation: &Rotation, values: &mut [f64]) {
         for ((bearing, passing), value) in self.passing_events().zip(values) {
-            let cage = self.cage_ratio(bearing.support) * rotation.angle;
+            let nominal = self.cage_ratio(bearing.support) * rotation.angle;
+            let walk = bearing.support.cage_walk();
+            let cage = nominal + walk.map_or(0.0, |walk| walk.at(nominal)[0]);
             *value = passing.distance(cage, rotation.angle);
         }
     }
@@ -89,4 +127,37 @@ impl Rotor {
             })
             .collect()
     }
+}
+
+/// As [`Passing::next_angle`] of a cage that wanders, which never turns backwards.
+fn angle_by_walk(
+    passing: &Passing,
+    walk: &CageWalk,
+    ratio: f64,
+    after: f64,
+    later: u32,
+) -> Option<f64> {
+    let rate = passing.rate(ratio);
+    if rate == 0.0 {
+        return None;
+    }
+    let place = |angle: f64| {
+        let cage = ratio * angle + walk.at(ratio * angle)[0];
+        (passing.offset + passing.by_cage * cage + passing.by_shaft * angle) / passing.period
+            * rate.signum()
+    };
+    let from = place(after);
+    let target = from.floor() + 1.0 + f64::from(later);
+    let step = passing.period / rate.abs();
+    let mut end = after + step * (target - from);
+    while place(end) < target {
+        end += step;
+    }
+    let distance = |angle: f64| place(angle) - target;
+    root(
+        distance,
+        [after, end],
+        [from - target, distance(end)],
+        FOUND * end,
+    )
 }

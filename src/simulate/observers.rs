@@ -45,8 +45,10 @@ impl<'a> Observers<'a> {
             || observation.is_of_contacts();
         let recording = sampling::recording(model, rotor);
         let recorded = recording.as_ref();
-        let accelerations =
-            sink.needs_acceleration() || recorded.is_some_and(Recording::needs_acceleration);
+        let recorders = Recorders::new(model, rotor, &grid);
+        let accelerations = sink.needs_acceleration()
+            || recorders.need_acceleration()
+            || recorded.is_some_and(Recording::needs_acceleration);
         Self {
             grid,
             start: match whole_run {
@@ -56,7 +58,7 @@ impl<'a> Observers<'a> {
             sink,
             settle: model.settle,
             largest_ball_load: None,
-            recorders: Recorders::new(model, rotor, &grid),
+            recorders,
             recording,
             accelerations,
             observation,

@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::{Analyses, Model, MotionAnalysis};
 use crate::analysis::{
-    Channel, Motion, MotionRecorder, MotionSettings, OrderTracks, SectionKind, TrackRecorder,
-    TrackedOrder, Waterfall, WaterfallRecorder,
+    Channel, Motion, MotionRecorder, MotionSettings, OrderTracks, SectionKind, SpallRecorder,
+    SpallSignal, TrackRecorder, TrackedOrder, Waterfall, WaterfallRecorder,
 };
 use crate::integrate::Grid;
 use crate::rotor::{FREEDOMS, MOST_HOUSINGS, Rotor, Sample};
@@ -42,6 +42,7 @@ pub struct Maps {
 pub(super) struct Recorders {
     motion: Option<MotionRecorder>,
     maps: Option<(WaterfallRecorder, TrackRecorder)>,
+    spalls: Vec<SpallRecorder>,
 }
 
 impl Recorders {
@@ -52,6 +53,7 @@ impl Recorders {
         Self {
             motion: steady.map(|speed| MotionRecorder::new(settings(model, rotor, grid, speed))),
             maps: maps.then(|| maps_of(model, rotor, 1.0 / grid.interval)),
+            spalls: spalls(model, rotor, grid),
         }
     }
 
@@ -64,15 +66,47 @@ impl Recorders {
             waterfall.record(sample);
             tracks.record(sample);
         }
+        for spall in &mut self.spalls {
+            spall.record(sample);
+        }
     }
 
-    pub fn finish(self) -> (Option<Motion>, Option<Maps>) {
+    /// Whether samples must come with their accelerations.
+    pub fn need_acceleration(&self) -> bool {
+        !self.spalls.is_empty()
+    }
+
+    pub fn finish(self) -> (Option<Motion>, Option<Maps>, Vec<SpallSignal>) {
         let maps = self.maps.map(|(waterfall, tracks)| Maps {
             waterfall: waterfall.finish(),
             tracks: tracks.finish(),
         });
-        (self.motion.and_then(MotionRecorder::finish), maps)
+        let motion = self.motion.and_then(MotionRecorder::finish);
+        let spalls = self.spalls.into_iter();
+        (
+            motion,
+            maps,
+            spalls.filter_map(SpallRecorder::finish).collect(),
+        )
     }
+}
+
+/// The signals of the spalls of the races, where spectra are asked for and the speed is constant.
+fn spalls(model: &Model, rotor: &Rotor, grid: &Grid) -> Vec<SpallRecorder> {
+    let steady = rotor.steady_from(model.settle);
+    let Some(speed) = steady.filter(|_| model.spectrum.is_some()) else {
+        return Vec::new();
+    };
+    let samples = (model.duration - model.settle) / grid.interval;
+    let supports = rotor.supports().iter().enumerate();
+    let passes = supports.flat_map(|(bearing, support)| {
+        let ratio = rotor.cage_ratio(support);
+        let passes = support.race_passes();
+        passes.map(move |pass| {
+            SpallRecorder::new(bearing, pass, ratio, speed, [model.settle, samples])
+        })
+    });
+    passes.flatten().collect()
 }
 
 fn settings(model: &Model, rotor: &Rotor, grid: &Grid, speed: f64) -> MotionSettings {

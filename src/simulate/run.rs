@@ -10,8 +10,8 @@ use super::{
     VibrationSeverity, sampling, simulate,
 };
 use crate::analysis::{
-    Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Motion, Peak, Spectrum,
-    SpectrumRequest, estimate,
+    Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Motion, Peak, SpallSignal,
+    Spectrum, SpectrumRequest, estimate,
 };
 use crate::bearing::BearingState;
 use crate::integrate::{Counters, MethodUse};
@@ -149,6 +149,10 @@ pub struct Run {
     /// others.
     #[serde(skip)]
     pub spectra: Vec<EstimatedSpectrum>,
+    /// Signals of the spalls of the races, with the time between entry and impact, where spectra are asked for and the speed
+    /// is constant.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub spalls: Vec<SpallSignal>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
 }

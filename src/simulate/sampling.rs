@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use super::{Model, Sampling, SimulateError};
 use crate::analysis::{
-    Analysis, BearingFrequencies, Channel, Recording, SampleGrid, Segment, Sources,
-    SpectrumRequest, causes,
+    Analysis, BearingFrequencies, Channel, Line, LineSurfaces, Recording, SampleGrid, Segment,
+    Sources, SpectrumKind, SpectrumRequest, causes,
 };
 use crate::integrate::Grid;
 use crate::physics::BallPass;
@@ -133,6 +133,21 @@ pub(super) fn analyse(
     })
 }
 
+/// What can cause lines of envelopes; nothing where none is asked for.
+pub(super) fn envelope_causes(model: &Model, rotor: &Rotor) -> Vec<Line> {
+    let is_envelope = |request: &SpectrumRequest| {
+        matches!(
+            request.kind,
+            SpectrumKind::Envelope { .. } | SpectrumKind::ImpulsiveEnvelope
+        )
+    };
+    if model.spectra.iter().any(is_envelope) {
+        causes(&sources(model, rotor))
+    } else {
+        Vec::new()
+    }
+}
+
 /// What makes lines: nothing that turns where the speed changes.
 fn sources(model: &Model, rotor: &Rotor) -> Sources {
     let Some(speed) = rotor.steady_from(model.settle) else {
@@ -154,9 +169,18 @@ fn sources(model: &Model, rotor: &Rotor) -> Sources {
             .zip(operating_at(rotor_there, speed))
             .map(frequencies)
             .collect(),
+        surfaces: line_surfaces(rotor),
         natural: rotor_there.natural_frequencies(),
         meshing: rotor.meshing_frequencies(speed),
     }
+}
+
+/// What the surfaces of every bearing add to the lines.
+fn line_surfaces(rotor: &Rotor) -> Vec<LineSurfaces> {
+    let definitions = rotor.supports().iter().map(|support| support.definition());
+    definitions
+        .map(|own| LineSurfaces::new(own.bearing.geometry.balls(), &own.imperfections))
+        .collect()
 }
 
 /// Bytes of what does not grow with the duration: program, page, figures, blocks of samples.

@@ -2,8 +2,8 @@
 
 use super::Model;
 use crate::analysis::{
-    Axis, Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Leak, Recording, Spectrum,
-    SpectrumColumn, SpectrumQuantity, TopPower, Window, estimate, leak,
+    Axis, Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Leak, Line, Recording,
+    Spectrum, SpectrumColumn, SpectrumQuantity, TopPower, Window, estimate, leak,
 };
 
 /// A share of the power in the top tenth of the frequencies that is worth a warning: what folds is
@@ -17,12 +17,22 @@ const RESAMPLING: f64 = 1e-3;
 /// A spectrum, or the name of the one that could not be estimated and why.
 pub(super) type Estimate<'a> = (&'a str, Result<EstimatedSpectrum, EstimateError>);
 
-/// The spectra that a model asks for, in its order.
-pub(super) fn estimated<'a>(model: &'a Model, recording: Option<&Recording>) -> Vec<Estimate<'a>> {
+/// The spectra that a model asks for, in its order, the lines of envelopes named by their causes.
+pub(super) fn estimated<'a>(
+    model: &'a Model,
+    recording: Option<&Recording>,
+    causes: &[Line],
+) -> Vec<Estimate<'a>> {
     let requests = recording.map_or(&[][..], |_| &model.spectra).iter();
     let pairs = requests.filter_map(|request| Some((request, recording?)));
     pairs
-        .map(|(request, recording)| (request.name.as_str(), estimate(recording, request)))
+        .map(|(request, recording)| {
+            let mut found = estimate(recording, request);
+            if let Ok(spectrum) = &mut found {
+                spectrum.name_lines(causes);
+            }
+            (request.name.as_str(), found)
+        })
         .collect()
 }
 

@@ -170,7 +170,7 @@ fn run() -> Run {
             operating: pass,
         }],
         natural: vec![natural],
-        meshing: Vec::new(),
+        ..Sources::default()
     });
     let Analysis { spectrum, peaks } = recording
         .spectrum(&channels, Window::Rectangular, &lines)
@@ -198,6 +198,7 @@ fn run() -> Run {
         reduction: None,
         largest_ball_load: Some(310.0),
         tables: Vec::new(),
+        spalls: Vec::new(),
         measured_error: Some(MeasuredError {
             displacement: 1e-14,
             relative: 1e-8,

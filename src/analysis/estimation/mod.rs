@@ -1,6 +1,7 @@
 //! Spectra as people of signal processing ask for them: scalings, windows, averages, orders,
 //! envelopes, whirls, cross spectra.
 
+mod envelope_lines;
 mod interpolation;
 mod request;
 mod welch;
@@ -8,8 +9,8 @@ mod welch;
 use std::borrow::Cow;
 
 pub use request::{
-    Axis, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment, SpectrumColumn,
-    SpectrumKind, SpectrumQuantity, SpectrumRequest,
+    Axis, EnvelopeLine, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment,
+    SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest,
 };
 pub use welch::{Detrend, Welch, envelope};
 
@@ -67,6 +68,7 @@ pub fn estimate(
         first,
         columns: columns.all(),
         resampling: record.resampling,
+        lines: Vec::new(),
     })
 }
 

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Detrend;
-use crate::analysis::{Channel, Leak, TopPower, Window};
+use crate::analysis::{Channel, Leak, Line, TopPower, Window};
 
 /// What is made of the channels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -372,6 +372,22 @@ pub struct EstimatedSpectrum {
     pub first: isize,
     /// The columns, all of one length.
     pub columns: Vec<SpectrumColumn>,
+    /// Named lines of an envelope, strongest first in each column.
+    pub lines: Vec<EnvelopeLine>,
+}
+
+/// A line of an envelope that has a name.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct EnvelopeLine {
+    /// Number of its column.
+    pub column: usize,
+    /// Its position between the bins, Hz or orders.
+    pub place: f64,
+    /// Highest value of its bins.
+    pub value: f64,
+    /// What causes it.
+    pub line: Line,
 }
 
 impl EstimatedSpectrum {

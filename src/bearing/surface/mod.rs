@@ -1,20 +1,27 @@
 //! Surfaces that are not perfect: defects, waviness and balls of unequal size, as drops under the balls.
 
+mod cage_walk;
 mod passing;
+mod race_pass;
 mod slot;
 mod surfaces;
+mod turned;
 mod waves;
 
+pub use cage_walk::CageWalk;
 pub use passing::Passing;
+pub use race_pass::{RacePass, SideView};
 pub use slot::DefectProfile;
 pub(super) use surfaces::ImperfectSurfaces;
 pub use surfaces::TurningSurfaces;
 pub use waves::Wave;
 
+use std::fmt;
+
 use super::Geometry;
 
 /// Which surface of a bearing.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Surface {
     /// Outer race; angles count from +X towards +Y.
     Outer,
@@ -50,6 +57,8 @@ pub struct Imperfections {
     pub oversizes: Vec<f64>,
     /// How much slower than nominal the cage turns, as a part of its nominal speed.
     pub cage_slip: f64,
+    /// Angles that the cage gains, one with every ball pass and then again, rad; empty where it turns evenly.
+    pub cage_steps: Vec<f64>,
 }
 
 /// Why a surface cannot be as it is described.
@@ -94,6 +103,18 @@ pub enum ImperfectionError {
         /// Number of balls.
         balls: usize,
     },
+    /// A cage gains too much with a ball pass.
+    #[error(
+        "the cage gains {:.3}° with a ball pass; it can gain or lose at most {:.3}°, half the spacing of its balls",
+        step.to_degrees(),
+        largest.to_degrees()
+    )]
+    CageStep {
+        /// Angle as given, rad.
+        step: f64,
+        /// Largest one, rad.
+        largest: f64,
+    },
     /// A number is not finite.
     #[error("{name} is {value}; it must be finite")]
     NotFinite {
@@ -107,6 +128,8 @@ pub enum ImperfectionError {
 impl Imperfections {
     /// Highest order of a wave.
     pub const LARGEST_ORDER: u32 = 10_000;
+    /// Largest step of a cage over the spacing of its balls: it never turns backwards.
+    pub const LARGEST_STEP: f64 = 0.5;
 
     /// Whether all surfaces are perfect.
     pub fn has_perfect_surfaces(&self) -> bool {
@@ -131,6 +154,14 @@ impl Imperfections {
             }
         }
         finite("the slip of the cage", self.cage_slip)?;
+        let largest = std::f64::consts::TAU / geometry.balls() as f64 * Self::LARGEST_STEP;
+        for step in &self.cage_steps {
+            finite("a step of the cage in rad", *step)?;
+            if step.abs() > largest {
+                let step = *step;
+                return Err(ImperfectionError::CageStep { step, largest });
+            }
+        }
         let (given, balls) = (self.oversizes.len(), geometry.balls());
         if given != 0 && given != balls {
             return Err(ImperfectionError::Oversizes { given, balls });
@@ -171,6 +202,17 @@ impl Surface {
             Self::Outer => 0.5 * pitch * (1.0 + gamma),
             Self::Inner => 0.5 * pitch * (1.0 - gamma),
             Self::Ball(_) => 0.5 * geometry.ball_diameter(),
+        }
+    }
+}
+
+/// `the outer race`, `the inner race`, `ball 1`.
+impl fmt::Display for Surface {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Outer => f.write_str("the outer race"),
+            Self::Inner => f.write_str("the inner race"),
+            Self::Ball(number) => write!(f, "ball {}", number + 1),
         }
     }
 }

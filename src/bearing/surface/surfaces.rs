@@ -72,8 +72,7 @@ impl ImperfectSurfaces {
         if imperfections.has_perfect_surfaces() {
             return None;
         }
-        let gamma = geometry.gamma();
-        let rolling_ratio = (1.0 + gamma) * geometry.pitch_diameter() / geometry.ball_diameter();
+        let rolling_ratio = rolling_ratio(geometry);
         let races = [Surface::Inner, Surface::Outer]
             .map(|race| RaceSurface::new(race, imperfections, geometry));
         let balls = (0..geometry.balls())
@@ -329,15 +328,23 @@ fn waves_on(surface: Surface, imperfections: &Imperfections) -> Waves {
     )
 }
 
+/// Angle that a ball turns by over that of the cage: (1 + γ) d_m/D.
+pub(super) fn rolling_ratio(geometry: &Geometry) -> f64 {
+    (1.0 + geometry.gamma()) * geometry.pitch_diameter() / geometry.ball_diameter()
+}
+
+/// Radius of a race in the rolling plane, m: (d_m ± D cos α)/(2 cos α).
+pub(super) fn rolling_radius(geometry: &Geometry, inner: bool) -> f64 {
+    let (side, gamma) = (if inner { -1.0 } else { 1.0 }, geometry.gamma());
+    0.5 * geometry.ball_diameter() * (1.0 + side * gamma) / gamma
+}
+
 impl Defect {
     /// The slot that it is between a ball and the inner or the outer race.
-    fn slot(&self, geometry: &Geometry, inner: bool) -> Slot {
-        let side = if inner { -1.0 } else { 1.0 };
-        let gamma = geometry.gamma();
+    pub(super) fn slot(&self, geometry: &Geometry, inner: bool) -> Slot {
         let plane = RollingPlane {
             ball_radius: 0.5 * geometry.ball_diameter(),
-            // (d_m ± D cos α)/(2 cos α)
-            race_radius: 0.5 * geometry.ball_diameter() * (1.0 + side * gamma) / gamma,
+            race_radius: rolling_radius(geometry, inner),
             inner,
         };
         Slot::new(self.length, self.depth, self.profile, plane)

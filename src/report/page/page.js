@@ -459,7 +459,10 @@
     if (others.length) folded("further", "Spectra of displacements and forces", ...others.map((panel) => addChart(panel, "frequency", 300)));
     if (furtherSpectra.length) folded("further-spectra", "Spectra asked for",
       ...furtherSpectra.map((panel) => addChart(panel, `${panel.name} ${panel.over[0]}`, 320)));
-    if (figures.length) folded("maps", "Maps over the speed", ...figures.map(drawnFigure));
+    const defects = figures.filter((figure) => figure.name === "defects.svg");
+    if (defects.length) folded("defects", "Defects", ...defects.map(drawnFigure));
+    const maps = figures.filter((figure) => !defects.includes(figure));
+    if (maps.length) folded("maps", "Maps over the speed", ...maps.map(drawnFigure));
     if (histories.length) {
       folded("motion", "Motion over time", hint(), ...histories.map((panel, index) =>
         addChart(panel, "time", 170, index === histories.length - 1)));

@@ -7,9 +7,10 @@ use std::ops::Range;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
-use super::shown::{FREQUENCY, ORDER, ShownSpectrum};
+use super::shown::{FREQUENCY, ORDER, ShownPeak, ShownSpectrum};
 use crate::analysis::{
-    Axis, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity, column_unit,
+    Axis, EnvelopeLine, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity,
+    column_unit,
 };
 use crate::report::figure::Figure;
 use crate::report::table::Table;
@@ -111,14 +112,26 @@ pub(in crate::report) fn shown_estimates(
 ) -> Vec<ShownSpectrum<'_>> {
     let request = &spectrum.request;
     let mut groups = Vec::<ShownSpectrum<'_>>::new();
-    for column in &spectrum.columns {
+    for (index, column) in spectrum.columns.iter().enumerate() {
         let Some(name) = shown_name(column.quantity) else {
             continue;
         };
         let column_of = (name, Cow::Borrowed(&column.values[..]));
         let (unit, factor) = shown_unit(&unit(spectrum, column.quantity));
+        let lines = spectrum.lines.iter().filter(|line| line.column == index);
+        let peak = |column| {
+            move |line: &EnvelopeLine| ShownPeak {
+                column,
+                at: line.place,
+                height: factor * line.value,
+                name: line.line.kind.to_string(),
+            }
+        };
         match groups.iter_mut().find(|group| group.unit == unit) {
-            Some(group) => group.columns.push(column_of),
+            Some(group) => {
+                group.peaks.extend(lines.map(peak(group.columns.len())));
+                group.columns.push(column_of);
+            }
             None => groups.push(ShownSpectrum {
                 name: request.name.clone(),
                 quantity: request.scaling.name().replace('_', " "),
@@ -132,7 +145,7 @@ pub(in crate::report) fn shown_estimates(
                 resolution: spectrum.resolution,
                 shown: shown_places(spectrum, limit),
                 columns: vec![column_of],
-                peaks: Vec::new(),
+                peaks: lines.map(peak(0)).collect(),
             }),
         }
     }
@@ -200,6 +213,19 @@ pub(in crate::report) struct EstimatedSummary<'a> {
     band: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     resampling: Option<ResamplingSummary>,
+    /// Named lines of an envelope.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    lines: Vec<LineSummary>,
+}
+
+/// A named line of an envelope.
+#[derive(Debug, Serialize)]
+struct LineSummary {
+    column: String,
+    /// In the unit of the axis.
+    at: f64,
+    value: f64,
+    name: String,
 }
 
 /// A column of the table.
@@ -263,6 +289,16 @@ impl<'a> From<&'a EstimatedSpectrum> for EstimatedSummary<'a> {
                 _ => None,
             },
             resampling: spectrum.resampling.as_ref().map(resampled),
+            lines: spectrum
+                .lines
+                .iter()
+                .map(|line| LineSummary {
+                    column: column(spectrum, spectrum.columns[line.column].quantity),
+                    at: line.place,
+                    value: line.value,
+                    name: line.line.kind.to_string(),
+                })
+                .collect(),
         }
     }
 }

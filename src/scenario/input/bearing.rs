@@ -6,6 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::linear::LinearInput;
+use super::cage_jitter::CageJitterInput;
 use super::defect::DefectInput;
 use super::fit::FitInput;
 use super::geometry::{GeometryInput, Printed, Sources};
@@ -118,6 +119,9 @@ pub struct BearingInput {
     #[serde(default, skip_serializing_if = "is_zero")]
     #[schemars(range(min = 0.0, max = 0.9))]
     pub cage_slip: f64,
+    /// Angle that the cage gains or loses by chance with every ball pass. Default: it turns evenly.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cage_jitter: Option<CageJitterInput>,
     /// The housing that it stands in. Default: it stands on the ground.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub housing: Option<HousingInput>,
@@ -285,6 +289,7 @@ impl BearingInput {
             (".defect", !self.defect.is_empty()),
             (".waviness", !self.waviness.is_empty()),
             (".ball_sizes", self.ball_sizes.is_some()),
+            (".cage_jitter", self.cage_jitter.is_some()),
         ] {
             if given {
                 self.check_imperfect(key, model, problems);
@@ -309,11 +314,18 @@ impl BearingInput {
                 problems.inside("ball_sizes", |problems| sizes.build(geometry, problems))
             }
         };
+        let cage_steps = match &self.cage_jitter {
+            None => Some(Vec::new()),
+            Some(jitter) => {
+                problems.inside("cage_jitter", |problems| jitter.build(geometry, problems))
+            }
+        };
         Some(Imperfections {
             defects: defects.into_iter().collect::<Option<_>>()?,
             waves: waves?.into_iter().flatten().collect(),
             oversizes: oversizes?,
             cage_slip: self.cage_slip,
+            cage_steps: cage_steps?,
         })
     }
 

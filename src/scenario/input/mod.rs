@@ -2,6 +2,7 @@
 //! descriptions that editors show, and what each table becomes in the model.
 
 mod bearing;
+mod cage_jitter;
 mod components;
 mod damping;
 mod defect;

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::bearing::{
     Angle, BearingRotation, ContactLaw, Defect, DefectProfile, ImperfectionError, MountedBearing,
-    Oil, Preload, Surface, quarter_turn,
+    Oil, Preload, Surface, Wave, quarter_turn,
 };
 use crate::physics::RaceControl;
 
@@ -188,4 +188,40 @@ fn what_is_no_defect_is_refused_with_its_number() {
         .check(&geometry)
         .is_ok()
     );
+}
+
+/// A bearing that starts turned is that bearing turned.
+#[test]
+fn a_turned_bearing_has_the_surfaces_of_one_that_has_turned() {
+    let on = [Surface::Outer, Surface::Inner, Surface::Ball(1)];
+    let mut mounted = with_defects(
+        mounted(data_set_6205()),
+        on.map(|on| fault(on, 0.3, 300.0)).to_vec(),
+    );
+    let wave = Wave {
+        order: 7,
+        amplitude: 1e-6,
+        phase: 0.4,
+    };
+    mounted.imperfections.waves = on.map(|on| (on, wave)).to_vec();
+    let (shaft, cage) = (2.7, 1.1);
+    let turned = support(&mounted.turned(shaft, cage), 0.0);
+    let place = [9e-6, 7e-6, 0.0, 0.0, 0.0];
+    let found = turned.force(&place, &BearingRotation::at_start(0.0));
+    let rotation = BearingRotation {
+        shaft: Angle::new(shaft),
+        ..BearingRotation::at_start(0.0).with_cage_at(cage)
+    };
+    let still = support(&mounted, 0.0);
+    let expected = still.force(&place, &rotation);
+    let start = still.force(&place, &BearingRotation::at_start(0.0));
+    for axis in 0..2 {
+        assert_near(
+            "force",
+            found[axis],
+            expected[axis],
+            1e-9 * expected[axis].abs(),
+        );
+        assert!((start[axis] / expected[axis] - 1.0).abs() > 1e-3);
+    }
 }

@@ -2,8 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use crate::analysis::{BearingFrequencies, LineKind, Sources, Window, causes, nearest_cause};
-use crate::bearing::Support;
+use crate::analysis::{
+    BearingFrequencies, LineKind, LineSurfaces, Sources, Window, causes, nearest_cause,
+};
+use crate::bearing::{Defect, DefectProfile, Imperfections, Support, Surface, Wave};
 use crate::rotor::load::{ChainDrive, Sprocket};
 use crate::rotor::{Load, LoadKind, Rotor};
 use crate::simulate::{Model, Sampling};
@@ -124,5 +126,93 @@ fn multiples_of_the_ball_pass_are_named_up_to_the_twentieth() {
         let line = nearest_cause(f64::from(multiple) * pass.outer, 0.5, &lines);
         let name = line.map(|line| line.kind.to_string());
         assert_eq!(name, Some(format!("{multiple}×BPFO")));
+    }
+}
+
+/// Of 12 balls: waves of orders that no two of them share a frequency by chance.
+#[test]
+fn lines_of_waves_bear_the_name_of_their_surface_and_order() {
+    let pass = bearing("7205C").geometry.ball_pass(TAU * 100.0);
+    let own = BearingFrequencies {
+        simulated: pass,
+        operating: pass,
+    };
+    let wave = |order| Wave {
+        order,
+        amplitude: 1e-8,
+        phase: 0.0,
+    };
+    let imperfections = Imperfections {
+        waves: vec![
+            (Surface::Inner, wave(13)),
+            (Surface::Outer, wave(23)),
+            (Surface::Outer, wave(24)),
+            (Surface::Outer, wave(30)),
+            (Surface::Ball(2), wave(4)),
+        ],
+        ..Imperfections::default()
+    };
+    let lines = causes(&Sources {
+        shaft: 100.0,
+        bearings: vec![own, own],
+        surfaces: vec![
+            LineSurfaces::default(),
+            LineSurfaces::new(12, &imperfections),
+        ],
+        ..Sources::default()
+    });
+    let name = |frequency: f64| {
+        let line = nearest_cause(frequency, 0.1, &lines);
+        line.map(|line| line.kind.to_string()).unwrap_or_default()
+    };
+    assert_eq!(
+        name(pass.inner + 100.0),
+        "waviness of the inner race of bearing 2, order 13"
+    );
+    assert_eq!(
+        name(2.0 * pass.outer),
+        "waviness of the outer race of bearing 2, order 23"
+    );
+    assert_eq!(
+        name(4.0 * pass.spin - pass.cage),
+        "waviness of ball 3 of bearing 2, order 4 − 1×cage"
+    );
+    // 30 waves are no multiple of the balls, nor one beside it
+    assert_eq!(name(3.0 * pass.outer), "3×BPFO");
+}
+
+/// A dented ball turns as the simulation turns it, at the nominal contact angle; a sound one is not simulated to.
+#[test]
+fn lines_of_a_dented_ball_stand_where_it_spins() {
+    let geometry = bearing("7205C").geometry;
+    let simulated = geometry.ball_pass(TAU * 100.0);
+    let operating = simulated.with_slip(0.01);
+    let defect = Defect {
+        on: Surface::Ball(0),
+        angle: 0.0,
+        length: 1e-4,
+        depth: 1e-5,
+        profile: DefectProfile::Edges,
+    };
+    let dented = Imperfections {
+        defects: vec![defect],
+        ..Imperfections::default()
+    };
+    for (imperfections, spin) in [
+        (&dented, simulated.spin),
+        (&Imperfections::default(), operating.spin),
+    ] {
+        let lines = causes(&Sources {
+            shaft: 100.0,
+            bearings: vec![BearingFrequencies {
+                simulated,
+                operating,
+            }],
+            surfaces: vec![LineSurfaces::new(12, imperfections)],
+            ..Sources::default()
+        });
+        let line = nearest_cause(2.0 * spin, 0.1, &lines).expect("a line");
+        assert_eq!(line.kind.to_string(), "2×BSF");
+        assert_eq!(line.operating, Some(2.0 * operating.spin));
     }
 }

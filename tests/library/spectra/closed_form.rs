@@ -202,7 +202,7 @@ fn lines_of(shaft: f64, bearings: &[BallPass], natural: &[f64]) -> Vec<Line> {
             .iter()
             .map(|frequency| undamped(*frequency))
             .collect(),
-        meshing: Vec::new(),
+        ..Sources::default()
     })
 }
 

@@ -1,0 +1,273 @@
+//! The figure of defects: each drawn from the side, and what the shaft feels of those of the races.
+
+use super::figure::{Axis, Curve, Figure, GREY, Mark, Name, PLOT_WIDTH, Panel, Point, distinct};
+use crate::analysis::SpallSignal;
+use crate::bearing::{Defect, Geometry, SideView, Surface};
+use crate::simulate::{Model, Run};
+
+/// Name of its file.
+pub(super) const FILE: &str = "defects.svg";
+/// Defects that are drawn, the first ones.
+const MOST_DRAWN: usize = 4;
+/// Height of a drawing and of a signal, px.
+const SIDE_HEIGHT: u32 = 260;
+const SIGNAL_HEIGHT: u32 = 220;
+/// Least width of a drawing in lengths of its defect.
+const WIDTH: f64 = 1.8;
+/// Room below the surface and above it, in depths, of those deeper than long in lengths.
+const BELOW: f64 = 1.25;
+const ABOVE: f64 = 0.6;
+/// Times from entry to impact on either side of the impact in the enlarged signal.
+const ENLARGED: f64 = 3.0;
+/// Points of a curve of a drawing.
+const POINTS: u32 = 600;
+
+/// The figure of the defects of a run; none where bearings have none.
+pub(super) fn figure(title: &str, model: &Model, run: &Run) -> Option<Figure> {
+    let bearings = model.rotor.bearings.iter().enumerate();
+    let defects = bearings.flat_map(|(number, own)| {
+        let defects = own.imperfections.defects.iter();
+        defects.map(move |defect| (number, &own.bearing.geometry, defect))
+    });
+    let drawings = defects.take(MOST_DRAWN);
+    let drawings = drawings.map(|(number, geometry, defect)| side_view(number, geometry, defect));
+    let signals = run.spalls.iter().take(MOST_DRAWN).flat_map(signals);
+    let panels: Vec<_> = drawings.chain(signals).collect();
+    let title = format!("{title}: defects");
+    (!panels.is_empty()).then(|| Figure::new(FILE, &title, 1, panels))
+}
+
+/// A defect with the ball in its middle, where it strikes the far edge or rests on the floor.
+fn side_view(number: usize, geometry: &Geometry, defect: &Defect) -> Panel {
+    let view = defect.side_view(geometry);
+    let drawing = Drawing::new(defect, view);
+    let (depth, micro) = (1e3 * defect.depth, 1e6 * view.drop);
+    let heights = match drawing.exaggeration {
+        1.0 => "to scale".to_owned(),
+        factor => format!("heights {factor:.1} times as large"),
+    };
+    let title = format!(
+        "bearing {}, {}: {:.4} mm long, {depth:.4} mm deep, the ball drops by {micro:.2} µm; {heights}",
+        number + 1,
+        defect.on,
+        1e3 * defect.length,
+    );
+    let [surface, mate] = match defect.on {
+        Surface::Ball(_) => ["ball", "inner race"],
+        Surface::Inner | Surface::Outer => ["race", "ball"],
+    };
+    let half = 1e3 * drawing.half_width;
+    let heights = [-BELOW * drawing.deep, ABOVE * drawing.deep].map(|height| 1e3 * height);
+    Panel {
+        title,
+        names: vec![
+            Name::new(surface, distinct(0)),
+            Name::new(mate, distinct(1)),
+        ],
+        curves: vec![
+            Curve::line(distinct(0), drawing.surface()),
+            Curve::line(distinct(1), drawing.mate()),
+        ],
+        ..Panel::new(
+            Axis::over("along the surface in mm", -half..half),
+            Axis::over("height in mm", heights[0]..heights[1]),
+            SIDE_HEIGHT,
+        )
+    }
+}
+
+/// Lengths of a drawing, m.
+struct Drawing<'a> {
+    defect: &'a Defect,
+    view: SideView,
+    half_width: f64,
+    /// Depth that the heights are drawn for.
+    deep: f64,
+    /// By how much heights are drawn larger than lengths.
+    exaggeration: f64,
+}
+
+impl<'a> Drawing<'a> {
+    fn new(defect: &'a Defect, view: SideView) -> Self {
+        let deep = defect.depth.min(defect.length).max(view.drop);
+        let aspect = f64::from(PLOT_WIDTH) / f64::from(SIDE_HEIGHT);
+        let to_scale = 0.5 * (BELOW + ABOVE) * deep * aspect;
+        let half_width = to_scale.max(0.5 * WIDTH * defect.length);
+        Self {
+            defect,
+            view,
+            half_width,
+            deep,
+            exaggeration: half_width / to_scale,
+        }
+    }
+
+    /// Height of the sound surface.
+    fn sound(&self, along: f64) -> Option<f64> {
+        let rise = sagitta(self.view.race_radius, along)?;
+        Some(if self.view.convex { -rise } else { rise })
+    }
+
+    /// The surface with the slot in it.
+    fn surface(&self) -> Vec<Point> {
+        let half = 0.5 * self.defect.length;
+        let edges = [-half, half];
+        let mut points: Vec<Point> = Vec::new();
+        let mut add = |along: f64, deep: bool| {
+            let drop = if deep { self.defect.depth } else { 0.0 };
+            points.extend(self.sound(along).map(|height| (along, height - drop)));
+        };
+        for along in self.places() {
+            let inside = along.abs() < half;
+            add(along, inside);
+            let next = along + self.step();
+            for edge in edges
+                .into_iter()
+                .filter(|edge| (along..next).contains(edge))
+            {
+                add(edge, edge > 0.0);
+                add(edge, edge < 0.0);
+            }
+        }
+        self.drawn(points)
+    }
+
+    /// What rolls over it, in the middle.
+    fn mate(&self) -> Vec<Point> {
+        let points = self.places().filter_map(|along| {
+            let rise = sagitta(self.view.ball_radius, along)?;
+            Some((along, rise - self.view.drop))
+        });
+        self.drawn(points.collect())
+    }
+
+    fn step(&self) -> f64 {
+        2.0 * self.half_width / f64::from(POINTS)
+    }
+
+    fn places(&self) -> impl Iterator<Item = f64> + '_ {
+        (0..=POINTS).map(|point| f64::from(point) * self.step() - self.half_width)
+    }
+
+    /// Points in mm within the heights that are drawn.
+    fn drawn(&self, points: Vec<Point>) -> Vec<Point> {
+        let heights = -BELOW * self.deep..=ABOVE * self.deep;
+        let inside = points.into_iter().filter(|(_, y)| heights.contains(y));
+        inside.map(|(x, y)| (1e3 * x, 1e3 * y)).collect()
+    }
+}
+
+/// How far a circle has risen beside its lowest point; none beyond its radius.
+fn sagitta(radius: f64, along: f64) -> Option<f64> {
+    let square = radius * radius - along * along;
+    (square >= 0.0).then(|| along * along / (radius + square.sqrt()))
+}
+
+/// The signal of a spall over a ball pass, and enlarged around the impact.
+fn signals(spall: &SpallSignal) -> [Panel; 2] {
+    let times = spall.signal.iter().map(|(time, _)| 1e3 * time);
+    let half = times.fold(0.0, |most: f64, time| most.max(time.abs()));
+    let near = (1e3 * ENLARGED * spall.known).min(half);
+    let spall_name = format!("bearing {}, {}", spall.bearing, spall.on);
+    let passes = format!("{spall_name}: one ball pass, mean of {:.0}", spall.passes);
+    let found = match spall.measured {
+        None => "entry and impact are not seen".to_owned(),
+        Some(found) => format!(
+            "from entry to impact {:.1} µs, by kinematics {:.1} µs",
+            1e6 * found.apart,
+            1e6 * spall.known
+        ),
+    };
+    let enlarged = format!("{spall_name}: {found}");
+    [(passes, half), (enlarged, near)].map(|(title, half)| signal(spall, title, half))
+}
+
+fn signal(spall: &SpallSignal, title: String, half: f64) -> Panel {
+    let points: Vec<Point> = spall
+        .signal
+        .iter()
+        .map(|(time, value)| (1e3 * time, *value))
+        .filter(|(time, _)| time.abs() <= half)
+        .collect();
+    let near = |time: f64| -> Point {
+        let apart = |point: &&Point| (point.0 - time).abs();
+        let nearest = points.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        nearest.copied().unwrap_or_default()
+    };
+    let dots = |colour, times: [f64; 2], mark| Curve {
+        mark,
+        ..Curve::dots(colour, times.map(|time| near(1e3 * time)).to_vec())
+    };
+    let names = [
+        Name::new("acceleration of the shaft towards the defect", distinct(0)),
+        Name {
+            mark: Some(Mark::Disc),
+            ..Name::new("entry and impact by kinematics", GREY)
+        },
+        Name {
+            mark: Some(Mark::Triangle),
+            ..Name::new("in the signal", distinct(1))
+        },
+    ];
+    let mut curves = vec![dots(GREY, [-spall.known, 0.0], Mark::Disc)];
+    let mut peaks = Vec::new();
+    if let Some(found) = spall.measured {
+        curves.push(dots(
+            distinct(1),
+            [found.entry, found.impact],
+            Mark::Triangle,
+        ));
+        peaks = vec![
+            (near(1e3 * found.impact), "impact".to_owned()),
+            (near(1e3 * found.entry), "entry".to_owned()),
+        ];
+    }
+    curves.insert(0, Curve::line(distinct(0), points.clone()));
+    Panel {
+        title,
+        names: names.to_vec(),
+        peaks,
+        ..Panel::of(
+            Axis::over("time from the known impact in ms", -half..half),
+            "acceleration in m/s²",
+            SIGNAL_HEIGHT,
+            curves,
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bearing::DefectProfile;
+
+    /// D 7.94, d_m 39.04 mm: the ball rests on both edges of the slot, far above its floor.
+    #[test]
+    fn a_ball_is_drawn_on_the_edges_of_its_slot() {
+        let defect = Defect {
+            on: Surface::Outer,
+            angle: 0.0,
+            length: 0.5334e-3,
+            depth: 0.2794e-3,
+            profile: DefectProfile::Edges,
+        };
+        let view = SideView {
+            ball_radius: 3.97e-3,
+            race_radius: 23.49e-3,
+            convex: false,
+            drop: 7.454e-6,
+        };
+        let drawing = Drawing::new(&defect, view);
+        assert_eq!(drawing.exaggeration, 1.0);
+        let surface = drawing.surface();
+        let floor = surface
+            .iter()
+            .fold(f64::INFINITY, |least, point| least.min(point.1));
+        assert!((floor + 0.2794).abs() < 1e-3, "{floor}");
+        // at the edges the ball and the race meet
+        let edge = 0.5 * defect.length;
+        let ball = sagitta(view.ball_radius, edge).expect("inside") - view.drop;
+        let race = drawing.sound(edge).expect("inside");
+        assert!((ball - race).abs() < 1e-8, "{ball:e} {race:e}");
+    }
+}
