@@ -83,6 +83,7 @@ impl FileSet {
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
+            "report.html",
         ],
         spent: &[],
     };
@@ -90,7 +91,7 @@ impl FileSet {
     pub const CAMPBELL: Self = Self {
         seal: "campbell.json",
         tables: &["campbell"],
-        others: &["campbell.svg"],
+        others: &["campbell.svg", "report.html"],
         spent: &[],
     };
     /// What many runs of a scenario leave.
@@ -112,21 +113,21 @@ impl FileSet {
     pub const ACCURACY: Self = Self {
         seal: "accuracy.json",
         tables: &["accuracy", "ladder"],
-        others: &["accuracy.svg", "ladder.svg"],
+        others: &["accuracy.svg", "ladder.svg", "report.html"],
         spent: &[],
     };
     /// What a steady motion leaves.
     pub const STEADY: Self = Self {
         seal: "steady.json",
         tables: &["steady_trace", "steady_spectrum"],
-        others: &["steady_trace.svg", "steady_spectrum.svg"],
+        others: &["steady_trace.svg", "steady_spectrum.svg", "report.html"],
         spent: &[],
     };
     /// What steady motions along a parameter leave.
     pub const RESPONSE: Self = Self {
         seal: "response.json",
         tables: &["response", "response_specials"],
-        others: &["response.svg"],
+        others: &["response.svg", "report.html"],
         spent: &[],
     };
     /// Names of what may stand beside the seal.

@@ -2,7 +2,7 @@
 
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::io;
 
 use serde::Serialize;
 use serde_json::Value;
@@ -21,8 +21,8 @@ use super::spectra::{
 use super::table::{Origin, Table, TableFiles};
 use super::text::{MethodUseSummary, parted};
 use super::{
-    FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    WholeFile, campbell, document, spectrum_figure,
+    FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity, campbell, document,
+    spectrum_figure,
 };
 use crate::analysis::{Channel, Spectrum};
 use crate::rotor::{BallContacts, Sample};
@@ -232,11 +232,14 @@ impl RunReport {
         if let Some(maps) = &run.maps {
             files.extend(write_waterfall(&maps.waterfall, folder)?);
         }
-        for figure in figures {
-            files.push(folder.write_figure(&figure)?);
+        for figure in &figures {
+            files.push(folder.write_figure(figure)?);
         }
         if let Some(histories) = self.histories.filter(|_| self.outputs.page) {
-            let figures = shown_figures(&files)?;
+            let figures = figures.iter();
+            let figures: Vec<_> = figures
+                .filter(|figure| ON_PAGE.contains(&figure.name()))
+                .collect();
             let write =
                 |file: &mut PartialFile| write_page(&summary, run, &histories, &figures, file);
             files.push(folder.write_with("report.html", write)?);
@@ -291,20 +294,8 @@ pub(super) fn tables<'a>(
     tables
 }
 
-/// Figures that the page shows as they are: what its own charts do not.
-fn shown_figures(files: &[WholeFile]) -> Result<Vec<(&'static str, String)>, ReportError> {
-    const SHOWN: [&str; 3] = ["waterfall.svg", "order_tracks.svg", "campbell.svg"];
-    let found = |name: &&'static str| {
-        let name = *name;
-        let file = files.iter().find(|file| file.path().ends_with(name))?;
-        let text = fs::read_to_string(file.temporary());
-        Some(
-            text.map(|svg| (name, svg))
-                .map_err(ReportError::file(FileAction::Read, file.temporary())),
-        )
-    };
-    SHOWN.iter().filter_map(found).collect()
-}
+/// Figures that the page shows: what its own charts do not.
+const ON_PAGE: [&str; 3] = ["waterfall", "order_tracks", "campbell"];
 
 /// What was kept of a run that cannot go on.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -396,7 +396,7 @@ fn a_browser_draws_every_part_of_a_studys_page() {
             let start = format!("<section id=\"{section}\"");
             assert!(document.contains(&start), "{name}: {section}");
         }
-        assert_eq!(document.matches("<svg").count(), figures, "{name}");
+        assert_eq!(document.matches("data-figure=").count(), figures, "{name}");
         assert!(!document.contains("id=\"failures\""), "{name}");
         let shown_text = document.split("<script").next().expect("a start");
         for sign in ["undefined", "NaN", "[object"] {

@@ -1,7 +1,7 @@
 
 (() => {
-  const { element, section, folded, table, tiles, number, drawnFigure } = page;
-  const { title, jeffcott, study, axes, labels, digest, shown, rows, figures } = page.data;
+  const { element, section, folded, table, tiles, number } = page;
+  const { title, jeffcott, study, axes, labels, digest, shown, rows, figures: drawn } = page.data;
   const numbers = Object.entries(digest.numbers);
   const isShown = ([name]) => shown.includes(name);
   const share = (text) => `${number(100 * Number(text), 3)} %`;
@@ -93,7 +93,7 @@
   document.getElementById("origin").textContent = `jeffcott ${jeffcott}, a study of ${number(digest.runs, 12)} runs`;
   section("numbers", "Key numbers", keyNumbers());
   if (digest.failed) section("failures", "Failed runs", failures());
-  if (figures.length) section("figures", "Figures", ...figures.map(drawnFigure));
+  if (drawn.length) section("figures", "Figures", ...drawn.map(figures.add));
   folded("plan", "Plan", ...plan());
   if (digest.resonances.length) folded("resonances", "Resonances", resonances());
   if (digest.sensitivities.length) {
@@ -103,5 +103,5 @@
   folded("statistics", "Numbers over all runs", ...parted(numbers, isShown, numberTable));
   folded("runs", "Runs", runs());
   page.scenarioSection("the base, with its defaults and what all runs have otherwise", page.data.base);
-  page.ready();
+  page.ready(figures.redraw);
 })();

@@ -3,6 +3,8 @@
 //! Numbers come from the summary, which the page holds as a whole; curves are thinned to what a screen
 //! shows. The charts are drawn by uPlot (MIT), which stands in the file.
 
+mod answer;
+mod figure;
 mod frame;
 mod panel;
 
@@ -10,8 +12,11 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-pub(super) use self::frame::{Frame, figures_json};
+pub(super) use self::answer::AnswerPage;
+pub(super) use self::figure::figures_json;
+pub(super) use self::frame::Frame;
 pub(super) use self::panel::{PagePanel, curve, narrow};
+use super::figure::Figure;
 use super::histories::Histories;
 use super::motion::Orbit;
 use super::spectra::{frequency_limit_of, shown_estimates, shown_spectra};
@@ -22,13 +27,12 @@ const SCRIPT: &str = include_str!("page.js");
 const CHARTS: &str = include_str!("uplot/uPlot.iife.min.js");
 const CHARTS_STYLE: &str = include_str!("uplot/uPlot.min.css");
 
-/// Writes the page of a run whose numbers stand in `summary`; `figures` are shown as they are, each an SVG
-/// with its name.
+/// Writes the page of a run whose numbers stand in `summary`; `figures` are drawn beside its charts.
 pub(super) fn write_page(
     summary: &Value,
     run: &Run,
     histories: &Histories,
-    figures: &[(&str, String)],
+    figures: &[&Figure],
     out: &mut impl Write,
 ) -> io::Result<()> {
     let limit = frequency_limit_of(run);
@@ -42,7 +46,7 @@ pub(super) fn write_page(
         "balls": bearings.map(|state| state.as_ref().map(balls)).collect::<Value>(),
         "histories": histories.page_panels(),
         "orbit": run.motion.as_ref().map(|motion| orbit(&Orbit::of(motion))),
-        "figures": figures_json(figures),
+        "figures": figures_json(figures.iter().copied()),
         "spectra": spectra.map(|shown| shown.page_panel()).collect::<Value>(),
         "furtherSpectra": further.map(|shown| shown.page_panel()).collect::<Value>(),
     });

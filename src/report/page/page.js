@@ -1,7 +1,7 @@
 
 (() => {
-  const { element, drawn, section, folded, table, tiles, number, drawnFigure } = page;
-  const { summary, balls, histories, orbit, spectra, furtherSpectra, figures } = page.data;
+  const { element, drawn, section, folded, table, tiles, number, places, floats } = page;
+  const { summary, balls, histories, orbit, spectra, furtherSpectra, figures: maps } = page.data;
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
     moment_x: "moment x", moment_y: "moment y" };
   const named = (name) => names[name] ?? name;
@@ -11,11 +11,6 @@
     const [name, factor] = shownUnits[unit] ?? [unit, 1];
     return `${number(value * factor)} ${name}`;
   };
-
-  const bytes = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer;
-  const places = (base64) => Array.from(new Float64Array(bytes(base64)));
-  /** Values; null where there is none. */
-  const floats = (base64) => Array.from(new Float32Array(bytes(base64)), (v) => (Number.isNaN(v) ? null : v));
 
   // Charts.
 
@@ -440,7 +435,7 @@
     if (others.length) folded("further", "Spectra of displacements and forces", ...others.map((panel) => addChart(panel, "frequency", 300)));
     if (furtherSpectra.length) folded("further-spectra", "Spectra asked for",
       ...furtherSpectra.map((panel) => addChart(panel, `${panel.name} ${panel.over[0]}`, 320)));
-    if (figures.length) folded("maps", "Maps over the speed", ...figures.map(drawnFigure));
+    if (maps.length) folded("maps", "Maps over the speed", ...maps.map(figures.add));
     if (histories.length) {
       folded("motion", "Motion over time", hint(), ...histories.map((panel, index) =>
         addChart(panel, "time", 170, index === histories.length - 1)));
