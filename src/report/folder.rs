@@ -102,6 +102,7 @@ impl FileSet {
             "response.svg",
             "map.svg",
             "sensitivity.svg",
+            "scatter.svg",
             "ross_*.toml",
             "waterfall.svg",
             "bifurcation.svg",

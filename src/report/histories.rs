@@ -299,7 +299,9 @@ mod tests {
             let both = |value: fn(&Place) -> f64| !value(a).is_nan() && !value(b).is_nan();
             both(|place| place.value) || both(|place| place.band[0])
         };
-        let gaps = places.windows(2).filter(|pair| !is_drawn(&pair[0], &pair[1]));
+        let gaps = places
+            .windows(2)
+            .filter(|pair| !is_drawn(&pair[0], &pair[1]));
         assert_eq!(gaps.count(), 0);
     }
 }

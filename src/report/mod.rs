@@ -20,6 +20,7 @@ mod restart;
 mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
+pub(crate) mod scene;
 pub(crate) mod side_by_side;
 mod spectra;
 pub(crate) mod statics;

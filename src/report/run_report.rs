@@ -1,8 +1,8 @@
 //! The files of one run, from the opening of the folder to the last rename, and its summary.
 
+use std::io;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
-use std::io;
 
 use serde::Serialize;
 use serde_json::Value;
@@ -14,6 +14,7 @@ use super::motion::{MotionSummary, orbit_figure, poincare_table};
 use super::page::write_page;
 use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::{MapsSummary, maps_figures, tracks_table, write_waterfall};
+use super::scene::scene_figure;
 use super::spectra::{
     EstimatedSummary, NamedPeak, estimated_figure, estimated_table, frequency_limit_of, peak_table,
     spectrum_table, table_name,
@@ -212,15 +213,8 @@ impl RunReport {
         let summary = RunSummary::new(model, run, choice, campbell);
         let summary = document(&self.title, &self.scenario, summary);
         let mut files = Vec::new();
-        let figures = match self.outputs.figures {
-            true => figures(
-                &self.title,
-                run,
-                self.histories.as_ref(),
-                self.campbell.as_ref(),
-            ),
-            false => Vec::new(),
-        };
+        let histories = self.histories.as_ref();
+        let figures = figures(&self.title, run, histories, self.campbell.as_ref());
         let streamed = self.tables.into_iter().map(|table| table.files);
         for table in streamed.chain(self.balls).chain(self.events) {
             files.extend(table.close()?);
@@ -232,12 +226,13 @@ impl RunReport {
         if let Some(maps) = &run.maps {
             files.extend(write_waterfall(&maps.waterfall, folder)?);
         }
-        for figure in &figures {
+        for figure in figures.iter().filter(|_| self.outputs.figures) {
             files.push(folder.write_figure(figure)?);
         }
         if let Some(histories) = self.histories.filter(|_| self.outputs.page) {
-            let figures = figures.iter();
-            let figures: Vec<_> = figures
+            let scene = scene_figure(&self.title, &model.rotor);
+            let shown = figures.iter().chain([&scene]);
+            let figures: Vec<_> = shown
                 .filter(|figure| ON_PAGE.contains(&figure.name()))
                 .collect();
             let write =
@@ -295,7 +290,7 @@ pub(super) fn tables<'a>(
 }
 
 /// Figures that the page shows: what its own charts do not.
-const ON_PAGE: [&str; 3] = ["waterfall", "order_tracks", "campbell"];
+const ON_PAGE: [&str; 5] = ["scene", "orbit", "waterfall", "order_tracks", "campbell"];
 
 /// What was kept of a run that cannot go on.
 #[derive(Debug, Clone, PartialEq, Eq)]

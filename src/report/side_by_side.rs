@@ -78,7 +78,8 @@ pub(crate) fn write_side_by_side(folders: &[PathBuf], file: &Path) -> Result<(),
         }),
     ];
     let figures = figures.into_iter().flatten();
-    let figures = figures.map(|figure| figure.with_names(Name::each(names.iter().map(String::as_str))));
+    let figures =
+        figures.map(|figure| figure.with_names(Name::each(names.iter().map(String::as_str))));
     let lines = key_numbers(&runs, &names);
     let page = AnswerPage {
         title: &names.join(", "),
@@ -106,13 +107,37 @@ fn names(runs: &[Folder], folders: &[PathBuf]) -> Vec<String> {
 type KeyNumber = (&'static str, &'static str, f64);
 
 const KEY_NUMBERS: [KeyNumber; 7] = [
-    ("velocity x\nmm/s RMS", "/motion/velocity_rms/x/rms_m_s", MILLI),
-    ("velocity y\nmm/s RMS", "/motion/velocity_rms/y/rms_m_s", MILLI),
-    ("velocity z\nmm/s RMS", "/motion/velocity_rms/z/rms_m_s", MILLI),
+    (
+        "velocity x\nmm/s RMS",
+        "/motion/velocity_rms/x/rms_m_s",
+        MILLI,
+    ),
+    (
+        "velocity y\nmm/s RMS",
+        "/motion/velocity_rms/y/rms_m_s",
+        MILLI,
+    ),
+    (
+        "velocity z\nmm/s RMS",
+        "/motion/velocity_rms/z/rms_m_s",
+        MILLI,
+    ),
     ("largest ball\nload, N", "/largest_ball_load_N", 1.0),
-    ("lowest natural\nfrequency, Hz", "/natural_frequencies/0/frequency_Hz", 1.0),
-    ("life of bearing 1\nh", "/bearings/0/life/after_settle/life_h", 1.0),
-    ("measured error\nof the motion", "/measured_error/relative", 1.0),
+    (
+        "lowest natural\nfrequency, Hz",
+        "/natural_frequencies/0/frequency_Hz",
+        1.0,
+    ),
+    (
+        "life of bearing 1\nh",
+        "/bearings/0/life/after_settle/life_h",
+        1.0,
+    ),
+    (
+        "measured error\nof the motion",
+        "/measured_error/relative",
+        1.0,
+    ),
 ];
 
 /// A row a run.

@@ -54,7 +54,10 @@ fn the_answer_fits_the_terminal_and_names_what_is_asked() {
     }
     for name in ["bearing-7205c", "arrangement-7205c"] {
         let files = names(&out.path().join(name));
-        assert_eq!(files, ["balls.csv", "balls.svg", "bearing.json", "report.html"]);
+        assert_eq!(
+            files,
+            ["balls.csv", "balls.svg", "bearing.json", "report.html"]
+        );
     }
     let balls = fs::read_to_string(out.path().join("arrangement-7205c/balls.csv")).unwrap();
     assert_eq!(balls.lines().count(), 1 + 2 * 12);
@@ -126,7 +129,10 @@ fn a_single_answer_does_not_stand_beside_an_earlier_study() {
         assert!(bearing(&[file], folder.path(), &[]).status.success());
     }
     let left = names(&folder.path().join("standing"));
-    assert_eq!(left, ["balls.csv", "balls.svg", "bearing.json", "report.html"]);
+    assert_eq!(
+        left,
+        ["balls.csv", "balls.svg", "bearing.json", "report.html"]
+    );
 }
 
 #[test]

@@ -19,6 +19,8 @@ const HEIGHT: u32 = 480;
 const MOST_MARKS: usize = 60;
 /// Steps of colour in a map.
 const SHADES: usize = 64;
+/// Most axes that numbers are scattered over, side by side.
+const MOST_ACROSS: usize = 3;
 /// Most maps below each other.
 const MOST_MAPS: usize = 8;
 /// Height of one of several maps, px.
@@ -254,6 +256,44 @@ impl Digest {
             bar: Some(Axis::over("", range.clone())),
             ..Panel::new(x, y, height)
         }
+    }
+
+    /// The numbers shown over each of several axes whose values were drawn, a point a run.
+    pub(super) fn scatter(&self, title: &str) -> Option<Figure> {
+        let count = self.axes.len();
+        if count < 2 || !self.drawn {
+            return None;
+        }
+        let axes = 0..count.min(MOST_ACROSS);
+        let shown = self.shown().into_iter();
+        let panels = shown.take(MOST_MAPS).flat_map(|shown| {
+            let panel = |axis: usize| self.scattered(&shown, axis);
+            axes.clone().filter_map(panel).collect::<Vec<_>>()
+        });
+        let panels: Vec<Panel> = panels.collect();
+        let columns = count.min(MOST_ACROSS);
+        (!panels.is_empty()).then(|| Figure::new("scatter.svg", title, columns, panels))
+    }
+
+    /// One number over one axis.
+    fn scattered(&self, shown: &Shown, axis: usize) -> Option<Panel> {
+        let rows = self.rows.iter().map(|row| {
+            let value = shown.factor() * row.numbers[shown.column];
+            ((self.at(row, axis), value), row.run)
+        });
+        let known = rows.filter(|((_, value), _)| value.is_finite());
+        let (points, runs): (Vec<Point>, Vec<u64>) = known.unzip();
+        let heights = Axis::around(&shown.title, points.iter().map(|point| point.1));
+        let dots = Curve {
+            mark: Mark::Spot,
+            runs,
+            ..Curve::dots(distinct(0), points)
+        };
+        let over = Axis::spanning(&self.labels[axis].0, self.ends(axis)?);
+        Some(Panel {
+            curves: vec![dots],
+            ..Panel::new(over, heights, ROW_HEIGHT)
+        })
     }
 
     /// How much the numbers shown follow each axis.

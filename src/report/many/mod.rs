@@ -319,6 +319,7 @@ fn figures(
         waterfall.transpose()?.flatten(),
         digest.map(title),
         digest.tornado(title),
+        digest.scatter(title),
     ];
     Ok(drawn.into_iter().flatten().collect())
 }

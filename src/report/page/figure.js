@@ -470,6 +470,7 @@ const figures = (() => {
     response: "Numbers along what is varied.",
     bifurcation: "Where the shaft stands once a cycle, over the axis.",
     map: "Numbers of the runs over both axes.",
+    scatter: "Numbers of the runs over what was drawn, a point a run.",
     sensitivity: "Rank correlation of the numbers with what was drawn.",
     balls: "Every ball of every bearing around the shaft.",
     scene: "The shaft to scale, seen from the side: bearings with the lines of their contacts, loads and unbalance.",
@@ -708,5 +709,5 @@ const figures = (() => {
   /** Buttons that save what `figure` tells when they are pressed, in the form of a figure that was read. */
   const saving = (name, figure) => saveButtons(name, (pen, width, colour) => draw(pen, figure(), width, colour, true).height, () => csvOf(figure()));
 
-  return { add, sketch, saving, palette, redraw: redrawAll, tellRuns: (tell) => { runText = tell; } };
+  return { add, sketch, saving, palette, redraw: redrawAll, all: () => all.map(({ figure }) => figure), tellRuns: (tell) => { runText = tell; } };
 })();

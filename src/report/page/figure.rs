@@ -24,7 +24,8 @@ fn figure(figure: &Figure) -> Value {
 }
 
 fn panel(panel: &Panel) -> Value {
-    let label = |((x, y), text, colour): &(Point, String, RGBColor)| json!([x, y, text, hex(*colour)]);
+    let label =
+        |((x, y), text, colour): &(Point, String, RGBColor)| json!([x, y, text, hex(*colour)]);
     let peak = |((x, y), text): &(Point, String)| json!([x, y, text]);
     json!({
         "title": panel.title,

@@ -18,7 +18,6 @@ pub(super) use self::frame::Frame;
 pub(super) use self::panel::{PagePanel, curve, narrow};
 use super::figure::Figure;
 use super::histories::Histories;
-use super::motion::Orbit;
 use super::spectra::{frequency_limit_of, shown_estimates, shown_spectra};
 use crate::bearing::{BallLine, BearingState};
 use crate::simulate::Run;
@@ -45,7 +44,6 @@ pub(super) fn write_page(
         "summary": summary,
         "balls": bearings.map(|state| state.as_ref().map(balls)).collect::<Value>(),
         "histories": histories.page_panels(),
-        "orbit": run.motion.as_ref().map(|motion| orbit(&Orbit::of(motion))),
         "figures": figures_json(figures.iter().copied()),
         "spectra": spectra.map(|shown| shown.page_panel()).collect::<Value>(),
         "furtherSpectra": further.map(|shown| shown.page_panel()).collect::<Value>(),
@@ -69,16 +67,4 @@ fn balls(state: &BearingState) -> Value {
         })
     };
     state.balls.iter().map(ball).collect()
-}
-
-/// The path of the shaft's centre, and where it stands once a cycle of every section: x and y in µm.
-fn orbit(orbit: &Orbit) -> Value {
-    let sections = orbit.sections.iter();
-    json!({
-        "whole": orbit.is_whole_period,
-        "curve": curve("orbit", orbit.path.iter().copied()),
-        "sections": sections
-            .map(|(kind, points)| curve(&kind.to_string(), points.iter().copied()))
-            .collect::<Value>(),
-    })
 }
