@@ -9,6 +9,7 @@ mod envelope;
 mod error;
 mod estimate;
 mod figure;
+mod film;
 mod folder;
 mod histories;
 pub(crate) mod many;

@@ -9,6 +9,7 @@ use serde_json::Value;
 
 use super::error::{Failure, FailureSummary, until_failure};
 use super::figure::Figure;
+use super::film::Film;
 use super::histories::Histories;
 use super::motion::{MotionSummary, orbit_figure, poincare_table};
 use super::page::write_page;
@@ -94,6 +95,7 @@ pub struct RunReport {
     balls: Option<TableFiles>,
     events: Option<TableFiles>,
     histories: Option<Histories>,
+    film: Option<Film>,
     samples: u64,
     /// Kept from row to row for its room.
     row: Vec<f64>,
@@ -137,6 +139,7 @@ impl RunReport {
             balls: None,
             events: outputs.events.then(events).transpose()?,
             histories: (outputs.figures || outputs.page).then(|| Histories::new(freedoms)),
+            film: outputs.page.then(Film::default),
             folder,
             title: title.to_owned(),
             scenario,
@@ -235,8 +238,10 @@ impl RunReport {
             let figures: Vec<_> = shown
                 .filter(|figure| ON_PAGE.contains(&figure.name()))
                 .collect();
-            let write =
-                |file: &mut PartialFile| write_page(&summary, run, &histories, &figures, file);
+            let film = self.film.and_then(|film| film.json(&model.rotor));
+            let write = |file: &mut PartialFile| {
+                write_page(&summary, run, &histories, &figures, film, file)
+            };
             files.push(folder.write_with("report.html", write)?);
         }
         self.folder
@@ -323,6 +328,9 @@ impl TraceSink for RunReport {
     }
 
     fn balls(&mut self, sample: &Sample, balls: &BallContacts) -> io::Result<()> {
+        if let Some(film) = &mut self.film {
+            film.take(sample, balls);
+        }
         if !self.outputs.balls || !self.keeps_sample() {
             return Ok(());
         }

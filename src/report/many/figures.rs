@@ -19,8 +19,10 @@ const HEIGHT: u32 = 480;
 const MOST_MARKS: usize = 60;
 /// Steps of colour in a map.
 const SHADES: usize = 64;
+/// Most points of a number that are drawn as dots.
+const MOST_DOTS: usize = 500;
 /// Most axes that numbers are scattered over, side by side.
-const MOST_ACROSS: usize = 3;
+const MOST_ACROSS: usize = 4;
 /// Most maps below each other.
 const MOST_MAPS: usize = 8;
 /// Height of one of several maps, px.
@@ -284,8 +286,9 @@ impl Digest {
         let known = rows.filter(|((_, value), _)| value.is_finite());
         let (points, runs): (Vec<Point>, Vec<u64>) = known.unzip();
         let heights = Axis::around(&shown.title, points.iter().map(|point| point.1));
+        let few = points.len() <= MOST_DOTS;
         let dots = Curve {
-            mark: Mark::Spot,
+            mark: if few { Mark::Dot } else { Mark::Spot },
             runs,
             ..Curve::dots(distinct(0), points)
         };

@@ -694,7 +694,7 @@ const figures = (() => {
     } };
     sketches.push(state);
     watch(holder, state.redraw);
-    return { holder, canvas, redraw: state.redraw, figure: element("figure", {}, holder, caption && element("figcaption", {}, caption, saveButtons(name, paint, csv))) };
+    return { holder, canvas, redraw: state.redraw, figure: element("figure", { style: `max-width: ${width}px` }, holder, caption && element("figcaption", {}, caption, saveButtons(name, paint, csv))) };
   }
 
   const sketches = [];
@@ -709,5 +709,8 @@ const figures = (() => {
   /** Buttons that save what `figure` tells when they are pressed, in the form of a figure that was read. */
   const saving = (name, figure) => saveButtons(name, (pen, width, colour) => draw(pen, figure(), width, colour, true).height, () => csvOf(figure()));
 
-  return { add, sketch, saving, palette, redraw: redrawAll, all: () => all.map(({ figure }) => figure), tellRuns: (tell) => { runText = tell; } };
+  /** A colour of the map, of a part from 0 to 1. */
+  const shade = (part) => `#${graded(part).map((v) => v.toString(16).padStart(2, "0")).join("")}`;
+
+  return { add, sketch, shade, saving, palette, redraw: redrawAll, all: () => all.map(({ figure }) => figure), tellRuns: (tell) => { runText = tell; } };
 })();

@@ -23,15 +23,18 @@ use crate::bearing::{BallLine, BearingState};
 use crate::simulate::Run;
 
 const SCRIPT: &str = include_str!("page.js");
+const FILM: &str = include_str!("film.js");
 const CHARTS: &str = include_str!("uplot/uPlot.iife.min.js");
 const CHARTS_STYLE: &str = include_str!("uplot/uPlot.min.css");
 
-/// Writes the page of a run whose numbers stand in `summary`; `figures` are drawn beside its charts.
+/// Writes the page of a run whose numbers stand in `summary`; `figures` are drawn beside its
+/// charts, and `film` shows its end in motion.
 pub(super) fn write_page(
     summary: &Value,
     run: &Run,
     histories: &Histories,
     figures: &[&Figure],
+    film: Option<Value>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let limit = frequency_limit_of(run);
@@ -43,6 +46,7 @@ pub(super) fn write_page(
     let data = json!({
         "summary": summary,
         "balls": bearings.map(|state| state.as_ref().map(balls)).collect::<Value>(),
+        "film": film,
         "histories": histories.page_panels(),
         "figures": figures_json(figures.iter().copied()),
         "spectra": spectra.map(|shown| shown.page_panel()).collect::<Value>(),
@@ -52,7 +56,7 @@ pub(super) fn write_page(
         title: summary["title"].as_str().unwrap_or_default(),
         sealed: "summary.json",
         styles: CHARTS_STYLE,
-        scripts: &[CHARTS, SCRIPT],
+        scripts: &[CHARTS, FILM, SCRIPT],
     };
     frame.write(&data, out)
 }

@@ -93,7 +93,7 @@
       scales: { x: { time: false, ...(panel.shown ? { min: data[0][0], max: panel.shown } : {}) }, y: panel.logarithmic ? { distr: 3, range: () => decades(data.slice(1)) }
         : { range: (_, low, high) => (low === null ? [-1, 1] : padded(low, high)) } },
       cursor: { drag: { x: true, y: false }, sync: { key: panel.group, scales: ["x", null], setSeries: false } },
-      hooks: { draw: [(u) => drawMarks(u, panel.marks)] },
+      hooks: { draw: [(u) => drawMarks(u, panel.marks)], setCursor: [(u) => follow(u, panel)] },
     };
     return settings;
   }
@@ -191,6 +191,26 @@
       labels: [], peaks: peaks.filter(([, , name], k) => peaks.findIndex((peak) => peak[2] === name) === k), height: 200,
       x: { name: unit ? `${over} in ${unit}` : over, ends: ends.x }, view: ends,
       y: { name: `${named(panel.name)}${panel.unit ? ` in ${panel.unit}` : ""}`, ends: ends.y, logarithmic: panel.logarithmic } }] };
+  }
+
+  /** What moves with the cursor of the curves over time. */
+  let moving = null;
+  let seeking = false;
+
+  /** Puts the cursor of the curves that are seen at a time. */
+  function seek(time) {
+    seeking = true;
+    for (const { plot, holder } of groups.get("time") ?? []) {
+      if (!holder.offsetParent || time < plot.scales.x.min || time > plot.scales.x.max) continue;
+      plot.setCursor({ left: plot.valToPos(time, "x"), top: plot.over.clientHeight / 2 });
+      break; // the others follow
+    }
+    seeking = false;
+  }
+
+  /** Shows the motion at the cursor of a curve over time. */
+  function follow({ cursor, data }, panel) {
+    if (panel.group === "time" && !seeking && cursor.idx !== null && cursor.idx !== undefined) moving?.at(data[0][cursor.idx]);
   }
 
   const hint = () => element("p", { class: "quiet screen" },
@@ -395,6 +415,10 @@
         addChart(panel, "time", 170, index === histories.length - 1)));
     }
     if (drawn.has("scene")) folded("scene", "Scene", figures.add(drawn.get("scene")));
+    if (page.data.film) {
+      moving = film.add(page.data.film, seek);
+      folded("film", "In motion", moving.figure);
+    }
     if (drawn.has("orbit")) folded("orbit", "Orbit", figures.add(drawn.get("orbit")));
     if (summary.motion) folded("statistics", "Statistics", statistics(summary.motion));
     folded("equilibrium", "Static equilibrium", ...equilibrium());
