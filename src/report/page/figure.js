@@ -209,7 +209,7 @@ const figures = (() => {
   function drawAxes(pen, { panel, plot, head }, colour) {
     const [ink, line] = [colour("--ink"), colour("--line")];
     const bottom = plot.top + plot.height;
-    for (const tick of ticks(panel.x, panel.view.x, Math.max(2, Math.floor(plot.width / 75)))) {
+    for (const tick of ticks(panel.x, panel.view.x, Math.max(3, Math.floor(plot.width / 60)))) {
       const x = across({ panel, plot }, valueAt(panel.x, tick.at));
       pen.line([x, plot.top, x, bottom], line);
       pen.text(tick.text, x, bottom + 16, { colour: ink, size: TEXT, align: "middle" });
