@@ -9,7 +9,7 @@ use super::demand::Demand;
 use super::jobs::name_of;
 use super::{Outcome, terminal};
 use crate::report::scene::scene_figure;
-use crate::report::write_whole;
+use crate::report::{FigureFormat, write_whole};
 use crate::rotor::RotorDefinition;
 use crate::scenario::{self, Loaded, ScenarioError, StudyFile};
 use crate::simulate::Model;
@@ -78,8 +78,8 @@ fn draw(checked: &Checked, file: &Path) -> bool {
         terminal::tell("error: --figure draws the shaft of a scenario, and this is a study\n");
         return false;
     };
-    let svg = scene_figure(&checked.title, scene).svg();
-    let written = svg.and_then(|svg| write_whole(file, svg.as_bytes()));
+    let drawn = scene_figure(&checked.title, scene).bytes(FigureFormat::of(file));
+    let written = drawn.and_then(|bytes| write_whole(file, &bytes));
     if let Err(error) = &written {
         terminal::tell(&format!("error: {error}\n"));
     }

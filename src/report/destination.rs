@@ -48,7 +48,7 @@ impl Destination<'_> {
             files.extend(folder.write_table(stem, table)?);
         }
         for figure in &findings.figures {
-            files.push(folder.write_figure(figure)?);
+            files.extend(folder.write_figure(figure)?);
         }
         if self.page {
             let page = AnswerPage {

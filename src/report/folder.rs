@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use super::figure::Figure;
+use super::figure::{Figure, FigureFormat, figure_formats};
 use super::table::{Origin, Table, TableFiles};
 use super::{FileAction, ReportError};
 use crate::scenario::TableFormat;
@@ -137,7 +137,13 @@ impl FileSet {
             TableFormat::ALL.map(|format| format!("{stem}.{}", format.extension()))
         });
         let others = self.others.iter().filter(move |name| **name != self.seal);
-        tables.chain(others.map(|name| (*name).to_owned()))
+        let others = others.flat_map(|name| match name.strip_suffix(".svg") {
+            Some(stem) => FigureFormat::ALL
+                .map(|format| format!("{stem}.{}", format.name()))
+                .to_vec(),
+            None => vec![(*name).to_owned()],
+        });
+        tables.chain(others)
     }
 }
 
@@ -259,9 +265,14 @@ impl RunFolder {
         file.close()
     }
 
-    /// Draws a figure into its file.
-    pub(super) fn write_figure(&self, figure: &Figure) -> Result<WholeFile, ReportError> {
-        self.write(&figure.file, figure.svg()?.as_bytes())
+    /// Draws a figure into a file of each format.
+    pub(super) fn write_figure(&self, figure: &Figure) -> Result<Vec<WholeFile>, ReportError> {
+        let formats = figure_formats().iter();
+        let files = formats.map(|format| {
+            let name = format!("{}.{}", figure.name(), format.name());
+            self.write(&name, &figure.bytes(*format)?)
+        });
+        files.collect()
     }
 
     /// Writes the table `stem` in every format.

@@ -41,6 +41,7 @@ pub(crate) use envelope::Decimator;
 pub(crate) use error::Failure;
 pub use error::{FileAction, ReportError};
 pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};
+pub(crate) use figure::{FigureFormat, write_figures_as};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
 #[cfg(test)]
 pub(crate) use histories::Histories;

@@ -230,7 +230,7 @@ impl RunReport {
             files.extend(write_waterfall(&maps.waterfall, folder)?);
         }
         for figure in figures.iter().filter(|_| self.outputs.figures) {
-            files.push(folder.write_figure(figure)?);
+            files.extend(folder.write_figure(figure)?);
         }
         if let Some(histories) = self.histories.filter(|_| self.outputs.page) {
             let scene = scene_figure(&self.title, &model.rotor);

@@ -9,7 +9,7 @@ use super::table::Table;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
 use crate::report::page::AnswerPage;
-use crate::report::write_whole;
+use crate::report::{FigureFormat, write_whole};
 
 /// Most columns that are shown.
 const MOST_COLUMNS: usize = 4;
@@ -20,7 +20,7 @@ const SMALLEST: f64 = 1e-7;
 /// Places closer than this part of them are one.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Writes the figure of a comparison as SVG; `first` and `second` are what was compared.
+/// Writes the figure of a comparison ; `first` and `second` are what was compared.
 ///
 /// # Errors
 /// [`CompareError`] where a table cannot be read again, or the figure not be drawn or written.
@@ -30,8 +30,8 @@ pub fn write_comparison_figure(
     second: &Path,
     file: &Path,
 ) -> Result<(), CompareError> {
-    let text = figure(comparison, first, second)?.svg()?;
-    write_whole(file, text.as_bytes())?;
+    let figure = figure(comparison, first, second)?;
+    write_whole(file, &figure.bytes(FigureFormat::of(file))?)?;
     Ok(())
 }
 

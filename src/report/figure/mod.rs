@@ -2,6 +2,7 @@
 
 mod axis;
 mod draw;
+mod format;
 
 use plotters::style::RGBColor;
 
@@ -10,6 +11,8 @@ use super::envelope::{BUCKETS, Decimator};
 
 pub(super) use axis::{Axis, ends, padded, round_ticks};
 pub(super) use draw::PLOT_WIDTH;
+pub(super) use format::figure_formats;
+pub(crate) use format::{FigureFormat, write_figures_as};
 
 /// A place in the units of the axes.
 pub(crate) type Point = (f64, f64);

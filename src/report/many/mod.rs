@@ -253,7 +253,7 @@ fn seal(
     let tables = [Table::Points, Table::Spectra].map(|table| named(&files, table));
     let figures = figures(&digest, title, tables.each_ref().map(Option::as_deref))?;
     for figure in &figures {
-        files.push(folder.write_figure(figure)?);
+        files.extend(folder.write_figure(figure)?);
     }
     let page = |file: &mut PartialFile| write_page(title, identity, &digest, &figures, file);
     files.push(folder.write_with("report.html", page)?);
