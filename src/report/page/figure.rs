@@ -63,7 +63,7 @@ fn curve(curve: &Curve) -> Value {
         "name": curve.name,
         "colour": hex(curve.colour),
         "fine": curve.fine,
-        "points": points(&curve.points),
+        "points": points(&distinct_points(curve)),
         "marks": if marks_points { Value::Null } else { points(&curve.marks) },
         "pointsAreMarked": marks_points,
         "mark": match curve.mark {
@@ -74,6 +74,15 @@ fn curve(curve: &Curve) -> Value {
         },
         "runs": numbers(&curve.runs),
     })
+}
+
+/// The points of a curve; where they stand for no runs, none twice.
+fn distinct_points(curve: &Curve) -> Vec<Point> {
+    let mut points = curve.points.clone();
+    if curve.runs.is_empty() && curve.marks.is_empty() {
+        points.dedup();
+    }
+    points
 }
 
 /// Abscissas and values.
