@@ -94,6 +94,7 @@ impl Answer {
             title: &self.title,
             scenario: &self.scenario,
             formats: &self.formats,
+            page: true,
         };
         let written = py.detach(|| destination.write(self.findings.clone()));
         let written = written.map_err(|error| run_error(py, &error))?;

@@ -59,6 +59,7 @@ impl Scene {
             title: &self.scenario.title,
             scenario: &self.scenario.echo,
             formats: self.scenario.formats(),
+            page: true,
         }
     }
 

@@ -19,8 +19,8 @@ use crate::study::campbell::{self, CampbellQuestion};
 #[command(
     after_help = "Examples:\n  jeffcott campbell scenarios/back-to-back-7205c.toml --to \"60000 rpm\"\n  \
                   jeffcott campbell shaft.toml --from \"1000 rpm\" --to \"9000 rpm\" --orders 1,2,bpfo\n\n\
-                  Each file writes to DIR/<its name without ending>/: campbell.csv, campbell.svg and,\n\
-                  last, campbell.json.\n\n\
+                  Each file writes to DIR/<its name without ending>/: campbell.csv, campbell.svg,\n\
+                  report.html and, last, campbell.json.\n\n\
                   Exit code: 0 all diagrams are drawn, 1 a shaft has no equilibrium at a speed or a file\n\
                   cannot be written, 2 a file or the command line is wrong."
 )]

@@ -8,6 +8,9 @@ use serde_json::{Value, json};
 use super::demand::Demand;
 use super::jobs::name_of;
 use super::{Outcome, terminal};
+use crate::report::scene::scene_figure;
+use crate::report::{FigureFormat, write_whole};
+use crate::rotor::RotorDefinition;
 use crate::scenario::{self, Loaded, ScenarioError, StudyFile};
 use crate::simulate::Model;
 
@@ -16,13 +19,17 @@ use crate::simulate::Model;
 /// The memory is somewhat more than a run turns out to take, the time that of its first steps carried on to its end.
 #[derive(Debug, clap::Args)]
 #[command(
-    after_help = "Example:\n  jeffcott check scenarios/steady-7205c.toml\n\n\
+    after_help = "Examples:\n  jeffcott check scenarios/steady-7205c.toml\n  \
+                        jeffcott check scenarios/steady-7205c.toml --figure shaft.svg\n\n\
                         Exit code: 0 all files are right, 2 a file is wrong."
 )]
 pub struct Arguments {
     /// Scenario or study files, .toml or .json; "-" is standard input
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
+    /// Draw the shaft of the scenario to scale, with all that stands on it
+    #[arg(long, value_name = "FILE.svg")]
+    figure: Option<PathBuf>,
     /// Print the findings as JSON
     #[arg(long)]
     json: bool,
@@ -34,6 +41,11 @@ pub fn run(arguments: &Arguments) -> io::Result<Outcome> {
     let mut findings = Vec::new();
     for file in &arguments.files {
         let checked = check(file);
+        if let (Ok(checked), Some(figure)) = (&checked, &arguments.figure)
+            && !draw(checked, figure)
+        {
+            outcome = Outcome::WrongInput;
+        }
         if checked.is_err() {
             outcome = Outcome::WrongInput;
         }
@@ -56,6 +68,22 @@ struct Checked {
     warnings: Vec<String>,
     /// What it takes; none where nothing moves, or no run can begin.
     demand: Option<Demand>,
+    /// What stands there; none of a study.
+    scene: Option<RotorDefinition>,
+}
+
+/// Draws what stands there; tells why where that cannot be.
+fn draw(checked: &Checked, file: &Path) -> bool {
+    let Some(scene) = &checked.scene else {
+        terminal::tell("error: --figure draws the shaft of a scenario, and this is a study\n");
+        return false;
+    };
+    let drawn = scene_figure(&checked.title, scene).bytes(FigureFormat::of(file));
+    let written = drawn.and_then(|bytes| write_whole(file, &bytes));
+    if let Err(error) = &written {
+        terminal::tell(&format!("error: {error}\n"));
+    }
+    written.is_ok()
 }
 
 fn check(file: &Path) -> Result<Checked, ScenarioError> {
@@ -64,12 +92,14 @@ fn check(file: &Path) -> Result<Checked, ScenarioError> {
             demand: demand_of_study(&study),
             title: study.title,
             warnings: Vec::new(),
+            scene: None,
         },
         Loaded::Scenario(scenario) => {
             let model = scenario.model.as_ref();
             let of_speed = model.map(Model::speed_warnings).unwrap_or_default();
             Checked {
                 demand: model.and_then(|model| Demand::of(&scenario, model).ok()),
+                scene: Some(scenario.question.rotor.clone()),
                 title: scenario.title,
                 warnings: [scenario.warnings, of_speed].concat(),
             }

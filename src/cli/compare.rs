@@ -9,6 +9,7 @@ use serde_json::json;
 use super::{Outcome, terminal};
 use crate::report::compare::{
     CompareError, Comparison, Rules, Tolerance, Tolerances, compare, write_comparison_figure,
+    write_comparison_page,
 };
 use crate::scenario::ToleranceFile;
 
@@ -63,6 +64,9 @@ pub struct Arguments {
     /// Draw the columns that are furthest apart, both curves and their difference
     #[arg(long, value_name = "FILE.svg")]
     figure: Option<PathBuf>,
+    /// Write a page that shows the result in a browser
+    #[arg(long, value_name = "FILE.html")]
+    report: Option<PathBuf>,
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
@@ -123,6 +127,10 @@ fn comparison(arguments: &Arguments) -> Result<Comparison, String> {
         let drawn = write_comparison_figure(&comparison, first, second, figure);
         drawn.map_err(|error| message(&error))?;
     }
+    if let Some(page) = &arguments.report {
+        let written = write_comparison_page(&comparison, first, second, page);
+        written.map_err(|error| message(&error))?;
+    }
     Ok(comparison)
 }
 
@@ -174,7 +182,7 @@ fn show(comparison: &Comparison, json: bool) -> io::Result<()> {
 }
 
 /// The error and all its causes in one line.
-fn message(error: &CompareError) -> String {
+pub(super) fn message(error: &CompareError) -> String {
     let causes = std::iter::successors(error.source(), |cause| (*cause).source());
     let causes: String = causes.map(|cause| format!(": {cause}")).collect();
     format!("error: {error}{causes}\n")

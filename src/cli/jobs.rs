@@ -188,6 +188,7 @@ impl Job {
             title: &self.scenario.title,
             scenario: &self.scenario.echo,
             formats: &self.scenario.output.formats,
+            page: self.scenario.output.report,
         }
     }
 

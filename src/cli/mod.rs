@@ -16,6 +16,7 @@ mod jobs;
 mod new;
 mod pace;
 mod parts;
+mod report;
 mod run;
 mod steady;
 mod study;
@@ -27,6 +28,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+
+use crate::report::{FigureFormat, write_figures_as};
 
 /// Simulates a shaft on ball bearings: transient response and spectra.
 #[derive(Debug, Parser)]
@@ -40,6 +43,10 @@ struct Arguments {
     /// CSV file of your own bearings; also $JEFFCOTT_CATALOGUE
     #[arg(long, global = true, value_name = "FILE")]
     catalogue: Option<PathBuf>,
+    /// Formats of all figures that are written, any of svg, png and pdf
+    #[arg(long, global = true, value_name = "FORMATS", value_delimiter = ',', default_value = "svg",
+          value_parser = figure_format)]
+    figure_format: Vec<FigureFormat>,
     #[command(subcommand)]
     verb: Verb,
     #[command(flatten)]
@@ -57,11 +64,24 @@ enum Verb {
     Accuracy(accuracy::Arguments),
     Check(check::Arguments),
     Compare(compare::Arguments),
+    Report(report::Arguments),
     Catalogue(catalogue::Arguments),
     Estimate(estimate::Arguments),
     Schema(describe::Schema),
     Completions(describe::Completions),
     Man(describe::Manual),
+}
+
+/// A format of figures that this build writes.
+fn figure_format(text: &str) -> Result<FigureFormat, &'static str> {
+    let named = FigureFormat::ALL
+        .into_iter()
+        .find(|format| format.name() == text);
+    let known = named.ok_or("the formats are svg, png and pdf, as in --figure-format svg,pdf")?;
+    match known.is_built() {
+        true => Ok(known),
+        false => Err("this build writes figures as SVG alone; build it with `--features figures`"),
+    }
 }
 
 /// How a verb ended.
@@ -89,6 +109,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         verb,
         manner,
         catalogue,
+        figure_format,
     } = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(usage) => {
@@ -102,6 +123,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     manner.set();
+    write_figures_as(&figure_format);
     if !catalogue::add_own(catalogue.as_deref()) {
         return Outcome::WrongInput.into();
     }
@@ -115,6 +137,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Verb::Accuracy(arguments) => accuracy::run(&arguments),
         Verb::Check(arguments) => check::run(&arguments),
         Verb::Compare(arguments) => compare::run(&arguments),
+        Verb::Report(arguments) => report::run(&arguments),
         Verb::Catalogue(arguments) => catalogue::run(&arguments),
         Verb::Estimate(arguments) => estimate::run(&arguments),
         Verb::Schema(arguments) => describe::schema(&arguments),

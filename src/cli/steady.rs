@@ -28,8 +28,9 @@ use crate::study::Variable;
                   jeffcott steady scenarios/varying-compliance-6306.toml --over speed.constant \\\n    \
                   --from \"100 rad/s\" --to \"200 rad/s\"\n\n\
                   Each file writes to DIR/<its name without ending>/: steady_trace.csv,\n\
-                  steady_spectrum.csv, steady_trace.svg, steady_spectrum.svg and, last, steady.json; with\n\
-                  --over response.csv, response_specials.csv, response.svg and, last, response.json.\n\n\
+                  steady_spectrum.csv, steady_trace.svg, steady_spectrum.svg, report.html and, last,\n\
+                  steady.json; with --over response.csv, response_specials.csv, response.svg, report.html and,\n\
+                  last, response.json.\n\n\
                   Exit code: 0 all motions are found, 1 a scene has none, none was found or the search\n\
                   was interrupted, 2 a file or the command line is wrong."
 )]

@@ -199,11 +199,18 @@ fn frequencies(campbell: &Campbell) -> Panel {
         // up to the highest frequency, where the line leaves the figure
         let end = last.min(1.05 * top / (order * PER_SECOND)).max(first);
         let ends = [first, end].map(|speed| (PER_MINUTE * speed, order * speed * PER_SECOND));
-        Curve::line(GREY, ends.to_vec())
+        Curve {
+            name: format!("order {}", hundredths(*order)),
+            ..Curve::line(GREY, ends.to_vec())
+        }
     }));
     curves.extend(campbell.critical_speeds.iter().map(|critical| {
         let place = (PER_MINUTE * critical.speed, critical.frequency);
-        Curve::dots(colour(critical.whirl), vec![place])
+        let (order, branch) = (hundredths(critical.order), critical.branch + 1);
+        Curve {
+            name: format!("critical speed: branch {branch} crosses order {order}"),
+            ..Curve::dots(colour(critical.whirl), vec![place])
+        }
     }));
     Panel::of(speeds(campbell), "natural frequency in Hz", HEIGHT, curves)
 }
@@ -236,14 +243,18 @@ fn speeds(campbell: &Campbell) -> Axis {
 /// Every branch, cut where it has no mode.
 fn branches(campbell: &Campbell, value: fn(&Mode) -> f64) -> Vec<Curve> {
     let mut curves = Vec::new();
-    for branch in &campbell.branches {
+    for (index, branch) in campbell.branches.iter().enumerate() {
+        let name = format!("branch {}, {}", index + 1, branch.whirl());
         let all = campbell.speeds.iter().zip(&branch.modes);
         let all: Vec<_> = all
             .map(|(speed, mode)| Some((PER_MINUTE * speed, value(mode.as_ref()?))))
             .collect();
         for piece in all.split(Option::is_none) {
             let points = piece.iter().copied().flatten().collect();
-            curves.push(Curve::line(colour(branch.whirl()), points));
+            curves.push(Curve {
+                name: name.clone(),
+                ..Curve::line(colour(branch.whirl()), points)
+            });
         }
     }
     curves

@@ -5,8 +5,6 @@ use crate::analysis::SpallSignal;
 use crate::bearing::{Defect, Geometry, SideView, Surface};
 use crate::simulate::{Model, Run};
 
-/// Name of its file.
-pub(super) const FILE: &str = "defects.svg";
 /// Defects that are drawn, the first ones.
 const MOST_DRAWN: usize = 4;
 /// Height of a drawing and of a signal, px.
@@ -34,7 +32,7 @@ pub(super) fn figure(title: &str, model: &Model, run: &Run) -> Option<Figure> {
     let signals = run.spalls.iter().take(MOST_DRAWN).flat_map(signals);
     let panels: Vec<_> = drawings.chain(signals).collect();
     let title = format!("{title}: defects");
-    (!panels.is_empty()).then(|| Figure::new(FILE, &title, 1, panels))
+    (!panels.is_empty()).then(|| Figure::new("defects.svg", &title, 1, panels))
 }
 
 /// A defect with the ball in its middle, where it strikes the far edge or rests on the floor.

@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::figure::Figure;
+use super::page::AnswerPage;
 use super::table::{Origin, Table};
 use super::terminal::Lines;
 use super::{FileSet, ReportError, RunFolder};
@@ -22,6 +23,8 @@ pub struct Destination<'a> {
     pub scenario: &'a Value,
     /// Formats of the tables.
     pub formats: &'a [TableFormat],
+    /// Whether a page shows the result.
+    pub page: bool,
 }
 
 impl Destination<'_> {
@@ -41,11 +44,22 @@ impl Destination<'_> {
         let folder = RunFolder::open(self.folder, findings.set)?;
         let folder = folder.with_tables(self.formats, origin);
         let mut files = Vec::new();
-        for (stem, table) in findings.tables {
-            files.extend(folder.write_table(stem, &table)?);
+        for (stem, table) in &findings.tables {
+            files.extend(folder.write_table(stem, table)?);
         }
-        for figure in findings.figures {
-            files.push(folder.write_figure(&figure)?);
+        for figure in &findings.figures {
+            files.extend(folder.write_figure(figure)?);
+        }
+        if self.page {
+            let page = AnswerPage {
+                title: self.title,
+                sealed: findings.set.seal,
+                parts: findings.text.parts(),
+                figures: &findings.figures,
+                tables: &findings.tables,
+                document: &findings.document,
+            };
+            files.push(folder.write_with("report.html", |file| page.write(file))?);
         }
         let document = findings.document;
         let files = folder.commit(files, format!("{document:#}\n").as_bytes())?;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
-use super::figure::Figure;
+use super::figure::{Figure, FigureFormat, figure_formats};
 use super::table::{Origin, Table, TableFiles};
 use super::{FileAction, ReportError};
 use crate::scenario::TableFormat;
@@ -84,6 +84,7 @@ impl FileSet {
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
+            "report.html",
         ],
         spent: &[],
     };
@@ -91,7 +92,7 @@ impl FileSet {
     pub const CAMPBELL: Self = Self {
         seal: "campbell.json",
         tables: &["campbell"],
-        others: &["campbell.svg"],
+        others: &["campbell.svg", "report.html"],
         spent: &[],
     };
     /// What many runs of a scenario leave.
@@ -102,6 +103,7 @@ impl FileSet {
             "response.svg",
             "map.svg",
             "sensitivity.svg",
+            "scatter.svg",
             "ross_*.toml",
             "waterfall.svg",
             "bifurcation.svg",
@@ -113,21 +115,21 @@ impl FileSet {
     pub const ACCURACY: Self = Self {
         seal: "accuracy.json",
         tables: &["accuracy", "ladder"],
-        others: &["accuracy.svg", "ladder.svg"],
+        others: &["accuracy.svg", "ladder.svg", "report.html"],
         spent: &[],
     };
     /// What a steady motion leaves.
     pub const STEADY: Self = Self {
         seal: "steady.json",
         tables: &["steady_trace", "steady_spectrum"],
-        others: &["steady_trace.svg", "steady_spectrum.svg"],
+        others: &["steady_trace.svg", "steady_spectrum.svg", "report.html"],
         spent: &[],
     };
     /// What steady motions along a parameter leave.
     pub const RESPONSE: Self = Self {
         seal: "response.json",
         tables: &["response", "response_specials"],
-        others: &["response.svg"],
+        others: &["response.svg", "report.html"],
         spent: &[],
     };
     /// Names of what may stand beside the seal.
@@ -136,7 +138,13 @@ impl FileSet {
             TableFormat::ALL.map(|format| format!("{stem}.{}", format.extension()))
         });
         let others = self.others.iter().filter(move |name| **name != self.seal);
-        tables.chain(others.map(|name| (*name).to_owned()))
+        let others = others.flat_map(|name| match name.strip_suffix(".svg") {
+            Some(stem) => FigureFormat::ALL
+                .map(|format| format!("{stem}.{}", format.name()))
+                .to_vec(),
+            None => vec![(*name).to_owned()],
+        });
+        tables.chain(others)
     }
 }
 
@@ -258,9 +266,14 @@ impl RunFolder {
         file.close()
     }
 
-    /// Draws a figure into its file.
-    pub(super) fn write_figure(&self, figure: &Figure) -> Result<WholeFile, ReportError> {
-        self.write(&figure.file, figure.svg()?.as_bytes())
+    /// Draws a figure into a file of each format.
+    pub(super) fn write_figure(&self, figure: &Figure) -> Result<Vec<WholeFile>, ReportError> {
+        let formats = figure_formats().iter();
+        let files = formats.map(|format| {
+            let name = format!("{}.{}", figure.name(), format.name());
+            self.write(&name, &figure.bytes(*format)?)
+        });
+        files.collect()
     }
 
     /// Writes the table `stem` in every format.

@@ -196,15 +196,34 @@ impl History {
                 band: [bucket.low(), bucket.high()],
             })
         });
-        let single = stretches.iter().flatten().map(|(time, value)| Place {
-            time: *time,
-            value: *value,
-            band: [f64::NAN; 2],
+        let single = stretches.iter().flat_map(|stretch| {
+            let end = stretch.len() - 1;
+            let places = stretch.iter().enumerate();
+            places.map(move |(index, (time, value))| Place {
+                time: *time,
+                value: *value,
+                // the band reaches to where single values begin, so that there is no gap between them
+                band: match index == 0 || index == end {
+                    true => self.band_about(*time),
+                    false => [f64::NAN; 2],
+                },
+            })
         });
         let band = band.filter(|place| !known(place.time));
         let mut places: Vec<Place> = band.chain(single).collect();
         places.sort_by(|a, b| a.time.total_cmp(&b.time));
         places
+    }
+
+    /// Lowest and highest value of the buckets before and after a time.
+    fn band_about(&self, time: f64) -> [f64; 2] {
+        let buckets: Vec<_> = self.envelope.buckets().collect();
+        let after = buckets.partition_point(|bucket| bucket.first.0 < time);
+        let both = buckets[after.saturating_sub(1)..].iter().take(2);
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        both.fold(none, |[low, high], bucket| {
+            [low.min(bucket.low()), high.max(bucket.high())]
+        })
     }
 
     fn page_panel(&self) -> Value {
@@ -275,5 +294,14 @@ mod tests {
             );
         }
         assert!(places.is_sorted_by(|a, b| a.time <= b.time));
+        // between neighbours there is always a line or a band: no time is without either
+        let is_drawn = |a: &Place, b: &Place| {
+            let both = |value: fn(&Place) -> f64| !value(a).is_nan() && !value(b).is_nan();
+            both(|place| place.value) || both(|place| place.band[0])
+        };
+        let gaps = places
+            .windows(2)
+            .filter(|pair| !is_drawn(&pair[0], &pair[1]));
+        assert_eq!(gaps.count(), 0);
     }
 }

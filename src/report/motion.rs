@@ -271,6 +271,7 @@ pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
     }
     let panel = Panel {
         curves,
+        equal: true,
         ..Panel::new(x, y, HEIGHT)
     };
     Figure::new("orbit.svg", title, 1, vec![panel]).with_names(names)

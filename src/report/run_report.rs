@@ -1,8 +1,8 @@
 //! The files of one run, from the opening of the folder to the last rename, and its summary.
 
+use std::io;
 use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 use serde::Serialize;
 use serde_json::Value;
@@ -10,11 +10,13 @@ use serde_json::Value;
 use super::defects;
 use super::error::{Failure, FailureSummary, until_failure};
 use super::figure::Figure;
+use super::film::Film;
 use super::histories::Histories;
 use super::motion::{MotionSummary, orbit_figure, poincare_table};
 use super::page::write_page;
 use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::{MapsSummary, maps_figures, tracks_table, write_waterfall};
+use super::scene::scene_figure;
 use super::spectra::{
     EstimatedSummary, NamedPeak, estimated_figure, estimated_table, frequency_limit_of, peak_table,
     spectrum_table, table_name,
@@ -22,8 +24,8 @@ use super::spectra::{
 use super::table::{Origin, Table, TableFiles};
 use super::text::{MethodUseSummary, parted};
 use super::{
-    FileAction, FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity,
-    WholeFile, campbell, document, spectrum_figure,
+    FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity, campbell, document,
+    spectrum_figure,
 };
 use crate::analysis::{Channel, Spectrum};
 use crate::rotor::{BallContacts, Sample};
@@ -94,6 +96,7 @@ pub struct RunReport {
     balls: Option<TableFiles>,
     events: Option<TableFiles>,
     histories: Option<Histories>,
+    film: Option<Film>,
     samples: u64,
     /// Kept from row to row for its room.
     row: Vec<f64>,
@@ -137,6 +140,7 @@ impl RunReport {
             balls: None,
             events: outputs.events.then(events).transpose()?,
             histories: (outputs.figures || outputs.page).then(|| Histories::new(freedoms)),
+            film: outputs.page.then(Film::default),
             folder,
             title: title.to_owned(),
             scenario,
@@ -213,19 +217,9 @@ impl RunReport {
         let summary = RunSummary::new(model, run, choice, campbell);
         let summary = document(&self.title, &self.scenario, summary);
         let mut files = Vec::new();
-        let figures = match self.outputs.figures {
-            true => figures(
-                &self.title,
-                run,
-                self.histories.as_ref(),
-                self.campbell.as_ref(),
-            ),
-            false => Vec::new(),
-        };
-        let defects = self
-            .outputs
-            .figures
-            .then(|| defects::figure(&self.title, model, run));
+        let histories = self.histories.as_ref();
+        let mut figures = figures(&self.title, run, histories, self.campbell.as_ref());
+        figures.extend(defects::figure(&self.title, model, run));
         let streamed = self.tables.into_iter().map(|table| table.files);
         for table in streamed.chain(self.balls).chain(self.events) {
             files.extend(table.close()?);
@@ -237,13 +231,19 @@ impl RunReport {
         if let Some(maps) = &run.maps {
             files.extend(write_waterfall(&maps.waterfall, folder)?);
         }
-        for figure in figures.into_iter().chain(defects.flatten()) {
-            files.push(folder.write_figure(&figure)?);
+        for figure in figures.iter().filter(|_| self.outputs.figures) {
+            files.extend(folder.write_figure(figure)?);
         }
         if let Some(histories) = self.histories.filter(|_| self.outputs.page) {
-            let figures = shown_figures(&files)?;
-            let write =
-                |file: &mut PartialFile| write_page(&summary, run, &histories, &figures, file);
+            let scene = scene_figure(&self.title, &model.rotor);
+            let shown = figures.iter().chain([&scene]);
+            let figures: Vec<_> = shown
+                .filter(|figure| ON_PAGE.contains(&figure.name()))
+                .collect();
+            let film = self.film.and_then(|film| film.json(&model.rotor));
+            let write = |file: &mut PartialFile| {
+                write_page(&summary, run, &histories, &figures, film, file)
+            };
             files.push(folder.write_with("report.html", write)?);
         }
         self.folder
@@ -296,25 +296,15 @@ pub(super) fn tables<'a>(
     tables
 }
 
-/// Figures that the page shows as they are: what its own charts do not.
-fn shown_figures(files: &[WholeFile]) -> Result<Vec<(&'static str, String)>, ReportError> {
-    const SHOWN: [&str; 4] = [
-        "waterfall.svg",
-        "order_tracks.svg",
-        "campbell.svg",
-        defects::FILE,
-    ];
-    let found = |name: &&'static str| {
-        let name = *name;
-        let file = files.iter().find(|file| file.path().ends_with(name))?;
-        let text = fs::read_to_string(file.temporary());
-        Some(
-            text.map(|svg| (name, svg))
-                .map_err(ReportError::file(FileAction::Read, file.temporary())),
-        )
-    };
-    SHOWN.iter().filter_map(found).collect()
-}
+/// Figures that the page shows: what its own charts do not.
+const ON_PAGE: [&str; 6] = [
+    "scene",
+    "orbit",
+    "defects",
+    "waterfall",
+    "order_tracks",
+    "campbell",
+];
 
 /// What was kept of a run that cannot go on.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -347,6 +337,9 @@ impl TraceSink for RunReport {
     }
 
     fn balls(&mut self, sample: &Sample, balls: &BallContacts) -> io::Result<()> {
+        if let Some(film) = &mut self.film {
+            film.take(sample, balls);
+        }
         if !self.outputs.balls || !self.keeps_sample() {
             return Ok(());
         }

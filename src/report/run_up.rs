@@ -186,6 +186,7 @@ fn draw_orders(panel: &mut Panel, maps: &Maps) {
         let line = [left, end].map(|speed| (speed, at(speed)));
         panel.curves.push(Curve {
             fine: true,
+            name: order.name.clone(),
             ..Curve::line(WHITE, line.to_vec())
         });
         let near = left + 0.82 * (end - left);
@@ -312,6 +313,9 @@ impl Raster {
         Map {
             width: self.columns.len(),
             levels: pixels.collect(),
+            top: MICRO * loudest,
+            decades: DECADES,
+            unit: "µm",
         }
     }
 }

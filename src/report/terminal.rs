@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use comfy_table::{CellAlignment, Table, presets};
+use serde::Serialize;
 
 use crate::bearing::Clearance;
 use crate::rotor::FREEDOMS;
@@ -44,24 +45,50 @@ const INDENT: usize = 16;
 
 /// Lines for people, one below the other.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Lines(String);
+pub(super) struct Lines {
+    text: String,
+    parts: Vec<LinePart>,
+}
+
+/// A part of what people are told, as a page shows it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum LinePart {
+    /// A line of its own.
+    Text(String),
+    /// A text behind its name, which is empty where it continues the line before.
+    Line(String, String),
+    /// A table: its heads and its rows.
+    Table(Vec<String>, Vec<Vec<String>>),
+}
 
 impl Lines {
     /// A title, under which the lines stand.
     pub fn titled(title: &str) -> Self {
-        Self(format!("{title}\n"))
+        let text = format!("{title}\n");
+        let parts = Vec::new();
+        Self { text, parts }
+    }
+
+    /// What was put below the title, part by part.
+    pub fn parts(&self) -> &[LinePart] {
+        &self.parts
     }
 
     /// A line of its own.
     pub fn put(&mut self, text: impl Display) {
-        self.0 += &format!("{text}\n");
+        let text = text.to_string();
+        self.text += &format!("{text}\n");
+        self.parts.push(LinePart::Text(text));
     }
 
     /// A line behind its name, broken where it is too long; none where there is nothing to say.
     pub fn line(&mut self, name: &str, text: impl Display) {
         let text = text.to_string();
         if !text.is_empty() {
-            self.put(wrapped(&format!("  {name:<13} {text}"), INDENT));
+            let line = wrapped(&format!("  {name:<13} {text}"), INDENT);
+            self.text += &format!("{line}\n");
+            self.parts.push(LinePart::Line(name.to_owned(), text));
         }
     }
 
@@ -83,22 +110,27 @@ impl Lines {
         header: impl IntoIterator<Item = &'a str>,
         rows: impl IntoIterator<Item = Vec<String>>,
     ) {
-        self.put(format_args!("\n{}\n", table(header, rows)));
+        let header: Vec<&str> = header.into_iter().collect();
+        let rows: Vec<_> = rows.into_iter().collect();
+        let shown = table(header.iter().copied(), rows.iter().cloned());
+        self.text += &format!("\n{shown}\n\n");
+        let header = header.iter().map(|head| head.trim().replace('\n', " "));
+        self.parts.push(LinePart::Table(header.collect(), rows));
     }
 
     /// The files that were written, and all as one text.
     pub fn wrote(self, files: &[PathBuf]) -> String {
-        self.0 + &wrote(files)
+        self.text + &wrote(files)
     }
 
     /// All as one text.
     pub fn as_str(&self) -> &str {
-        &self.0
+        &self.text
     }
 
     /// All as one text.
     pub fn text(self) -> String {
-        self.0
+        self.text
     }
 }
 
@@ -118,7 +150,7 @@ pub fn wrote(files: &[PathBuf]) -> String {
         "wrote",
         format!("{} {}", folder.display(), names.join(", ")),
     );
-    out.0
+    out.text
 }
 
 /// A table without rules, everything but its first column to the right.

@@ -54,7 +54,10 @@ fn the_answer_fits_the_terminal_and_names_what_is_asked() {
     }
     for name in ["bearing-7205c", "arrangement-7205c"] {
         let files = names(&out.path().join(name));
-        assert_eq!(files, ["balls.csv", "balls.svg", "bearing.json"]);
+        assert_eq!(
+            files,
+            ["balls.csv", "balls.svg", "bearing.json", "report.html"]
+        );
     }
     let balls = fs::read_to_string(out.path().join("arrangement-7205c/balls.csv")).unwrap();
     assert_eq!(balls.lines().count(), 1 + 2 * 12);
@@ -65,7 +68,7 @@ fn the_json_is_the_file_and_balances_the_load() {
     let out = TempDir::new().unwrap();
     let output = bearing(&[shipped("bearing-7205c")], out.path(), &["--json"]);
     let mut printed: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(printed["files"].as_array().unwrap().len(), 3);
+    assert_eq!(printed["files"].as_array().unwrap().len(), 4);
     printed.as_object_mut().unwrap().remove("files");
     let file = fs::read(out.path().join("bearing-7205c/bearing.json")).unwrap();
     assert_eq!(printed, serde_json::from_slice::<Value>(&file).unwrap());
@@ -100,6 +103,7 @@ fn a_study_writes_its_tables_and_figures() {
         "around.csv",
         "contact_angle.svg",
         "deformation.svg",
+        "report.html",
         "stiffness.svg",
         "study.csv",
         "study.json",
@@ -125,7 +129,10 @@ fn a_single_answer_does_not_stand_beside_an_earlier_study() {
         assert!(bearing(&[file], folder.path(), &[]).status.success());
     }
     let left = names(&folder.path().join("standing"));
-    assert_eq!(left, ["balls.csv", "balls.svg", "bearing.json"]);
+    assert_eq!(
+        left,
+        ["balls.csv", "balls.svg", "bearing.json", "report.html"]
+    );
 }
 
 #[test]

@@ -146,7 +146,15 @@ fn campbell_writes_table_figure_and_critical_speeds() {
     assert!(output.status.success(), "{}", text(&output.stderr));
     let answer: Value = serde_json::from_slice(&output.stdout).expect("JSON");
     let written = names(&folder.path().join("back-to-back-7205c"));
-    assert_eq!(written, ["campbell.csv", "campbell.json", "campbell.svg"]);
+    assert_eq!(
+        written,
+        [
+            "campbell.csv",
+            "campbell.json",
+            "campbell.svg",
+            "report.html"
+        ]
+    );
     for critical in answer["critical_speeds"]
         .as_array()
         .expect("critical speeds")

@@ -11,11 +11,12 @@ fn jeffcott(folder: &Path, arguments: &[&str]) -> Output {
     jeffcott_in(root(), &[&["steady"], arguments, &["--out", out]].concat())
 }
 
-const FILES: [&str; 5] = [
+const FILES: [&str; 6] = [
     "steady_trace.csv",
     "steady_spectrum.csv",
     "steady_trace.svg",
     "steady_spectrum.svg",
+    "report.html",
     "steady.json",
 ];
 

@@ -3,10 +3,13 @@
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 
+use serde_json::Value;
+
 use super::table::Table;
 use super::{ColumnComparison, CompareError, Comparison, TableComparison, Worst};
 use crate::report::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
-use crate::report::write_whole;
+use crate::report::page::AnswerPage;
+use crate::report::{FigureFormat, write_whole};
 
 /// Most columns that are shown.
 const MOST_COLUMNS: usize = 4;
@@ -17,9 +20,7 @@ const SMALLEST: f64 = 1e-7;
 /// Places closer than this part of them are one.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Writes a figure of the columns that are furthest apart as SVG: to the left both curves, to the right
-/// their difference, with the places of the comparison marked. Amplitudes of spectra stand in dB of the
-/// largest. `first` and `second` are what was compared.
+/// Writes the figure of a comparison ; `first` and `second` are what was compared.
 ///
 /// # Errors
 /// [`CompareError`] where a table cannot be read again, or the figure not be drawn or written.
@@ -29,6 +30,37 @@ pub fn write_comparison_figure(
     second: &Path,
     file: &Path,
 ) -> Result<(), CompareError> {
+    let figure = figure(comparison, first, second)?;
+    write_whole(file, &figure.bytes(FigureFormat::of(file))?)?;
+    Ok(())
+}
+
+/// Writes a page with the figure and the worst places of a comparison; `first` and `second` are what was compared.
+///
+/// # Errors
+/// [`CompareError`] where a table cannot be read again, or the page not be written.
+pub fn write_comparison_page(
+    comparison: &Comparison,
+    first: &Path,
+    second: &Path,
+    file: &Path,
+) -> Result<(), CompareError> {
+    let figure = figure(comparison, first, second)?;
+    let lines = comparison.lines();
+    let page = AnswerPage {
+        title: &figure.title,
+        sealed: "the tables that were compared",
+        parts: lines.parts(),
+        figures: std::slice::from_ref(&figure),
+        tables: &[],
+        document: &Value::Null,
+    };
+    Ok(page.write_alone(file)?)
+}
+
+/// The columns that are furthest apart: to the left both curves, to the right their difference, with the places of the
+/// comparison marked. Amplitudes of spectra stand in dB of the largest.
+fn figure(comparison: &Comparison, first: &Path, second: &Path) -> Result<Figure, CompareError> {
     let mut panels = Vec::new();
     for (table, column) in furthest(comparison) {
         let inside = |path: &Path| -> PathBuf {
@@ -43,9 +75,7 @@ pub fn write_comparison_figure(
     }
     let title = format!("{} and {}", first.display(), second.display());
     let figure = Figure::new("comparison", &title, 2, panels);
-    let text = figure.with_names(Name::each(["a", "b", "b − a"])).svg()?;
-    write_whole(file, text.as_bytes())?;
-    Ok(())
+    Ok(figure.with_names(Name::each(["a", "b", "b − a"])))
 }
 
 /// The columns that are furthest from what is allowed, the furthest first.

@@ -37,7 +37,7 @@ mod lines;
 mod result;
 mod rows;
 mod rules;
-mod table;
+pub(super) mod table;
 mod text;
 
 use std::fs;
@@ -50,7 +50,7 @@ use self::table::Table;
 
 pub use assertion::{ComparedSpectrum, spectra_close};
 pub use error::CompareError;
-pub(crate) use figure::write_comparison_figure;
+pub(crate) use figure::{write_comparison_figure, write_comparison_page};
 pub use result::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
 pub use rules::{Rules, Tolerance, Tolerances};
 

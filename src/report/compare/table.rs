@@ -9,7 +9,7 @@ use crate::analysis::Spectrum;
 use crate::report::spectra::spectrum_table;
 
 /// A table with a header and numbers below, at least one row.
-pub(super) struct Table {
+pub(in crate::report) struct Table {
     /// Its file, or what messages call it.
     pub path: PathBuf,
     names: Vec<String>,

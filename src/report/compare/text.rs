@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{ColumnComparison, Comparison, Difference, TableComparison, Worst};
-use crate::report::terminal::{table, wrapped};
+use crate::report::terminal::{Lines, table, wrapped};
 
 impl fmt::Display for Comparison {
     /// A table of the worst places, what keeps the results from being compared, the verdict and, where
@@ -14,21 +14,45 @@ impl fmt::Display for Comparison {
             write_differences(f, table.differences.iter().chain(&table.left_out))?;
         }
         write_differences(f, self.differences.iter().chain(&self.left_out))?;
-        if self.agrees() {
-            return f.write_str("equal within tolerance");
-        }
-        f.write_str("different")?;
-        if let Some((table, column)) = self.furthest() {
-            advise(f, table, column)?;
-        }
-        if self.is_partial() {
-            f.write_str("\nwhat only one of them has is left out with --common")?;
-        }
-        Ok(())
+        f.write_str(&self.verdict())
     }
 }
 
 impl Comparison {
+    /// Whether the results agree and, where they do not, what to do.
+    fn verdict(&self) -> String {
+        if self.agrees() {
+            return "equal within tolerance".to_owned();
+        }
+        let mut text = "different".to_owned();
+        text.extend(self.furthest().map(|(table, column)| advice(table, column)));
+        if self.is_partial() {
+            text += "\nwhat only one of them has is left out with --common";
+        }
+        text
+    }
+
+    /// The same as [`Display`](fmt::Display) tells, the verdict first, as a page shows it.
+    pub(super) fn lines(&self) -> Lines {
+        let mut lines = Lines::default();
+        lines.line("result", self.verdict());
+        let differences = |lines: &mut Lines, all: &[Difference]| {
+            all.iter().for_each(|difference| lines.put(difference));
+        };
+        for table in &self.tables {
+            lines.put(&table.name);
+            if !table.columns.is_empty() {
+                let (header, rows) = worst_places(table);
+                lines.table(header, rows);
+            }
+            differences(&mut lines, &table.differences);
+            differences(&mut lines, &table.left_out);
+        }
+        differences(&mut lines, &self.differences);
+        differences(&mut lines, &self.left_out);
+        lines
+    }
+
     /// Whether one of the results has files, columns or samples that the other has not.
     fn is_partial(&self) -> bool {
         let of_tables = self.tables.iter().flat_map(|table| &table.differences);
@@ -54,23 +78,18 @@ fn write_differences<'a>(
 }
 
 /// Where to look, and what would let the results agree.
-fn advise(
-    f: &mut fmt::Formatter<'_>,
-    table: &TableComparison,
-    column: &ColumnComparison,
-) -> fmt::Result {
+fn advice(table: &TableComparison, column: &ColumnComparison) -> String {
     let Some(worst) = column.worst() else {
-        return Ok(());
+        return String::new();
     };
     let (name, at) = (&column.name, short(worst.at));
-    write!(f, ": most of all {name}, at {} = {at}", axis(table))?;
+    let place = format!(": most of all {name}, at {} = {at}", axis(table));
     let needed = rounded_up(column.needed);
     if !needed.is_finite() {
-        return write!(f, ", where no tolerance would let it agree");
+        return format!("{place}, where no tolerance would let it agree");
     }
-    write!(
-        f,
-        "\nlook there first; if that is meant, a relative tolerance of {needed:e} allows it:\n\
+    format!(
+        "{place}\nlook there first; if that is meant, a relative tolerance of {needed:e} allows it:\n\
          --column {name}={needed:e}"
     )
 }
@@ -94,6 +113,12 @@ fn write_table(f: &mut fmt::Formatter<'_>, found: &TableComparison) -> fmt::Resu
     if found.columns.is_empty() {
         return Ok(());
     }
+    let (header, rows) = worst_places(found);
+    writeln!(f, "{}", table(header, rows))
+}
+
+/// The worst places of every column, with the heads of their table.
+fn worst_places(found: &TableComparison) -> ([&str; 7], Vec<Vec<String>>) {
     let header = [
         "column",
         "|a−b|",
@@ -116,7 +141,7 @@ fn write_table(f: &mut fmt::Formatter<'_>, found: &TableComparison) -> fmt::Resu
         }
         rows
     });
-    writeln!(f, "{}", table(header, rows))
+    (header, rows.collect())
 }
 
 fn axis(table: &TableComparison) -> &str {

@@ -129,6 +129,22 @@ impl Axis {
         }
     }
 
+    /// What stands at its ends; of a logarithmic axis their decimal logarithms.
+    pub(in crate::report) fn ends(&self) -> [f64; 2] {
+        self.ends
+    }
+
+    /// Whether it is logarithmic.
+    pub(in crate::report) fn is_logarithmic(&self) -> bool {
+        self.logarithmic
+    }
+
+    /// The names along it, of an axis of names.
+    pub(in crate::report) fn texts(&self) -> Option<Vec<&str>> {
+        let texts = self.ticks.iter().map(|(_, text)| text.as_str());
+        (self.ends[0] > self.ends[1]).then(|| texts.collect())
+    }
+
     /// Lowest value of it.
     pub fn least(&self) -> f64 {
         self.value(self.ends[0])

@@ -132,6 +132,7 @@ fn colour_bar(values: &Axis, panel: &Panel) -> Panel {
     let colours = Map {
         width: 1,
         levels: (0..=u8::MAX).rev().collect(),
+        ..Map::default()
     };
     Panel {
         map: Some(colours),
@@ -149,8 +150,9 @@ fn draw_plot(area: &Area, panel: &Panel, pictures: &mut Vec<Picture>) -> Result<
         .set_label_area_size(LabelAreaPosition::Bottom, px(x.room_below()))
         .build_cartesian_2d(x.clone(), y.clone())?;
     let cells = panel.cells.iter();
-    let cells = cells.map(|(corners, colour)| {
-        Rectangle::new(corners.map(|corner| panel.place(corner)), colour.filled())
+    let cells = cells.map(|cell| {
+        let corners = cell.corners.map(|corner| panel.place(corner));
+        Rectangle::new(corners, cell.colour.filled())
     });
     chart.draw_series(cells)?;
     if let Some(map) = &panel.map {

@@ -2,6 +2,7 @@
 
 mod axis;
 mod draw;
+mod format;
 
 use plotters::style::RGBColor;
 
@@ -10,6 +11,8 @@ use super::envelope::{BUCKETS, Decimator};
 
 pub(super) use axis::{Axis, ends, padded, round_ticks};
 pub(super) use draw::PLOT_WIDTH;
+pub(super) use format::figure_formats;
+pub(crate) use format::{FigureFormat, write_figures_as};
 
 /// A place in the units of the axes.
 pub(crate) type Point = (f64, f64);
@@ -51,8 +54,10 @@ pub(crate) struct Panel {
     pub y: Axis,
     /// Height of the plot, px.
     pub height: u32,
-    /// Rectangles between two corners.
-    pub cells: Vec<([Point; 2], RGBColor)>,
+    /// Whether a unit is as long upwards as it is across.
+    pub equal: bool,
+    /// Rectangles.
+    pub cells: Vec<Cell>,
     /// What the colours of the cells mean: a bar of all of them along this axis.
     pub bar: Option<Axis>,
     /// A map that fills the plot.
@@ -76,6 +81,21 @@ pub(crate) struct Curve {
     pub mark: Mark,
     /// Whether the line is thin, for it covers itself many times over.
     pub fine: bool,
+    /// What it is called, where that is more than its colour tells.
+    pub name: String,
+    /// Of a study: the run that each point stands for, or each mark of a curve without points.
+    pub runs: Vec<u64>,
+}
+
+/// A rectangle between two corners, and what it stands for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Cell {
+    pub corners: [Point; 2],
+    pub colour: RGBColor,
+    /// The value that its colour or its length shows.
+    pub value: f64,
+    /// Of a study: the run that it stands for.
+    pub run: Option<u64>,
 }
 
 /// What marks a point.
@@ -91,11 +111,17 @@ pub(crate) enum Mark {
 }
 
 /// Levels row by row from the top, 0 to 255, in the colours of [`graded`].
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Map {
     /// Levels in a row.
     pub width: usize,
     pub levels: Vec<u8>,
+    /// Value of level 255.
+    pub top: f64,
+    /// Decades from level 0 up to there.
+    pub decades: f64,
+    /// Unit of the values.
+    pub unit: &'static str,
 }
 
 impl Figure {

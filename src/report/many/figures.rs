@@ -7,7 +7,7 @@ use super::digest::{Digest, Row};
 use super::{each_row, number_in};
 use crate::report::ReportError;
 use crate::report::figure::{
-    Axis, Curve, Figure, GREY, Mark, Name, Panel, Point, distinct, ends, graded, padded,
+    Axis, Cell, Curve, Figure, GREY, Mark, Name, Panel, Point, distinct, ends, graded, padded,
 };
 use crate::report::terminal::MICRO;
 
@@ -19,6 +19,10 @@ const HEIGHT: u32 = 480;
 const MOST_MARKS: usize = 60;
 /// Steps of colour in a map.
 const SHADES: usize = 64;
+/// Most points of a number that are drawn as dots.
+const MOST_DOTS: usize = 500;
+/// Most axes that numbers are scattered over, side by side.
+const MOST_ACROSS: usize = 4;
 /// Most maps below each other.
 const MOST_MAPS: usize = 8;
 /// Height of one of several maps, px.
@@ -26,6 +30,9 @@ const MAP_HEIGHT: u32 = 300;
 
 /// The values of an axis in order, and the edges halfway between them.
 type Edges = (Vec<f64>, Vec<f64>);
+
+/// Places of the shaft, and the run that each is of.
+type Places = (Vec<Point>, Vec<u64>);
 
 /// Height of a bar, px.
 const BAR: u32 = 26;
@@ -129,14 +136,21 @@ impl Digest {
 
     fn curve(&self, shown: &Shown, down: bool) -> Option<Curve> {
         let rows = self.rows.iter().filter(|row| row.down == down);
-        let mut points: Vec<_> = rows
-            .map(|row| (self.at(row, 0), shown.factor() * row.numbers[shown.column]))
-            .filter(|(_, value)| value.is_finite())
+        let mut found: Vec<(Point, u64)> = rows
+            .map(|row| {
+                let value = shown.factor() * row.numbers[shown.column];
+                ((self.at(row, 0), value), row.run)
+            })
+            .filter(|((_, value), _)| value.is_finite())
             .collect();
-        points.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.sort_by(|(a, _), (b, _)| a.0.total_cmp(&b.0));
+        let (points, runs): (Vec<_>, Vec<_>) = found.into_iter().unzip();
         let most_marks = if self.drawn { 0 } else { MOST_MARKS };
         let colour = distinct(usize::from(down));
-        (!points.is_empty()).then(|| Curve::marked(colour, points, most_marks))
+        (!points.is_empty()).then(|| Curve {
+            runs,
+            ..Curve::marked(colour, points, most_marks)
+        })
     }
 
     /// Places of the shaft over the only axis: the displacement that is spread most, by direction.
@@ -149,7 +163,7 @@ impl Digest {
             return Ok(None);
         };
         // of every displacement: value of the axis and place in µm, up and down
-        let mut found: BTreeMap<String, [Vec<Point>; 2]> = BTreeMap::new();
+        let mut found: BTreeMap<String, [Places; 2]> = BTreeMap::new();
         each_row(points, |names, record| {
             let run = number_in(&record, 0) as u64;
             let Some(row) = self.row(run) else { return };
@@ -157,12 +171,17 @@ impl Digest {
                 if let Some(name) = name.strip_suffix("_m") {
                     let places = found.entry(name.to_owned()).or_default();
                     let point = (self.at(row, 0), MICRO * number_in(&record, place));
-                    places[usize::from(row.down)].push(point);
+                    let (points, runs) = &mut places[usize::from(row.down)];
+                    points.push(point);
+                    runs.push(run);
                 }
             }
         })?;
-        let range = |places: &[Vec<Point>; 2]| padded(places.iter().flatten().map(|point| point.1));
-        let spread = |places: &[Vec<Point>; 2]| {
+        let range = |places: &[Places; 2]| {
+            let points = places.iter().flat_map(|(points, _)| points);
+            padded(points.map(|point| point.1))
+        };
+        let spread = |places: &[Places; 2]| {
             let range = range(places);
             range.end - range.start
         };
@@ -173,9 +192,11 @@ impl Digest {
             return Ok(None);
         };
         let heights = Axis::over(format!("{name} in µm"), range(&places));
-        let dots = places.into_iter().enumerate().map(|(down, places)| Curve {
+        let places = places.into_iter().enumerate();
+        let dots = places.map(|(down, (points, runs))| Curve {
             mark: Mark::Spot,
-            ..Curve::dots(distinct(down), places)
+            runs,
+            ..Curve::dots(distinct(down), points)
         });
         let panel = Panel {
             curves: dots.collect(),
@@ -220,7 +241,12 @@ impl Digest {
                 [edges[place], edges[place + 1]]
             });
             let corners = [(across[0], up[0]), (across[1], up[1])];
-            value.is_finite().then(|| (corners, shade(value)))
+            value.is_finite().then(|| Cell {
+                corners,
+                colour: shade(value),
+                value,
+                run: Some(row.run),
+            })
         });
         let [x, y] = [0, 1].map(|axis| {
             let edges = &edges[axis].1;
@@ -232,6 +258,45 @@ impl Digest {
             bar: Some(Axis::over("", range.clone())),
             ..Panel::new(x, y, height)
         }
+    }
+
+    /// The numbers shown over each of several axes whose values were drawn, a point a run.
+    pub(super) fn scatter(&self, title: &str) -> Option<Figure> {
+        let count = self.axes.len();
+        if count < 2 || !self.drawn {
+            return None;
+        }
+        let axes = 0..count.min(MOST_ACROSS);
+        let shown = self.shown().into_iter();
+        let panels = shown.take(MOST_MAPS).flat_map(|shown| {
+            let panel = |axis: usize| self.scattered(&shown, axis);
+            axes.clone().filter_map(panel).collect::<Vec<_>>()
+        });
+        let panels: Vec<Panel> = panels.collect();
+        let columns = count.min(MOST_ACROSS);
+        (!panels.is_empty()).then(|| Figure::new("scatter.svg", title, columns, panels))
+    }
+
+    /// One number over one axis.
+    fn scattered(&self, shown: &Shown, axis: usize) -> Option<Panel> {
+        let rows = self.rows.iter().map(|row| {
+            let value = shown.factor() * row.numbers[shown.column];
+            ((self.at(row, axis), value), row.run)
+        });
+        let known = rows.filter(|((_, value), _)| value.is_finite());
+        let (points, runs): (Vec<Point>, Vec<u64>) = known.unzip();
+        let heights = Axis::around(&shown.title, points.iter().map(|point| point.1));
+        let few = points.len() <= MOST_DOTS;
+        let dots = Curve {
+            mark: if few { Mark::Dot } else { Mark::Spot },
+            runs,
+            ..Curve::dots(distinct(0), points)
+        };
+        let over = Axis::spanning(&self.labels[axis].0, self.ends(axis)?);
+        Some(Panel {
+            curves: vec![dots],
+            ..Panel::new(over, heights, ROW_HEIGHT)
+        })
     }
 
     /// How much the numbers shown follow each axis.
@@ -259,8 +324,12 @@ impl Digest {
         let count = bars.len();
         let cells = bars.iter().enumerate().map(|(index, (_, part))| {
             let top = index as f64;
-            let colour = distinct(usize::from(*part < 0.0));
-            ([(0.0, top + 0.15), (*part, top + 0.85)], colour)
+            Cell {
+                corners: [(0.0, top + 0.15), (*part, top + 0.85)],
+                colour: distinct(usize::from(*part < 0.0)),
+                value: *part,
+                run: None,
+            }
         });
         let cells = cells.collect();
         let zero = Curve::line(GREY, vec![(0.0, 0.0), (0.0, count as f64)]);

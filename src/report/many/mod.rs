@@ -252,13 +252,10 @@ fn seal(
     let digest = Digest::of(&runs, identity)?;
     let tables = [Table::Points, Table::Spectra].map(|table| named(&files, table));
     let figures = figures(&digest, title, tables.each_ref().map(Option::as_deref))?;
-    let mut drawn = Vec::new();
-    for figure in figures {
-        let svg = figure.svg()?;
-        files.push(folder.write(&figure.file, svg.as_bytes())?);
-        drawn.push((figure.file, svg));
+    for figure in &figures {
+        files.extend(folder.write_figure(figure)?);
     }
-    let page = |file: &mut PartialFile| write_page(title, identity, &digest, &drawn, file);
+    let page = |file: &mut PartialFile| write_page(title, identity, &digest, &figures, file);
     files.push(folder.write_with("report.html", page)?);
     if let Some(stiffness) = named(&files, Table::Stiffness) {
         for (name, text) in ross_files(title, identity, &digest, &stiffness)? {
@@ -322,6 +319,7 @@ fn figures(
         waterfall.transpose()?.flatten(),
         digest.map(title),
         digest.tornado(title),
+        digest.scatter(title),
     ];
     Ok(drawn.into_iter().flatten().collect())
 }

@@ -1,7 +1,7 @@
 
 (() => {
-  const { element, section, folded, table, tiles, number, drawnFigure } = page;
-  const { title, jeffcott, study, axes, labels, digest, shown, rows, figures } = page.data;
+  const { element, section, folded, table, tiles, number } = page;
+  const { title, jeffcott, study, axes, labels, digest, shown, rows, figures: drawn } = page.data;
   const numbers = Object.entries(digest.numbers);
   const isShown = ([name]) => shown.includes(name);
   const share = (text) => `${number(100 * Number(text), 3)} %`;
@@ -90,10 +90,31 @@
     return table(rows.names, told, `${rest} stand in runs.csv beside this page.`, 0);
   }
 
+  /** What the figures show of a run, and the command that makes it alone: results stand in a folder called like their file. */
+  function runText(run) {
+    const found = new Map();
+    const note = (axis, value) => { if (axis?.name && value !== undefined) found.set(axis.name, number(value)); };
+    for (const figure of figures.all()) for (const panel of figure.panels) {
+      for (const curve of panel.curves) {
+        const k = curve.runs?.indexOf(run) ?? -1;
+        if (k < 0 || curve.mark === "spot" && figure.name === "bifurcation") continue;
+        const [xs, ys] = curve.xs.length ? [curve.xs, curve.ys] : [curve.markXs, curve.markYs];
+        note(panel.x, xs[k]);
+        note(panel.y, ys[k]);
+      }
+      const k = panel.cells?.runs?.indexOf(run) ?? -1;
+      if (k >= 0) note({ name: panel.title }, panel.cells.values[k]);
+    }
+    const values = [...found].map(([name, value]) => { const [what, unit] = name.split(" in "); return `${what} ${value}${unit ? ` ${unit}` : ""}`; });
+    const folder = decodeURIComponent(location.pathname.split("/").at(-2) ?? "FILE");
+    return `Run ${run}: ${values.join(", ")}. Alone: jeffcott study ${folder}.toml --only ${run}`;
+  }
+
+  figures.tellRuns(runText);
   document.getElementById("origin").textContent = `jeffcott ${jeffcott}, a study of ${number(digest.runs, 12)} runs`;
   section("numbers", "Key numbers", keyNumbers());
   if (digest.failed) section("failures", "Failed runs", failures());
-  if (figures.length) section("figures", "Figures", ...figures.map(drawnFigure));
+  if (drawn.length) section("figures", "Figures", ...drawn.map(figures.add));
   folded("plan", "Plan", ...plan());
   if (digest.resonances.length) folded("resonances", "Resonances", resonances());
   if (digest.sensitivities.length) {
@@ -103,5 +124,5 @@
   folded("statistics", "Numbers over all runs", ...parted(numbers, isShown, numberTable));
   folded("runs", "Runs", runs());
   page.scenarioSection("the base, with its defaults and what all runs have otherwise", page.data.base);
-  page.ready();
+  page.ready(figures.redraw);
 })();

@@ -5,6 +5,7 @@ use std::io::{self, Write};
 use serde_json::{Value, json};
 
 use super::digest::Digest;
+use crate::report::figure::Figure;
 use crate::report::page::{Frame, figures_json};
 
 const SCRIPT: &str = include_str!("page.js");
@@ -21,7 +22,7 @@ pub(super) fn write_page(
     title: &str,
     identity: &Value,
     digest: &Digest,
-    figures: &[(String, String)],
+    figures: &[Figure],
     out: &mut impl Write,
 ) -> io::Result<()> {
     let data = json!({

@@ -65,25 +65,12 @@ const page = (() => {
     return value.toExponential(digits - 2);
   }
 
-  const captions = {
-    "waterfall.svg": "Amplitudes over frequency in colours; lines are orders of the shaft.",
-    "order_tracks.svg": "Amplitude and phase of orders of the shaft over its speed.",
-    "campbell.svg": "Natural frequencies and damping ratios over the speed; grey lines are orders of the shaft.",
-    "response.svg": "Numbers of the runs along the axis.",
-    "bifurcation.svg": "Where the shaft stands once a cycle, over the axis.",
-    "map.svg": "Numbers of the runs over both axes.",
-    "sensitivity.svg": "Rank correlation of the numbers with what was drawn.",
-  };
+  // Data in base64.
 
-  /** A figure as it stands in the folder, on paper of its own. */
-  function drawnFigure({ name, svg }) {
-    const image = new DOMParser().parseFromString(svg, "image/svg+xml").documentElement;
-    const caption = captions[name] ?? "";
-    image.setAttribute("role", "img");
-    image.setAttribute("aria-label", caption);
-    return element("figure", { class: "paper" }, document.importNode(image, true),
-      element("figcaption", {}, `${caption} File: ${name}.`));
-  }
+  const bytes = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer;
+  const places = (base64) => Array.from(new Float64Array(bytes(base64)));
+  /** Values; null where there is none. */
+  const floats = (base64) => Array.from(new Float32Array(bytes(base64)), (v) => (Number.isNaN(v) ? null : v));
 
   /** The scenario as a text that can be opened. */
   function scenarioSection(remark, scenario) {
@@ -107,5 +94,5 @@ const page = (() => {
     document.documentElement.dataset.readyMs = String(Math.round(performance.now()));
   }
 
-  return { data, element, drawn, section, folded, table, tiles, number, drawnFigure, scenarioSection, ready };
+  return { data, element, drawn, section, folded, table, tiles, number, bytes, places, floats, scenarioSection, ready };
 })();

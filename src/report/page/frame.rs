@@ -2,11 +2,16 @@
 
 use std::io::{self, Write};
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
 const FRAME: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
-const SCRIPT: &str = include_str!("frame.js");
+/// What every page's script builds on, in order.
+const SCRIPTS: [&str; 3] = [
+    include_str!("frame.js"),
+    include_str!("pen.js"),
+    include_str!("figure.js"),
+];
 
 /// A page around some data.
 #[derive(Debug, Clone, Copy)]
@@ -30,18 +35,10 @@ impl Frame<'_> {
             ("style", [self.styles, STYLE].concat()),
             // no text in the data can end the element that it stands in
             ("data", data.to_string().replace('<', "\\u003c")),
-            ("script", [&[SCRIPT], self.scripts].concat().concat()),
+            ("script", [&SCRIPTS, self.scripts].concat().concat()),
         ];
         fill(FRAME, &parts, out)
     }
-}
-
-/// Figures as a page shows them, each an SVG with its name.
-pub(in crate::report) fn figures_json<N: AsRef<str>>(figures: &[(N, String)]) -> Value {
-    let figures = figures.iter();
-    figures
-        .map(|(name, svg)| json!({ "name": name.as_ref(), "svg": svg }))
-        .collect()
 }
 
 /// Writes the frame with every `{{name}}` replaced by the part of that name.

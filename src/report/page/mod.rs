@@ -3,6 +3,8 @@
 //! Numbers come from the summary, which the page holds as a whole; curves are thinned to what a screen
 //! shows. The charts are drawn by uPlot (MIT), which stands in the file.
 
+mod answer;
+mod figure;
 mod frame;
 mod panel;
 
@@ -10,25 +12,29 @@ use std::io::{self, Write};
 
 use serde_json::{Value, json};
 
-pub(super) use self::frame::{Frame, figures_json};
+pub(super) use self::answer::AnswerPage;
+pub(super) use self::figure::figures_json;
+pub(super) use self::frame::Frame;
 pub(super) use self::panel::{PagePanel, curve, narrow};
+use super::figure::Figure;
 use super::histories::Histories;
-use super::motion::Orbit;
 use super::spectra::{frequency_limit_of, shown_estimates, shown_spectra};
 use crate::bearing::{BallLine, BearingState};
 use crate::simulate::Run;
 
 const SCRIPT: &str = include_str!("page.js");
+const FILM: &str = include_str!("film.js");
 const CHARTS: &str = include_str!("uplot/uPlot.iife.min.js");
 const CHARTS_STYLE: &str = include_str!("uplot/uPlot.min.css");
 
-/// Writes the page of a run whose numbers stand in `summary`; `figures` are shown as they are, each an SVG
-/// with its name.
+/// Writes the page of a run whose numbers stand in `summary`; `figures` are drawn beside its
+/// charts, and `film` shows its end in motion.
 pub(super) fn write_page(
     summary: &Value,
     run: &Run,
     histories: &Histories,
-    figures: &[(&str, String)],
+    figures: &[&Figure],
+    film: Option<Value>,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let limit = frequency_limit_of(run);
@@ -40,9 +46,9 @@ pub(super) fn write_page(
     let data = json!({
         "summary": summary,
         "balls": bearings.map(|state| state.as_ref().map(balls)).collect::<Value>(),
+        "film": film,
         "histories": histories.page_panels(),
-        "orbit": run.motion.as_ref().map(|motion| orbit(&Orbit::of(motion))),
-        "figures": figures_json(figures),
+        "figures": figures_json(figures.iter().copied()),
         "spectra": spectra.map(|shown| shown.page_panel()).collect::<Value>(),
         "furtherSpectra": further.map(|shown| shown.page_panel()).collect::<Value>(),
     });
@@ -50,7 +56,7 @@ pub(super) fn write_page(
         title: summary["title"].as_str().unwrap_or_default(),
         sealed: "summary.json",
         styles: CHARTS_STYLE,
-        scripts: &[CHARTS, SCRIPT],
+        scripts: &[CHARTS, FILM, SCRIPT],
     };
     frame.write(&data, out)
 }
@@ -65,16 +71,4 @@ fn balls(state: &BearingState) -> Value {
         })
     };
     state.balls.iter().map(ball).collect()
-}
-
-/// The path of the shaft's centre, and where it stands once a cycle of every section: x and y in µm.
-fn orbit(orbit: &Orbit) -> Value {
-    let sections = orbit.sections.iter();
-    json!({
-        "whole": orbit.is_whole_period,
-        "curve": curve("orbit", orbit.path.iter().copied()),
-        "sections": sections
-            .map(|(kind, points)| curve(&kind.to_string(), points.iter().copied()))
-            .collect::<Value>(),
-    })
 }

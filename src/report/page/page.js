@@ -1,7 +1,8 @@
 
 (() => {
-  const { element, drawn, section, folded, table, tiles, number, drawnFigure } = page;
-  const { summary, balls, histories, orbit, spectra, furtherSpectra, figures } = page.data;
+  const { element, section, folded, table, tiles, number, places, floats } = page;
+  const { summary, balls, histories, spectra, furtherSpectra } = page.data;
+  const drawn = new Map(page.data.figures.map((figure) => [figure.name, figure]));
   const names = { tilt_x: "θx", tilt_y: "θy", force_x: "force x", force_y: "force y", force_z: "force z",
     moment_x: "moment x", moment_y: "moment y" };
   const named = (name) => names[name] ?? name;
@@ -11,11 +12,6 @@
     const [name, factor] = shownUnits[unit] ?? [unit, 1];
     return `${number(value * factor)} ${name}`;
   };
-
-  const bytes = (base64) => Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer;
-  const places = (base64) => Array.from(new Float64Array(bytes(base64)));
-  /** Values; null where there is none. */
-  const floats = (base64) => Array.from(new Float32Array(bytes(base64)), (v) => (Number.isNaN(v) ? null : v));
 
   // Charts.
 
@@ -97,7 +93,7 @@
       scales: { x: { time: false, ...(panel.shown ? { min: data[0][0], max: panel.shown } : {}) }, y: panel.logarithmic ? { distr: 3, range: () => decades(data.slice(1)) }
         : { range: (_, low, high) => (low === null ? [-1, 1] : padded(low, high)) } },
       cursor: { drag: { x: true, y: false }, sync: { key: panel.group, scales: ["x", null], setSeries: false } },
-      hooks: { draw: [(u) => drawMarks(u, panel.marks)] },
+      hooks: { draw: [(u) => drawMarks(u, panel.marks)], setCursor: [(u) => follow(u, panel)] },
     };
     return settings;
   }
@@ -173,116 +169,88 @@
     holder.addEventListener("keydown", (event) => keys(chart, event));
     charts.push(chart);
     groups.set(group, [...(groups.get(group) ?? []), chart]);
-    return element("figure", {}, holder);
+    return element("figure", {}, holder, figures.saving(panel.name.replaceAll(/\W+/g, "_"), () => asFigure(chart)));
+  }
+
+  /** A chart as it is shown now, as a figure that can be saved. */
+  function asFigure({ panel, plot, data }) {
+    const [xs, ...columns] = data;
+    const { x, y } = plot.scales;
+    const shown = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
+    const [over, unit] = panel.over;
+    const place = (v) => (panel.logarithmic ? Math.log10(v) : v);
+    const ends = { x: [x.min, x.max], y: [place(y.min), place(y.max)] };
+    const near = xs.map((at, k) => k).filter((k) => xs[Math.min(k + 1, xs.length - 1)] >= x.min && xs[Math.max(k - 1, 0)] <= x.max);
+    const of = (column) => near.map((k) => column[k]);
+    const curves = panel.curves.map((curve, k) => ({ name: named(curve.name), colour: shown[k % shown.length], xs: of(xs), ys: of(columns[k]),
+      markXs: [], markYs: [], hidden: !plot.series[k + 1].show }));
+    const count = panel.curves.length;
+    if (panel.band) curves[0].band = { low: of(columns[count]), high: of(columns[count + 1]) };
+    const peaks = [...panel.marks].sort((a, b) => b.height - a.height).map((mark) => [mark.at, mark.height, mark.name]);
+    return { names: count > 1 ? curves.map(({ name, colour }) => ({ text: name, colour })) : [], columns: 1, panels: [{ title: "", names: [], curves,
+      labels: [], peaks: peaks.filter(([, , name], k) => peaks.findIndex((peak) => peak[2] === name) === k), height: 200,
+      x: { name: unit ? `${over} in ${unit}` : over, ends: ends.x }, view: ends,
+      y: { name: `${named(panel.name)}${panel.unit ? ` in ${panel.unit}` : ""}`, ends: ends.y, logarithmic: panel.logarithmic } }] };
+  }
+
+  /** What moves with the cursor of the curves over time. */
+  let moving = null;
+  let seeking = false;
+
+  /** Puts the cursor of the curves that are seen at a time. */
+  function seek(time) {
+    seeking = true;
+    for (const { plot, holder } of groups.get("time") ?? []) {
+      if (!holder.offsetParent || time < plot.scales.x.min || time > plot.scales.x.max) continue;
+      plot.setCursor({ left: plot.valToPos(time, "x"), top: plot.over.clientHeight / 2 });
+      break; // the others follow
+    }
+    seeking = false;
+  }
+
+  /** Shows the motion at the cursor of a curve over time. */
+  function follow({ cursor, data }, panel) {
+    if (panel.group === "time" && !seeking && cursor.idx !== null && cursor.idx !== undefined) moving?.at(data[0][cursor.idx]);
   }
 
   const hint = () => element("p", { class: "quiet screen" },
     "Drag to zoom, double click to see all. With the keyboard: Tab to a chart, ← → move, + − zoom, 0 shows all, , and . read points, Enter on a name hides its curve. Of a long run a filled band shows between which values a curve stays; its end, and what is around the first events, is drawn sample by sample.");
 
-  // The orbit.
-
-  function orbitFigure({ whole, curve, sections }) {
-    const [xs, ys] = [places(curve.abscissas), floats(curve.values)];
-    if (xs.length < 2) return null;
-    const bounds = (values) => values.reduce(([low, high], v) => [Math.min(low, v), Math.max(high, v)], [Infinity, -Infinity]);
-    const [[left, right], [low, high]] = [bounds(xs), bounds(ys)];
-    const half = 0.55 * Math.max(right - left, high - low, 1e-9);
-    const [cx, cy] = [(left + right) / 2, (low + high) / 2];
-    const [size, margin] = [380, 56];
-    const place = (x, y) => [margin + ((x - cx + half) / (2 * half)) * size, margin / 2 + ((cy + half - y) / (2 * half)) * size];
-    const path = xs.map((x, i) => `${i ? "L" : "M"}${place(x, ys[i]).map((v) => v.toFixed(2)).join(" ")}`).join("");
-    const image = drawn("svg", { viewBox: `0 0 ${size + 1.5 * margin} ${size + 1.7 * margin}`, width: "460", role: "img",
-      "aria-label": `Orbit: x from ${number(left)} to ${number(right)}, y from ${number(low)} to ${number(high)} micrometres` });
-    image.append(drawn("rect", { x: margin, y: margin / 2, width: size, height: size, fill: "none", stroke: "var(--line)" }));
-    for (const tick of ticks(cx - half, cx + half)) {
-      const [x, bottom] = [place(tick.at, 0)[0], margin / 2 + size];
-      image.append(drawn("line", { x1: x, x2: x, y1: margin / 2, y2: bottom, stroke: "var(--line)" }));
-      image.append(drawn("text", { x, y: bottom + 16, "text-anchor": "middle" }, tick.text));
-    }
-    for (const tick of ticks(cy - half, cy + half)) {
-      const y = place(0, tick.at)[1];
-      image.append(drawn("line", { x1: margin, x2: margin + size, y1: y, y2: y, stroke: "var(--line)" }));
-      image.append(drawn("text", { x: margin - 5, y: y + 4, "text-anchor": "end" }, tick.text));
-    }
-    image.append(drawn("path", { d: path, fill: "none", stroke: "var(--c0)", "stroke-width": "1.2" }));
-    const told = [`${whole ? "one period" : "the end of the run"}, seen along −Z`];
-    sections.forEach((section, index) => {
-      const name = `var(--c${1 + (index % 5)})`;
-      const [px, py] = [places(section.abscissas), floats(section.values)];
-      px.forEach((x, i) => {
-        const [cx_, cy_] = place(x, py[i]);
-        image.append(drawn("circle", { cx: cx_.toFixed(2), cy: cy_.toFixed(2), r: 2.2, fill: name }));
-      });
-      told.push(`${["orange", "green"][index] ?? "coloured"} points: once per ${section.name.replaceAll("_", " ")}`);
-    });
-    image.append(drawn("text", { x: margin + size / 2, y: size + 1.4 * margin, "text-anchor": "middle" }, "x in µm"));
-    image.append(drawn("text", { x: 12, y: margin / 2 + size / 2, "text-anchor": "middle",
-      transform: `rotate(-90 12 ${margin / 2 + size / 2})` }, "y in µm"));
-    const reading = element("figcaption", {}, told.join("; "));
-    const still = reading.textContent;
-    image.addEventListener("pointermove", (event) => {
-      const box = image.getBoundingClientRect();
-      const scale = (size + 1.5 * margin) / box.width;
-      const [px, py] = [(event.clientX - box.left) * scale, (event.clientY - box.top) * scale];
-      let [best, distance] = [0, Infinity];
-      xs.forEach((x, i) => {
-        const [qx, qy] = place(x, ys[i]);
-        const d = (qx - px) ** 2 + (qy - py) ** 2;
-        if (d < distance) [best, distance] = [i, d];
-      });
-      reading.textContent = distance < 400 ? `x ${number(xs[best])} µm, y ${number(ys[best])} µm` : still;
-    });
-    image.addEventListener("pointerleave", () => { reading.textContent = still; });
-    return element("figure", {}, image, reading);
-  }
-
-  /** Round values that divide a range into about four, with as many decimals as tell them apart. */
-  function ticks(low, high) {
-    const rough = (high - low) / 4;
-    const power = 10 ** Math.floor(Math.log10(rough));
-    const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= rough);
-    const decimals = Math.max(0, -Math.floor(Math.log10(step)));
-    const found = [];
-    for (let k = Math.ceil(low / step); k * step <= high && found.length < 20; k += 1) {
-      found.push({ at: k * step, text: (k * step).toFixed(decimals) });
-    }
-    return found;
-  }
-
   // Balls at the equilibrium.
 
   function ballFigure(bearing, index, count) {
-    const size = 300;
-    const [centre, pitch, longest] = [size / 2, 62, 70];
     const largest = Math.max(...bearing.flatMap((ball) => ball.load), 1e-300);
+    const name = count > 1 ? `Bearing ${index + 1}. ` : "";
+    const heads = ["ball", "azimuth in °", "load inner in N", "load outer in N", "angle inner in °", "angle outer in °"];
+    const csv = () => [heads, ...bearing.map((ball, k) => [k + 1, ball.azimuth, ...ball.load, ...ball.angle])].map((row) => `${row.join(",")}\n`).join("");
+    const { figure } = figures.sketch({ name: `balls_${index + 1}`, width: 300, csv,
+      label: `Ball loads around bearing ${index + 1}, the largest ${number(largest)} newtons`,
+      caption: `${name}Loads at inner (blue) and outer race (orange), X to the right, Y up; the outer circle is the largest load.`,
+      paint: (pen, width, colour) => paintBalls(pen, width, colour, bearing, largest) });
+    const rows = bearing.map((ball, k) => [String(k + 1), number(ball.azimuth, 4), ...ball.load.map((v) => number(v)), ...ball.angle.map((v) => number(v))]);
+    figure.append(element("details", {}, element("summary", {}, "as a table"), table(heads, rows)));
+    return figure;
+  }
+
+  function paintBalls(pen, width, colour, bearing, largest) {
+    const size = Math.min(width, 300);
+    const [centre, pitch, longest] = [size / 2, 0.21 * size, 0.23 * size];
     const at = (azimuth, radius) => {
       const angle = (azimuth * Math.PI) / 180;
       return [centre + radius * Math.cos(angle), centre - radius * Math.sin(angle)];
     };
-    const image = drawn("svg", { viewBox: `0 0 ${size} ${size}`, width: size, role: "img",
-      "aria-label": `Ball loads around bearing ${index + 1}, the largest ${number(largest)} newtons` });
-    for (const radius of [pitch, pitch + 12 + longest]) {
-      image.append(drawn("circle", { cx: centre, cy: centre, r: radius, fill: "none", stroke: "var(--line)" }));
-    }
-    bearing.forEach((ball, number_) => {
-      const [x, y] = at(ball.azimuth, pitch);
-      const outwards = (load, shift, name) => {
-        const [fx, fy] = at(ball.azimuth + shift, pitch + 12);
-        const [tx, ty] = at(ball.azimuth + shift, pitch + 12 + (longest * load) / largest);
-        image.append(drawn("line", { x1: fx, y1: fy, x2: tx, y2: ty, stroke: `var(${name})`, "stroke-width": 4 }));
-      };
+    for (const radius of [pitch, pitch + 12 + longest]) pen.circle(centre, centre, radius, null, colour("--line"));
+    bearing.forEach((ball, k) => {
+      const outwards = (load, shift, name) => pen.line([...at(ball.azimuth + shift, pitch + 12),
+        ...at(ball.azimuth + shift, pitch + 12 + (longest * load) / largest)], colour(name), 4);
       outwards(ball.load[0], 2, "--c0");
       outwards(ball.load[1], -2, "--c1");
-      image.append(drawn("circle", { cx: x, cy: y, r: 10, fill: ball.load[0] > 0 ? "var(--panel)" : "none", stroke: "var(--ink)" }));
-      image.append(drawn("text", { x, y: y + 4, "text-anchor": "middle" }, String(number_ + 1)));
+      const [x, y] = at(ball.azimuth, pitch);
+      pen.circle(x, y, 10, ball.load[0] > 0 ? colour("--panel") : null, colour("--ink"));
+      pen.text(String(k + 1), x, y + 4, { colour: colour("--ink"), align: "middle" });
     });
-    image.append(drawn("text", { x: centre, y: centre + 4, "text-anchor": "middle" }, `${number(largest, 4)} N`));
-    const name = count > 1 ? `Bearing ${index + 1}. ` : "";
-    const rows = bearing.map((ball, k) => [String(k + 1), number(ball.azimuth, 4), ...ball.load.map((v) => number(v)), ...ball.angle.map((v) => number(v))]);
-    const details = element("details", {}, element("summary", {}, "as a table"),
-      table(["ball", "azimuth in °", "load inner in N", "load outer in N", "angle inner in °", "angle outer in °"], rows));
-    return element("figure", {}, image, element("figcaption", {},
-      `${name}Loads at inner (blue) and outer race (orange), X to the right, Y up; the outer circle is the largest load.`), details);
+    pen.text(`${number(largest, 4)} N`, centre, centre + 4, { colour: colour("--ink"), align: "middle" });
+    return size;
   }
 
   // Sections.
@@ -459,16 +427,19 @@
     if (others.length) folded("further", "Spectra of displacements and forces", ...others.map((panel) => addChart(panel, "frequency", 300)));
     if (furtherSpectra.length) folded("further-spectra", "Spectra asked for",
       ...furtherSpectra.map((panel) => addChart(panel, `${panel.name} ${panel.over[0]}`, 320)));
-    const defects = figures.filter((figure) => figure.name === "defects.svg");
-    if (defects.length) folded("defects", "Defects", ...defects.map(drawnFigure));
-    const maps = figures.filter((figure) => !defects.includes(figure));
-    if (maps.length) folded("maps", "Maps over the speed", ...maps.map(drawnFigure));
+    if (drawn.has("defects")) folded("defects", "Defects", figures.add(drawn.get("defects")));
+    const maps = ["waterfall", "order_tracks", "campbell"].filter((name) => drawn.has(name));
+    if (maps.length) folded("maps", "Maps over the speed", ...maps.map((name) => figures.add(drawn.get(name))));
     if (histories.length) {
       folded("motion", "Motion over time", hint(), ...histories.map((panel, index) =>
         addChart(panel, "time", 170, index === histories.length - 1)));
     }
-    const orbitDrawn = orbit && orbitFigure(orbit);
-    if (orbitDrawn) folded("orbit", "Orbit", orbitDrawn);
+    if (drawn.has("scene")) folded("scene", "Scene", figures.add(drawn.get("scene")));
+    if (page.data.film) {
+      moving = film.add(page.data.film, seek);
+      folded("film", "In motion", moving.figure);
+    }
+    if (drawn.has("orbit")) folded("orbit", "Orbit", figures.add(drawn.get("orbit")));
     if (summary.motion) folded("statistics", "Statistics", statistics(summary.motion));
     folded("equilibrium", "Static equilibrium", ...equilibrium());
     folded("bearings", "Bearings", ...bearings());
@@ -486,5 +457,5 @@
     clearTimeout(waiting);
     waiting = setTimeout(() => charts.forEach((chart) => chart.plot.setSize({ width: width(chart), height: chart.height })), 100);
   });
-  page.ready(rebuild);
+  page.ready(() => { rebuild(); figures.redraw(); });
 })();

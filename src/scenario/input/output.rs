@@ -55,7 +55,7 @@ pub struct Output {
     pub spectrum: Option<bool>,
     /// Whether figures are drawn. Default: true.
     pub figures: bool,
-    /// Whether `report.html` is written, one page that shows the run in a browser. Default: true.
+    /// Whether `report.html` is written, one page that shows the result in a browser. Default: true.
     pub report: bool,
     /// Whether the motion after the settle time is described: statistics, points once per revolution
     /// and per ball pass (`poincare.csv`, `orbit.svg`), its period, and whether it has settled. It takes

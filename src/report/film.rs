@@ -1,0 +1,92 @@
+//! The end of a run as a page shows it in motion: the shaft and every ball with its load.
+
+use std::collections::VecDeque;
+use std::f64::consts::TAU;
+
+use serde_json::{Value, json};
+
+use super::page::narrow;
+use super::terminal::{MICRO, MILLI};
+use crate::physics::nominal_cage_speed;
+use crate::rotor::{BallContacts, CageMotion, RotorDefinition, Sample};
+
+/// Samples that are kept: the last ones.
+const KEPT: usize = 2048;
+/// Most frames that are shown.
+const MOST_FRAMES: usize = 240;
+/// Angle of the shaft that is shown, rad: two revolutions.
+const SHOWN: f64 = 2.0 * TAU;
+
+/// The last samples of a run with the loads of their balls.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Film {
+    samples: VecDeque<(Sample, Vec<f32>)>,
+}
+
+impl Film {
+    /// Takes a sample with its balls.
+    pub fn take(&mut self, sample: &Sample, balls: &BallContacts) {
+        let (_, mut loads) = match self.samples.len() < KEPT {
+            true => Default::default(),
+            false => self.samples.pop_front().unwrap_or_default(),
+        };
+        loads.clear();
+        let bearings = balls.bearings().iter();
+        loads.extend(
+            bearings
+                .flat_map(|balls| &balls.load[0])
+                .map(|load| *load as f32),
+        );
+        self.samples.push_back((*sample, loads));
+    }
+
+    /// Times in s, angles in rad, displacements in µm and µrad, and of every bearing its sizes in mm, how its cage turns
+    /// and the loads of its balls at the inner race in N; none of a run without samples.
+    pub fn json(&self, rotor: &RotorDefinition) -> Option<Value> {
+        let last = self.samples.back()?.0.angle;
+        let shown = self.samples.iter();
+        let shown: Vec<_> = shown
+            .filter(|(sample, _)| sample.angle >= last - SHOWN)
+            .collect();
+        let every = shown.len().div_ceil(MOST_FRAMES);
+        let frames: Vec<_> = shown.into_iter().step_by(every.max(1)).collect();
+        let of =
+            |value: &dyn Fn(&Sample) -> f64| narrow(frames.iter().map(|(sample, _)| value(sample)));
+        let displacements = (0..5).map(|axis| of(&|sample| MICRO * sample.displacement[axis]));
+        let mut first = 0;
+        let observed = rotor.flexible.as_ref().map_or(0.0, |shaft| shaft.observed);
+        let bearings = rotor.bearings.iter().map(|bearing| {
+            let geometry = &bearing.bearing.geometry;
+            let slip = 1.0 - bearing.imperfections.cage_slip;
+            let known = frames[0].1.len() >= first + geometry.balls();
+            let balls = if known { geometry.balls() } else { 0 };
+            let loads = frames
+                .iter()
+                .flat_map(|(_, loads)| &loads[first..first + balls]);
+            let bearing = json!({
+                // from the point that the displacements are of
+                "position": MILLI * (bearing.position - observed),
+                "pitch": MILLI * geometry.pitch_diameter(),
+                "ball": MILLI * geometry.ball_diameter(),
+                "balls": geometry.balls(),
+                "firstBall": bearing.first_ball,
+                "cage": match rotor.cage {
+                    CageMotion::Rolling => nominal_cage_speed(1.0, geometry.gamma()) * slip,
+                    CageMotion::Frozen => 0.0,
+                },
+                "loads": (balls > 0).then(|| narrow(loads.map(|load| f64::from(*load)))),
+            });
+            first += balls;
+            bearing
+        });
+        Some(json!({
+            "bearings": bearings.collect::<Value>(),
+            // as differences, for the time may be long beside a revolution
+            "start": frames[0].0.time,
+            "times": of(&|sample| sample.time - frames[0].0.time),
+            "angles": of(&|sample| sample.angle - frames[0].0.angle),
+            "startAngle": frames[0].0.angle,
+            "displacements": displacements.collect::<Value>(),
+        }))
+    }
+}

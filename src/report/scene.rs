@@ -1,0 +1,416 @@
+//! The shaft to scale, seen from the side: bearings with their facing and the lines of their contacts, loads,
+//! unbalance and housings.
+//!
+//! Z runs to the right and Y upwards, in mm. Balls, pitch circles, positions and contact angles are those of the
+//! scenario; thickness and width of the rings, of which it says nothing, are those of common bearings.
+
+use plotters::style::RGBColor;
+
+use super::figure::{Axis, Curve, Figure, GREY, Name, PLOT_WIDTH, Panel, Point, distinct};
+use super::terminal::{MICRO, MILLI};
+use crate::bearing::MountedBearing;
+use crate::rotor::{FlexibleShaft, Load, LoadKind, RotorDefinition};
+
+/// Thickness of a ring at its groove, in ball diameters.
+const RING: f64 = 0.35;
+/// Half the width of a ring, in ball diameters.
+const HALF_WIDTH: f64 = 0.95;
+/// Greatest height of the plot, px.
+const HIGHEST: f64 = 420.0;
+/// Straight lines of a circle.
+const CIRCLE: usize = 40;
+
+const RINGS: usize = 0;
+const CONTACTS: usize = 1;
+const LOADS: usize = 2;
+const UNBALANCE: usize = 3;
+const HOUSINGS: usize = 4;
+
+/// What is drawn so far, mm.
+#[derive(Default)]
+struct Drawing {
+    curves: Vec<Curve>,
+    labels: Vec<(Point, String, RGBColor)>,
+}
+
+/// Sizes that all parts are measured by, mm.
+struct Scale {
+    /// Radius of the shaft.
+    shaft: f64,
+    /// Radius of the largest outer ring.
+    outer: f64,
+    /// Ends of the shaft.
+    ends: [f64; 2],
+}
+
+/// The shaft of a scenario with all that stands on it.
+pub(crate) fn scene_figure(title: &str, rotor: &RotorDefinition) -> Figure {
+    let scale = Scale::of(rotor);
+    let mut drawing = Drawing::default();
+    match &rotor.flexible {
+        Some(flexible) => drawing.flexible(flexible, &scale),
+        None => {
+            drawing.shaft(&scale);
+            drawing.mass(rotor, &scale);
+        }
+    }
+    for bearing in &rotor.linear_bearings {
+        drawing.spring(MILLI * bearing.position, &scale);
+    }
+    for (index, bearing) in rotor.bearings.iter().enumerate() {
+        drawing.bearing(index + 1, bearing, &scale);
+    }
+    drawing.loads(rotor, &scale);
+    let [left, right] = scale.ends;
+    let (high, middle) = (2.3 * scale.outer, 0.5 * (left + right));
+    // as long upwards as across
+    let width = f64::from(PLOT_WIDTH);
+    let half = (0.55 * (right - left)).max(high * width / HIGHEST);
+    let panel = Panel {
+        curves: drawing.curves,
+        labels: drawing.labels,
+        equal: true,
+        ..Panel::new(
+            Axis::over("z in mm", middle - half..middle + half),
+            Axis::over("y in mm", -high..high),
+            (width * high / half).round() as u32,
+        )
+    };
+    let names = ["rings and balls", "lines of contact", "loads", "unbalance"];
+    let housing = rotor.bearings.iter().any(|each| each.housing.is_some());
+    let names = names.into_iter().chain(housing.then_some("housings"));
+    Figure::new("scene.svg", title, 1, vec![panel]).with_names(Name::each(names))
+}
+
+impl Scale {
+    fn of(rotor: &RotorDefinition) -> Self {
+        let bearings = || rotor.bearings.iter();
+        let inner = bearings().map(|bearing| radii(bearing)[0]);
+        let outer = bearings().map(|bearing| radii(bearing)[3]);
+        let reach = bearings().map(|bearing| MILLI * bearing.position);
+        let reach = reach.chain(rotor.loads.iter().map(|load| MILLI * load.position));
+        let linear = rotor.linear_bearings.iter();
+        let reach = reach.chain(linear.map(|bearing| MILLI * bearing.position));
+        let mut outer = outer.fold(0.0, f64::max);
+        let mut ends = reach.fold([0.0_f64; 2], |[low, high], at| [low.min(at), high.max(at)]);
+        let mut shaft = inner.fold(f64::INFINITY, f64::min);
+        if let Some(flexible) = &rotor.flexible {
+            ends = flexible.ends().map(|end| MILLI * end);
+            let sections = flexible.sections.iter().map(|own| 0.5 * MILLI * own.outer_diameter);
+            let thickest = sections.fold(0.02 * (ends[1] - ends[0]), f64::max);
+            (shaft, outer) = (shaft.min(thickest), outer.max(2.0 * thickest));
+        }
+        if outer == 0.0 {
+            // nothing but springs and a rigid shaft
+            outer = 0.1 * (ends[1] - ends[0]).max(100.0);
+        }
+        Self {
+            shaft: shaft.min(outer),
+            outer,
+            ends: [ends[0] - outer, ends[1] + outer],
+        }
+    }
+}
+
+/// Radii of bore, inner groove, outer groove and outer ring, mm.
+fn radii(bearing: &MountedBearing) -> [f64; 4] {
+    let geometry = &bearing.bearing.geometry;
+    let [pitch, ball] = [geometry.pitch_diameter(), geometry.ball_diameter()].map(|d| MILLI * d);
+    [-1.0 - 2.0 * RING, -1.0, 1.0, 1.0 + 2.0 * RING].map(|part| 0.5 * (pitch + part * ball))
+}
+
+impl Drawing {
+    fn line(&mut self, colour: RGBColor, points: Vec<Point>) {
+        self.curves.push(Curve::line(colour, points));
+    }
+
+    fn fine(&mut self, colour: RGBColor, points: Vec<Point>) {
+        let fine = true;
+        self.curves.push(Curve {
+            fine,
+            ..Curve::line(colour, points)
+        });
+    }
+
+    fn label(&mut self, at: Point, text: impl Into<String>, colour: RGBColor) {
+        self.labels.push((at, text.into(), colour));
+    }
+
+    fn rectangle(&mut self, colour: RGBColor, [left, right]: [f64; 2], [low, high]: [f64; 2]) {
+        let corners = [
+            (left, low),
+            (right, low),
+            (right, high),
+            (left, high),
+            (left, low),
+        ];
+        self.line(colour, corners.to_vec());
+    }
+
+    fn circle(&mut self, colour: RGBColor, (x, y): Point, radius: f64) {
+        let angles = (0..=CIRCLE).map(|k| std::f64::consts::TAU * k as f64 / CIRCLE as f64);
+        let points = angles.map(|angle| (x + radius * angle.cos(), y + radius * angle.sin()));
+        self.line(colour, points.collect());
+    }
+
+    /// An arrow from `from` by `by`.
+    fn arrow(&mut self, colour: RGBColor, from: Point, by: Point) {
+        let (tip, size) = ((from.0 + by.0, from.1 + by.1), by.0.hypot(by.1));
+        let (along, across) = ((by.0 / size, by.1 / size), 0.12 * size);
+        let barb = |side: f64| {
+            let back = 1.8 * across;
+            (
+                tip.0 - back * along.0 + side * across * along.1,
+                tip.1 - back * along.1 - side * across * along.0,
+            )
+        };
+        self.line(colour, vec![from, tip, barb(1.0), tip, barb(-1.0)]);
+    }
+
+    /// One section from end to end, with the axis.
+    fn shaft(&mut self, scale: &Scale) {
+        let [left, right] = scale.ends;
+        self.rectangle(GREY, scale.ends, [-scale.shaft, scale.shaft]);
+        let beyond = 0.1 * (right - left);
+        self.fine(GREY, vec![(left - beyond, 0.0), (right + beyond, 0.0)]);
+    }
+
+    /// Sections, discs and unbalances of a shaft that bends, with the point that is observed.
+    fn flexible(&mut self, shaft: &FlexibleShaft, scale: &Scale) {
+        let mut left = MILLI * shaft.ends()[0];
+        for section in &shaft.sections {
+            let right = left + MILLI * section.length;
+            let [outer, bore] = [section.outer_diameter, section.inner_diameter]
+                .map(|diameter| 0.5 * MILLI * diameter);
+            self.rectangle(GREY, [left, right], [-outer, outer]);
+            if bore > 0.0 {
+                for at in [bore, -bore] {
+                    self.fine(GREY, vec![(left, at), (right, at)]);
+                }
+            }
+            left = right;
+        }
+        let [first, last] = scale.ends;
+        self.fine(GREY, vec![(first, 0.0), (last, 0.0)]);
+        for disc in &shaft.discs {
+            // as wide as steel of its mass and moment of inertia is
+            let gyration = (8.0 * disc.inertia_polar / disc.mass).sqrt();
+            let radius = (0.5 * MILLI * gyration).max(0.6 * scale.shaft);
+            let width = (MILLI * disc.mass / (7850.0 * std::f64::consts::PI * (1e-3 * radius).powi(2)))
+                .clamp(0.1 * radius, radius);
+            let at = MILLI * disc.position;
+            let across = [at - 0.5 * width, at + 0.5 * width];
+            self.rectangle(GREY, across, [-radius, radius]);
+            let text = format!("{} kg", rounded(disc.mass));
+            self.label((across[1], -radius), text, GREY);
+        }
+        for own in &shaft.unbalances {
+            let colour = distinct(UNBALANCE);
+            let at = MILLI * own.position;
+            self.arrow(colour, (at, 0.0), (0.0, 0.9 * scale.outer));
+            let text = format!("{} g mm", rounded(1e6 * own.amount));
+            self.label((at, 0.95 * scale.outer), text, colour);
+        }
+        let at = MILLI * shaft.observed;
+        self.circle(distinct(CONTACTS), (at, 0.0), 0.15 * scale.shaft);
+        self.label((at, 0.0), "observed", distinct(CONTACTS));
+    }
+
+    /// A bearing of constant stiffness: springs from the shaft to the ground.
+    fn spring(&mut self, at: f64, scale: &Scale) {
+        let step = (scale.outer - scale.shaft) / 8.0;
+        let across = 0.12 * scale.outer;
+        for side in [1.0, -1.0] {
+            let turns = (0..=8).map(|k| {
+                let offset = match k {
+                    0 | 8 => 0.0,
+                    k if k % 2 == 0 => across,
+                    _ => -across,
+                };
+                (at + offset, side * (scale.shaft + f64::from(k) * step))
+            });
+            self.line(distinct(RINGS), turns.collect());
+            let across = [at - across, at + across];
+            self.ground(across, side * scale.outer, side * 0.1 * scale.outer);
+        }
+    }
+
+    /// Rings, balls and lines of contact above and below the axis, and what the outer ring stands in.
+    fn bearing(&mut self, number: usize, bearing: &MountedBearing, scale: &Scale) {
+        let geometry = &bearing.bearing.geometry;
+        let ball = MILLI * geometry.ball_diameter();
+        let (centre, half) = (MILLI * bearing.position, HALF_WIDTH * ball);
+        let across = [centre - half, centre + half];
+        let [bore, inner, outer, outside] = radii(bearing);
+        let pitch = 0.5 * (inner + outer);
+        let angle = geometry.contact_angle();
+        // a bearing without a preferred side touches on either
+        let sides = match geometry.is_symmetric() {
+            true => vec![-angle, angle],
+            false => vec![bearing.facing.sign() * angle],
+        };
+        for side in [1.0, -1.0] {
+            let band = |low: f64, high: f64| [side * low, side * high];
+            self.rectangle(distinct(RINGS), across, band(bore, inner + 0.12 * ball));
+            self.rectangle(distinct(RINGS), across, band(outer - 0.12 * ball, outside));
+            self.circle(distinct(RINGS), (centre, side * pitch), 0.5 * ball);
+            for angle in &sides {
+                // from the axis through the ball to its contact with the outer race and a little further
+                let end = pitch + 0.8 * ball;
+                let at = |radius: f64| (centre + (radius - pitch) * angle.tan(), side * radius);
+                self.fine(distinct(CONTACTS), vec![at(0.0), at(end)]);
+            }
+            match bearing.housing {
+                Some(_) => {
+                    let wide = [across[0] - 0.3 * half, across[1] + 0.3 * half];
+                    self.rectangle(
+                        distinct(HOUSINGS),
+                        wide,
+                        band(outside, outside + 0.6 * ball),
+                    );
+                }
+                None => self.ground(across, side * outside, side * 0.25 * ball),
+            }
+        }
+        let name = format!("bearing {number}");
+        self.label((across[0], -1.15 * outside), name, distinct(RINGS));
+        if let Some(housing) = &bearing.housing {
+            let text = format!("housing, {} kg", rounded(housing.mass));
+            self.label((across[0], 1.35 * scale.outer), text, distinct(HOUSINGS));
+        }
+    }
+
+    /// Hatching beyond a ring that stands on the ground.
+    fn ground(&mut self, [left, right]: [f64; 2], at: f64, beyond: f64) {
+        let step = (right - left) / 6.0;
+        for k in 0..=6 {
+            let x = left + f64::from(k) * step;
+            self.fine(GREY, vec![(x, at), (x + step, at + beyond)]);
+        }
+    }
+
+    /// The centre of mass and the unbalance, whose arrow has no scale.
+    fn mass(&mut self, rotor: &RotorDefinition, scale: &Scale) {
+        let shaft = &rotor.shaft;
+        let radius = 0.35 * scale.shaft;
+        self.circle(GREY, (0.0, 0.0), radius);
+        self.fine(GREY, vec![(0.0, -radius), (0.0, radius)]);
+        let text = format!("m {} kg", rounded(shaft.mass));
+        self.label((radius, -0.55 * scale.shaft), text, GREY);
+        if shaft.is_unbalanced() {
+            let colour = distinct(UNBALANCE);
+            self.arrow(colour, (0.0, 0.0), (0.0, 0.9 * scale.shaft));
+            let eccentricity = rounded(MICRO * shaft.mass_eccentricity());
+            let text = format!("e {eccentricity} µm");
+            self.label((radius, 0.75 * scale.shaft), text, colour);
+        }
+    }
+
+    /// Constant loads by their size, varying ones by what they are.
+    fn loads(&mut self, rotor: &RotorDefinition, scale: &Scale) {
+        let colour = distinct(LOADS);
+        let [x, y, z, tilt_x, tilt_y] = rotor.load;
+        let largest = y.abs().max(z.abs());
+        let [left, right] = scale.ends;
+        let length =
+            |force: f64| scale.outer * (0.4 + 0.6 * force.abs() / largest) * force.signum();
+        if z != 0.0 {
+            let at = if z > 0.0 { right } else { left };
+            self.arrow(colour, (at, 0.0), (length(z), 0.0));
+            let text = format!("{} N", rounded(z));
+            self.label((at, 0.35 * scale.shaft), text, colour);
+        }
+        if y != 0.0 {
+            let from = 1.15 * scale.outer * -y.signum();
+            let tip = if y > 0.0 { from + length(y) } else { from };
+            let start = if y > 0.0 { from } else { from - length(y) };
+            self.arrow(colour, (0.0, start), (0.0, length(y)));
+            self.label((0.0, tip.max(start)), format!("{} N", rounded(y)), colour);
+        }
+        let others = [("x", x, "N"), ("Mx", tilt_x, "N m"), ("My", tilt_y, "N m")];
+        let others = others.iter().filter(|(_, value, _)| *value != 0.0);
+        let others: Vec<String> = others
+            .map(|(name, value, unit)| format!("{name} {} {unit}", rounded(*value)))
+            .collect();
+        if !others.is_empty() {
+            let text = format!("across the picture: {}", others.join(", "));
+            self.label((left, -1.6 * scale.outer), text, colour);
+        }
+        for (index, load) in rotor.loads.iter().enumerate() {
+            let at = MILLI * load.position;
+            let from = (1.35 + 0.3 * index as f64).min(1.95) * scale.outer;
+            self.arrow(colour, (at, from), (0.0, scale.shaft - from));
+            self.label((at, from), name_of(load), colour);
+        }
+    }
+}
+
+/// Four significant digits without zeros at their end.
+fn rounded(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    rounded.to_string()
+}
+
+/// What a varying load is called.
+fn name_of(load: &Load) -> &'static str {
+    match load.kind {
+        LoadKind::Constant(_) => "constant load",
+        LoadKind::Harmonic(_) => "harmonic load",
+        LoadKind::Shock(_) => "shock",
+        LoadKind::RandomShocks(_) => "random shocks",
+        LoadKind::Sprocket(_) => "chain on a sprocket",
+        LoadKind::Noise(_) => "noise",
+        LoadKind::Series(_) => "series of forces",
+        LoadKind::Base(_) => "acceleration of the housing",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scenario::Scenario;
+
+    /// A bearing that is loaded along +Z has its contacts with the outer race on that side of its balls, at its contact
+    /// angle; facing the other way it is mirrored.
+    #[test]
+    fn lines_of_contact_lean_the_way_the_bearing_is_loaded() {
+        let text = include_str!("../../scenarios/back-to-back-7205c.toml");
+        let scenario = Scenario::from_toml(text).expect("a shipped scenario");
+        let figure = scene_figure("", &scenario.question.rotor);
+        let lines = figure.panels[0].curves.iter();
+        let lines = lines.filter(|curve| curve.colour == distinct(CONTACTS));
+        let slopes = lines.map(|curve| {
+            let [(z0, y0), (z1, y1)] = curve.points[..] else {
+                panic!("a line has two points")
+            };
+            (z1 - z0) / (y1 - y0).abs()
+        });
+        let slope = 15f64.to_radians().tan();
+        let expected: Vec<f64> = scenario
+            .question
+            .rotor
+            .bearings
+            .iter()
+            .flat_map(|bearing| [bearing.facing.sign() * slope; 2])
+            .collect();
+        let slopes: Vec<f64> = slopes.collect();
+        assert_eq!(slopes.len(), 4);
+        assert!(slopes[0] * slopes[2] < 0.0, "the pair faces both ways");
+        for (found, expected) in slopes.iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-9, "{slopes:?}");
+        }
+    }
+
+    /// A unit is as long upwards as it is across.
+    #[test]
+    fn the_scene_is_to_scale() {
+        let text = include_str!("../../scenarios/fan-6205.toml");
+        let scenario = Scenario::from_toml(text).expect("a shipped scenario");
+        let figure = scene_figure("", &scenario.question.rotor);
+        let panel = &figure.panels[0];
+        let size = |axis: &Axis| axis.ends()[1] - axis.ends()[0];
+        let across = f64::from(PLOT_WIDTH) / size(&panel.x);
+        let upwards = f64::from(panel.height) / size(&panel.y);
+        assert!((across / upwards - 1.0).abs() < 0.01);
+    }
+}

@@ -1,0 +1,217 @@
+//! Several runs on one page: key numbers side by side, traces and spectra over each other.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::compare::CompareError;
+use super::compare::table::Table;
+use super::envelope::Decimator;
+use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct, ends};
+use super::page::AnswerPage;
+use super::terminal::{Lines, MICRO, MILLI, digits, or_dash};
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 190;
+/// Points of all curves of a quantity together, so that the page stays small.
+const MOST_POINTS: usize = 40_000;
+
+/// What is drawn of the traces: column, its name, and how many of its unit make one of the column's.
+const TRACES: [(&str, &str, f64); 6] = [
+    ("x_m", "x in µm", MICRO),
+    ("y_m", "y in µm", MICRO),
+    ("z_m", "z in µm", MICRO),
+    ("tilt_x_rad", "θx in µrad", MICRO),
+    ("tilt_y_rad", "θy in µrad", MICRO),
+    ("largest_ball_load_N", "largest ball load in N", 1.0),
+];
+/// The same of the spectra.
+const SPECTRA: [(&str, &str, f64); 3] = [
+    ("x_amplitude_m", "amplitude of x in µm", MICRO),
+    ("y_amplitude_m", "amplitude of y in µm", MICRO),
+    ("z_amplitude_m", "amplitude of z in µm", MICRO),
+];
+
+/// A run as its folder has it.
+struct Folder {
+    name: String,
+    trace: Option<Table>,
+    spectrum: Option<Table>,
+    summary: Value,
+}
+
+impl Folder {
+    fn open(path: &Path) -> Result<Self, CompareError> {
+        let table = |name: &str| {
+            let file = path.join(name);
+            file.exists().then(|| Table::open(&file)).transpose()
+        };
+        let [trace, spectrum] = [table("trace.csv")?, table("spectrum.csv")?];
+        if trace.is_none() && spectrum.is_none() {
+            let folder = path.to_owned();
+            return Err(CompareError::NoRun { folder });
+        }
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let summary = fs::read(path.join("summary.json")).unwrap_or_default();
+        Ok(Self {
+            name: name.to_string_lossy().into_owned(),
+            trace,
+            spectrum,
+            summary: serde_json::from_slice(&summary).unwrap_or_default(),
+        })
+    }
+}
+
+/// Writes the page of some run folders.
+///
+/// # Errors
+/// [`CompareError`] where a folder holds no run, a table cannot be read or the page not be written.
+pub(crate) fn write_side_by_side(folders: &[PathBuf], file: &Path) -> Result<(), CompareError> {
+    let runs = folders.iter().map(|folder| Folder::open(folder));
+    let runs = runs.collect::<Result<Vec<_>, _>>()?;
+    let names = names(&runs, folders);
+    let figures = [
+        figure("traces", "time in s", &runs, &TRACES, |run| &run.trace),
+        figure("spectra", "frequency in Hz", &runs, &SPECTRA, |run| {
+            &run.spectrum
+        }),
+    ];
+    let figures = figures.into_iter().flatten();
+    let figures =
+        figures.map(|figure| figure.with_names(Name::each(names.iter().map(String::as_str))));
+    let lines = key_numbers(&runs, &names);
+    let page = AnswerPage {
+        title: &names.join(", "),
+        sealed: "the folders of the runs",
+        parts: lines.parts(),
+        figures: &figures.collect::<Vec<_>>(),
+        tables: &[],
+        document: &Value::Null,
+    };
+    Ok(page.write_alone(file)?)
+}
+
+/// What the runs are called: their folders, with all of the path where two are called alike.
+fn names(runs: &[Folder], folders: &[PathBuf]) -> Vec<String> {
+    let alike = |name: &str| runs.iter().filter(|run| run.name == name).count() > 1;
+    let both = runs.iter().zip(folders);
+    let name = |(run, path): (&Folder, &PathBuf)| match alike(&run.name) {
+        true => path.display().to_string(),
+        false => run.name.clone(),
+    };
+    both.map(name).collect()
+}
+
+/// A number of a summary: its name, where it stands, and what it is multiplied by.
+type KeyNumber = (&'static str, &'static str, f64);
+
+const KEY_NUMBERS: [KeyNumber; 7] = [
+    (
+        "velocity x\nmm/s RMS",
+        "/motion/velocity_rms/x/rms_m_s",
+        MILLI,
+    ),
+    (
+        "velocity y\nmm/s RMS",
+        "/motion/velocity_rms/y/rms_m_s",
+        MILLI,
+    ),
+    (
+        "velocity z\nmm/s RMS",
+        "/motion/velocity_rms/z/rms_m_s",
+        MILLI,
+    ),
+    ("largest ball\nload, N", "/largest_ball_load_N", 1.0),
+    (
+        "lowest natural\nfrequency, Hz",
+        "/natural_frequencies/0/frequency_Hz",
+        1.0,
+    ),
+    (
+        "life of bearing 1\nh",
+        "/bearings/0/life/after_settle/life_h",
+        1.0,
+    ),
+    (
+        "measured error\nof the motion",
+        "/measured_error/relative",
+        1.0,
+    ),
+];
+
+/// A row a run.
+fn key_numbers(runs: &[Folder], names: &[String]) -> Lines {
+    let mut out = Lines::default();
+    let header = ["run", "kind of motion"];
+    let header = header.into_iter().chain(KEY_NUMBERS.map(|(name, ..)| name));
+    let rows = runs.iter().zip(names).map(|(run, name)| {
+        let kind = run.summary.pointer("/motion/kind/name");
+        let kind = kind.and_then(Value::as_str).map(str::to_owned);
+        let numbers = KEY_NUMBERS.map(|(_, place, factor)| {
+            let value = run.summary.pointer(place).and_then(Value::as_f64);
+            or_dash(value.map(|value| digits(factor * value)))
+        });
+        let cells = [name.clone(), or_dash(kind)];
+        cells.into_iter().chain(numbers).collect()
+    });
+    out.table(header, rows);
+    for (run, name) in runs.iter().zip(names) {
+        let title = run.summary["title"].as_str().unwrap_or_default();
+        out.line(name, title);
+    }
+    out
+}
+
+/// A panel a column that any of the runs has, a curve a run; none where no run has such a table.
+fn figure(
+    file: &str,
+    over: &str,
+    runs: &[Folder],
+    columns: &[(&str, &str, f64)],
+    table: fn(&Folder) -> &Option<Table>,
+) -> Option<Figure> {
+    let is_spectrum = file == "spectra";
+    let tables: Vec<Option<&Table>> = runs.iter().map(|run| table(run).as_ref()).collect();
+    let shown = columns.iter().filter(|(column, ..)| {
+        let mut tables = tables.iter().flatten();
+        tables.any(|table| table.largest(column) > 0.0)
+    });
+    let axes = tables.iter().flatten().flat_map(|table| table.axis());
+    let [first, last] = ends(axes.copied())?;
+    let panels = shown.map(|(column, name, factor)| {
+        let curves = tables.iter().enumerate().filter_map(|(index, table)| {
+            let table = (*table)?;
+            let values = table.column(column)?.iter().map(|value| factor * value);
+            let points = table.axis().iter().copied().zip(values);
+            // the mean stands apart from what vibrates
+            let points = points.filter(|(at, _)| !is_spectrum || *at > 0.0);
+            let points = thinned(points, MOST_POINTS / runs.len());
+            Some(Curve::line(distinct(index), points))
+        });
+        let curves: Vec<Curve> = curves.collect();
+        let over = Axis::over(over, first..last);
+        if !is_spectrum {
+            return Panel::of(over, *name, HEIGHT, curves);
+        }
+        let points = curves.iter().flat_map(|curve| &curve.points);
+        let strongest = points.fold(0.0, |most: f64, point| most.max(point.1));
+        Panel {
+            curves,
+            ..Panel::new(over, Axis::below(*name, strongest), HEIGHT)
+        }
+    });
+    let panels: Vec<Panel> = panels.collect();
+    (!panels.is_empty()).then(|| Figure::new(file, "", 1, panels))
+}
+
+/// All points, or of too many the lowest and the highest of every stretch.
+fn thinned(points: impl Iterator<Item = Point> + Clone, most: usize) -> Vec<Point> {
+    let finite = points.filter(|(_, value)| value.is_finite());
+    if finite.clone().count() <= most {
+        return finite.collect();
+    }
+    let mut envelope = Decimator::new(most / 2);
+    finite.for_each(|(at, value)| envelope.push(at, value));
+    envelope.points().collect()
+}
