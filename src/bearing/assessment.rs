@@ -8,8 +8,8 @@ use super::life::reference_rating_life;
 use super::static_safety::{static_rating, static_safety};
 use super::support::Support;
 use super::{
-    BallLine, Bearing, BearingRotation, BearingState, GeometryState, Matrix5, StiffnessShares,
-    Vector5, warnings,
+    BallLine, Bearing, BearingRotation, BearingState, GeometryState, InternalGeometry, Matrix5,
+    StiffnessShares, Vector5, warnings,
 };
 use crate::physics::{BallPass, ball_pass_frequencies, dynamic_rating};
 
@@ -89,14 +89,16 @@ impl<'a> Assessment<'a> {
         let pitch_diameter = geometry.pitch_diameter();
         let angle = geometry.nominal_angle();
         GeometryState {
-            balls,
-            ball_diameter,
-            pitch_diameter,
-            contact_angle: geometry.contact_angle(),
-            groove_factor_inner: geometry.groove_factor_inner(),
-            groove_factor_outer: geometry.groove_factor_outer(),
-            dynamic_rating: dynamic_rating(balls, ball_diameter, pitch_diameter, angle),
-            static_rating: static_rating(geometry, contacts),
+            internal: InternalGeometry {
+                balls,
+                ball_diameter,
+                pitch_diameter,
+                contact_angle: geometry.contact_angle(),
+                groove_factor_inner: geometry.groove_factor_inner(),
+                groove_factor_outer: geometry.groove_factor_outer(),
+                dynamic_rating: dynamic_rating(balls, ball_diameter, pitch_diameter, angle),
+                static_rating: static_rating(geometry, contacts),
+            },
             fatigue_load_limit: fatigue_load_limit(geometry, contacts),
             estimated: bearing.estimated,
         }

@@ -66,8 +66,8 @@ pub(crate) use ring::quarter_turn;
 pub use ring_contacts::BallLoads;
 pub(crate) use rotation::{Angle, BearingRotation};
 pub use state::{
-    Around, BallLine, BearingState, FilmState, FrictionMoment, GeometryState, RaceContact,
-    SkfMoment, StiffnessShares,
+    Around, BallLine, BearingState, FilmState, FrictionMoment, GeometryState, InternalGeometry,
+    RaceContact, SkfMoment, StiffnessShares,
 };
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;

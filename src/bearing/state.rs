@@ -108,7 +108,7 @@ pub struct BallLine {
 /// Internal geometry of a bearing, and the ratings that it has by the standards' formulas.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
-pub struct GeometryState {
+pub struct InternalGeometry {
     /// Number of balls.
     pub balls: usize,
     /// Ball diameter, m.
@@ -117,7 +117,7 @@ pub struct GeometryState {
     /// Pitch diameter, m.
     #[serde(rename = "pitch_diameter_m")]
     pub pitch_diameter: f64,
-    /// Free contact angle as mounted, rad.
+    /// Contact angle, rad: nominal of a catalogue line, free as mounted of a bearing.
     #[serde(rename = "contact_angle_rad")]
     pub contact_angle: f64,
     /// Groove factor of the inner race.
@@ -127,9 +127,18 @@ pub struct GeometryState {
     /// C of ISO 281, N, [`crate::physics::dynamic_rating`].
     #[serde(rename = "dynamic_rating_N")]
     pub dynamic_rating: f64,
-    /// C_0 of ISO 76, N, [`super::Bearing::static_rating`].
+    /// C_0 at the contact pressure of ISO 76, N, [`super::Bearing::static_rating`].
     #[serde(rename = "static_rating_N")]
     pub static_rating: f64,
+}
+
+/// Internal geometry of a bearing as it is mounted, and whether it is known.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct GeometryState {
+    /// Balls, races and ratings.
+    #[serde(flatten)]
+    pub internal: InternalGeometry,
     /// C_u of ISO 281, N, [`super::Bearing::fatigue_load_limit`].
     #[serde(rename = "fatigue_load_limit_N")]
     pub fatigue_load_limit: f64,

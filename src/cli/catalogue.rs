@@ -122,9 +122,9 @@ fn all(json: bool) -> String {
         let angle = line.contact_angle.to_degrees().round();
         table.add_row([
             entry.designation.clone(),
-            estimate.balls.to_string(),
-            length(estimate.ball_diameter),
-            length(estimate.pitch_diameter),
+            estimate.internal.balls.to_string(),
+            length(estimate.internal.ball_diameter),
+            length(estimate.internal.pitch_diameter),
             if angle > 0.0 {
                 angle.to_string()
             } else {
@@ -132,7 +132,7 @@ fn all(json: bool) -> String {
             },
             format!(
                 "{}, {}",
-                estimate.groove_factor_inner, estimate.groove_factor_outer
+                estimate.internal.groove_factor_inner, estimate.internal.groove_factor_outer
             ),
             format!("{} × {}", length(line.bore), length(line.outside_diameter)),
             line.dynamic_rating.to_string(),

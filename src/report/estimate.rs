@@ -90,8 +90,8 @@ fn put_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {
         "balls",
         format!(
             "{} of {:.3} mm{}",
-            estimate.balls,
-            1e3 * estimate.ball_diameter,
+            estimate.internal.balls,
+            1e3 * estimate.internal.ball_diameter,
             mark(&["balls", "ball_diameter"])
         ),
     );
@@ -99,32 +99,32 @@ fn put_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {
         "pitch",
         format!(
             "{} mm{}",
-            rounded(1e3 * estimate.pitch_diameter),
+            rounded(1e3 * estimate.internal.pitch_diameter),
             mark(&["pitch_diameter"])
         ),
     );
-    let angle = estimate.contact_angle.to_degrees();
+    let angle = estimate.internal.contact_angle.to_degrees();
     out.line("contact angle", format!("{}°", rounded(angle)));
     out.line(
         "groove factor",
         format!(
             "inner {:.4}, outer {:.4}{}",
-            estimate.groove_factor_inner,
-            estimate.groove_factor_outer,
+            estimate.internal.groove_factor_inner,
+            estimate.internal.groove_factor_outer,
             mark(&["groove_factor_inner"])
         ),
     );
     let off = |found: f64, printed: f64| format!("{:+.1} %", 1e2 * (found / printed - 1.0));
     let statical = line
         .static_rating
-        .map(|printed| off(estimate.static_rating, printed));
+        .map(|printed| off(estimate.internal.static_rating, printed));
     out.line(
         "these have",
         format!(
             "C {:.0} N ({}) by ISO 281, C0 {:.0} N{} by ISO 76{}",
-            estimate.dynamic_rating,
-            off(estimate.dynamic_rating, line.dynamic_rating),
-            estimate.static_rating,
+            estimate.internal.dynamic_rating,
+            off(estimate.internal.dynamic_rating, line.dynamic_rating),
+            estimate.internal.static_rating,
             statical.map_or(String::new(), |off| format!(" ({off})")),
             estimate
                 .static_factor
@@ -152,12 +152,12 @@ pub fn entry_json(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate
     json!({
         "designation": entry.designation,
         "maker": entry.maker,
-        "balls": estimate.balls,
-        "ball_diameter_mm": millimetres(estimate.ball_diameter),
-        "pitch_diameter_mm": millimetres(estimate.pitch_diameter),
+        "balls": estimate.internal.balls,
+        "ball_diameter_mm": millimetres(estimate.internal.ball_diameter),
+        "pitch_diameter_mm": millimetres(estimate.internal.pitch_diameter),
         "contact_angle_deg": (angle > 0.0).then_some(angle),
-        "groove_factor_inner": estimate.groove_factor_inner,
-        "groove_factor_outer": estimate.groove_factor_outer,
+        "groove_factor_inner": estimate.internal.groove_factor_inner,
+        "groove_factor_outer": estimate.internal.groove_factor_outer,
         "bore_mm": millimetres(line.bore),
         "outside_diameter_mm": millimetres(line.outside_diameter),
         "width_mm": entry.width.map(millimetres),

@@ -111,9 +111,9 @@ fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     };
     let balls = format!(
         "{} of {:.3} mm on {:.3} mm{mark}",
-        geometry.balls,
-        MILLI * geometry.ball_diameter,
-        MILLI * geometry.pitch_diameter
+        geometry.internal.balls,
+        MILLI * geometry.internal.ball_diameter,
+        MILLI * geometry.internal.pitch_diameter
     );
     out.line("balls", balls);
     if let Some(clearance) = &state.clearance {

@@ -51,9 +51,14 @@ impl CatalogueLine {
                 ));
             }
         };
-        off("C", estimate.dynamic_rating, self.dynamic_rating, 0.01);
+        off(
+            "C",
+            estimate.internal.dynamic_rating,
+            self.dynamic_rating,
+            0.01,
+        );
         if let Some(printed) = self.static_rating {
-            off("C0", estimate.static_rating, printed, 0.02);
+            off("C0", estimate.internal.static_rating, printed, 0.02);
         }
         if let Some(other) = &estimate.runner_up
             && other.deviation - deviation < CLOSE

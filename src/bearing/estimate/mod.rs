@@ -9,7 +9,7 @@ pub use error::EstimateError;
 
 use serde::Serialize;
 
-use super::{FreePosition, Geometry, GeometryError};
+use super::{FreePosition, Geometry, GeometryError, InternalGeometry};
 use checks::filling_angle;
 use rating::REFERENCE_GROOVES;
 
@@ -74,27 +74,9 @@ impl std::fmt::Display for Candidate {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Estimate {
-    /// Number of balls.
-    pub balls: usize,
-    /// Ball diameter, m.
-    #[serde(rename = "ball_diameter_m")]
-    pub ball_diameter: f64,
-    /// Pitch diameter, m.
-    #[serde(rename = "pitch_diameter_m")]
-    pub pitch_diameter: f64,
-    /// Nominal contact angle, rad.
-    #[serde(rename = "contact_angle_rad")]
-    pub contact_angle: f64,
-    /// Groove factor of the inner race.
-    pub groove_factor_inner: f64,
-    /// Groove factor of the outer race.
-    pub groove_factor_outer: f64,
-    /// C by ISO 281 of these balls, N.
-    #[serde(rename = "dynamic_rating_N")]
-    pub dynamic_rating: f64,
-    /// C_0 of these balls and grooves at the contact pressure of ISO 76, N.
-    #[serde(rename = "static_rating_N")]
-    pub static_rating: f64,
+    /// Balls, races and ratings.
+    #[serde(flatten)]
+    pub internal: InternalGeometry,
     /// C_0 as printed over Z D² cos α, N/mm².
     pub static_factor: Option<f64>,
     /// Filling angle (Z − 1)·2 asin(D/d_m), degrees.
@@ -123,8 +105,8 @@ impl CatalogueLine {
     /// // 6205 as NSK prints it: 9 balls of 5/16 in
     /// let line = CatalogueLine::printed([0.025, 0.052], 0.0, 14_000.0, 7850.0);
     /// let estimate = line.estimate()?;
-    /// assert_eq!(estimate.balls, 9);
-    /// assert!((estimate.ball_diameter - 7.9375e-3).abs() < 1e-12);
+    /// assert_eq!(estimate.internal.balls, 9);
+    /// assert!((estimate.internal.ball_diameter - 7.9375e-3).abs() < 1e-12);
     /// # Ok::<(), jeffcott::bearing::EstimateError>(())
     /// ```
     ///
@@ -163,14 +145,21 @@ impl CatalogueLine {
         ];
         let estimated = estimated.into_iter().filter(|(_, given)| !given);
         let mut estimate = Estimate {
-            balls: best.balls,
-            ball_diameter: best.ball_diameter,
-            pitch_diameter: pitch,
-            contact_angle: self.contact_angle,
-            groove_factor_inner: grooves[0],
-            groove_factor_outer: grooves[1],
-            dynamic_rating: best.dynamic_rating,
-            static_rating: self.static_rating_of(best.balls, best.ball_diameter, pitch, grooves),
+            internal: InternalGeometry {
+                balls: best.balls,
+                ball_diameter: best.ball_diameter,
+                pitch_diameter: pitch,
+                contact_angle: self.contact_angle,
+                groove_factor_inner: grooves[0],
+                groove_factor_outer: grooves[1],
+                dynamic_rating: best.dynamic_rating,
+                static_rating: self.static_rating_of(
+                    best.balls,
+                    best.ball_diameter,
+                    pitch,
+                    grooves,
+                ),
+            },
             static_factor: self.static_factor_of(best.balls, best.ball_diameter),
             filling_angle: filling_angle(best.balls, best.ball_diameter, pitch),
             estimated: estimated.map(|(name, _)| name).collect(),
@@ -211,13 +200,14 @@ impl Estimate {
     /// # Errors
     /// [`GeometryError`] where the free position does not fit the grooves.
     pub fn geometry(&self, free: FreePosition) -> Result<Geometry, GeometryError> {
+        let internal = &self.internal;
         Geometry::new(
-            self.balls,
-            self.ball_diameter,
-            self.pitch_diameter,
+            internal.balls,
+            internal.ball_diameter,
+            internal.pitch_diameter,
             free,
-            self.groove_factor_inner,
-            self.groove_factor_outer,
+            internal.groove_factor_inner,
+            internal.groove_factor_outer,
         )
     }
 }

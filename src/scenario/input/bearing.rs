@@ -536,8 +536,8 @@ fn warn_of_estimate(estimate: &Estimate, problems: &mut Problems<'_>) {
     problems.warn(format!(
         "`{}`: {} balls of {:.3} mm are estimated from the ratings: {}",
         problems.path("."),
-        estimate.balls,
-        1e3 * estimate.ball_diameter,
+        estimate.internal.balls,
+        1e3 * estimate.internal.ball_diameter,
         estimate.notes.join("; ")
     ));
 }

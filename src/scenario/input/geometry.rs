@@ -85,7 +85,7 @@ impl Sources<'_> {
             Some(printed) => Some(self.estimate(printed, problems)?),
             None => None,
         };
-        let entry = estimate.as_ref();
+        let entry = estimate.as_ref().map(|estimate| &estimate.internal);
         let balls = input.balls.map(|balls| balls as usize);
         let balls = self.need("balls", balls.or(entry.map(|entry| entry.balls)), problems);
         let ball_diameter = si(&input.ball_diameter).or(entry.map(|e| e.ball_diameter));

@@ -19,7 +19,7 @@ pub(super) fn estimated() -> Vec<(&'static str, CatalogueLine, Estimate)> {
 }
 
 pub(super) fn bearing(estimate: &Estimate) -> Bearing {
-    let free = FreePosition::ContactAngle(estimate.contact_angle);
+    let free = FreePosition::ContactAngle(estimate.internal.contact_angle);
     Bearing::of_steel(estimate.geometry(free).expect("a geometry"))
 }
 
@@ -39,8 +39,8 @@ fn ratings_are_met_to_1_and_2_per_cent() {
     assert_eq!(lines.len(), 122);
     let (mut dynamic, mut statical, mut flagged) = (Vec::new(), Vec::new(), Vec::new());
     for (name, line, estimate) in &lines {
-        let c = estimate.dynamic_rating / line.dynamic_rating - 1.0;
-        let c0 = estimate.static_rating / line.static_rating.expect("C0") - 1.0;
+        let c = estimate.internal.dynamic_rating / line.dynamic_rating - 1.0;
+        let c0 = estimate.internal.static_rating / line.static_rating.expect("C0") - 1.0;
         dynamic.push(c.abs());
         statical.push(c0.abs());
         if estimate
@@ -82,9 +82,9 @@ fn known_internal_geometries_are_found() {
     let lines = estimated();
     for (name, balls, diameter) in known {
         let (_, _, estimate) = lines.iter().find(|line| line.0 == name).expect("a line");
-        assert_eq!(estimate.balls, balls, "{name}");
+        assert_eq!(estimate.internal.balls, balls, "{name}");
         assert!(
-            (1e3 * estimate.ball_diameter - diameter).abs() < 1e-3,
+            (1e3 * estimate.internal.ball_diameter - diameter).abs() < 1e-3,
             "{name}"
         );
         assert_eq!(estimate.estimated.len(), 5);
@@ -129,12 +129,12 @@ fn a_line_of_no_balls_or_of_several_is_refused() {
         static_factor: Some(16.8),
         ..line
     };
-    assert_eq!(settled.estimate().expect("balls").balls, 30);
+    assert_eq!(settled.estimate().expect("balls").internal.balls, 30);
     let given = CatalogueLine {
         balls: Some(30),
         ..line
     };
-    assert_eq!(given.estimate().expect("balls").balls, 30);
+    assert_eq!(given.estimate().expect("balls").internal.balls, 30);
 }
 
 /// Axial rigidity in N/m of a pair whose bearings carry a preload, fixed to one another: twice that of one of them.

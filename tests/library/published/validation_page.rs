@@ -37,8 +37,8 @@ fn ratings(page: &mut String) {
     let mut groups: BTreeMap<String, Vec<[f64; 3]>> = BTreeMap::new();
     let mut notes = String::new();
     for (name, line, estimate) in estimated() {
-        let c = estimate.dynamic_rating / line.dynamic_rating - 1.0;
-        let c0 = estimate.static_rating / line.static_rating.expect("C0") - 1.0;
+        let c = estimate.internal.dynamic_rating / line.dynamic_rating - 1.0;
+        let c0 = estimate.internal.static_rating / line.static_rating.expect("C0") - 1.0;
         let next = estimate
             .runner_up
             .map_or(f64::INFINITY, |next| next.deviation);
@@ -164,7 +164,7 @@ fn fatigue_limits(page: &mut String) {
     let mut groups: BTreeMap<String, Vec<f64>> = BTreeMap::new();
     for (name, line, estimate) in estimated() {
         let limit = bearing(&estimate).fatigue_load_limit().expect("a limit");
-        let size = (0.1 / estimate.pitch_diameter).sqrt().min(1.0);
+        let size = (0.1 / estimate.internal.pitch_diameter).sqrt().min(1.0);
         let simplified = size * line.static_rating.expect("C0") / 22.0;
         let group = groups.entry(series(name)).or_default();
         group.push(limit / simplified);
