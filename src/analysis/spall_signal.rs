@@ -254,7 +254,7 @@ fn line(points: &[(f64, f64)], time: f64) -> Option<[f64; 2]> {
     let slope = product / square;
     slope
         .is_finite()
-        .then(|| [value + slope * (time - at), slope])
+        .then_some([value + slope * (time - at), slope])
 }
 
 #[cfg(test)]
