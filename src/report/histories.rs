@@ -189,12 +189,10 @@ impl History {
             let mut stretches = stretches.iter();
             stretches.any(|stretch| stretch[0].0 <= time && time <= stretch[stretch.len() - 1].0)
         };
-        let band = self.envelope.buckets().flat_map(|bucket| {
-            [bucket.first.0, bucket.last.0].map(|time| Place {
-                time,
-                value: f64::NAN,
-                band: [bucket.low(), bucket.high()],
-            })
+        let band = self.envelope.buckets().map(|bucket| Place {
+            time: 0.5 * (bucket.first.0 + bucket.last.0),
+            value: f64::NAN,
+            band: [bucket.low(), bucket.high()],
         });
         let single = stretches.iter().flat_map(|stretch| {
             let end = stretch.len() - 1;
