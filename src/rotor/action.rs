@@ -1,6 +1,7 @@
 //! What acts on a shaft in a state, by what it comes from, and at which power.
 
 use super::energy::Works;
+use super::motion::dot;
 use super::structure::UnbalancedPoint;
 use super::{Drive, DriveMoments, Rotation, Rotor};
 use crate::bearing::{Angle, Vector5, quarter_turn};
@@ -136,10 +137,13 @@ impl Rotor {
         velocity: &[f64],
         speed: f64,
     ) -> InternalDamping {
+        if !self.damped_inside {
+            return InternalDamping::default();
+        }
         let [mut across, mut resisting] = [(); 2].map(|()| vec![0.0; self.dofs()]);
         self.circulatory.add_product(1.0, place, &mut across);
         self.internal_damping.add_product(1.0, place, &mut resisting);
-        let (crossing, held) = (product(&across, velocity), product(&resisting, place));
+        let (crossing, held) = (dot(&across, velocity), dot(&resisting, place));
         let moment = crossing - speed * held;
         InternalDamping {
             power: 2.0 * self.internal_damping.half_square(velocity) - speed * (crossing + moment),
@@ -155,26 +159,26 @@ impl Rotor {
         sum.fill(0.0);
         // first, so that bearings that balance each other leave nothing
         let bearings = self.bearings_act(place, velocity, &rotation, sum);
-        let mut outer = self.constant_force.clone();
-        self.add_loads(time, rotation.angle, &mut outer);
-        let mut unbalances = vec![0.0; dofs];
-        self.add_unbalances::<false>(&rotation, &self.phases(&rotation), &mut unbalances);
-        for (sum, (outer, unbalance)) in sum.iter_mut().zip(outer.iter().zip(&unbalances)) {
-            *sum += outer + unbalance;
+        for (sum, constant) in sum.iter_mut().zip(&self.constant_force) {
+            *sum += constant;
         }
+        self.add_loads(time, rotation.angle, sum);
+        self.add_unbalances::<false>(&rotation, &self.phases(&rotation), sum);
         self.damping.add_product(-1.0, velocity, sum);
         self.structure.stiffness.add_product(-1.0, place, sum);
         self.circulatory.add_product(rotation.speed, place, sum);
         self.gyroscopic.add_product(-rotation.speed, velocity, sum);
         self.mass.accelerate(sum);
         let internal = self.internal_damping(place, velocity, rotation.speed);
-        let mut loads = product(&outer, velocity);
+        let mut loads = dot(&self.constant_force, velocity);
+        loads += self.power_of_loads(time, rotation.angle, velocity);
+        let unbalance = self.power_of_unbalances(&rotation, velocity);
         let moments = self.drive.as_ref().map(|drive| {
             let mut along = self.unbalances_along(rotation.angle);
             // masses beside the axis feel the base and the weight
             let base = self.felt_by_unbalances(time, rotation.angle);
             loads += rotation.speed * base;
-            let resisting = product(&along, sum) + base + internal.moment;
+            let resisting = dot(&along, sum) + base + internal.moment;
             let moments = self.moments(drive, &bearings, &rotation, resisting);
             rotation.acceleration = moments.total() / self.inertia_polar;
             self.mass.accelerate(&mut along);
@@ -187,7 +191,7 @@ impl Rotor {
             rotation,
             bearings,
             loads,
-            unbalance: product(&unbalances, velocity),
+            unbalance,
             viscous: 2.0
                 * (self.damping.half_square(velocity) - self.internal_damping.half_square(velocity)),
             internal,
@@ -213,12 +217,4 @@ impl Rotor {
         };
         self.structure.unbalances.iter().map(moment).sum()
     }
-}
-
-fn product(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn dot(a: &Vector5, b: &Vector5) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

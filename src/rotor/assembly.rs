@@ -119,6 +119,7 @@ impl Rotor {
             damping: Coefficients::new(damping, dofs),
             gyroscopic: Coefficients::new(structure.gyroscopic.clone(), dofs),
             circulatory: Coefficients::new(structure.circulatory.clone(), dofs),
+            damped_inside: structure.internal_damping.amax() > 0.0,
             internal_damping: Coefficients::new(structure.internal_damping.clone(), dofs),
             constant_force,
             base_inertia,

@@ -1,5 +1,6 @@
 //! Where the energy of a motion is, where it came from and where it went.
 
+use super::motion::dot;
 use super::{Rotation, Rotor};
 
 /// Energy of a shaft at one instant, and what has been done on it since t = 0, J.
@@ -136,10 +137,9 @@ impl Rotor {
         let along = self.unbalances_along(rotation.angle);
         let mut accelerated = along.clone();
         self.mass.accelerate(&mut accelerated);
-        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-        let inertia = self.inertia_polar + product(&along, &accelerated);
+        let inertia = self.inertia_polar + dot(&along, &accelerated);
         let speed = rotation.speed;
-        motion + 0.5 * inertia * speed * speed - speed * product(&along, velocity)
+        motion + 0.5 * inertia * speed * speed - speed * dot(&along, velocity)
     }
 
     /// Energy that bearings and elastic parts store, J.

@@ -55,6 +55,8 @@ pub struct Rotor {
     pub(super) gyroscopic: Coefficients,
     /// Forces per speed and displacement, of damping that turns with the shaft.
     pub(super) circulatory: Coefficients,
+    /// Whether damping inside the shaft turns with it.
+    pub(super) damped_inside: bool,
     /// The part of C that turns with the shaft.
     pub(super) internal_damping: Coefficients,
     /// Mass of the shaft, kg.
@@ -258,14 +260,53 @@ impl Rotor {
     /// Adds the forces of the varying loads; apart from the rest, which stays small where no load varies.
     #[inline(never)]
     pub(super) fn add_loads(&self, time: f64, angle: f64, sum: &mut [f64]) {
+        let bends = self.structure.bending.is_some();
+        let mut on_rigid_shaft = [0.0; FREEDOMS];
         for (load, point) in self.loads.iter().zip(&self.structure.load_points) {
-            match &load.kind {
+            let force = match &load.kind {
                 LoadKind::Base(base) => {
                     self.add_base_force(&base.acceleration(time, angle), sum);
+                    continue;
                 }
-                _ => point.add_force(1.0, &self.about_point(load, &load.at(time, angle)), sum),
+                _ => load.at(time, angle),
+            };
+            if bends {
+                point.add_force(1.0, &force, sum);
+            } else {
+                let force = load.about_centre(&force);
+                for axis in 0..FREEDOMS {
+                    on_rigid_shaft[axis] += force[axis];
+                }
             }
         }
+        if !bends {
+            self.structure.shaft.add_force(1.0, &on_rigid_shaft, sum);
+        }
+    }
+
+    /// Power of the varying loads at velocities of the degrees of freedom, W.
+    pub(super) fn power_of_loads(&self, time: f64, angle: f64, velocity: &[f64]) -> f64 {
+        let power = |(load, point): (&Load, &Point)| -> f64 {
+            if let LoadKind::Base(base) = &load.kind {
+                let accelerations = base.acceleration(time, angle);
+                let axes = self.base_inertia.iter().zip(accelerations);
+                return -axes.map(|(inertia, part)| part * dot(inertia, velocity)).sum::<f64>();
+            }
+            let force = self.about_point(load, &load.at(time, angle));
+            dot(&force, &point.rate(velocity))
+        };
+        let loads = self.loads.iter().zip(&self.structure.load_points);
+        loads.map(power).sum()
+    }
+
+    /// Power of the unbalances at velocities of the degrees of freedom, W.
+    pub(super) fn power_of_unbalances(&self, rotation: &Rotation, velocity: &[f64]) -> f64 {
+        let shaft = self.phases(rotation).shaft;
+        let unbalances = self.structure.unbalances.iter();
+        let power = |own: &UnbalancedPoint| {
+            dot(&own.unbalance.force(rotation, shaft), &own.point.rate(velocity))
+        };
+        unbalances.map(power).sum()
     }
 
     /// A force or moment of a load at its position, about the point that it acts at.
@@ -435,4 +476,9 @@ impl Rotor {
             bearing.attachment.add_force(-1.0, &force, sum);
         });
     }
+}
+
+/// Σ a_i b_i.
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
