@@ -98,9 +98,9 @@ impl Decimator {
         }
     }
 
-    /// Whether every bucket holds a single value.
+    /// Whether the points are all values that were taken: a bucket of two has both.
     pub fn is_whole(&self) -> bool {
-        self.stride == 1
+        self.stride <= 2
     }
 
     /// The envelope so far, in order.

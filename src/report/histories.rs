@@ -236,8 +236,11 @@ impl History {
             logarithmic: false,
         };
         if self.envelope.is_whole() {
-            let points = self.envelope.buckets().map(|bucket| bucket.first);
-            let points = points.map(|(time, value)| (time, scale * value));
+            let mut points: Vec<_> = self.envelope.points().collect();
+            points.dedup();
+            let points = points
+                .into_iter()
+                .map(|(time, value)| (time, scale * value));
             return panel.json(vec![curve(name, points)], Vec::new());
         }
         let places = self.places();

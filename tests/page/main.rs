@@ -60,11 +60,11 @@ impl Shown {
     /// The document once its scripts have run, and what the browser said meanwhile; `None` without a
     /// browser.
     fn in_browser(&self) -> Option<(String, String)> {
-        self.opened(&self.page)
+        self.opened(&self.page, &[])
     }
 
-    /// The same of another file, which may look into the page.
-    fn opened(&self, file: &Path) -> Option<(String, String)> {
+    /// The same of another file, which may look into the page, with further options of the browser.
+    fn opened(&self, file: &Path, options: &[&str]) -> Option<(String, String)> {
         let chromium = ["chromium", "chromium-browser", "google-chrome"]
             .into_iter()
             .find(|name| Command::new(name).arg("--version").output().is_ok())?;
@@ -83,6 +83,7 @@ impl Shown {
                 "--virtual-time-budget=10000",
                 "--dump-dom",
             ])
+            .args(options)
             .arg(format!(
                 "--user-data-dir={}",
                 self.folder.path().join("browser").display()
@@ -183,7 +184,7 @@ fn every_verb_has_a_page_without_complaints() {
 fn looks_well(shown: &Shown, name: &Path) {
     let frames = shown.page.with_file_name("frames.html");
     fs::write(&frames, FRAMES).expect("a written file");
-    let Some((document, told)) = shown.opened(&frames) else {
+    let Some((document, told)) = shown.opened(&frames, &[]) else {
         return;
     };
     assert!(!told.contains("CONSOLE"), "{}: {told}", name.display());
@@ -367,6 +368,20 @@ fn the_motion_moves_by_steps_and_the_curves_follow() {
         number.parse().expect("a number")
     };
     assert!((seconds("place") - seconds("curve")).abs() < 2e-4, "{told}");
+}
+
+/// Nothing plays for whoever asks the system for less motion.
+#[test]
+fn nothing_plays_where_less_motion_is_asked_for() {
+    let shown = run(&shipped("linear-7205c"));
+    let Some((still, _)) = shown.opened(&shown.page, &["--force-prefers-reduced-motion"]) else {
+        eprintln!("skipped: no Chromium is installed");
+        return;
+    };
+    let (moving, _) = shown.in_browser().expect("a browser");
+    let play = "aria-label=\"play or pause\"";
+    assert!(moving.contains(&format!("{play}>")));
+    assert!(still.contains(&format!("{play} disabled=\"\">")));
 }
 
 /// Several runs stand on one page, a curve each.

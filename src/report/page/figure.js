@@ -497,7 +497,7 @@ const figures = (() => {
     const over = element("canvas", { class: "over", tabindex: "0", role: "img", "aria-label": `${figure.name.replaceAll("_", " ")}. ${caption} `
       + "Arrow keys move, plus and minus zoom, 0 shows all, comma and full stop read points, page up and page down change the curve." });
     const holder = element("div", { class: "drawing" }, base, over);
-    const reading = element("output", { class: "reading", "aria-live": "polite" }, hint);
+    const reading = element("output", { class: "reading screen", "aria-live": "polite" }, hint);
     const state = { figure, base, over, holder, reading, boxes: [], width: 0, start: null, focus: { panel: 0, curve: 0, index: -1 } };
     all.push(state);
     listen(state);

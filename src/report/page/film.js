@@ -77,7 +77,7 @@ const film = (() => {
       label: `Shaft and balls in motion, the displacement of the shaft magnified ${number(factor)} times`,
       caption: `The end of the run, seen along −Z: displacements about their mean are magnified ${number(factor)} times, balls and rings are to scale. Balls are coloured by their load from blue to yellow, the largest; empty ones bear none. The orange line turns with the shaft.` });
 
-    const place = element("output", { class: "reading" });
+    const place = element("output", { class: "reading screen" });
     const slider = element("input", { type: "range", min: "0", max: String(last), value: "0", "aria-label": "time", class: "time" });
     const show = (next, tell = true) => {
       frame = Math.min(Math.max(next, 0), last);
