@@ -94,7 +94,7 @@ impl ShaftInput {
                 Freedoms::All
             }
             Some(freedoms) => freedoms,
-            None if self.bends() => Freedoms::All,
+            None if self.bends() || problems.node("shaft.freedoms").is_some() => Freedoms::All,
             None => {
                 let issue = Issue::new("shaft", "`shaft` needs `freedoms`");
                 problems.refuse(issue.help("for instance: freedoms = \"all\""));
