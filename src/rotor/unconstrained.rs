@@ -77,7 +77,9 @@ pub fn check_constraints(
     definition: &RotorDefinition,
     rotor: &Rotor,
 ) -> Result<Vec<String>, UnconstrainedError> {
-    let contact = rotor.contact_stiffness();
+    let linear = definition.linear_bearings.iter();
+    let linear = linear.flat_map(|bearing| bearing.stiffness[..3].iter().copied());
+    let contact = linear.fold(rotor.contact_stiffness(), f64::max);
     let free = FreeDirections::find(rotor, contact);
     let along = |axes: Vec<usize>| {
         let coordinates = &rotor.structure.coordinates;

@@ -10,6 +10,7 @@ mod catalogue;
 mod compare;
 mod documents;
 mod endings;
+mod flexible;
 mod hard_scenes;
 mod help;
 mod keys;

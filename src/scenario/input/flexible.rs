@@ -138,7 +138,7 @@ pub fn build(
         }
         None => heaviest(&flexible),
     };
-    problems.is_clean().then_some(Some(flexible))
+    Some(Some(flexible))
 }
 
 /// Position of the heaviest disc, or the middle of the shaft.
@@ -147,7 +147,7 @@ fn heaviest(shaft: &FlexibleShaft) -> f64 {
     heaviest.map_or(shaft.middle(), |disc| disc.position)
 }
 
-/// Refuses a position off the shaft.
+/// Refuses a position off the shaft, or between the nodes of given matrices.
 pub fn check_position(
     shaft: &FlexibleShaft,
     path: &str,
@@ -164,7 +164,21 @@ pub fn check_position(
             1e3 * right
         );
         let issue = Issue::new(path, message);
-        problems.refuse(issue.help("positions count from the left end of the first section"));
+        let left_end = "positions count from the left end of the first section";
+        let of_nodes = "positions count as those of the nodes in the file do";
+        let given = shaft.matrices.is_some();
+        problems.refuse(issue.help(if given { of_nodes } else { left_end }));
+        return;
+    }
+    let nearest = shaft.matrices.as_ref().map(|mesh| mesh.nodes[mesh.node_at(position)]);
+    if let Some(nearest) = nearest.filter(|nearest| (nearest - position).abs() > slack) {
+        let message = format!(
+            "no node of the shaft's matrices lies at {:.3} mm: the nearest one is at {:.3} mm",
+            1e3 * position,
+            1e3 * nearest
+        );
+        let help = "put it at a node, or let the other program set a node there";
+        problems.refuse(Issue::new(path, message).help(help));
     }
 }
 
@@ -187,7 +201,7 @@ fn refuse_without_sections(
         let help = "describe it by [[shaft.section]], or leave this out";
         problems.refuse(Issue::new(path, message).help(help));
     }
-    if shaft.mass.is_none() {
+    if problems.node("shaft.mass").is_none() {
         let issue = Issue::new("shaft", "`shaft` needs a `mass`, or sections that it consists of")
             .help("for instance: mass = \"5 kg\", or [[shaft.section]] with length and outer_diameter");
         problems.refuse(issue);

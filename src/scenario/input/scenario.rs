@@ -289,7 +289,14 @@ impl ScenarioInput {
             };
             let path = format!("bearing[{index}]");
             let keys = problems.node(&path).map(Node::keys).unwrap_or_default();
-            for key in keys.into_iter().filter(|key| !matches!(*key, "linear" | "position")) {
+            // a scenario that was written out, as a study does, names these
+            let of_none = bearing.first_ball.si() == 0.0 && bearing.clearance_change.si() == 0.0;
+            let has_place = |key: &str| match key {
+                "linear" | "position" => true,
+                "first_ball" | "clearance_change" => of_none,
+                _ => false,
+            };
+            for key in keys.into_iter().filter(|key| !has_place(key)) {
                 let message = format!("`{key}` has no meaning in a bearing of constant stiffness");
                 let issue = Issue::new(format!("{path}.{key}"), message)
                     .help("leave it out, or leave out [bearing.linear]");
@@ -307,13 +314,16 @@ impl ScenarioInput {
         bearings: &[MountedBearing],
         problems: &mut Problems<'_>,
     ) {
+        let mut mounted = bearings.iter();
         for (index, bearing) in self.bearing.iter().enumerate() {
             let path = format!("bearing[{index}].position");
-            check_position(shaft, &path, bearing.position.si(), problems);
-        }
-        // sets stand beside their positions
-        for bearing in bearings {
-            check_position(shaft, "bearing", bearing.position, problems);
+            if bearing.linear.is_some() {
+                check_position(shaft, &path, bearing.position.si(), problems);
+            }
+            // those of a set stand beside its position
+            for own in mounted.by_ref().take(bearing.count()) {
+                check_position(shaft, &path, own.position, problems);
+            }
         }
         for (index, load) in self.load.iter().enumerate() {
             if let Some(position) = &load.position {
