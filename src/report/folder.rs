@@ -80,6 +80,7 @@ impl FileSet {
             "bearing.json",
             "study.json",
             "balls.svg",
+            "deflection.svg",
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
@@ -90,7 +91,7 @@ impl FileSet {
     pub const CAMPBELL: Self = Self {
         seal: "campbell.json",
         tables: &["campbell"],
-        others: &["campbell.svg"],
+        others: &["campbell.svg", "mode_shapes.svg"],
         spent: &[],
     };
     /// What many runs of a scenario leave.

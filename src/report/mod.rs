@@ -20,6 +20,7 @@ mod restart;
 mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
+mod shaft_shapes;
 mod spectra;
 pub(crate) mod statics;
 pub(crate) mod steady;
