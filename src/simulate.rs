@@ -91,7 +91,14 @@ pub(crate) fn simulate_part(
     let unconstrained = check_constraints(&model.rotor, &rotor)?;
     let grid = sampling::grid(model, &rotor)?;
     let finer = finer_rotor(model, &rotor)?;
-    let mut passes = Passes::start(model, &rotor, finer.as_ref(), grid, monitor.stop, part.paces);
+    let mut passes = Passes::start(
+        model,
+        &rotor,
+        finer.as_ref(),
+        grid,
+        monitor.stop,
+        part.paces,
+    );
     let mut observers = Observers::new(model, &rotor, grid, sink, tables);
     if let Some(earlier) = &part.earlier {
         passes.go_on_from(&earlier.standing)?;

@@ -61,8 +61,8 @@ pub use life::reference_rating_life;
 pub use lubrication::{Lubrication, ModifiedLife, RatingLives};
 pub use oil::Oil;
 pub(crate) use ring::Ring;
-pub use ring::{Matrix5, Vector5};
 pub(crate) use ring::quarter_turn;
+pub use ring::{Matrix5, Vector5};
 pub use ring_contacts::BallLoads;
 pub(crate) use rotation::{Angle, BearingRotation};
 pub use state::{

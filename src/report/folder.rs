@@ -81,6 +81,7 @@ impl FileSet {
             "bearing.json",
             "study.json",
             "balls.svg",
+            "deflection.svg",
             "stiffness.svg",
             "deformation.svg",
             "contact_angle.svg",
@@ -92,7 +93,7 @@ impl FileSet {
     pub const CAMPBELL: Self = Self {
         seal: "campbell.json",
         tables: &["campbell"],
-        others: &["campbell.svg", "report.html"],
+        others: &["campbell.svg", "mode_shapes.svg", "report.html"],
         spent: &[],
     };
     /// What many runs of a scenario leave.

@@ -23,6 +23,7 @@ mod run_report;
 pub(crate) mod run_tables;
 mod run_up;
 pub(crate) mod scene;
+mod shaft_shapes;
 pub(crate) mod side_by_side;
 mod spectra;
 pub(crate) mod statics;

@@ -96,7 +96,10 @@ impl Scale {
         let mut shaft = inner.fold(f64::INFINITY, f64::min);
         if let Some(flexible) = &rotor.flexible {
             ends = flexible.ends().map(|end| MILLI * end);
-            let sections = flexible.sections.iter().map(|own| 0.5 * MILLI * own.outer_diameter);
+            let sections = flexible
+                .sections
+                .iter()
+                .map(|own| 0.5 * MILLI * own.outer_diameter);
             let thickest = sections.fold(0.02 * (ends[1] - ends[0]), f64::max);
             (shaft, outer) = (shaft.min(thickest), outer.max(2.0 * thickest));
         }
@@ -196,8 +199,9 @@ impl Drawing {
             // as wide as steel of its mass and moment of inertia is
             let gyration = (8.0 * disc.inertia_polar / disc.mass).sqrt();
             let radius = (0.5 * MILLI * gyration).max(0.6 * scale.shaft);
-            let width = (MILLI * disc.mass / (7850.0 * std::f64::consts::PI * (1e-3 * radius).powi(2)))
-                .clamp(0.1 * radius, radius);
+            let width = (MILLI * disc.mass
+                / (7850.0 * std::f64::consts::PI * (1e-3 * radius).powi(2)))
+            .clamp(0.1 * radius, radius);
             let at = MILLI * disc.position;
             let across = [at - 0.5 * width, at + 0.5 * width];
             self.rectangle(GREY, across, [-radius, radius]);

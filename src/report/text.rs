@@ -12,9 +12,8 @@ use crate::analysis::{Peak, SpallSignal, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
 use crate::scenario;
 use crate::simulate::{
-    Reduction,
-    BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Run, Spread, StaticState,
-    TableUse,
+    BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, Spread,
+    StaticState, TableUse,
 };
 use crate::study::{ContactChoice, Fidelity, FidelityDifference};
 

@@ -131,18 +131,14 @@ impl Rotor {
     }
 
     /// Damping inside the shaft, of the velocities in the frame that turns with it.
-    fn internal_damping(
-        &self,
-        place: &[f64],
-        velocity: &[f64],
-        speed: f64,
-    ) -> InternalDamping {
+    fn internal_damping(&self, place: &[f64], velocity: &[f64], speed: f64) -> InternalDamping {
         if !self.damped_inside {
             return InternalDamping::default();
         }
         let [mut across, mut resisting] = [(); 2].map(|()| vec![0.0; self.dofs()]);
         self.circulatory.add_product(1.0, place, &mut across);
-        self.internal_damping.add_product(1.0, place, &mut resisting);
+        self.internal_damping
+            .add_product(1.0, place, &mut resisting);
         let (crossing, held) = (dot(&across, velocity), dot(&resisting, place));
         let moment = crossing - speed * held;
         InternalDamping {
@@ -193,7 +189,8 @@ impl Rotor {
             loads,
             unbalance,
             viscous: 2.0
-                * (self.damping.half_square(velocity) - self.internal_damping.half_square(velocity)),
+                * (self.damping.half_square(velocity)
+                    - self.internal_damping.half_square(velocity)),
             internal,
             moments,
         }

@@ -1,14 +1,14 @@
 //! From a definition to a rotor that can move: equilibrium, held freedoms, damping, linear laws.
 
-use fearless_simd::Level;
 use super::coefficients::{Coefficients, Mass};
 use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_place_of};
 use super::structure::Structure;
 use super::{
-    LoadKind, Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
+    Drive, FREEDOMS, Freedoms, InitialPosition, LoadKind, Rotor, RotorDefinition, STANDARD_GRAVITY,
     ShaftError, SpeedProfile,
 };
 use crate::bearing::{BearingError, Geometry, MountedBearing, Support, Vector5};
+use fearless_simd::Level;
 
 /// Why a rotor cannot be assembled.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -135,7 +135,9 @@ impl Rotor {
             loads,
             contacts_damped: supports.iter().any(Support::is_damped),
             balls_that_lift_off: supports.iter().map(Support::balls_that_lift_off).sum(),
-            leading_ratio: supports.first().map_or(0.0, |first| definition.cage.ratio(first)),
+            leading_ratio: supports
+                .first()
+                .map_or(0.0, |first| definition.cage.ratio(first)),
             supports,
             starts_from: definition.initial.from,
             initial: initial_state(definition, &equilibrium),

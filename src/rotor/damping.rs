@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use super::structure::Structure;
 use super::coefficients::Mass;
+use super::structure::Structure;
 use super::{Damping, FREEDOMS, Rotation, Rotor};
 use crate::bearing::Vector5;
 

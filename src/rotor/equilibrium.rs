@@ -209,7 +209,9 @@ pub(crate) fn static_place(
             point.add_force(1.0, &force, &mut load);
         }
     }
-    Ok(static_place_of(structure, definition, supports, &load, given)?)
+    Ok(static_place_of(
+        structure, definition, supports, &load, given,
+    )?)
 }
 
 /// The same of a structure with that shaft.
@@ -252,7 +254,8 @@ fn static_start(
 ) -> ([bool; FREEDOMS], Vector5) {
     let active = definition.shaft.freedoms.count();
     let bends = definition.flexible.is_some();
-    let mut free: [bool; FREEDOMS] = std::array::from_fn(|axis| axis < active || bends && axis != 2);
+    let mut free: [bool; FREEDOMS] =
+        std::array::from_fn(|axis| axis < active || bends && axis != 2);
     let mut start = [0.0; FREEDOMS];
     for axis in (3..FREEDOMS).filter(|&axis| !free[axis]) {
         start[axis] = definition.shaft.held_tilt[axis - 3];

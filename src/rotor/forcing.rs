@@ -126,7 +126,12 @@ impl Rotor {
                 });
             }
         };
-        if self.structure.unbalances.iter().any(|own| own.unbalance.is_some()) {
+        if self
+            .structure
+            .unbalances
+            .iter()
+            .any(|own| own.unbalance.is_some())
+        {
             add(ForcingCause::Unbalance, speed, 0.0);
         }
         for (bearing, support) in self.supports.iter().enumerate() {

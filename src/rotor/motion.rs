@@ -8,9 +8,7 @@ use super::equilibrium::Equilibrium;
 use super::phases::Phases;
 use super::point::{Attachment, Point};
 use super::structure::{Structure, UnbalancedPoint};
-use super::{
-    CageMotion, Drive, FREEDOMS, InitialPosition, Load, LoadKind, Rotation, SpeedProfile,
-};
+use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, LoadKind, Rotation, SpeedProfile};
 use crate::bearing::{Angle, BearingRotation, BearingState, CageWalk, Support, Vector5};
 use crate::registers::in_wide_registers;
 
@@ -290,7 +288,9 @@ impl Rotor {
             if let LoadKind::Base(base) = &load.kind {
                 let accelerations = base.acceleration(time, angle);
                 let axes = self.base_inertia.iter().zip(accelerations);
-                return -axes.map(|(inertia, part)| part * dot(inertia, velocity)).sum::<f64>();
+                return -axes
+                    .map(|(inertia, part)| part * dot(inertia, velocity))
+                    .sum::<f64>();
             }
             let force = self.about_point(load, &load.at(time, angle));
             dot(&force, &point.rate(velocity))
@@ -304,7 +304,10 @@ impl Rotor {
         let shaft = self.phases(rotation).shaft;
         let unbalances = self.structure.unbalances.iter();
         let power = |own: &UnbalancedPoint| {
-            dot(&own.unbalance.force(rotation, shaft), &own.point.rate(velocity))
+            dot(
+                &own.unbalance.force(rotation, shaft),
+                &own.point.rate(velocity),
+            )
         };
         unbalances.map(power).sum()
     }

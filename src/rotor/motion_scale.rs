@@ -6,8 +6,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::motion::AttachedBearing;
 use super::static_search::POSITION_ROUND_OFF;
-use super::unconstrained::NOTHING;
 use super::structure::UnbalancedPoint;
+use super::unconstrained::NOTHING;
 use super::{CageMotion, Rotor};
 use crate::bearing::{BearingRotation, Geometry, Support};
 
@@ -200,7 +200,10 @@ impl Rotor {
             let inertia = omega * omega * self.mass.entry(row, column);
             let rate = self.rate_entry(row, column, speed);
             let turning = speed * self.circulatory.entries()[(row, column)];
-            Complex::new(self.tangent[(row, column)] - turning - inertia, omega * rate)
+            Complex::new(
+                self.tangent[(row, column)] - turning - inertia,
+                omega * rate,
+            )
         });
         let response = dynamic.lu().solve(&force);
         response.map_or_else(Vec::new, |response| {

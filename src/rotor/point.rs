@@ -28,7 +28,10 @@ impl Point {
     /// Number of its translations, along x, y and z in this order, that are among so many degrees of freedom.
     pub fn translations(&self, dofs: usize) -> usize {
         let [x, y, z, ..] = self.coordinates;
-        [x, y, z].into_iter().take_while(|index| *index < dofs).count()
+        [x, y, z]
+            .into_iter()
+            .take_while(|index| *index < dofs)
+            .count()
     }
 
     /// Which of the five components a coordinate is.

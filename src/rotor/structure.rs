@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::coefficients::Coefficients;
-use super::flexible::Bending;
 use super::equilibrium::FREEDOM_NAMES;
+use super::flexible::Bending;
 use super::point::{Attachment, Point};
 use super::static_search::Restoring;
 use super::unbalance::Unbalance;
@@ -171,7 +171,12 @@ impl Structure {
         let mut stiffness = structure.stiffness.entries().clone();
         for bearing in &definition.linear_bearings {
             let point = structure.shaft;
-            bearing.add(point, bearing.position, &mut stiffness, &mut structure.damping);
+            bearing.add(
+                point,
+                bearing.position,
+                &mut stiffness,
+                &mut structure.damping,
+            );
         }
         structure.stiffness = Coefficients::new(stiffness, structure.dofs);
         structure

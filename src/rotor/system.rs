@@ -119,7 +119,10 @@ impl Rotor {
         }
         // what is given moves the shaft from there as a rigid body
         let [displacement, velocity] = &self.initial;
-        let from = self.structure.shaft.displacement(&state[..dofs], &self.rest);
+        let from = self
+            .structure
+            .shaft
+            .displacement(&state[..dofs], &self.rest);
         let shaft = self.structure.shaft.coordinates();
         for (axis, motion) in self.structure.rigid_motions.iter().enumerate() {
             if shaft[axis] >= dofs {

@@ -71,9 +71,17 @@ impl MatricesFile {
             matrix("G", &self.gyroscopic)?,
         ];
         for (name, entries) in [("M", &mass), ("K", &stiffness)] {
-            same(&format!("{name} is not symmetric"), entries, &entries.transpose())?;
+            same(
+                &format!("{name} is not symmetric"),
+                entries,
+                &entries.transpose(),
+            )?;
         }
-        same("G is not skew-symmetric", &gyroscopic, &-gyroscopic.transpose())?;
+        same(
+            "G is not skew-symmetric",
+            &gyroscopic,
+            &-gyroscopic.transpose(),
+        )?;
         let planes = Planes::new(count, per_node);
         Ok(Mesh {
             nodes: self.nodes.clone(),
@@ -99,10 +107,15 @@ fn matrix(name: &str, rows: &[Vec<f64>], size: usize) -> Result<DMatrix<f64>, St
             ));
         }
         if row.iter().any(|entry| !entry.is_finite()) {
-            return Err(format!("row {} of {name} has an entry that is no number", index + 1));
+            return Err(format!(
+                "row {} of {name} has an entry that is no number",
+                index + 1
+            ));
         }
     }
-    Ok(DMatrix::from_fn(size, size, |row, column| rows[row][column]))
+    Ok(DMatrix::from_fn(size, size, |row, column| {
+        rows[row][column]
+    }))
 }
 
 fn same(what: &str, first: &DMatrix<f64>, second: &DMatrix<f64>) -> Result<(), String> {
@@ -141,7 +154,11 @@ impl Planes {
     /// The matrix of one plane, where both are alike.
     fn of_both(&self, name: &str, entries: &DMatrix<f64>) -> Result<DMatrix<f64>, String> {
         let [first, second] = [0, 1].map(|plane| self.block(entries, plane, plane));
-        same(&format!("{name} is that of no round shaft"), &first, &second)?;
+        same(
+            &format!("{name} is that of no round shaft"),
+            &first,
+            &second,
+        )?;
         Ok(first)
     }
 

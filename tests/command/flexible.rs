@@ -25,7 +25,12 @@ impl Scene {
 
     #[track_caller]
     fn ask(&self, arguments: &[&str]) -> &Self {
-        let named = [&[arguments[0], "shaft.toml"], &arguments[1..], &["--out", "out"]].concat();
+        let named = [
+            &[arguments[0], "shaft.toml"],
+            &arguments[1..],
+            &["--out", "out"],
+        ]
+        .concat();
         done(jeffcott_in(self.0.path(), &named));
         self
     }
@@ -62,7 +67,10 @@ fn linear(position: &str, stiffness: &str) -> String {
 #[track_caller]
 fn close(found: f64, expected: f64, tolerance: f64) {
     let apart = (found / expected - 1.0).abs();
-    assert!(apart < tolerance, "{found} instead of {expected}: {apart:.1e} apart");
+    assert!(
+        apart < tolerance,
+        "{found} instead of {expected}: {apart:.1e} apart"
+    );
 }
 
 /// Natural frequencies of all branches at an end of the diagram, lowest first, rad/s.
@@ -157,7 +165,9 @@ fn internal_damping_drives_a_whirl_above_its_analytic_onset() {
     });
     let mut of_disc: Vec<_> = of_disc.map(|(((v, d), f), _)| (*v, *d, TAU * f)).collect();
     of_disc.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let crossing = of_disc.windows(2).find(|pair| pair[0].1 > 0.0 && pair[1].1 <= 0.0);
+    let crossing = of_disc
+        .windows(2)
+        .find(|pair| pair[0].1 > 0.0 && pair[1].1 <= 0.0);
     let [below, above] = crossing.expect("an onset") else {
         unreachable!("pairs");
     };
@@ -171,7 +181,11 @@ fn internal_damping_drives_a_whirl_above_its_analytic_onset() {
         let x = scene.column("trace.csv", "x_m");
         let largest = |part: &[f64]| part.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let (early, late) = (largest(&x[..x.len() / 4]), largest(&x[3 * x.len() / 4..]));
-        assert_eq!(late > early, grows, "{early:e} then {late:e} at {speed} rad/s");
+        assert_eq!(
+            late > early,
+            grows,
+            "{early:e} then {late:e} at {speed} rad/s"
+        );
     }
 }
 
@@ -216,7 +230,11 @@ fn a_stiff_shaft_moves_as_a_rigid_one() {
         let apart = rigid.iter().zip(&stiff).map(|(a, b)| (a - b).abs());
         let apart = apart.fold(0.0, f64::max);
         // the stiffness of the bearings over that of the shaft is some thousandths
-        assert!(apart < 5e-3 * swing, "{name}: {:.1e} of the motion", apart / swing);
+        assert!(
+            apart < 5e-3 * swing,
+            "{name}: {:.1e} of the motion",
+            apart / swing
+        );
     }
 }
 
@@ -231,7 +249,9 @@ const ON_TWO_6205: &str = "[[shaft.section]]\nlength = \"500 mm\"\nouter_diamete
 #[test]
 fn the_stated_error_of_the_reduction_is_the_true_one() {
     let with = |modes: usize| {
-        Scene::new(&format!("[shaft]\ngravity = true\nmodes = {modes}\n{ON_TWO_6205}"))
+        Scene::new(&format!(
+            "[shaft]\ngravity = true\nmodes = {modes}\n{ON_TWO_6205}"
+        ))
     };
     let true_one = with(24);
     true_one.ask(&["run", "--no-verify"]);
@@ -239,7 +259,9 @@ fn the_stated_error_of_the_reduction_is_the_true_one() {
         let scene = with(modes);
         scene.ask(&["run"]);
         let reduction = &scene.json("summary.json")["reduction"];
-        let stated = reduction["error"]["displacement_m"].as_f64().expect("an error");
+        let stated = reduction["error"]["displacement_m"]
+            .as_f64()
+            .expect("an error");
         let mut apart: f64 = 0.0;
         for name in ["x_m", "y_m", "z_m"] {
             let [own, exact] = [&scene, &true_one].map(|one| one.column("trace.csv", name));
@@ -247,7 +269,10 @@ fn the_stated_error_of_the_reduction_is_the_true_one() {
             apart = differences.fold(apart, f64::max);
         }
         let ratio = stated / apart;
-        assert!((1.0 / 3.0..3.0).contains(&ratio), "{modes} modes: {stated:e} stated, {apart:e}");
+        assert!(
+            (1.0 / 3.0..3.0).contains(&ratio),
+            "{modes} modes: {stated:e} stated, {apart:e}"
+        );
     }
 }
 
@@ -282,6 +307,28 @@ fn every_kind_of_scene_runs() {
     }
 }
 
+/// Weight bends a shaft between its bearings down, and the first whirl of a whirling disc goes round.
+#[test]
+fn deflection_and_mode_shapes_are_drawn() {
+    let scene = Scene::new(&format!("[shaft]\ngravity = true\n{ON_TWO_6205}"));
+    scene.ask(&["bearing"]);
+    scene.ask(&["campbell", "--to", "1500 rpm", "--count", "2"]);
+    let drawn = |name: &str| fs::read_to_string(scene.file(name)).expect("a figure");
+    let deflection = drawn("deflection.svg");
+    for words in [
+        "undeformed",
+        "deflection along x in µm",
+        "deflection along y in µm",
+        "position in mm",
+    ] {
+        assert!(deflection.contains(words), "no {words}");
+    }
+    let modes = drawn("mode_shapes.svg");
+    for words in ["Hz, backward", "Hz, forward", "a quarter of a period later"] {
+        assert!(modes.contains(words), "no {words}");
+    }
+}
+
 /// A shaft of which the only bearing lets it tilt.
 #[test]
 fn an_unconstrained_shaft_is_refused() {
@@ -292,7 +339,11 @@ fn an_unconstrained_shaft_is_refused() {
     ));
     let output = jeffcott_in(scene.0.path(), &["run", "shaft.toml", "--out", "out"]);
     assert_eq!(output.status.code(), Some(1), "{}", told(&output));
-    assert!(told(&output).contains("nothing holds the shaft"), "{}", told(&output));
+    assert!(
+        told(&output).contains("nothing holds the shaft"),
+        "{}",
+        told(&output)
+    );
     assert!(!Path::new(&scene.file("summary.json")).exists());
 }
 

@@ -47,7 +47,10 @@ impl Layout {
 
     /// The same of y and −θx.
     fn second_plane(&self) -> Vec<(usize, f64)> {
-        self.plane(|[_, y, _, tilt_x, _]| [(y, 1.0), (tilt_x, -1.0)], self.modes)
+        self.plane(
+            |[_, y, _, tilt_x, _]| [(y, 1.0), (tilt_x, -1.0)],
+            self.modes,
+        )
     }
 
     fn plane(
@@ -64,7 +67,9 @@ impl Layout {
     /// Coordinates of both planes with the sign of the second one's.
     fn pairs(&self) -> Vec<(usize, usize, f64)> {
         let planes = self.first_plane().into_iter().zip(self.second_plane());
-        planes.map(|((first, _), (second, sign))| (first, second, sign)).collect()
+        planes
+            .map(|((first, _), (second, sign))| (first, second, sign))
+            .collect()
     }
 
     /// A symmetric matrix of a plane for both.
@@ -127,10 +132,16 @@ impl FlexibleShaft {
 
     fn index_of(&self, position: f64, points: &[f64]) -> Option<usize> {
         let same = self.same_position();
-        points.iter().position(|point| (point - position).abs() < same)
+        points
+            .iter()
+            .position(|point| (point - position).abs() < same)
     }
 
-    fn reduction(&self, definition: &RotorDefinition, points: &[f64]) -> Result<Reduction, ShaftError> {
+    fn reduction(
+        &self,
+        definition: &RotorDefinition,
+        points: &[f64],
+    ) -> Result<Reduction, ShaftError> {
         let mesh = self.mesh(points, None)?;
         match self.modes {
             Some(modes) => mesh.reduced(points, modes),
@@ -147,7 +158,10 @@ impl Structure {
     ///
     /// # Errors
     /// [`ShaftError`] where positions lie beyond the shaft or it cannot be reduced.
-    pub fn bending(shaft: &FlexibleShaft, definition: &RotorDefinition) -> Result<Self, ShaftError> {
+    pub fn bending(
+        shaft: &FlexibleShaft,
+        definition: &RotorDefinition,
+    ) -> Result<Self, ShaftError> {
         let points = shaft.points(definition);
         let reduction = shaft.reduction(definition, &points)?;
         let layout = Layout {
@@ -184,7 +198,11 @@ impl Structure {
             internal_damping,
             circulatory: layout.across(&plane.stiffness) * shaft.internal_damping,
             shaft: layout.point(0),
-            load_points: definition.loads.iter().map(|load| at(load.position)).collect(),
+            load_points: definition
+                .loads
+                .iter()
+                .map(|load| at(load.position))
+                .collect(),
             unbalances: shaft.unbalances.iter().map(unbalanced).collect(),
             rigid_motions: rigid_motions(&layout, &points),
             arms: definition

@@ -104,7 +104,9 @@ pub enum ShaftError {
         points: usize,
     },
     /// A point between the nodes of given matrices.
-    #[error("no node of the shaft's matrices lies at {position} m: the nearest one is at {nearest} m")]
+    #[error(
+        "no node of the shaft's matrices lies at {position} m: the nearest one is at {nearest} m"
+    )]
     NoNode {
         /// The position from the left end, m.
         position: f64,
@@ -160,7 +162,8 @@ impl FlexibleShaft {
         };
         let discs = self.discs.iter().map(|disc| disc.inertia_polar);
         let given = self.matrices.iter();
-        let given = given.map(|mesh| Plane::of_motion(&mesh.plane.polar, |node| [mesh.nodes[node], 1.0]));
+        let given =
+            given.map(|mesh| Plane::of_motion(&mesh.plane.polar, |node| [mesh.nodes[node], 1.0]));
         discs
             .chain(self.elements_of_sections().map(of_section))
             .chain(given)
@@ -177,7 +180,9 @@ impl FlexibleShaft {
     pub(crate) fn middle(&self) -> f64 {
         let [left, right] = self.ends();
         let middle = 0.5 * (left + right);
-        self.matrices.as_ref().map_or(middle, |mesh| mesh.nodes[mesh.node_at(middle)])
+        self.matrices
+            .as_ref()
+            .map_or(middle, |mesh| mesh.nodes[mesh.node_at(middle)])
     }
 
     /// Outer diameter at a position, m: the larger one where sections meet; zero of given matrices.
@@ -186,7 +191,8 @@ impl FlexibleShaft {
         let here = self.elements_of_sections().filter(|(start, element)| {
             (start - same..=start + element.length + same).contains(&position)
         });
-        here.map(|(_, element)| element.outer_diameter).fold(0.0, f64::max)
+        here.map(|(_, element)| element.outer_diameter)
+            .fold(0.0, f64::max)
     }
 
     /// Moment of inertia about a transverse axis through the centre of mass, were it rigid, kg m².
@@ -228,11 +234,7 @@ impl FlexibleShaft {
     ///
     /// # Errors
     /// [`ShaftError::Beyond`] where a disc or a point lies beyond the shaft.
-    pub(super) fn mesh(
-        &self,
-        points: &[f64],
-        longest: Option<f64>,
-    ) -> Result<Mesh, ShaftError> {
+    pub(super) fn mesh(&self, points: &[f64], longest: Option<f64>) -> Result<Mesh, ShaftError> {
         let length = self.length();
         let same = self.same_position();
         let discs = self.discs.iter().map(|disc| disc.position);

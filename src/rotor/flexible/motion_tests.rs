@@ -190,7 +190,12 @@ fn a_stiff_shaft_moves_as_a_rigid_one() {
     let frequencies = rotors.each_ref().map(Rotor::natural_frequencies);
     for (stiff, rigid) in frequencies[0].iter().zip(&frequencies[1]) {
         let apart = (stiff.frequency / rigid.frequency - 1.0).abs();
-        assert!(apart < 1e-4, "{} Hz, not {} Hz", stiff.frequency, rigid.frequency);
+        assert!(
+            apart < 1e-4,
+            "{} Hz, not {} Hz",
+            stiff.frequency,
+            rigid.frequency
+        );
         assert_eq!(stiff.whirl, rigid.whirl);
     }
     let definition = on_bearings(shaft(1e-2));
@@ -202,7 +207,11 @@ fn a_stiff_shaft_moves_as_a_rigid_one() {
     });
     let mut largest = [0.0_f64; 2];
     for (stiff, rigid) in motions[0].iter().zip(motions[1].iter()) {
-        let expected = [rigid[0] + arm * rigid[4], rigid[1] - arm * rigid[3], rigid[2]];
+        let expected = [
+            rigid[0] + arm * rigid[4],
+            rigid[1] - arm * rigid[3],
+            rigid[2],
+        ];
         for (found, expected) in stiff.iter().zip(expected) {
             largest[0] = largest[0].max((found - expected).abs());
             largest[1] = largest[1].max(expected.abs());
@@ -239,7 +248,12 @@ fn slopes_are_those_of_the_derivative() {
             near(slopes[(row, column)], expected[(row, column)], scale, &what);
         }
         let scale = expected_by_time.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
-        near(by_time[row], expected_by_time[row], 100.0 * scale, "by time");
+        near(
+            by_time[row],
+            expected_by_time[row],
+            100.0 * scale,
+            "by time",
+        );
     }
 }
 
@@ -286,7 +300,10 @@ fn the_energy_of_a_driven_shaft_closes_with_unbalances_in_two_planes() {
             compliance: 0.0,
         });
         let [residual, largest] = energy_residual(&definition);
-        assert!(residual < 1e-9 * largest, "{bends}: {residual:e} of {largest:e}");
+        assert!(
+            residual < 1e-9 * largest,
+            "{bends}: {residual:e} of {largest:e}"
+        );
     }
 }
 
@@ -338,12 +355,18 @@ fn a_pinned_shaft_yields_as_a_beam_and_has_its_frequency() {
     let compliance = 0.512 / (48.0 * 210e9 * second) + 0.2 / shear;
     let deflection = rotor.equilibrium().displacement[0];
     let expected = 100.0 * compliance;
-    assert!((deflection / expected - 1.0).abs() < 1e-6, "{deflection:e}, not {expected:e}");
+    assert!(
+        (deflection / expected - 1.0).abs() < 1e-6,
+        "{deflection:e}, not {expected:e}"
+    );
     let stiffness = rotor.equilibrium().stiffness[(0, 0)];
     assert!((stiffness * compliance - 1.0).abs() < 1e-6, "{stiffness:e}");
     let frequency = rotor.natural_frequencies()[0].frequency;
     let expected = (1.0 / (4.0 * compliance)).sqrt() / TAU;
-    assert!((frequency / expected - 1.0).abs() < 1e-4, "{frequency} Hz, not {expected} Hz");
+    assert!(
+        (frequency / expected - 1.0).abs() < 1e-4,
+        "{frequency} Hz, not {expected} Hz"
+    );
 }
 
 #[test]

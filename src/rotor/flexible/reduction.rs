@@ -37,7 +37,10 @@ impl Reduction {
         let shape = self
             .transformation
             .column(self.transformation.ncols() - self.modes() + mode);
-        shape.iter().step_by(2).fold(0.0, |largest: f64, part| largest.max(part.abs()))
+        shape
+            .iter()
+            .step_by(2)
+            .fold(0.0, |largest: f64, part| largest.max(part.abs()))
     }
 }
 
@@ -55,13 +58,20 @@ impl Mesh {
     ///
     /// # Errors
     /// [`ShaftError::Singular`] where the inside is not held by the points.
-    pub(in crate::rotor) fn reduced(self, positions: &[f64], modes: usize) -> Result<Reduction, ShaftError> {
+    pub(in crate::rotor) fn reduced(
+        self,
+        positions: &[f64],
+        modes: usize,
+    ) -> Result<Reduction, ShaftError> {
         self.reduced_to(positions, |_| modes)
     }
 
     /// The same with the modes below an angular frequency in rad/s, but at least four and at most twenty.
     pub(in crate::rotor) fn reduced_below(
-        self, positions: &[f64], frequency: f64) -> Result<Reduction, ShaftError> {
+        self,
+        positions: &[f64],
+        frequency: f64,
+    ) -> Result<Reduction, ShaftError> {
         self.reduced_to(positions, |frequencies| {
             let below = frequencies.iter().filter(|own| **own < frequency).count();
             below.clamp(LEAST_MODES, MOST_MODES)

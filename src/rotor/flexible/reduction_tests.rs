@@ -133,7 +133,11 @@ fn a_reduction_errs_as_its_modes_allow_and_not_at_all_in_statics() {
         (6, [8e-6, 3e-6, 7e-4]),
     ];
     for (modes, bounds) in bounds {
-        let plane = mesh.clone().reduced(&[0.0, 1.5], modes).expect("a reduction").plane;
+        let plane = mesh
+            .clone()
+            .reduced(&[0.0, 1.5], modes)
+            .expect("a reduction")
+            .plane;
         assert_eq!(plane.mass.nrows(), 4 + modes);
         let found = whirl(&plane, &[(0, 1e8), (2, 1e8)], speed);
         for (pair, bound) in bounds.into_iter().enumerate() {
@@ -158,7 +162,11 @@ fn a_reduction_errs_as_its_modes_allow_and_not_at_all_in_statics() {
     };
     let last = 2 * (mesh.nodes.len() - 1);
     let whole = compliance(&mesh.plane, [0, last], 2 * mesh.node_at(0.6));
-    let few = compliance(&mesh.reduced(&points, 1).expect("a reduction").plane, [0, 4], 2);
+    let few = compliance(
+        &mesh.reduced(&points, 1).expect("a reduction").plane,
+        [0, 4],
+        2,
+    );
     near(&[few], &[whole], 1e-8);
 }
 

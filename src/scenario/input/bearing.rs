@@ -5,12 +5,12 @@ use std::f64::consts::FRAC_PI_2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::linear::LinearInput;
 use super::cage_jitter::CageJitterInput;
 use super::defect::DefectInput;
 use super::fit::FitInput;
 use super::geometry::{GeometryInput, Printed, Sources};
 use super::housing::HousingInput;
+use super::linear::LinearInput;
 use super::oil::OilInput;
 use super::ratings::RatingsInput;
 use super::settings::{ContactChoice, ModelInput};
@@ -162,7 +162,11 @@ impl BearingInput {
     pub fn count(&self) -> usize {
         if self.linear.is_some() {
             0
-        } else if self.arrangement.is_some() { 2 } else { 1 }
+        } else if self.arrangement.is_some() {
+            2
+        } else {
+            1
+        }
     }
 
     /// The mounted bearing, or both of a set, as far as nothing contradicts it.

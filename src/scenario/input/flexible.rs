@@ -170,7 +170,10 @@ pub fn check_position(
         problems.refuse(issue.help(if given { of_nodes } else { left_end }));
         return;
     }
-    let nearest = shaft.matrices.as_ref().map(|mesh| mesh.nodes[mesh.node_at(position)]);
+    let nearest = shaft
+        .matrices
+        .as_ref()
+        .map(|mesh| mesh.nodes[mesh.node_at(position)]);
     if let Some(nearest) = nearest.filter(|nearest| (nearest - position).abs() > slack) {
         let message = format!(
             "no node of the shaft's matrices lies at {:.3} mm: the nearest one is at {:.3} mm",
@@ -183,11 +186,7 @@ pub fn check_position(
 }
 
 /// Refuses what only a shaft that bends has.
-fn refuse_without_sections(
-    shaft: &ShaftInput,
-    discs: &[DiscInput],
-    problems: &mut Problems<'_>,
-) {
+fn refuse_without_sections(shaft: &ShaftInput, discs: &[DiscInput], problems: &mut Problems<'_>) {
     let keys = [
         ("shaft.modes", shaft.modes.is_some()),
         ("shaft.observed", shaft.observed.is_some()),
@@ -202,8 +201,11 @@ fn refuse_without_sections(
         problems.refuse(Issue::new(path, message).help(help));
     }
     if problems.node("shaft.mass").is_none() {
-        let issue = Issue::new("shaft", "`shaft` needs a `mass`, or sections that it consists of")
-            .help("for instance: mass = \"5 kg\", or [[shaft.section]] with length and outer_diameter");
+        let issue = Issue::new(
+            "shaft",
+            "`shaft` needs a `mass`, or sections that it consists of",
+        )
+        .help("for instance: mass = \"5 kg\", or [[shaft.section]] with length and outer_diameter");
         problems.refuse(issue);
     }
 }
@@ -211,13 +213,41 @@ fn refuse_without_sections(
 /// Refuses what follows from the sections and discs of a shaft that bends.
 fn refuse_of_rigid(shaft: &ShaftInput, problems: &mut Problems<'_>) {
     let keys = [
-        ("mass", shaft.mass.is_some(), "it follows from sections and discs"),
-        ("inertia_transverse", shaft.inertia_transverse.is_some(), "it follows from sections and discs"),
-        ("inertia_polar", shaft.inertia_polar.is_some(), "it follows from sections and discs"),
-        ("eccentricity", shaft.eccentricity.si() != 0.0, "write [[unbalance]] with amount and position"),
-        ("unbalance", shaft.unbalance.is_some(), "write [[unbalance]] with amount and position"),
-        ("tilt_x", shaft.tilt_x.is_some(), "a shaft that bends tilts as it must"),
-        ("tilt_y", shaft.tilt_y.is_some(), "a shaft that bends tilts as it must"),
+        (
+            "mass",
+            shaft.mass.is_some(),
+            "it follows from sections and discs",
+        ),
+        (
+            "inertia_transverse",
+            shaft.inertia_transverse.is_some(),
+            "it follows from sections and discs",
+        ),
+        (
+            "inertia_polar",
+            shaft.inertia_polar.is_some(),
+            "it follows from sections and discs",
+        ),
+        (
+            "eccentricity",
+            shaft.eccentricity.si() != 0.0,
+            "write [[unbalance]] with amount and position",
+        ),
+        (
+            "unbalance",
+            shaft.unbalance.is_some(),
+            "write [[unbalance]] with amount and position",
+        ),
+        (
+            "tilt_x",
+            shaft.tilt_x.is_some(),
+            "a shaft that bends tilts as it must",
+        ),
+        (
+            "tilt_y",
+            shaft.tilt_y.is_some(),
+            "a shaft that bends tilts as it must",
+        ),
     ];
     for (key, _, help) in keys.into_iter().filter(|(_, given, _)| *given) {
         let message = format!("`{key}` belongs to a rigid shaft, and this one bends");
@@ -279,8 +309,11 @@ impl DiscInput {
         }
         let outer = si(&self.outer_diameter)?;
         let Some(width) = si(&self.width) else {
-            let issue = Issue::new(".width", "a disc of a given `outer_diameter` needs a `width`")
-                .help("for instance: width = \"70 mm\"; or give mass and moments of inertia");
+            let issue = Issue::new(
+                ".width",
+                "a disc of a given `outer_diameter` needs a `width`",
+            )
+            .help("for instance: width = \"70 mm\"; or give mass and moments of inertia");
             problems.refuse(issue.against(".outer_diameter"));
             return None;
         };

@@ -83,7 +83,8 @@ pub fn build(
             (position, constant, load.kind(around, problems))
         });
         if around.observed.is_some() {
-            let constant = (constant != [0.0; FREEDOMS]).then_some(rotor::LoadKind::Constant(constant));
+            let constant =
+                (constant != [0.0; FREEDOMS]).then_some(rotor::LoadKind::Constant(constant));
             let kinds = constant.into_iter().chain(kind);
             varying.extend(kinds.map(|kind| rotor::Load { kind, position }));
             continue;

@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::quasi_static::{Torsion, TorsionCause};
 use super::bearing::MaterialInput;
 use super::flexible::SectionInput;
+use crate::quasi_static::{Torsion, TorsionCause};
 use crate::rotor::{FlexibleShaft, Freedoms, PlaneUnbalance, Shaft};
 use crate::scenario::Issue;
 use crate::scenario::problems::Problems;

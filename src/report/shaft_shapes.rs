@@ -1,0 +1,119 @@
+//! Figures of a shaft that bends: where it stands, and its modes.
+
+use nalgebra::Complex;
+
+use super::Findings;
+use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct};
+use super::terminal::{MICRO, MILLI};
+use crate::rotor::{Mode, ShaftShape, Whirl};
+
+/// Height of a plot, px.
+const HEIGHT: u32 = 160;
+/// Modes that are drawn, lowest first.
+const MOST_MODES: usize = 8;
+
+impl Findings {
+    /// The same with a figure of the shaft at its static equilibrium.
+    pub(crate) fn with_static_shape(mut self, title: &str, shape: &ShaftShape<f64>) -> Self {
+        self.figures.push(static_shape(title, shape));
+        self
+    }
+
+    /// The same with a figure of modes and their shapes.
+    pub(crate) fn with_mode_shapes(
+        mut self,
+        title: &str,
+        modes: &[(Mode, ShaftShape<Complex<f64>>)],
+    ) -> Self {
+        self.figures.push(mode_shapes(title, modes));
+        self
+    }
+}
+
+/// The shaft at its static equilibrium, and undeformed.
+fn static_shape(title: &str, shape: &ShaftShape<f64>) -> Figure {
+    let panels = ["x", "y"].iter().zip(&shape.deflections).enumerate();
+    let panels = panels.map(|(index, (name, deflections))| {
+        let deflected = deflections.iter().map(|own| own * MICRO);
+        let curves = vec![undeformed(shape), along(shape, deflected, index)];
+        Panel::of(
+            positions(shape),
+            format!("deflection along {name} in µm"),
+            HEIGHT,
+            curves,
+        )
+    });
+    let names = [Name::new("undeformed", GREY)];
+    Figure::new("deflection.svg", title, 1, panels.collect()).with_names(names)
+}
+
+/// The lowest modes of bending at a speed, each in the moment when it deflects most and a quarter of a period later.
+fn mode_shapes(title: &str, modes: &[(Mode, ShaftShape<Complex<f64>>)]) -> Figure {
+    let lateral = modes
+        .iter()
+        .filter(|(mode, _)| mode.whirl() != Whirl::Axial);
+    let panels = lateral.take(MOST_MODES).map(|(mode, shape)| {
+        let (turn, size) = largest(shape);
+        let curves = shape
+            .deflections
+            .iter()
+            .enumerate()
+            .flat_map(|(axis, deflections)| {
+                let share = |later: Complex<f64>| {
+                    let moment = deflections
+                        .iter()
+                        .map(move |own| (own * turn * later).re / size);
+                    along(shape, moment, axis)
+                };
+                let later = Curve {
+                    fine: true,
+                    ..share(Complex::I)
+                };
+                [share(Complex::ONE), later]
+            });
+        let frequency = mode.damped_frequency();
+        Panel {
+            title: format!(
+                "{frequency:.2} Hz, {}, damping ratio {:.4}",
+                mode.whirl(),
+                mode.damping_ratio()
+            ),
+            ..Panel::of(
+                positions(shape),
+                "shape",
+                HEIGHT,
+                [undeformed(shape)].into_iter().chain(curves).collect(),
+            )
+        }
+    });
+    let names = Name::each(["x", "y"]).into_iter();
+    let names = names.chain([Name::new("thin: a quarter of a period later", GREY)]);
+    Figure::new("mode_shapes.svg", title, 2, panels.collect()).with_names(names)
+}
+
+/// The factor that makes the largest deflection real, and its size.
+fn largest(shape: &ShaftShape<Complex<f64>>) -> (Complex<f64>, f64) {
+    let all = shape.deflections.iter().flatten();
+    let most = all.copied().max_by(|a, b| a.norm().total_cmp(&b.norm()));
+    let most = most
+        .filter(|most| most.norm() > 0.0)
+        .unwrap_or(Complex::ONE);
+    (most.conj() / most.norm(), most.norm())
+}
+
+fn positions<T>(shape: &ShaftShape<T>) -> Axis {
+    let range = [shape.positions.first(), shape.positions.last()];
+    let [first, last] = range.map(|end| MILLI * end.copied().unwrap_or(0.0));
+    Axis::over("position in mm", first..last)
+}
+
+fn along<T>(shape: &ShaftShape<T>, deflections: impl Iterator<Item = f64>, colour: usize) -> Curve {
+    let positions = shape.positions.iter().map(|position| MILLI * position);
+    Curve::line(distinct(colour), positions.zip(deflections).collect())
+}
+
+fn undeformed<T>(shape: &ShaftShape<T>) -> Curve {
+    let ends = [shape.positions.first(), shape.positions.last()];
+    let ends = ends.into_iter().flatten().map(|end| (MILLI * end, 0.0));
+    Curve::line(GREY, ends.collect())
+}
