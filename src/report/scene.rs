@@ -9,7 +9,7 @@ use plotters::style::RGBColor;
 use super::figure::{Axis, Curve, Figure, GREY, Name, PLOT_WIDTH, Panel, Point, distinct};
 use super::terminal::{MICRO, MILLI};
 use crate::bearing::MountedBearing;
-use crate::rotor::{FlexibleShaft, Load, LoadKind, RotorDefinition};
+use crate::rotor::{Disc, FlexibleShaft, Load, LoadKind, RotorDefinition};
 
 /// Thickness of a ring at its groove, in ball diameters.
 const RING: f64 = 0.35;
@@ -101,7 +101,9 @@ impl Scale {
                 .iter()
                 .map(|own| 0.5 * MILLI * own.outer_diameter);
             let thickest = sections.fold(0.02 * (ends[1] - ends[0]), f64::max);
-            (shaft, outer) = (shaft.min(thickest), outer.max(2.0 * thickest));
+            let discs = flexible.discs.iter().map(|disc| 0.45 * disc_radius(disc));
+            outer = discs.fold(outer.max(2.0 * thickest), f64::max);
+            shaft = shaft.min(thickest);
         }
         if outer == 0.0 {
             // nothing but springs and a rigid shaft
@@ -113,6 +115,11 @@ impl Scale {
             ends: [ends[0] - outer, ends[1] + outer],
         }
     }
+}
+
+/// Radius of a steel disc of the mass and moment of inertia of a disc, mm.
+fn disc_radius(disc: &Disc) -> f64 {
+    MILLI * (2.0 * disc.inertia_polar / disc.mass).sqrt()
 }
 
 /// Radii of bore, inner groove, outer groove and outer ring, mm.
@@ -196,9 +203,7 @@ impl Drawing {
         let [first, last] = scale.ends;
         self.fine(GREY, vec![(first, 0.0), (last, 0.0)]);
         for disc in &shaft.discs {
-            // as wide as steel of its mass and moment of inertia is
-            let gyration = (8.0 * disc.inertia_polar / disc.mass).sqrt();
-            let radius = (0.5 * MILLI * gyration).max(0.6 * scale.shaft);
+            let radius = disc_radius(disc).max(1.2 * scale.shaft);
             let width = (MILLI * disc.mass
                 / (7850.0 * std::f64::consts::PI * (1e-3 * radius).powi(2)))
             .clamp(0.1 * radius, radius);
@@ -355,10 +360,17 @@ fn rounded(value: f64) -> String {
     rounded.to_string()
 }
 
-/// What a varying load is called.
-fn name_of(load: &Load) -> &'static str {
-    match load.kind {
-        LoadKind::Constant(_) => "constant load",
+/// What a load is called; of a constant one its components that are not zero.
+fn name_of(load: &Load) -> String {
+    let name = match &load.kind {
+        LoadKind::Constant(parts) => {
+            let names = ["x", "y", "z", "Mx", "My"].into_iter().zip(parts);
+            let given = names.filter(|(_, part)| **part != 0.0);
+            let texts: Vec<_> = given
+                .map(|(name, part)| format!("{name} {}", rounded(*part)))
+                .collect();
+            return format!("{} N", texts.join(", "));
+        }
         LoadKind::Harmonic(_) => "harmonic load",
         LoadKind::Shock(_) => "shock",
         LoadKind::RandomShocks(_) => "random shocks",
@@ -366,7 +378,8 @@ fn name_of(load: &Load) -> &'static str {
         LoadKind::Noise(_) => "noise",
         LoadKind::Series(_) => "series of forces",
         LoadKind::Base(_) => "acceleration of the housing",
-    }
+    };
+    name.to_owned()
 }
 
 #[cfg(test)]

@@ -330,6 +330,8 @@
       lives.length > 0 && ["life L10r", `${number(Math.min(...lives), 4)} h`, lives.length > 1 ? "of the shortest-lived bearing" : "of this motion"],
       ["measured error", error ? `${number(error.relative, 3)} of the motion` : "not measured",
         error && `${shown(error.displacement_m, "m")}; asked for ${number(error.tolerance, 3)}`],
+      summary.reduction && ["modes of bending", `${summary.reduction.modes} in each plane`,
+        summary.reduction.error && `${number(summary.reduction.error.relative, 2)} of the motion off ${summary.reduction.error.modes} modes`],
       load && ["largest ball load", `${number(load)} N`],
       first && ["lowest natural frequency", `${number(first.frequency_Hz)} Hz`, `damping ratio ${number(first.damping_ratio, 3)}`],
       ballsOf && ballsOf.outer_Hz > 0 && ["ball pass, outer race", `${number(ballsOf.outer_Hz)} Hz`, `inner race ${number(ballsOf.inner_Hz)} Hz`],
