@@ -31,7 +31,7 @@ impl Rotor {
         let (real, imaginary) = (part(|own| own.re)?, part(|own| own.im)?);
         self.shape_of(|rows| {
             let moving = rows.columns(0, real.len());
-            let parts = [&moving * &real, &moving * &imaginary];
+            let parts = [moving * &real, moving * &imaginary];
             let pairs = parts[0].iter().zip(parts[1].iter());
             pairs.map(|(re, im)| Complex::new(*re, *im)).collect()
         })

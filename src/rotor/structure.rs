@@ -194,9 +194,9 @@ impl Structure {
         let mut stiffness = structure.stiffness.entries().clone();
         for (number, (bearing, housing)) in housings.into_iter().enumerate() {
             let mut indices = [usize::MAX; 5];
-            for axis in 0..axes {
+            for (axis, own) in indices.iter_mut().enumerate().take(axes) {
                 let index = first + axes * number + axis;
-                indices[axis] = index;
+                *own = index;
                 structure.mass[(index, index)] = housing.mass;
                 stiffness[(index, index)] = housing.stiffness[axis];
                 structure.damping[(index, index)] = housing.damping[axis];
