@@ -635,7 +635,7 @@ fn a_page_can_be_left_out() {
 fn a_browser_draws_every_part_of_a_studys_page() {
     for (name, parts, figures) in [
         ("resonance-7205c", ["resonances", "statistics"], 1),
-        ("tolerances-7205c", ["sensitivities", "statistics"], 1),
+        ("tolerances-7205c", ["sensitivities", "statistics"], 2),
         ("hysteresis-6306", ["figures", "runs"], 2),
     ] {
         let shown = study(&shipped_study(name));
