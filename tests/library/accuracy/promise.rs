@@ -112,7 +112,10 @@ fn shipped_scenarios_keep_to_ten_tolerances_or_warn() {
         let Some(model) = scenario.model else {
             continue;
         };
-        check(&file.file_stem().unwrap().to_string_lossy(), &affordable(model));
+        check(
+            &file.file_stem().unwrap().to_string_lossy(),
+            &affordable(model),
+        );
         checked += 1;
     }
     assert!(checked >= 9);
