@@ -28,6 +28,7 @@ pub use observation::{
 pub(crate) use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub(crate) use passes::{BareRun, reference_settings};
 pub use recorders::Maps;
+pub(crate) use run::LAST_BALLS;
 pub use run::{
     MeasuredError, RecordedRun, Reduction, ReductionError, Run, StaticState, UnknownColumn,
 };

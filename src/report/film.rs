@@ -9,9 +9,8 @@ use super::page::narrow;
 use super::terminal::{MICRO, MILLI};
 use crate::physics::nominal_cage_speed;
 use crate::rotor::{BallContacts, CageMotion, RotorDefinition, Sample};
+use crate::simulate::LAST_BALLS as KEPT;
 
-/// Samples that are kept: the last ones.
-const KEPT: usize = 2048;
 /// Most frames that are shown.
 const MOST_FRAMES: usize = 240;
 /// Angle of the shaft that is shown, rad: two revolutions.

@@ -1,5 +1,6 @@
 //! The answer: everything about a run, and its samples where they are kept.
 
+use std::collections::VecDeque;
 use std::io;
 use std::sync::atomic::AtomicBool;
 
@@ -64,7 +65,7 @@ pub struct MeasuredError {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Reduction {
-    /// Modes of bending between the points where something acts, in each plane.
+    /// Modes of bending between the bearings, in each plane.
     pub modes: usize,
     /// Degrees of freedom of shaft and housings together.
     pub degrees_of_freedom: usize,
@@ -195,7 +196,12 @@ pub struct RecordedRun {
     pub events: Vec<Event>,
     /// The balls of all bearings at every sample, where asked for.
     pub balls: Vec<BallContacts>,
+    /// The balls of all bearings at the last samples, where not all of them were asked for.
+    pub(crate) last_balls: VecDeque<BallContacts>,
 }
+
+/// Samples at the end of a run of which the balls are kept in any case: what pages show in motion.
+pub(crate) const LAST_BALLS: usize = 2048;
 
 /// A name that is that of no column.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -240,6 +246,7 @@ impl RecordedRun {
             samples: keeper.samples,
             events: keeper.events,
             balls: keeper.balls.unwrap_or_default(),
+            last_balls: keeper.last_balls,
         })
     }
 
@@ -249,9 +256,14 @@ impl RecordedRun {
     /// What the sink answers.
     pub(crate) fn replay(&self, sink: &mut dyn TraceSink) -> io::Result<()> {
         let mut events = self.events.iter().peekable();
+        let known = self.balls.len() + self.last_balls.len();
+        let without = self.samples.len().saturating_sub(known);
+        let mut balls = self.balls.iter().chain(&self.last_balls);
         for (index, sample) in self.samples.iter().enumerate() {
             sink.sample(sample)?;
-            if let Some(balls) = self.balls.get(index) {
+            if index >= without
+                && let Some(balls) = balls.next()
+            {
                 sink.balls(sample, balls)?;
             }
             while let Some(event) = events.next_if(|event| event.time <= sample.time) {
@@ -324,6 +336,7 @@ struct Keeper {
     samples: Vec<Sample>,
     events: Vec<Event>,
     balls: Option<Vec<BallContacts>>,
+    last_balls: VecDeque<BallContacts>,
 }
 
 impl TraceSink for Keeper {
@@ -341,8 +354,15 @@ impl TraceSink for Keeper {
     }
 
     fn balls(&mut self, _sample: &Sample, balls: &BallContacts) -> io::Result<()> {
-        if let Some(kept) = &mut self.balls {
-            kept.push(balls.clone());
+        match &mut self.balls {
+            Some(kept) => kept.push(balls.clone()),
+            None if self.last_balls.len() < LAST_BALLS => self.last_balls.push_back(balls.clone()),
+            None => {
+                if let Some(mut room) = self.last_balls.pop_front() {
+                    room.clone_from(balls);
+                    self.last_balls.push_back(room);
+                }
+            }
         }
         Ok(())
     }
