@@ -14,9 +14,6 @@ use crate::keys;
 /// Names of the five freedoms, as they appear in messages and column headers.
 pub const FREEDOM_NAMES: [&str; FREEDOMS] = keys::AXES;
 
-/// Modes of bending in each plane of a static answer.
-const STATIC_MODES: usize = 60;
-
 /// Why a load has no static equilibrium.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -204,8 +201,7 @@ pub(crate) fn static_place(
     unbalanced: bool,
     given: &[Option<f64>; FREEDOMS],
 ) -> Result<StaticPlace, RotorError> {
-    // what is elastic between the points shows by modes alone: a static answer takes so many that nothing is missing
-    let structure = Structure::of(&definition.with_modes(STATIC_MODES))?;
+    let structure = Structure::of(definition)?;
     let mut load = structure.static_load(definition);
     if unbalanced {
         for UnbalancedPoint { point, unbalance } in &structure.unbalances {

@@ -65,7 +65,7 @@ pub struct MeasuredError {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Reduction {
-    /// Modes of bending between the bearings, in each plane.
+    /// Modes of bending between the points where something acts, in each plane.
     pub modes: usize,
     /// Degrees of freedom of shaft and housings together.
     pub degrees_of_freedom: usize,

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::mesh::{FlexibleShaft, PointUnbalance, ShaftError};
-use super::reduction::{Points, Reduction};
+use super::reduction::Reduction;
 use crate::bearing::MountedBearing;
 use crate::rotor::coefficients::Coefficients;
 use crate::rotor::point::{Attachment, Point};
@@ -114,24 +114,20 @@ pub(in crate::rotor) struct Bending {
 }
 
 impl FlexibleShaft {
-    /// Positions of the points that are kept: the observed one first, then those of bearings, loads and unbalances; and
-    /// which of them bearings hold.
-    fn points(&self, definition: &RotorDefinition) -> (Vec<f64>, Vec<bool>) {
+    /// Positions of the points that are kept: the observed one first, then those of bearings, loads and unbalances.
+    fn points(&self, definition: &RotorDefinition) -> Vec<f64> {
         let bearings = definition.bearings.iter().map(|bearing| bearing.position);
         let linear = definition.linear_bearings.iter().map(|own| own.position);
         let loads = definition.loads.iter().filter(|load| !load.acts_on_mass());
         let loads = loads.map(|load| load.position);
         let unbalances = self.unbalances.iter().map(|own| own.position);
         let mut points = vec![self.observed];
-        let bearings: Vec<f64> = bearings.chain(linear).collect();
-        for position in bearings.iter().copied().chain(loads).chain(unbalances) {
+        for position in bearings.chain(linear).chain(loads).chain(unbalances) {
             if self.index_of(position, &points).is_none() {
                 points.push(position);
             }
         }
-        let held = |point: &f64| self.index_of(*point, &bearings).is_some();
-        let held = points.iter().map(held).collect();
-        (points, held)
+        points
     }
 
     fn index_of(&self, position: f64, points: &[f64]) -> Option<usize> {
@@ -144,9 +140,9 @@ impl FlexibleShaft {
     fn reduction(
         &self,
         definition: &RotorDefinition,
-        points: Points<'_>,
+        points: &[f64],
     ) -> Result<Reduction, ShaftError> {
-        let mesh = self.mesh(points.positions, None)?;
+        let mesh = self.mesh(points, None)?;
         match self.modes {
             Some(modes) => mesh.reduced(points, modes),
             None => mesh.reduced_below(points, HEADROOM * definition.highest_excitation()),
@@ -166,15 +162,11 @@ impl Structure {
         shaft: &FlexibleShaft,
         definition: &RotorDefinition,
     ) -> Result<Self, ShaftError> {
-        let (points, held) = shaft.points(definition);
-        let kept = Points {
-            positions: &points,
-            held: &held,
-        };
-        let reduction = shaft.reduction(definition, kept)?;
+        let points = shaft.points(definition);
+        let reduction = shaft.reduction(definition, &points)?;
         let layout = Layout {
             points: points.len(),
-            modes: reduction.shares,
+            modes: reduction.modes(),
             axial: definition.shaft.freedoms != Freedoms::Radial,
         };
         let at = |position: f64| layout.point(shaft.index_of(position, &points).unwrap_or(0));
@@ -224,7 +216,7 @@ impl Structure {
                 deflections: [layout.first_plane(), layout.second_plane()]
                     .map(|plane| deflections(&layout, &reduction, &plane)),
                 planes: layout.pairs(),
-                modes: reduction.modes,
+                modes: layout.modes,
                 nodes: reduction.nodes,
             }),
         })

@@ -64,14 +64,6 @@ fn whirl(plane: &Plane, springs: &[(usize, f64)], speed: f64) -> Vec<f64> {
     frequencies
 }
 
-/// Points that are all held.
-fn held(positions: &[f64]) -> Points<'_> {
-    Points {
-        positions,
-        held: &[true; 3][..positions.len()],
-    }
-}
-
 fn near(found: &[f64], expected: &[f64], relative: f64) {
     for (found, expected) in found.iter().zip(expected) {
         let apart = (found / expected - 1.0).abs();
@@ -143,7 +135,7 @@ fn a_reduction_errs_as_its_modes_allow_and_not_at_all_in_statics() {
     for (modes, bounds) in bounds {
         let plane = mesh
             .clone()
-            .reduced(held(&[0.0, 1.5]), modes)
+            .reduced(&[0.0, 1.5], modes)
             .expect("a reduction")
             .plane;
         assert_eq!(plane.mass.nrows(), 4 + modes);
@@ -171,7 +163,7 @@ fn a_reduction_errs_as_its_modes_allow_and_not_at_all_in_statics() {
     let last = 2 * (mesh.nodes.len() - 1);
     let whole = compliance(&mesh.plane, [0, last], 2 * mesh.node_at(0.6));
     let few = compliance(
-        &mesh.reduced(held(&points), 1).expect("a reduction").plane,
+        &mesh.reduced(&points, 1).expect("a reduction").plane,
         [0, 4],
         2,
     );
@@ -185,7 +177,7 @@ fn a_rigid_motion_has_the_inertia_of_the_whole_shaft() {
     let plane = shaft
         .mesh(&points, None)
         .expect("a mesh")
-        .reduced(held(&points), 3)
+        .reduced(&points, 3)
         .expect("a reduction")
         .plane;
     let along: Vec<f64> = [1.0, 0.0, 1.0, 0.0].into_iter().chain([0.0; 3]).collect();
@@ -203,37 +195,4 @@ fn a_rigid_motion_has_the_inertia_of_the_whole_shaft() {
         energy < 1e-9,
         "a rigid motion strains the shaft by {energy:e}"
     );
-}
-
-/// A point that no bearing holds is a coordinate, too, and changes nothing of the motions that are possible.
-#[test]
-fn a_point_beside_the_bearings_takes_the_place_of_modes() {
-    let positions = [0.6, 0.0, 1.5];
-    let mesh = book_shaft().mesh(&positions, None).expect("a mesh");
-    let points = Points {
-        positions: &positions,
-        held: &[false, true, true],
-    };
-    let reduction = mesh.clone().reduced(points, 5).expect("a reduction");
-    assert_eq!((reduction.modes, reduction.shares), (5, 3));
-    let plain = mesh
-        .clone()
-        .reduced(held(&positions[1..]), 5)
-        .expect("a reduction");
-    let speed = 4000.0 / 60.0 * TAU;
-    let with_point = whirl(&reduction.plane, &[(2, 1e8), (4, 1e8)], speed);
-    near(
-        &with_point,
-        &whirl(&plain.plane, &[(0, 1e8), (2, 1e8)], speed),
-        1e-6,
-    );
-    // its two coordinates are its deflection and its slope
-    let node = 2 * mesh.node_at(0.6);
-    for (row, column) in [(node, 0), (node + 1, 1)] {
-        for other in 0..reduction.transformation.ncols() {
-            let expected = f64::from(u8::from(other == column));
-            let found = reduction.transformation[(row, other)];
-            assert!((found - expected).abs() < 1e-9, "{found}, not {expected}");
-        }
-    }
 }

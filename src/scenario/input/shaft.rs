@@ -31,9 +31,8 @@ pub struct ShaftInput {
     pub matrices: Option<String>,
     /// Material of the sections. Default: steel, 210 GPa, 0.3, 7850 kg/m³.
     pub material: Option<MaterialInput>,
-    /// Modes of bending between the bearings, in each plane, 0 to 60; at least two are kept for each place off the bearings
-    /// where something acts or is observed. Default: those below three times the highest excitation, but at least 4 and at
-    /// most 20.
+    /// Modes of bending between the points where something acts, in each plane, 0 to 60. Default: those below three times
+    /// the highest excitation, but at least 4 and at most 20.
     #[schemars(range(min = 0, max = 60))]
     pub modes: Option<u32>,
     /// Position whose motion is recorded, from the left end of a shaft that bends. Default: that of the heaviest disc, or
