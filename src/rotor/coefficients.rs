@@ -1,6 +1,6 @@
 //! The matrices of the equation of motion: mass, and what is linear in displacement and velocity.
 
-use nalgebra::{DMatrix, DVectorViewMut};
+use nalgebra::DMatrix;
 
 /// A matrix of linear forces on the degrees of freedom, stored the way that its products are cheapest.
 #[derive(Debug, Clone, PartialEq)]
@@ -8,6 +8,10 @@ pub(super) struct Coefficients {
     entries: DMatrix<f64>,
     form: Form,
 }
+
+/// Entries of a matrix for each that is not zero, from which on it pays to go through these alone: a whole matrix is
+/// multiplied column by column in wide registers.
+const SPARSE: usize = 8;
 
 /// The entries that a product needs.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,7 +33,7 @@ impl Coefficients {
         let diagonal = sparse.iter().all(|(row, column, _)| row == column);
         let form = if diagonal && !sparse.is_empty() {
             Form::Diagonal((0..dofs).map(|row| entries[(row, row)]).collect())
-        } else if 2 * sparse.len() < dofs * dofs {
+        } else if SPARSE * sparse.len() < dofs * dofs {
             Form::Sparse(sparse)
         } else {
             Form::Full
@@ -78,15 +82,15 @@ fn half_square(entries: &DMatrix<f64>, vector: &[f64]) -> f64 {
     0.5 * sum
 }
 
-/// Out of line: most matrices are diagonal.
-#[inline(never)]
+/// Column by column, as they are stored.
+#[inline(always)]
 fn add_full_product(entries: &DMatrix<f64>, factor: f64, vector: &[f64], sum: &mut [f64]) {
-    for (row, sum) in sum.iter_mut().enumerate() {
-        let products = vector.iter().enumerate();
-        *sum += factor
-            * products
-                .map(|(column, value)| entries[(row, column)] * value)
-                .sum::<f64>();
+    let columns = entries.as_slice().chunks_exact(entries.nrows().max(1));
+    for (column, value) in columns.zip(vector) {
+        let value = factor * value;
+        for (sum, entry) in sum.iter_mut().zip(column) {
+            *sum += entry * value;
+        }
     }
 }
 
@@ -100,8 +104,7 @@ pub(super) struct Mass {
 #[derive(Debug, Clone, PartialEq)]
 enum Inverse {
     Diagonal(Vec<f64>),
-    /// L of M = L Lᵀ.
-    Factor(DMatrix<f64>),
+    Full(DMatrix<f64>),
 }
 
 impl Mass {
@@ -113,7 +116,7 @@ impl Mass {
             positive.then(|| Inverse::Diagonal(diagonal.iter().map(|mass| 1.0 / mass).collect()))
         } else {
             let factors = entries.clone().cholesky();
-            factors.map(|factors| Inverse::Factor(factors.l()))
+            factors.map(|factors| Inverse::Full(factors.inverse()))
         };
         inverse.map(|inverse| Self { entries, inverse })
     }
@@ -133,7 +136,14 @@ impl Mass {
                     *force *= inverse;
                 }
             }
-            Inverse::Factor(factor) => solve(factor, forces),
+            Inverse::Full(inverse) => {
+                let size = forces.len();
+                with_room(size, |room| {
+                    room.copy_from_slice(forces);
+                    forces.fill(0.0);
+                    add_full_product(inverse, 1.0, room, forces);
+                });
+            }
         }
     }
 
@@ -162,8 +172,8 @@ impl Mass {
                     matrix[(row, column)] * (inverse[row] * inverse[column]).sqrt()
                 })
             }
-            Inverse::Factor(factor) => {
-                let size = factor.nrows();
+            Inverse::Full(inverse) => {
+                let size = inverse.nrows();
                 let root = self.power(|mass| 1.0 / mass.sqrt());
                 &root * matrix.view((0, 0), (size, size)) * &root
             }
@@ -171,11 +181,15 @@ impl Mass {
     }
 }
 
-/// M⁻¹ f by forward and backward substitution.
-#[inline(never)]
-fn solve(factor: &DMatrix<f64>, forces: &mut [f64]) {
-    let size = forces.len();
-    let mut forces = DVectorViewMut::from_slice(forces, size);
-    factor.solve_lower_triangular_mut(&mut forces);
-    factor.tr_solve_lower_triangular_mut(&mut forces);
+/// Degrees of freedom up to which no memory is asked for at an evaluation.
+const ROOM: usize = 64;
+
+/// Calls with so many numbers to be overwritten.
+#[inline(always)]
+fn with_room(size: usize, call: impl FnOnce(&mut [f64])) {
+    if size <= ROOM {
+        call(&mut [0.0; ROOM][..size]);
+    } else {
+        call(&mut vec![0.0; size]);
+    }
 }
