@@ -10,8 +10,8 @@ import pytest
 
 import jeffcott as jc
 
-LIMIT = 0.020
-"""Seconds that the import may take beside that of numpy."""
+LIMIT = 0.35
+"""Longest import beside that of numpy, in imports of numpy: seconds depend on the machine."""
 
 
 def test_stubs_are_those_of_the_module() -> None:
@@ -53,10 +53,13 @@ def test_everything_public_is_told() -> None:
 
 
 def test_the_import_is_short() -> None:
-    code = "import numpy, time; start = time.process_time(); import jeffcott; print(time.process_time() - start)"
+    code = (
+        "from time import process_time as now; start = now(); import numpy; between = now(); import jeffcott;"
+        "print((now() - between) / (between - start))"
+    )
     environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": ""}
-    times = [
+    parts = [
         float(subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment).stdout)
         for _ in range(5)
     ]
-    assert min(times) < LIMIT
+    assert min(parts) < LIMIT
