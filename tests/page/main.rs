@@ -215,6 +215,17 @@ fn found(shown: &Shown, script: &str) -> Option<String> {
 
 /// Catches what is saved, as text, in `saved`.
 const CATCH: &str = r#"const saved = [];
+    // what is saved can be read at once: the browser's virtual time does not wait for its files
+    const Native = Blob;
+    window.Blob = class extends Native {
+      constructor(parts, options) {
+        super(parts, options);
+        const text = (part) => (typeof part === "string" ? part : new TextDecoder("latin1").decode(part));
+        this.whole = parts.map(text).join("");
+      }
+      text() { return Promise.resolve(this.whole); }
+      slice(start, end) { return new window.Blob([this.whole.slice(start, end)]); }
+    };
     URL.createObjectURL = (blob) => { saved.push(blob); return "saved"; };
     HTMLAnchorElement.prototype.click = () => {};
     const press = (figure, name) => [...figure.querySelectorAll(".save button")].find((button) => button.textContent === name).click();
