@@ -9,7 +9,7 @@ use super::page::narrow;
 use super::terminal::{MICRO, MILLI};
 use crate::physics::nominal_cage_speed;
 use crate::rotor::{BallContacts, CageMotion, RotorDefinition, Sample};
-use crate::simulate::LAST_BALLS as KEPT;
+use crate::simulate::LAST_BALLS;
 
 /// Most frames that are shown.
 const MOST_FRAMES: usize = 240;
@@ -25,7 +25,7 @@ pub(super) struct Film {
 impl Film {
     /// Takes a sample with its balls.
     pub fn take(&mut self, sample: &Sample, balls: &BallContacts) {
-        let (_, mut loads) = match self.samples.len() < KEPT {
+        let (_, mut loads) = match self.samples.len() < LAST_BALLS {
             true => Default::default(),
             false => self.samples.pop_front().unwrap_or_default(),
         };

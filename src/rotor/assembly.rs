@@ -100,13 +100,13 @@ impl Rotor {
         let shaft = &definition.shaft;
         let dofs = structure.dofs;
         let constant_force = structure.constant_load(definition)[..dofs].to_vec();
-        let loads = definition.loads.iter().zip(&structure.load_points);
-        let (loads, load_points) = loads
+        let loads = definition.loads.iter().zip(&structure.load_places);
+        let (loads, load_places) = loads
             .filter(|(load, _)| !matches!(load.kind, LoadKind::Constant(_)))
-            .map(|(load, point)| (load.clone(), *point))
+            .map(|(load, place)| (load.clone(), *place))
             .unzip();
         let structure = Structure {
-            load_points,
+            load_places,
             ..structure
         };
         let mass = structure.mass.view((0, 0), (dofs, dofs)).into_owned();
@@ -239,9 +239,9 @@ impl Structure {
     fn constant_load(&self, definition: &RotorDefinition) -> Vec<f64> {
         let mut sum = vec![0.0; self.coordinates.len()];
         self.shaft.add_force(1.0, &definition.load, &mut sum);
-        for (load, point) in definition.loads.iter().zip(&self.load_points) {
+        for (load, place) in definition.loads.iter().zip(&self.load_places) {
             if let LoadKind::Constant(constant) = &load.kind {
-                point.add_force(1.0, constant, &mut sum);
+                place.add_force(constant, &mut sum);
             }
         }
         if definition.shaft.gravity {
@@ -256,13 +256,8 @@ impl Structure {
     /// What the static equilibrium carries: constant loads, the weight, and of every varying load its static part.
     pub(super) fn static_load(&self, definition: &RotorDefinition) -> Vec<f64> {
         let mut sum = self.constant_load(definition);
-        for (load, point) in definition.loads.iter().zip(&self.load_points) {
-            let part = load.static_part();
-            let part = match definition.flexible {
-                Some(_) => part,
-                None => load.about_centre(&part),
-            };
-            point.add_force(1.0, &part, &mut sum);
+        for (load, place) in definition.loads.iter().zip(&self.load_places) {
+            place.add_force(&load.static_part(), &mut sum);
         }
         sum
     }

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::coefficients::Mass;
+use super::point::about_origin;
 use super::structure::Structure;
 use super::{Damping, FREEDOMS, Rotation, Rotor};
 use crate::bearing::Vector5;
@@ -78,11 +79,13 @@ impl Rotor {
         rotation: &Rotation,
     ) -> Vector5 {
         let mut total = [0.0; FREEDOMS];
+        let mut arms = self.structure.arms.iter();
         self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
             let [position, rate] = bearing.motion(dofs, velocity);
             let [_, force] = bearing.support.damped_force(&position, &rate, rotation);
+            let about = about_origin(&force, arms.next().copied().unwrap_or(0.0));
             for axis in 0..FREEDOMS {
-                total[axis] += force[axis];
+                total[axis] += about[axis];
             }
         });
         total

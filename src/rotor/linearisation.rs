@@ -193,19 +193,19 @@ impl Rotor {
         for UnbalancedPoint { point, unbalance } in &self.structure.unbalances {
             point.add_force(1.0, &unbalance.force_rate(rotation), sum);
         }
-        for (load, point) in self.loads.iter().zip(&self.structure.load_points) {
+        for (load, place) in self.loads.iter().zip(&self.structure.load_places) {
             let at = |step: f64| {
                 let (time, angle) = (time + step, self.speed.at(time + step).angle);
                 match &load.kind {
                     LoadKind::Base(base) => base.acceleration(time, angle),
-                    _ => self.about_point(load, &load.at(time, angle)),
+                    _ => load.at(time, angle),
                 }
             };
             let rate = forward_rate(at);
             if load.acts_on_mass() {
                 self.add_base_force(&rate, sum);
             } else {
-                point.add_force(1.0, &rate, sum);
+                place.add_force(&rate, sum);
             }
         }
     }

@@ -6,7 +6,7 @@ use nalgebra::DMatrix;
 use super::coefficients::{Coefficients, Mass};
 use super::equilibrium::Equilibrium;
 use super::phases::Phases;
-use super::point::{Attachment, Point};
+use super::point::{Attachment, Place, Point, about_origin};
 use super::structure::{Structure, UnbalancedPoint};
 use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, LoadKind, Rotation, SpeedProfile};
 use crate::bearing::{Angle, BearingRotation, BearingState, CageWalk, Support, Vector5};
@@ -18,9 +18,10 @@ use crate::registers::in_wide_registers;
 /// M q̈ + (C + ω G) q̇ + K q + Σ_b B_bᵀ F_b(B_b q, B_b q̇, ψ_b, ω) = f(t, ψ)
 /// ```
 ///
-/// with the forces ω τ K_s J q of internal damping on the right where there is one. q are its degrees of freedom, B_b takes from them the displacement between the points that the rings of bearing b
+/// q are its degrees of freedom, B_b takes from them the displacement between the points that the rings of bearing b
 /// sit at, F_b is the force that moves its inner ring there against the damping of the contacts, and f are the
-/// unbalances, the weight and the loads. Of a rigid shaft on bearings that stand on the
+/// unbalances, the weight and the loads. Damping inside a shaft that bends adds to f the force ω times a matrix times q,
+/// which drives a forward whirl. Of a rigid shaft on bearings that stand on the
 /// ground, K = 0 and
 ///
 /// ```text
@@ -70,7 +71,8 @@ pub struct Rotor {
     pub(super) constant_force: Vec<f64>,
     /// Acceleration of gravity along −Y, m/s²; zero where no weight acts.
     pub(super) gravity: f64,
-    /// Forces on the degrees of freedom where the base accelerates by one along x, y and z, with another sign, kg.
+    /// M t of a unit translation t of all masses along x, y and z, kg: times an acceleration of the base, its inertial force
+    /// against it.
     pub(super) base_inertia: [Vec<f64>; 3],
     /// Varying loads.
     pub(super) loads: Vec<Load>,
@@ -258,33 +260,17 @@ impl Rotor {
     /// Adds the forces of the varying loads; apart from the rest, which stays small where no load varies.
     #[inline(never)]
     pub(super) fn add_loads(&self, time: f64, angle: f64, sum: &mut [f64]) {
-        let bends = self.structure.bending.is_some();
-        let mut on_rigid_shaft = [0.0; FREEDOMS];
-        for (load, point) in self.loads.iter().zip(&self.structure.load_points) {
-            let force = match &load.kind {
-                LoadKind::Base(base) => {
-                    self.add_base_force(&base.acceleration(time, angle), sum);
-                    continue;
-                }
-                _ => load.at(time, angle),
-            };
-            if bends {
-                point.add_force(1.0, &force, sum);
-            } else {
-                let force = load.about_centre(&force);
-                for axis in 0..FREEDOMS {
-                    on_rigid_shaft[axis] += force[axis];
-                }
+        for (load, place) in self.loads.iter().zip(&self.structure.load_places) {
+            match &load.kind {
+                LoadKind::Base(base) => self.add_base_force(&base.acceleration(time, angle), sum),
+                _ => place.add_force(&load.at(time, angle), sum),
             }
-        }
-        if !bends {
-            self.structure.shaft.add_force(1.0, &on_rigid_shaft, sum);
         }
     }
 
     /// Power of the varying loads at velocities of the degrees of freedom, W.
     pub(super) fn power_of_loads(&self, time: f64, angle: f64, velocity: &[f64]) -> f64 {
-        let power = |(load, point): (&Load, &Point)| -> f64 {
+        let power = |(load, place): (&Load, &Place)| -> f64 {
             if let LoadKind::Base(base) = &load.kind {
                 let accelerations = base.acceleration(time, angle);
                 let axes = self.base_inertia.iter().zip(accelerations);
@@ -292,10 +278,10 @@ impl Rotor {
                     .map(|(inertia, part)| part * dot(inertia, velocity))
                     .sum::<f64>();
             }
-            let force = self.about_point(load, &load.at(time, angle));
-            dot(&force, &point.rate(velocity))
+            let force = about_origin(&load.at(time, angle), place.arm);
+            dot(&force, &place.point.rate(velocity))
         };
-        let loads = self.loads.iter().zip(&self.structure.load_points);
+        let loads = self.loads.iter().zip(&self.structure.load_places);
         loads.map(power).sum()
     }
 
@@ -310,15 +296,6 @@ impl Rotor {
             )
         };
         unbalances.map(power).sum()
-    }
-
-    /// A force or moment of a load at its position, about the point that it acts at.
-    pub(super) fn about_point(&self, load: &Load, force: &Vector5) -> Vector5 {
-        // the points of a shaft that bends are where the loads are
-        match self.structure.bending {
-            Some(_) => *force,
-            None => load.about_centre(force),
-        }
     }
 
     /// Adds the inertial forces of the shaft and the housings where the base accelerates, in m/s².

@@ -153,16 +153,15 @@ impl Rotor {
 
     /// Angular frequency of each varying load at a speed of the shaft, and its forces on the degrees of freedom.
     pub(super) fn load_vibrations(&self, speed: f64) -> Vec<(f64, DVector<Complex<f64>>)> {
-        let loads = self.loads.iter().zip(&self.structure.load_points);
+        let loads = self.loads.iter().zip(&self.structure.load_places);
         loads
-            .map(|(load, point)| {
+            .map(|(load, place)| {
                 let vibration = load.main_vibration();
                 let mut force = DVector::zeros(self.dofs());
                 if load.acts_on_mass() {
                     self.add_base_force(&vibration.amplitude, force.as_mut_slice());
                 } else {
-                    let amplitude = self.about_point(load, &vibration.amplitude);
-                    point.add_force(1.0, &amplitude, force.as_mut_slice());
+                    place.add_force(&vibration.amplitude, force.as_mut_slice());
                 }
                 let frequency = vibration.frequency + vibration.order * speed;
                 (frequency, force.map(Complex::from))

@@ -1,5 +1,6 @@
 //! What can be seen of the shaft in motion.
 
+use super::point::about_origin;
 use super::{DriveMoments, EnergyBalance, FREEDOMS, Rotation, Rotor};
 use crate::bearing::{BallLoads, LOADED_SHARE, Support, Vector5};
 
@@ -98,11 +99,10 @@ impl Rotor {
             } else {
                 support.force(&displacement, &rotation)
             };
+            let about = about_origin(&force, *arm);
             for axis in 0..FREEDOMS {
-                total[axis] += force[axis];
+                total[axis] += about[axis];
             }
-            total[3] -= arm * force[1];
-            total[4] += arm * force[0];
             *axial = support.definition().facing.sign() * force[2];
         }
         total

@@ -76,6 +76,30 @@ impl Point {
     }
 }
 
+/// A force and moments at a distance along the axis, about the origin of that distance: M_x − a P_y, M_y + a P_x.
+#[inline(always)]
+pub(super) fn about_origin(force: &Vector5, arm: f64) -> Vector5 {
+    let [x, y, z, tilt_x, tilt_y] = *force;
+    [x, y, z, tilt_x - arm * y, tilt_y + arm * x]
+}
+
+/// A place on the axis of the shaft that a point of it carries along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Place {
+    pub point: Point,
+    /// Distance from the point, m.
+    pub arm: f64,
+}
+
+impl Place {
+    /// Adds a force and moments there to those on the degrees of freedom.
+    #[inline(always)]
+    pub fn add_force(&self, force: &Vector5, sum: &mut [f64]) {
+        self.point
+            .add_force(1.0, &about_origin(force, self.arm), sum);
+    }
+}
+
 /// Where the rings of a bearing sit: the inner one at a point of the shaft, the outer one at a point of a housing, both
 /// seen from the same origin on the axis, or fixed to the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -149,5 +173,21 @@ impl Attachment {
                 .enumerate()
                 .map(move |(axis, index)| (axis, sign, index))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_force_off_its_point_is_a_moment_as_well() {
+        let place = Place {
+            point: Point::RIGID_SHAFT,
+            arm: 0.5,
+        };
+        let mut sum = [1.0; 5];
+        place.add_force(&[3.0, -2.0, 4.0, 0.1, 0.2], &mut sum);
+        assert_eq!(sum, [4.0, -1.0, 5.0, 2.1, 2.7]);
     }
 }

@@ -5,10 +5,10 @@ use nalgebra::{DMatrix, DVector};
 use super::coefficients::Coefficients;
 use super::equilibrium::FREEDOM_NAMES;
 use super::flexible::Bending;
-use super::point::{Attachment, Point};
+use super::point::{Attachment, Place, Point};
 use super::static_search::Restoring;
 use super::unbalance::Unbalance;
-use super::{FREEDOMS, RotorDefinition, ShaftError};
+use super::{FREEDOMS, Load, RotorDefinition, ShaftError};
 use crate::bearing::{BearingRotation, MountedBearing, Support, Vector5};
 
 /// A generalised coordinate.
@@ -82,7 +82,7 @@ pub(super) struct Structure {
     /// The point of the shaft that is observed; of a rigid one its centre of mass, where everything acts.
     pub shaft: Point,
     /// Where each of the loads acts; accelerations of the base act on all masses.
-    pub load_points: Vec<Point>,
+    pub load_places: Vec<Place>,
     pub unbalances: Vec<UnbalancedPoint>,
     /// Coordinates of the shaft when it moves by one along x, y, z, or about X and Y through its observed point.
     pub rigid_motions: [DVector<f64>; FREEDOMS],
@@ -124,7 +124,7 @@ impl Structure {
             internal_damping: nothing.clone(),
             circulatory: nothing,
             shaft: Point::RIGID_SHAFT,
-            load_points: Vec::new(),
+            load_places: Vec::new(),
             unbalances: Vec::new(),
             rigid_motions: std::array::from_fn(unit),
             arms: vec![0.0; bearings],
@@ -163,7 +163,11 @@ impl Structure {
         let [.., tilt_x, tilt_y] = structure.shaft.coordinates();
         structure.gyroscopic[(tilt_x, tilt_y)] = shaft.inertia_polar;
         structure.gyroscopic[(tilt_y, tilt_x)] = -shaft.inertia_polar;
-        structure.load_points = vec![structure.shaft; definition.loads.len()];
+        let place = |load: &Load| Place {
+            point: structure.shaft,
+            arm: load.position,
+        };
+        structure.load_places = definition.loads.iter().map(place).collect();
         structure.unbalances = vec![UnbalancedPoint {
             point: structure.shaft,
             unbalance: Unbalance::new(shaft),
@@ -254,7 +258,8 @@ impl Structure {
         }
         let attachments = self.attachments.iter_mut().map(|own| &mut own.inner);
         let unbalances = self.unbalances.iter_mut().map(|own| &mut own.point);
-        let points = attachments.chain(unbalances).chain(&mut self.load_points);
+        let loads = self.load_places.iter_mut().map(|own| &mut own.point);
+        let points = attachments.chain(unbalances).chain(loads);
         for point in points.chain([&mut self.shaft]) {
             *point = Point::new(point.coordinates().map(index));
         }
@@ -267,8 +272,7 @@ impl Structure {
         }
     }
 
-    /// Forces on all coordinates of the shaft and the housings where the base accelerates by one along an axis, with
-    /// another sign: kg.
+    /// M t of a unit translation t of shaft and housings along an axis, kg.
     pub fn inertia_along(&self, axis: usize) -> DVector<f64> {
         let mut forces = self.shaft_inertia_along(axis);
         for housing in &self.housings {

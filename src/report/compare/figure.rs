@@ -20,7 +20,7 @@ const SMALLEST: f64 = 1e-7;
 /// Places closer than this part of them are one.
 const SAME_PLACE: f64 = 1e-9;
 
-/// Writes the figure of a comparison ; `first` and `second` are what was compared.
+/// Writes the figure of a comparison; `first` and `second` are what was compared.
 ///
 /// # Errors
 /// [`CompareError`] where a table cannot be read again, or the figure not be drawn or written.

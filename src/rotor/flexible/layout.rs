@@ -3,13 +3,16 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::mesh::{FlexibleShaft, PointUnbalance, ShaftError};
-use super::reduction::Reduction;
+use super::reduction::ReducedShaft;
 use crate::bearing::MountedBearing;
 use crate::rotor::coefficients::Coefficients;
-use crate::rotor::point::{Attachment, Point};
+use crate::rotor::point::{Attachment, Place, Point};
 use crate::rotor::structure::{Coordinate, CoordinateKind, Structure, UnbalancedPoint};
 use crate::rotor::unbalance::Unbalance;
-use crate::rotor::{FREEDOMS, Freedoms, RotorDefinition};
+use crate::rotor::{FREEDOMS, Freedoms, Load, RotorDefinition};
+
+/// Frequency of the modes that are kept over that of the highest excitation.
+const HEADROOM: f64 = 3.0;
 
 /// Where coordinates stand: x, y, (z,) θx, θy of the observed point, of the other points x, y, θx, θy, then the modes of
 /// the plane of x and θy, those of y and θx, and last z where it is held.
@@ -141,7 +144,7 @@ impl FlexibleShaft {
         &self,
         definition: &RotorDefinition,
         points: &[f64],
-    ) -> Result<Reduction, ShaftError> {
+    ) -> Result<ReducedShaft, ShaftError> {
         let mesh = self.mesh(points, None)?;
         match self.modes {
             Some(modes) => mesh.reduced(points, modes),
@@ -149,9 +152,6 @@ impl FlexibleShaft {
         }
     }
 }
-
-/// Frequency of the modes that are kept over that of the highest excitation.
-const HEADROOM: f64 = 3.0;
 
 impl Structure {
     /// That of a shaft that bends, on bearings that stand on the ground.
@@ -183,6 +183,10 @@ impl Structure {
             inner: at(bearing.position),
             outer: None,
         };
+        let carried = |load: &Load| Place {
+            point: at(load.position),
+            arm: 0.0,
+        };
         let unbalanced = |own: &PointUnbalance| UnbalancedPoint {
             point: at(own.position),
             unbalance: Unbalance::in_plane(own.amount, own.angle),
@@ -198,11 +202,7 @@ impl Structure {
             internal_damping,
             circulatory: layout.across(&plane.stiffness) * shaft.internal_damping,
             shaft: layout.point(0),
-            load_points: definition
-                .loads
-                .iter()
-                .map(|load| at(load.position))
-                .collect(),
+            load_places: definition.loads.iter().map(carried).collect(),
             unbalances: shaft.unbalances.iter().map(unbalanced).collect(),
             rigid_motions: rigid_motions(&layout, &points),
             arms: definition
@@ -223,7 +223,7 @@ impl Structure {
     }
 }
 
-fn coordinates(layout: &Layout, points: &[f64], reduction: &Reduction) -> Vec<Coordinate> {
+fn coordinates(layout: &Layout, points: &[f64], reduction: &ReducedShaft) -> Vec<Coordinate> {
     let mut coordinates = vec![Coordinate::of_axis(2, ""); layout.size()];
     for (number, position) in points.iter().enumerate() {
         let owner = format!(" of the shaft at {:.1} mm", 1e3 * position);
@@ -266,7 +266,7 @@ fn rigid_motions(layout: &Layout, points: &[f64]) -> [DVector<f64>; FREEDOMS] {
 }
 
 /// Deflections of all nodes along the axis of a plane, by all coordinates.
-fn deflections(layout: &Layout, reduction: &Reduction, plane: &[(usize, f64)]) -> DMatrix<f64> {
+fn deflections(layout: &Layout, reduction: &ReducedShaft, plane: &[(usize, f64)]) -> DMatrix<f64> {
     let mut rows = DMatrix::zeros(reduction.nodes.len(), layout.size());
     for node in 0..reduction.nodes.len() {
         for (column, (index, sign)) in plane.iter().enumerate() {

@@ -257,6 +257,46 @@ fn slopes_are_those_of_the_derivative() {
     }
 }
 
+/// The observed force of all bearings does, in a rigid motion of the shaft, the work of what each of them exerts at its point.
+#[test]
+fn moments_of_the_bearings_are_about_the_observed_point() {
+    let mut definition = on_bearings(shaft(1.0));
+    for bearing in &mut definition.bearings {
+        bearing.contact_damping = ContactDamping {
+            inner: 0.2,
+            outer: 0.3,
+        };
+    }
+    let rotor = Rotor::assemble(&definition).expect("a rotor");
+    let (mut state, dofs) = (rotor.start(), rotor.dofs());
+    for (index, rate) in state[dofs..].iter_mut().enumerate() {
+        *rate = 1e-2 * (1.7 * index as f64 + 0.4).sin();
+    }
+    let sample = rotor.sample(0.01, &state, &mut rotor.ball_contacts());
+    let (place, velocity) = state.split_at(dofs);
+    let rotation = rotor.speed.at(0.01);
+    let [mut held, mut damped] = [(); 2].map(|()| vec![0.0; dofs]);
+    rotor.for_each_bearing(&rotation, &rotor.phases(&rotation), |bearing, seen| {
+        let [place, rate] = bearing.motion(place, velocity);
+        let [elastic, damping] = bearing.support.damped_force(&place, &rate, seen);
+        bearing.attachment.add_force(-1.0, &elastic, &mut held);
+        bearing.attachment.add_force(-1.0, &damping, &mut damped);
+    });
+    let found = sample.force_on_shaft.expect("observed");
+    for (axis, found) in found.into_iter().enumerate() {
+        let motion = &rotor.structure.rigid_motions[axis];
+        let along =
+            |forces: &[f64]| -> f64 { forces.iter().zip(motion.iter()).map(|(a, b)| a * b).sum() };
+        let (expected, damping) = (along(&held) + along(&damped), along(&damped));
+        assert!(damping.abs() > 1e-3, "{axis}: {damping:e}");
+        let apart = (found - expected).abs();
+        assert!(
+            apart < 1e-9 * expected.abs().max(1.0),
+            "{axis}: {found}, not {expected}"
+        );
+    }
+}
+
 /// Largest residual of the energy of a motion, and the largest of its parts.
 fn energy_residual(definition: &RotorDefinition) -> [f64; 2] {
     let mut rotor = Rotor::assemble(definition).expect("a rotor");

@@ -16,7 +16,7 @@ const MOST_MODES: usize = 20;
 /// A plane in few coordinates: deflection and slope of the points that forces act at, in their order, and behind them the
 /// lowest modes of the shaft with all these points fixed.
 #[derive(Debug, Clone, PartialEq)]
-pub(in crate::rotor) struct Reduction {
+pub(in crate::rotor) struct ReducedShaft {
     /// Positions of all nodes, m.
     pub nodes: Vec<f64>,
     /// Deflection and slope of all nodes by the coordinates that are kept.
@@ -26,7 +26,7 @@ pub(in crate::rotor) struct Reduction {
     frequencies: Vec<f64>,
 }
 
-impl Reduction {
+impl ReducedShaft {
     /// Number of modes.
     pub fn modes(&self) -> usize {
         self.frequencies.len()
@@ -62,7 +62,7 @@ impl Mesh {
         self,
         positions: &[f64],
         modes: usize,
-    ) -> Result<Reduction, ShaftError> {
+    ) -> Result<ReducedShaft, ShaftError> {
         self.reduced_to(positions, |_| modes)
     }
 
@@ -71,7 +71,7 @@ impl Mesh {
         self,
         positions: &[f64],
         frequency: f64,
-    ) -> Result<Reduction, ShaftError> {
+    ) -> Result<ReducedShaft, ShaftError> {
         self.reduced_to(positions, |frequencies| {
             let below = frequencies.iter().filter(|own| **own < frequency).count();
             below.clamp(LEAST_MODES, MOST_MODES)
@@ -82,7 +82,7 @@ impl Mesh {
         self,
         positions: &[f64],
         count: impl Fn(&[f64]) -> usize,
-    ) -> Result<Reduction, ShaftError> {
+    ) -> Result<ReducedShaft, ShaftError> {
         let singular = ShaftError::Singular {
             points: positions.len(),
         };
@@ -98,7 +98,7 @@ impl Mesh {
             polar: reduce(&self.plane.polar),
             stiffness: reduce(&self.plane.stiffness),
         };
-        Ok(Reduction {
+        Ok(ReducedShaft {
             nodes: self.nodes,
             transformation,
             plane,

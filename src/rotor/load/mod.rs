@@ -147,18 +147,6 @@ impl Load {
             | LoadKind::Noise(_) => f64::INFINITY,
         }
     }
-
-    /// The same load about the centre of mass of a rigid shaft.
-    pub(crate) fn about_centre(&self, load: &Vector5) -> Vector5 {
-        let [x, y, z, tilt_x, tilt_y] = *load;
-        [
-            x,
-            y,
-            z,
-            tilt_x - self.position * y,
-            tilt_y + self.position * x,
-        ]
-    }
 }
 
 /// The earliest of times that lie after `after`; infinite where none does.

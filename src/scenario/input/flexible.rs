@@ -18,7 +18,7 @@ const STEEL: Material = Material {
     poisson_ratio: 0.3,
     density: 7850.0,
 };
-/// Longer shafts than this of a unit mistaken, in diameters.
+/// Most sections of a shaft.
 const MOST_SECTIONS: usize = 200;
 
 /// A part of the shaft of one cross-section. Sections follow each other from the left end on, towards +Z.
@@ -264,19 +264,25 @@ fn refuse_of_rigid(shaft: &ShaftInput, problems: &mut Problems<'_>) {
     }
 }
 
+/// Refuses a bore, m, that is as wide as what it is in.
+fn check_bore(inner: f64, outer: f64, part: &str, problems: &mut Problems<'_>) -> Option<()> {
+    if inner < outer {
+        return Some(());
+    }
+    let message = format!(
+        "a bore of {:.2} mm leaves nothing of a {part} of {:.2} mm",
+        1e3 * inner,
+        1e3 * outer
+    );
+    let issue = Issue::new(".inner_diameter", message);
+    problems.refuse(issue.against(".outer_diameter"));
+    None
+}
+
 impl SectionInput {
     fn build(&self, base: Material, problems: &mut Problems<'_>) -> Option<Section> {
         let (outer, inner) = (self.outer_diameter.si(), self.inner_diameter.si());
-        if inner >= outer {
-            let message = format!(
-                "a bore of {:.2} mm leaves nothing of a section of {:.2} mm",
-                1e3 * inner,
-                1e3 * outer
-            );
-            let issue = Issue::new(".inner_diameter", message);
-            problems.refuse(issue.against(".outer_diameter"));
-            return None;
-        }
+        check_bore(inner, outer, "section", problems)?;
         Some(Section {
             length: self.length.si(),
             outer_diameter: outer,
@@ -318,16 +324,7 @@ impl DiscInput {
             return None;
         };
         let inner = si(&self.inner_diameter).unwrap_or_else(|| shaft.outer_diameter_at(position));
-        if inner >= outer {
-            let message = format!(
-                "a bore of {:.2} mm leaves nothing of a disc of {:.2} mm",
-                1e3 * inner,
-                1e3 * outer
-            );
-            let issue = Issue::new(".inner_diameter", message);
-            problems.refuse(issue.against(".outer_diameter"));
-            return None;
-        }
+        check_bore(inner, outer, "disc", problems)?;
         let density = material(self.material.as_ref(), STEEL).density;
         Some(Disc::of_size(position, width, [outer, inner], density))
     }
