@@ -1,6 +1,6 @@
 """Compares shafts that bend with ROSS: natural frequencies, a run-up, and the time that a simulated second takes.
 
-Not part of `cargo test`. Needs ROSS 2:
+Part of `.ci/run` where ROSS can be installed, and by hand. Needs ROSS 2:
 
     pip install ross-rotordynamics 'plotly<7'
     python3 tests/readers/check_flexible.py target/release/jeffcott
