@@ -268,9 +268,10 @@ impl Reader<'_, '_> {
         let message = format!("{} has no key `{key}`", self.table_name());
         let known = known.keys().map(String::as_str);
         let known = known.filter(|known| !known.starts_with('$'));
-        let free = known.clone().filter(|known| !given.contains(known));
+        // a key nearest to one that stands here already is no misspelling of another
+        let free = nearest(key, known.clone()).filter(|known| !given.contains(known));
         let gone = GONE.iter().find(|(gone, _)| gone == key);
-        let help = match (gone, nearest(key, free)) {
+        let help = match (gone, free) {
             (Some((_, help)), _) => (*help).to_owned(),
             (None, Some(known)) => {
                 self.problems.distrust(&join(self.path, known));
