@@ -66,7 +66,7 @@ pub fn simulate(
 }
 
 /// Modes in each plane that the pass which measures the error of the reduction has besides.
-const MORE_MODES: usize = 4;
+pub(crate) const MORE_MODES: usize = 4;
 
 /// As [`simulate`], but from where an earlier part of the run stopped, and up to where this one is
 /// to stop; the sink takes all samples from the first on.

@@ -161,7 +161,7 @@ impl Scene {
         let found = watched(py, None, None, |_| quasi_static(&self.scenario.question))?;
         let found = found.map_err(|error| run_error(py, &error))?;
         let choice = self.scenario.contact_choice.as_ref();
-        let findings = answer_findings(&destination, &found);
+        let findings = answer_findings(&destination, &self.scenario.question, &found);
         Ok(Answer {
             remark: choice.map(contact_choice_text).unwrap_or_default(),
             ..self.answer(findings, found.warnings)
@@ -248,7 +248,7 @@ impl Scene {
         };
         let found = watched(py, None, None, |_| question.solve())?;
         let found = found.map_err(|error| run_error(py, &error))?;
-        let findings = campbell_findings(&self.destination(), &found);
+        let findings = campbell_findings(&self.destination(), &question.rotor, &found);
         Ok(self.answer(findings, Vec::new()))
     }
 

@@ -141,3 +141,11 @@ def test_results_are_compared(steady_run: jc.Run, scenarios: Path, tmp_path: Pat
         jc.compare(tmp_path / "two", tmp_path / "one")
     with pytest.raises(ValueError):
         jc.compare(tmp_path / "one", tmp_path / "one", relative=-1.0)
+
+
+def test_a_shaft_that_bends_is_drawn(scenarios: Path) -> None:
+    scenario = jc.Scenario(scenarios / "laval-rotor.toml")
+    assert "deflection" in scenario.bearing().figures
+    campbell = scenario.campbell("3000 rpm", count=5)
+    assert "mode_shapes" in campbell.figures
+    assert all(critical["reduction_error"] < 1e-4 for critical in campbell.critical_speeds)

@@ -8,7 +8,6 @@ use super::Outcome;
 use super::jobs::{Answer, Failure, Files, Job};
 use crate::quasi_static::{QuasiStatic, StaticQuestion, quasi_static};
 use crate::report;
-use crate::rotor::{Rotor, ShaftShape};
 use crate::scenario::{self, Issue};
 use crate::study::{ContactChoice, Study};
 
@@ -68,10 +67,7 @@ fn answer(job: &Job, question: &StaticQuestion) -> Result<Answer, Failure> {
     let destination = job.destination();
     let answer = quasi_static(question)?;
     job.warn(&answer.warnings);
-    let mut findings = report::answer_findings(&destination, &answer);
-    if let Some(shape) = static_shape(&job.scenario.question) {
-        findings = findings.with_static_shape(destination.title, &shape);
-    }
+    let findings = report::answer_findings(&destination, question, &answer);
     let written = destination.write(findings)?;
     let text = written.text + &job.contact_choice_text();
     let json = destination.document(Shown {
@@ -79,13 +75,6 @@ fn answer(job: &Job, question: &StaticQuestion) -> Result<Answer, Failure> {
         contact_choice: job.scenario.contact_choice.as_ref(),
     });
     Ok(Answer::new(text, json, &written.files))
-}
-
-/// The shaft as its loads bend it, where nothing else displaces it.
-fn static_shape(question: &StaticQuestion) -> Option<ShaftShape<f64>> {
-    let loaded = question.displacement.iter().all(Option::is_none) && !question.unbalance;
-    question.rotor.flexible.as_ref().filter(|_| loaded)?;
-    Rotor::assemble(&question.rotor).ok()?.static_shape()
 }
 
 /// What is printed as JSON.

@@ -3,13 +3,10 @@
 use std::f64::consts::TAU;
 use std::io;
 
-use nalgebra::Complex;
-
 use super::jobs::{Answer, Failure, Files, Job};
 use super::{Outcome, terminal};
 use crate::physics::BallPass;
 use crate::report;
-use crate::rotor::{Mode, Rotor, RotorDefinition, ShaftShape};
 use crate::scenario;
 use crate::simulate::speed_warnings;
 use crate::study::campbell::{self, CampbellQuestion};
@@ -104,28 +101,9 @@ fn answer(job: &Job, arguments: &Arguments) -> Result<Answer, Failure> {
     let campbell = question.solve()?;
     let fastest = question.rotor.at_constant_speed(question.to);
     job.warn(speed_warnings(&fastest));
-    let mut findings = report::campbell_findings(&destination, &campbell);
-    let shapes = shapes(&fastest);
-    if !shapes.is_empty() {
-        findings = findings.with_mode_shapes(destination.title, &shapes);
-    }
+    let findings = report::campbell_findings(&destination, &question.rotor, &campbell);
     let written = destination.write(findings)?;
     Ok(Answer::from(written))
-}
-
-/// Modes of a shaft that bends, with their shapes.
-fn shapes(rotor: &RotorDefinition) -> Vec<(Mode, ShaftShape<Complex<f64>>)> {
-    let assembled = rotor
-        .flexible
-        .as_ref()
-        .and_then(|_| Rotor::assemble(rotor).ok());
-    let Some(rotor) = assembled else {
-        return Vec::new();
-    };
-    let modes = rotor.modes().into_iter();
-    modes
-        .filter_map(|mode| Some((mode.clone(), rotor.mode_shape(&mode)?)))
-        .collect()
 }
 
 /// The orders as numbers, each once; says which number an order of the bearings is.

@@ -6,14 +6,23 @@ use plotters::style::RGBColor;
 use serde::Serialize;
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
+use super::shaft_shapes::shapes_at;
 use super::table::Table;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash};
 use super::{Destination, FileSet, Findings};
-use crate::rotor::{Mode, Whirl};
+use crate::rotor::{Mode, RotorDefinition, Whirl};
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
 
 /// Branches and critical speeds.
-pub fn campbell_findings(destination: &Destination<'_>, campbell: &Campbell) -> Findings {
+///
+/// `rotor` is the shaft of the diagram: where it bends its modes are drawn at the highest speed.
+pub fn campbell_findings(
+    destination: &Destination<'_>,
+    rotor: &RotorDefinition,
+    campbell: &Campbell,
+) -> Findings {
+    let [_, fastest] = ends(campbell);
+    let shapes = shapes_at(destination.title, rotor, fastest);
     let mut text = Lines::titled(destination.title);
     put_branches(&mut text, campbell);
     if campbell.critical_speeds.is_empty() {
@@ -24,7 +33,10 @@ pub fn campbell_findings(destination: &Destination<'_>, campbell: &Campbell) -> 
     Findings {
         set: FileSet::CAMPBELL,
         tables: vec![("campbell", modes(campbell))],
-        figures: vec![figure(destination.title, campbell)],
+        figures: [figure(destination.title, campbell)]
+            .into_iter()
+            .chain(shapes)
+            .collect(),
         document: destination.document(CampbellSummary {
             from: campbell.speeds.first(),
             to: campbell.speeds.last(),
@@ -146,6 +158,13 @@ fn put_critical(out: &mut Lines, campbell: &Campbell) {
         ]
     });
     out.table(header, rows);
+    let errors = campbell.critical_speeds.iter();
+    let errors = errors.filter_map(|critical| critical.reduction_error);
+    if let Some(largest) = errors.max_by(f64::total_cmp) {
+        out.put(format!(
+            "with four more modes of bending the frequencies there differ by at most {largest:.1e}"
+        ));
+    }
 }
 
 /// Height of a plot, px.

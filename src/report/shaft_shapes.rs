@@ -2,32 +2,33 @@
 
 use nalgebra::Complex;
 
-use super::Findings;
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct};
 use super::terminal::{MICRO, MILLI};
-use crate::rotor::{Mode, ShaftShape, Whirl};
+use crate::quasi_static::StaticQuestion;
+use crate::rotor::{Mode, Rotor, RotorDefinition, ShaftShape, Whirl};
 
 /// Height of a plot, px.
 const HEIGHT: u32 = 160;
 /// Modes that are drawn, lowest first.
 const MOST_MODES: usize = 8;
 
-impl Findings {
-    /// The same with a figure of the shaft at its static equilibrium.
-    pub(crate) fn with_static_shape(mut self, title: &str, shape: &ShaftShape<f64>) -> Self {
-        self.figures.push(static_shape(title, shape));
-        self
-    }
+/// A shaft that bends as its loads bend it; none where something else displaces it.
+pub(super) fn deflection(title: &str, question: &StaticQuestion) -> Option<Figure> {
+    let loaded = question.displacement.iter().all(Option::is_none) && !question.unbalance;
+    question.rotor.flexible.as_ref().filter(|_| loaded)?;
+    let shape = Rotor::assemble(&question.rotor).ok()?.static_shape()?;
+    Some(static_shape(title, &shape))
+}
 
-    /// The same with a figure of modes and their shapes.
-    pub(crate) fn with_mode_shapes(
-        mut self,
-        title: &str,
-        modes: &[(Mode, ShaftShape<Complex<f64>>)],
-    ) -> Self {
-        self.figures.push(mode_shapes(title, modes));
-        self
-    }
+/// The modes of a shaft that bends at a speed in rad/s.
+pub(super) fn shapes_at(title: &str, rotor: &RotorDefinition, speed: f64) -> Option<Figure> {
+    rotor.flexible.as_ref()?;
+    let rotor = Rotor::assemble(&rotor.at_constant_speed(speed)).ok()?;
+    let modes = rotor.modes().into_iter();
+    let shapes: Vec<_> = modes
+        .filter_map(|mode| Some((mode.clone(), rotor.mode_shape(&mode)?)))
+        .collect();
+    (!shapes.is_empty()).then(|| mode_shapes(title, &shapes))
 }
 
 /// The shaft at its static equilibrium, and undeformed.

@@ -1,6 +1,7 @@
 //! The answer to a static question: text for people, JSON, CSV and a figure of the balls.
 
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turned};
+use super::shaft_shapes::deflection;
 use super::table::{Named, Table};
 use super::terminal::{
     Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed, or_dash,
@@ -8,16 +9,24 @@ use super::terminal::{
 use super::{Destination, FileSet, Findings};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
 use crate::physics::Race;
-use crate::quasi_static::QuasiStatic;
+use crate::quasi_static::{QuasiStatic, StaticQuestion};
 use crate::rotor::FREEDOMS;
 
 /// Equilibrium, stiffness and every bearing with its balls.
-pub fn answer_findings(destination: &Destination<'_>, answer: &QuasiStatic) -> Findings {
+pub fn answer_findings(
+    destination: &Destination<'_>,
+    question: &StaticQuestion,
+    answer: &QuasiStatic,
+) -> Findings {
     let title = destination.title;
+    let balls = balls_figure(title, answer);
     Findings {
         set: FileSet::BEARING,
         tables: vec![("balls", balls_table(answer))],
-        figures: vec![balls_figure(title, answer)],
+        figures: [balls]
+            .into_iter()
+            .chain(deflection(title, question))
+            .collect(),
         document: destination.document(answer),
         text: text(title, answer),
     }

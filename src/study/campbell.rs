@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::integrate::root::Bracket;
 use crate::keys;
 use crate::rotor::{Rotor, RotorDefinition, RotorError, Whirl};
-use crate::simulate::{Model, Run};
+use crate::simulate::{MORE_MODES, Model, Run};
 
 pub use crate::rotor::Mode;
 
@@ -88,6 +88,10 @@ pub struct CriticalSpeed {
     pub whirl: Whirl,
     /// How much more it goes round with the rotation than against it, −1 … 1.
     pub forward_share: f64,
+    /// Of a shaft that bends: relative difference of the frequency there from that with four more modes of bending in
+    /// each plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reduction_error: Option<f64>,
 }
 
 /// Natural frequencies over the speed.
@@ -170,7 +174,10 @@ impl CampbellQuestion {
         check_range([self.from, self.to], self.count, &self.orders)?;
         let speeds = self.speeds();
         let (branches, least_assurance) = follow(self, &speeds)?;
-        let critical_speeds = critical_speeds(self, &speeds, &branches)?;
+        let mut critical_speeds = critical_speeds(self, &speeds, &branches)?;
+        for critical in &mut critical_speeds {
+            critical.reduction_error = self.reduction_error(critical)?;
+        }
         Ok(Campbell {
             speeds,
             branches,
@@ -188,12 +195,27 @@ impl CampbellQuestion {
 
     /// Modes of the shaft at a speed in rad/s.
     fn modes(&self, speed: f64) -> Result<Vec<Mode>, CampbellError> {
-        let rotor = Rotor::assemble(&self.rotor.at_constant_speed(speed));
-        match rotor {
-            Ok(rotor) => Ok(rotor.modes()),
-            Err(source) => Err(CampbellError::Rotor { speed, source }),
-        }
+        Ok(assembled(&self.rotor.at_constant_speed(speed), speed)?.modes())
     }
+
+    /// Difference of the frequency at a critical speed from the nearest one of a reduction to more modes; none of a rigid
+    /// shaft.
+    fn reduction_error(&self, critical: &CriticalSpeed) -> Result<Option<f64>, CampbellError> {
+        let speed = critical.speed;
+        let definition = self.rotor.at_constant_speed(speed);
+        let Some(modes) = assembled(&definition, speed)?.bending_modes() else {
+            return Ok(None);
+        };
+        let finer = assembled(&definition.with_modes(modes + MORE_MODES), speed)?.modes();
+        let difference = |mode: &Mode| (mode.damped_frequency() / critical.frequency - 1.0).abs();
+        let alike = finer.iter().filter(|mode| mode.whirl() == critical.whirl);
+        Ok(alike.map(difference).min_by(f64::total_cmp))
+    }
+}
+
+/// The shaft at a speed in rad/s.
+fn assembled(definition: &RotorDefinition, speed: f64) -> Result<Rotor, CampbellError> {
+    Rotor::assemble(definition).map_err(|source| CampbellError::Rotor { speed, source })
 }
 
 /// Shapes more alike than this are surely the same mode.
@@ -389,6 +411,7 @@ impl Crossing<'_> {
             damping_ratio: mode.damping_ratio(),
             whirl: mode.whirl(),
             forward_share: mode.forward_share(),
+            reduction_error: None,
         }
     }
 }

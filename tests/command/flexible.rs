@@ -329,6 +329,114 @@ fn deflection_and_mode_shapes_are_drawn() {
     }
 }
 
+/// What `campbell` states of its critical speeds, against the frequencies with many modes.
+#[test]
+fn the_reduction_error_of_critical_speeds_is_the_true_one() {
+    let critical = |modes: usize| {
+        let scene = Scene::new(&format!(
+            "[shaft]\nfreedoms = \"radial\"\nmodes = {modes}\n[[shaft.section]]\nlength = \"0.8 m\"\nouter_diameter = \"40 \
+             mm\"\n[[disc]]\nposition = \"0.3 m\"\nouter_diameter = \"250 mm\"\nwidth = \"40 mm\"\n{}{}[speed]\nconstant = \
+             \"1500 rpm\"\n",
+            linear("0 m", "1e8"),
+            linear("0.8 m", "1e8"),
+        ));
+        scene.ask(&["campbell", "--to", "40000 rpm", "--count", "9"]);
+        scene.json("campbell.json")["critical_speeds"].clone()
+    };
+    let (coarse, fine) = (critical(0), critical(24));
+    let (coarse, fine) = (
+        coarse.as_array().expect("a list"),
+        fine.as_array().expect("a list"),
+    );
+    assert!(coarse.len() >= 2, "{coarse:?}");
+    for (coarse, fine) in coarse.iter().zip(fine).take(2) {
+        let number = |of: &Value, key: &str| of[key].as_f64().expect("a number");
+        let stated = number(coarse, "reduction_error");
+        let true_error = number(coarse, "frequency_Hz") / number(fine, "frequency_Hz") - 1.0;
+        let ratio = stated / true_error.abs();
+        assert!(
+            (1.0 / 3.0..3.0).contains(&ratio),
+            "{stated:e} for {true_error:e}"
+        );
+    }
+}
+
+/// √(k/m) of a disc in the middle of a massless shaft on stiff supports, with 1/k = L³/(48 E I) + L/(4 κ G A) + 1/(2 k_s).
+#[test]
+fn a_massless_shaft_has_the_frequency_of_a_laval_rotor() {
+    let (length, diameter, mass) = (0.6_f64, 0.02_f64, 8.0_f64);
+    let small = |position: &str| {
+        format!(
+            "[[disc]]\nposition = \"{position}\"\nmass = \"1 g\"\ninertia_transverse = \"1e-7 kg m^2\"\n{}",
+            linear(position, "1e11")
+        )
+    };
+    let text = format!(
+        "[shaft]\nfreedoms = \"radial\"\nmassless = true\nmaterial = {{ youngs_modulus = \"210 GPa\", poisson_ratio = 0.3 }}\n\
+         [[shaft.section]]\nlength = \"0.6 m\"\nouter_diameter = \"20 mm\"\n[[disc]]\nposition = \"0.3 m\"\nmass = \"8 kg\"\n\
+         inertia_transverse = \"0.02 kg m^2\"\n{}{}[speed]\nconstant = \"1500 rpm\"\n",
+        small("0 m"),
+        small("0.6 m"),
+    );
+    let scene = Scene::new(&text);
+    scene.ask(&["campbell", "--to", "1500 rpm", "--count", "3"]);
+    let (modulus, poisson) = (210e9, 0.3);
+    let second_moment = PI * diameter.powi(4) / 64.0;
+    let area = PI * diameter * diameter / 4.0;
+    let cowper = 6.0 * (1.0 + poisson) / (7.0 + 6.0 * poisson);
+    let shear = cowper * modulus / (2.0 * (1.0 + poisson)) * area;
+    let supports = 1.0 / (2.0 * 1e11);
+    let compliance =
+        length.powi(3) / (48.0 * modulus * second_moment) + length / (4.0 * shear) + supports;
+    let found = frequencies(&scene.json("campbell.json"), "last_Hz");
+    close(found[0], (1.0 / (compliance * mass)).sqrt(), 1e-6);
+}
+
+/// The inner rings are the mass that the shaft has at its bearings.
+#[test]
+fn a_massless_shaft_runs_on_ball_bearings() {
+    let bearing = |position: &str, facing: &str| {
+        format!(
+            "[[bearing]]\ncatalogue = \"6204\"\nposition = \"{position}\"\npreload = \"100 N\"\nfacing = \"{facing}\"\n"
+        )
+    };
+    let text = |more: &str| {
+        format!(
+            "[shaft]\nmassless = true\ngravity = true\n[[shaft.section]]\nlength = \"0.6 m\"\n\
+             outer_diameter = \"20 mm\"\n[[disc]]\nposition = \"0.3 m\"\nouter_diameter = \"200 mm\"\nwidth = \"30 mm\"\n\
+             {}{}{more}[damping]\nratio = 0.03\n[speed]\nconstant = \"1500 rpm\"\n[model]\ncage = \"frozen\"\n[time]\n\
+             duration = \"0.02 s\"\nsettle = \"0.01 s\"\n",
+            bearing("20 mm", "+z"),
+            bearing("580 mm", "-z"),
+        )
+    };
+    let scene = Scene::new(&text(""));
+    scene.ask(&["run"]);
+    let y = scene.column("trace.csv", "y_m");
+    let (stiffness, weight) = (
+        48.0 * 210e9 * PI * 0.02_f64.powi(4) / 64.0 / 0.56_f64.powi(3),
+        72.0,
+    );
+    let sag = weight / stiffness;
+    let mean = -y.iter().sum::<f64>() / y.len() as f64;
+    // the moments of the bearings stiffen the shaft, their clearance and contacts let it sink
+    assert!(
+        (0.5 * sag..2.0 * sag).contains(&mean),
+        "{mean} beside {sag}"
+    );
+
+    let pushed = Scene::new(&text(
+        "[[load]]\nconstant = { y = \"-10 N\" }\nposition = \"100 mm\"\n",
+    ));
+    let output = jeffcott_in(pushed.0.path(), &["run", "shaft.toml", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    assert!(
+        told(&output).contains("at 0.1 m, where the shaft has no mass"),
+        "{}",
+        told(&output)
+    );
+}
+
 /// A shaft of which the only bearing lets it tilt.
 #[test]
 fn an_unconstrained_shaft_is_refused() {

@@ -57,7 +57,8 @@ impl Mesh {
     /// Source: R. R. Craig & M. C. C. Bampton, *AIAA J.* 6 (1968) 1313–1319.
     ///
     /// # Errors
-    /// [`ShaftError::Singular`] where the inside is not held by the points.
+    /// [`ShaftError::Singular`] where the inside is not held by the points, [`ShaftError::Massless`] where one of them has
+    /// no inertia.
     pub(in crate::rotor) fn reduced(
         self,
         positions: &[f64],
@@ -83,6 +84,9 @@ impl Mesh {
         positions: &[f64],
         count: impl Fn(&[f64]) -> usize,
     ) -> Result<ReducedShaft, ShaftError> {
+        if let Some(&position) = positions.iter().find(|at| self.is_massless(**at)) {
+            return Err(ShaftError::Massless { position });
+        }
         let singular = ShaftError::Singular {
             points: positions.len(),
         };
@@ -104,6 +108,14 @@ impl Mesh {
             plane,
             frequencies,
         })
+    }
+
+    /// Whether the node at a position has no mass or no moment of inertia.
+    fn is_massless(&self, position: f64) -> bool {
+        let deflection = 2 * self.node_at(position);
+        [deflection, deflection + 1]
+            .into_iter()
+            .any(|row| self.plane.mass[(row, row)] == 0.0)
     }
 
     /// T, a row for each deflection and slope of the nodes, and the frequencies of its modes.

@@ -7,7 +7,7 @@ use super::bearing::{MaterialInput, material};
 use super::shaft::ShaftInput;
 use super::unbalance::UnbalanceInput;
 use crate::physics::Material;
-use crate::rotor::{Disc, FlexibleShaft, PointUnbalance, Section};
+use crate::rotor::{Disc, FlexibleShaft, Freedoms, PointUnbalance, Section};
 use crate::scenario::problems::Problems;
 use crate::scenario::quantity::{Inertia, Length, Mass, Quantity, si};
 use crate::scenario::{Issue, matrices_file};
@@ -81,6 +81,7 @@ pub fn build(
         return Some(None);
     }
     refuse_of_rigid(shaft, problems);
+    refuse_without_mass(shaft, discs, problems);
     let base = material(shaft.material.as_ref(), STEEL);
     let matrices = match &shaft.matrices {
         None => None,
@@ -99,7 +100,16 @@ pub fn build(
         .enumerate()
         .map(|(index, section)| {
             problems.inside(format!("shaft.section[{index}]"), |problems| {
-                section.build(base, problems)
+                let built = section.build(base, problems)?;
+                let material = Material {
+                    density: if shaft.massless {
+                        0.0
+                    } else {
+                        built.material.density
+                    },
+                    ..built.material
+                };
+                Some(Section { material, ..built })
             })
         })
         .collect();
@@ -192,6 +202,7 @@ fn refuse_without_sections(shaft: &ShaftInput, discs: &[DiscInput], problems: &m
         ("shaft.observed", shaft.observed.is_some()),
         ("shaft.internal_damping", shaft.internal_damping.is_some()),
         ("shaft.material", shaft.material.is_some()),
+        ("shaft.massless", shaft.massless),
         ("disc", !discs.is_empty()),
     ];
     for (path, _) in keys.into_iter().filter(|(_, given)| *given) {
@@ -212,6 +223,10 @@ fn refuse_without_sections(shaft: &ShaftInput, discs: &[DiscInput], problems: &m
 
 /// Refuses what follows from the sections and discs of a shaft that bends.
 fn refuse_of_rigid(shaft: &ShaftInput, problems: &mut Problems<'_>) {
+    if shaft.freedoms == Some(Freedoms::Translational) {
+        let issue = Issue::new("shaft.freedoms", "a shaft that bends tilts, too");
+        problems.refuse(issue.help("write \"all\", or \"radial\" to hold it along z"));
+    }
     let keys = [
         (
             "mass",
@@ -261,6 +276,25 @@ fn refuse_of_rigid(shaft: &ShaftInput, problems: &mut Problems<'_>) {
     if shaft.section.len() > MOST_SECTIONS {
         let message = format!("{} sections; at most {MOST_SECTIONS}", shaft.section.len());
         problems.refuse(Issue::new("shaft.section", message));
+    }
+}
+
+/// Refuses a massless shaft that nothing gives a mass, or whose mass another program has given.
+fn refuse_without_mass(shaft: &ShaftInput, discs: &[DiscInput], problems: &mut Problems<'_>) {
+    if !shaft.massless {
+        return;
+    }
+    if shaft.matrices.is_some() {
+        let issue = Issue::new(
+            "shaft.massless",
+            "the mass of `matrices` stands in their file",
+        );
+        let issue = issue.help("leave one of them out");
+        problems.refuse(issue.against("shaft.matrices"));
+    }
+    if discs.is_empty() {
+        let issue = Issue::new("shaft.massless", "a massless shaft needs a disc");
+        problems.refuse(issue.help("add [[disc]] with position, outer_diameter and width"));
     }
 }
 

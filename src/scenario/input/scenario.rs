@@ -21,7 +21,7 @@ use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{
-    Damping, Drive, FlexibleShaft, Freedoms, LinearBearing, MOST_HOUSINGS, RotorDefinition,
+    Damping, Disc, Drive, FlexibleShaft, Freedoms, LinearBearing, MOST_HOUSINGS, RotorDefinition,
 };
 use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
@@ -213,9 +213,9 @@ impl ScenarioInput {
 
     fn rotor(&self, problems: &mut Problems<'_>) -> Option<RotorDefinition> {
         let turns = self.speed.drive.is_some();
-        let flexible = flexible::build(&self.shaft, &self.disc, &self.unbalance, problems)?;
-        let shaft = match &flexible {
-            Some(flexible) => self.shaft.build_flexible(flexible, problems),
+        let mut flexible = flexible::build(&self.shaft, &self.disc, &self.unbalance, problems)?;
+        let mut shaft = match &flexible {
+            Some(flexible) => self.shaft.build_flexible(flexible),
             None => self.shaft.build(self.time.is_some(), turns, problems),
         };
         let freedoms = shaft.freedoms;
@@ -242,6 +242,10 @@ impl ScenarioInput {
         let bearings = bearings?;
         if self.time.is_some() && freedoms.count() > AXIAL && load[AXIAL] == 0.0 {
             warn_where_unheld(&bearings, self.bearing.len(), problems);
+        }
+        if let Some(flexible) = flexible.as_mut().filter(|_| self.shaft.massless) {
+            flexible.discs.extend(bearings.iter().map(Disc::inner_ring));
+            shaft = self.shaft.build_flexible(flexible);
         }
         match &flexible {
             Some(shaft) => self.check_positions(shaft, &bearings, problems),

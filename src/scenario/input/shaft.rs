@@ -59,6 +59,10 @@ pub struct ShaftInput {
     /// Whether the weight acts, along −Y. Default: false.
     #[serde(default)]
     pub gravity: bool,
+    /// Whether the sections have stiffness and no mass: the shaft of a Laval rotor. Discs have the mass, and where a ball
+    /// bearing sits its inner ring does. Default: false.
+    #[serde(default)]
+    pub massless: bool,
     /// Moment of inertia about a transverse axis through the centre of mass, for instance
     /// "0.01 kg m^2". Needed for a motion with freedoms = "all".
     #[schemars(extend("x-minimum" = 1e-12))]
@@ -85,11 +89,7 @@ impl ShaftInput {
     }
 
     /// What of a shaft that bends the whole of it has.
-    pub fn build_flexible(&self, shaft: &FlexibleShaft, problems: &mut Problems<'_>) -> Shaft {
-        if self.freedoms == Some(Freedoms::Translational) {
-            let issue = Issue::new("shaft.freedoms", "a shaft that bends tilts, too");
-            problems.refuse(issue.help("write \"all\", or \"radial\" to hold it along z"));
-        }
+    pub fn build_flexible(&self, shaft: &FlexibleShaft) -> Shaft {
         Shaft {
             mass: shaft.mass(),
             inertia_transverse: shaft.inertia_transverse(),
