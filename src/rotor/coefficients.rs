@@ -19,7 +19,7 @@ enum Form {
     Diagonal(Vec<f64>),
     /// Row, column, value of the few that are not zero.
     Sparse(Vec<(usize, usize, f64)>),
-    Full,
+    Full(Columns),
 }
 
 impl Coefficients {
@@ -36,7 +36,7 @@ impl Coefficients {
         } else if SPARSE * sparse.len() < dofs * dofs {
             Form::Sparse(sparse)
         } else {
-            Form::Full
+            Form::Full(Columns::new(&entries, dofs))
         };
         Self { entries, form }
     }
@@ -61,7 +61,7 @@ impl Coefficients {
                     sum[*row] += factor * entry * vector[*column];
                 }
             }
-            Form::Full => add_full_product(&self.entries, factor, vector, sum),
+            Form::Full(columns) => columns.add_product(factor, vector, sum),
         }
     }
 
@@ -82,14 +82,39 @@ fn half_square(entries: &DMatrix<f64>, vector: &[f64]) -> f64 {
     0.5 * sum
 }
 
-/// Column by column, as they are stored.
-#[inline(always)]
-fn add_full_product(entries: &DMatrix<f64>, factor: f64, vector: &[f64], sum: &mut [f64]) {
-    let columns = entries.as_slice().chunks_exact(entries.nrows().max(1));
-    for (column, value) in columns.zip(vector) {
-        let value = factor * value;
-        for (sum, entry) in sum.iter_mut().zip(column) {
-            *sum += entry * value;
+/// The columns of a matrix, each from its first entry that is not zero to the last: the planes of a shaft do not meet in
+/// its matrices.
+#[derive(Debug, Clone, PartialEq)]
+struct Columns {
+    /// Its first row, and where its entries begin and end.
+    ranges: Vec<(usize, usize, usize)>,
+    entries: Vec<f64>,
+}
+
+impl Columns {
+    /// Those of the first `dofs` rows and columns.
+    fn new(matrix: &DMatrix<f64>, dofs: usize) -> Self {
+        let (mut ranges, mut entries) = (Vec::new(), Vec::new());
+        for column in matrix.column_iter().take(dofs) {
+            let column = &column.as_slice()[..dofs];
+            let first = column.iter().position(|entry| *entry != 0.0);
+            let last = column.iter().rposition(|entry| *entry != 0.0);
+            let begin = entries.len();
+            if let (Some(first), Some(last)) = (first, last) {
+                entries.extend(&column[first..=last]);
+            }
+            ranges.push((first.unwrap_or(0), begin, entries.len()));
+        }
+        Self { ranges, entries }
+    }
+
+    #[inline(always)]
+    fn add_product(&self, factor: f64, vector: &[f64], sum: &mut [f64]) {
+        for ((first, begin, end), value) in self.ranges.iter().zip(vector) {
+            let value = factor * value;
+            for (sum, entry) in sum[*first..].iter_mut().zip(&self.entries[*begin..*end]) {
+                *sum += entry * value;
+            }
         }
     }
 }
@@ -104,7 +129,8 @@ pub(super) struct Mass {
 #[derive(Debug, Clone, PartialEq)]
 enum Inverse {
     Diagonal(Vec<f64>),
-    Full(DMatrix<f64>),
+    /// All of it, and its columns.
+    Full(DMatrix<f64>, Columns),
 }
 
 impl Mass {
@@ -116,7 +142,11 @@ impl Mass {
             positive.then(|| Inverse::Diagonal(diagonal.iter().map(|mass| 1.0 / mass).collect()))
         } else {
             let factors = entries.clone().cholesky();
-            factors.map(|factors| Inverse::Full(factors.inverse()))
+            factors.map(|factors| {
+                let inverse = factors.inverse();
+                let columns = Columns::new(&inverse, inverse.ncols());
+                Inverse::Full(inverse, columns)
+            })
         };
         inverse.map(|inverse| Self { entries, inverse })
     }
@@ -136,12 +166,12 @@ impl Mass {
                     *force *= inverse;
                 }
             }
-            Inverse::Full(inverse) => {
+            Inverse::Full(_, columns) => {
                 let size = forces.len();
                 with_room(size, |room| {
                     room.copy_from_slice(forces);
                     forces.fill(0.0);
-                    add_full_product(inverse, 1.0, room, forces);
+                    columns.add_product(1.0, room, forces);
                 });
             }
         }
@@ -172,7 +202,7 @@ impl Mass {
                     matrix[(row, column)] * (inverse[row] * inverse[column]).sqrt()
                 })
             }
-            Inverse::Full(inverse) => {
+            Inverse::Full(inverse, _) => {
                 let size = inverse.nrows();
                 let root = self.power(|mass| 1.0 / mass.sqrt());
                 &root * matrix.view((0, 0), (size, size)) * &root

@@ -14,6 +14,10 @@ const AXIAL: f64 = 0.5;
 const STRAIGHT: f64 = 0.05;
 /// Eigenvalues nearer than this part of their size share their eigenvectors.
 const REPEATED: f64 = 1e-6;
+/// What keeps a nearly singular matrix with entries of order one from being singular: round-off of an eigenvalue.
+const SHIFT: f64 = 1e-14;
+/// Inverse iterations for shapes: each leaves at most SHIFT/REPEATED of what belongs to others.
+const INVERSE_ITERATIONS: usize = 3;
 
 /// How the shaft goes round in a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -201,11 +205,7 @@ impl Rotor {
             };
             inertia + eigenvalue * rate[(row, column)] + stiffness[(row, column)]
         });
-        let decomposed = (dynamic / Complex::from(eigenvalue.norm_sqr())).svd(false, true);
-        let Some(directions) = decomposed.v_t else {
-            return DMatrix::zeros(dofs, 0);
-        };
-        let shapes = directions.rows(dofs - count, count).adjoint();
+        let shapes = most_shrunk(dynamic / Complex::from(eigenvalue.norm_sqr()), count);
         if count == 1 {
             return shapes;
         }
@@ -245,6 +245,26 @@ impl Rotor {
         let stiffness = &self.tangent - self.circulatory.entries() * self.speed();
         [&stiffness, &rate].map(|matrix| self.mass.normalised(matrix))
     }
+}
+
+/// The orthonormal directions that a nearly singular matrix with entries of order one shrinks most, by inverse iteration.
+fn most_shrunk(mut matrix: DMatrix<Complex<f64>>, count: usize) -> DMatrix<Complex<f64>> {
+    let size = matrix.nrows();
+    // an exact zero among the pivots would end it
+    for entry in 0..size {
+        matrix[(entry, entry)] += Complex::from(SHIFT);
+    }
+    let factors = matrix.lu();
+    // any start will do that has a part along each of them
+    let start =
+        |row: usize, column: usize| Complex::cis((1.0 + row as f64) * (1.0 + column as f64));
+    let mut directions = DMatrix::from_fn(size, count, start);
+    for _ in 0..INVERSE_ITERATIONS {
+        if let Some(grown) = factors.solve(&directions) {
+            directions = grown.qr().q();
+        }
+    }
+    directions
 }
 
 /// Matrix A of `d/dt (ω₀ u, u̇) = A (ω₀ u, u̇)` with u = M^½ q: in these units, ω₀ the highest frequency of a freedom

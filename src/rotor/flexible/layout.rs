@@ -14,8 +14,8 @@ use crate::rotor::{FREEDOMS, Freedoms, Load, RotorDefinition};
 /// Frequency of the modes that are kept over that of the highest excitation.
 const HEADROOM: f64 = 3.0;
 
-/// Where coordinates stand: x, y, (z,) θx, θy of the observed point, of the other points x, y, θx, θy, then the modes of
-/// the plane of x and θy, those of y and θx, and last z where it is held.
+/// Where coordinates stand: x and θy of each point and the modes of their plane, then y, θx and modes of the other plane, so
+/// that the matrices of the shaft consist of blocks, and last z of all points.
 #[derive(Debug, Clone, Copy)]
 struct Layout {
     points: usize,
@@ -24,47 +24,43 @@ struct Layout {
 }
 
 impl Layout {
+    /// Number of coordinates of a plane.
+    fn plane_size(&self) -> usize {
+        2 * self.points + self.modes
+    }
+
     fn size(&self) -> usize {
-        4 * self.points + 2 * self.modes + 1
+        2 * self.plane_size() + 1
     }
 
     fn dofs(&self) -> usize {
         self.size() - usize::from(!self.axial)
     }
 
-    /// All points move by the same z.
     fn z(&self) -> usize {
-        if self.axial { 2 } else { self.size() - 1 }
+        2 * self.plane_size()
     }
 
     fn point(&self, number: usize) -> Point {
-        let first = 4 * number + usize::from(self.axial && number > 0);
-        let tilts = if number == 0 && self.axial { 3 } else { 2 };
-        Point::new([first, first + 1, self.z(), first + tilts, first + tilts + 1])
+        let (first, second) = (2 * number, self.plane_size() + 2 * number);
+        Point::new([first, second, self.z(), second + 1, first + 1])
     }
 
     /// Coordinate and sign of each deflection, slope and mode of the plane of x and θy.
     fn first_plane(&self) -> Vec<(usize, f64)> {
-        self.plane(|[x, _, _, _, tilt_y]| [(x, 1.0), (tilt_y, 1.0)], 0)
+        (0..self.plane_size()).map(|index| (index, 1.0)).collect()
     }
 
     /// The same of y and −θx.
     fn second_plane(&self) -> Vec<(usize, f64)> {
-        self.plane(
-            |[_, y, _, tilt_x, _]| [(y, 1.0), (tilt_x, -1.0)],
-            self.modes,
-        )
-    }
-
-    fn plane(
-        &self,
-        pair: impl Fn([usize; FREEDOMS]) -> [(usize, f64); 2],
-        first_mode: usize,
-    ) -> Vec<(usize, f64)> {
-        let points = (0..self.points).flat_map(|number| pair(self.point(number).coordinates()));
-        let behind = 4 * self.points + usize::from(self.axial) + first_mode;
-        let modes = (0..self.modes).map(|mode| (behind + mode, 1.0));
-        points.chain(modes).collect()
+        let is_slope = |index: usize| index < 2 * self.points && index % 2 == 1;
+        let signed = |index| {
+            (
+                self.plane_size() + index,
+                if is_slope(index) { -1.0 } else { 1.0 },
+            )
+        };
+        (0..self.plane_size()).map(signed).collect()
     }
 
     /// Coordinates of both planes with the sign of the second one's.
