@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DMatrixView, DMatrixViewMut};
 
 use super::{
     Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, States, System,
@@ -43,16 +43,8 @@ impl System for Augmented<'_> {
         self.system.derivative(time, state, own);
         let (jacobian, by_time) = &mut *self.slopes.borrow_mut();
         self.system.linearisation(time, state, jacobian, by_time);
-        rates.fill(0.0);
-        let columns = columns.chunks_exact(states);
-        for (rates, column) in rates.chunks_exact_mut(states).zip(columns) {
-            let slopes = jacobian.as_slice().chunks_exact(states);
-            for (slopes, value) in slopes.zip(column) {
-                for (rate, slope) in rates.iter_mut().zip(slopes) {
-                    *rate += slope * value;
-                }
-            }
-        }
+        let columns = DMatrixView::from_slice(columns, states, states);
+        DMatrixViewMut::from_slice(rates, states, states).gemm(1.0, jacobian, &columns, 0.0);
     }
 
     fn next_break(&self, after: f64) -> f64 {

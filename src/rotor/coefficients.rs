@@ -10,7 +10,7 @@ pub(super) struct Coefficients {
 }
 
 /// Entries of a matrix for each that is not zero, from which on it pays to go through these alone: a whole matrix is
-/// multiplied column by column in wide registers.
+/// multiplied in wide registers.
 const SPARSE: usize = 8;
 
 /// The entries that a product needs.
@@ -19,7 +19,7 @@ enum Form {
     Diagonal(Vec<f64>),
     /// Row, column, value of the few that are not zero.
     Sparse(Vec<(usize, usize, f64)>),
-    Full(Columns),
+    Full(Panels),
 }
 
 impl Coefficients {
@@ -36,7 +36,7 @@ impl Coefficients {
         } else if SPARSE * sparse.len() < dofs * dofs {
             Form::Sparse(sparse)
         } else {
-            Form::Full(Columns::new(&entries, dofs))
+            Form::Full(Panels::new(&entries, dofs))
         };
         Self { entries, form }
     }
@@ -61,7 +61,7 @@ impl Coefficients {
                     sum[*row] += factor * entry * vector[*column];
                 }
             }
-            Form::Full(columns) => columns.add_product(factor, vector, sum),
+            Form::Full(panels) => panels.add_product(factor, vector, sum),
         }
     }
 
@@ -82,39 +82,53 @@ fn half_square(entries: &DMatrix<f64>, vector: &[f64]) -> f64 {
     0.5 * sum
 }
 
-/// The columns of a matrix, each from its first entry that is not zero to the last: the planes of a shaft do not meet in
-/// its matrices.
+/// Rows whose sums are formed side by side.
+const PANEL: usize = 4;
+
+/// A matrix in panels of rows, each from its first column that is not zero to the last: the planes of a shaft do not meet
+/// in its matrices.
 #[derive(Debug, Clone, PartialEq)]
-struct Columns {
-    /// Its first row, and where its entries begin and end.
-    ranges: Vec<(usize, usize, usize)>,
-    entries: Vec<f64>,
+struct Panels {
+    /// First column of each panel, and where its entries end.
+    panels: Vec<(usize, usize)>,
+    /// Column by column.
+    entries: Vec<[f64; PANEL]>,
 }
 
-impl Columns {
+impl Panels {
     /// Those of the first `dofs` rows and columns.
     fn new(matrix: &DMatrix<f64>, dofs: usize) -> Self {
-        let (mut ranges, mut entries) = (Vec::new(), Vec::new());
-        for column in matrix.column_iter().take(dofs) {
-            let column = &column.as_slice()[..dofs];
-            let first = column.iter().position(|entry| *entry != 0.0);
-            let last = column.iter().rposition(|entry| *entry != 0.0);
-            let begin = entries.len();
-            if let (Some(first), Some(last)) = (first, last) {
-                entries.extend(&column[first..=last]);
-            }
-            ranges.push((first.unwrap_or(0), begin, entries.len()));
+        let (mut panels, mut entries) = (Vec::new(), Vec::new());
+        for first_row in (0..dofs).step_by(PANEL) {
+            let at = |column: usize| {
+                std::array::from_fn(|row| match first_row + row {
+                    row if row < dofs => matrix[(row, column)],
+                    _ => 0.0,
+                })
+            };
+            let filled = |column: &usize| at(*column) != [0.0; PANEL];
+            let first = (0..dofs).find(filled).unwrap_or(0);
+            let end = (0..dofs).rfind(filled).map_or(first, |last| last + 1);
+            entries.extend((first..end).map(at));
+            panels.push((first, entries.len()));
         }
-        Self { ranges, entries }
+        Self { panels, entries }
     }
 
     #[inline(always)]
     fn add_product(&self, factor: f64, vector: &[f64], sum: &mut [f64]) {
-        for ((first, begin, end), value) in self.ranges.iter().zip(vector) {
-            let value = factor * value;
-            for (sum, entry) in sum[*first..].iter_mut().zip(&self.entries[*begin..*end]) {
-                *sum += entry * value;
+        let mut begin = 0;
+        for ((first, end), sum) in self.panels.iter().zip(sum.chunks_mut(PANEL)) {
+            let mut panel = [0.0; PANEL];
+            for (entries, value) in self.entries[begin..*end].iter().zip(&vector[*first..]) {
+                for (row, entry) in panel.iter_mut().zip(entries) {
+                    *row += entry * value;
+                }
             }
+            for (sum, row) in sum.iter_mut().zip(panel) {
+                *sum += factor * row;
+            }
+            begin = *end;
         }
     }
 }
@@ -129,8 +143,8 @@ pub(super) struct Mass {
 #[derive(Debug, Clone, PartialEq)]
 enum Inverse {
     Diagonal(Vec<f64>),
-    /// All of it, and its columns.
-    Full(DMatrix<f64>, Columns),
+    /// All of it, and its panels.
+    Full(DMatrix<f64>, Panels),
 }
 
 impl Mass {
@@ -144,8 +158,8 @@ impl Mass {
             let factors = entries.clone().cholesky();
             factors.map(|factors| {
                 let inverse = factors.inverse();
-                let columns = Columns::new(&inverse, inverse.ncols());
-                Inverse::Full(inverse, columns)
+                let panels = Panels::new(&inverse, inverse.ncols());
+                Inverse::Full(inverse, panels)
             })
         };
         inverse.map(|inverse| Self { entries, inverse })
@@ -166,13 +180,18 @@ impl Mass {
                     *force *= inverse;
                 }
             }
-            Inverse::Full(_, columns) => {
-                let size = forces.len();
-                with_room(size, |room| {
-                    room.copy_from_slice(forces);
-                    forces.fill(0.0);
-                    columns.add_product(1.0, room, forces);
-                });
+            Inverse::Full(_, panels) => {
+                let (mut few, mut many) = ([0.0; ROOM], Vec::new());
+                let given = match few.get_mut(..forces.len()) {
+                    Some(few) => few,
+                    None => {
+                        many.resize(forces.len(), 0.0);
+                        &mut many[..]
+                    }
+                };
+                given.copy_from_slice(forces);
+                forces.fill(0.0);
+                panels.add_product(1.0, given, forces);
             }
         }
     }
@@ -213,13 +232,3 @@ impl Mass {
 
 /// Degrees of freedom up to which no memory is asked for at an evaluation.
 const ROOM: usize = 64;
-
-/// Calls with so many numbers to be overwritten.
-#[inline(always)]
-fn with_room(size: usize, call: impl FnOnce(&mut [f64])) {
-    if size <= ROOM {
-        call(&mut [0.0; ROOM][..size]);
-    } else {
-        call(&mut vec![0.0; size]);
-    }
-}
