@@ -3,11 +3,14 @@
 use std::cell::RefCell;
 use std::sync::atomic::AtomicBool;
 
-use nalgebra::{DMatrix, DMatrixView, DMatrixViewMut};
+use fearless_simd::Level;
+use nalgebra::DMatrix;
 
 use super::{
     Counters, Grid, IntegrateError, Integration, Method, Scaling, Settings, States, System,
 };
+use crate::panels::Panels;
+use crate::registers::in_wide_registers;
 
 /// The end of a motion and its slopes by the start.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,8 +29,10 @@ struct Augmented<'a> {
     system: &'a dyn System,
     /// Units of the states.
     scale: &'a [f64],
-    /// Room for `∂f/∂y` and `∂f/∂t`.
-    slopes: RefCell<(DMatrix<f64>, Vec<f64>)>,
+    /// Vector instructions of the processor.
+    level: Level,
+    /// Room for `∂f/∂y`, also in panels, and `∂f/∂t`.
+    slopes: RefCell<(DMatrix<f64>, Panels, Vec<f64>)>,
 }
 
 impl System for Augmented<'_> {
@@ -41,10 +46,16 @@ impl System for Augmented<'_> {
         let (state, columns) = all.split_at(states);
         let (own, rates) = rate.split_at_mut(states);
         self.system.derivative(time, state, own);
-        let (jacobian, by_time) = &mut *self.slopes.borrow_mut();
+        let (jacobian, panels, by_time) = &mut *self.slopes.borrow_mut();
         self.system.linearisation(time, state, jacobian, by_time);
-        let columns = DMatrixView::from_slice(columns, states, states);
-        DMatrixViewMut::from_slice(rates, states, states).gemm(1.0, jacobian, &columns, 0.0);
+        panels.set(jacobian, states);
+        rates.fill(0.0);
+        in_wide_registers!(self.level, {
+            let pairs = rates.chunks_exact_mut(states);
+            for (rates, column) in pairs.zip(columns.chunks_exact(states)) {
+                panels.add_product(1.0, column, rates);
+            }
+        });
     }
 
     fn next_break(&self, after: f64) -> f64 {
@@ -109,7 +120,12 @@ pub fn variation(
     let augmented = Augmented {
         system,
         scale: &scaling.scale,
-        slopes: RefCell::new((DMatrix::zeros(states, states), vec![0.0; states])),
+        level: Level::new(),
+        slopes: RefCell::new((
+            DMatrix::zeros(states, states),
+            Panels::default(),
+            vec![0.0; states],
+        )),
     };
     let grid = Grid {
         interval: duration,

@@ -2,6 +2,8 @@
 
 use nalgebra::DMatrix;
 
+use crate::panels::Panels;
+
 /// A matrix of linear forces on the degrees of freedom, stored the way that its products are cheapest.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Coefficients {
@@ -80,57 +82,6 @@ fn half_square(entries: &DMatrix<f64>, vector: &[f64]) -> f64 {
         }
     }
     0.5 * sum
-}
-
-/// Rows whose sums are formed side by side.
-const PANEL: usize = 4;
-
-/// A matrix in panels of rows, each from its first column that is not zero to the last: the planes of a shaft do not meet
-/// in its matrices.
-#[derive(Debug, Clone, PartialEq)]
-struct Panels {
-    /// First column of each panel, and where its entries end.
-    panels: Vec<(usize, usize)>,
-    /// Column by column.
-    entries: Vec<[f64; PANEL]>,
-}
-
-impl Panels {
-    /// Those of the first `dofs` rows and columns.
-    fn new(matrix: &DMatrix<f64>, dofs: usize) -> Self {
-        let (mut panels, mut entries) = (Vec::new(), Vec::new());
-        for first_row in (0..dofs).step_by(PANEL) {
-            let at = |column: usize| {
-                std::array::from_fn(|row| match first_row + row {
-                    row if row < dofs => matrix[(row, column)],
-                    _ => 0.0,
-                })
-            };
-            let filled = |column: &usize| at(*column) != [0.0; PANEL];
-            let first = (0..dofs).find(filled).unwrap_or(0);
-            let end = (0..dofs).rfind(filled).map_or(first, |last| last + 1);
-            entries.extend((first..end).map(at));
-            panels.push((first, entries.len()));
-        }
-        Self { panels, entries }
-    }
-
-    #[inline(always)]
-    fn add_product(&self, factor: f64, vector: &[f64], sum: &mut [f64]) {
-        let mut begin = 0;
-        for ((first, end), sum) in self.panels.iter().zip(sum.chunks_mut(PANEL)) {
-            let mut panel = [0.0; PANEL];
-            for (entries, value) in self.entries[begin..*end].iter().zip(&vector[*first..]) {
-                for (row, entry) in panel.iter_mut().zip(entries) {
-                    *row += entry * value;
-                }
-            }
-            for (sum, row) in sum.iter_mut().zip(panel) {
-                *sum += factor * row;
-            }
-            begin = *end;
-        }
-    }
 }
 
 /// The mass matrix of the degrees of freedom, positive definite.
