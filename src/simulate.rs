@@ -111,8 +111,8 @@ pub(crate) fn simulate_part(
     Ok(answer(model, &passes, observers, warnings))
 }
 
-/// Of a run that is verified, the shaft that bends with more modes.
-fn finer_rotor(model: &Model, rotor: &Rotor) -> Result<Option<Rotor>, SimulateError> {
+/// Of a motion that is verified, the shaft that bends with more modes.
+pub(crate) fn finer_rotor(model: &Model, rotor: &Rotor) -> Result<Option<Rotor>, RotorError> {
     let modes = rotor.bending_modes().filter(|_| model.verify);
     let Some(modes) = modes else { return Ok(None) };
     let definition = model.rotor.with_modes(modes + MORE_MODES);

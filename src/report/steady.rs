@@ -11,6 +11,7 @@ use super::run_tables::sample_table;
 use super::spectra::{amplitude_column, phase_column};
 use super::table::Table;
 use super::terminal::{Lines, MICRO, digits, listed, measured_text, shown_unit};
+use super::text::reduction_text;
 use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::shooting::Multipliers;
@@ -159,6 +160,9 @@ fn text(title: &str, model: &Model, steady: &Steady) -> Lines {
         let sizes = [error.displacement, error.relative];
         let tolerances = [model.integrator.tolerance, error.reference_tolerance];
         out.line("error", measured_text(sizes, tolerances));
+    }
+    if let Some(reduction) = &steady.reduction {
+        out.line("shaft", reduction_text(reduction));
     }
     put_swings(&mut out, steady);
     put_lines(&mut out, steady, model.rotor.speed);

@@ -82,7 +82,7 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
 }
 
 /// `6 modes of bending in each plane, 1.2e-6 µm, 3e-6 of the motion, from 10`.
-fn reduction_text(reduction: &Reduction) -> String {
+pub(super) fn reduction_text(reduction: &Reduction) -> String {
     let kept = format!("{} modes of bending in each plane", reduction.modes);
     match &reduction.error {
         None => kept,

@@ -123,6 +123,12 @@ impl Rotor {
         indices.take_while(|index| *index < dofs).count()
     }
 
+    /// Displacement of the observed point of the shaft in a state.
+    pub(crate) fn displacement(&self, state: &[f64]) -> Vector5 {
+        let shaft = &self.structure.shaft;
+        shaft.displacement(&state[..self.dofs()], &self.rest)
+    }
+
     /// Modes of bending that are kept in each plane of a shaft that bends.
     pub(crate) fn bending_modes(&self) -> Option<usize> {
         self.structure.bending.as_ref().map(|bending| bending.modes)

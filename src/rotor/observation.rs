@@ -68,7 +68,7 @@ impl Rotor {
             time,
             angle: rotation.angle,
             speed: rotation.speed,
-            displacement: self.structure.shaft.displacement(position, &self.rest),
+            displacement: self.displacement(state),
             velocity: self.structure.shaft.rate(velocity),
             acceleration: None,
             housings: self.housing_motions(position, velocity),

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::energy::Works;
+use super::structure::Coordinate;
 use super::{InitialPosition, MotionScale, Rotation, Rotor};
 use crate::bearing::Vector5;
 use crate::integrate::{Scaling, System};
@@ -119,10 +120,7 @@ impl Rotor {
         }
         // what is given moves the shaft from there as a rigid body
         let [displacement, velocity] = &self.initial;
-        let from = self
-            .structure
-            .shaft
-            .displacement(&state[..dofs], &self.rest);
+        let from = self.displacement(&state);
         let shaft = self.structure.shaft.coordinates();
         for (axis, motion) in self.structure.rigid_motions.iter().enumerate() {
             if shaft[axis] >= dofs {
@@ -141,6 +139,20 @@ impl Rotor {
             state[2 * dofs + 1] = self.speed();
         }
         state
+    }
+
+    /// The state of this rotor that is like one of the same shaft with other modes: coordinates that it lacks are zero.
+    pub(crate) fn state_of(&self, other: &Self, state: &[f64]) -> Vec<f64> {
+        let mut own = vec![0.0; self.states()];
+        let theirs = &other.structure.coordinates[..other.dofs()];
+        for (dof, coordinate) in self.structure.coordinates[..self.dofs()].iter().enumerate() {
+            let same = |theirs: &Coordinate| theirs.name == coordinate.name;
+            if let Some(index) = theirs.iter().position(same) {
+                own[dof] = state[index];
+                own[self.dofs() + dof] = state[other.dofs() + index];
+            }
+        }
+        own
     }
 
     /// Scaling under which deviations from the static equilibrium are numbers of order one.

@@ -212,9 +212,13 @@ impl Reference<'_> {
         }
         let rest = &rotor.equilibrium().displacement;
         for (state, reference) in states.iter().zip(self.states.iter()) {
+            let (own, other) = (
+                rotor.displacement(state),
+                self.rotor.displacement(reference),
+            );
             for axis in 0..rotor.active_freedoms() {
-                let apart = scale.lever(axis) * (state[axis] - reference[axis]).abs();
-                let moved = scale.lever(axis) * (reference[axis] - rest[axis]).abs();
+                let apart = scale.lever(axis) * (own[axis] - other[axis]).abs();
+                let moved = scale.lever(axis) * (other[axis] - rest[axis]).abs();
                 self.difference = self.difference.max(apart);
                 self.excursion = self.excursion.max(moved);
             }

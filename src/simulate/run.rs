@@ -61,6 +61,9 @@ pub struct MeasuredError {
     pub counters: Counters,
 }
 
+/// An error of the reduction of a shaft that bends above this part of the motion is worth a warning.
+const REDUCTION: f64 = 1e-2;
+
 /// What is kept of a shaft that bends.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
@@ -69,11 +72,22 @@ pub struct Reduction {
     pub modes: usize,
     /// Degrees of freedom of shaft and housings together.
     pub degrees_of_freedom: usize,
-    /// Its error, where the run is verified.
+    /// Its error, where the motion is verified.
     pub error: Option<ReductionError>,
 }
 
-/// Difference of the run from one with more modes of the shaft.
+impl Reduction {
+    /// What to say of an error that is large beside the motion.
+    pub(crate) fn warning(&self) -> Option<String> {
+        let error = self.error.filter(|error| error.relative > REDUCTION)?;
+        Some(format!(
+            "with {} modes of bending in each plane the motion differs by {:.1e} of it: raise `modes` in [shaft]",
+            error.modes, error.relative
+        ))
+    }
+}
+
+/// Difference of the motion from one with more modes of the shaft.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct ReductionError {
@@ -82,7 +96,7 @@ pub struct ReductionError {
     pub displacement: f64,
     /// The same relative to the largest excursion from the static equilibrium.
     pub relative: f64,
-    /// Modes of the other run in each plane.
+    /// Modes of the other motion in each plane.
     pub modes: usize,
 }
 

@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::passes::Passes;
+use super::run::Reduction;
 use super::{MeasuredError, Model};
 use crate::analysis::{Channel, Kind, Motion};
 use crate::bearing::{ContactLaw, Support};
@@ -17,9 +18,6 @@ const INERTIA_FREE: f64 = 5e5;
 
 /// A measured error above this many tolerances is worth a warning.
 const PROMISE: f64 = 10.0;
-
-/// An error of the reduction of a shaft that bends above this part of the motion is worth a warning.
-const REDUCTION: f64 = 1e-2;
 
 pub(super) fn warnings(
     model: &Model,
@@ -56,15 +54,7 @@ pub(super) fn warnings(
             }
         )
     }));
-    let reduction = passes.reduction();
-    if let Some(error) = reduction.and_then(|reduction| reduction.error)
-        && error.relative > REDUCTION
-    {
-        warnings.push(format!(
-            "with {} modes of bending in each plane the motion differs by {:.1e} of it: raise `modes` in [shaft]",
-            error.modes, error.relative
-        ));
-    }
+    warnings.extend(passes.reduction().as_ref().and_then(Reduction::warning));
     if let Some(failure) = passes.failure() {
         warnings.push(format!(
             "the second pass that measures the error failed, and the error of this run is unknown: \

@@ -5,6 +5,7 @@
 
 mod error;
 mod lines;
+mod measured;
 mod periods;
 pub(crate) mod response;
 mod rotor_map;
@@ -19,20 +20,22 @@ use serde::Serialize;
 pub use error::SteadyError;
 use lines::swings;
 pub use lines::{SteadyLine, SteadyLines, Swing};
+pub use measured::Measured;
+use measured::{measured, reduction};
 pub use periods::Base;
 use periods::Periods;
 pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response};
 use rotor_map::{RotorMap, Solver};
-use samples::{observed, peak_warnings, sampled, trace, trajectories};
+use samples::{observed, peak_warnings, trace, trajectories};
 use search::{Found, find, found_from, subharmonic};
 
 use crate::analysis::Channel;
 use crate::integrate::Counters;
 use crate::keys;
 use crate::rotor::{Rotor, Sample, check_constraints};
-use crate::shooting::{Circle, Crossing, ReturnMap, Slopes, multipliers, refine};
+use crate::shooting::{Circle, Crossing, ReturnMap};
 pub use crate::shooting::{Multipliers, SpecialKind};
-use crate::simulate::{Model, StaticState, of_speed, reference_settings};
+use crate::simulate::{Model, Reduction, StaticState, of_speed};
 
 /// A measured error above this many tolerances is worth a warning.
 const PROMISE: f64 = 10.0;
@@ -51,21 +54,6 @@ pub struct SteadyQuestion<'a> {
     pub stop: &'a AtomicBool,
     /// Counts the periods that were integrated, for whoever watches the search.
     pub integrated: &'a AtomicU64,
-}
-
-/// Distance of the motion from one found again at a tenth of the tolerance, with the round-off that both share.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
-pub struct Measured {
-    /// Largest difference of a displacement (tilts times their arm), and the round-off of one, m.
-    #[serde(rename = "displacement_m")]
-    pub displacement: f64,
-    /// The same relative to the largest excursion from the static equilibrium.
-    pub relative: f64,
-    /// Error of every Floquet multiplier, in their order: its distance from that of the motion found again.
-    pub multipliers: Vec<f64>,
-    /// Tolerance of the second search.
-    pub reference_tolerance: f64,
 }
 
 /// A steady motion.
@@ -115,6 +103,9 @@ pub struct Steady {
     /// Measured error, where the scene asks for it.
     #[serde(skip)]
     pub measured: Option<Measured>,
+    /// What is kept of a shaft that bends.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reduction: Option<Reduction>,
     /// Work of the search, measurement included.
     pub counters: Counters,
     /// What the reader should know.
@@ -203,6 +194,7 @@ fn answer(
         true => Some(measured(&mut map, &found, &sampled, question.model)?),
         false => None,
     };
+    let reduction = reduction(&mut map, &found, &sampled, question.model)?;
     let trace = trace(&map, &trajectories, &sampled, question.model);
     let channels = Channel::of_freedoms(map.rotor.active_freedoms());
     let error = measured.as_ref().map_or(0.0, |error| error.relative);
@@ -210,6 +202,7 @@ fn answer(
     let instability = Crossing::instability(&found.multipliers);
     let mut warnings = peak_warnings(&map, &trajectories)?;
     warnings.extend(of_speed(&question.model.rotor, &map.rotor));
+    warnings.extend(reduction.as_ref().and_then(Reduction::warning));
     let error = measured.as_ref();
     warnings.extend(self::warnings(&found, error, solver.settings.tolerance));
     Ok(Steady {
@@ -226,6 +219,7 @@ fn answer(
         lines: SteadyLines::of(&map.periods, &channels, &sampled, noise),
         trace,
         measured,
+        reduction,
         counters: map.counters,
         warnings,
         section: Section {
@@ -289,42 +283,4 @@ fn warnings(found: &Found, measured: Option<&Measured>, tolerance: f64) -> Vec<S
         )
     });
     left.into_iter().chain(missed).collect()
-}
-
-/// Finds the motion again more exactly, and tells how far apart both are.
-fn measured(
-    map: &mut RotorMap<'_>,
-    found: &Found,
-    sampled_before: &[Vec<Sample>],
-    model: &Model,
-) -> Result<Measured, SteadyError> {
-    let asked = map.solver.settings;
-    map.solver.settings = reference_settings(asked);
-    let tolerance = map.solver.settings.tolerance;
-    let again = refine(map, found.states.clone(), &found.slopes, tolerance)?;
-    let reference = sampled(map, &again.states, model, false)?;
-    let slopes = map.image(&again.states, Slopes::All)?.slopes;
-    let multipliers = multipliers(map.circle(), &slopes);
-    map.solver.settings = asked;
-    let rest = map.rotor.equilibrium().displacement;
-    let (mut displacement, mut excursion) = (0.0_f64, map.scale.length);
-    let pairs = sampled_before
-        .iter()
-        .flatten()
-        .zip(reference.iter().flatten());
-    for (sample, reference) in pairs {
-        let both = sample.displacement.iter().zip(&reference.displacement);
-        for (axis, ((first, second), rest)) in both.zip(&rest).enumerate() {
-            let lever = map.scale.lever(axis);
-            displacement = displacement.max(lever * (first - second).abs());
-            excursion = excursion.max(lever * (second - rest).abs());
-        }
-    }
-    displacement += map.rotor.displacement_round_off();
-    Ok(Measured {
-        displacement,
-        relative: displacement / excursion,
-        multipliers: found.multipliers.distances(&multipliers),
-        reference_tolerance: tolerance,
-    })
 }

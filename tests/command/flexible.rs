@@ -277,6 +277,42 @@ fn the_stated_error_of_the_reduction_is_the_true_one() {
 }
 
 /// Unbalance planes, a moving base, a housing, a run-up and a drive on a shaft that bends.
+/// The same of a steady motion, an unbalance at a third of a shaft on stiff supports.
+#[test]
+fn the_stated_error_of_a_steady_motions_reduction_is_the_true_one() {
+    let with = |modes: usize, more: &[&str]| {
+        let scene = Scene::new(&format!(
+            "[shaft]\nfreedoms = \"radial\"\nmodes = {modes}\nobserved = \"0.3 m\"\n[[shaft.section]]\nlength = \"0.8 m\"\n\
+             outer_diameter = \"40 mm\"\n[[disc]]\nposition = \"0.3 m\"\nouter_diameter = \"250 mm\"\nwidth = \"40 mm\"\n\
+             [[unbalance]]\namount = \"200 g mm\"\nposition = \"0.3 m\"\n{}{}[damping]\nratio = 0.02\n[speed]\nconstant = \
+             \"9000 rpm\"\n[time]\nduration = \"0.1 s\"\nsettle = \"0 s\"\n",
+            linear("0 m", "1e8"),
+            linear("0.8 m", "1e8"),
+        ));
+        scene.ask(&[&["steady"], more].concat());
+        scene
+    };
+    let true_one = with(12, &["--no-verify"]);
+    for modes in [0, 2] {
+        let scene = with(modes, &[]);
+        let reduction = &scene.json("steady.json")["reduction"];
+        let stated = reduction["error"]["displacement_m"]
+            .as_f64()
+            .expect("an error");
+        let mut apart: f64 = 0.0;
+        for name in ["x_m", "y_m"] {
+            let [own, exact] = [&scene, &true_one].map(|one| one.column("steady_trace.csv", name));
+            let differences = own.iter().zip(&exact).map(|(a, b)| (a - b).abs());
+            apart = differences.fold(apart, f64::max);
+        }
+        let ratio = stated / apart;
+        assert!(
+            (1.0 / 3.0..3.0).contains(&ratio),
+            "{modes} modes: {stated:e} stated, {apart:e}"
+        );
+    }
+}
+
 #[test]
 fn every_kind_of_scene_runs() {
     let ramp = ON_TWO_6205.replace(
@@ -405,7 +441,7 @@ fn a_massless_shaft_runs_on_ball_bearings() {
             "[shaft]\nmassless = true\ngravity = true\n[[shaft.section]]\nlength = \"0.6 m\"\n\
              outer_diameter = \"20 mm\"\n[[disc]]\nposition = \"0.3 m\"\nouter_diameter = \"200 mm\"\nwidth = \"30 mm\"\n\
              {}{}{more}[damping]\nratio = 0.03\n[speed]\nconstant = \"1500 rpm\"\n[model]\ncage = \"frozen\"\n[time]\n\
-             duration = \"0.02 s\"\nsettle = \"0.01 s\"\n",
+             duration = \"0.02 s\"\nsettle = \"0.01 s\"\n[output]\nspectrum = false\n",
             bearing("20 mm", "+z"),
             bearing("580 mm", "-z"),
         )
