@@ -50,11 +50,13 @@ fn whirl(plane: &Plane, springs: &[(usize, f64)], speed: f64) -> Vec<f64> {
     };
     let (stiffness, polar) = (normal(&stiffness), normal(&plane.polar));
     // w = u + i v: ẅ − i ω P ẇ + K w = 0; w ~ e^{i s t}: −s² + ω P s + K = 0, a real problem in s
+    // in units of the highest frequency, so that no digits are lost
+    let unit = stiffness.diagonal().amax().sqrt();
     let mut matrix = DMatrix::zeros(2 * size, 2 * size);
-    matrix.view_mut((0, size), (size, size)).fill_diagonal(1.0);
+    matrix.view_mut((0, size), (size, size)).fill_diagonal(unit);
     matrix
         .view_mut((size, 0), (size, size))
-        .copy_from(&stiffness);
+        .copy_from(&(stiffness / unit));
     matrix
         .view_mut((size, size), (size, size))
         .copy_from(&(polar * speed));
@@ -195,4 +197,74 @@ fn a_rigid_motion_has_the_inertia_of_the_whole_shaft() {
         energy < 1e-9,
         "a rigid motion strains the shaft by {energy:e}"
     );
+}
+
+/// Rows of numbers of the table in the chapter on shafts that bend whose header begins so.
+fn documented(header: &str) -> Vec<Vec<f64>> {
+    let chapter = include_str!("../../../docs/flexible-shafts.md");
+    let rows = chapter.lines().skip_while(|line| !line.starts_with(header));
+    let rows = rows.skip(2).take_while(|line| line.starts_with('|'));
+    let numbers = |row: &str| {
+        let cells = row.trim_matches('|').split('|');
+        cells
+            .map(|cell| cell.trim().parse().expect("a number"))
+            .collect()
+    };
+    rows.map(numbers).collect()
+}
+
+/// The largest relative difference of whirl frequencies 1–2, 3–4 and 5–6.
+fn differences(found: &[f64], expected: &[f64]) -> Vec<f64> {
+    let pairs = found.chunks(2).zip(expected.chunks(2)).take(3);
+    let apart = |(found, expected): (&f64, &f64)| (found / expected - 1.0).abs();
+    pairs
+        .map(|(found, expected)| found.iter().zip(expected).map(apart).fold(0.0, f64::max))
+        .collect()
+}
+
+fn as_documented(row: &[f64], found: &[f64]) {
+    for (written, found) in row[1..].iter().zip(found) {
+        // two digits are written
+        assert!(
+            (found / written - 1.0).abs() < 0.1,
+            "{found:.1e} beside {row:?}"
+        );
+    }
+}
+
+#[test]
+fn frequencies_converge_over_modes_as_the_chapter_says() {
+    let points = [0.0, 1.0, 1.5];
+    let mesh = book_shaft().mesh(&points, None).expect("a mesh");
+    let with = |modes: usize| {
+        let plane = mesh
+            .clone()
+            .reduced(&points, modes)
+            .expect("a reduction")
+            .plane;
+        whirl(&plane, &[(0, 1e8), (4, 1e8)], 0.0)
+    };
+    let exact = with(30);
+    let table = documented("| modes a plane | 1st pair");
+    assert!(table.len() >= 4);
+    for row in table {
+        as_documented(&row, &differences(&with(row[0] as usize), &exact));
+    }
+}
+
+#[test]
+fn frequencies_converge_over_elements_as_the_chapter_says() {
+    let with = |elements: f64| {
+        let mesh = book_shaft()
+            .mesh(&[0.0, 1.5], Some(1.5 / elements * (1.0 + 1e-9)))
+            .expect("a mesh");
+        let last = 2 * (mesh.nodes.len() - 1);
+        whirl(&mesh.plane, &[(0, 1e6), (last, 1e6)], 4000.0 / 60.0 * TAU)
+    };
+    let exact = with(96.0);
+    let table = documented("| elements | 1st pair");
+    assert!(table.len() >= 3);
+    for row in table {
+        as_documented(&row, &differences(&with(row[0]), &exact));
+    }
 }
