@@ -42,7 +42,10 @@ def make_study(client, jeffcott, study, out, parts, threads=1, told=print):
         for part in range(1, parts + 1)
     ]
     for count, future in enumerate(as_completed(futures), 1):
-        told(f"part {future.result()} is made, {count} of {parts}")
+        part = future.result()
+        # what nobody waits for any more is not made again where its worker dies later
+        future.release()
+        told(f"part {part} is made, {count} of {parts}")
     folder = pathlib.Path(out) / pathlib.Path(study).stem
     subprocess.run([jeffcott, "study", "merge", str(folder)], check=True)
     return folder
