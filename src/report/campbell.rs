@@ -11,6 +11,7 @@ use super::table::Table;
 use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash};
 use super::{Destination, FileSet, Findings};
 use crate::rotor::{Mode, RotorDefinition, Whirl};
+use crate::simulate::MORE_MODES;
 use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
 
 /// Branches and critical speeds.
@@ -162,7 +163,7 @@ fn put_critical(out: &mut Lines, campbell: &Campbell) {
     let errors = errors.filter_map(|critical| critical.reduction_error);
     if let Some(largest) = errors.max_by(f64::total_cmp) {
         out.put(format!(
-            "with four more modes of bending the frequencies there differ by at most {largest:.1e}"
+            "with {MORE_MODES} more modes of bending in each plane the frequencies there differ by at most {largest:.1e}"
         ));
     }
 }

@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::SteadyError;
 use super::rotor_map::RotorMap;
 use super::samples::sampled;
-use super::search::{Found, found_from};
+use super::search::{Found, returned_from};
 use crate::rotor::Sample;
 use crate::shooting::{ReturnMap, Slopes, multipliers, refine};
 use crate::simulate::{Model, Reduction, ReductionError, finer_rotor, reference_settings};
@@ -77,8 +77,8 @@ pub(super) fn reduction(
     });
     let guess: Vec<f64> = guess.collect();
     let tolerance = map.solver.settings.tolerance;
-    let sampled = found_from(&mut finer, DVector::from_vec(guess), tolerance)
-        .and_then(|again| sampled(&mut finer, &again.states, model, false));
+    let sampled = returned_from(&mut finer, DVector::from_vec(guess), tolerance)
+        .and_then(|(again, _)| sampled(&mut finer, &again.states, model, false));
     map.counters.add(&finer.counters);
     let error = match sampled {
         Err(error) if error.is_interrupted() => return Err(error),

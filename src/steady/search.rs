@@ -81,7 +81,7 @@ pub(super) fn found_from(
 }
 
 /// States that return, found at once or after a wait; and how long it was, in periods.
-fn returned_from(
+pub(super) fn returned_from(
     map: &mut RotorMap<'_>,
     mut guess: DVector<f64>,
     tolerance: f64,

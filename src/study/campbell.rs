@@ -45,7 +45,7 @@ pub(crate) fn along_run_up(model: &Model, run: &mut Run) -> Option<Campbell> {
         let warning = format!("there is no diagram of natural frequencies: {error}");
         run.warnings.push(warning);
     };
-    question.solve().map_err(refused).ok()
+    question.diagram().map_err(refused).ok()
 }
 
 /// A mode followed over the speeds by its shape.
@@ -171,13 +171,19 @@ impl CampbellQuestion {
     /// # Errors
     /// [`CampbellError`] where the range is empty, or the shaft has no equilibrium at a speed.
     pub fn solve(&self) -> Result<Campbell, CampbellError> {
+        let mut campbell = self.diagram()?;
+        for critical in &mut campbell.critical_speeds {
+            critical.reduction_error = self.reduction_error(critical)?;
+        }
+        Ok(campbell)
+    }
+
+    /// The same without the error of the reduction.
+    fn diagram(&self) -> Result<Campbell, CampbellError> {
         check_range([self.from, self.to], self.count, &self.orders)?;
         let speeds = self.speeds();
         let (branches, least_assurance) = follow(self, &speeds)?;
-        let mut critical_speeds = critical_speeds(self, &speeds, &branches)?;
-        for critical in &mut critical_speeds {
-            critical.reduction_error = self.reduction_error(critical)?;
-        }
+        let critical_speeds = critical_speeds(self, &speeds, &branches)?;
         Ok(Campbell {
             speeds,
             branches,
