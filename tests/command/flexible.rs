@@ -175,7 +175,7 @@ fn internal_damping_drives_a_whirl_above_its_analytic_onset() {
     close(onset, below.2 * (1.0 + 100.0 / (200e-6 * stiffness)), 3e-3);
     for (speed, grows) in [(onset - 60.0, false), (onset + 60.0, true)] {
         let start = "[initial]\ndisplacement = { x = \"10 um\" }\n[time]\nduration = \"1 s\"\nsettle = \"0 s\"\n\
-                     [integrator]\nmethod = \"rodas\"\n";
+                     [integrator]\nmethod = \"rodas\"\ntolerance = 1e-6\n";
         let scene = internally_damped(speed, start);
         scene.ask(&["run", "--no-verify"]);
         let x = scene.column("trace.csv", "x_m");
@@ -217,7 +217,7 @@ fn a_stiff_shaft_moves_as_a_rigid_one() {
     let stiff = "[shaft]\ngravity = true\nmaterial = { youngs_modulus = \"210 GPa\", density = \"78.5 kg/m^3\" }\n\
                  [[shaft.section]]\nlength = \"400 mm\"\nouter_diameter = \"400 mm\"\n[[disc]]\nposition = \"200 mm\"\nmass = \
                  \"6 kg\"\ninertia_transverse = \"0.02 kg m^2\"\ninertia_polar = \"0.03 kg m^2\"\n[[unbalance]]\nposition = \
-                 \"200 mm\"\namount = \"60 g mm\"\n[integrator]\nmethod = \"rodas\"\n";
+                 \"200 mm\"\namount = \"60 g mm\"\n[integrator]\nmethod = \"rodas\"\ntolerance = 1e-6\n";
     let rigid = on_balls(&rigid, ["-150 mm", "130 mm", "180 mm"]);
     let stiff = on_balls(stiff, ["50 mm", "330 mm", "380 mm"]);
     for scene in [&rigid, &stiff] {

@@ -136,9 +136,7 @@ addEventListener("load", () => {
 #[test]
 fn every_shipped_scenario_has_a_page_without_complaints() {
     for file in toml_files(&scenarios()) {
-        let shown = run(&file);
-        document(&shown);
-        looks_well(&shown, &file);
+        looks_well(&run(&file), &file);
     }
 }
 
@@ -185,6 +183,7 @@ fn looks_well(shown: &Shown, name: &Path) {
     let frames = shown.page.with_file_name("frames.html");
     fs::write(&frames, FRAMES).expect("a written file");
     let Some((document, told)) = shown.opened(&frames, &[]) else {
+        eprintln!("skipped: no Chromium is installed");
         return;
     };
     assert!(!told.contains("CONSOLE"), "{}: {told}", name.display());
