@@ -315,41 +315,40 @@ impl Drawing {
         }
     }
 
-    /// Constant loads by their size, varying ones by what they are.
+    /// Loads at their positions, constant ones with their direction in the picture, the axial part at the end that it
+    /// pulls at.
     fn loads(&mut self, rotor: &RotorDefinition, scale: &Scale) {
         let colour = distinct(LOADS);
-        let [x, y, z, tilt_x, tilt_y] = rotor.load;
-        let largest = y.abs().max(z.abs());
         let [left, right] = scale.ends;
-        let length =
-            |force: f64| scale.outer * (0.4 + 0.6 * force.abs() / largest) * force.signum();
-        if z != 0.0 {
-            let at = if z > 0.0 { right } else { left };
-            self.arrow(colour, (at, 0.0), (length(z), 0.0));
-            let text = format!("{} N", rounded(z));
-            self.label((at, 0.35 * scale.shaft), text, colour);
-        }
-        if y != 0.0 {
-            let from = 1.15 * scale.outer * -y.signum();
-            let tip = if y > 0.0 { from + length(y) } else { from };
-            let start = if y > 0.0 { from } else { from - length(y) };
-            self.arrow(colour, (0.0, start), (0.0, length(y)));
-            self.label((0.0, tip.max(start)), format!("{} N", rounded(y)), colour);
-        }
-        let others = [("x", x, "N"), ("Mx", tilt_x, "N m"), ("My", tilt_y, "N m")];
-        let others = others.iter().filter(|(_, value, _)| *value != 0.0);
-        let others: Vec<String> = others
-            .map(|(name, value, unit)| format!("{name} {} {unit}", rounded(*value)))
-            .collect();
-        if !others.is_empty() {
-            let text = format!("across the picture: {}", others.join(", "));
-            self.label((left, -1.6 * scale.outer), text, colour);
-        }
         for (index, load) in rotor.loads.iter().enumerate() {
             let at = MILLI * load.position;
             let from = (1.35 + 0.3 * index as f64).min(1.95) * scale.outer;
-            self.arrow(colour, (at, from), (0.0, scale.shaft - from));
-            self.label((at, from), name_of(load), colour);
+            let [x, y, z, ..] = load
+                .as_constant()
+                .copied()
+                .unwrap_or([0.0, -1.0, 0.0, 0.0, 0.0]);
+            let mut text_at = (at, from);
+            if z != 0.0 {
+                let end = if z > 0.0 { right } else { left };
+                self.arrow(colour, (end, 0.0), (scale.outer * z.signum(), 0.0));
+                if x == 0.0 && y == 0.0 {
+                    text_at = (end, 0.35 * scale.shaft);
+                }
+            }
+            if x != 0.0 {
+                // across the picture
+                self.circle(colour, (at, 0.0), 0.15 * scale.shaft);
+            }
+            if y != 0.0 {
+                let from = -y.signum() * from;
+                self.arrow(
+                    colour,
+                    (at, from),
+                    (0.0, y.signum() * (from.abs() - scale.shaft)),
+                );
+                text_at = (at, from);
+            }
+            self.label(text_at, name_of(load), colour);
         }
     }
 }
@@ -364,12 +363,19 @@ fn rounded(value: f64) -> String {
 fn name_of(load: &Load) -> String {
     let name = match &load.kind {
         LoadKind::Constant(parts) => {
-            let names = ["x", "y", "z", "Mx", "My"].into_iter().zip(parts);
-            let given = names.filter(|(_, part)| **part != 0.0);
+            let axes = [
+                ("x", "N"),
+                ("y", "N"),
+                ("z", "N"),
+                ("Mx", "N m"),
+                ("My", "N m"),
+            ];
+            let given = axes.into_iter().zip(parts);
             let texts: Vec<_> = given
-                .map(|(name, part)| format!("{name} {}", rounded(*part)))
+                .filter(|(_, part)| **part != 0.0)
+                .map(|((axis, unit), part)| format!("{axis} {} {unit}", rounded(*part)))
                 .collect();
-            return format!("{} N", texts.join(", "));
+            return texts.join(", ");
         }
         LoadKind::Harmonic(_) => "harmonic load",
         LoadKind::Shock(_) => "shock",

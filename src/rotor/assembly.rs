@@ -4,7 +4,7 @@ use super::coefficients::{Coefficients, Mass};
 use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_place_of};
 use super::structure::Structure;
 use super::{
-    Drive, FREEDOMS, Freedoms, InitialPosition, LoadKind, Rotor, RotorDefinition, STANDARD_GRAVITY,
+    Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
     ShaftError, SpeedProfile,
 };
 use crate::bearing::{BearingError, Geometry, MountedBearing, Support, Vector5};
@@ -102,7 +102,7 @@ impl Rotor {
         let constant_force = structure.constant_load(definition)[..dofs].to_vec();
         let loads = definition.loads.iter().zip(&structure.load_places);
         let (loads, load_places) = loads
-            .filter(|(load, _)| !matches!(load.kind, LoadKind::Constant(_)))
+            .filter(|(load, _)| load.as_constant().is_none())
             .map(|(load, place)| (load.clone(), *place))
             .unzip();
         let structure = Structure {
@@ -238,9 +238,8 @@ impl Structure {
     /// Constant loads and the weight on all coordinates.
     fn constant_load(&self, definition: &RotorDefinition) -> Vec<f64> {
         let mut sum = vec![0.0; self.coordinates.len()];
-        self.shaft.add_force(1.0, &definition.load, &mut sum);
         for (load, place) in definition.loads.iter().zip(&self.load_places) {
-            if let LoadKind::Constant(constant) = &load.kind {
+            if let Some(constant) = load.as_constant() {
                 place.add_force(constant, &mut sum);
             }
         }

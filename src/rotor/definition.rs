@@ -132,9 +132,7 @@ pub struct RotorDefinition {
     pub(crate) cage: CageMotion,
     /// Viscous damping.
     pub(crate) damping: Damping,
-    /// Constant external load: forces x, y, z in N, moments about X and Y in N m.
-    pub(crate) load: [f64; FREEDOMS],
-    /// Loads that vary with time or shaft angle; they add up.
+    /// External loads, constant ones and those that vary with time or shaft angle; they add up.
     pub(crate) loads: Vec<Load>,
     /// State at t = 0.
     pub(crate) initial: InitialState,

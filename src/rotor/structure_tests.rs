@@ -49,8 +49,7 @@ fn definition(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
         drive: None,
         cage: CageMotion::Rolling,
         damping: Damping::Undamped,
-        load: [0.0, 0.0, 300.0, 0.0, 0.0],
-        loads: Vec::new(),
+        loads: vec![Load::constant([0.0, 0.0, 300.0, 0.0, 0.0], 0.0)],
         initial: InitialState {
             from: InitialPosition::Equilibrium,
             displacement: [None; 5],

@@ -15,8 +15,8 @@ use crate::rotor::{
 use crate::simulate::{BearingHistory, Event, EventKind, Model, TraceSink};
 
 use crate::tests::support::{
-    assert_near, back_to_back_pair, bearing, literature_bearing, model, mounted, rotor, shaft,
-    simulate_into, supports, thrust_rotor,
+    assert_near, back_to_back_pair, bearing, constant, literature_bearing, model, mounted, rotor,
+    shaft, simulate_into, supports, thrust_rotor,
 };
 
 /// Keeps all that a run hands out.
@@ -62,7 +62,7 @@ fn held(mounted: MountedBearing) -> RotorDefinition {
     shaft.mass = 1e12;
     RotorDefinition {
         speed: 200.0,
-        load: [1000.0, 0.0, 0.0, 0.0, 0.0],
+        loads: constant([1000.0, 0.0, 0.0, 0.0, 0.0]),
         ..rotor(shaft, vec![mounted])
     }
 }
@@ -417,7 +417,7 @@ fn a_constant_load_lives_as_long_as_the_static_bearing() {
     ] {
         let mut definition = thrust_rotor();
         definition.cage = CageMotion::Frozen;
-        definition.load[1] = -300.0;
+        definition.loads = constant([0.0, -300.0, 1000.0, 0.0, 0.0]);
         definition.bearings[0].law = law;
         definition.bearings[0].oil = oil;
         let speed = definition.speed;
@@ -494,10 +494,10 @@ fn two_levels_of_load_add_up_by_miner() {
     let mut definition = thrust_rotor();
     // slow against the axial mode of some 550 Hz, which is damped well
     definition.damping = Damping::Ratio(0.7);
-    definition.loads = vec![Load {
+    definition.loads.push(Load {
         kind: LoadKind::Series(series.expect("a series")),
         position: 0.0,
-    }];
+    });
     let speed = definition.speed;
     let (bearings, _) = observed(&model(definition, now, 2e4));
     let life = |thrust| thrust_life(thrust, speed, ContactLaw::Hertz);

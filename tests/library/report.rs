@@ -23,7 +23,7 @@ use crate::simulate::{
     Analyses, BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
     MeasuredError, Model, Run, Sampling, Spread, StaticState, TraceSink,
 };
-use crate::tests::support::{bearing, mounted, without_clearance};
+use crate::tests::support::{bearing, constant, mounted, without_clearance};
 use tempfile::TempDir;
 
 const SPEED: f64 = 500.0;
@@ -60,8 +60,7 @@ fn model() -> Model {
             drive: None,
             cage: CageMotion::Rolling,
             damping: Damping::Ratio(0.02),
-            load: [0.0, 0.0, 1000.0, 0.0, 0.0],
-            loads: Vec::new(),
+            loads: constant([0.0, 0.0, 1000.0, 0.0, 0.0]),
             initial: InitialState {
                 from: InitialPosition::Equilibrium,
                 displacement: [None; 5],

@@ -87,8 +87,7 @@ fn on_bearings(flexible: FlexibleShaft) -> RotorDefinition {
         drive: None,
         cage: CageMotion::Rolling,
         damping: Damping::Undamped,
-        load: [0.0, 0.0, 300.0, 0.0, 0.0],
-        loads: Vec::new(),
+        loads: vec![Load::constant([0.0, 0.0, 300.0, 0.0, 0.0], BEARINGS[0])],
         initial: InitialState {
             from: InitialPosition::Equilibrium,
             displacement: [None; 5],
@@ -167,10 +166,8 @@ fn everything() -> RotorDefinition {
             ))),
             position: 0.0,
         },
-        Load {
-            kind: LoadKind::Constant([200.0, -100.0, 0.0, 0.0, 0.0]),
-            position: 0.35,
-        },
+        Load::constant([0.0, 0.0, 300.0, 0.0, 0.0], 0.1),
+        Load::constant([200.0, -100.0, 0.0, 0.0, 0.0], 0.35),
     ];
     definition.bearings[0].housing = Some(Housing {
         mass: 3.0,
@@ -330,7 +327,7 @@ fn the_energy_of_a_driven_shaft_closes_with_unbalances_in_two_planes() {
             own.amount *= 20.0;
         }
         if !bends {
-            definition.loads.truncate(2);
+            definition.loads.truncate(3);
             definition = rigid(&definition);
             definition.shaft.unbalance.couple = [3e-5, -2e-5];
         }
@@ -377,7 +374,7 @@ fn laval(density: f64, internal_damping: f64) -> RotorDefinition {
     RotorDefinition {
         bearings: Vec::new(),
         linear_bearings: vec![pin(0.0), pin(0.8)],
-        load: [0.0; 5],
+        loads: Vec::new(),
         ..on_bearings(flexible)
     }
 }
@@ -386,10 +383,7 @@ fn laval(density: f64, internal_damping: f64) -> RotorDefinition {
 fn a_pinned_shaft_yields_as_a_beam_and_has_its_frequency() {
     let mut definition = laval(1.0, 0.0);
     definition.shaft.gravity = false;
-    definition.loads = vec![Load {
-        kind: LoadKind::Constant([100.0, 0.0, 0.0, 0.0, 0.0]),
-        position: 0.4,
-    }];
+    definition.loads = vec![Load::constant([100.0, 0.0, 0.0, 0.0, 0.0], 0.4)];
     let rotor = Rotor::assemble(&definition).expect("a rotor");
     // F L³/(48 E I) + F L/(4 κ G A)
     let (area, second) = (TAU / 8.0 * 4e-4, TAU / 128.0 * 1.6e-7);

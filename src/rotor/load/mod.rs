@@ -1,4 +1,4 @@
-//! Loads that vary with time or with the angle of the shaft, one kind a file.
+//! Loads of the shaft, constant or varying with time or with the angle of the shaft, one kind a file.
 //!
 //! Each kind is a pure function of time and angle that allocates nothing. A [`Load`] puts it at its
 //! position along the shaft; the rotor adds them all up.
@@ -62,6 +62,20 @@ pub struct MainVibration {
 }
 
 impl Load {
+    /// A load that stays: forces along X, Y, Z in N and moments about X and Y in N m.
+    pub fn constant(parts: Vector5, position: f64) -> Self {
+        let kind = LoadKind::Constant(parts);
+        Self { kind, position }
+    }
+
+    /// Its forces and moments where it stays as it is.
+    pub fn as_constant(&self) -> Option<&Vector5> {
+        match &self.kind {
+            LoadKind::Constant(parts) => Some(parts),
+            _ => None,
+        }
+    }
+
     /// The load at its position at a time (s) and angle of the shaft (rad), N and N m; zero of an acceleration of the base,
     /// which acts on all masses.
     #[inline]

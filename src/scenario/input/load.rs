@@ -68,35 +68,23 @@ pub struct Surroundings {
     pub observed: Option<f64>,
 }
 
-/// The sum of the constant loads, N and N m, and the varying ones.
+/// The loads.
 pub fn build(
     loads: &[LoadInput],
     around: Surroundings,
     problems: &mut Problems<'_>,
-) -> (Vector5, Vec<rotor::Load>) {
-    let mut total = [0.0; FREEDOMS];
-    let mut varying = Vec::new();
-    for (index, load) in loads.iter().enumerate() {
-        let (position, constant, kind) = problems.inside(format!("load[{index}]"), |problems| {
+) -> Vec<rotor::Load> {
+    let build = |(index, load): (usize, &LoadInput)| {
+        problems.inside(format!("load[{index}]"), |problems| {
             let position = load.position(around, problems);
             let constant = load.constant(around.freedoms, problems);
-            (position, constant, load.kind(around, problems))
-        });
-        if around.observed.is_some() {
-            let constant =
-                (constant != [0.0; FREEDOMS]).then_some(rotor::LoadKind::Constant(constant));
-            let kinds = constant.into_iter().chain(kind);
-            varying.extend(kinds.map(|kind| rotor::Load { kind, position }));
-            continue;
-        }
-        total[3] -= position * constant[1];
-        total[4] += position * constant[0];
-        for (sum, part) in total.iter_mut().zip(constant) {
-            *sum += part;
-        }
-        varying.extend(kind.map(|kind| rotor::Load { kind, position }));
-    }
-    (total, varying)
+            let constant = constant.map(|parts| rotor::Load::constant(parts, position));
+            let kind = load.kind(around, problems);
+            let other = kind.map(|kind| rotor::Load { kind, position });
+            constant.into_iter().chain(other)
+        })
+    };
+    loads.iter().enumerate().flat_map(build).collect()
 }
 
 impl LoadInput {
@@ -118,16 +106,15 @@ impl LoadInput {
         position.si()
     }
 
-    /// The constant load; zero where it is of another kind.
-    fn constant(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Vector5 {
-        let Some(constant) = &self.constant else {
-            return [0.0; FREEDOMS];
-        };
+    /// The constant load; none where it is of another kind, or zero.
+    fn constant(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<Vector5> {
+        let constant = self.constant.as_ref()?;
         // An axial load acts on a held z too, moments on held tilts do not.
         let first_held = freedoms.count().max(3);
         let given = constant.values();
         components::refuse_held(&given, ".constant", first_held, freedoms, problems);
-        given.map(|value| value.unwrap_or(0.0))
+        let parts = given.map(|value| value.unwrap_or(0.0));
+        (parts != [0.0; FREEDOMS]).then_some(parts)
     }
 
     /// The varying load of whichever kind is given.

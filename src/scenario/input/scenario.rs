@@ -21,7 +21,8 @@ use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{MountedBearing, Oil};
 use crate::quasi_static::StaticQuestion;
 use crate::rotor::{
-    Damping, Disc, Drive, FlexibleShaft, Freedoms, LinearBearing, MOST_HOUSINGS, RotorDefinition,
+    Damping, Disc, Drive, FlexibleShaft, Freedoms, LinearBearing, Load, MOST_HOUSINGS,
+    RotorDefinition,
 };
 use crate::scenario::node::Node;
 use crate::scenario::problems::Problems;
@@ -235,12 +236,13 @@ impl ScenarioInput {
             duration: self.time.as_ref().map_or(0.0, |time| time.duration.si()),
             observed: flexible.as_ref().map(|shaft| shaft.observed),
         };
-        let (load, loads) = load::build(&self.load, around, problems);
+        let loads = load::build(&self.load, around, problems);
         let initial = self.initial.build(freedoms, problems);
+        let pushes = |load: &Load| load.as_constant().is_some_and(|parts| parts[AXIAL] != 0.0);
         let speed = self.speed.build(problems)?;
         let mut points = speed.points();
         let bearings = bearings?;
-        if self.time.is_some() && freedoms.count() > AXIAL && load[AXIAL] == 0.0 {
+        if self.time.is_some() && freedoms.count() > AXIAL && !loads.iter().any(pushes) {
             warn_where_unheld(&bearings, self.bearing.len(), problems);
         }
         if let Some(flexible) = flexible.as_mut().filter(|_| self.shaft.massless) {
@@ -259,7 +261,6 @@ impl ScenarioInput {
             drive: self.drive(),
             cage: self.model.cage,
             damping,
-            load,
             loads,
             initial,
             bearings,

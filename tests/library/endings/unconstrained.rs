@@ -10,7 +10,7 @@ use crate::rotor::{
 use crate::simulate::{Run, SimulateError};
 
 use crate::tests::support::{
-    back_to_back_pair, literature_bearing, model, mounted, rotor, shaft, try_run,
+    back_to_back_pair, constant, literature_bearing, model, mounted, rotor, shaft, try_run, under,
 };
 
 const COEFFICIENTS: Damping = Damping::Coefficients([200.0, 200.0, 200.0, 1.0, 1.0]);
@@ -145,13 +145,11 @@ fn a_start_that_is_one_of_many_and_that_nothing_drives_is_refused() {
         pace: Pace::Frequency(50.0),
         phase: 0.0,
     };
-    warning(RotorDefinition {
-        loads: vec![Load {
-            kind: LoadKind::Harmonic(shaken),
-            position: 0.0,
-        }],
-        ..still()
-    });
+    let shaken = Load {
+        kind: LoadKind::Harmonic(shaken),
+        position: 0.0,
+    };
+    warning(under(still(), [shaken]));
 }
 
 #[test]
@@ -177,7 +175,7 @@ fn on_one_ball() -> RotorDefinition {
     let mut mounted = mounted(bearing);
     mounted.first_ball = -std::f64::consts::FRAC_PI_4;
     RotorDefinition {
-        load: [14.0, -14.0, 0.0, 0.0, 0.0],
+        loads: constant([14.0, -14.0, 0.0, 0.0, 0.0]),
         damping: COEFFICIENTS,
         ..rotor(shaft(Freedoms::Radial), vec![mounted])
     }

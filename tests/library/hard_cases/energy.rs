@@ -7,8 +7,12 @@ use crate::rotor::{CageMotion, Damping, Freedoms, InitialState, Rotor, RotorDefi
 use crate::simulate::TraceSink;
 
 use crate::tests::support::{
-    AT_EQUILIBRIUM, bearing, contacts, law, model, settings, shaft, simulate_into, thrust_rotor,
+    AT_EQUILIBRIUM, bearing, constant, contacts, law, model, settings, shaft, simulate_into,
+    thrust_rotor,
 };
+
+/// N.
+const LOAD: [f64; 5] = [0.0, -400.0, 1000.0, 0.0, 0.0];
 
 /// A 7205C under thrust and a radial load, let go 5 µm beside its equilibrium: x and y vibrate, coupled
 /// by the contacts, and nothing damps them.
@@ -29,7 +33,7 @@ impl Vibration {
             shaft: shaft(Freedoms::Radial),
             cage: CageMotion::Frozen,
             damping: Damping::Undamped,
-            load: [0.0, -400.0, 1000.0, 0.0, 0.0],
+            loads: constant(LOAD),
             ..thrust_rotor()
         };
         let assemble = |definition: &RotorDefinition| Rotor::assemble(definition).expect("a rotor");
@@ -69,7 +73,7 @@ impl Vibration {
         let mut place = self.rotor.equilibrium().displacement;
         [place[0], place[1]] = [*x, *y];
         let mut energy = 0.5 * self.definition.shaft.mass * (u * u + v * v);
-        energy -= self.definition.load[1] * y;
+        energy -= LOAD[1] * y;
         let mut add = |load: f64| energy += 0.4 * load * (load / self.stiffness).cbrt().powi(2);
         let support = &self.rotor.supports()[0];
         for ball in contacts(support, &place, 0.0) {

@@ -11,7 +11,8 @@ use crate::integrate::Method;
 use crate::rotor::{Damping, Freedoms, RotorDefinition, Sample, Shaft};
 
 use crate::tests::support::{
-    assert_near, literature_bearing, model, mounted, peak_to_peak, rotor, samples, settings, shaft,
+    assert_near, constant, literature_bearing, model, mounted, peak_to_peak, rotor, samples,
+    settings, shaft,
 };
 
 const MASS: f64 = 20.0;
@@ -40,7 +41,7 @@ impl Scene {
         RotorDefinition {
             speed: self.speed,
             damping: Damping::Coefficients([DAMPING, DAMPING, 0.0, 0.0, 0.0]),
-            load: [0.0, -196.0, 0.0, 0.0, 0.0],
+            loads: constant([0.0, -196.0, 0.0, 0.0, 0.0]),
             ..rotor(
                 Shaft {
                     mass: MASS,

@@ -39,8 +39,7 @@ fn base() -> Load {
 fn two_masses() -> RotorDefinition {
     RotorDefinition {
         damping: Damping::Coefficients([150.0, 150.0, 150.0, 0.0, 0.0]),
-        load: [0.0, 0.0, 500.0, 0.0, 0.0],
-        loads: vec![base()],
+        loads: vec![Load::constant([0.0, 0.0, 500.0, 0.0, 0.0], 0.0), base()],
         ..rotor(
             shaft(Freedoms::Translational),
             vec![MountedBearing {
@@ -117,8 +116,7 @@ fn shaken_pair(law: ContactLaw, freedoms: Freedoms) -> RotorDefinition {
     RotorDefinition {
         speed: 700.0,
         damping: Damping::Ratio(0.01),
-        load: [0.0, -100.0, 0.0, 0.0, 0.0],
-        loads: vec![base()],
+        loads: vec![Load::constant([0.0, -100.0, 0.0, 0.0, 0.0], 0.0), base()],
         ..rotor(
             unbalanced,
             back_to_back_pair().into_iter().map(in_housing).collect(),

@@ -10,7 +10,7 @@ use crate::bearing::{
 };
 use crate::rotor::{Damping, Freedoms, InitialPosition, InitialState, RotorDefinition, Shaft};
 
-use super::support::{literature_bearing, mounted, rotor, shaft};
+use super::support::{constant, literature_bearing, mounted, rotor, shaft};
 
 /// K_n of both races, N/m^1.5.
 const STIFFNESS: f64 = 9.2e9;
@@ -52,7 +52,7 @@ fn golden(defects: Vec<Defect>) -> RotorDefinition {
     RotorDefinition {
         speed: SPEED,
         damping: Damping::Coefficients([300.0, 300.0, 0.0, 0.0, 0.0]),
-        load: [0.0, -200.0, 0.0, 0.0, 0.0],
+        loads: constant([0.0, -200.0, 0.0, 0.0, 0.0]),
         initial: InitialState {
             from: InitialPosition::Origin,
             displacement,

@@ -10,8 +10,8 @@ use crate::simulate::{Model, Run};
 
 use super::{fault, golden, with_defects};
 use crate::tests::support::{
-    Collector, assert_near, assert_printed, back_to_back_pair, model, rotor, settings, shaft,
-    simulate_into, try_run,
+    Collector, assert_near, assert_printed, back_to_back_pair, constant, model, rotor, settings,
+    shaft, simulate_into, try_run,
 };
 
 /// Sixty ball passes of the outer race, s.
@@ -187,7 +187,7 @@ fn the_account_of_energy_closes_over_defects() {
     let prescribed = RotorDefinition {
         speed: 800.0,
         damping: Damping::Ratio(0.02),
-        load: [100.0, -200.0, 50.0, 0.2, -0.1],
+        loads: constant([100.0, -200.0, 50.0, 0.2, -0.1]),
         ..rotor(unbalanced, damaged_pair())
     };
     let driven = RotorDefinition {

@@ -7,7 +7,7 @@ use crate::rotor::{CageMotion, Damping, RotorDefinition};
 use crate::simulate::{Analyses, Model, MotionAnalysis, Sampling};
 
 use crate::tests::support::{
-    literature_bearing, model, settings, thrust_rotor, try_run, varying_compliance,
+    constant, literature_bearing, model, settings, thrust_rotor, try_run, varying_compliance,
 };
 
 fn series(points: Vec<Vec<f64>>) -> Vec<Series> {
@@ -169,7 +169,7 @@ fn period_doubling_of_the_varying_compliance_is_recognised() {
 #[test]
 fn unbalance_and_passing_balls_make_two_frequencies() {
     let mut definition = RotorDefinition {
-        load: [0.0, -400.0, 200.0, 0.0, 0.0],
+        loads: constant([0.0, -400.0, 200.0, 0.0, 0.0]),
         damping: Damping::Ratio(0.1),
         ..thrust_rotor()
     };

@@ -48,7 +48,7 @@ fn ball_passes_are_told_at_the_nominal_and_at_the_operating_angle() {
 fn the_meshing_of_a_sprocket_is_named() {
     let mut definition = thrust_rotor();
     definition.speed = 100.0;
-    definition.loads = vec![Load {
+    definition.loads.push(Load {
         kind: LoadKind::Sprocket(Sprocket::new(&ChainDrive {
             teeth: 17,
             pitch: 12.7e-3,
@@ -58,7 +58,7 @@ fn the_meshing_of_a_sprocket_is_named() {
             harmonics: 3,
         })),
         position: 0.0,
-    }];
+    });
     let model = Model {
         spectrum: Some(Window::Rectangular),
         settle: 1.0,

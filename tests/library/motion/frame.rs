@@ -36,10 +36,17 @@ fn loaded() -> RotorDefinition {
         speed: 600.0,
         // proportional to the whole of K: a damper of each axis by itself would know X from Y
         damping: Damping::StiffnessTime(1e-5),
-        load: [120.0, -260.0, 90.0, 0.7, -1.1],
-        loads: turning(40.0, 0.4).to_vec(),
+        loads: turned_loads(0.0),
         ..rotor(shaft(Freedoms::All), bearings)
     }
+}
+
+/// Its loads, turned about the axis.
+fn turned_loads(angle: f64) -> Vec<Load> {
+    let constant = turned([120.0, -260.0, 90.0, 0.7, -1.1], angle);
+    let mut loads = vec![Load::constant(constant, 0.0)];
+    loads.extend(turning(40.0, 0.4 + angle));
+    loads
 }
 
 fn trace(definition: RotorDefinition) -> Vec<Sample> {
@@ -79,8 +86,7 @@ fn turning_loads_balls_and_unbalance_about_the_axis_turns_the_trace() {
         });
         let oblique = RotorDefinition {
             bearings: turned_bearings.collect(),
-            load: turned(straight.load, angle),
-            loads: turning(40.0, 0.4 + angle).to_vec(),
+            loads: turned_loads(angle),
             ..straight.clone()
         };
         let (straight, oblique) = (trace(straight), trace(oblique));
@@ -114,13 +120,15 @@ fn a_mirrored_shaft_moves_as_the_mirror_image_bit_by_bit() {
             },
             ..bearing.clone()
         });
-        let loads = shaft.loads.iter().map(|load| Load {
-            position: -load.position,
-            ..load.clone()
+        let loads = shaft.loads.iter().map(|load| match load.as_constant() {
+            Some(parts) => Load::constant(mirrored(*parts), -load.position),
+            None => Load {
+                position: -load.position,
+                ..load.clone()
+            },
         });
         let image = RotorDefinition {
             bearings: bearings.collect(),
-            load: mirrored(shaft.load),
             loads: loads.collect(),
             ..shaft.clone()
         };

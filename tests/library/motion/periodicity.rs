@@ -6,7 +6,9 @@ use crate::bearing::{ContactLaw, MountedBearing, Oil};
 use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition};
 
 use super::{LAWS, apart, traces_apart, with_law};
-use crate::tests::support::{bearing, model, mounted, peak_to_peak, rotor, samples, shaft};
+use crate::tests::support::{
+    bearing, constant, model, mounted, peak_to_peak, rotor, samples, shaft,
+};
 
 /// A 6305 of seven balls, balanced, under a radial load that half of them bear: the ball pass is plain
 /// to see.
@@ -14,7 +16,7 @@ fn uneven(law: (ContactLaw, Option<Oil>)) -> RotorDefinition {
     let definition = RotorDefinition {
         speed: 300.0,
         damping: Damping::Ratio(0.1),
-        load: [100.0, -400.0, 0.0, 0.0, 0.0],
+        loads: constant([100.0, -400.0, 0.0, 0.0, 0.0]),
         ..rotor(shaft(Freedoms::Radial), vec![mounted(bearing("6305"))])
     };
     with_law(definition, law)

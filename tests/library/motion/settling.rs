@@ -5,7 +5,7 @@ use crate::rotor::{CageMotion, Damping, Freedoms, InitialState, Rotor, RotorDefi
 
 use super::{LAWS, apart, with_law};
 use crate::tests::support::{
-    AT_EQUILIBRIUM, back_to_back_pair, bearing, model, mounted, rotor, samples, shaft,
+    AT_EQUILIBRIUM, back_to_back_pair, bearing, constant, model, mounted, rotor, samples, shaft,
 };
 
 /// Where the motion starts: so far beside the equilibrium, m and rad.
@@ -47,7 +47,7 @@ fn loaded(freedoms: Freedoms) -> RotorDefinition {
         speed: 800.0,
         cage: CageMotion::Frozen,
         damping: Damping::Ratio(0.2),
-        load: [50.0, -200.0, 1000.0, 0.0, 0.0],
+        loads: constant([50.0, -200.0, 1000.0, 0.0, 0.0]),
         ..rotor(shaft(freedoms), vec![mounted(bearing("7205C"))])
     }
 }
@@ -69,7 +69,7 @@ fn a_preloaded_pair_of_every_law_settles_on_its_equilibrium() {
         for freedoms in FREEDOMS {
             let pair = RotorDefinition {
                 bearings: back_to_back_pair(),
-                load: [50.0, -200.0, 100.0, 0.5, 1.0],
+                loads: constant([50.0, -200.0, 100.0, 0.5, 1.0]),
                 ..loaded(freedoms)
             };
             check(law, pair, &format!("a pair, {freedoms:?}"));
@@ -83,7 +83,7 @@ fn under_thrust_alone_it_settles_though_the_balls_go_round() {
     for law in LAWS {
         let centred = RotorDefinition {
             cage: CageMotion::Rolling,
-            load: [0.0, 0.0, 1000.0, 0.0, 0.0],
+            loads: constant([0.0, 0.0, 1000.0, 0.0, 0.0]),
             ..loaded(Freedoms::All)
         };
         check(law, centred, "rolling");

@@ -8,13 +8,13 @@ use crate::rotor::Sample;
 use crate::scenario;
 use crate::simulate::{Model, Sampling};
 
-use crate::tests::support::{model, samples, settings, thrust_rotor, try_run};
+use crate::tests::support::{constant, model, samples, settings, thrust_rotor, try_run};
 
 /// An unbalanced 7205C under an uneven load, from rest at its equilibrium: 0.02 s of Hertz contact.
 fn uneven() -> Model {
     let mut definition = thrust_rotor();
     definition.shaft.eccentricity = 2e-6;
-    definition.load = [0.0, -400.0, 1000.0, 0.0, 0.0];
+    definition.loads = constant([0.0, -400.0, 1000.0, 0.0, 0.0]);
     model(definition, 0.02, 20_000.0)
 }
 

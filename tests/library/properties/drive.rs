@@ -5,7 +5,8 @@ use crate::rotor::{CageMotion, Damping, Drive, Freedoms, RotorDefinition, Sample
 use crate::simulate::{Model, Run};
 
 use crate::tests::support::{
-    Collector, assert_near, bearing, model, mounted, rotor, settings, shaft, simulate_into,
+    Collector, assert_near, bearing, constant, model, mounted, rotor, settings, shaft,
+    simulate_into,
 };
 
 /// A motor of constant torque against nothing.
@@ -22,7 +23,7 @@ fn driven(drive: Drive) -> RotorDefinition {
     RotorDefinition {
         drive: Some(drive),
         damping: Damping::Ratio(0.02),
-        load: [0.0, 0.0, 1000.0, 0.0, 0.0],
+        loads: constant([0.0, 0.0, 1000.0, 0.0, 0.0]),
         ..rotor(
             shaft(Freedoms::Translational),
             vec![mounted(bearing("7205C"))],
@@ -107,7 +108,7 @@ fn heavy(torque: f64, start: f64) -> RotorDefinition {
         drive: Some(Drive { torque, ..FREE }),
         cage: CageMotion::Frozen,
         damping: Damping::Ratio(0.02),
-        load: [0.0, 0.0, 1000.0, 0.0, 0.0],
+        loads: constant([0.0, 0.0, 1000.0, 0.0, 0.0]),
         ..rotor(
             shaft,
             vec![MountedBearing {
@@ -153,7 +154,7 @@ fn a_couple_takes_from_the_rotation_what_it_gives_to_the_tilts() {
             ..FREE
         }),
         damping: Damping::Ratio(0.03),
-        load: [0.0, 0.0, 1000.0, 0.0, 0.0],
+        loads: constant([0.0, 0.0, 1000.0, 0.0, 0.0]),
         ..rotor(tilting, vec![mounted(bearing("7205C"))])
     };
     let (run, samples) = run(definition, 0.25);

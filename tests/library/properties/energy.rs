@@ -4,12 +4,14 @@ use std::sync::atomic::AtomicBool;
 
 use crate::bearing::{Ball, ForceLaw, HertzLaw};
 use crate::integrate::{Grid, Integration, Scaling, States, System};
-use crate::rotor::{CageMotion, Damping, Freedoms, InitialState, Rotor, RotorDefinition, Sample};
+use crate::rotor::{
+    CageMotion, Damping, Freedoms, InitialState, Load, Rotor, RotorDefinition, Sample,
+};
 use nalgebra::DMatrix;
 
 use crate::tests::support::{
-    AT_EQUILIBRIUM, assert_near, bearing, law, model, mounted, rotor, samples, settings, shaft,
-    thrust_rotor,
+    AT_EQUILIBRIUM, assert_near, bearing, constant, law, model, mounted, rotor, samples, settings,
+    shaft, thrust_rotor,
 };
 
 const MASS: f64 = 1.0;
@@ -157,7 +159,7 @@ fn damped_motion_settles_on_the_static_equilibrium() {
         let mut definition = thrust_rotor();
         definition.shaft = shaft(freedoms);
         definition.cage = CageMotion::Frozen;
-        definition.load = [50.0, -300.0, 1000.0, 0.0, 0.0];
+        definition.loads = constant([50.0, -300.0, 1000.0, 0.0, 0.0]);
         definition.damping = Damping::Ratio(0.2);
         definition.initial = InitialState {
             displacement,
@@ -201,7 +203,9 @@ fn stored(sample: &Sample, definition: &RotorDefinition, supports: &Rotor) -> f6
     let contact = crate::tests::support::contacts(support, &sample.displacement, 0.0)
         .into_iter()
         .map(|ball| 0.4 * ball.load_inner * (ball.load_inner / stiffness).cbrt().powi(2));
-    let loads = (0..3).map(|axis| definition.load[axis] * sample.displacement[axis]);
+    let constant = definition.loads.iter().filter_map(Load::as_constant);
+    let loads =
+        constant.flat_map(|parts| (0..3).map(|axis| parts[axis] * sample.displacement[axis]));
     kinetic.sum::<f64>() + contact.sum::<f64>() - loads.sum::<f64>()
 }
 
@@ -211,7 +215,7 @@ fn what_unbalance_puts_in_is_dissipated_or_stored() {
     let mut definition = thrust_rotor();
     definition.shaft.eccentricity = 2e-6;
     definition.cage = CageMotion::Frozen;
-    definition.load = [0.0, -400.0, 1000.0, 0.0, 0.0];
+    definition.loads = constant([0.0, -400.0, 1000.0, 0.0, 0.0]);
     definition.damping = Damping::Coefficients([damping, damping, damping, 0.0, 0.0]);
     let assembled = Rotor::assemble(&definition).expect("a rotor");
     let (rate, duration) = (100_000.0, 0.02);
@@ -242,7 +246,7 @@ fn what_unbalance_puts_in_is_dissipated_or_stored() {
 #[test]
 fn a_shaft_at_its_static_equilibrium_stays_there() {
     let mut definition = rotor(shaft(Freedoms::Radial), vec![mounted(bearing("6305"))]);
-    definition.load = [0.0, -500.0, 0.0, 0.0, 0.0];
+    definition.loads = constant([0.0, -500.0, 0.0, 0.0, 0.0]);
     let place = Rotor::assemble(&definition)
         .expect("a rotor")
         .equilibrium()

@@ -7,7 +7,8 @@ use crate::rotor::{CageMotion, Damping, Freedoms, RotorDefinition, SpeedPoint};
 use crate::simulate::{EnergyReport, Model};
 
 use crate::tests::support::{
-    Collector, back_to_back_pair, bearing, model, mounted, rotor, settings, shaft, simulate_into,
+    Collector, back_to_back_pair, bearing, constant, model, mounted, rotor, settings, shaft,
+    simulate_into,
 };
 
 const OIL: Oil = Oil {
@@ -32,11 +33,13 @@ fn busy(bearings: Vec<MountedBearing>) -> RotorDefinition {
     RotorDefinition {
         speed: 800.0,
         damping: Damping::Ratio(0.02),
-        load: [100.0, -200.0, 50.0, 0.2, -0.1],
-        loads: vec![Load {
-            kind: LoadKind::Harmonic(harmonic),
-            position: 0.02,
-        }],
+        loads: vec![
+            Load::constant([100.0, -200.0, 50.0, 0.2, -0.1], 0.0),
+            Load {
+                kind: LoadKind::Harmonic(harmonic),
+                position: 0.02,
+            },
+        ],
         ..rotor(unbalanced, bearings)
     }
 }
@@ -131,8 +134,7 @@ fn energy_closes_with_a_floating_ring_and_with_frozen_cages() {
     // light enough for every ball to stay in contact
     definition.shaft.gravity = false;
     definition.shaft.eccentricity = 1e-6;
-    definition.loads.clear();
-    definition.load = [20.0, 0.0, 300.0, 0.0, 0.0];
+    definition.loads = constant([20.0, 0.0, 300.0, 0.0, 0.0]);
     definition.initial.velocity = [Some(1e-3), Some(-2e-3), Some(1e-3), Some(0.01), Some(0.02)];
     assert_closes("floating ring", &account(definition.clone()));
     definition.cage = CageMotion::Frozen;

@@ -6,7 +6,7 @@ use crate::physics::RaceControl;
 use crate::rotor::load::{Harmonic, Load, LoadKind, Pace};
 use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition, SpeedPoint};
 
-use crate::tests::support::{back_to_back_pair, linearisation, rotor, shaft};
+use crate::tests::support::{back_to_back_pair, constant, linearisation, rotor, shaft, under};
 
 const N: usize = 10;
 
@@ -24,7 +24,7 @@ fn unbalanced_pair(law: ContactLaw, oil: Option<Oil>) -> RotorDefinition {
     RotorDefinition {
         speed: 800.0,
         damping: Damping::StiffnessTime(1e-5),
-        load: [100.0, -200.0, 50.0, 0.2, -0.1],
+        loads: constant([100.0, -200.0, 50.0, 0.2, -0.1]),
         ..rotor(unbalanced, bearings)
     }
 }
@@ -95,12 +95,13 @@ fn linearisation_knows_a_run_up_and_varying_loads() {
             time: 0.5,
             speed: 1200.0,
         }],
-        loads: vec![Load {
-            kind: LoadKind::Harmonic(harmonic),
-            position: 0.02,
-        }],
         ..unbalanced_pair(ContactLaw::Hertz, None)
     };
+    let shaken = Load {
+        kind: LoadKind::Harmonic(harmonic),
+        position: 0.02,
+    };
+    let definition = under(definition, [shaken]);
     check(&Rotor::assemble(&definition).expect("a rotor"), "run-up");
 }
 

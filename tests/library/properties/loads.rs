@@ -10,7 +10,9 @@ use crate::rotor::load::{
 use crate::rotor::{Damping, Load, LoadKind, Rotor, RotorDefinition, Sample};
 
 use super::linear_rotor::{linear, natural_speed};
-use crate::tests::support::{assert_near, model, peak_to_peak, samples, thrust_rotor};
+use crate::tests::support::{
+    assert_near, constant, model, peak_to_peak, samples, thrust_rotor, under,
+};
 
 fn at_centre(kind: LoadKind) -> Load {
     Load {
@@ -262,10 +264,7 @@ fn loads_add_up() {
         position: 0.5,
     };
     let force = harmonic(Pace::Frequency(0.0)).at(0.0, 0.0);
-    let rotor = Rotor::assemble(&RotorDefinition {
-        loads: vec![load.clone(), load],
-        ..at_rest(Vec::new())
-    });
+    let rotor = Rotor::assemble(&at_rest(vec![load.clone(), load]));
     let rotor = rotor.expect("a rotor");
     let unloaded = Rotor::assemble(&at_rest(Vec::new())).expect("a rotor");
     let accelerations = [&rotor, &unloaded].map(|rotor| {
@@ -295,12 +294,12 @@ fn a_shaken_housing_pushes_with_mass_times_acceleration() {
 
 /// A linear rotor at rest under some loads, its cage standing still: only they move it.
 fn at_rest(loads: Vec<Load>) -> RotorDefinition {
-    RotorDefinition {
+    let definition = RotorDefinition {
         speed: 0.0,
         damping: Damping::Ratio(0.03),
-        loads,
         ..linear(thrust_rotor())
-    }
+    };
+    under(definition, loads)
 }
 
 fn x(samples: &[Sample]) -> Vec<f64> {
@@ -379,7 +378,7 @@ fn the_equilibrium_carries_mean_pulls_and_first_rows_but_no_vibration() {
     };
     let pulled = place(vec![at_centre(LoadKind::Sprocket(Sprocket::new(&drive)))]);
     let constant = RotorDefinition {
-        load: [100.0, 0.0, 1000.0, 0.0, 0.0],
+        loads: constant([100.0, 0.0, 1000.0, 0.0, 0.0]),
         ..at_rest(Vec::new())
     };
     let expected = Rotor::assemble(&constant).expect("a rotor");

@@ -6,7 +6,7 @@ use crate::analysis::{Transform, Window};
 use crate::bearing::{Bearing, FreePosition, Geometry};
 use crate::rotor::{Damping, RotorDefinition};
 
-use crate::tests::support::{bearing, model, mounted, samples, thrust_rotor};
+use crate::tests::support::{bearing, constant, model, mounted, samples, thrust_rotor};
 
 /// Ball passes in a hundred revolutions: few enough lines coincide by chance.
 const PASSES: usize = 483;
@@ -31,7 +31,7 @@ fn amplitudes(eccentricity: f64) -> Vec<f64> {
     let mut definition = RotorDefinition {
         bearings: vec![mounted(commensurate_bearing())],
         damping: Damping::Ratio(0.1),
-        load: [0.0, -1600.0, 1000.0, 0.0, 0.0],
+        loads: constant([0.0, -1600.0, 1000.0, 0.0, 0.0]),
         ..thrust_rotor()
     };
     definition.shaft.eccentricity = eccentricity;

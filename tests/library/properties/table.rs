@@ -10,7 +10,8 @@ use crate::rotor::{Damping, Freedoms, RotorDefinition};
 use crate::simulate::{Model, Run};
 
 use crate::tests::support::{
-    AT_EQUILIBRIUM, bearing, model, mounted, rotor, settings, shaft, simulate_into, try_run,
+    AT_EQUILIBRIUM, bearing, constant, model, mounted, rotor, settings, shaft, simulate_into,
+    try_run,
 };
 
 const OIL: Oil = Oil {
@@ -271,7 +272,7 @@ fn unloading(law: ContactLaw, oil: Option<Oil>) -> RotorDefinition {
     };
     RotorDefinition {
         speed: SPEED,
-        load: [0.0, -1500.0, 300.0, 0.0, 0.0],
+        loads: constant([0.0, -1500.0, 300.0, 0.0, 0.0]),
         damping: Damping::Ratio(0.02),
         initial: AT_EQUILIBRIUM,
         ..rotor(shaft, vec![bearing])
@@ -360,7 +361,7 @@ fn hertz_contacts_without_film_have_no_table_and_a_varying_speed_none() {
 fn a_table_keeps_the_energy_of_an_undamped_shaft() {
     let mut definition = unloading(ContactLaw::Hertz, Some(OIL));
     definition.shaft.eccentricity = 0.0;
-    definition.load = [0.0, 0.0, 150.0, 0.0, 0.0];
+    definition.loads = constant([0.0, 0.0, 150.0, 0.0, 0.0]);
     definition.damping = Damping::Undamped;
     definition.cage = crate::rotor::CageMotion::Frozen;
     definition.initial.displacement[0] = Some(3e-6);

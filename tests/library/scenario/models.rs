@@ -6,7 +6,7 @@ use crate::bearing::{ContactLaw, Facing, FreePosition, Geometry, MountedBearing,
 use crate::integrate::Method;
 use crate::physics::RaceControl;
 use crate::quasi_static::{StaticQuestion, TorsionCause, quasi_static};
-use crate::rotor::{Damping, Freedoms, InitialPosition, LoadKind, SpeedPoint};
+use crate::rotor::{Damping, Freedoms, InitialPosition, Load, LoadKind, SpeedPoint};
 use crate::scenario::{self, Format, Scenario};
 use crate::simulate::{Model, Sampling};
 
@@ -84,11 +84,12 @@ fn a_literature_model_needs_no_grooves() {
 }
 
 #[test]
-fn loads_add_up() {
+fn constant_loads_are_taken_as_given() {
     let loads = "[[load]]\nconstant = { y = \"-1 kN\", z = \"5 N\" }\n[[load]]\nconstant = { y = \"1 N\" }\n";
+    let expected = [[0.0, -1000.0, 5.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0, 0.0]];
     assert_eq!(
-        model(&format!("{BEARING}{loads}")).rotor.load,
-        [0.0, -999.0, 5.0, 0.0, 0.0]
+        model(&format!("{BEARING}{loads}")).rotor.loads,
+        expected.map(|parts| Load::constant(parts, 0.0))
     );
 }
 
@@ -327,10 +328,15 @@ fn a_force_at_a_place_is_a_moment_where_the_tilts_move() {
         .model
         .unwrap()
         .rotor;
-    assert_eq!(rotor.load, [10.0, 20.0, 0.0, -1.0, 0.5]);
-    assert_eq!(rotor.loads.len(), 1);
-    assert_eq!(rotor.loads[0].position, -1.0);
-    assert!(matches!(rotor.loads[0].kind, LoadKind::Shock(_)));
+    let [constant, shock] = &rotor.loads[..] else {
+        panic!("{:?}", rotor.loads);
+    };
+    assert_eq!(
+        *constant,
+        Load::constant([10.0, 20.0, 0.0, 0.0, 0.0], 50.0 / 1e3)
+    );
+    assert_eq!(shock.position, -1.0);
+    assert!(matches!(shock.kind, LoadKind::Shock(_)));
 }
 
 #[test]

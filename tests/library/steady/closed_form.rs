@@ -8,7 +8,7 @@ use crate::rotor::{Damping, Freedoms, RotorDefinition};
 use crate::shooting::Multipliers;
 
 use super::found;
-use crate::tests::support::{assert_near, bearing, model, mounted, rotor, shaft};
+use crate::tests::support::{assert_near, bearing, constant, model, mounted, rotor, shaft};
 
 const ECCENTRICITY: f64 = 1e-7;
 
@@ -23,7 +23,7 @@ fn definition(ratio: f64, speed: f64) -> RotorDefinition {
     RotorDefinition {
         speed,
         damping: Damping::Ratio(ratio),
-        load: [0.0, 0.0, 1000.0, 0.0, 0.0],
+        loads: constant([0.0, 0.0, 1000.0, 0.0, 0.0]),
         ..rotor(shaft, vec![linear])
     }
 }

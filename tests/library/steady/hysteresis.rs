@@ -26,11 +26,13 @@ fn definition(speed: f64) -> RotorDefinition {
         speed,
         cage: CageMotion::Frozen,
         damping: Damping::Coefficients([500.0, 500.0, 300.0, 0.0, 0.0]),
-        load: [0.0, 0.0, 1000.0, 0.0, 0.0],
-        loads: vec![Load {
-            kind: LoadKind::Harmonic(swinging),
-            position: 0.0,
-        }],
+        loads: vec![
+            Load::constant([0.0, 0.0, 1000.0, 0.0, 0.0], 0.0),
+            Load {
+                kind: LoadKind::Harmonic(swinging),
+                position: 0.0,
+            },
+        ],
         ..rotor(
             shaft(Freedoms::Translational),
             vec![MountedBearing {

@@ -11,7 +11,7 @@ use crate::rotor::{
 use crate::steady::{SteadyError, SteadyQuestion, steady};
 
 use super::{search, shipped};
-use crate::tests::support::{bearing, model, mounted, rotor, shaft, thrust_rotor};
+use crate::tests::support::{bearing, constant, model, mounted, rotor, shaft, thrust_rotor};
 
 #[test]
 fn what_does_not_repeat_has_no_steady_motion() {
@@ -55,7 +55,7 @@ fn harmonic(frequency: f64) -> Load {
 fn three_frequencies_are_too_many() {
     let mut definition = thrust_rotor();
     definition.shaft.eccentricity = 1e-6;
-    definition.loads = vec![harmonic(123.4)];
+    definition.loads.push(harmonic(123.4));
     let error = search(&model(definition, 1.0, 1e4), None).expect_err("three frequencies");
     let SteadyError::Frequencies { frequencies } = &error else {
         panic!("{error}");
@@ -103,7 +103,7 @@ fn an_undamped_shaft_has_multipliers_on_the_unit_circle() {
     undamped.shaft.eccentricity = 1e-7;
     undamped.speed = 400.0;
     undamped.cage = CageMotion::Frozen;
-    undamped.load = [0.0, 0.0, 1000.0, 0.0, 0.0];
+    undamped.loads = constant([0.0, 0.0, 1000.0, 0.0, 0.0]);
     let found = search(&model(undamped, 1.0, 1e4), None).expect("a motion");
     for multiplier in found.multipliers.values() {
         assert!((multiplier.norm() - 1.0).abs() < 1e-5, "{multiplier}");
@@ -120,7 +120,7 @@ fn the_limits_of_the_model_are_watched_as_in_a_run() {
             speed: 500.0,
             cage: CageMotion::Frozen,
             damping: Damping::Ratio(0.02),
-            load: [0.0, 0.0, 6e4, 0.0, 0.0],
+            loads: constant([0.0, 0.0, 6e4, 0.0, 0.0]),
             ..rotor(shaft, vec![mounted(bearing("7205C"))])
         },
         1.0,

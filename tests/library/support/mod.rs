@@ -11,7 +11,8 @@ use crate::bearing::{
 };
 use crate::integrate::{Method, Settings, System};
 use crate::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, RotorDefinition, Sample, Shaft,
+    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, RotorDefinition, Sample,
+    Shaft,
 };
 use crate::rotor::{Equilibrium, EquilibriumError, StaticProblem};
 use crate::simulate::{
@@ -84,7 +85,7 @@ pub fn varying_compliance(speed: f64, mass: f64, weight: f64, bearing: Bearing) 
     RotorDefinition {
         speed,
         damping: Damping::Coefficients([200.0, 200.0, 0.0, 0.0, 0.0]),
-        load: [0.0, -weight, 0.0, 0.0, 0.0],
+        loads: constant([0.0, -weight, 0.0, 0.0, 0.0]),
         ..rotor(
             Shaft {
                 mass,
@@ -202,7 +203,6 @@ pub fn rotor(shaft: Shaft, bearings: Vec<MountedBearing>) -> RotorDefinition {
         drive: None,
         cage: CageMotion::Rolling,
         damping: Damping::Undamped,
-        load: [0.0; 5],
         loads: Vec::new(),
         initial: AT_EQUILIBRIUM,
         bearings,
@@ -211,12 +211,29 @@ pub fn rotor(shaft: Shaft, bearings: Vec<MountedBearing>) -> RotorDefinition {
     }
 }
 
+/// A constant load at the centre of mass, N and N m.
+pub fn constant(parts: Vector5) -> Vec<Load> {
+    vec![Load::constant(parts, 0.0)]
+}
+
+/// The definition under further loads.
+pub fn under(
+    definition: RotorDefinition,
+    further: impl IntoIterator<Item = Load>,
+) -> RotorDefinition {
+    let loads = definition.loads.iter().cloned().chain(further);
+    RotorDefinition {
+        loads: loads.collect(),
+        ..definition
+    }
+}
+
 /// A 7205C under 1000 N of thrust, 5 kg, x, y and z free, 2 % damping, 500 rad/s.
 pub fn thrust_rotor() -> RotorDefinition {
     RotorDefinition {
         speed: 500.0,
         damping: Damping::Ratio(0.02),
-        load: [0.0, 0.0, 1000.0, 0.0, 0.0],
+        loads: constant([0.0, 0.0, 1000.0, 0.0, 0.0]),
         ..rotor(
             shaft(Freedoms::Translational),
             vec![mounted(bearing("7205C"))],
