@@ -74,7 +74,9 @@ impl Rotor {
     /// [`RotorError`] where a bearing cannot be built, nothing carries the load, or a number is
     /// outside its range.
     pub(crate) fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
-        Self::of_structure(Structure::of(definition)?, definition)
+        let mut rotor = Self::of_structure(Structure::of(definition)?, definition)?;
+        rotor.damp_by_later_balls(definition)?;
+        Ok(rotor)
     }
 
     /// The same of a structure with that shaft.
@@ -131,6 +133,7 @@ impl Rotor {
             speed,
             drive: definition.drive,
             cage: definition.cage,
+            damped_by_later_balls: false,
             energy: false,
             loads,
             contacts_damped: supports.iter().any(Support::is_damped),

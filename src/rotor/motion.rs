@@ -50,6 +50,8 @@ pub struct Rotor {
     pub(super) mass: Mass,
     /// C.
     pub(super) damping: Coefficients,
+    /// Whether C follows from the stiffness with the balls half a pass further, where nothing holds the shaft as they stand.
+    pub(super) damped_by_later_balls: bool,
     /// G.
     pub(super) gyroscopic: Coefficients,
     /// Forces per speed and displacement, of damping that turns with the shaft.

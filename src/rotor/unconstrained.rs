@@ -5,15 +5,20 @@
 //! step. Where a scene uses that, it says one thing and computes another, and is refused:
 //!
 //! - a linear bearing keeps the K of the equilibrium for good, so nothing ever holds the shaft;
-//! - damping as a ratio of the critical value, or proportional to K, is no damping at all;
+//! - damping as a ratio of the critical value, or proportional to K, is no damping at all, unless the balls hold the shaft
+//!   once they are half a ball pass further, as where a shaft in its clearance rests on a single ball right below: then it
+//!   is derived from that K;
 //! - a start at equilibrium in a freedom that nothing drives either stays where the search for the
 //!   equilibrium happened to end.
 //!
 //! Every other scene runs, and is reported in a warning.
 
+use std::f64::consts::PI;
+
 use nalgebra::{Complex, DMatrix, SymmetricEigen};
 
-use super::{CageMotion, Damping, InitialPosition, Rotor, RotorDefinition};
+use super::structure::Structure;
+use super::{CageMotion, Damping, InitialPosition, Rotor, RotorDefinition, RotorError};
 use crate::bearing::{ContactLaw, Geometry, Support};
 
 /// Stiffness, as a part of that of a loaded contact, below which nothing holds the shaft: the force
@@ -77,9 +82,7 @@ pub fn check_constraints(
     definition: &RotorDefinition,
     rotor: &Rotor,
 ) -> Result<Vec<String>, UnconstrainedError> {
-    let linear = definition.linear_bearings.iter();
-    let linear = linear.flat_map(|bearing| bearing.stiffness[..3].iter().copied());
-    let contact = linear.fold(rotor.contact_stiffness(), f64::max);
+    let contact = usual_stiffness(definition, rotor);
     let free = FreeDirections::find(rotor, contact);
     let along = |axes: Vec<usize>| {
         let coordinates = &rotor.structure.coordinates;
@@ -98,15 +101,27 @@ pub fn check_constraints(
     if bearings.any(|bearing| bearing.law == ContactLaw::Linear) {
         return Err(UnconstrainedError::Linear(all));
     }
-    if let Some(undamped) = along(free.undamped(&definition.damping)) {
+    let undamped = along(free.undamped(&definition.damping));
+    if let Some(undamped) = undamped.filter(|_| !rotor.damped_by_later_balls) {
         return Err(UnconstrainedError::Damping(undamped));
     }
     if let Some(lost) = along(free.without_start(definition, rotor, contact)) {
         return Err(UnconstrainedError::Start(lost));
     }
+    let damping = match rotor.damped_by_later_balls {
+        true => "; its damping follows from the stiffness with the balls half a ball pass further",
+        false => "",
+    };
     Ok(vec![format!(
-        "{all}; its place there is one of many, and the natural frequencies leave it out"
+        "{all}; its place there is one of many, and the natural frequencies leave it out{damping}"
     )])
+}
+
+/// Stiffness of a loaded contact, or of the stiffest linear bearing, by its order of magnitude, N/m.
+fn usual_stiffness(definition: &RotorDefinition, rotor: &Rotor) -> f64 {
+    let linear = definition.linear_bearings.iter();
+    let linear = linear.flat_map(|bearing| bearing.stiffness[..3].iter().copied());
+    linear.fold(rotor.contact_stiffness(), f64::max)
 }
 
 /// What nothing holds at the static equilibrium.
@@ -205,6 +220,36 @@ impl FreeDirections {
 }
 
 impl Rotor {
+    /// Derives the damping from the stiffness with the balls half a ball pass further, where it is derived from a stiffness
+    /// that is not there as they stand, and the cages roll on.
+    ///
+    /// # Errors
+    /// [`RotorError`] where the rotor cannot be built so.
+    pub(super) fn damp_by_later_balls(
+        &mut self,
+        definition: &RotorDefinition,
+    ) -> Result<(), RotorError> {
+        let contact = usual_stiffness(definition, self);
+        let undamped = |rotor: &Rotor| {
+            let free = FreeDirections::find(rotor, contact);
+            !free.undamped(&definition.damping).is_empty()
+        };
+        let rolls = definition.cage == CageMotion::Rolling && self.speed.highest() > 0.0;
+        if !rolls || !undamped(self) {
+            return Ok(());
+        }
+        let mut later = definition.clone();
+        for bearing in &mut later.bearings {
+            bearing.first_ball += PI / bearing.bearing.geometry.balls() as f64;
+        }
+        let later = Self::of_structure(Structure::of(&later)?, &later)?;
+        if !undamped(&later) {
+            self.damping = later.damping;
+            self.damped_by_later_balls = true;
+        }
+        Ok(())
+    }
+
     /// Stiffness of a loaded contact of these bearings, by its order of magnitude, N/m: that of one
     /// ball pressed in by a thousandth of the groove centre distance.
     pub(super) fn contact_stiffness(&self) -> f64 {

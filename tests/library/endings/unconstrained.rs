@@ -1,11 +1,13 @@
 //! Freedoms that nothing holds: refused before the first step where the scene rests on their
 //! stiffness, run with a warning where it does not.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use crate::bearing::ContactLaw;
 use crate::rotor::load::{Harmonic, Pace};
 use crate::rotor::{
-    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, LoadKind, RotorDefinition,
-    Sample, UnconstrainedError,
+    CageMotion, Damping, Freedoms, InitialPosition, InitialState, Load, LoadKind, Rotor,
+    RotorDefinition, Sample, UnconstrainedError,
 };
 use crate::simulate::{Run, SimulateError};
 
@@ -150,6 +152,35 @@ fn a_start_that_is_one_of_many_and_that_nothing_drives_is_refused() {
         position: 0.0,
     };
     warning(under(still(), [shaken]));
+}
+
+/// In its clearance a shaft rests on a single ball right below, which holds it along y alone; half a ball pass later two
+/// balls do. Damping that is derived from a stiffness is that of the latter, unless the cage stands.
+#[test]
+fn a_shaft_on_a_single_ball_is_damped_as_on_two() {
+    let resting = |first_ball: f64, cage: CageMotion| {
+        let mut definition = floating();
+        definition.loads = constant([0.0, -10.0, 0.0, 0.0, 0.0]);
+        definition.damping = Damping::Ratio(0.03);
+        definition.bearings[0].first_ball = first_ball;
+        definition.cage = cage;
+        definition
+    };
+    let below = -FRAC_PI_2;
+    let text = warning(resting(below, CageMotion::Rolling));
+    assert!(text.contains("along x at"), "{text}");
+    assert!(text.contains("half a ball pass further"), "{text}");
+    let damping = |definition| {
+        Rotor::assemble(&definition)
+            .expect("a rotor")
+            .damping_matrix()
+    };
+    let [single, two] =
+        [below, below + PI / 8.0].map(|first| damping(resting(first, CageMotion::Rolling)));
+    assert!(single[0][0] > 100.0 && single[1][1] > 100.0, "{single:?}");
+    assert_eq!(single, two);
+    let error = refusal(resting(below, CageMotion::Frozen));
+    assert!(matches!(error, UnconstrainedError::Damping(_)), "{error}");
 }
 
 #[test]
