@@ -315,8 +315,8 @@ impl Drawing {
         }
     }
 
-    /// Loads at their positions, constant ones with their direction in the picture, the axial part at the end that it
-    /// pulls at.
+    /// Loads at their positions: constant ones with their direction, axial parts at the end of the shaft that they pull at,
+    /// varying ones from above.
     fn loads(&mut self, rotor: &RotorDefinition, scale: &Scale) {
         let colour = distinct(LOADS);
         let [left, right] = scale.ends;

@@ -75,7 +75,7 @@ impl Rotor {
     /// outside its range.
     pub(crate) fn assemble(definition: &RotorDefinition) -> Result<Self, RotorError> {
         let mut rotor = Self::of_structure(Structure::of(definition)?, definition)?;
-        rotor.damp_by_later_balls(definition)?;
+        rotor.damp_by_later_balls(definition);
         Ok(rotor)
     }
 

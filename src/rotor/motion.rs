@@ -50,7 +50,7 @@ pub struct Rotor {
     pub(super) mass: Mass,
     /// C.
     pub(super) damping: Coefficients,
-    /// Whether C follows from the stiffness with the balls half a pass further, where nothing holds the shaft as they stand.
+    /// Whether C follows from the stiffness with the cages turned by half a ball spacing, as nothing holds the shaft before.
     pub(super) damped_by_later_balls: bool,
     /// G.
     pub(super) gyroscopic: Coefficients,

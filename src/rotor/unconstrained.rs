@@ -6,8 +6,8 @@
 //!
 //! - a linear bearing keeps the K of the equilibrium for good, so nothing ever holds the shaft;
 //! - damping as a ratio of the critical value, or proportional to K, is no damping at all, unless the balls hold the shaft
-//!   once they are half a ball pass further, as where a shaft in its clearance rests on a single ball right below: then it
-//!   is derived from that K;
+//!   once the cages have turned by half a ball spacing, as where it rests in its clearance on a single ball right below:
+//!   then it is derived from that K;
 //! - a start at equilibrium in a freedom that nothing drives either stays where the search for the
 //!   equilibrium happened to end.
 //!
@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 use nalgebra::{Complex, DMatrix, SymmetricEigen};
 
 use super::structure::Structure;
-use super::{CageMotion, Damping, InitialPosition, Rotor, RotorDefinition, RotorError};
+use super::{CageMotion, Damping, InitialPosition, Rotor, RotorDefinition};
 use crate::bearing::{ContactLaw, Geometry, Support};
 
 /// Stiffness, as a part of that of a loaded contact, below which nothing holds the shaft: the force
@@ -109,7 +109,9 @@ pub fn check_constraints(
         return Err(UnconstrainedError::Start(lost));
     }
     let damping = match rotor.damped_by_later_balls {
-        true => "; its damping follows from the stiffness with the balls half a ball pass further",
+        true => {
+            "; its damping follows from the stiffness with the cages turned by half a ball spacing"
+        }
         false => "",
     };
     Ok(vec![format!(
@@ -220,15 +222,9 @@ impl FreeDirections {
 }
 
 impl Rotor {
-    /// Derives the damping from the stiffness with the balls half a ball pass further, where it is derived from a stiffness
-    /// that is not there as they stand, and the cages roll on.
-    ///
-    /// # Errors
-    /// [`RotorError`] where the rotor cannot be built so.
-    pub(super) fn damp_by_later_balls(
-        &mut self,
-        definition: &RotorDefinition,
-    ) -> Result<(), RotorError> {
+    /// Where damping is to follow from a stiffness that is not there, and the cages roll on, it follows from the stiffness
+    /// with the cages turned by half a ball spacing, if that holds the shaft.
+    pub(super) fn damp_by_later_balls(&mut self, definition: &RotorDefinition) {
         let contact = usual_stiffness(definition, self);
         let undamped = |rotor: &Rotor| {
             let free = FreeDirections::find(rotor, contact);
@@ -236,18 +232,18 @@ impl Rotor {
         };
         let rolls = definition.cage == CageMotion::Rolling && self.speed.highest() > 0.0;
         if !rolls || !undamped(self) {
-            return Ok(());
+            return;
         }
-        let mut later = definition.clone();
-        for bearing in &mut later.bearings {
+        let mut turned = definition.clone();
+        for bearing in &mut turned.bearings {
             bearing.first_ball += PI / bearing.bearing.geometry.balls() as f64;
         }
-        let later = Self::of_structure(Structure::of(&later)?, &later)?;
-        if !undamped(&later) {
-            self.damping = later.damping;
+        let structure = Structure::of(&turned).ok();
+        let turned = structure.and_then(|structure| Self::of_structure(structure, &turned).ok());
+        if let Some(turned) = turned.filter(|turned| !undamped(turned)) {
+            self.damping = turned.damping;
             self.damped_by_later_balls = true;
         }
-        Ok(())
     }
 
     /// Stiffness of a loaded contact of these bearings, by its order of magnitude, N/m: that of one

@@ -9,7 +9,6 @@ mod support;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::thread;
 
 use tempfile::TempDir;
 
@@ -136,13 +135,9 @@ addEventListener("load", () => {
 /// The pages of all shipped scenarios, all of them opened: nothing to complain of, nothing to scroll sideways.
 #[test]
 fn every_shipped_scenario_has_a_page_without_complaints() {
-    let files = toml_files(&scenarios());
-    // the browser waits more than it works
-    thread::scope(|scope| {
-        for files in files.chunks(files.len().div_ceil(4)) {
-            scope.spawn(move || files.iter().for_each(|file| looks_well(&run(file), file)));
-        }
-    });
+    for file in toml_files(&scenarios()) {
+        looks_well(&run(&file), &file);
+    }
 }
 
 /// The same of every other verb that answers, on one scenario.
