@@ -4,9 +4,10 @@ use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use jeffcott::analysis::{
-    Axis, BearingFrequencies, Channel, Detrend, Scaling, Segment, Sources, SpectrumKind,
-    SpectrumRequest, Window, causes,
+use jeffcott::analysis::{Channel, Window};
+use jeffcott::internals::{
+    Axis, BearingFrequencies, Detrend, Scaling, Segment, Sources, SpectrumKind, SpectrumRequest,
+    causes,
 };
 use jeffcott::internals::{Recording, SampleGrid, estimate};
 use jeffcott::physics::ball_pass_frequencies;

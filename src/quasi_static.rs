@@ -39,6 +39,7 @@ pub enum TorsionCause {
 #[non_exhaustive]
 pub struct StaticQuestion {
     /// Shaft, bearings, loads and speed; the active freedoms find their equilibrium, the others are held.
+    #[doc(hidden)]
     pub rotor: RotorDefinition,
     /// Displacements that are given instead of loads: those freedoms are held there.
     pub(crate) displacement: [Option<f64>; FREEDOMS],
@@ -96,7 +97,7 @@ pub struct QuasiStatic {
     /// Newton steps taken.
     pub newton_steps: usize,
     /// Moment and twist about the shaft's axis, where torsion was asked for.
-    pub twist: Option<Twist>,
+    pub(crate) twist: Option<Twist>,
     /// Every bearing, in the order given.
     pub bearings: Vec<BearingState>,
     /// What the reader should know, each with its numbers.

@@ -20,11 +20,10 @@ use std::sync::atomic::Ordering;
 pub use energy_audit::EnergyReport;
 pub use model::Model;
 pub(crate) use model::{Analyses, MotionAnalysis, Sampling};
-pub(crate) use observation::PeakWatch;
-pub use observation::{
-    BearingHistory, BeyondContact, ConsumedLife, Event, EventCount, EventKind, LifeHistory,
-    LoadZone, Spread,
-};
+pub use observation::{BearingHistory, Event, EventCount, EventKind};
+pub(crate) use observation::{BeyondContact, PeakWatch, Spread};
+#[cfg(test)]
+pub(crate) use observation::{ConsumedLife, LifeHistory, LoadZone};
 pub(crate) use part::{Earlier, Part, Standing, StateKeeper, StateSource};
 pub(crate) use passes::{BareRun, reference_settings};
 pub use recorders::Maps;
@@ -34,17 +33,14 @@ pub use run::{
 };
 pub(crate) use sampling::RunSize;
 pub(crate) use severity::Machine;
-pub use severity::VibrationSeverity;
+pub(crate) use severity::VibrationSeverity;
 pub(crate) use tables::TableUse;
 pub(crate) use warnings::{of_speed, speed_warnings};
 pub use watch::{Monitor, SimulateError, TraceSink};
 
 pub use crate::integrate::{Counters, IntegrateError};
 use crate::integrate::{SEGMENT, States, System};
-pub use crate::rotor::{
-    BallContacts, DriveMoments, EnergyBalance, NaturalFrequency, RotorDefinition, RotorError,
-    Sample, UnconstrainedError, Whirl, Works,
-};
+pub use crate::rotor::{BallContacts, NaturalFrequency, RotorError, Sample, Whirl};
 use crate::rotor::{Rotor, check_constraints};
 use observers::Observers;
 use passes::Passes;

@@ -182,7 +182,7 @@ pub struct Sources {
 /// simulated has a spot, and their lines take the operating contact angle.
 ///
 /// ```
-/// use jeffcott::analysis::{BearingFrequencies, Sources, causes, nearest_cause};
+/// use jeffcott::internals::{BearingFrequencies, Sources, causes, nearest_cause};
 /// use jeffcott::physics::ball_pass_frequencies;
 /// let pass = |gamma| ball_pass_frequencies(100.0 * std::f64::consts::TAU, 9, 1.0, 5.0, gamma);
 /// let lines = causes(&Sources {

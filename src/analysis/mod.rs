@@ -1,6 +1,6 @@
 //! From samples to spectra: windows, one-sided amplitudes, peaks and what they are.
 
-mod causes;
+pub(crate) mod causes;
 mod channel;
 pub(crate) mod estimation;
 mod hermite;
@@ -18,25 +18,24 @@ mod transform;
 mod waterfall;
 mod window;
 
+pub use causes::Line;
 pub(crate) use causes::other_causes;
-pub use causes::{
-    BearingFrequencies, Line, LineSurfaces, Precision, Sources, causes, nearest_cause,
+pub(crate) use causes::{
+    BearingFrequencies, LineSurfaces, Precision, Sources, causes, nearest_cause,
 };
 pub use channel::Channel;
 pub(crate) use channel::column_unit;
 pub(crate) use estimation::estimate;
-pub use estimation::{
-    Axis, Detrend, EnvelopeLine, EstimateError, EstimatedSpectrum, Resampling, Scaling, Segment,
-    SpectrumColumn, SpectrumKind, SpectrumQuantity, SpectrumRequest,
+pub(crate) use estimation::{
+    Axis, Detrend, EstimateError, Resampling, Scaling, Segment, SpectrumKind, SpectrumRequest,
 };
+pub use estimation::{EnvelopeLine, EstimatedSpectrum, SpectrumColumn, SpectrumQuantity};
 #[cfg(test)]
 pub(crate) use estimation::{Welch, envelope};
 use hermite::Hermite;
 pub use line_kind::LineKind;
-pub use motion::{
-    ChannelLevel, ChannelStatistics, ClosedCurve, Drift, Kind, Moments, Motion, PoincarePoint,
-    Recognition, Section, SectionKind, VelocityLevel,
-};
+pub(crate) use motion::{ChannelLevel, Section, SectionKind, VelocityLevel};
+pub use motion::{ChannelStatistics, Drift, Kind, Moments, Motion, Recognition};
 pub(crate) use motion::{LONGEST_PERIOD, MotionRecorder, MotionSettings};
 #[cfg(test)]
 pub(crate) use motion::{Series, closed_curve, recognise};
@@ -48,8 +47,7 @@ pub(crate) use peaks::MOST_PEAKS;
 pub use peaks::Peak;
 pub(crate) use recording::{Recording, SampleGrid};
 pub(crate) use sampling_errors::{Leak, TopPower, leak};
-pub(crate) use spall_signal::SpallRecorder;
-pub use spall_signal::{SpallInstants, SpallSignal};
+pub(crate) use spall_signal::{SpallRecorder, SpallSignal};
 pub(crate) use spectrum::Analysis;
 pub use spectrum::{ChannelSpectrum, Spectrum};
 pub(crate) use transform::{Transform, fourier_coefficients};

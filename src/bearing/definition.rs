@@ -91,7 +91,7 @@ pub struct Bearing {
     /// Composite root-mean-square roughness σ of ball and race, m; the film ratio λ needs it.
     pub roughness: Option<f64>,
     /// Highest permissible speed, rad/s, as catalogues print it, for cage and lubrication; where it is
-    /// not given, that of [`LIMITING_SPEED_FACTOR`] is taken.
+    /// not given, `n d_m` = 10⁶ mm/min is taken.
     pub limiting_speed: Option<f64>,
     /// Angle at which the shoulders of the races end, from the radial plane, rad; where it is given,
     /// contacts that reach it are told.
@@ -105,16 +105,16 @@ pub struct Bearing {
     /// Constants of SKF's friction model, where the series of the bearing is known.
     pub skf_friction: Option<SkfFriction>,
     /// Lubricant; the modified life and SKF's friction model need it.
-    pub lubrication: Option<Lubrication>,
+    pub(crate) lubrication: Option<Lubrication>,
     /// Reliability of the modified life, per cent; 90 where it is not given.
     pub reliability: Option<f64>,
     /// What fits and temperatures have done to it.
-    pub fit: Option<FitState>,
+    pub(crate) fit: Option<FitState>,
 }
 
 /// Speed factor `ω d_m`, m/s, above which manufacturers ask for bearings and lubrication of special
 /// design, where they give no limiting speed: `n d_m` = 10⁶ mm/min, a rule of thumb.
-pub const LIMITING_SPEED_FACTOR: f64 = 1e6 * 1e-3 * std::f64::consts::TAU / 60.0;
+const LIMITING_SPEED_FACTOR: f64 = 1e6 * 1e-3 * std::f64::consts::TAU / 60.0;
 
 impl Bearing {
     /// A bearing of a geometry with balls and rings of bearing steel, of which nothing else is known.

@@ -44,10 +44,11 @@ pub use catalogue::{CATALOGUE, CatalogueEntry, UnknownBearing};
 pub use clearance::{Clearance, ClearanceClass};
 pub(crate) use contact_band::ContactBand;
 pub(crate) use contact_damping::ContactDamping;
-pub use definition::{Bearing, BearingError, LIMITING_SPEED_FACTOR};
+pub use definition::{Bearing, BearingError};
 pub(crate) use definition::{Facing, Housing, MountedBearing, Preload};
 pub use estimate::{Candidate, CatalogueLine, Estimate, EstimateError};
-pub use fit::{Fit, FitState};
+pub use fit::Fit;
+pub(crate) use fit::FitState;
 pub use geometry::{FreePosition, Geometry, GeometryError};
 pub use law::BallContact;
 pub(crate) use law::{
@@ -58,18 +59,20 @@ pub(crate) use law::{
 pub(crate) use law::{BallRegion, BallTable, HertzFilmLaw, HertzLaw, JonesFilmLaw, JonesLaw};
 pub(crate) use life::RatingLife;
 pub use life::reference_rating_life;
-pub use lubrication::{Lubrication, ModifiedLife, RatingLives};
+pub(crate) use lubrication::Lubrication;
+pub use lubrication::{ModifiedLife, RatingLives};
 pub use oil::Oil;
 pub(crate) use ring::Ring;
 pub(crate) use ring::quarter_turn;
 pub use ring::{Matrix5, Vector5};
 pub use ring_contacts::BallLoads;
 pub(crate) use rotation::{Angle, BearingRotation};
+pub(crate) use state::{Around, GeometryState, StiffnessShares};
 pub use state::{
-    Around, BallLine, BearingState, FilmState, FrictionMoment, GeometryState, InternalGeometry,
-    RaceContact, SkfMoment, StiffnessShares,
+    BallLine, BearingState, FilmState, FrictionMoment, InternalGeometry, RaceContact, SkfMoment,
 };
 pub use static_safety::{PERMISSIBLE_PRESSURE, permissible_static_load};
 pub(crate) use support::Support;
+pub use surface::Surface;
 pub(crate) use surface::{CageWalk, Defect, Imperfections, Passing, RacePass, SideView, Wave};
-pub use surface::{DefectProfile, ImperfectionError, Surface};
+pub(crate) use surface::{DefectProfile, ImperfectionError};

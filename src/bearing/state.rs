@@ -152,7 +152,7 @@ pub struct GeometryState {
 #[non_exhaustive]
 pub struct BearingState {
     /// Its internal geometry.
-    pub geometry: GeometryState,
+    pub(crate) geometry: GeometryState,
     /// Clearance of a deep-groove bearing; none of an angular contact bearing.
     pub clearance: Option<Clearance>,
     /// Displacement of the inner from the outer ring, in the bearing's own orientation, m and rad.
@@ -166,7 +166,7 @@ pub struct BearingState {
     pub stiffness: Matrix5,
     /// Stiffness of the elastic contacts alone and of the oil films alone at the same ball loads;
     /// none without oil or at rest.
-    pub shares: Option<StiffnessShares>,
+    pub(crate) shares: Option<StiffnessShares>,
     /// Ball by ball, ball 0 first.
     pub balls: Vec<BallLine>,
     /// Number of balls loaded at the inner race: by more than a millionth of the largest load there,
@@ -181,7 +181,7 @@ pub struct BearingState {
     /// Rating lives in revolutions and hours; none without a dynamic load rating or load.
     pub rating_lives: Option<RatingLives>,
     /// What fits and temperatures have done to it; none without them.
-    pub fit: Option<FitState>,
+    pub(crate) fit: Option<FitState>,
     /// Axial force that the inner ring carries where the shaft is not displaced, N: the preload in operation.
     #[serde(rename = "preload_N")]
     pub preload: f64,

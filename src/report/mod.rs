@@ -41,7 +41,8 @@ pub(crate) use destination::{Destination, Findings, Written, document};
 #[cfg(test)]
 pub(crate) use envelope::Decimator;
 pub(crate) use error::Failure;
-pub use error::{FileAction, ReportError};
+pub(crate) use error::FileAction;
+pub use error::ReportError;
 pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};
 pub(crate) use figure::{FigureFormat, write_figures_as};
 pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole};
@@ -49,8 +50,9 @@ pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole}
 pub(crate) use histories::Histories;
 pub(crate) use response::response_findings;
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
+pub use run_report::RunReport;
+pub(crate) use run_report::RunSummary;
 pub(crate) use run_report::{KeptFiles, Outputs};
-pub use run_report::{RunReport, RunSummary};
 pub(crate) use run_tables::EVENT_COLUMNS;
 #[cfg(test)]
 pub(crate) use run_tables::{

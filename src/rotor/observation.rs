@@ -148,8 +148,10 @@ pub struct Sample {
     /// Number of balls in contact, all bearings together; likewise.
     pub balls_loaded: Option<u32>,
     /// Energy, where it is integrated.
+    #[doc(hidden)]
     pub energy: Option<EnergyBalance>,
     /// Moments on the shaft, where it is driven.
+    #[doc(hidden)]
     pub drive: Option<DriveMoments>,
 }
 

@@ -75,10 +75,12 @@ pub struct Scenario {
     /// How it moves; none without a `[time]`.
     pub model: Option<Model>,
     /// The law of the contacts, where it was to be chosen.
+    #[doc(hidden)]
     pub contact_choice: Option<ContactChoice>,
     /// Oil of each bearing, whether its films are simulated or not.
     pub oils: Vec<Option<Oil>>,
     /// The static question at many values of one number.
+    #[doc(hidden)]
     pub study: Option<Study>,
     /// What to keep of the run.
     pub(crate) output: Output,

@@ -20,7 +20,7 @@ pub struct EnergyReport {
     pub conservative: bool,
     /// What was supplied and dissipated.
     #[serde(flatten, serialize_with = "works")]
-    pub works: Works,
+    pub(crate) works: Works,
     /// Largest residual of the balance at any sample: the error of the integration in energy.
     #[serde(rename = "largest_residual_J")]
     pub largest_residual: f64,

@@ -109,6 +109,9 @@ impl MeasuredError {
 }
 
 /// Everything that a run answers, except the trace itself, which went to the sink.
+///
+/// It serialises with the keys of `summary.json`: lives, load zones, spalls and the zone of the vibration severity are
+/// found there.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Run {
@@ -156,7 +159,7 @@ pub struct Run {
     pub motion: Option<Motion>,
     /// Zone of ISO 20816-3, where the motion is known and the machine is.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub vibration_severity: Option<VibrationSeverity>,
+    pub(crate) vibration_severity: Option<VibrationSeverity>,
     /// Waterfall and order tracks, where asked for.
     #[serde(skip)]
     pub maps: Option<Maps>,
@@ -167,7 +170,7 @@ pub struct Run {
     /// Signals of the spalls of the races, with the time between entry and impact, where spectra are asked for and the speed
     /// is constant.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub spalls: Vec<SpallSignal>,
+    pub(crate) spalls: Vec<SpallSignal>,
     /// What the reader of the results should know, each with its numbers.
     pub warnings: Vec<String>,
 }

@@ -22,7 +22,7 @@ use lines::swings;
 pub use lines::{SteadyLine, SteadyLines, Swing};
 pub use measured::Measured;
 use measured::{measured, reduction};
-pub use periods::Base;
+pub(crate) use periods::Base;
 use periods::Periods;
 pub(crate) use response::{Response, ResponsePoint, ResponseQuestion, response};
 use rotor_map::{RotorMap, Solver};
@@ -65,7 +65,7 @@ pub struct Steady {
     pub equilibrium: StaticState,
     /// Frequencies of the forcing, one or two.
     #[serde(rename = "frequencies")]
-    pub bases: Vec<Base>,
+    pub(crate) bases: Vec<Base>,
     /// Period of the map, s: the whole motion repeats with it, or its phase against the second frequency
     /// turns.
     #[serde(rename = "period_s")]

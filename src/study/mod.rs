@@ -7,117 +7,13 @@ mod contact_choice;
 mod fidelity;
 pub(crate) mod many;
 pub(crate) mod plan;
+mod static_study;
 
-pub use contact_choice::ContactChoice;
-pub(crate) use contact_choice::{ContactQuestion, FidelityDifference, choose_contact};
-pub use fidelity::Fidelity;
+pub(crate) use contact_choice::{
+    ContactChoice, ContactQuestion, FidelityDifference, choose_contact,
+};
+pub(crate) use fidelity::Fidelity;
+pub(crate) use static_study::{Study, StudyPoint, StudyRow, Variable};
 
-pub use crate::quasi_static::{QuasiStatic, StaticQuestion, Twist, quasi_static};
+pub use crate::quasi_static::{QuasiStatic, StaticQuestion, quasi_static};
 pub use crate::rotor::{Equilibrium, EquilibriumError};
-
-use crate::bearing::Around;
-use crate::quasi_static::answer_on;
-use crate::rotor::{RotorError, build_supports};
-
-/// The number that varies.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Variable {
-    /// Path of its key in the scenario, for instance `load[0].constant.z`.
-    pub key: String,
-    /// Its SI unit; empty for a plain number.
-    pub unit: &'static str,
-    /// The unit that it was written in; empty for a plain number.
-    pub shown_unit: &'static str,
-    /// That unit in SI units.
-    pub shown_size: f64,
-}
-
-/// One value and the question it makes.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StudyPoint {
-    /// Value of the variable, SI.
-    pub value: f64,
-    /// The static question with this value.
-    pub question: StaticQuestion,
-}
-
-/// A one-dimensional study.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct Study {
-    /// What varies.
-    pub variable: Variable,
-    /// Its values and questions, in the order given.
-    pub(crate) points: Vec<StudyPoint>,
-    /// Number of azimuths around a bearing that are evaluated, from +X on; where `None`, those of its
-    /// balls.
-    pub(crate) positions: Option<usize>,
-}
-
-/// The answer at one value.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct StudyRow {
-    /// Value of the variable, SI.
-    pub value: f64,
-    /// The answer to the question with this value.
-    pub answer: QuasiStatic,
-    /// Every bearing all around.
-    pub around: Vec<Vec<Around>>,
-}
-
-/// A value whose question has no answer.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{key} = {shown} {unit}: {source}")]
-#[non_exhaustive]
-pub struct StudyError {
-    /// Key that varies.
-    pub key: String,
-    /// Its value in the unit that it was written in.
-    pub shown: f64,
-    /// That unit.
-    pub unit: &'static str,
-    /// Why there is no answer.
-    pub source: RotorError,
-}
-
-impl Variable {
-    /// A value of SI unit in the unit that it was written in.
-    pub fn shown(&self, value: f64) -> f64 {
-        value / self.shown_size
-    }
-}
-
-impl Study {
-    /// Answers the question at every value.
-    ///
-    /// # Errors
-    /// [`StudyError`] names the first value that has no answer.
-    pub fn run(&self) -> Result<Vec<StudyRow>, StudyError> {
-        let answer = |point: &StudyPoint| {
-            self.answer(point).map_err(|source| StudyError {
-                key: self.variable.key.clone(),
-                shown: self.variable.shown(point.value),
-                unit: self.variable.shown_unit,
-                source,
-            })
-        };
-        self.points.iter().map(answer).collect()
-    }
-
-    fn answer(&self, point: &StudyPoint) -> Result<StudyRow, RotorError> {
-        let rotor = &point.question.rotor;
-        let supports = build_supports(rotor)?;
-        let answer = answer_on(&point.question, &supports)?;
-        let around = supports
-            .iter()
-            .map(|support| support.around(&answer.displacement, rotor.speed, self.positions))
-            .collect();
-        Ok(StudyRow {
-            value: point.value,
-            answer,
-            around,
-        })
-    }
-}

@@ -158,7 +158,7 @@ impl Scaling {
     /// equivalent noise bandwidth `bandwidth` in units of the axis.
     ///
     /// ```
-    /// use jeffcott::analysis::Scaling;
+    /// use jeffcott::internals::Scaling;
     /// // a cosine of amplitude 3 has (3/2)² at f and at −f
     /// assert_eq!(Scaling::Peak.value(2.25, 2.0, 1.5), 3.0);
     /// assert_eq!(Scaling::Power.value(2.25, 2.0, 1.5), 4.5);
@@ -347,7 +347,7 @@ pub struct Resampling {
 #[non_exhaustive]
 pub struct EstimatedSpectrum {
     /// What was asked for.
-    pub request: SpectrumRequest,
+    pub(crate) request: SpectrumRequest,
     /// Times of the first and of the last sample, s.
     pub span: [f64; 2],
     /// Samples of the record.
@@ -367,7 +367,7 @@ pub struct EstimatedSpectrum {
     /// Equivalent noise bandwidth, Hz or orders.
     pub noise_bandwidth: f64,
     /// How the record was brought to equal angles, where it had to be.
-    pub resampling: Option<Resampling>,
+    pub(crate) resampling: Option<Resampling>,
     /// Number of the first bin: negative where the spectrum is two-sided.
     pub first: isize,
     /// The columns, all of one length.

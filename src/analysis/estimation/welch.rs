@@ -225,7 +225,7 @@ impl Detrend {
     /// Takes the trend out.
     ///
     /// ```
-    /// use jeffcott::analysis::Detrend;
+    /// use jeffcott::internals::Detrend;
     /// let mut samples = [1.0, 3.0, 5.0, 7.0];
     /// Detrend::Linear.apply(&mut samples);
     /// assert!(samples.iter().all(|x| x.abs() < 1e-15));

@@ -6,7 +6,6 @@ mod moments;
 mod period;
 mod section;
 
-pub use closed_curve::ClosedCurve;
 #[cfg(test)]
 pub use closed_curve::closed_curve;
 pub use moments::{Drift, Moments, VelocityLevel};
@@ -89,10 +88,10 @@ pub struct Motion {
     pub statistics: Vec<ChannelStatistics>,
     /// RMS velocity of the lengths that move, in their order.
     #[serde(rename = "velocity_rms", serialize_with = "keys::by_axis")]
-    pub velocity: Vec<Option<VelocityLevel>>,
+    pub(crate) velocity: Vec<Option<VelocityLevel>>,
     /// RMS velocity of the housings along X and Y, bearing by bearing.
     #[serde(rename = "housing_velocity_rms", skip_serializing_if = "Vec::is_empty")]
-    pub housing_velocity: Vec<ChannelLevel>,
+    pub(crate) housing_velocity: Vec<ChannelLevel>,
     /// What kind of motion it is; unknown where not asked for.
     #[serde(flatten)]
     pub recognition: Recognition,
@@ -100,7 +99,7 @@ pub struct Motion {
     #[serde(skip)]
     pub drift: Option<Drift>,
     /// Points of every section that was asked for.
-    pub sections: Vec<Section>,
+    pub(crate) sections: Vec<Section>,
     /// Samples a second.
     #[serde(skip)]
     pub rate: f64,

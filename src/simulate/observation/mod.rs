@@ -11,7 +11,9 @@ use std::io;
 use serde::Serialize;
 
 pub use event::{Event, EventCount, EventKind};
-pub use life::{ConsumedLife, LifeHistory};
+#[cfg(test)]
+pub use life::ConsumedLife;
+pub use life::LifeHistory;
 pub use load_zone::{LoadZone, Spread};
 
 use super::{Model, TraceSink};
@@ -38,9 +40,9 @@ pub struct BearingHistory {
     #[serde(serialize_with = "keys::by_name")]
     pub events: Vec<(EventKind, EventCount)>,
     /// Loaded balls after the settle time; none without balls or samples.
-    pub load_zone: Option<LoadZone>,
+    pub(crate) load_zone: Option<LoadZone>,
     /// Life that the loads consumed; none without a dynamic load rating or balls, or at rest.
-    pub life: Option<LifeHistory>,
+    pub(crate) life: Option<LifeHistory>,
     /// Whether its internal geometry was estimated from a catalogue's ratings, and with it every number of its balls.
     pub estimated: bool,
 }
