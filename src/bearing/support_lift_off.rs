@@ -57,7 +57,7 @@ impl Support {
         if matches!(self.seat, Seat::Spring { .. }) {
             (from[2], to[2]) = (0.0, 0.0);
         }
-        let shift = self.shift_of_centres(&from, &to, 0.0) + self.largest_drop();
+        let shift = self.shift_of_centres(&from, &to) + self.largest_drop();
         let reach = LIFT_OFF_SLOPE * shift;
         let step = TAU / (self.definition.bearing.geometry.balls() as f64 * f64::from(CAGE_STEPS));
         let last = if cage_turns { CAGE_STEPS } else { 0 };
@@ -75,37 +75,12 @@ impl Support {
         })
     }
 
-    /// No ball comes nearer to its lift-off by more than this as the shaft goes from one displacement to another, and
-    /// from one speed in rad/s to another, and the cage turns by an angle in rad; infinite of a ring that floats, of surfaces that are not perfect, and
-    /// where the speed has a part in where a ball lifts off.
-    pub(crate) fn approach_to_lift_off(
-        &self,
-        ends: [&Vector5; 2],
-        speeds: [f64; 2],
-        turn: f64,
-    ) -> f64 {
-        let moves_with_speed = self.law.has_inertia() && speeds[0] != speeds[1];
-        if moves_with_speed || self.is_imperfect() || matches!(self.seat, Seat::Spring { .. }) {
-            return f64::INFINITY;
-        }
-        let [from, to] = ends.map(|displacement| self.imposed(displacement));
-        LIFT_OFF_SLOPE * self.shift_of_centres(&from, &to, turn.abs())
-    }
-
-    /// How far inner groove centres move at most, m, as the ring goes from one place to another and the cage turns by
-    /// an angle in rad, not negative.
-    fn shift_of_centres(&self, from: &Vector5, to: &Vector5, turn: f64) -> f64 {
+    /// How far inner groove centres move at most, m, as the ring goes from one place to another.
+    fn shift_of_centres(&self, from: &Vector5, to: &Vector5) -> f64 {
         let [x, y, z, tilt_x, tilt_y] = std::array::from_fn(|axis| to[axis] - from[axis]);
-        // plain roots: this is asked for at every step
         let length = |a: f64, b: f64| (a * a + b * b).sqrt();
-        // the shift of an inner groove centre, and what it turns with the cage
-        let radial = length(x, y) + turn * length(to[0], to[1]);
-        if [tilt_x, tilt_y, to[3], to[4]] == [0.0; 4] {
-            return length(radial, z);
-        }
-        let arm = self.ring.arm;
-        let tilt = length(tilt_x, tilt_y) + turn * length(to[3], to[4]);
-        length(radial, z.abs() + arm * tilt)
+        let along = z.abs() + self.ring.arm * length(tilt_x, tilt_y);
+        length(length(x, y), along)
     }
 
     /// Largest load of a ball so far past its lift-off in m, N.

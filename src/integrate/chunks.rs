@@ -40,7 +40,8 @@ impl Padded {
     /// Some numbers, padded with another one.
     pub fn padded_with(numbers: &[f64], padding: f64) -> Self {
         let mut padded = Self::zeros(numbers.len());
-        let (own, rest) = padded.all_mut().split_at_mut(numbers.len());
+        let all = padded.chunks.as_flattened_mut();
+        let (own, rest) = all.split_at_mut(numbers.len());
         own.copy_from_slice(numbers);
         rest.fill(padding);
         padded
@@ -56,10 +57,6 @@ impl Padded {
     #[inline(always)]
     pub fn chunks_mut(&mut self) -> &mut [Chunk] {
         &mut self.chunks
-    }
-
-    fn all_mut(&mut self) -> &mut [f64] {
-        self.chunks.as_flattened_mut()
     }
 
     /// Takes the numbers of another vector of the same length.

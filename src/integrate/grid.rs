@@ -9,18 +9,10 @@ pub struct Grid {
     pub count: u64,
 }
 
-/// Distance, as a part of the grid's interval, below which a break does not divide a step.
-const BREAK_SLACK: f64 = 1e-6;
-
 impl Grid {
     /// Time of a grid point, s; free of accumulated round-off.
     pub fn time(&self, index: u64) -> f64 {
         index as f64 * self.interval
-    }
-
-    /// Breaks nearer than this to a grid time, or to another break, count as being there, s.
-    pub(super) fn slack(&self) -> f64 {
-        BREAK_SLACK * self.interval
     }
 }
 

@@ -56,12 +56,8 @@ pub struct CheckpointMismatch {
 
 /// An integration under way: it knows its state at a grid time and how to go on.
 pub struct Integration<'a> {
-    system: &'a dyn System,
-    scaling: Scaling,
+    problem: Problem<'a>,
     grid: Grid,
-    settings: Settings,
-    stop: &'a AtomicBool,
-    pace: Option<&'a Pace>,
     /// Room for a state.
     state: Vec<f64>,
     next: u64,
@@ -81,33 +77,36 @@ impl<'a> Integration<'a> {
         stop: &'a AtomicBool,
         state: &[f64],
     ) -> Self {
-        let open = settings.method == Method::Auto;
         let deviation = state.iter().zip(&scaling.origin);
         let start = Start {
             time: 0.0,
             deviation: deviation.map(|(state, origin)| state - origin).collect(),
             step: 0.0,
             counters: Counters::default(),
-            interval: grid.interval,
         };
-        let method_use = open.then(|| MethodUse::of(system));
-        let problem = Problem::over(&grid, system, &scaling, &settings, (stop, None));
+        let is_open = settings.method == Method::Auto;
+        let method_use = is_open.then(|| MethodUse::of(system));
+        let problem = Problem {
+            system,
+            scaling,
+            settings,
+            stop,
+            pace: None,
+            interval: grid.interval,
+            end: grid.time(grid.count.saturating_sub(1)),
+        };
         Self {
-            stepper: Stepper::new(settings.method, method_use, &problem, &start),
+            stepper: Stepper::new(method_use, &problem, &start),
             checkpoint: Checkpoint {
                 next: 0,
-                scaled: scaling.scaled(state),
+                scaled: problem.scaling.scaled(state),
                 step: 0.0,
                 counters: Counters::default(),
                 stiffness: None,
                 method_use,
             },
-            system,
-            scaling,
+            problem,
             grid,
-            settings,
-            stop,
-            pace: None,
             state: state.to_vec(),
             next: 0,
             stiffness: None,
@@ -116,14 +115,9 @@ impl<'a> Integration<'a> {
 
     /// The same, watched from elsewhere.
     #[must_use]
-    pub fn watched(self, pace: Option<&'a Pace>) -> Self {
-        Self { pace, ..self }
-    }
-
-    fn problem(&self) -> Problem<'_> {
-        let (scaling, settings) = (&self.scaling, &self.settings);
-        let watched = (self.stop, self.pace);
-        Problem::over(&self.grid, self.system, scaling, settings, watched)
+    pub fn watched(mut self, pace: Option<&'a Pace>) -> Self {
+        self.problem.pace = pace;
+        self
     }
 
     /// What it takes to go on another time from the latest end of a segment.
@@ -160,20 +154,18 @@ impl<'a> Integration<'a> {
         let checkpoint = &self.checkpoint;
         let start = Start {
             time: self.grid.time(checkpoint.next),
-            deviation: self.scaling.deviation(&checkpoint.scaled),
+            deviation: self.problem.scaling.deviation(&checkpoint.scaled),
             step: checkpoint.step,
             counters: checkpoint.counters,
-            interval: self.grid.interval,
         };
-        let (method, method_use) = (self.settings.method, checkpoint.method_use);
-        self.stepper = Stepper::new(method, method_use, &self.problem(), &start);
+        self.stepper = Stepper::new(checkpoint.method_use, &self.problem, &start);
     }
 
     /// Ends a segment in the present state.
     fn end_segment(&mut self) {
         self.checkpoint = Checkpoint {
             next: self.next,
-            scaled: self.scaling.scaled(&self.state),
+            scaled: self.problem.scaling.scaled(&self.state),
             step: self.stepper.method().step_size(),
             counters: self.counters(),
             stiffness: self.stiffness,
@@ -196,7 +188,7 @@ impl<'a> Integration<'a> {
 
     /// Which method carried the run, where the choice was left open.
     pub fn method_use(&self) -> Option<MethodUse> {
-        self.stepper.method_use()
+        self.stepper.method_use
     }
 
     /// Number of grid times handed out so far.
@@ -240,21 +232,18 @@ impl<'a> Integration<'a> {
         let steps_before = self.counters().steps;
         let result = self.find_state();
         let is_due = match &result {
-            Ok(()) => is_check_due(&self.problem(), steps_before, self.counters().steps),
+            Ok(()) => is_check_due(&self.problem, steps_before, self.counters().steps),
             Err(error) => matches!(error, IntegrateError::StepLimit { .. }),
         };
         let stiffness = if is_due { self.find_stiffness() } else { None };
-        let ending = |found: Stiffness| found.ending(&self.problem(), self.counters().steps);
+        let ending = |found: Stiffness| found.ending(&self.problem, self.counters().steps);
         stiffness.and_then(ending).map_or(result, Err)
     }
 
     /// Finds the state at the next grid time.
     fn find_state(&mut self) -> Result<(), IntegrateError> {
         let time = self.grid.time(self.next);
-        let (scaling, settings) = (&self.scaling, &self.settings);
-        let watched = (self.stop, self.pace);
-        let problem = Problem::over(&self.grid, self.system, scaling, settings, watched);
-        self.stepper.state_at(&problem, time, &mut self.state)
+        self.stepper.state_at(&self.problem, time, &mut self.state)
     }
 
     /// Stiffness at the end of the latest step.
@@ -262,7 +251,7 @@ impl<'a> Integration<'a> {
         let method = self.stepper.method();
         let (limit, deviation) = (method.stability_limit()?, method.deviation());
         stiffness(
-            &self.problem(),
+            &self.problem,
             limit,
             method.time(),
             deviation,

@@ -11,7 +11,7 @@
 //!   would end well; it is left out for [`stiffness`], which knows the Jacobian and the limit on
 //!   steps.
 
-use std::cell::{Cell, RefCell};
+use std::cell::RefCell;
 use std::sync::atomic::Ordering;
 
 use ode_solvers::dop_shared::{IntegrationError, OutputType, Stats};
@@ -31,8 +31,6 @@ const NO_TEST_FOR_STIFFNESS: u32 = u32::MAX;
 /// A method of the library under way.
 pub(super) struct LibraryStepper {
     method: Method,
-    /// Interval of the samples, s.
-    interval: f64,
     /// Start of the latest block, s, and the scaled states at its samples.
     start: f64,
     samples: States,
@@ -63,7 +61,6 @@ impl LibraryStepper {
         let units = start.deviation.iter().zip(&problem.scaling.scale);
         Self {
             method,
-            interval: start.interval,
             start: start.time,
             samples: States::new(start.deviation.len()),
             time: start.time,
@@ -77,7 +74,7 @@ impl LibraryStepper {
 
     /// The block to come: up to the end of a segment of samples, to the next break, or from one to the next sample.
     fn next_block<'a>(&self, problem: &'a Problem<'a>) -> Block<'a> {
-        let (time, interval) = (self.time, self.interval);
+        let (time, interval) = (self.time, problem.interval);
         let limit = problem.limit_after(time);
         let index = (time / interval).round();
         let block = |end: f64, intervals: f64| Block {
@@ -86,20 +83,19 @@ impl LibraryStepper {
             start: time,
             end,
             intervals: intervals as usize,
-            steps_before: self.counters.steps,
-            rejected_before: self.counters.rejected,
+            before: self.counters,
         };
         if index * interval == time {
-            let free = ((limit - time + problem.slack) / interval).floor();
+            let free = ((limit - time + problem.slack()) / interval).floor();
             let whole = free.min(SEGMENT as f64 - index % SEGMENT as f64);
             if whole >= 1.0 {
                 return block((index + whole) * interval, whole);
             }
         }
         // the sample at which the block begins, within round-off, is behind it
-        let behind = ((time + problem.slack) / interval).floor();
+        let behind = ((time + problem.slack()) / interval).floor();
         let next = (behind + 1.0) * interval;
-        let is_cut = limit < next - problem.slack;
+        let is_cut = limit < next - problem.slack();
         block(if is_cut { limit } else { next }, 1.0)
     }
 
@@ -107,16 +103,12 @@ impl LibraryStepper {
     fn solve(
         &self,
         block: &Block<'_>,
-        recorder: &Recorder,
+        record: &RefCell<Record>,
     ) -> (Vec<DVector<f64>>, Result<Stats, IntegrationError>) {
         let unit = block.problem.scaling.time;
         // the time comes last
         let initial = DVector::from_column_slice(&self.scaled).push(0.0);
-        let bridge = Bridge {
-            block,
-            recorder,
-            state: RefCell::new(self.scaled.clone()),
-        };
+        let bridge = Bridge { block, record };
         let end = (block.end - block.start) / unit;
         let interval = end / block.intervals as f64;
         let tolerance = LOCAL_PART * block.problem.settings.tolerance;
@@ -159,31 +151,34 @@ impl MethodStepper for LibraryStepper {
             return Err(ending);
         }
         let block = self.next_block(problem);
-        let recorder = Recorder::new(&self.scaled);
-        let (samples, result) = self.solve(&block, &recorder);
-        self.counters.steps += recorder.accepted.get();
-        self.counters.evaluations += recorder.evaluations.get();
-        self.counters.rejected += recorder.rejected(&result);
-        self.step = recorder.longest_late_step() * problem.scaling.time;
+        let record = RefCell::new(Record::new(&self.scaled));
+        let (samples, result) = self.solve(&block, &record);
+        let record = record.into_inner();
+        self.counters.steps += record.accepted;
+        self.counters.evaluations += record.evaluations;
+        self.counters.rejected += record.rejected(&result);
+        self.step = record.longest_late_step() * problem.scaling.time;
         self.start = self.time;
         self.samples.clear();
         let finite = |state: &&DVector<f64>| state.iter().all(|value| value.is_finite());
         for state in samples.iter().take_while(finite) {
             self.samples.push(without_time(state));
         }
-        self.ending = recorder.ending(&block, result, self.step);
+        let end = without_time(&record.end).to_vec();
+        self.ending = record.ending(&block, result, self.step);
         if let Some(ending) = self.ending.take_if(|_| self.samples.len() < 2) {
             return Err(ending);
         }
         match (&self.ending, self.samples.last()) {
             (Some(_), Some(last)) => {
-                let index = (self.start / self.interval).round() + self.samples.len() as f64 - 1.0;
-                self.time = index * self.interval;
+                let index =
+                    (self.start / problem.interval).round() + self.samples.len() as f64 - 1.0;
+                self.time = index * problem.interval;
                 self.scaled = last.to_vec();
             }
             _ => {
                 self.time = block.end;
-                self.scaled = without_time(&recorder.end.borrow()).to_vec();
+                self.scaled = end;
             }
         }
         self.deviation = problem.scaling.deviation(&self.scaled);
@@ -191,7 +186,7 @@ impl MethodStepper for LibraryStepper {
     }
 
     fn state_within(&mut self, problem: &Problem<'_>, time: f64, state: &mut [f64]) {
-        let index = ((time - self.start) / self.interval).round();
+        let index = ((time - self.start) / problem.interval).round();
         let before_end = self.samples.get(index as usize);
         let scaled = before_end.filter(|_| time < self.time);
         problem
@@ -234,8 +229,7 @@ struct Block<'a> {
     end: f64,
     intervals: usize,
     /// Work before.
-    steps_before: u64,
-    rejected_before: u64,
+    before: Counters,
 }
 
 impl Block<'_> {
@@ -246,86 +240,76 @@ impl Block<'_> {
 
     /// Steps that are left of the limit.
     fn steps_left(&self) -> u32 {
-        let used = self.steps_before + self.rejected_before;
+        let used = self.before.steps + self.before.rejected;
         let left = self.problem.settings.step_limit.saturating_sub(used);
         u32::try_from(left).unwrap_or(u32::MAX)
     }
 }
 
 /// What the solver's calls reveal and its interface does not.
-struct Recorder {
+struct Record {
     /// Latest evaluations, in a ring.
-    evaluated: RefCell<[(f64, DVector<f64>); REMEMBERED]>,
-    evaluations: Cell<u64>,
-    accepted: Cell<u64>,
+    evaluated: [(f64, DVector<f64>); REMEMBERED],
+    evaluations: u64,
+    accepted: u64,
     /// State at the end of the latest accepted step.
-    end: RefCell<DVector<f64>>,
-    end_x: Cell<f64>,
+    end: DVector<f64>,
+    end_x: f64,
     /// Sizes of the latest accepted steps.
-    steps: Cell<[f64; 3]>,
+    steps: [f64; 3],
     /// Whether an evaluation since the latest accepted step was not finite.
-    fault: Cell<bool>,
-    stopped: Cell<bool>,
-    /// Why the run will not come to its end.
-    hopeless: RefCell<Option<IntegrateError>>,
+    fault: bool,
+    /// Why the solver was told to stop.
+    ending: Option<IntegrateError>,
+    /// Room for a state.
+    state: Vec<f64>,
 }
 
-impl Recorder {
-    fn new(start: &[f64]) -> Self {
-        let start = DVector::from_column_slice(start).push(0.0);
+impl Record {
+    fn new(scaled: &[f64]) -> Self {
+        let start = DVector::from_column_slice(scaled).push(0.0);
         Self {
-            evaluated: RefCell::new(std::array::from_fn(|_| (f64::NAN, start.clone()))),
-            evaluations: Cell::new(0),
-            accepted: Cell::new(0),
-            end: RefCell::new(start),
-            end_x: Cell::new(0.0),
-            steps: Cell::new([0.0; 3]),
-            fault: Cell::new(false),
-            stopped: Cell::new(false),
-            hopeless: RefCell::new(None),
-        }
-    }
-
-    fn evaluated(&self, x: f64, state: &DVector<f64>, finite: bool) {
-        let count = self.evaluations.get();
-        let (at, kept) = &mut self.evaluated.borrow_mut()[count as usize % REMEMBERED];
-        *at = x;
-        kept.copy_from(state);
-        self.evaluations.set(count + 1);
-        if !finite {
-            self.fault.set(true);
+            evaluated: std::array::from_fn(|_| (f64::NAN, start.clone())),
+            evaluations: 0,
+            accepted: 0,
+            end: start,
+            end_x: 0.0,
+            steps: [0.0; 3],
+            fault: false,
+            ending: None,
+            state: scaled.to_vec(),
         }
     }
 
     /// Takes note of a step that ended at `x`, if one did: Dopri5 announces dense points as well,
     /// and those were not evaluated. Whether it did.
-    fn announced(&self, x: f64) -> bool {
-        let (count, evaluated) = (self.evaluations.get() as usize, self.evaluated.borrow());
+    fn announced(&mut self, x: f64) -> bool {
+        let count = self.evaluations as usize;
         let state = (1..=REMEMBERED.min(count))
-            .map(|back| &evaluated[(count - back) % REMEMBERED])
-            .find(|(at, _)| *at == x && x > self.end_x.get());
+            .map(|back| &self.evaluated[(count - back) % REMEMBERED])
+            .find(|(at, _)| *at == x && x > self.end_x);
         let Some((_, state)) = state else {
             return false;
         };
-        let [_, second, third] = self.steps.get();
-        self.steps.set([second, third, x - self.end_x.get()]);
-        self.end_x.set(x);
-        self.end.borrow_mut().copy_from(state);
-        self.accepted.set(self.accepted.get() + 1);
-        self.fault.set(false);
+        self.end.copy_from(state);
+        let [_, second, third] = self.steps;
+        self.steps = [second, third, x - self.end_x];
+        self.end_x = x;
+        self.accepted += 1;
+        self.fault = false;
         true
     }
 
     /// The last step may be cut short by the end of the block; one of those before was not.
     fn longest_late_step(&self) -> f64 {
-        self.steps.get().into_iter().fold(0.0, f64::max)
+        self.steps.into_iter().fold(0.0, f64::max)
     }
 
     fn rejected(&self, result: &Result<Stats, IntegrationError>) -> u64 {
         match result {
             Ok(stats) => u64::from(stats.rejected_steps),
             Err(IntegrationError::MaxNumStepReached { n_step, .. }) => {
-                u64::from(*n_step).saturating_sub(self.accepted.get())
+                u64::from(*n_step).saturating_sub(self.accepted)
             }
             Err(_) => 0,
         }
@@ -333,17 +317,16 @@ impl Recorder {
 
     /// Why the run ends within a block, if it does, after steps of a size in s.
     fn ending(
-        &self,
+        self,
         block: &Block<'_>,
         result: Result<Stats, IntegrationError>,
         step: f64,
     ) -> Option<IntegrateError> {
-        let time = block.time(self.end_x.get());
+        let time = block.time(self.end_x);
         match result {
-            _ if self.hopeless.borrow().is_some() => self.hopeless.take(),
-            _ if self.stopped.get() => Some(IntegrateError::Interrupted { time }),
+            _ if self.ending.is_some() => self.ending,
             Ok(_) => None,
-            Err(_) if self.fault.get() => Some(IntegrateError::NotFinite { time }),
+            Err(_) if self.fault => Some(IntegrateError::NotFinite { time }),
             Err(IntegrationError::MaxNumStepReached { .. }) => Some(IntegrateError::StepLimit {
                 time,
                 limit: block.problem.settings.step_limit,
@@ -355,65 +338,62 @@ impl Recorder {
             ) => Some(IntegrateError::StepUnderflow { time, step }),
         }
     }
+
+    /// The error that ends a run which stability keeps from its end within the limit on steps.
+    fn stiff(&self, block: &Block<'_>, steps: u64) -> Option<IntegrateError> {
+        let problem = block.problem;
+        let deviation = problem.scaling.deviation(without_time(&self.end));
+        let step = self.longest_late_step() * problem.scaling.time;
+        let (limit, time) = (stability_limit(block.method), block.time(self.end_x));
+        stiffness(problem, limit, time, &deviation, step)?.ending(problem, steps)
+    }
 }
 
 /// The system as the library sees it: scaled, and with the time as its last state.
 struct Bridge<'a> {
     block: &'a Block<'a>,
-    recorder: &'a Recorder,
-    /// Room for a state.
-    state: RefCell<Vec<f64>>,
-}
-
-impl Bridge<'_> {
-    /// The error that ends a run which stability keeps from its end within the limit on steps.
-    fn stiff(&self, steps: u64) -> Option<IntegrateError> {
-        let (block, recorder) = (self.block, self.recorder);
-        let problem = block.problem;
-        let deviation = problem
-            .scaling
-            .deviation(without_time(&recorder.end.borrow()));
-        let step = recorder.longest_late_step() * problem.scaling.time;
-        let (limit, time) = (
-            stability_limit(block.method),
-            block.time(recorder.end_x.get()),
-        );
-        stiffness(problem, limit, time, &deviation, step)?.ending(problem, steps)
-    }
+    record: &'a RefCell<Record>,
 }
 
 impl LibrarySystem<f64, DVector<f64>> for Bridge<'_> {
     fn system(&self, x: f64, state: &DVector<f64>, rate: &mut DVector<f64>) {
         let own = state.len() - 1;
         let (problem, rates) = (self.block.problem, &mut rate.as_mut_slice()[..own]);
-        let room = &mut self.state.borrow_mut();
-        problem.scaling.write_state(without_time(state), room);
+        let record = &mut *self.record.borrow_mut();
         let time = self.block.time(state[own]);
-        problem.system.derivative(time, room, rates);
+        problem
+            .scaling
+            .write_state(without_time(state), &mut record.state);
+        problem.system.derivative(time, &record.state, rates);
         for (rate, scale) in rates.iter_mut().zip(&problem.scaling.scale) {
             *rate *= problem.scaling.time / scale;
         }
-        let sum: f64 = rates.iter().sum();
+        record.fault |= !rates.iter().sum::<f64>().is_finite();
         rate[own] = 1.0;
-        self.recorder.evaluated(x, state, sum.is_finite());
+        let (at, kept) = &mut record.evaluated[record.evaluations as usize % REMEMBERED];
+        *at = x;
+        kept.copy_from(state);
+        record.evaluations += 1;
     }
 
     fn solout(&mut self, x: f64, _stale: &DVector<f64>, _rate: &DVector<f64>) -> bool {
-        let accepted = self.recorder.announced(x);
-        let (problem, recorder) = (self.block.problem, self.recorder);
-        let stop = problem.stop.load(Ordering::Relaxed);
-        recorder.stopped.set(stop);
-        let steps = self.block.steps_before + recorder.accepted.get();
+        let (block, record) = (self.block, &mut *self.record.borrow_mut());
+        let problem = block.problem;
+        let accepted = record.announced(x);
+        let counters = Counters {
+            steps: block.before.steps + record.accepted,
+            ..Counters::default()
+        };
         if let Some(pace) = problem.pace {
-            let counters = Counters {
-                steps,
-                ..Counters::default()
-            };
-            pace.note(self.block.time(x), &counters);
+            pace.note(block.time(x), &counters);
         }
-        if accepted && is_check_due(problem, steps - 1, steps) {
-            *recorder.hopeless.borrow_mut() = self.stiff(steps);
+        if problem.stop.load(Ordering::Relaxed) {
+            let time = block.time(record.end_x);
+            record.ending = Some(IntegrateError::Interrupted { time });
         }
-        stop || recorder.hopeless.borrow().is_some()
+        if accepted && is_check_due(problem, counters.steps - 1, counters.steps) {
+            record.ending = record.stiff(block, counters.steps).or(record.ending.take());
+        }
+        record.ending.is_some()
     }
 }

@@ -6,7 +6,6 @@
 
 mod chunks;
 mod error;
-mod event_check;
 mod explicit;
 mod exponential;
 mod grid;

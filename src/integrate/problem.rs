@@ -3,46 +3,35 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::{Counters, Grid, IntegrateError, Pace, Scaling, Settings, System};
+use super::{Counters, IntegrateError, Pace, Scaling, Settings, System};
 
 /// Least first guess of a step size, in units of the scaling's time.
 const LEAST_GUESS: f64 = 1e-6;
 /// Factor by which a step may be longer, so as to end at a break, a landing or the end of the run.
 pub(super) const STRETCH: f64 = 1.01;
 
+/// Distance, as a part of the samples' interval, below which a break does not divide a step.
+const BREAK_SLACK: f64 = 1e-6;
+
 /// A system with the settings of its integration.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) struct Problem<'a> {
     pub system: &'a dyn System,
-    pub scaling: &'a Scaling,
-    pub settings: &'a Settings,
+    pub scaling: Scaling,
+    pub settings: Settings,
     pub stop: &'a AtomicBool,
     /// Who watches takes it from here.
     pub pace: Option<&'a Pace>,
+    /// Interval of the samples, s.
+    pub interval: f64,
     /// No step ends after this, s.
     pub end: f64,
-    /// Breaks nearer than this to a step's start count as being there, s.
-    pub slack: f64,
 }
 
-impl<'a> Problem<'a> {
-    /// Over a grid of times.
-    pub fn over(
-        grid: &Grid,
-        system: &'a dyn System,
-        scaling: &'a Scaling,
-        settings: &'a Settings,
-        (stop, pace): (&'a AtomicBool, Option<&'a Pace>),
-    ) -> Self {
-        Self {
-            system,
-            scaling,
-            settings,
-            stop,
-            pace,
-            end: grid.time(grid.count.saturating_sub(1)),
-            slack: grid.slack(),
-        }
+impl Problem<'_> {
+    /// Breaks nearer than this to a step's start, or to a sample, count as being there, s.
+    pub fn slack(&self) -> f64 {
+        BREAK_SLACK * self.interval
     }
 
     /// Whether another trial may be made of a step that starts at a time; `fault` where one from there
@@ -112,8 +101,8 @@ impl<'a> Problem<'a> {
 
     /// The time that no step from a time on may reach over, s.
     pub fn limit_after(&self, time: f64) -> f64 {
-        let next = self.system.next_break(time + self.slack);
-        if next < self.end - self.slack {
+        let next = self.system.next_break(time + self.slack());
+        if next < self.end - self.slack() {
             next
         } else {
             self.end

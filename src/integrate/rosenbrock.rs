@@ -158,7 +158,7 @@ impl RosenbrockStepper {
 
     /// Takes `∂f/∂y` and `∂f/∂t` at the start of the step, in scaled states.
     fn linearise(&mut self, problem: &Problem<'_>) {
-        let (scaling, by_time) = (problem.scaling, self.by_time.as_mut_slice());
+        let (scaling, by_time) = (&problem.scaling, self.by_time.as_mut_slice());
         scaling.write_state(self.from.as_slice(), &mut self.state);
         let system = problem.system;
         system.linearisation(self.start, &self.state, &mut self.jacobian, by_time);
@@ -182,7 +182,7 @@ impl RosenbrockStepper {
             // what begins at a break is no part of a step that ends there
             let time = (self.start + NODE[stage] * size).min(self.limit.next_down());
             let mut right = combine(&COUPLING[stage], &self.stages) / size;
-            let (scaling, rate) = (problem.scaling, self.stages[stage].as_mut_slice());
+            let (scaling, rate) = (&problem.scaling, self.stages[stage].as_mut_slice());
             scaling.write_state(argument.as_slice(), &mut self.state);
             problem.system.derivative(time, &self.state, rate);
             for (rate, scale) in rate.iter_mut().zip(&scaling.scale) {

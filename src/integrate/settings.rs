@@ -1,6 +1,6 @@
 //! What the user chooses about the integration, and what it costs, also while it goes on.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -65,31 +65,21 @@ impl Counters {
 
 /// How far an integration has come: updated at every trial of a step.
 #[derive(Debug, Default)]
-pub struct Pace {
-    /// Bits of the time, s.
-    time: AtomicU64,
-    steps: AtomicU64,
-    rejected: AtomicU64,
-    evaluations: AtomicU64,
-}
+pub struct Pace(Mutex<(f64, Counters)>);
 
 impl Pace {
     /// Takes note of a time in s and of the work done up to it.
     pub(super) fn note(&self, time: f64, counters: &Counters) {
-        self.time.store(time.to_bits(), Ordering::Relaxed);
-        self.steps.store(counters.steps, Ordering::Relaxed);
-        self.rejected.store(counters.rejected, Ordering::Relaxed);
-        self.evaluations
-            .store(counters.evaluations, Ordering::Relaxed);
+        *self.locked() = (time, *counters);
     }
 
-    /// The time it has come to, s, and the work done up to there; the numbers may be a step apart.
+    /// The time it has come to, s, and the work done up to there.
     pub fn now(&self) -> (f64, Counters) {
-        let counters = Counters {
-            steps: self.steps.load(Ordering::Relaxed),
-            rejected: self.rejected.load(Ordering::Relaxed),
-            evaluations: self.evaluations.load(Ordering::Relaxed),
-        };
-        (f64::from_bits(self.time.load(Ordering::Relaxed)), counters)
+        *self.locked()
+    }
+
+    fn locked(&self) -> MutexGuard<'_, (f64, Counters)> {
+        // numbers are whole whatever became of who wrote them
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -59,20 +59,17 @@ pub(super) struct Start {
     pub step: f64,
     /// Work done before.
     pub counters: Counters,
-    /// Interval of the samples, s.
-    pub interval: f64,
 }
 
 #[cfg(test)]
 impl Start {
-    /// At time zero in a deviation, with samples a second apart.
+    /// At time zero in a deviation.
     pub fn in_deviation(deviation: &[f64], step: f64) -> Self {
         Self {
             time: 0.0,
             deviation: deviation.to_vec(),
             step,
             counters: Counters::default(),
-            interval: 1.0,
         }
     }
 }
@@ -86,27 +83,28 @@ fn stepper_of(method: Method, problem: &Problem<'_>, start: &Start) -> Box<dyn M
     }
 }
 
+/// Steps of the exponential method that are looked back over, and how many of them that crossed a surface are
+/// "again and again".
+const LOOKED_BACK: u32 = u64::BITS;
+const AGAIN_AND_AGAIN: u32 = LOOKED_BACK / 4;
+
 /// The stepper of the method in use, and the rule that may change it.
 pub(super) struct Stepper {
     method: Box<dyn MethodStepper>,
-    /// Where the choice of the method is left open.
-    choice: Option<Choice>,
-    interval: f64,
+    /// Which method carried the run, where the choice is left open.
+    pub method_use: Option<MethodUse>,
+    /// The latest steps of the exponential method, a bit for each, set where a step crossed a surface.
+    crossings: u64,
 }
 
 impl Stepper {
-    /// By a method; `method_use` says which one has carried the run, where the choice is left open.
-    pub fn new(
-        method: Method,
-        method_use: Option<MethodUse>,
-        problem: &Problem<'_>,
-        start: &Start,
-    ) -> Self {
-        let method = method_use.map_or(method, |used| used.latest());
+    /// By the method of the settings; `method_use` says which one has carried the run, where the choice is left open.
+    pub fn new(method_use: Option<MethodUse>, problem: &Problem<'_>, start: &Start) -> Self {
+        let method = method_use.map_or(problem.settings.method, |used| used.latest());
         Self {
             method: stepper_of(method, problem, start),
-            choice: method_use.map(Choice::new),
-            interval: start.interval,
+            method_use,
+            crossings: 0,
         }
     }
 
@@ -127,23 +125,35 @@ impl Stepper {
         Ok(())
     }
 
+    /// Takes a step; where the exponential method had the choice and can or should not go on, the explicit pair does.
     fn step(&mut self, problem: &Problem<'_>) -> Result<(), IntegrateError> {
         let ending = self.method.step(problem);
-        let Some(choice) = self.choice.as_mut().filter(|choice| choice.is_open()) else {
+        let is_open = |used: &&mut MethodUse| used.latest() == Method::Exponential;
+        let Some(method_use) = self.method_use.as_mut().filter(is_open) else {
             return ending;
         };
-        let stepper = &self.method;
-        if choice.is_over(ending, stepper.time(), stepper.crossed())? {
-            let start = Start {
-                time: stepper.time(),
-                deviation: stepper.deviation().to_vec(),
-                // the pair finds its own first step
-                step: 0.0,
-                counters: stepper.counters(),
-                interval: self.interval,
-            };
-            self.method = stepper_of(choice.method_use.latest(), problem, &start);
-        }
+        let reason = match ending {
+            Err(IntegrateError::StepUnderflow { .. } | IntegrateError::NotFinite { .. }) => {
+                ChangeReason::NoStep
+            }
+            Err(error) => return Err(error),
+            Ok(()) => {
+                self.crossings = self.crossings << 1 | u64::from(self.method.crossed());
+                if self.crossings.count_ones() < AGAIN_AND_AGAIN {
+                    return Ok(());
+                }
+                ChangeReason::Crossings
+            }
+        };
+        let start = Start {
+            time: self.method.time(),
+            deviation: self.method.deviation().to_vec(),
+            // the pair finds its own first step
+            step: 0.0,
+            counters: self.method.counters(),
+        };
+        method_use.change = Some((reason, start.time));
+        self.method = stepper_of(method_use.latest(), problem, &start);
         Ok(())
     }
 
@@ -151,17 +161,7 @@ impl Stepper {
     pub fn method(&self) -> &dyn MethodStepper {
         &*self.method
     }
-
-    /// Which method carried the run, where the choice is left open.
-    pub fn method_use(&self) -> Option<MethodUse> {
-        self.choice.as_ref().map(|choice| choice.method_use)
-    }
 }
-
-/// Steps of the exponential method that are looked back over, and how many of them that crossed a surface are
-/// "again and again".
-const LOOKED_BACK: u32 = u64::BITS;
-const AGAIN_AND_AGAIN: u32 = LOOKED_BACK / 4;
 
 /// Which method carried a run under [`Method::Auto`], and why.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -201,56 +201,5 @@ impl MethodUse {
             first,
             change: None,
         }
-    }
-}
-
-/// The rule applied to a run under way.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Choice {
-    pub method_use: MethodUse,
-    /// The latest steps of the exponential method, a bit for each, set where a step crossed a surface.
-    crossings: u64,
-}
-
-impl Choice {
-    /// Of a run that goes on with what was chosen.
-    pub fn new(method_use: MethodUse) -> Self {
-        Self {
-            method_use,
-            crossings: 0,
-        }
-    }
-
-    /// Whether the exponential method carries the run, which another one may still take over.
-    pub fn is_open(&self) -> bool {
-        self.method_use.latest() == Method::Exponential
-    }
-
-    /// Takes note of how a step of the exponential method ended at a time, s, and whether it crossed an event surface;
-    /// whether the explicit pair is to go on from there.
-    ///
-    /// # Errors
-    /// Why the run ends there.
-    pub fn is_over(
-        &mut self,
-        ending: Result<(), IntegrateError>,
-        time: f64,
-        crossed: bool,
-    ) -> Result<bool, IntegrateError> {
-        let reason = match ending {
-            Err(IntegrateError::StepUnderflow { .. } | IntegrateError::NotFinite { .. }) => {
-                ChangeReason::NoStep
-            }
-            Err(error) => return Err(error),
-            Ok(()) => {
-                self.crossings = self.crossings << 1 | u64::from(crossed);
-                if self.crossings.count_ones() < AGAIN_AND_AGAIN {
-                    return Ok(false);
-                }
-                ChangeReason::Crossings
-            }
-        };
-        self.method_use.change = Some((reason, time));
-        Ok(true)
     }
 }

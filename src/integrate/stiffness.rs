@@ -111,23 +111,21 @@ fn largest_eigenvalue(matrix: DMatrix<f64>) -> Option<f64> {
 
 /// Step size, s, that the implicit method settles at when it goes on from here for a while.
 fn implicit_step(problem: &Problem<'_>, time: f64, deviation: &[f64], step: f64) -> f64 {
-    let settings = Settings {
-        step_limit: TRIAL_STEPS,
-        ..*problem.settings
-    };
     let trial = Problem {
-        settings: &settings,
+        settings: Settings {
+            step_limit: TRIAL_STEPS,
+            ..problem.settings
+        },
         stop: &GOES_ON,
         pace: None,
         end: (time + TRIAL * step).min(problem.system.next_break(time + step)),
-        ..*problem
+        ..problem.clone()
     };
     let start = Start {
         time,
         deviation: deviation.to_vec(),
         step,
         counters: Counters::default(),
-        interval: step,
     };
     let mut stepper = RosenbrockStepper::new(&trial, &start);
     while stepper.time() < trial.end && stepper.step(&trial).is_ok() {}

@@ -42,12 +42,6 @@ pub trait System {
     /// continuous, with a simple zero at its surface.
     fn events(&self, _time: f64, _state: &[f64], _values: &mut [f64]) {}
 
-    /// Upper bound of the change of any event function between two times with their states; infinite where
-    /// nothing is known.
-    fn event_change(&self, _times: [f64; 2], _states: [&[f64]; 2]) -> f64 {
-        f64::INFINITY
-    }
-
     /// Writes an upper bound of the force jump, what each component of the derivative gains at a distance past an
     /// event surface: it grows with a broken power of the distance, like a contact force.
     fn force_jump(&self, _event: usize, _time: f64, _distance: f64, rate: &mut [f64]) {
@@ -163,11 +157,6 @@ impl System for Shifted<'_> {
 
     fn events(&self, time: f64, state: &[f64], values: &mut [f64]) {
         self.system.events(self.start + time, state, values);
-    }
-
-    fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
-        let times = times.map(|time| self.start + time);
-        self.system.event_change(times, states)
     }
 
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {

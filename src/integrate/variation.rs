@@ -71,11 +71,6 @@ impl System for Augmented<'_> {
             .events(time, &all[..self.system.states()], values);
     }
 
-    fn event_change(&self, times: [f64; 2], all: [&[f64]; 2]) -> f64 {
-        let states = all.map(|all| &all[..self.system.states()]);
-        self.system.event_change(times, states)
-    }
-
     /// The force of a contact grows with the power 3/2 of the depth δ, so that its stiffness is 3/2 of the force
     /// over δ; neighbouring motions are a unit of each component apart at the start.
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
@@ -91,10 +86,6 @@ impl System for Augmented<'_> {
                 *slope = 1.5 * force / distance * length / scale;
             }
         }
-    }
-
-    fn expects_crossings(&self) -> bool {
-        self.system.expects_crossings()
     }
 }
 

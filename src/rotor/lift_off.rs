@@ -51,22 +51,6 @@ impl Rotor {
         });
     }
 
-    /// No ball comes nearer to its lift-off by more than this from one place of the shaft to another.
-    pub(super) fn lift_off_change(&self, rotations: [&Rotation; 2], places: [&[f64]; 2]) -> f64 {
-        let [from, to] = rotations;
-        let (speeds, turn) = ([from.speed, to.speed], to.angle - from.angle);
-        let change = |bearing: AttachedBearing<'_>| {
-            let ends = places.map(|place| bearing.displacement(place));
-            let support = bearing.support;
-            let faster = support
-                .cage_walk()
-                .map_or(1.0, |walk| 1.0 + walk.steepest());
-            let turn = self.cage_ratio(support) * faster * turn;
-            support.approach_to_lift_off(ends.each_ref(), speeds, turn)
-        };
-        self.bearings().map(change).fold(0.0, f64::max)
-    }
-
     /// Writes the accelerations that a ball so far past its lift-off gives the degrees of freedom at most, m/s² and
     /// rad/s², as the rates of their velocities.
     pub(super) fn lift_off_jump(&self, ball: usize, speed: f64, distance: f64, rate: &mut [f64]) {

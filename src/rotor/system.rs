@@ -60,12 +60,6 @@ impl System for Rotor {
         self.passing_distances(&rotation, kinks);
     }
 
-    fn event_change(&self, times: [f64; 2], states: [&[f64]; 2]) -> f64 {
-        let rotations = [0, 1].map(|end| self.rotation(times[end], states[end]));
-        let places = states.map(|state| &state[..self.dofs()]);
-        self.lift_off_change(rotations.each_ref(), places)
-    }
-
     fn force_jump(&self, event: usize, time: f64, distance: f64, rate: &mut [f64]) {
         // the speed that a drive is meant for: a bound does not ask for more
         let speed = match self.drive {

@@ -8,7 +8,6 @@ use super::plan::Plan;
 use super::stepper::ExplicitStepper;
 use super::verner76::CROSSED;
 use crate::integrate::System;
-use crate::integrate::event_check::EventCheck;
 use crate::integrate::problem::Problem;
 use crate::integrate::root::root;
 
@@ -52,13 +51,10 @@ pub(super) struct Crossings {
     pub due: Vec<f64>,
     /// Sizes that steps from a surface, and those to one, may have, s.
     pub sizes: [f64; 2],
-    /// The latest check at the end of a step, and the one at the end of the trial, if it is there.
-    pub checked: EventCheck,
-    pub ahead: EventCheck,
-    is_ahead_known: bool,
     /// Which surfaces the trial crosses, and the event functions at its ends.
     pub changed: Vec<bool>,
     pub ends: [Vec<f64>; 2],
+    is_end_known: bool,
     /// Room for a search.
     pub found: Vec<f64>,
     pub state: Vec<f64>,
@@ -68,18 +64,15 @@ pub(super) struct Crossings {
 impl Crossings {
     pub fn new(system: &dyn System) -> Self {
         let (events, states) = (system.event_count(), system.states());
-        let check = EventCheck::none(system);
         Self {
             past: vec![false; events],
             latest: f64::NEG_INFINITY,
             fresh: false,
             due: vec![f64::INFINITY; events],
             sizes: [f64::INFINITY; 2],
-            checked: check.clone(),
-            ahead: check,
-            is_ahead_known: false,
             changed: vec![false; events],
             ends: [vec![0.0; events], vec![0.0; events]],
+            is_end_known: false,
             found: vec![f64::INFINITY; events],
             state: vec![0.0; states],
             values: vec![0.0; events],
@@ -103,40 +96,23 @@ impl Crossings {
 
     /// Checks the events in the first state of a run.
     pub fn begin(&mut self, problem: &Problem<'_>, time: f64, state: &[f64]) {
-        self.checked.evaluate(problem.system, time, state);
-        for (event, past) in self.past.iter_mut().enumerate() {
-            *past = self.checked.is_past(event);
+        problem.system.events(time, state, &mut self.values);
+        for (past, value) in self.past.iter_mut().zip(&self.values) {
+            *past = value.is_sign_positive();
         }
-    }
-
-    /// Checks the events in the state where a trial ends; whether it is on the other side of any surface.
-    fn looks_ahead(&mut self, system: &dyn System, time: f64) -> bool {
-        if self.checked.is_clear(system, time, &self.state) {
-            return false;
-        }
-        self.ahead.evaluate(system, time, &self.state);
-        self.is_ahead_known = true;
-        let mut any = false;
-        for (event, changed) in self.changed.iter_mut().enumerate() {
-            *changed = self.ahead.is_past(event) != self.past[event];
-            any |= *changed;
-        }
-        any
     }
 }
 
 impl ExplicitStepper {
     /// Whether crossing an event surface spoils the trial: landings are then planned.
     pub(super) fn is_spoiled(&mut self, problem: &Problem<'_>, plan: &Plan, error: f64) -> bool {
-        self.crossing.is_ahead_known = false;
+        self.crossing.is_end_known = false;
         // with no number or a wild one there is nothing to see
         let off = error * problem.settings.tolerance;
-        if off.is_nan() || off > WILD {
+        if self.crossing.past.is_empty() || off.is_nan() || off > WILD {
             return false;
         }
-        let (system, crossing) = (problem.system, &mut self.crossing);
-        problem.write_state(&self.to, &mut crossing.state);
-        if !crossing.looks_ahead(system, plan.end) {
+        if !self.looks_ahead(problem, plan.end) {
             return false;
         }
         self.evaluate_events_at_ends(problem, plan.end);
@@ -146,6 +122,20 @@ impl ExplicitStepper {
         self.evaluate_end(problem);
         self.extend(problem);
         self.plan_landings(problem, plan.size)
+    }
+
+    /// Evaluates the event functions where the trial ends; whether that is on the other side of any surface.
+    fn looks_ahead(&mut self, problem: &Problem<'_>, end: f64) -> bool {
+        let crossing = &mut self.crossing;
+        problem.write_state(&self.to, &mut crossing.state);
+        let values = &mut crossing.ends[1];
+        problem.system.events(end, &crossing.state, values);
+        crossing.is_end_known = true;
+        let sides = values.iter().zip(&crossing.past);
+        for (changed, (value, past)) in crossing.changed.iter_mut().zip(sides) {
+            *changed = value.is_sign_positive() != *past;
+        }
+        crossing.changed.contains(&true)
     }
 
     /// Evaluates the event functions at both ends of the trial.
@@ -163,20 +153,16 @@ impl ExplicitStepper {
 
     /// Whether the error of crossing any surface counts.
     fn does_any_count(&mut self, problem: &Problem<'_>, plan: &Plan) -> bool {
-        let mut rate = std::mem::take(&mut self.crossing.state);
         let let_pass = LANDING_COST * plan.size / (plan.end - self.crossing.latest);
-        let counts = |event: usize| {
-            if plan.lands_on(self.crossing.due[event]) {
-                self.error_beside(problem, plan, event, &mut rate) > BESIDE
+        (0..self.crossing.changed.len()).any(|event| {
+            if !self.crossing.changed[event] {
+                false
+            } else if plan.lands_on(self.crossing.due[event]) {
+                self.error_beside(problem, plan, event) > BESIDE
             } else {
-                self.error_over(problem, plan, event, &mut rate) > let_pass
+                self.error_over(problem, plan, event) > let_pass
             }
-        };
-        let mut crossed =
-            (0..self.crossing.changed.len()).filter(|&event| self.crossing.changed[event]);
-        let any = crossed.any(counts);
-        self.crossing.state = rate;
-        any
+        })
     }
 
     /// How far both ends of the trial are past a surface.
@@ -185,43 +171,32 @@ impl ExplicitStepper {
     }
 
     /// Error of crossing a surface somewhere in the trial, over the tolerance.
-    fn error_over(
-        &self,
-        problem: &Problem<'_>,
-        plan: &Plan,
-        event: usize,
-        rate: &mut [f64],
-    ) -> f64 {
+    fn error_over(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
         let [from, to] = self.ends_past(event);
         let (past, apart) = (from.max(to), (from - to).abs());
-        let anywhere = CROSSED * self.change_by_jump(problem, plan, event, apart, rate);
+        let mut change = |distance| self.change_by_jump(problem, plan, event, distance);
+        let anywhere = CROSSED * change(apart);
         let at_end = CROSSED_AT_END * past / apart;
-        anywhere.min(at_end * self.change_by_jump(problem, plan, event, past, rate))
+        anywhere.min(at_end * change(past))
     }
 
     /// Error of a trial that was to end on a surface, over the tolerance.
-    fn error_beside(
-        &self,
-        problem: &Problem<'_>,
-        plan: &Plan,
-        event: usize,
-        rate: &mut [f64],
-    ) -> f64 {
+    fn error_beside(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize) -> f64 {
         let [from, to] = self.ends_past(event);
         let part = CROSSED_AT_END * (to.abs() / (from - to).abs());
-        part * self.change_by_jump(problem, plan, event, to.abs(), rate)
+        part * self.change_by_jump(problem, plan, event, to.abs())
     }
 
     /// Change of the state over the trial by the force jump at a distance, over the tolerance.
     fn change_by_jump(
-        &self,
+        &mut self,
         problem: &Problem<'_>,
         plan: &Plan,
         event: usize,
         distance: f64,
-        rate: &mut [f64],
     ) -> f64 {
-        problem.system.force_jump(event, plan.end, distance, rate);
+        let (system, rate) = (problem.system, &mut self.rate);
+        system.force_jump(event, plan.end, distance, rate);
         problem.norm(&self.from, rate) * plan.size
     }
 
@@ -262,20 +237,19 @@ impl ExplicitStepper {
 
     /// Takes note of the sides after a good step.
     pub(super) fn arrive(&mut self, problem: &Problem<'_>, plan: &Plan) {
+        let crossing = &mut self.crossing;
+        crossing.fresh = false;
+        let sides = crossing.past.iter_mut().zip(&crossing.ends[1]);
+        for (changed, (past, value)) in crossing.changed.iter_mut().zip(sides) {
+            *changed = crossing.is_end_known && value.is_sign_positive() != *past;
+            *past ^= *changed;
+        }
         if plan.landing.is_some() {
             self.evaluate_events_at_ends(problem, plan.end);
         }
-        let crossing = &mut self.crossing;
-        crossing.fresh = false;
-        if crossing.is_ahead_known {
-            std::mem::swap(&mut crossing.checked, &mut crossing.ahead);
-        }
         for event in 0..self.crossing.past.len() {
             let crossing = &mut self.crossing;
-            let before = crossing.past[event];
-            if crossing.is_ahead_known {
-                crossing.past[event] = crossing.checked.is_past(event);
-            }
+            let before = crossing.past[event] != crossing.changed[event];
             if plan.lands_on(crossing.due[event]) {
                 self.land(problem, plan, event, !before);
             } else if crossing.past[event] != before {
@@ -289,11 +263,9 @@ impl ExplicitStepper {
 
     /// Takes note of a step that was to end on a surface, and of the side after it.
     fn land(&mut self, problem: &Problem<'_>, plan: &Plan, event: usize, past: bool) {
-        let mut rate = std::mem::take(&mut self.crossing.state);
-        let misses = self.error_beside(problem, plan, event, &mut rate) > BESIDE;
+        let misses = self.error_beside(problem, plan, event) > BESIDE;
         let [from, to] = self.ends_past(event);
         let crossing = &mut self.crossing;
-        crossing.state = rate;
         crossing.due[event] = f64::INFINITY;
         let is_over = (to >= 0.0) == past;
         let left = self.size * to / (from - to);
@@ -301,7 +273,6 @@ impl ExplicitStepper {
         if is_over || (0.0..near).contains(&left) || !misses {
             // round-off must not bring it back
             crossing.past[event] = past;
-            crossing.checked.nearest = 0.0;
             crossing.fresh |= past;
         } else if (near..self.size).contains(&left) && self.time + left < self.limit {
             // not quite there: a short step more

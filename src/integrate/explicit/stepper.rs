@@ -39,7 +39,7 @@ pub(in crate::integrate) struct ExplicitStepper {
     pub(super) to: Padded,
     /// The state that the derivative is evaluated in, and that derivative.
     pub(super) argument: Padded,
-    rate: Padded,
+    pub(super) rate: Padded,
     /// Derivatives at the start and at the end of the latest step.
     pub(super) start_rate: Padded,
     pub(super) end_rate: Padded,

@@ -29,7 +29,7 @@ fn stepped(steps: u32, time: f64) -> ExplicitStepper {
 
 /// The same by a level of the processor.
 fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper {
-    let (stop, scaling) = (AtomicBool::new(false), Scaling::identity(2));
+    let stop = AtomicBool::new(false);
     let settings = Settings {
         method: Method::Verner76,
         tolerance: 1.0,
@@ -37,12 +37,12 @@ fn stepped_by(level: Level, steps: u32, time: f64) -> ExplicitStepper {
     };
     let problem = Problem {
         system: &Duffing,
-        scaling: &scaling,
-        settings: &settings,
+        scaling: Scaling::identity(2),
+        settings,
         stop: &stop,
         pace: None,
         end: 100.0,
-        slack: 1e-9,
+        interval: 1.0,
     };
     let mut stepper = ExplicitStepper {
         level,

@@ -28,8 +28,6 @@ const COST: u32 = 34;
 
 /// The latest step, and how to go on. States are kept as deviations from the scaling's origin.
 pub(in crate::integrate) struct ExponentialStepper {
-    /// Interval of the samples, s.
-    interval: f64,
     /// Start and end of the latest step, s.
     start: f64,
     time: f64,
@@ -78,7 +76,6 @@ impl ExponentialStepper {
         to.deviation.copy_from_slice(deviation);
         linear.to_coordinates(&mut to);
         Self {
-            interval: start.interval,
             start: time,
             time,
             requested: start.step,
@@ -113,7 +110,7 @@ impl ExponentialStepper {
         self.cursor.leave();
         let behind_break = self.time >= self.limit;
         if behind_break {
-            self.limit = problem.system.next_break(self.time + problem.slack);
+            self.limit = problem.system.next_break(self.time + problem.slack());
         }
         if self.waste >= COST {
             self.linearise(problem);
@@ -144,7 +141,8 @@ impl ExponentialStepper {
     fn forget(&mut self, problem: &Problem<'_>) {
         self.remainder_size = 0.0;
         let evaluation = &mut self.sweeps.evaluation;
-        evaluation.evaluate(&self.linear, problem.system, self.start, &self.from);
+        let from = [&self.from.coordinates, &self.from.deviation];
+        evaluation.evaluate(&self.linear, problem.system, self.start, from);
         for (points, now) in self.remainder.iter_mut().zip(evaluation.remainder.chunks()) {
             points[POINTS - 1] = *now;
         }
@@ -152,9 +150,9 @@ impl ExponentialStepper {
     }
 
     /// Chooses the size of the step to come.
-    fn plan(&mut self) {
+    fn plan(&mut self, interval: f64) {
         self.leg = if self.leg.left == 0.0 || self.leg.intervals > 0.0 {
-            Leg::new(self.start, self.requested, self.interval, self.limit)
+            Leg::new(self.start, self.requested, interval, self.limit)
         } else {
             self.leg.adapted(self.requested)
         };
@@ -245,7 +243,7 @@ impl MethodStepper for ExponentialStepper {
         self.begin(problem);
         loop {
             problem.check(self.start, self.requested, &self.counters, self.fault)?;
-            self.plan();
+            self.plan(problem.interval);
             let ends = [self.start, self.start + self.leg.size];
             problem.check_progress(ends, self.leg.size, self.fault)?;
             let ending = self.trial(problem);
@@ -276,18 +274,13 @@ impl MethodStepper for ExponentialStepper {
             problem.write_state(&self.to.deviation, state);
             return;
         }
-        let index = ((time - self.start) / self.interval).round();
-        let phi = self.propagators.samples(&self.linear, self.interval);
+        let interval = problem.interval;
+        let index = ((time - self.start) / interval).round();
+        let phi = self.propagators.samples(&self.linear, interval);
         let (cursor, linear) = (&mut self.cursor, &self.linear);
         if cursor.index() > index {
-            let intervals = [self.interval, self.leg.intervals];
-            cursor.begin(
-                &self.from.coordinates,
-                &self.remainder,
-                intervals,
-                phi,
-                linear,
-            );
+            let (from, intervals) = (&self.from.coordinates, [interval, self.leg.intervals]);
+            cursor.begin(from, &self.remainder, intervals, phi, linear);
         }
         cursor.go_to(index, phi, linear, &mut self.state);
         problem.write_state(&self.state, state);

@@ -20,7 +20,7 @@ impl System for Still {
 
 /// A stepper whose latest step, of one second, saw a remainder that grows by one a second from 1/3 on.
 fn after_a_step() -> ExponentialStepper {
-    let (stop, scaling) = (AtomicBool::new(false), Scaling::identity(1));
+    let stop = AtomicBool::new(false);
     let settings = Settings {
         method: Method::Exponential,
         tolerance: 1.0,
@@ -28,12 +28,12 @@ fn after_a_step() -> ExponentialStepper {
     };
     let problem = Problem {
         system: &Still,
-        scaling: &scaling,
-        settings: &settings,
+        scaling: Scaling::identity(1),
+        settings,
         stop: &stop,
         pace: None,
         end: 1.0,
-        slack: 1e-9,
+        interval: 1.0,
     };
     let mut stepper = ExponentialStepper::new(&problem, &Start::in_deviation(&[0.0], 0.0));
     stepper.remainder_size = 1.0;

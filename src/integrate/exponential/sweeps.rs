@@ -5,7 +5,6 @@ use super::nodes::{NODES, POINTS, Points, SPARE, combined, no_points};
 use super::propagator::Propagator;
 use crate::integrate::System;
 use crate::integrate::chunks::{Padded, add_scaled};
-use crate::integrate::event_check::EventCheck;
 use crate::integrate::problem::Problem;
 use crate::registers::in_wide_registers;
 
@@ -62,8 +61,8 @@ pub(super) struct Sweeps {
     pub evaluation: Evaluation,
     /// Coordinates and deviation of a part of the motion.
     shift: ModalState,
-    /// The latest event check at the start of a step, and one at a point.
-    checks: [EventCheck; 2],
+    /// The event functions at the start of a step, and those at a point.
+    events: [Vec<f64>; 2],
 }
 
 /// An evaluation of the remainder.
@@ -89,16 +88,17 @@ pub(super) enum Ending {
 impl Evaluation {
     /// Finds the coordinates of g = f − J y with y the deviation from the origin, where it has one: the origin's part
     /// of J y is in g.
+    #[inline(always)]
     pub fn evaluate(
         &mut self,
         linear: &LinearPart,
         system: &dyn System,
         time: f64,
-        at: &ModalState,
+        [coordinates, deviation]: [&Padded; 2],
     ) {
-        self.find_state(&at.deviation);
+        self.find_state(deviation);
         system.derivative(time, &self.state, &mut self.rate);
-        linear.find_remainder(&self.rate, &at.coordinates, &mut self.remainder);
+        linear.find_remainder(&self.rate, coordinates, &mut self.remainder);
     }
 
     /// The state at a deviation.
@@ -116,7 +116,7 @@ impl Evaluation {
 impl Sweeps {
     /// Room for those of a problem.
     pub fn new(problem: &Problem<'_>) -> Self {
-        let (system, states) = (problem.system, problem.system.states());
+        let (states, events) = (problem.system.states(), problem.system.event_count());
         let zeros = Padded::zeros(states);
         Self {
             remainder: no_points(states),
@@ -134,7 +134,7 @@ impl Sweeps {
                 remainder: zeros,
             },
             shift: ModalState::zeros(states),
-            checks: [EventCheck::none(system), EventCheck::none(system)],
+            events: [vec![0.0; events], vec![0.0; events]],
         }
     }
 
@@ -199,14 +199,8 @@ impl Sweeps {
             let (from, deviation) = (&trial.from.coordinates, &mut self.deviations[point]);
             operator.find_coordinates(point, from, &self.remainder, coordinates);
             linear.find_deviation(coordinates, deviation);
-            evaluation.find_state(deviation);
-            let system = trial.problem.system;
-            system.derivative(
-                trial.time_of(point),
-                &evaluation.state,
-                &mut evaluation.rate,
-            );
-            linear.find_remainder(&evaluation.rate, coordinates, &mut evaluation.remainder);
+            let time = trial.time_of(point);
+            evaluation.evaluate(linear, trial.problem.system, time, [coordinates, deviation]);
             let points = self.remainder.iter_mut().zip(&mut self.change);
             for ((known, change), found) in points.zip(evaluation.remainder.chunks()) {
                 let before = known[point];
@@ -293,59 +287,24 @@ impl Sweeps {
     }
 
     /// Whether event surfaces lie between the points of the step.
-    #[inline(always)]
     fn crosses(&mut self, trial: &Trial<'_>) -> bool {
+        let [at_start, later] = &mut self.events;
+        if at_start.is_empty() {
+            return false;
+        }
         let (problem, system) = (trial.problem, trial.problem.system);
-        if system.event_count() == 0 {
-            return false;
-        }
-        // a check of long ago may say enough
-        self.find_farthest();
-        let (farthest, end) = (&self.evaluation.state, trial.time_of(POINTS - 1));
-        if self.checks[0].is_clear(system, end, farthest) {
-            return false;
-        }
-        let state = &mut self.evaluation.state;
-        problem.write_state(&trial.from.deviation, state);
-        self.checks[0].evaluate(system, trial.start, state);
+        let evaluation = &mut self.evaluation;
+        problem.write_state(&trial.from.deviation, &mut evaluation.state);
+        system.events(trial.start, &evaluation.state, at_start);
         (1..POINTS).any(|point| {
-            self.find_state_at(point);
-            let ([start, later], state) = (&mut self.checks, &self.evaluation.state);
-            let time = trial.time_of(point);
-            !start.is_clear(system, time, state) && {
-                later.evaluate(system, time, state);
-                later.differs_from(start)
-            }
+            evaluation.find_state(match point + 1 {
+                POINTS => &self.to.deviation,
+                _ => &self.deviations[point],
+            });
+            system.events(trial.time_of(point), &evaluation.state, later);
+            let mut sides = at_start.iter().zip(&*later);
+            sides.any(|(start, later)| start.is_sign_positive() != later.is_sign_positive())
         })
-    }
-
-    /// Finds the state whose components are each as far from the latest check as at any point of the step.
-    #[inline(always)]
-    fn find_farthest(&mut self) {
-        self.find_state_at(POINTS - 1);
-        let Evaluation { origin, state, .. } = &mut self.evaluation;
-        let origin = origin.chunks();
-        let checked = self.checks[0].state.chunks();
-        for (chunk, farthest) in state.chunks_mut().iter_mut().enumerate() {
-            for deviation in &self.deviations[1..POINTS - 1] {
-                let (deviation, from) = (&deviation.chunks()[chunk], &checked[chunk]);
-                for i in 0..4 {
-                    let state = origin[chunk][i] + deviation[i];
-                    let is_farther = (state - from[i]).abs() > (farthest[i] - from[i]).abs();
-                    farthest[i] = if is_farther { state } else { farthest[i] };
-                }
-            }
-        }
-    }
-
-    /// The state at a point after the first, as the latest sweep had it.
-    #[inline(always)]
-    fn find_state_at(&mut self, point: usize) {
-        let deviation = match point + 1 {
-            POINTS => &self.to.deviation,
-            _ => &self.deviations[point],
-        };
-        self.evaluation.find_state(deviation);
     }
 }
 
@@ -406,7 +365,7 @@ mod tests {
 
     /// State at a time from one that follows the drive, after so many equal steps.
     fn stepped(steps: u32, time: f64) -> [f64; 2] {
-        let (stop, scaling) = (AtomicBool::new(false), Scaling::identity(2));
+        let stop = AtomicBool::new(false);
         let settings = Settings {
             method: Method::Exponential,
             tolerance: 1.0,
@@ -414,12 +373,12 @@ mod tests {
         };
         let problem = Problem {
             system: &Hardening,
-            scaling: &scaling,
-            settings: &settings,
+            scaling: Scaling::identity(2),
+            settings,
             stop: &stop,
             pace: None,
             end: 100.0,
-            slack: 1e-9,
+            interval: 1.0,
         };
         let square = -1.06 * NATURAL * NATURAL;
         let linear = LinearPart::near(&DMatrix::from_row_slice(2, 2, &[0.0, 1.0, square, 0.0]));
@@ -432,9 +391,12 @@ mod tests {
         let mut sweeps = Sweeps::new(&problem);
         for step in 0..steps {
             let start = f64::from(step) * size;
-            sweeps
-                .evaluation
-                .evaluate(&linear, &Hardening, start, &from);
+            sweeps.evaluation.evaluate(
+                &linear,
+                &Hardening,
+                start,
+                [&from.coordinates, &from.deviation],
+            );
             for (points, guess) in sweeps
                 .remainder
                 .iter_mut()

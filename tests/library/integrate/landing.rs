@@ -54,10 +54,6 @@ impl System for Bouncing {
         values.fill(-state[0]);
     }
 
-    fn event_change(&self, _times: [f64; 2], [from, to]: [&[f64]; 2]) -> f64 {
-        (to[0] - from[0]).abs()
-    }
-
     fn force_jump(&self, _event: usize, _time: f64, distance: f64, rate: &mut [f64]) {
         rate.copy_from_slice(&[0.0, load(distance)]);
     }
