@@ -176,16 +176,14 @@ fn answer(
 ) -> Run {
     let rotor = passes.rotor;
     let measured_error = passes.measured_error();
-    let analysis = sampling::analyse(model, rotor, observers.recording.as_ref());
+    let causes = sampling::line_causes(model, rotor);
+    let recording = observers.recording.as_ref();
+    let analysis = sampling::analyse(model, rotor, recording, &causes);
+    let estimated = spectra::estimated(model, recording, &causes);
     let (motion, maps, spalls) = observers.recorders.finish();
     let (spectrum, peaks) = analysis.map_or_else(Default::default, |analysis| {
         (Some(analysis.spectrum), analysis.peaks)
     });
-    let estimated = spectra::estimated(
-        model,
-        observers.recording.as_ref(),
-        &sampling::envelope_causes(model, rotor),
-    );
     let error = measured_error.as_ref();
     warnings.extend(warnings::warnings(model, passes, error, motion.as_ref()));
     let steady = rotor.steady_from(model.settle);

@@ -1,6 +1,7 @@
 //! The frequencies at which causes would show, and which of them is nearest to a line.
 
 use super::LineKind;
+use super::line_kind::Characteristic;
 use crate::bearing::{Imperfections, Surface};
 use crate::physics::BallPass;
 use crate::rotor::NaturalFrequency;
@@ -259,53 +260,49 @@ fn bearing_lines(
     };
     let spins = multiples(largest_spin)
         .filter(|(multiple, _)| *multiple <= SPIN_MULTIPLES || multiple.is_multiple_of(2));
-    let mut lines = Vec::new();
-    let mut add = |kind, of: &dyn Fn(&BallPass) -> f64| {
+    let line = |kind, of: &dyn Fn(&BallPass) -> f64| {
         let (simulated, operating) = (of(&own.simulated), of(&own.operating));
-        lines.push(Line {
+        let is_spin = matches!(
             kind,
-            frequency: match kind {
-                LineKind::BallSpin { .. } if !shows_spin => operating,
-                _ => simulated,
+            LineKind::Bearing {
+                of: Characteristic::Spin,
+                ..
+            }
+        );
+        Line {
+            kind,
+            frequency: if is_spin && !shows_spin {
+                operating
+            } else {
+                simulated
             },
             operating: Some(operating),
-        });
+        }
     };
-    let higher = (BALL_PASS_MULTIPLES + 1..=SHAFT_ORDERS).map(|multiple| (multiple, 0));
-    for (multiple, sideband) in multiples(BALL_PASS_MULTIPLES).chain(higher) {
-        let (factor, shift) = (f64::from(multiple), f64::from(sideband) * shaft);
-        let outer = LineKind::BallPassOuter {
+    let characteristic = |(of, (multiple, sideband)): (Characteristic, (u32, i32))| {
+        let kind = LineKind::Bearing {
             bearing,
+            of,
             multiple,
             sideband,
         };
-        let inner = LineKind::BallPassInner {
-            bearing,
-            multiple,
-            sideband,
-        };
-        add(outer, &|pass| factor * pass.outer + shift);
-        add(inner, &|pass| factor * pass.inner + shift);
-    }
-    for (multiple, sideband) in spins {
-        let kind = LineKind::BallSpin {
-            bearing,
-            multiple,
-            sideband,
-        };
-        add(kind, &|pass| {
-            f64::from(multiple) * pass.spin + f64::from(sideband) * pass.cage
-        });
-    }
-    for halves in odd(BALL_PASS_MULTIPLES) {
+        line(kind, &|pass| {
+            let [own, beside] = of.frequencies(pass, shaft);
+            f64::from(multiple) * own + f64::from(sideband) * beside
+        })
+    };
+    let halves = odd(BALL_PASS_MULTIPLES).map(|halves| {
         let kind = LineKind::BallPassHalves { bearing, halves };
-        add(kind, &|pass| 0.5 * f64::from(halves) * pass.outer);
-    }
-    for multiple in 1..=CAGE_MULTIPLES {
-        let kind = LineKind::Cage { bearing, multiple };
-        add(kind, &|pass| f64::from(multiple) * pass.cage);
-    }
-    lines
+        line(kind, &|pass| 0.5 * f64::from(halves) * pass.outer)
+    });
+    let higher = (BALL_PASS_MULTIPLES + 1..=SHAFT_ORDERS).map(|multiple| (multiple, 0));
+    let passes = multiples(BALL_PASS_MULTIPLES).chain(higher);
+    let races = [Characteristic::OuterRace, Characteristic::InnerRace];
+    let passes = passes.flat_map(|number| races.map(|race| (race, number)));
+    let spins = spins.map(|number| (Characteristic::Spin, number));
+    let cage = (1..=CAGE_MULTIPLES).map(|multiple| (Characteristic::Cage, (multiple, 0)));
+    let lines = passes.chain(spins).map(characteristic).chain(halves);
+    lines.chain(cage.map(characteristic)).collect()
 }
 
 /// Multiples up to `largest`, each with its sidebands.

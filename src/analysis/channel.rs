@@ -4,6 +4,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
+use std::sync::LazyLock;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
@@ -58,113 +59,81 @@ pub enum HousingQuantity {
     Acceleration,
 }
 
-/// What is known of a column.
-struct Definition {
-    channel: Channel,
-    name: &'static str,
-    unit: &'static str,
-    /// Value in a sample; none where it was not observed.
-    value: fn(&Sample) -> Option<f64>,
-}
+/// A column with its name and its unit.
+type Column = (Channel, &'static str, &'static str);
 
-const fn column(
-    channel: Channel,
-    name: &'static str,
-    unit: &'static str,
-    value: fn(&Sample) -> Option<f64>,
-) -> Definition {
-    Definition {
-        channel,
-        name,
-        unit,
-        value,
-    }
-}
-
-/// Columns of one housing.
-const HOUSING_COLUMNS: usize = 9;
-
-/// Every column, in the order in which the tables show them.
-#[rustfmt::skip]
-const COLUMNS: [Definition; 41 + HOUSING_COLUMNS * MOST_HOUSINGS] = [
-    column(Channel::Time, "t", "s", |s| Some(s.time)),
-    column(Channel::Angle, "angle", "rad", |s| Some(s.angle)),
-    column(Channel::Speed, "speed", "rad/s", |s| Some(s.speed)),
-    column(Channel::Displacement(0), "x", "m", |s| Some(s.displacement[0])),
-    column(Channel::Displacement(1), "y", "m", |s| Some(s.displacement[1])),
-    column(Channel::Displacement(2), "z", "m", |s| Some(s.displacement[2])),
-    column(Channel::Displacement(3), "tilt_x", "rad", |s| Some(s.displacement[3])),
-    column(Channel::Displacement(4), "tilt_y", "rad", |s| Some(s.displacement[4])),
-    column(Channel::Velocity(0), "x_velocity", "m/s", |s| Some(s.velocity[0])),
-    column(Channel::Velocity(1), "y_velocity", "m/s", |s| Some(s.velocity[1])),
-    column(Channel::Velocity(2), "z_velocity", "m/s", |s| Some(s.velocity[2])),
-    column(Channel::Velocity(3), "tilt_x_velocity", "rad/s", |s| Some(s.velocity[3])),
-    column(Channel::Velocity(4), "tilt_y_velocity", "rad/s", |s| Some(s.velocity[4])),
-    column(Channel::Acceleration(0), "x_acceleration", "m/s^2", |s| Some(s.acceleration?[0])),
-    column(Channel::Acceleration(1), "y_acceleration", "m/s^2", |s| Some(s.acceleration?[1])),
-    column(Channel::Acceleration(2), "z_acceleration", "m/s^2", |s| Some(s.acceleration?[2])),
-    column(Channel::Acceleration(3), "tilt_x_acceleration", "rad/s^2", |s| Some(s.acceleration?[3])),
-    column(Channel::Acceleration(4), "tilt_y_acceleration", "rad/s^2", |s| Some(s.acceleration?[4])),
-    column(Channel::Force(0), "force_x", "N", |s| Some(s.force_on_shaft?[0])),
-    column(Channel::Force(1), "force_y", "N", |s| Some(s.force_on_shaft?[1])),
-    column(Channel::Force(2), "force_z", "N", |s| Some(s.force_on_shaft?[2])),
-    column(Channel::Force(3), "moment_x", "N m", |s| Some(s.force_on_shaft?[3])),
-    column(Channel::Force(4), "moment_y", "N m", |s| Some(s.force_on_shaft?[4])),
-    column(Channel::LargestBallLoad, "largest_ball_load", "N", |s| s.largest_ball_load),
-    column(Channel::BallsLoaded, "balls_loaded", "", |s| s.balls_loaded.map(f64::from)),
-    column(Channel::KINETIC_ENERGY, "kinetic", "J", |s| Some(s.energy?.kinetic)),
-    column(Channel::STORED_ENERGY, "stored", "J", |s| Some(s.energy?.stored)),
-    column(Channel::Energy(2), "loads", "J", |s| Some(s.energy?.works.loads)),
-    column(Channel::Energy(3), "unbalance", "J", |s| Some(s.energy?.works.unbalance)),
-    column(Channel::Energy(4), "rotation", "J", |s| Some(s.energy?.works.rotation)),
-    column(Channel::Energy(5), "viscous_damping", "J", |s| Some(s.energy?.works.viscous)),
-    column(Channel::Energy(6), "contact_damping", "J", |s| Some(s.energy?.works.contact)),
-    column(Channel::Energy(7), "bearings", "J", |s| Some(s.energy?.works.bearings)),
-    column(Channel::Energy(8), "drive", "J", |s| Some(s.energy?.works.drive)),
-    column(Channel::Energy(9), "load_torque", "J", |s| Some(s.energy?.works.load_torque)),
-    column(Channel::Energy(10), "bearing_friction", "J", |s| Some(s.energy?.works.friction)),
-    column(Channel::Drive(0), "drive_torque", "N m", |s| Some(s.drive?.drive)),
-    column(Channel::Drive(1), "load_torque", "N m", |s| Some(s.drive?.load)),
-    column(Channel::Drive(2), "friction_moment", "N m", |s| Some(s.drive?.friction)),
-    column(Channel::Drive(3), "vibration_torque", "N m", |s| Some(s.drive?.vibration)),
-    column(Channel::Drive(4), "twist", "rad", |s| Some(s.drive?.twist)),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Displacement, axis: 0 }, "housing1_x", "m", |s| Some(s.housings?[0].displacement[0])),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Displacement, axis: 1 }, "housing1_y", "m", |s| Some(s.housings?[0].displacement[1])),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Displacement, axis: 2 }, "housing1_z", "m", |s| Some(s.housings?[0].displacement[2])),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Velocity, axis: 0 }, "housing1_x_velocity", "m/s", |s| Some(s.housings?[0].velocity[0])),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Velocity, axis: 1 }, "housing1_y_velocity", "m/s", |s| Some(s.housings?[0].velocity[1])),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Velocity, axis: 2 }, "housing1_z_velocity", "m/s", |s| Some(s.housings?[0].velocity[2])),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Acceleration, axis: 0 }, "housing1_x_acceleration", "m/s^2", |s| Some(s.housings?[0].acceleration?[0])),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Acceleration, axis: 1 }, "housing1_y_acceleration", "m/s^2", |s| Some(s.housings?[0].acceleration?[1])),
-    column(Channel::Housing { bearing: 0, quantity: HousingQuantity::Acceleration, axis: 2 }, "housing1_z_acceleration", "m/s^2", |s| Some(s.housings?[0].acceleration?[2])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Displacement, axis: 0 }, "housing2_x", "m", |s| Some(s.housings?[1].displacement[0])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Displacement, axis: 1 }, "housing2_y", "m", |s| Some(s.housings?[1].displacement[1])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Displacement, axis: 2 }, "housing2_z", "m", |s| Some(s.housings?[1].displacement[2])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Velocity, axis: 0 }, "housing2_x_velocity", "m/s", |s| Some(s.housings?[1].velocity[0])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Velocity, axis: 1 }, "housing2_y_velocity", "m/s", |s| Some(s.housings?[1].velocity[1])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Velocity, axis: 2 }, "housing2_z_velocity", "m/s", |s| Some(s.housings?[1].velocity[2])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Acceleration, axis: 0 }, "housing2_x_acceleration", "m/s^2", |s| Some(s.housings?[1].acceleration?[0])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Acceleration, axis: 1 }, "housing2_y_acceleration", "m/s^2", |s| Some(s.housings?[1].acceleration?[1])),
-    column(Channel::Housing { bearing: 1, quantity: HousingQuantity::Acceleration, axis: 2 }, "housing2_z_acceleration", "m/s^2", |s| Some(s.housings?[1].acceleration?[2])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Displacement, axis: 0 }, "housing3_x", "m", |s| Some(s.housings?[2].displacement[0])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Displacement, axis: 1 }, "housing3_y", "m", |s| Some(s.housings?[2].displacement[1])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Displacement, axis: 2 }, "housing3_z", "m", |s| Some(s.housings?[2].displacement[2])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Velocity, axis: 0 }, "housing3_x_velocity", "m/s", |s| Some(s.housings?[2].velocity[0])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Velocity, axis: 1 }, "housing3_y_velocity", "m/s", |s| Some(s.housings?[2].velocity[1])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Velocity, axis: 2 }, "housing3_z_velocity", "m/s", |s| Some(s.housings?[2].velocity[2])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Acceleration, axis: 0 }, "housing3_x_acceleration", "m/s^2", |s| Some(s.housings?[2].acceleration?[0])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Acceleration, axis: 1 }, "housing3_y_acceleration", "m/s^2", |s| Some(s.housings?[2].acceleration?[1])),
-    column(Channel::Housing { bearing: 2, quantity: HousingQuantity::Acceleration, axis: 2 }, "housing3_z_acceleration", "m/s^2", |s| Some(s.housings?[2].acceleration?[2])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Displacement, axis: 0 }, "housing4_x", "m", |s| Some(s.housings?[3].displacement[0])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Displacement, axis: 1 }, "housing4_y", "m", |s| Some(s.housings?[3].displacement[1])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Displacement, axis: 2 }, "housing4_z", "m", |s| Some(s.housings?[3].displacement[2])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Velocity, axis: 0 }, "housing4_x_velocity", "m/s", |s| Some(s.housings?[3].velocity[0])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Velocity, axis: 1 }, "housing4_y_velocity", "m/s", |s| Some(s.housings?[3].velocity[1])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Velocity, axis: 2 }, "housing4_z_velocity", "m/s", |s| Some(s.housings?[3].velocity[2])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Acceleration, axis: 0 }, "housing4_x_acceleration", "m/s^2", |s| Some(s.housings?[3].acceleration?[0])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Acceleration, axis: 1 }, "housing4_y_acceleration", "m/s^2", |s| Some(s.housings?[3].acceleration?[1])),
-    column(Channel::Housing { bearing: 3, quantity: HousingQuantity::Acceleration, axis: 2 }, "housing4_z_acceleration", "m/s^2", |s| Some(s.housings?[3].acceleration?[2])),
+/// The columns of shaft and bearings, in the order in which the tables show them.
+const COLUMNS: [Column; 41] = [
+    (Channel::Time, "t", "s"),
+    (Channel::Angle, "angle", "rad"),
+    (Channel::Speed, "speed", "rad/s"),
+    (Channel::Displacement(0), "x", "m"),
+    (Channel::Displacement(1), "y", "m"),
+    (Channel::Displacement(2), "z", "m"),
+    (Channel::Displacement(3), "tilt_x", "rad"),
+    (Channel::Displacement(4), "tilt_y", "rad"),
+    (Channel::Velocity(0), "x_velocity", "m/s"),
+    (Channel::Velocity(1), "y_velocity", "m/s"),
+    (Channel::Velocity(2), "z_velocity", "m/s"),
+    (Channel::Velocity(3), "tilt_x_velocity", "rad/s"),
+    (Channel::Velocity(4), "tilt_y_velocity", "rad/s"),
+    (Channel::Acceleration(0), "x_acceleration", "m/s^2"),
+    (Channel::Acceleration(1), "y_acceleration", "m/s^2"),
+    (Channel::Acceleration(2), "z_acceleration", "m/s^2"),
+    (Channel::Acceleration(3), "tilt_x_acceleration", "rad/s^2"),
+    (Channel::Acceleration(4), "tilt_y_acceleration", "rad/s^2"),
+    (Channel::Force(0), "force_x", "N"),
+    (Channel::Force(1), "force_y", "N"),
+    (Channel::Force(2), "force_z", "N"),
+    (Channel::Force(3), "moment_x", "N m"),
+    (Channel::Force(4), "moment_y", "N m"),
+    (Channel::LargestBallLoad, "largest_ball_load", "N"),
+    (Channel::BallsLoaded, "balls_loaded", ""),
+    (Channel::KINETIC_ENERGY, "kinetic", "J"),
+    (Channel::STORED_ENERGY, "stored", "J"),
+    (Channel::Energy(2), "loads", "J"),
+    (Channel::Energy(3), "unbalance", "J"),
+    (Channel::Energy(4), "rotation", "J"),
+    (Channel::Energy(5), "viscous_damping", "J"),
+    (Channel::Energy(6), "contact_damping", "J"),
+    (Channel::Energy(7), "bearings", "J"),
+    (Channel::Energy(8), "drive", "J"),
+    (Channel::Energy(9), "load_torque", "J"),
+    (Channel::Energy(10), "bearing_friction", "J"),
+    (Channel::Drive(0), "drive_torque", "N m"),
+    (Channel::Drive(1), "load_torque", "N m"),
+    (Channel::Drive(2), "friction_moment", "N m"),
+    (Channel::Drive(3), "vibration_torque", "N m"),
+    (Channel::Drive(4), "twist", "rad"),
 ];
+
+/// Every column: after those of shaft and bearings those of the housings, bearing by bearing.
+static ALL: LazyLock<Vec<Column>> = LazyLock::new(|| {
+    let housings = (0..MOST_HOUSINGS).flat_map(housing_columns);
+    COLUMNS.into_iter().chain(housings).collect()
+});
+
+fn housing_columns(bearing: usize) -> impl Iterator<Item = Column> {
+    let quantities = [
+        (HousingQuantity::Displacement, "", "m"),
+        (HousingQuantity::Velocity, "_velocity", "m/s"),
+        (HousingQuantity::Acceleration, "_acceleration", "m/s^2"),
+    ];
+    quantities
+        .into_iter()
+        .flat_map(move |(quantity, of, unit)| {
+            let axes = ["x", "y", "z"].into_iter().enumerate();
+            axes.map(move |(axis, name)| {
+                let channel = Channel::Housing {
+                    bearing,
+                    quantity,
+                    axis,
+                };
+                let name = format!("housing{}_{name}{of}", bearing + 1);
+                (channel, &*name.leak(), unit)
+            })
+        })
+}
 
 impl Channel {
     /// Kinetic energy of the shaft.
@@ -195,7 +164,7 @@ impl Channel {
 
     /// All columns, in the order in which the tables show them.
     pub fn all() -> impl Iterator<Item = Self> {
-        COLUMNS.iter().map(|column| column.channel)
+        ALL.iter().map(|(channel, ..)| *channel)
     }
 
     /// The columns of the table `trace`, where no others are asked for.
@@ -226,41 +195,61 @@ impl Channel {
         Self::all().filter(beside)
     }
 
-    /// Place in [`COLUMNS`].
-    const fn index(self) -> usize {
-        match self {
-            Self::Time => 0,
-            Self::Angle => 1,
-            Self::Speed => 2,
-            Self::Displacement(freedom) => 3 + freedom,
-            Self::Velocity(freedom) => 8 + freedom,
-            Self::Acceleration(freedom) => 13 + freedom,
-            Self::Force(freedom) => 18 + freedom,
-            Self::LargestBallLoad => 23,
-            Self::BallsLoaded => 24,
-            Self::Energy(term) => 25 + term,
-            Self::Drive(quantity) => 36 + quantity,
-            Self::Housing {
-                bearing,
-                quantity,
-                axis,
-            } => 41 + HOUSING_COLUMNS * bearing + 3 * quantity as usize + axis,
-        }
+    /// What is known of it.
+    fn column_of_table(self) -> &'static Column {
+        let mut all = ALL.iter();
+        all.find(|(channel, ..)| *channel == self)
+            .expect("every quantity is a column")
     }
 
     /// Name as in the files: `x`, `tilt_x`, `x_velocity`, `force_x`, `moment_x` ….
     pub fn name(self) -> &'static str {
-        COLUMNS[self.index()].name
+        self.column_of_table().1
     }
 
     /// Unit: `m`, `rad/s^2`, `N m` …; empty of a number.
     pub fn unit(self) -> &'static str {
-        COLUMNS[self.index()].unit
+        self.column_of_table().2
     }
 
     /// Value in a sample; none where it was not observed.
     pub fn of(self, sample: &Sample) -> Option<f64> {
-        (COLUMNS[self.index()].value)(sample)
+        Some(match self {
+            Self::Time => sample.time,
+            Self::Angle => sample.angle,
+            Self::Speed => sample.speed,
+            Self::Displacement(freedom) => sample.displacement[freedom],
+            Self::Velocity(freedom) => sample.velocity[freedom],
+            Self::Acceleration(freedom) => sample.acceleration?[freedom],
+            Self::Force(freedom) => sample.force_on_shaft?[freedom],
+            Self::LargestBallLoad => sample.largest_ball_load?,
+            Self::BallsLoaded => f64::from(sample.balls_loaded?),
+            Self::KINETIC_ENERGY => sample.energy?.kinetic,
+            Self::STORED_ENERGY => sample.energy?.stored,
+            Self::Energy(term) => sample.energy?.works.values()[term - 2],
+            Self::Drive(quantity) => {
+                let drive = sample.drive?;
+                [
+                    drive.drive,
+                    drive.load,
+                    drive.friction,
+                    drive.vibration,
+                    drive.twist,
+                ][quantity]
+            }
+            Self::Housing {
+                bearing,
+                quantity,
+                axis,
+            } => {
+                let housing = &sample.housings?[bearing];
+                match quantity {
+                    HousingQuantity::Displacement => housing.displacement[axis],
+                    HousingQuantity::Velocity => housing.velocity[axis],
+                    HousingQuantity::Acceleration => housing.acceleration?[axis],
+                }
+            }
+        })
     }
 
     /// Name of the column in the files: quantity and unit, valid as a name in MATLAB and pandas, as `x_m`,
@@ -385,12 +374,28 @@ impl JsonSchema for Channel {
 mod tests {
     use super::*;
     use crate::keys;
+    use crate::rotor::{DriveMoments, EnergyBalance, HousingMotion};
 
     #[test]
-    fn every_column_stands_at_its_index() {
-        for (index, channel) in Channel::all().enumerate() {
-            assert_eq!(channel.index(), index, "{channel}");
+    fn every_column_has_a_value_in_a_sample_that_is_wholly_observed() {
+        let housing = HousingMotion {
+            acceleration: Some([0.0; 3]),
+            ..HousingMotion::default()
+        };
+        let sample = Sample {
+            acceleration: Some([0.0; FREEDOMS]),
+            housings: Some([housing; MOST_HOUSINGS]),
+            force_on_shaft: Some([0.0; FREEDOMS]),
+            largest_ball_load: Some(0.0),
+            balls_loaded: Some(0),
+            energy: Some(EnergyBalance::default()),
+            drive: Some(DriveMoments::default()),
+            ..Sample::default()
+        };
+        for channel in Channel::all() {
+            assert_eq!(channel.of(&sample), Some(0.0), "{channel}");
         }
+        assert_eq!(Channel::all().count(), 41 + 9 * MOST_HOUSINGS);
     }
 
     #[test]

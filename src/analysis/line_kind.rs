@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::bearing::Surface;
+use crate::physics::BallPass;
 use crate::rotor::Whirl;
 
 /// What a spectral line can be caused by.
@@ -11,33 +12,15 @@ use crate::rotor::Whirl;
 pub enum LineKind {
     /// k × shaft frequency.
     ShaftOrder(u32),
-    /// k × ball-pass frequency of the outer race, ± sideband × shaft: balls that pass a load which
-    /// stands still.
-    BallPassOuter {
+    /// k × a characteristic frequency of a bearing, ± sideband × shaft, beside the spin of a ball × cage.
+    Bearing {
         /// Bearing, from 0.
         bearing: usize,
+        /// Which frequency.
+        of: Characteristic,
         /// Multiple.
         multiple: u32,
-        /// Shaft orders added.
-        sideband: i32,
-    },
-    /// k × ball-pass frequency of the inner race, ± sideband × shaft: balls that pass a load which
-    /// turns with the shaft.
-    BallPassInner {
-        /// Bearing, from 0.
-        bearing: usize,
-        /// Multiple.
-        multiple: u32,
-        /// Shaft orders added.
-        sideband: i32,
-    },
-    /// k × spin frequency of the balls, ± sideband × cage: a spot of a ball that meets the races.
-    BallSpin {
-        /// Bearing, from 0.
-        bearing: usize,
-        /// Multiple.
-        multiple: u32,
-        /// Cage orders added.
+        /// Shaft or cage orders added.
         sideband: i32,
     },
     /// A wave around a surface, which balls roll over.
@@ -62,13 +45,6 @@ pub enum LineKind {
         /// Number of halves.
         halves: u32,
     },
-    /// k × cage frequency of bearing `bearing`.
-    Cage {
-        /// Bearing, from 0.
-        bearing: usize,
-        /// Multiple.
-        multiple: u32,
-    },
     /// k × meshing frequency of a sprocket and its chain.
     Meshing {
         /// Sprocket, from 0, among the varying loads.
@@ -83,6 +59,31 @@ pub enum LineKind {
         /// How the shaft goes round in it.
         whirl: Whirl,
     },
+}
+
+/// A characteristic frequency of a bearing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Characteristic {
+    /// Ball pass at the outer race, BPFO: balls that pass a load which stands still.
+    OuterRace,
+    /// Ball pass at the inner race, BPFI: balls that pass a load which turns with the shaft.
+    InnerRace,
+    /// Ball spin, BSF: a spot of a ball that meets the races.
+    Spin,
+    /// The cage.
+    Cage,
+}
+
+impl Characteristic {
+    /// Its frequency and that of the cycles beside which its sidebands stand, Hz.
+    pub(super) fn frequencies(self, pass: &BallPass, shaft: f64) -> [f64; 2] {
+        match self {
+            Self::OuterRace => [pass.outer, shaft],
+            Self::InnerRace => [pass.inner, shaft],
+            Self::Spin => [pass.spin, pass.cage],
+            Self::Cage => [pass.cage, shaft],
+        }
+    }
 }
 
 impl LineKind {
@@ -104,29 +105,25 @@ impl LineKind {
                 _ => (12, beside.unsigned_abs()),
             },
             Self::Meshing { multiple, .. } => (2, multiple),
-            Self::BallPassOuter {
-                multiple,
-                sideband: 0,
-                ..
-            } => (3, multiple),
-            Self::BallPassInner {
-                multiple,
-                sideband: 0,
-                ..
-            } => (4, multiple),
             Self::Natural { mode, .. } => (5, mode as u32),
-            Self::Cage { multiple, .. } => (6, multiple),
             Self::ShaftHalves(halves) => (7, halves),
             Self::BallPassHalves { halves, .. } => (8, halves),
-            Self::BallPassOuter {
-                multiple, sideband, ..
-            } => (9, multiple + sideband.unsigned_abs()),
-            Self::BallPassInner {
-                multiple, sideband, ..
-            } => (10, multiple + sideband.unsigned_abs()),
-            Self::BallSpin {
-                multiple, sideband, ..
-            } => (11, multiple + sideband.unsigned_abs()),
+            Self::Bearing {
+                of,
+                multiple,
+                sideband,
+                ..
+            } => {
+                let rank = match (of, sideband) {
+                    (Characteristic::OuterRace, 0) => 3,
+                    (Characteristic::InnerRace, 0) => 4,
+                    (Characteristic::Cage, _) => 6,
+                    (Characteristic::OuterRace, _) => 9,
+                    (Characteristic::InnerRace, _) => 10,
+                    (Characteristic::Spin, _) => 11,
+                };
+                (rank, multiple + sideband.unsigned_abs())
+            }
         }
     }
 }
@@ -137,21 +134,23 @@ impl fmt::Display for LineKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::ShaftOrder(order) => write!(f, "{order}×"),
-            Self::BallPassOuter {
+            Self::Bearing {
                 bearing,
+                of,
                 multiple,
                 sideband,
-            } => write_ball_line(f, "BPFO", [multiple, bearing as u32], sideband, ""),
-            Self::BallPassInner {
-                bearing,
-                multiple,
-                sideband,
-            } => write_ball_line(f, "BPFI", [multiple, bearing as u32], sideband, ""),
-            Self::BallSpin {
-                bearing,
-                multiple,
-                sideband,
-            } => write_ball_line(f, "BSF", [multiple, bearing as u32], sideband, "cage"),
+            } => {
+                let (name, beside) = match of {
+                    Characteristic::OuterRace => ("BPFO", ""),
+                    Characteristic::InnerRace => ("BPFI", ""),
+                    Characteristic::Spin => ("BSF", "cage"),
+                    Characteristic::Cage => ("cage", ""),
+                };
+                write_multiple(f, multiple)?;
+                write!(f, "{name}")?;
+                write_number(f, "bearing", bearing as u32)?;
+                write_sideband(f, sideband, beside)
+            }
             Self::Waviness {
                 bearing,
                 on,
@@ -171,9 +170,6 @@ impl fmt::Display for LineKind {
                 write!(f, "{halves}/2×BPFO")?;
                 write_number(f, "bearing", bearing as u32)
             }
-            Self::Cage { bearing, multiple } => {
-                write_ball_line(f, "cage", [multiple, bearing as u32], 0, "")
-            }
             Self::Meshing { sprocket, multiple } => {
                 write_multiple(f, multiple)?;
                 write!(f, "meshing")?;
@@ -188,19 +184,6 @@ impl fmt::Display for LineKind {
             }
         }
     }
-}
-
-fn write_ball_line(
-    f: &mut fmt::Formatter<'_>,
-    name: &str,
-    [multiple, bearing]: [u32; 2],
-    sideband: i32,
-    of: &str,
-) -> fmt::Result {
-    write_multiple(f, multiple)?;
-    write!(f, "{name}")?;
-    write_number(f, "bearing", bearing)?;
-    write_sideband(f, sideband, of)
 }
 
 fn write_sideband(f: &mut fmt::Formatter<'_>, sideband: i32, of: &str) -> fmt::Result {

@@ -48,7 +48,10 @@ pub(super) fn peaks(
     floor: f64,
 ) -> Vec<Peak> {
     let hann = HannSpectrum::new(transform);
-    let found = strongest_first(hann.maxima().filter_map(|k| hann.refine(k)).collect());
+    let mut found: Vec<_> = hann.maxima().filter_map(|k| hann.refine(k)).collect();
+    // of equal ones the lower in frequency stays first
+    found.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
+    found.truncate(MOST_PEAKS);
     let strongest = found.first().map_or(0.0, |peak| peak.amplitude);
     let threshold = floor.max(RELATIVE_THRESHOLD * strongest);
     let causes = &seen_in(channel, causes);
@@ -65,16 +68,6 @@ pub(super) fn seen_in(channel: Channel, causes: &[Line]) -> Vec<Line> {
     let mut causes = causes.to_vec();
     causes.sort_by_key(|line| !line.kind.is_of_wave(channel.is_axial()));
     causes
-}
-
-/// The [`MOST_PEAKS`] strongest; of equal ones the lower in frequency first.
-fn strongest_first(mut found: Vec<Refined>) -> Vec<Refined> {
-    found.sort_by(|a, b| {
-        let by_amplitude = b.amplitude.total_cmp(&a.amplitude);
-        by_amplitude.then(a.maximum.cmp(&b.maximum))
-    });
-    found.truncate(MOST_PEAKS);
-    found
 }
 
 /// A maximum between the bins.

@@ -24,15 +24,6 @@ impl SampleGrid {
         }
     }
 
-    /// So many samples a second, whatever the shaft does.
-    pub fn of_time(rate: f64) -> Self {
-        Self {
-            rate,
-            shaft_frequency: 0.0,
-            per_revolution: None,
-        }
-    }
-
     /// Number of samples of which a record holds a multiple, so that what turns with the shaft falls on a bin.
     pub(super) fn block(&self) -> usize {
         self.per_revolution

@@ -1,7 +1,6 @@
 //! Windows: how the samples of a spectrum are weighted.
 
 use std::f64::consts::TAU;
-use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -92,22 +91,5 @@ impl Window {
         terms
             .map(|(j, (a, sign))| sign * a * (j as f64 * angle).cos())
             .sum()
-    }
-
-    /// Name as in the files: `rectangular`, `hann`, `hamming`, `blackman_harris`, `flat_top`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rectangular => "rectangular",
-            Self::Hann => "hann",
-            Self::Hamming => "hamming",
-            Self::BlackmanHarris => "blackman_harris",
-            Self::FlatTop => "flat_top",
-        }
-    }
-}
-
-impl fmt::Display for Window {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.name())
     }
 }

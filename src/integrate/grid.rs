@@ -53,11 +53,6 @@ impl States {
         self.values.clear();
     }
 
-    /// Makes it so many states: of those to come all components are zero.
-    pub fn resize(&mut self, states: usize) {
-        self.values.resize(self.width * states, 0.0);
-    }
-
     /// The states in their order.
     pub fn iter(&self) -> std::slice::ChunksExact<'_, f64> {
         self.values.chunks_exact(self.width)
@@ -78,8 +73,9 @@ impl States {
         &self.values
     }
 
-    /// All numbers, state by state.
-    pub fn as_mut_slice(&mut self) -> &mut [f64] {
+    /// All numbers, state by state, of so many states: of those to come all components are zero.
+    pub fn resized(&mut self, states: usize) -> &mut [f64] {
+        self.values.resize(self.width * states, 0.0);
         &mut self.values
     }
 }

@@ -61,9 +61,8 @@ pub struct Integration<'a> {
     /// Room for a state.
     state: Vec<f64>,
     next: u64,
-    stiffness: Option<Stiffness>,
     stepper: Stepper,
-    /// The latest end of a segment.
+    /// The latest end of a segment, and stiffness where it was seen since.
     checkpoint: Checkpoint,
 }
 
@@ -109,7 +108,6 @@ impl<'a> Integration<'a> {
             grid,
             state: state.to_vec(),
             next: 0,
-            stiffness: None,
         }
     }
 
@@ -142,7 +140,6 @@ impl<'a> Integration<'a> {
         }
         self.checkpoint = checkpoint.clone();
         self.next = checkpoint.next;
-        self.stiffness = checkpoint.stiffness;
         if self.next > 0 {
             self.begin_afresh();
         }
@@ -168,7 +165,7 @@ impl<'a> Integration<'a> {
             scaled: self.problem.scaling.scaled(&self.state),
             step: self.stepper.method().step_size(),
             counters: self.counters(),
-            stiffness: self.stiffness,
+            stiffness: self.checkpoint.stiffness,
             method_use: self.method_use(),
         };
         self.begin_afresh();
@@ -183,7 +180,7 @@ impl<'a> Integration<'a> {
     /// below what accuracy asks for. [`Integration::advance`] checks for it at its end, once in some
     /// thousand steps: where there are fewer, they are no burden.
     pub fn stiffness(&self) -> Option<Stiffness> {
-        self.stiffness
+        self.checkpoint.stiffness
     }
 
     /// Which method carried the run, where the choice was left open.
@@ -218,11 +215,8 @@ impl<'a> Integration<'a> {
         let due = self.counters().steps / CHECK_EVERY != checks_before;
         // steps that are longer than the distance of the samples are no burden
         let is_short = self.stepper.method().step_size() < self.grid.interval;
-        if due && self.stiffness.is_none() && is_short {
-            self.stiffness = self.find_stiffness();
-            if self.checkpoint.next == self.next {
-                self.checkpoint.stiffness = self.stiffness;
-            }
+        if due && self.checkpoint.stiffness.is_none() && is_short {
+            self.checkpoint.stiffness = self.find_stiffness();
         }
         Ok(())
     }

@@ -17,18 +17,17 @@ use super::{Counters, IntegrateError};
 const GAMMA: f64 = 0.25;
 const STAGES: usize = 6;
 
-/// Coefficients a_ij of the arguments; the sixth row is the fifth plus k_5.
-const ARGUMENT: [[f64; 4]; 5] = [
-    [0.0, 0.0, 0.0, 0.0],
-    [1.544, 0.0, 0.0, 0.0],
-    [0.946_678_528_081_582_6, 0.255_701_169_898_328_4, 0.0, 0.0],
-    [
+/// Coefficients a_ij of the arguments, zeros at the end of a row left out; the sixth row is the fifth plus k_5.
+const ARGUMENT: [&[f64]; 5] = [
+    &[],
+    &[1.544],
+    &[0.946_678_528_081_582_6, 0.255_701_169_898_328_4],
+    &[
         3.314_825_187_068_521,
         2.896_124_015_972_201,
         0.998_641_913_997_781_7,
-        0.0,
     ],
-    [
+    &[
         1.221_224_509_226_641,
         6.019_134_481_288_629,
         12.537_083_329_320_87,
@@ -37,31 +36,22 @@ const ARGUMENT: [[f64; 4]; 5] = [
 ];
 
 /// Coefficients c_ij of the right-hand sides.
-const COUPLING: [[f64; 5]; STAGES] = [
-    [0.0, 0.0, 0.0, 0.0, 0.0],
-    [-5.6688, 0.0, 0.0, 0.0, 0.0],
-    [
-        -2.430_093_356_833_875,
-        -0.206_359_915_709_191_5,
-        0.0,
-        0.0,
-        0.0,
-    ],
-    [
+const COUPLING: [&[f64]; STAGES] = [
+    &[],
+    &[-5.6688],
+    &[-2.430_093_356_833_875, -0.206_359_915_709_191_5],
+    &[
         -0.107_352_905_815_137_5,
         -9.594_562_251_023_355,
         -20.470_286_148_096_16,
-        0.0,
-        0.0,
     ],
-    [
+    &[
         7.496_443_313_967_647,
         -10.246_804_314_643_52,
         -33.999_903_528_199_05,
         11.708_908_932_061_6,
-        0.0,
     ],
-    [
+    &[
         8.083_246_795_921_522,
         -7.981_132_988_064_893,
         -31.521_594_328_743_71,
@@ -177,11 +167,11 @@ impl RosenbrockStepper {
         for stage in 0..STAGES {
             match stage {
                 5 => argument += &self.stages[4],
-                _ => argument = &self.from + combine(&ARGUMENT[stage], &self.stages),
+                _ => argument = &self.from + combine(ARGUMENT[stage], &self.stages),
             }
             // what begins at a break is no part of a step that ends there
             let time = (self.start + NODE[stage] * size).min(self.limit.next_down());
-            let mut right = combine(&COUPLING[stage], &self.stages) / size;
+            let mut right = combine(COUPLING[stage], &self.stages) / size;
             let (scaling, rate) = (&problem.scaling, self.stages[stage].as_mut_slice());
             scaling.write_state(argument.as_slice(), &mut self.state);
             problem.system.derivative(time, &self.state, rate);

@@ -107,9 +107,7 @@ impl Part<'_> {
         if let Some(earlier) = &mut self.earlier {
             let left = earlier.standing.main.next - from;
             let count = usize::try_from(left).unwrap_or(usize::MAX).min(most);
-            states.resize(count);
-            let numbers = states.as_mut_slice();
-            let filled = earlier.states.fill(numbers);
+            let filled = earlier.states.fill(states.resized(count));
             filled.map_err(SimulateError::Replay)?;
         }
         self.keep(states)

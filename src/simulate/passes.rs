@@ -38,10 +38,10 @@ fn pass<'a>(
     scale: &MotionScale,
     grid: Grid,
     settings: Settings,
-    stop: &'a AtomicBool,
+    (stop, pace): (&'a AtomicBool, Option<&'a Pace>),
 ) -> Integration<'a> {
     let (scaling, state) = (rotor.scaling(scale), rotor.start());
-    Integration::new(rotor, scaling, grid, settings, stop, &state)
+    Integration::new(rotor, scaling, grid, settings, stop, &state).watched(pace)
 }
 
 /// The passes of a run.
@@ -60,12 +60,8 @@ struct Reference<'a> {
     rotor: &'a Rotor,
     integration: Integration<'a>,
     states: States,
-    /// Largest difference of a displacement so far, m.
-    difference: f64,
-    /// Largest distance from the static equilibrium so far, m.
-    excursion: f64,
-    /// Why the pass cannot go on, where it cannot.
-    failure: Option<String>,
+    /// How far it is from the first, up to the latest block.
+    standing: ReferenceStanding,
     tolerance: f64,
 }
 
@@ -80,25 +76,27 @@ impl<'a> Passes<'a> {
     ) -> Self {
         let scale = motion_scale(model, rotor);
         let second = reference_settings(model.integrator);
-        let another = |rotor: &'a Rotor, settings: Settings| Reference {
-            rotor,
-            integration: pass(rotor, &scale, grid, settings, stop),
-            states: States::new(rotor.states()),
-            difference: 0.0,
-            excursion: 0.0,
-            failure: None,
-            tolerance: settings.tolerance,
+        let another = |rotor: &'a Rotor, settings: Settings, pace| {
+            let integration = pass(rotor, &scale, grid, settings, (stop, pace));
+            Reference {
+                rotor,
+                states: States::new(rotor.states()),
+                standing: ReferenceStanding {
+                    pass: integration.checkpoint().clone(),
+                    difference: 0.0,
+                    excursion: 0.0,
+                    failure: None,
+                },
+                tolerance: settings.tolerance,
+                integration,
+            }
         };
-        let reference = model.verify.then(|| {
-            let mut reference = another(rotor, second);
-            reference.integration = reference.integration.watched(reference_pace);
-            reference
-        });
-        let finer = finer.map(|finer| another(finer, model.integrator));
+        let reference = model.verify.then(|| another(rotor, second, reference_pace));
+        let finer = finer.map(|finer| another(finer, model.integrator, None));
         Self {
             rotor,
             grid,
-            main: pass(rotor, &scale, grid, model.integrator, stop).watched(pace),
+            main: pass(rotor, &scale, grid, model.integrator, (stop, pace)),
             scale,
             reference,
             finer,
@@ -143,29 +141,34 @@ impl<'a> Passes<'a> {
 
     /// Why the error is not known, where it was to be measured.
     pub fn failure(&self) -> Option<&str> {
-        self.reference.as_ref()?.failure.as_deref()
+        self.reference.as_ref()?.standing.failure.as_deref()
     }
 
     /// Difference of both passes; none without a second one that came to its end.
     pub fn measured_error(&self) -> Option<MeasuredError> {
         let reference = self.reference.as_ref()?;
-        let displacement = reference.difference + self.rotor.displacement_round_off();
-        reference.failure.is_none().then(|| MeasuredError {
+        let ReferenceStanding {
+            difference,
+            excursion,
+            ref failure,
+            ..
+        } = reference.standing;
+        let displacement = difference + self.rotor.displacement_round_off();
+        failure.is_none().then(|| MeasuredError {
             displacement,
-            relative: displacement / reference.excursion.max(self.scale.length),
+            relative: displacement / excursion.max(self.scale.length),
             reference_tolerance: reference.tolerance,
             counters: reference.integration.counters(),
         })
     }
-}
 
-impl Passes<'_> {
     /// What is kept of a shaft that bends, and the difference of the pass with more modes.
     pub fn reduction(&self) -> Option<Reduction> {
         let measured = |finer: &Reference<'_>| {
-            finer.failure.is_none().then(|| ReductionError {
-                displacement: finer.difference,
-                relative: finer.difference / finer.excursion.max(self.scale.length),
+            let found = &finer.standing;
+            found.failure.is_none().then(|| ReductionError {
+                displacement: found.difference,
+                relative: found.difference / found.excursion.max(self.scale.length),
                 modes: finer.rotor.bending_modes().unwrap_or_default(),
             })
         };
@@ -181,18 +184,13 @@ impl Reference<'_> {
     fn standing(&self) -> ReferenceStanding {
         ReferenceStanding {
             pass: self.integration.checkpoint().clone(),
-            difference: self.difference,
-            excursion: self.excursion,
-            failure: self.failure.clone(),
+            ..self.standing.clone()
         }
     }
 
     fn go_on_from(&mut self, standing: &ReferenceStanding) -> Result<(), CheckpointMismatch> {
-        self.integration.go_on_from(&standing.pass)?;
-        self.difference = standing.difference;
-        self.excursion = standing.excursion;
-        self.failure.clone_from(&standing.failure);
-        Ok(())
+        self.standing = standing.clone();
+        self.integration.go_on_from(&standing.pass)
     }
 
     /// A pass that cannot go on leaves the error of the run unknown.
@@ -202,13 +200,14 @@ impl Reference<'_> {
         rotor: &Rotor,
         scale: &MotionScale,
     ) -> Result<(), IntegrateError> {
-        if self.failure.is_some() {
+        let found = &mut self.standing;
+        if found.failure.is_some() {
             return Ok(());
         }
         self.states.clear();
         match self.integration.advance(states.len(), &mut self.states) {
             Err(interrupted @ IntegrateError::Interrupted { .. }) => return Err(interrupted),
-            result => self.failure = result.err().map(|error| error.to_string()),
+            result => found.failure = result.err().map(|error| error.to_string()),
         }
         let rest = &rotor.equilibrium().displacement;
         for (state, reference) in states.iter().zip(self.states.iter()) {
@@ -219,12 +218,12 @@ impl Reference<'_> {
             for axis in 0..rotor.active_freedoms() {
                 let apart = scale.lever(axis) * (own[axis] - other[axis]).abs();
                 let moved = scale.lever(axis) * (other[axis] - rest[axis]).abs();
-                self.difference = self.difference.max(apart);
-                self.excursion = self.excursion.max(moved);
+                found.difference = found.difference.max(apart);
+                found.excursion = found.excursion.max(moved);
             }
             for (own, other) in rotor.housing_freedoms().zip(self.rotor.housing_freedoms()) {
                 let apart = (state[own] - reference[other]).abs();
-                self.difference = self.difference.max(apart);
+                found.difference = found.difference.max(apart);
             }
         }
         Ok(())
@@ -270,7 +269,7 @@ impl<'a> BareRun<'a> {
         let (model, rotor) = (self.model, &self.rotor);
         let grid = sampling::grid(model, rotor)?;
         let scale = motion_scale(model, rotor);
-        let mut integration = pass(rotor, &scale, grid, model.integrator, stop).watched(pace);
+        let mut integration = pass(rotor, &scale, grid, model.integrator, (stop, pace));
         let mut states = States::with_capacity(rotor.states(), BLOCK);
         while integration.done() < grid.count {
             states.clear();

@@ -179,12 +179,9 @@ impl StaticState {
     /// What a rotor found before it moved.
     pub(crate) fn of(rotor: &Rotor) -> Self {
         let equilibrium = rotor.equilibrium();
-        let stiffness = &equilibrium.stiffness;
         Self {
             displacement: equilibrium.displacement,
-            stiffness: std::array::from_fn(|row| {
-                std::array::from_fn(|column| stiffness[(row, column)])
-            }),
+            stiffness: equilibrium.stiffness.transpose().into(),
             damping: rotor.damping_matrix(),
             residual: equilibrium.residual,
             newton_steps: equilibrium.newton_steps,

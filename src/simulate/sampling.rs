@@ -116,32 +116,34 @@ fn at_speed(model: &Model, rotor: &Rotor, speed: f64) -> Option<Rotor> {
     (speed != rotor.speed()).then(elsewhere).flatten()
 }
 
-/// Spectra of what was recorded, where the scene asks for them, their peaks named.
+/// Spectra of what was recorded, where the scene asks for them, their peaks named by `causes`.
 pub(super) fn analyse(
     model: &Model,
     rotor: &Rotor,
     recording: Option<&Recording>,
+    causes: &[Line],
 ) -> Option<Analysis> {
     let (recording, window) = recording.zip(model.spectrum)?;
     let channels = channels(model, rotor);
-    Some(match model.analyses.highest_order {
-        None => recording.spectrum(&channels, window, &causes(&sources(model, rotor)))?,
-        Some(highest) => Analysis {
+    match model.analyses.highest_order {
+        None => recording.spectrum(&channels, window, causes),
+        Some(highest) => Some(Analysis {
             spectrum: recording.lines(&channels, window, highest)?,
             peaks: Vec::new(),
-        },
-    })
+        }),
+    }
 }
 
-/// What can cause lines of envelopes; nothing where none is asked for.
-pub(super) fn envelope_causes(model: &Model, rotor: &Rotor) -> Vec<Line> {
+/// What can cause lines of the spectra that have names: peaks and envelopes; nothing where none is asked for.
+pub(super) fn line_causes(model: &Model, rotor: &Rotor) -> Vec<Line> {
     let is_envelope = |request: &SpectrumRequest| {
         matches!(
             request.kind,
             SpectrumKind::Envelope { .. } | SpectrumKind::ImpulsiveEnvelope
         )
     };
-    if model.spectra.iter().any(is_envelope) {
+    let has_peaks = model.spectrum.is_some() && model.analyses.highest_order.is_none();
+    if has_peaks || model.spectra.iter().any(is_envelope) {
         causes(&sources(model, rotor))
     } else {
         Vec::new()

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use super::EstimateError;
 use crate::analysis::Hermite;
-use crate::integrate::root::Bracket;
+use crate::integrate::root::root;
 
 /// Nodes of the polynomial through values and rates.
 const NODES: usize = 4;
@@ -137,8 +137,6 @@ fn through_values(position: f64, value: impl Fn(usize) -> f64) -> f64 {
 
 /// Finest grid of angle, in samples per sample of time at the highest speed.
 const MOST_OVERSAMPLING: f64 = 8.0;
-/// Trials that find an angle in its interval to the last digits.
-const MOST_TRIALS: usize = 64;
 
 /// Shaft angle and speed at every sample.
 #[derive(Debug, Clone, Copy)]
@@ -236,19 +234,9 @@ impl Turning<'_> {
         let [c2, c3] = [3.0 * rise - 2.0 * v - v1, v + v1 - 2.0 * rise];
         let beyond = |u: f64| u * (v + u * (c2 + u * c3)) - (angle - from);
         let values = [0.0, 1.0].map(beyond);
-        let Some(mut bracket) = Bracket::new([0.0, 1.0], values) else {
-            // at an end but for round-off
-            return if values[1] < 0.0 { 1.0 } else { 0.0 };
-        };
-        for _ in 0..MOST_TRIALS {
-            let trial = bracket.guess();
-            let value = beyond(trial);
-            bracket.narrow(trial, value);
-            if value == 0.0 || bracket.length() < 1e-15 {
-                break;
-            }
-        }
-        bracket.nearest()
+        // at an end but for round-off
+        let end = if values[1] < 0.0 { 1.0 } else { 0.0 };
+        root(beyond, [0.0, 1.0], values, 1e-15).unwrap_or(end)
     }
 }
 

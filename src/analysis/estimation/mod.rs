@@ -61,7 +61,7 @@ pub fn estimate(
         rate: record.rate,
         shaft_frequency: recording.grid.shaft_frequency,
         segment,
-        overlap: welch.overlap(),
+        overlap: welch.overlap,
         averages: welch.averages(record.length()),
         resolution,
         noise_bandwidth: columns.bandwidth,
@@ -111,13 +111,7 @@ impl<'a> Record<'a> {
         let grid = recording.grid;
         let recorded = recording.length();
         let skipped = recorded % grid.block();
-        let signal = |channel: &Channel| {
-            let samples = &recording.channel(*channel)[skipped..];
-            match request.kind {
-                SpectrumKind::Envelope { band } => Cow::from(envelope(samples, grid.rate, band)),
-                _ => Cow::from(samples),
-            }
-        };
+        let signal = |channel: &Channel| signal(recording, request, *channel);
         let time = |sample: usize| recording.start() + sample as f64 / grid.rate;
         let per_revolution = match grid.per_revolution {
             Some(samples) => f64::from(samples),
@@ -149,15 +143,15 @@ impl<'a> Record<'a> {
         let mut signals = Vec::new();
         let mut errors = Vec::new();
         for channel in &request.channels {
-            let of_envelope = match request.kind {
-                SpectrumKind::Envelope { band } => {
-                    Some(envelope(recording.channel(*channel), rate, band))
-                }
-                _ => None,
-            };
-            let interpolation = match &of_envelope {
-                Some(values) => Interpolation::Values(values),
-                None => between_samples(recording, *channel),
+            let signal = signal(recording, request, *channel);
+            // of an envelope no rates are known
+            let interpolation = match (&signal, rate_of(*channel)) {
+                (Cow::Borrowed(values), Some(of)) => Interpolation::Rates {
+                    values,
+                    rates: recording.channel(of),
+                    interval: 1.0 / rate,
+                },
+                _ => Interpolation::Values(&signal),
             };
             errors.push((*channel, interpolation.error()));
             let positions = angles.positions.iter();
@@ -224,16 +218,17 @@ impl<'a> Record<'a> {
     }
 }
 
-/// How a recorded channel runs between its samples.
-fn between_samples(recording: &Recording, channel: Channel) -> Interpolation<'_> {
-    let values = recording.channel(channel);
-    match rate_of(channel) {
-        None => Interpolation::Values(values),
-        Some(rate) => Interpolation::Rates {
-            values,
-            rates: recording.channel(rate),
-            interval: 1.0 / recording.grid.rate,
-        },
+/// The samples of a channel, or their envelope: of samples on a grid of angle, whole revolutions.
+fn signal<'a>(
+    recording: &'a Recording,
+    request: &SpectrumRequest,
+    channel: Channel,
+) -> Cow<'a, [f64]> {
+    let skipped = recording.length() % recording.grid.block();
+    let samples = &recording.channel(channel)[skipped..];
+    match request.kind {
+        SpectrumKind::Envelope { band } => Cow::from(envelope(samples, recording.grid.rate, band)),
+        _ => Cow::from(samples),
     }
 }
 
@@ -331,7 +326,7 @@ impl Columns<'_> {
             Window::Rectangular => {
                 let window = Window::Hann;
                 let detrend = self.request.detrend;
-                let hann = Welch::new(window, welch.length(), welch.overlap(), detrend);
+                let hann = Welch::new(window, welch.length, welch.overlap, detrend);
                 of(&hann.power(signal), window)
             }
             window => of(powers, window),
@@ -349,7 +344,7 @@ impl Columns<'_> {
 
     /// Bins below zero frequency of a two-sided spectrum.
     fn below(&self) -> usize {
-        (self.welch.length() / 2).min(self.bins - 1)
+        (self.welch.length / 2).min(self.bins - 1)
     }
 
     fn whirl(
@@ -358,7 +353,7 @@ impl Columns<'_> {
         (y, y_signal): (Channel, &Cow<'_, [f64]>),
     ) -> SpectrumColumn {
         let powers = self.welch.rotary(x_signal, y_signal);
-        let skipped = self.welch.length() / 2 - self.below();
+        let skipped = self.welch.length / 2 - self.below();
         let kept = powers.iter().skip(skipped).take(self.below() + self.bins);
         let values = kept.map(|power| self.value(*power, 1.0)).collect();
         column(SpectrumQuantity::Rotary(x, y), values)

@@ -62,14 +62,6 @@ impl SpectrumKind {
 }
 
 impl Axis {
-    /// Name as in the files: `frequency`, `order`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Frequency => "frequency",
-            Self::Order => "order",
-        }
-    }
-
     /// Unit of its values: `Hz`, or `order`.
     pub fn unit(self) -> &'static str {
         match self {
@@ -405,10 +397,7 @@ impl EstimatedSpectrum {
     pub fn frequency(&self, row: usize) -> Option<f64> {
         match self.request.axis {
             Axis::Frequency => Some(self.place(row)),
-            Axis::Order if self.shaft_frequency > 0.0 => {
-                Some(self.place(row) * self.shaft_frequency)
-            }
-            Axis::Order => None,
+            Axis::Order => self.shaft().map(|shaft| self.place(row) * shaft),
         }
     }
 
@@ -416,11 +405,13 @@ impl EstimatedSpectrum {
     pub fn order(&self, row: usize) -> Option<f64> {
         match self.request.axis {
             Axis::Order => Some(self.place(row)),
-            Axis::Frequency if self.shaft_frequency > 0.0 => {
-                Some(self.place(row) / self.shaft_frequency)
-            }
-            Axis::Frequency => None,
+            Axis::Frequency => self.shaft().map(|shaft| self.place(row) / shaft),
         }
+    }
+
+    /// Frequency of a shaft of constant speed, Hz.
+    fn shaft(&self) -> Option<f64> {
+        Some(self.shaft_frequency).filter(|frequency| *frequency > 0.0)
     }
 
     /// Unit of a column, for instance `m`, `m^2` or `N m`; that of a density is per [`Axis::unit`]

@@ -1,5 +1,6 @@
 //! Welch's method: the powers of overlapping, weighted segments, averaged.
 
+use std::ops::MulAssign;
 use std::sync::Arc;
 
 use realfft::num_complex::Complex;
@@ -18,9 +19,10 @@ use crate::analysis::Window;
 ///
 /// Source: P. D. Welch, IEEE Trans. Audio Electroacoust. 15 (1967) 70–73.
 pub struct Welch {
-    window: Window,
-    length: usize,
-    overlap: usize,
+    /// Samples of a segment.
+    pub length: usize,
+    /// Samples that a segment shares with the next.
+    pub overlap: usize,
     detrend: Detrend,
     weights: Vec<f64>,
     /// Σ w, to which the powers are referred.
@@ -59,7 +61,6 @@ impl Welch {
         let length = length.max(1);
         let weights: Vec<f64> = (0..length).map(|n| window.weight(n, length)).collect();
         Self {
-            window,
             length,
             overlap: overlap.min(length - 1),
             detrend,
@@ -75,16 +76,6 @@ impl Welch {
             return 0;
         }
         (samples - self.overlap) / (self.length - self.overlap)
-    }
-
-    /// Samples of a segment.
-    pub fn length(&self) -> usize {
-        self.length
-    }
-
-    /// Samples that a segment shares with the next.
-    pub fn overlap(&self) -> usize {
-        self.overlap
     }
 
     /// How often bin `k` of a one-sided spectrum counts: twice where it has an image at −f.
@@ -120,8 +111,7 @@ impl Welch {
                 powers[1][k] += y[k].norm_sqr();
             }
         });
-        let scale = self.scale(reference.len());
-        cross.iter_mut().for_each(|bin| *bin *= scale);
+        self.averaged(&mut cross, reference.len());
         for powers in &mut powers {
             self.averaged(powers, reference.len());
         }
@@ -170,13 +160,9 @@ impl Welch {
         self.length / 2 + 1
     }
 
-    /// From the sum over the segments of so many samples to the mean, referred to (Σ w)².
-    fn scale(&self, samples: usize) -> f64 {
-        1.0 / (self.averages(samples).max(1) as f64 * self.sum * self.sum)
-    }
-
-    fn averaged(&self, powers: &mut [f64], samples: usize) {
-        let scale = self.scale(samples);
+    /// From the sums over the segments of so many samples to the means, referred to (Σ w)².
+    fn averaged<T: MulAssign<f64>>(&self, powers: &mut [T], samples: usize) {
+        let scale = 1.0 / (self.averages(samples).max(1) as f64 * self.sum * self.sum);
         powers.iter_mut().for_each(|power| *power *= scale);
     }
 
@@ -195,10 +181,8 @@ impl Welch {
             for (signal, bins) in signals.iter().zip(&mut bins) {
                 segment.copy_from_slice(&signal[start..start + self.length]);
                 self.detrend.apply(&mut segment);
-                if self.window != Window::Rectangular {
-                    let weighted = segment.iter_mut().zip(&self.weights);
-                    weighted.for_each(|(x, weight)| *x *= weight);
-                }
+                let weighted = segment.iter_mut().zip(&self.weights);
+                weighted.for_each(|(x, weight)| *x *= weight);
                 self.plan
                     .process_with_scratch(&mut segment, bins, &mut scratch)
                     .expect("segment and bins were made by the plan");
@@ -239,15 +223,6 @@ impl Detrend {
                 remove_mean(samples);
                 remove_slope(samples);
             }
-        }
-    }
-
-    /// Name as in the files: `none`, `constant`, `linear`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::None => "none",
-            Self::Constant => "constant",
-            Self::Linear => "linear",
         }
     }
 }

@@ -114,7 +114,6 @@ pub struct Motion {
 #[derive(Debug, Clone)]
 pub struct MotionRecorder {
     settings: MotionSettings,
-    freedoms: usize,
     statistics: Vec<ChannelStatistics>,
     rates: [Moments; FREEDOMS],
     velocity: Vec<Vec<f64>>,
@@ -130,25 +129,18 @@ pub struct MotionRecorder {
 impl MotionRecorder {
     /// For one scene.
     pub fn new(settings: MotionSettings) -> Self {
-        let freedoms = settings.freedoms.min(FREEDOMS);
-        let statistics = |channel| ChannelStatistics {
+        let channels = Channel::of_freedoms(settings.freedoms).into_iter();
+        let statistics = channels.map(|channel| ChannelStatistics {
             channel,
             moments: Moments::default(),
-        };
+        });
+        let housings = settings.housing_velocities.iter();
         let sections = settings.sections.iter();
         Self {
-            freedoms,
-            statistics: Channel::of_freedoms(freedoms)
-                .into_iter()
-                .map(statistics)
-                .collect(),
+            statistics: statistics.collect(),
             rates: [Moments::default(); FREEDOMS],
-            velocity: vec![Vec::new(); freedoms.min(LENGTHS)],
-            housing_velocity: settings
-                .housing_velocities
-                .iter()
-                .map(|channel| (*channel, Vec::new()))
-                .collect(),
+            velocity: vec![Vec::new(); settings.freedoms.min(LENGTHS)],
+            housing_velocity: housings.map(|channel| (*channel, Vec::new())).collect(),
             drift: DriftRecorder::new(settings.start, settings.end),
             sections: sections
                 .map(|(kind, order)| Section::new(*kind, *order))
@@ -187,10 +179,6 @@ impl MotionRecorder {
         }
         let [x, y, ..] = sample.displacement;
         self.orbit.push_back([x, y]);
-        self.record_sections(sample);
-    }
-
-    fn record_sections(&mut self, sample: &Sample) {
         if self.last.len() == NODES {
             self.last.pop_front();
         }
@@ -205,8 +193,9 @@ impl MotionRecorder {
     /// What the motion is like; none without samples.
     pub fn finish(self) -> Option<Motion> {
         let [start, end] = self.times?;
-        let [displacement, rate] = self.scales();
-        let resting = displacement <= REST * self.largest_mean();
+        let displacement = self.largest(|axis| self.statistics[axis].moments.rms());
+        let mean = self.largest(|axis| self.statistics[axis].moments.mean().abs());
+        let resting = displacement <= REST * mean;
         let at_once = |kind| Recognition {
             kind,
             distances: Vec::new(),
@@ -215,7 +204,7 @@ impl MotionRecorder {
         let recognition = if resting {
             at_once(Kind::Rest)
         } else if self.settings.kind {
-            recognise(&self.series(displacement, rate))
+            recognise(&self.series(displacement))
         } else {
             at_once(Kind::Unknown {
                 points: 0,
@@ -254,35 +243,20 @@ impl MotionRecorder {
         })
     }
 
-    /// RMS of the displacements, and of their rates, of the freedom where they are largest, m and m/s.
-    fn scales(&self) -> [f64; 2] {
-        let levers = &self.settings.levers[..self.freedoms];
-        let largest = |rms: &dyn Fn(usize) -> f64| {
-            let sizes = levers
-                .iter()
-                .enumerate()
-                .map(|(axis, lever)| lever * rms(axis));
-            sizes.fold(0.0, f64::max)
-        };
-        [
-            largest(&|axis| self.statistics[axis].moments.rms()),
-            largest(&|axis| self.rates[axis].rms()),
-        ]
-    }
-
-    /// Largest mean displacement, m.
-    fn largest_mean(&self) -> f64 {
-        let levers = self.settings.levers.iter();
-        let means = levers.zip(&self.statistics[..self.freedoms]);
-        means
-            .map(|(lever, each)| lever * each.moments.mean().abs())
+    /// Largest of a number of every freedom that moves, as displacements or their rates: tilts by their lever.
+    fn largest(&self, of_freedom: impl Fn(usize) -> f64) -> f64 {
+        let levers = self.settings.levers.iter().take(self.settings.freedoms);
+        let sizes = levers.enumerate();
+        sizes
+            .map(|(axis, lever)| lever * of_freedom(axis))
             .fold(0.0, f64::max)
     }
 
     /// The sections' points in parts of the motion.
-    fn series(&self, displacement: f64, rate: f64) -> Vec<Series> {
+    fn series(&self, displacement: f64) -> Vec<Series> {
+        let rate = self.largest(|axis| self.rates[axis].rms());
         let parts = |point: &PoincarePoint| -> Vec<f64> {
-            let axes = 0..self.freedoms;
+            let axes = 0..self.settings.freedoms;
             axes.flat_map(|axis| {
                 let lever = self.settings.levers[axis];
                 [

@@ -195,6 +195,7 @@ fn irregular(series: &[Series]) -> Kind {
     }
     let components = (0..points[0].len())
         .map(|index| -> Vec<f64> { points.iter().map(|point| point[index]).collect() });
+    let spread = |values: &[f64]| Moments::from_iter(values.iter().copied()).peak_to_peak();
     let widest = components.max_by(|a, b| spread(a).total_cmp(&spread(b)));
     let test = zero_one_test(&widest.unwrap_or_default());
     if test > IRREGULAR {
@@ -205,15 +206,6 @@ fn irregular(series: &[Series]) -> Kind {
             test: Some(test),
         }
     }
-}
-
-fn spread(values: &[f64]) -> f64 {
-    let ends = values
-        .iter()
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(*value), high.max(*value)]
-        });
-    ends[1] - ends[0]
 }
 
 /// Frequencies that are tried.

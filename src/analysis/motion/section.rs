@@ -122,10 +122,6 @@ impl Section {
         for axis in 0..FREEDOMS {
             let values = nodes.map(|node| node.displacement[axis]);
             let rates = nodes.map(|node| node.velocity[axis] * interval);
-            // a freedom that is held stays where it is
-            if values == [0.0; NODES] && rates == values {
-                continue;
-            }
             point.displacement[axis] = at.value(values, rates);
             point.velocity[axis] = (later.value(values, rates) - earlier.value(values, rates))
                 / (2.0 * SLOPE * interval);

@@ -43,13 +43,8 @@ pub(super) struct Substitution {
 }
 
 impl Substitution {
-    pub const NONE: Self = Self {
-        start: false,
-        end: false,
-    };
-
     pub fn is_none(self) -> bool {
-        self == Self::NONE
+        self == Self::default()
     }
 
     /// φ and its slope.

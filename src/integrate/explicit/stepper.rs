@@ -82,7 +82,7 @@ impl ExplicitStepper {
             start_rate: zeros(),
             end_rate: zeros(),
             stages: vec![[[0.0; 4]; STAGES]; chunks_of(states)],
-            substitution: Substitution::NONE,
+            substitution: Substitution::default(),
             crossing: Crossings::new(problem.system),
             ended: false,
             extended: false,

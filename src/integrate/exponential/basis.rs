@@ -29,17 +29,25 @@ impl Basis {
         if !jacobian.iter().all(|entry| entry.is_finite()) {
             return None;
         }
-        let acting = Acting::of(jacobian, units)?;
-        let modes = modes(acting.matrix(jacobian))?;
-        let basis = Self::of_acting(&acting, &modes, jacobian.nrows())?;
+        // what acts on any; none where some act on what hangs on them alone
+        let acts = |&position: &usize| jacobian.column(position).iter().any(|entry| *entry != 0.0);
+        let acting: Vec<usize> = (0..jacobian.nrows()).filter(acts).collect();
+        if acting.is_empty() || !acting.iter().all(|&position| units[position].is_finite()) {
+            return None;
+        }
+        let basis = Self::of_acting(&acting, jacobian, units)?;
         let basis = basis.with_hanging(&acting, jacobian)?;
         let mut all = basis.shapes.iter().chain(basis.parts.iter());
         all.all(|entry| entry.is_finite()).then_some(basis)
     }
 
-    /// The basis of what acts, in a matrix of so many rows: pairs first.
-    fn of_acting(acting: &Acting<'_>, modes: &[Mode], rows: usize) -> Option<Self> {
-        let count = acting.positions.len();
+    /// The basis of what acts, pairs first, by the modes of its matrix in the units given.
+    fn of_acting(acting: &[usize], jacobian: &DMatrix<f64>, units: &[f64]) -> Option<Self> {
+        let (count, rows) = (acting.len(), jacobian.nrows());
+        let modes = modes(DMatrix::from_fn(count, count, |row, column| {
+            let (row, column) = (acting[row], acting[column]);
+            jacobian[(row, column)] * (units[column] / units[row])
+        }))?;
         let mut eigenvalues = vec![Complex::ZERO; rows];
         let (mut scaled, mut coordinate) = (DMatrix::zeros(count, count), 0);
         for paired in [true, false] {
@@ -61,10 +69,10 @@ impl Basis {
         let inverse = scaled.clone().lu().try_inverse()?;
         let condition = scaled.norm() * inverse.norm() / count as f64;
         let [mut shapes, mut parts] = [DMatrix::zeros(rows, rows), DMatrix::zeros(rows, rows)];
-        for (row, &position) in acting.positions.iter().enumerate() {
+        for (row, &position) in acting.iter().enumerate() {
             for coordinate in 0..count {
-                shapes[(position, coordinate)] = scaled[(row, coordinate)] * acting.units[position];
-                parts[(coordinate, position)] = inverse[(coordinate, row)] / acting.units[position];
+                shapes[(position, coordinate)] = scaled[(row, coordinate)] * units[position];
+                parts[(coordinate, position)] = inverse[(coordinate, row)] / units[position];
             }
         }
         (condition <= WORST_CONDITION).then_some(Self {
@@ -76,13 +84,13 @@ impl Basis {
 
     /// The same with what hangs on it, of which a mode has what it adds up, H = R X Λ⁻¹:
     /// V = (X 0, H 1), V⁻¹ = (X⁻¹ 0, −H X⁻¹ 1).
-    fn with_hanging(mut self, acting: &Acting<'_>, jacobian: &DMatrix<f64>) -> Option<Self> {
-        let count = acting.positions.len();
+    fn with_hanging(mut self, acting: &[usize], jacobian: &DMatrix<f64>) -> Option<Self> {
+        let count = acting.len();
         let sizes = self.eigenvalues[..count].iter().map(|value| value.norm());
         let [least, most] = sizes.fold([f64::INFINITY, 0.0], |[least, most], size| {
             [size.min(least), size.max(most)]
         });
-        let hanging = (0..jacobian.nrows()).filter(|row| !acting.positions.contains(row));
+        let hanging = (0..jacobian.nrows()).filter(|row| !acting.contains(row));
         for (own, hanging) in (count..).zip(hanging) {
             if least < SLOWEST * most {
                 return None;
@@ -91,7 +99,7 @@ impl Basis {
                 self.shapes[(hanging, coordinate)] =
                     self.added_up(acting, jacobian, hanging, coordinate);
             }
-            for &position in &acting.positions {
+            for &position in acting {
                 let products = (0..count).map(|coordinate| {
                     self.shapes[(hanging, coordinate)] * self.parts[(coordinate, position)]
                 });
@@ -105,13 +113,13 @@ impl Basis {
     /// What a coordinate's mode adds up in a component: of a pair the real or the imaginary part of R x/λ.
     fn added_up(
         &self,
-        acting: &Acting<'_>,
+        acting: &[usize],
         jacobian: &DMatrix<f64>,
         hanging: usize,
         coordinate: usize,
     ) -> f64 {
         let rate = |coordinate: usize| -> f64 {
-            let rates = acting.positions.iter().map(|&position| {
+            let rates = acting.iter().map(|&position| {
                 jacobian[(hanging, position)] * self.shapes[(position, coordinate)]
             });
             rates.sum()
@@ -124,32 +132,6 @@ impl Basis {
         } else {
             rate(coordinate) / eigenvalue.re
         }
-    }
-}
-
-/// The components that act on any, and the units in which their matrix is smallest.
-struct Acting<'a> {
-    positions: Vec<usize>,
-    units: &'a [f64],
-}
-
-impl<'a> Acting<'a> {
-    /// Those of a Jacobian; none where there are none, or where some act on what hangs on them alone.
-    fn of(jacobian: &DMatrix<f64>, units: &'a [f64]) -> Option<Self> {
-        let acts = |&position: &usize| jacobian.column(position).iter().any(|entry| *entry != 0.0);
-        let positions: Vec<usize> = (0..jacobian.nrows()).filter(acts).collect();
-        let known = positions
-            .iter()
-            .all(|&position| units[position].is_finite());
-        (known && !positions.is_empty()).then_some(Self { positions, units })
-    }
-
-    /// Their matrix in these units.
-    fn matrix(&self, jacobian: &DMatrix<f64>) -> DMatrix<f64> {
-        DMatrix::from_fn(self.positions.len(), self.positions.len(), |row, column| {
-            let (row, column) = (self.positions[row], self.positions[column]);
-            jacobian[(row, column)] * (self.units[column] / self.units[row])
-        })
     }
 }
 

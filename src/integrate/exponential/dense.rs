@@ -17,7 +17,7 @@ use crate::registers::in_wide_registers;
 #[derive(Debug, Clone)]
 pub(super) struct Cursor {
     /// Samples after the step's start; infinite where it is in no step.
-    index: f64,
+    pub index: f64,
     coordinates: Padded,
     /// Coefficients of the powers of the index in the sum.
     forcing: Points,
@@ -31,16 +31,6 @@ impl Cursor {
             coordinates: Padded::zeros(states),
             forcing: no_points(states),
         }
-    }
-
-    /// Leaves the step.
-    pub fn leave(&mut self) {
-        self.index = f64::INFINITY;
-    }
-
-    /// Number of samples after the step's start.
-    pub fn index(&self) -> f64 {
-        self.index
     }
 
     /// Goes to the start of a step of so many intervals of samples, s.

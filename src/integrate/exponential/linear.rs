@@ -152,18 +152,13 @@ impl LinearPart {
 
 /// A square matrix: column after column in chunks.
 #[derive(Debug, Clone)]
-struct ChunkMatrix {
-    entries: Vec<Chunk>,
-}
+struct ChunkMatrix(Vec<Chunk>);
 
 impl ChunkMatrix {
     fn of(matrix: &DMatrix<f64>) -> Self {
         let columns = matrix.as_slice().chunks_exact(matrix.nrows());
-        Self {
-            entries: columns
-                .flat_map(|column| Padded::of(column).chunks().to_vec())
-                .collect(),
-        }
+        let chunks = columns.flat_map(|column| Padded::of(column).chunks().to_vec());
+        Self(chunks.collect())
     }
 
     /// Finds the product with a vector, or adds it.
@@ -196,7 +191,7 @@ impl ChunkMatrix {
         if ADD {
             own.copy_from_slice(sums);
         }
-        for (column, value) in self.entries.chunks_exact(width).zip(vector) {
+        for (column, value) in self.0.chunks_exact(width).zip(vector) {
             for (own, entries) in own.iter_mut().zip(&column[first..first + CHUNKS]) {
                 add_scaled(own, *value, entries);
             }

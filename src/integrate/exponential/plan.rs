@@ -9,7 +9,7 @@ const SLACK: f64 = 1e-6;
 const MUCH: f64 = 4.0;
 
 /// The way to the next time at which a step ends anyhow: a grid time or a break.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Leg {
     /// Its end, s.
     pub end: f64,
@@ -21,14 +21,6 @@ pub(super) struct Leg {
 }
 
 impl Leg {
-    /// The leg that has ended.
-    pub const ENDED: Self = Self {
-        end: 0.0,
-        left: 0.0,
-        size: 0.0,
-        intervals: 0.0,
-    };
-
     /// A leg from a time on in steps no longer than a requested size, on a grid of samples, up to a limit.
     pub fn new(time: f64, requested: f64, interval: f64, limit: f64) -> Self {
         let index = (time / interval).round();

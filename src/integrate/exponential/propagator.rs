@@ -114,12 +114,14 @@ fn find_propagator(
 }
 
 /// State-transition operator over a step.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Propagator<'a> {
-    chunks: &'a [ChunkPropagator],
+#[derive(Debug, Clone)]
+pub(super) struct Propagator {
+    /// Size of the step, s; zero where none is known yet.
+    size: f64,
+    chunks: Vec<ChunkPropagator>,
 }
 
-impl Propagator<'_> {
+impl Propagator {
     /// Finds the coordinates at a point after the first, within code for wide registers.
     #[inline(always)]
     pub fn find_coordinates(
@@ -176,19 +178,11 @@ fn product(left: &Diagonal, right: &Diagonal) -> Diagonal {
     product
 }
 
-/// The operator over a step of a size, s.
-#[derive(Debug, Clone)]
-struct Kept {
-    /// Zero where there is none.
-    size: f64,
-    chunks: Vec<ChunkPropagator>,
-}
-
 /// Operators of one linear part over steps of the sizes of late, and the functions over a sample interval.
 #[derive(Debug, Clone)]
 pub(super) struct Propagators {
     /// The one that was asked for last first.
-    kept: Vec<Kept>,
+    kept: Vec<Propagator>,
     samples: Vec<Functions>,
     are_samples_known: bool,
     /// Room for the functions over an interval.
@@ -199,7 +193,7 @@ impl Propagators {
     /// Room for those of so many states.
     pub fn new(states: usize) -> Self {
         let chunks = chunks_of(states);
-        let none = Kept {
+        let none = Propagator {
             size: 0.0,
             chunks: vec![ChunkPropagator::NONE; chunks],
         };
@@ -220,17 +214,17 @@ impl Propagators {
     }
 
     /// The operator over a step.
-    pub fn of(&mut self, linear: &LinearPart, size: f64) -> Propagator<'_> {
+    pub fn of(&mut self, linear: &LinearPart, size: f64) -> &Propagator {
         let known = self.kept.iter().position(|kept| kept.size == size);
         // the one that was not asked for longest gives its place
         let position = known.unwrap_or(KEPT - 1);
         self.kept[..=position].rotate_right(1);
-        let Kept { size: kept, chunks } = &mut self.kept[0];
+        let found = &mut self.kept[0];
         if known.is_none() {
-            *kept = size;
-            find_propagator(linear, size, &mut self.functions, chunks);
+            found.size = size;
+            find_propagator(linear, size, &mut self.functions, &mut found.chunks);
         }
-        Propagator { chunks }
+        found
     }
 
     /// The functions over an interval of samples.

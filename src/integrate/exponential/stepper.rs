@@ -80,7 +80,8 @@ impl ExponentialStepper {
             time,
             requested: start.step,
             limit: time,
-            leg: Leg::ENDED,
+            // one that has ended
+            leg: Leg::default(),
             from: to.clone(),
             to,
             remainder: no_points(states),
@@ -107,7 +108,7 @@ impl ExponentialStepper {
     fn begin(&mut self, problem: &Problem<'_>) {
         self.start = self.time;
         self.from.copy_from(&self.to);
-        self.cursor.leave();
+        self.cursor.index = f64::INFINITY;
         let behind_break = self.time >= self.limit;
         if behind_break {
             self.limit = problem.system.next_break(self.time + problem.slack());
@@ -278,7 +279,7 @@ impl MethodStepper for ExponentialStepper {
         let index = ((time - self.start) / interval).round();
         let phi = self.propagators.samples(&self.linear, interval);
         let (cursor, linear) = (&mut self.cursor, &self.linear);
-        if cursor.index() > index {
+        if cursor.index > index {
             let (from, intervals) = (&self.from.coordinates, [interval, self.leg.intervals]);
             cursor.begin(from, &self.remainder, intervals, phi, linear);
         }

@@ -32,7 +32,7 @@ const SMOOTH_CAUTION: f64 = 2.0;
 pub(super) struct Trial<'a> {
     pub problem: &'a Problem<'a>,
     pub linear: &'a LinearPart,
-    pub operator: Propagator<'a>,
+    pub operator: &'a Propagator,
     pub start: f64,
     pub size: f64,
     /// Time that no evaluation reaches, s.

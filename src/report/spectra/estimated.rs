@@ -9,8 +9,8 @@ use serde_json::{Map, Value, json};
 
 use super::shown::{FREQUENCY, ORDER, ShownPeak, ShownSpectrum};
 use crate::analysis::{
-    Axis, EnvelopeLine, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity,
-    column_unit,
+    Axis, Detrend, EnvelopeLine, EstimatedSpectrum, Resampling, Scaling, SpectrumKind,
+    SpectrumQuantity, Window, column_unit,
 };
 use crate::report::figure::Figure;
 use crate::report::table::Table;
@@ -186,15 +186,15 @@ pub(in crate::report) struct EstimatedSummary<'a> {
     name: &'a str,
     kind: &'static str,
     channels: Vec<&'static str>,
-    over: &'static str,
+    over: Axis,
     scaling: &'static str,
     /// The scaling in words.
     meaning: String,
     /// `one` or `two`: whether negative frequencies stand apart.
     sides: &'static str,
-    window: &'static str,
+    window: Window,
     coherent_gain: f64,
-    detrend: &'static str,
+    detrend: Detrend,
     /// Samples of the record.
     samples: usize,
     start_s: f64,
@@ -263,7 +263,7 @@ impl<'a> From<&'a EstimatedSpectrum> for EstimatedSummary<'a> {
                 .iter()
                 .map(|channel| channel.name())
                 .collect(),
-            over: request.axis.name(),
+            over: request.axis,
             scaling: request.scaling.name(),
             meaning: meaning(spectrum),
             sides: if request.kind == SpectrumKind::Whirl {
@@ -271,9 +271,9 @@ impl<'a> From<&'a EstimatedSpectrum> for EstimatedSummary<'a> {
             } else {
                 "one"
             },
-            window: request.window.name(),
+            window: request.window,
             coherent_gain: request.window.coherent_gain(),
-            detrend: request.detrend.name(),
+            detrend: request.detrend,
             samples: spectrum.samples,
             start_s: spectrum.span[0],
             end_s: spectrum.span[1],

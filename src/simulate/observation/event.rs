@@ -89,43 +89,21 @@ pub struct EventCount {
 }
 
 impl EventCount {
-    fn add(&mut self, time: f64) {
+    pub(super) fn add(&mut self, time: f64) {
         self.count += 1;
         let [first, last] = self.span.unwrap_or([time; 2]);
         self.span = Some([first.min(time), last.max(time)]);
     }
 }
 
-/// Counts the events of one bearing by kind.
-#[derive(Debug)]
-pub(super) struct EventCounts {
-    counts: Vec<(EventKind, EventCount)>,
-}
-
-impl EventCounts {
-    /// Contacts count only where balls are known, the preload only where there is one as well.
-    pub fn new(balls: bool, preloaded: bool) -> Self {
-        let possible = match (balls, preloaded) {
-            (false, _) => &EventKind::ALL[..0],
-            (true, false) => &EventKind::ALL[..2],
-            (true, true) => &EventKind::ALL[..],
-        };
-        Self {
-            counts: possible
-                .iter()
-                .map(|&kind| (kind, EventCount::default()))
-                .collect(),
-        }
-    }
-
-    pub fn add(&mut self, event: &Event) {
-        let same = |entry: &&mut (EventKind, EventCount)| entry.0 == event.kind;
-        if let Some((_, count)) = self.counts.iter_mut().find(same) {
-            count.add(event.time);
-        }
-    }
-
-    pub fn finish(self) -> Vec<(EventKind, EventCount)> {
-        self.counts
-    }
+/// No event yet of one bearing, by the kinds that can happen: contacts count only where balls are known, the preload only
+/// where there is one as well.
+pub(super) fn no_events(balls: bool, preloaded: bool) -> Vec<(EventKind, EventCount)> {
+    let possible = match (balls, preloaded) {
+        (false, _) => &EventKind::ALL[..0],
+        (true, false) => &EventKind::ALL[..2],
+        (true, true) => &EventKind::ALL[..],
+    };
+    let kinds = possible.iter();
+    kinds.map(|&kind| (kind, EventCount::default())).collect()
 }

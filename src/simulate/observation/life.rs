@@ -23,7 +23,7 @@ const HOUR: f64 = 3600.0;
 /// not done here.
 ///
 /// Source: ISO/TS 16281:2008; M. A. Miner, *J. Applied Mechanics* 12 (1945) A159–A164.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ConsumedLife {
     /// Time span, s.
     pub time: f64,
@@ -91,12 +91,6 @@ struct Rate {
     consumption: f64,
 }
 
-const NOTHING: ConsumedLife = ConsumedLife {
-    time: 0.0,
-    revolutions: 0.0,
-    share: 0.0,
-};
-
 impl LifeSums {
     pub fn new(bearing: &Bearing, dynamic_rating: f64, settle: f64) -> Self {
         Self {
@@ -104,8 +98,8 @@ impl LifeSums {
             rating: RatingLife::new(&bearing.geometry, dynamic_rating),
             settle,
             before: None,
-            whole_run: NOTHING,
-            after_settle: NOTHING,
+            whole_run: ConsumedLife::default(),
+            after_settle: ConsumedLife::default(),
         }
     }
 

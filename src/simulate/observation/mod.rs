@@ -21,7 +21,7 @@ use crate::bearing::{BallLoads, Clearance, ContactBand, Support};
 use crate::keys;
 use crate::rotor::{BallContacts, Rotor, Sample};
 use contact_watch::ContactWatch;
-use event::EventCounts;
+use event::no_events;
 use life::LifeSums;
 use load_zone::LoadZoneSums;
 pub use peak_loads::BeyondContact;
@@ -73,7 +73,7 @@ struct BearingObserver<'a> {
     /// Speed in rad/s and where contacts part at it.
     band: (f64, ContactBand),
     watch: Option<ContactWatch>,
-    counts: EventCounts,
+    counts: Vec<(EventKind, EventCount)>,
     zone: LoadZoneSums,
     life: Option<LifeSums>,
 }
@@ -149,7 +149,7 @@ impl<'a> Observation<'a> {
         let history = |bearing: BearingObserver<'_>| BearingHistory {
             clearance: bearing.support.definition().bearing.clearance(),
             balls: bearing.support.known_balls(),
-            events: bearing.counts.finish(),
+            events: bearing.counts,
             load_zone: bearing.zone.finish(),
             life: bearing.life.and_then(LifeSums::finish),
             estimated: bearing.support.definition().bearing.estimated,
@@ -168,7 +168,7 @@ impl<'a> BearingObserver<'a> {
             support,
             band: (speed, support.contact_band(speed)),
             watch: watched.then(|| ContactWatch::new(index, balls, preloaded)),
-            counts: EventCounts::new(balls > 0, preloaded),
+            counts: no_events(balls > 0, preloaded),
             zone: LoadZoneSums::default(),
             life: rated.map(|rating| LifeSums::new(bearing, rating, model.settle)),
         }
@@ -192,9 +192,12 @@ impl<'a> BearingObserver<'a> {
         let already = found.len();
         let axial = contacts.axial_forces()[index];
         watch.take(time, self.band.1, &balls.approach, axial, found);
-        found[already..]
-            .iter()
-            .for_each(|event| self.counts.add(event));
+        for event in &found[already..] {
+            let mut counts = self.counts.iter_mut();
+            if let Some((_, count)) = counts.find(|(kind, _)| *kind == event.kind) {
+                count.add(event.time);
+            }
+        }
     }
 
     /// Adds up what the balls bear; one is loaded by more than `least` in N.

@@ -22,8 +22,12 @@ fn cosine(length: usize, bin: f64, amplitude: f64, phase: f64) -> Vec<f64> {
 fn analyse(signal: &[f64], window: Window) -> Analysis {
     let rate = signal.len() as f64;
     let channels = Channel::of_freedoms(1);
-    let mut recording =
-        Recording::new(SampleGrid::of_time(rate), 0.0).with(channels.iter().copied());
+    let grid = SampleGrid {
+        rate,
+        shaft_frequency: 0.0,
+        per_revolution: None,
+    };
+    let mut recording = Recording::new(grid, 0.0).with(channels.iter().copied());
     for (n, x) in signal.iter().enumerate() {
         recording.record(&sample(n as f64 / rate, *x));
     }

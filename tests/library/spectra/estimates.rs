@@ -35,7 +35,7 @@ fn a_tone_is_as_high_as_its_scaling_says() {
             let found = values(&found, SpectrumQuantity::Value(X))[64];
             assert!(
                 (found - height / bandwidth).abs() < 1e-12,
-                "{scaling:?} {window}"
+                "{scaling:?} {window:?}"
             );
         }
     }

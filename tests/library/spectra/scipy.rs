@@ -82,7 +82,7 @@ fn scaled(case: &Value, welch: &Welch, powers: &[f64], sides: impl Fn(usize) -> 
         Some("density") => Scaling::Density,
         other => panic!("scaling {other:?}"),
     };
-    let bandwidth = window(case).equivalent_noise_bandwidth() * RATE / welch.length() as f64;
+    let bandwidth = window(case).equivalent_noise_bandwidth() * RATE / welch.length as f64;
     let powers = powers.iter().enumerate();
     powers
         .map(|(k, power)| scaling.value(*power, sides(k), bandwidth))
