@@ -5,7 +5,18 @@ use std::f64::consts::PI;
 
 use nalgebra::Complex;
 
-use super::{ChannelSpectrum, Window};
+use super::{Channel, ChannelSpectrum, Window};
+
+/// What sampling and its end did to a channel of a spectrum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChannelCheck {
+    /// The channel.
+    pub channel: Channel,
+    /// Its power, and that in the top tenth of the axis, which shows aliasing.
+    pub top_power: Option<TopPower>,
+    /// The line that leaks most, where it does.
+    pub leak: Option<Leak>,
+}
 
 /// Where the top of the frequencies begins, of half the sampling rate.
 const TOP: f64 = 0.9;

@@ -163,7 +163,7 @@ pub(super) struct Control {
     /// Largest change of the size from one trial to the next.
     grow: f64,
     /// Whether the latest trial was rejected.
-    rejected: bool,
+    pub rejected: bool,
 }
 
 impl Control {
@@ -182,11 +182,6 @@ impl Control {
         let most = if self.rejected { 1.0 } else { self.grow };
         self.rejected = false;
         growth.clamp(SHRINK, most)
-    }
-
-    /// Takes note of a bad step whose error says nothing of the next size.
-    pub fn note_rejected(&mut self) {
-        self.rejected = true;
     }
 
     /// Factor after a bad step, whose error may be no number.

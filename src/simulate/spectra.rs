@@ -2,8 +2,8 @@
 
 use super::Model;
 use crate::analysis::{
-    Axis, Channel, ChannelSpectrum, EstimateError, EstimatedSpectrum, Leak, Line, Recording,
-    Spectrum, SpectrumColumn, SpectrumQuantity, TopPower, Window, estimate, leak,
+    Axis, Channel, ChannelCheck, ChannelSpectrum, EstimateError, EstimatedSpectrum, Line,
+    Recording, Spectrum, TopPower, Window, estimate, leak,
 };
 
 /// A share of the power in the top tenth of the frequencies that is worth a warning: what folds is
@@ -53,15 +53,13 @@ pub(super) fn warnings(
         }
     }
     let whole = spectrum.map_or_else(Vec::new, checks);
-    let estimated = estimates
-        .iter()
-        .filter_map(|(_, found)| found.as_ref().ok());
-    let estimated: Vec<_> = estimated
-        .map(|found| (found, estimated_checks(found)))
-        .collect();
+    let estimated = || {
+        let found = estimates.iter();
+        found.filter_map(|(_, found)| found.as_ref().ok())
+    };
     let all = whole
         .iter()
-        .chain(estimated.iter().flat_map(|(_, checks)| checks));
+        .chain(estimated().flat_map(|found| &found.checks));
     let powers = all.filter_map(|check| Some((check.channel, check.top_power?)));
     warnings.extend(aliasing(&powers.collect::<Vec<_>>()));
     if let Some(spectrum) = spectrum.filter(|_| !speed_changes) {
@@ -74,7 +72,7 @@ pub(super) fn warnings(
             remedy,
         ));
     }
-    for (found, checks) in &estimated {
+    for found in estimated() {
         let file = format!("the spectrum `{}`", found.request.name);
         let unit = match found.request.axis {
             Axis::Frequency => "Hz",
@@ -82,20 +80,19 @@ pub(super) fn warnings(
         };
         if !speed_changes || found.request.axis == Axis::Order {
             let remedy = "window = \"hann\"";
-            warnings.extend(leakage(&file, checks, found.resolution, unit, remedy));
+            warnings.extend(leakage(
+                &file,
+                &found.checks,
+                found.resolution,
+                unit,
+                remedy,
+            ));
         }
     }
     warnings
 }
 
-/// What sampling and its end did to a channel of a spectrum.
-struct ChannelCheck {
-    channel: Channel,
-    top_power: Option<TopPower>,
-    leak: Option<Leak>,
-}
-
-/// Of the spectra of the whole run.
+/// What sampling and its end did to the channels of the spectra of the whole run.
 fn checks(spectrum: &Spectrum) -> Vec<ChannelCheck> {
     let floor = spectrum.noise_floor();
     let is_plain = spectrum.window == Window::Rectangular;
@@ -108,18 +105,6 @@ fn checks(spectrum: &Spectrum) -> Vec<ChannelCheck> {
         }
     };
     spectrum.channels.iter().map(of).collect()
-}
-
-fn estimated_checks(spectrum: &EstimatedSpectrum) -> Vec<ChannelCheck> {
-    let of = |column: &SpectrumColumn| match column.quantity {
-        SpectrumQuantity::Value(channel) => Some(ChannelCheck {
-            channel,
-            top_power: column.top_power,
-            leak: column.leak,
-        }),
-        _ => None,
-    };
-    spectrum.columns.iter().filter_map(of).collect()
 }
 
 /// The channel that is sampled most seldom; a freedom that rests beside the others of its unit is not

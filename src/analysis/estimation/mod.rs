@@ -16,7 +16,7 @@ pub use welch::{Detrend, Welch, envelope};
 
 use super::kurtogram::impulsive_band;
 use super::spectrum::FEWEST_SAMPLES;
-use super::{Channel, Leak, NoiseFloor, Recording, TopPower, Window, leak};
+use super::{Channel, ChannelCheck, Leak, NoiseFloor, Recording, TopPower, Window, leak};
 use interpolation::{AngleGrid, Interpolation, Turning};
 use request::rate_of;
 
@@ -42,16 +42,19 @@ pub fn estimate(
     let overlap = (request.overlap * segment as f64 * (1.0 + 1e-12)).floor();
     let welch = Welch::new(request.window, segment, overlap as usize, request.detrend);
     let resolution = record.rate / segment as f64;
-    let columns = Columns {
+    let mut found = Columns {
         request,
         record: &record,
         welch: &welch,
         bandwidth: request.window.equivalent_noise_bandwidth() * resolution,
         bins: record.bins(segment),
         floor: recording.noise_floor(),
+        columns: Vec::new(),
+        checks: Vec::new(),
     };
+    found.fill();
     let first = match request.kind {
-        SpectrumKind::Whirl => -(columns.below() as isize),
+        SpectrumKind::Whirl => -(found.below() as isize),
         _ => 0,
     };
     Ok(EstimatedSpectrum {
@@ -64,9 +67,10 @@ pub fn estimate(
         overlap: welch.overlap,
         averages: welch.averages(record.length()),
         resolution,
-        noise_bandwidth: columns.bandwidth,
+        noise_bandwidth: found.bandwidth,
         first,
-        columns: columns.all(),
+        columns: found.columns,
+        checks: found.checks,
         resampling: record.resampling,
         lines: Vec::new(),
     })
@@ -242,30 +246,34 @@ struct Columns<'a> {
     /// Bins of a one-sided spectrum.
     bins: usize,
     floor: NoiseFloor,
+    columns: Vec<SpectrumColumn>,
+    checks: Vec<ChannelCheck>,
 }
 
 impl Columns<'_> {
-    fn all(&self) -> Vec<SpectrumColumn> {
+    fn fill(&mut self) {
         let channels = self.request.channels.iter().copied();
-        let signals: Vec<_> = channels.zip(&self.record.signals).collect();
+        let signals = self.record.signals.iter().map(|signal| &**signal);
+        let signals: Vec<(Channel, &[f64])> = channels.zip(signals).collect();
         match self.request.kind {
             SpectrumKind::Plain
             | SpectrumKind::Envelope { .. }
             | SpectrumKind::ImpulsiveEnvelope => {
-                let columns = signals.into_iter().map(|signal| self.plain(signal));
-                columns.flatten().collect()
+                signals.into_iter().for_each(|signal| self.plain(signal));
             }
             SpectrumKind::Whirl => {
                 let pairs = signals.chunks_exact(2);
-                pairs.map(|pair| self.whirl(pair[0], pair[1])).collect()
+                pairs.for_each(|pair| self.whirl(pair[0], pair[1]));
             }
             SpectrumKind::Cross => {
                 let others = signals.iter().skip(1);
-                others
-                    .flat_map(|other| self.cross(signals[0], *other))
-                    .collect()
+                others.for_each(|other| self.cross(signals[0], *other));
             }
         }
+    }
+
+    fn add(&mut self, quantity: SpectrumQuantity, values: Vec<f64>) {
+        self.columns.push(SpectrumColumn { quantity, values });
     }
 
     fn is_averaged(&self) -> bool {
@@ -284,29 +292,27 @@ impl Columns<'_> {
     }
 
     /// The spectrum of a channel and, where it is of one segment and an amplitude, its phase.
-    fn plain(&self, (channel, signal): (Channel, &Cow<'_, [f64]>)) -> Vec<SpectrumColumn> {
+    fn plain(&mut self, (channel, signal): (Channel, &[f64])) {
         let has_phase = !self.is_averaged() && !self.request.scaling.is_square();
         let [powers, mut phases] = match has_phase {
             true => self.welch.power_and_phase(signal),
             false => [self.welch.power(signal), Vec::new()],
         };
-        let mut columns = vec![SpectrumColumn {
+        self.checks.push(ChannelCheck {
+            channel,
             top_power: self.top_power(channel, &powers, signal),
             leak: self.leak(channel, &powers),
-            ..column(SpectrumQuantity::Value(channel), self.one_sided(&powers))
-        }];
-        let rests = is_at_rest(signal, self.floor.below(channel));
-        if rests {
-            columns[0].values.fill(0.0);
+        });
+        let mut values = self.one_sided(&powers);
+        phases.truncate(self.bins);
+        if is_at_rest(signal, self.floor.below(channel)) {
+            values.fill(0.0);
+            phases.fill(0.0);
         }
+        self.add(SpectrumQuantity::Value(channel), values);
         if has_phase {
-            phases.truncate(self.bins);
-            if rests {
-                phases.fill(0.0);
-            }
-            columns.push(column(SpectrumQuantity::Phase(channel), phases));
+            self.add(SpectrumQuantity::Phase(channel), phases);
         }
-        columns
     }
 
     /// What the channel itself, not its envelope, holds near half the sampling rate. Without a window
@@ -347,42 +353,26 @@ impl Columns<'_> {
         (self.welch.length / 2).min(self.bins - 1)
     }
 
-    fn whirl(
-        &self,
-        (x, x_signal): (Channel, &Cow<'_, [f64]>),
-        (y, y_signal): (Channel, &Cow<'_, [f64]>),
-    ) -> SpectrumColumn {
+    fn whirl(&mut self, (x, x_signal): (Channel, &[f64]), (y, y_signal): (Channel, &[f64])) {
         let powers = self.welch.rotary(x_signal, y_signal);
         let skipped = self.welch.length / 2 - self.below();
         let kept = powers.iter().skip(skipped).take(self.below() + self.bins);
         let values = kept.map(|power| self.value(*power, 1.0)).collect();
-        column(SpectrumQuantity::Rotary(x, y), values)
+        self.add(SpectrumQuantity::Rotary(x, y), values);
     }
 
-    fn cross(
-        &self,
-        (reference, x): (Channel, &Cow<'_, [f64]>),
-        (other, y): (Channel, &Cow<'_, [f64]>),
-    ) -> Vec<SpectrumColumn> {
+    fn cross(&mut self, (reference, x): (Channel, &[f64]), (other, y): (Channel, &[f64])) {
         let found = self.welch.cross(x, y);
         let bins = 0..self.bins;
         let magnitudes: Vec<f64> = found.cross.iter().map(|bin| bin.norm()).collect();
+        let magnitudes = self.one_sided(&magnitudes);
         let phases = bins.clone().map(|k| found.cross[k].arg()).collect();
-        let mut columns = vec![
-            column(
-                SpectrumQuantity::Cross(reference, other),
-                self.one_sided(&magnitudes),
-            ),
-            column(SpectrumQuantity::CrossPhase(reference, other), phases),
-        ];
+        self.add(SpectrumQuantity::Cross(reference, other), magnitudes);
+        self.add(SpectrumQuantity::CrossPhase(reference, other), phases);
         if self.is_averaged() {
             let coherence = bins.map(|k| found.coherence(k)).collect();
-            columns.push(column(
-                SpectrumQuantity::Coherence(reference, other),
-                coherence,
-            ));
+            self.add(SpectrumQuantity::Coherence(reference, other), coherence);
         }
-        columns
     }
 }
 
@@ -390,13 +380,4 @@ impl Columns<'_> {
 fn is_at_rest(signal: &[f64], floor: f64) -> bool {
     let mean = signal.iter().sum::<f64>() / signal.len() as f64;
     signal.iter().all(|value| (value - mean).abs() < floor)
-}
-
-fn column(quantity: SpectrumQuantity, values: Vec<f64>) -> SpectrumColumn {
-    SpectrumColumn {
-        quantity,
-        values,
-        top_power: None,
-        leak: None,
-    }
 }

@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Detrend;
-use crate::analysis::{Channel, Leak, Line, TopPower, Window};
+use crate::analysis::{Channel, ChannelCheck, Line, Window};
 
 /// What is made of the channels.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -312,10 +312,6 @@ pub struct SpectrumColumn {
     pub quantity: SpectrumQuantity,
     /// One value a bin.
     pub values: Vec<f64>,
-    /// Power, and that in the top tenth of the axis, which shows aliasing.
-    pub top_power: Option<TopPower>,
-    /// The line that leaks most, where it does.
-    pub leak: Option<Leak>,
 }
 
 /// How a record was brought to equal shaft angles.
@@ -364,6 +360,8 @@ pub struct EstimatedSpectrum {
     pub first: isize,
     /// The columns, all of one length.
     pub columns: Vec<SpectrumColumn>,
+    /// What sampling did to the channels that stand there by themselves.
+    pub(crate) checks: Vec<ChannelCheck>,
     /// Named lines of an envelope, strongest first in each column.
     pub lines: Vec<EnvelopeLine>,
 }

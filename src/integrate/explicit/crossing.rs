@@ -89,11 +89,6 @@ impl Crossings {
         })
     }
 
-    /// No landing is planned any more.
-    pub fn forget_landings(&mut self) {
-        self.due.fill(f64::INFINITY);
-    }
-
     /// Checks the events in the first state of a run.
     pub fn begin(&mut self, problem: &Problem<'_>, time: f64, state: &[f64]) {
         problem.system.events(time, state, &mut self.values);

@@ -104,7 +104,7 @@ impl ExplicitStepper {
                 self.crossing.begin(problem, self.time, &self.argument);
                 self.events_known = true;
             }
-            self.crossing.forget_landings();
+            self.crossing.due.fill(f64::INFINITY);
             self.limit = problem.limit_after(self.time);
             // the derivative after a break, or the very first
             let rate = &mut self.start_rate;

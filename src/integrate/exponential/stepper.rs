@@ -230,7 +230,7 @@ impl ExponentialStepper {
     /// After sweeps that did not meet: a new linear part once it pays, else a shorter step.
     fn bring_together(&mut self, problem: &Problem<'_>) {
         self.counters.rejected += 1;
-        self.control.note_rejected();
+        self.control.rejected = true;
         if self.fresh || self.waste < COST {
             self.requested = 0.5 * self.leg.size;
         } else {

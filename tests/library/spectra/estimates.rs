@@ -189,7 +189,7 @@ fn a_line_between_bins_leaks_and_one_on_a_bin_does_not() {
         request.window = window;
         let motion = |time: f64| Motion::places([1e-6 * (TAU * frequency * time).cos(), 0.0]);
         let found = estimated(&request, 1024, motion).unwrap();
-        found.columns[0].leak
+        found.checks[0].leak
     };
     assert_eq!(of(100.0, Window::Rectangular), None);
     assert_eq!(of(100.4, Window::Hann), None);
@@ -201,7 +201,7 @@ fn a_line_between_bins_leaks_and_one_on_a_bin_does_not() {
     let noise = noise(5, 1024);
     let of_noise = |time: f64| Motion::places([noise[(time * RATE).round() as usize], 0.0]);
     let found = estimated(&plain(Scaling::Peak), 1024, of_noise).unwrap();
-    assert_eq!(found.columns[0].leak, None);
+    assert_eq!(found.checks[0].leak, None);
 }
 
 #[test]
@@ -209,7 +209,7 @@ fn what_folds_shows_in_the_top_tenth() {
     let share = |frequency: f64| {
         let motion = |time: f64| Motion::places([(TAU * frequency * time).cos(), 0.0]);
         let found = estimated(&plain(Scaling::Density), 1024, motion).unwrap();
-        let power = found.columns[0].top_power.unwrap();
+        let power = found.checks[0].top_power.unwrap();
         assert!((power.total - 0.75).abs() < 1e-12, "1.5 bins of Hann's");
         power.top / power.total
     };
