@@ -1,7 +1,7 @@
 //! The frequencies at which causes would show, and which of them is nearest to a line.
 
+use super::Characteristic;
 use super::LineKind;
-use super::line_kind::Characteristic;
 use crate::bearing::{Imperfections, Surface};
 use crate::physics::BallPass;
 use crate::rotor::NaturalFrequency;

@@ -33,7 +33,7 @@ pub use estimation::{EnvelopeLine, EstimatedSpectrum, SpectrumColumn, SpectrumQu
 #[cfg(test)]
 pub(crate) use estimation::{Welch, envelope};
 use hermite::Hermite;
-pub use line_kind::LineKind;
+pub use line_kind::{Characteristic, LineKind};
 pub(crate) use motion::{ChannelLevel, Section, SectionKind, VelocityLevel};
 pub use motion::{ChannelStatistics, Drift, Kind, Moments, Motion, Recognition};
 pub(crate) use motion::{LONGEST_PERIOD, MotionRecorder, MotionSettings};
