@@ -21,25 +21,14 @@ impl Checksum {
         begun: [0; 8],
     };
 
-    pub fn add(&mut self, mut bytes: &[u8]) {
-        let filled = (self.bytes % 8) as usize;
-        self.bytes += bytes.len() as u64;
-        if filled > 0 {
-            let (first, rest) = bytes.split_at(bytes.len().min(8 - filled));
-            self.begun[filled..filled + first.len()].copy_from_slice(first);
-            if filled + first.len() < 8 {
-                return;
+    pub fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.begun[(self.bytes % 8) as usize] = *byte;
+            self.bytes += 1;
+            if self.bytes.is_multiple_of(8) {
+                self.end_word();
             }
-            self.end_word();
-            bytes = rest;
         }
-        let words = bytes.chunks_exact(8);
-        let rest = words.remainder();
-        for word in words {
-            self.begun.copy_from_slice(word);
-            self.end_word();
-        }
-        self.begun[..rest.len()].copy_from_slice(rest);
     }
 
     fn end_word(&mut self) {
