@@ -228,27 +228,32 @@ impl History {
         let named = FURTHER.iter().find(|(channel, _)| *channel == self.channel);
         let name = named.map_or(self.channel.name(), |(_, name)| name);
         let (unit, scale) = shown_unit(self.channel.unit());
-        let panel = PagePanel {
+        let mut points: Vec<_> = self.envelope.points().collect();
+        let mut band = None;
+        if self.envelope.is_whole() {
+            points.dedup();
+        } else {
+            let places = self.places();
+            points = places
+                .iter()
+                .map(|place| (place.time, place.value))
+                .collect();
+            let edge = |side: usize| narrow(places.iter().map(|place| scale * place.band[side]));
+            band = Some(json!({ "low": edge(0), "high": edge(1) }));
+        }
+        let points = points
+            .into_iter()
+            .map(|(time, value)| (time, scale * value));
+        json!(PagePanel {
             name,
             unit: &unit,
             over: ["time", "s"],
             shown: None,
             logarithmic: false,
-        };
-        if self.envelope.is_whole() {
-            let mut points: Vec<_> = self.envelope.points().collect();
-            points.dedup();
-            let points = points
-                .into_iter()
-                .map(|(time, value)| (time, scale * value));
-            return panel.json(vec![curve(name, points)], Vec::new());
-        }
-        let places = self.places();
-        let points = places.iter().map(|place| (place.time, scale * place.value));
-        let mut json = panel.json(vec![curve(name, points)], Vec::new());
-        let edge = |side: usize| narrow(places.iter().map(|place| scale * place.band[side]));
-        json["band"] = json!({ "low": edge(0), "high": edge(1) });
-        json
+            curves: vec![curve(name, points)],
+            marks: Vec::new(),
+            band,
+        })
     }
 }
 

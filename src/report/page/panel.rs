@@ -2,6 +2,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use serde::Serialize;
 use serde_json::{Value, json};
 
 /// A curve: its name, and its points as little-endian floats in base64, abscissas of 64 and values of 32 bits.
@@ -24,7 +25,7 @@ pub(in crate::report) fn narrow(values: impl IntoIterator<Item = f64>) -> String
 }
 
 /// Curves over one axis.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Serialize)]
 pub(in crate::report) struct PagePanel<'a> {
     /// What is drawn.
     pub name: &'a str,
@@ -36,19 +37,11 @@ pub(in crate::report) struct PagePanel<'a> {
     pub shown: Option<f64>,
     /// Whether values stand on a logarithmic axis.
     pub logarithmic: bool,
-}
-
-impl PagePanel<'_> {
-    /// The panel with its curves and what is marked on them.
-    pub fn json(self, curves: Vec<Value>, marks: Vec<Value>) -> Value {
-        json!({
-            "name": self.name,
-            "unit": self.unit,
-            "over": self.over,
-            "shown": self.shown,
-            "logarithmic": self.logarithmic,
-            "curves": curves,
-            "marks": marks,
-        })
-    }
+    /// The curves.
+    pub curves: Vec<Value>,
+    /// What is marked on them.
+    pub marks: Vec<Value>,
+    /// Where values lie that are not known one by one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub band: Option<Value>,
 }

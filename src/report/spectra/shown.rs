@@ -119,15 +119,17 @@ impl ShownSpectrum<'_> {
         let marks = self.peaks.iter();
         let marks =
             marks.map(|peak| json!({ "at": peak.at, "height": peak.height, "name": peak.name }));
-        PagePanel {
+        json!(PagePanel {
             name: &self.name,
             unit: &self.unit,
             over: self.over,
             // one that is two-sided has lines on both sides of zero
             shown: (self.shown.start == 0.0).then_some(self.shown.end),
             logarithmic: true,
-        }
-        .json(curves.collect(), marks.collect())
+            curves: curves.collect(),
+            marks: marks.collect(),
+            band: None,
+        })
     }
 
     /// Rows to draw, the mean left out: all or, of too many, from every stretch the highest and the lowest.
