@@ -201,50 +201,17 @@ pub(super) fn poincare_table(motion: &Motion) -> Table<'static> {
 /// Most points of a section that are drawn: the last ones.
 const MOST_POINTS: usize = 600;
 
-/// The path of the shaft's centre, x and y in µm.
-pub(super) struct Orbit {
-    /// One period and a little more where the motion repeats, else all that was kept.
-    pub path: Vec<Point>,
-    pub is_whole_period: bool,
-    /// Where it stands once a cycle of every section.
-    pub sections: Vec<(SectionKind, Vec<Point>)>,
-}
-
-impl Orbit {
-    /// Of a motion.
-    pub fn of(motion: &Motion) -> Self {
-        let point = |x: f64, y: f64| (MICRO * x, MICRO * y);
-        let sections = motion.sections.iter().map(|section| {
-            let from = section.points.len().saturating_sub(MOST_POINTS);
-            let points = section.points[from..].iter();
-            let places = points.map(|place| point(place.displacement[0], place.displacement[1]));
-            (section.kind, places.collect())
-        });
-        let path = shown_orbit(motion).iter();
-        Self {
-            path: path.map(|[x, y]| point(*x, *y)).collect(),
-            is_whole_period: matches!(motion.recognition.kind, Kind::Periodic { .. }),
-            sections: sections.collect(),
-        }
-    }
-}
-
 /// Height of the plot, px.
 const HEIGHT: u32 = 598;
 
 /// y over x in µm at one scale, both from their means.
 pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
     let centre = [0, 1].map(|axis| MICRO * motion.statistics[axis].moments.mean());
-    let seen = |points: Vec<Point>| -> Vec<Point> {
-        let points = points.into_iter();
-        points
-            .map(|(x, y)| (x - centre[0], y - centre[1]))
-            .collect()
-    };
-    let orbit = Orbit::of(motion);
+    let seen = |x: f64, y: f64| -> Point { (MICRO * x - centre[0], MICRO * y - centre[1]) };
+    let path = shown_orbit(motion).iter().map(|[x, y]| seen(*x, *y));
     let path = Curve {
-        fine: !orbit.is_whole_period,
-        ..Curve::line(distinct(0), seen(orbit.path))
+        fine: !matches!(motion.recognition.kind, Kind::Periodic { .. }),
+        ..Curve::line(distinct(0), path.collect())
     };
     let reach = path
         .points
@@ -261,13 +228,16 @@ pub(super) fn orbit_figure(title: &str, motion: &Motion) -> Figure {
     });
     let mut names = vec![Name::new("orbit", distinct(0))];
     let mut curves = vec![path];
-    for (kind, points) in orbit.sections {
-        let (name, colour) = match kind {
+    for section in &motion.sections {
+        let (name, colour) = match section.kind {
             SectionKind::Revolution => ("each revolution", distinct(1)),
             SectionKind::BallPass => ("each ball pass", distinct(2)),
         };
+        let from = section.points.len().saturating_sub(MOST_POINTS);
+        let points = section.points[from..].iter();
+        let points = points.map(|point| seen(point.displacement[0], point.displacement[1]));
         names.push(Name::new(name, colour));
-        curves.push(Curve::dots(colour, seen(points)));
+        curves.push(Curve::dots(colour, points.collect()));
     }
     let panel = Panel {
         curves,
