@@ -103,57 +103,43 @@ fn names(runs: &[Folder], folders: &[PathBuf]) -> Vec<String> {
     both.map(name).collect()
 }
 
-/// A number of a summary: its name, where it stands, and what it is multiplied by.
-type KeyNumber = (&'static str, &'static str, f64);
-
-const KEY_NUMBERS: [KeyNumber; 7] = [
-    (
-        "velocity x\nmm/s RMS",
-        "/motion/velocity_rms/x/rms_m_s",
-        MILLI,
-    ),
-    (
-        "velocity y\nmm/s RMS",
-        "/motion/velocity_rms/y/rms_m_s",
-        MILLI,
-    ),
-    (
-        "velocity z\nmm/s RMS",
-        "/motion/velocity_rms/z/rms_m_s",
-        MILLI,
-    ),
-    ("largest ball\nload, N", "/largest_ball_load_N", 1.0),
+/// Axes whose velocities are shown.
+const AXES: [&str; 3] = ["x", "y", "z"];
+/// Numbers of a summary beside the velocities: their names, and where they stand.
+const KEY_NUMBERS: [(&str, &str); 4] = [
+    ("largest ball\nload, N", "/largest_ball_load_N"),
     (
         "lowest natural\nfrequency, Hz",
         "/natural_frequencies/0/frequency_Hz",
-        1.0,
     ),
     (
         "life of bearing 1\nh",
         "/bearings/0/life/after_settle/life_h",
-        1.0,
     ),
-    (
-        "measured error\nof the motion",
-        "/measured_error/relative",
-        1.0,
-    ),
+    ("measured error\nof the motion", "/measured_error/relative"),
 ];
 
 /// A row a run.
 fn key_numbers(runs: &[Folder], names: &[String]) -> Lines {
     let mut out = Lines::default();
+    let velocities = AXES.map(|axis| format!("velocity {axis}\nmm/s RMS"));
     let header = ["run", "kind of motion"];
-    let header = header.into_iter().chain(KEY_NUMBERS.map(|(name, ..)| name));
+    let header = header
+        .into_iter()
+        .chain(velocities.iter().map(String::as_str));
+    let header = header.chain(KEY_NUMBERS.map(|(name, _)| name));
     let rows = runs.iter().zip(names).map(|(run, name)| {
         let kind = run.summary.pointer("/motion/kind/name");
         let kind = kind.and_then(Value::as_str).map(str::to_owned);
-        let numbers = KEY_NUMBERS.map(|(_, place, factor)| {
-            let value = run.summary.pointer(place).and_then(Value::as_f64);
+        let number = |pointer: &str, factor: f64| {
+            let value = run.summary.pointer(pointer).and_then(Value::as_f64);
             or_dash(value.map(|value| digits(factor * value)))
-        });
+        };
+        let velocities =
+            AXES.map(|axis| number(&format!("/motion/velocity_rms/{axis}/rms_m_s"), MILLI));
+        let others = KEY_NUMBERS.map(|(_, pointer)| number(pointer, 1.0));
         let cells = [name.clone(), or_dash(kind)];
-        cells.into_iter().chain(numbers).collect()
+        cells.into_iter().chain(velocities).chain(others).collect()
     });
     out.table(header, rows);
     for (run, name) in runs.iter().zip(names) {
