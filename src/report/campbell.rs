@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use plotters::style::RGBColor;
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
 use super::shaft_shapes::shapes_at;
@@ -12,7 +12,7 @@ use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash};
 use super::{Destination, FileSet, Findings};
 use crate::rotor::{Mode, RotorDefinition, Whirl};
 use crate::simulate::MORE_MODES;
-use crate::study::campbell::{Branch, Campbell, CriticalSpeed};
+use crate::study::campbell::{Branch, Campbell};
 
 /// Branches and critical speeds.
 ///
@@ -23,6 +23,10 @@ pub fn campbell_findings(
     campbell: &Campbell,
 ) -> Findings {
     let [_, fastest] = ends(campbell);
+    let branches = campbell.branches.iter().map(|branch| {
+        let [first, last] = end_modes(branch).map(|mode| mode.map(Mode::damped_frequency));
+        json!({ "whirl": branch.whirl(), "first_Hz": first, "last_Hz": last })
+    });
     let shapes = shapes_at(destination.title, rotor, fastest);
     let mut text = Lines::titled(destination.title);
     put_branches(&mut text, campbell);
@@ -38,15 +42,15 @@ pub fn campbell_findings(
             .into_iter()
             .chain(shapes)
             .collect(),
-        document: destination.document(CampbellSummary {
-            from: campbell.speeds.first(),
-            to: campbell.speeds.last(),
-            count: campbell.speeds.len(),
-            orders: &campbell.orders,
-            branches: campbell.branches.iter().map(branch).collect(),
-            least_assurance: campbell.least_assurance,
-            critical_speeds: &campbell.critical_speeds,
-        }),
+        document: destination.document(json!({
+            "from_rad_s": campbell.speeds.first(),
+            "to_rad_s": campbell.speeds.last(),
+            "count": campbell.speeds.len(),
+            "orders": campbell.orders,
+            "branches": branches.collect::<Value>(),
+            "least_assurance": campbell.least_assurance,
+            "critical_speeds": campbell.critical_speeds,
+        })),
         text,
     }
 }
@@ -61,7 +65,7 @@ pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
         })
         .collect();
     let shapes = || modes.iter().map(|(.., mode)| mode);
-    let order = |(_, speed, mode): &(usize, f64, &crate::rotor::Mode)| {
+    let order = |(_, speed, mode): &(usize, f64, &Mode)| {
         (*speed > 0.0).then(|| mode.damped_frequency() * TAU / speed)
     };
     let mut table = Table::default();
@@ -77,57 +81,28 @@ pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
     table
 }
 
-/// Critical speeds and what they rest on.
-#[derive(Serialize)]
-struct CampbellSummary<'a> {
-    #[serde(rename = "from_rad_s")]
-    from: Option<&'a f64>,
-    #[serde(rename = "to_rad_s")]
-    to: Option<&'a f64>,
-    count: usize,
-    orders: &'a [f64],
-    branches: Vec<BranchSummary>,
-    least_assurance: f64,
-    critical_speeds: &'a [CriticalSpeed],
-}
-
-/// A branch by its ends.
-#[derive(Serialize)]
-struct BranchSummary {
-    whirl: Whirl,
-    #[serde(rename = "first_Hz")]
-    first: Option<f64>,
-    #[serde(rename = "last_Hz")]
-    last: Option<f64>,
-}
-
-fn branch(branch: &Branch) -> BranchSummary {
-    let frequency = |mode: Option<&Option<Mode>>| mode?.as_ref().map(Mode::damped_frequency);
-    BranchSummary {
-        whirl: branch.whirl(),
-        first: frequency(branch.modes.first()),
-        last: frequency(branch.modes.last()),
-    }
-}
-
 fn put_branches(out: &mut Lines, campbell: &Campbell) {
-    let ends = [campbell.speeds.first(), campbell.speeds.last()];
-    let at = ends.map(|speed| speed.map_or(0.0, |speed| PER_MINUTE * speed));
-    let [first, last] = at.map(|speed| format!("Hz at\n{speed:.0} 1/min"));
+    let speeds = ends(campbell).map(|speed| PER_MINUTE * speed);
+    let [first, last] = speeds.map(|speed| format!("Hz at\n{speed:.0} 1/min"));
     let header = ["branch", "whirl", &first, &last, "damping ratio\nthere"];
     let frequency =
         |mode: Option<&Mode>| or_dash(mode.map(|mode| format!("{:.2}", mode.damped_frequency())));
     let rows = campbell.branches.iter().enumerate().map(|(index, branch)| {
-        let last = branch.modes.last().and_then(Option::as_ref);
+        let [first, last] = end_modes(branch);
         vec![
             (index + 1).to_string(),
             branch.whirl().to_string(),
-            frequency(branch.modes.first().and_then(Option::as_ref)),
+            frequency(first),
             frequency(last),
             last.map_or_else(String::new, |mode| format!("{:.4}", mode.damping_ratio())),
         ]
     });
     out.table(header, rows);
+}
+
+/// The modes of a branch at the first and at the last speed.
+fn end_modes(branch: &Branch) -> [Option<&Mode>; 2] {
+    [branch.modes.first(), branch.modes.last()].map(|mode| mode?.as_ref())
 }
 
 /// An order with up to four decimals.

@@ -1,7 +1,7 @@
 //! Branches of steady motions over a parameter.
 
 use plotters::style::RGBColor;
-use serde::Serialize;
+use serde_json::json;
 
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, Point, distinct};
 use super::study::{axis_name, column_name, shown};
@@ -27,21 +27,14 @@ pub fn response_findings(
             ("response_specials", specials(variable, branches)),
         ],
         figures: vec![figure(title, variable, branches)],
-        document: destination.document(Summary {
-            over: &variable.key,
-            unit: variable.unit,
-            branches,
-        }),
+        // the motions stand in `response.csv`
+        document: destination.document(json!({
+            "over": variable.key,
+            "unit": variable.unit,
+            "branches": branches,
+        })),
         text: text(title, variable, branches),
     }
-}
-
-/// The branches of a response: their ends and where they turn; the motions stand in `response.csv`.
-#[derive(Serialize)]
-struct Summary<'a> {
-    over: &'a str,
-    unit: &'a str,
-    branches: &'a [Response],
 }
 
 /// Branches, where they turn and where their motions change their kind.

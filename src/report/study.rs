@@ -1,6 +1,6 @@
 //! A study: one row a value, and the bearings all around at every value.
 
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::destination::value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
@@ -226,16 +226,12 @@ fn around(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
 }
 
 /// What a study is about: the number that varies by its key, and how many values it has.
-fn about(study: &Study, rows: &[StudyRow]) -> Map<String, Value> {
+fn about(study: &Study, rows: &[StudyRow]) -> Value {
     let Variable { key, unit, .. } = &study.variable;
-    let about = [
-        ("varied", json!({ "key": key, "unit": unit })),
-        ("points", json!(rows.len())),
-    ];
-    about
-        .map(|(key, value)| (key.to_owned(), value))
-        .into_iter()
-        .collect()
+    json!({
+        "varied": { "key": key, "unit": unit },
+        "points": rows.len(),
+    })
 }
 
 /// The whole study: at every value, which stands under the name of its column, the answer and every bearing all
@@ -249,7 +245,7 @@ pub fn study_json(destination: &Destination<'_>, study: &Study, rows: &[StudyRow
         json
     });
     let mut whole = about(study, rows);
-    whole.insert("rows".to_owned(), rows_of.collect());
+    whole["rows"] = rows_of.collect();
     destination.document(whole)
 }
 
