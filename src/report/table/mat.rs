@@ -82,13 +82,12 @@ impl<W: Write> MatTable<W> {
         }
         if self.rows() > MOST_ROWS {
             return Err(io::Error::other(format!(
-                "a MAT-file holds at most {} rows: write fewer (`every`) or another format",
-                MOST_ROWS
+                "a MAT-file holds at most {MOST_ROWS} rows: write fewer (`every`) or another format"
             )));
         }
         for column in self.open.chunks_exact(BLOCK) {
             encode(column, &mut self.bytes);
-            self.blocks.append(&self.bytes)?;
+            self.blocks.file.write_all(&self.bytes)?;
         }
         self.full += 1;
         self.filled = 0;
@@ -162,10 +161,10 @@ const INSIDE: usize = 4;
 
 /// Most rows of a column: the length of a matrix is a signed number of 32 bits to some readers, and
 /// the elements beside the data take less than 128 bytes.
-pub(super) const MOST_ROWS: u64 = ((1 << 31) - 128) / 8;
+const MOST_ROWS: u64 = ((1 << 31) - 128) / 8;
 
 /// The 128 bytes that a file begins with.
-pub(super) fn file_header() -> [u8; 128] {
+fn file_header() -> [u8; 128] {
     let mut header = [b' '; 128];
     let text = concat!(
         "MATLAB 5.0 MAT-file, written by jeffcott ",
@@ -180,7 +179,7 @@ pub(super) fn file_header() -> [u8; 128] {
 
 /// Writes all of a column of `rows` doubles but its numbers, 8 bytes each, which are to follow; they need
 /// no padding.
-pub(super) fn column_start(writer: &mut impl Write, name: &str, rows: u64) -> io::Result<()> {
+fn column_start(writer: &mut impl Write, name: &str, rows: u64) -> io::Result<()> {
     let data = 8 * rows;
     let about = about(DOUBLES, [rows, 1], name);
     write_tag(writer, MATRIX, about.len() as u64 + TAG + data)?;
@@ -189,12 +188,12 @@ pub(super) fn column_start(writer: &mut impl Write, name: &str, rows: u64) -> io
 }
 
 /// Writes a text, ASCII alone: other characters are read differently by different readers.
-pub(super) fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()> {
+fn write_text(writer: &mut impl Write, name: &str, text: &str) -> io::Result<()> {
     write_words(writer, name, &[text.to_owned()])
 }
 
 /// Writes words as the rows of a matrix of characters, filled up with blanks.
-pub(super) fn write_words(writer: &mut impl Write, name: &str, words: &[String]) -> io::Result<()> {
+fn write_words(writer: &mut impl Write, name: &str, words: &[String]) -> io::Result<()> {
     let width = words.iter().map(|word| word.len()).max().unwrap_or(0);
     let letter = |word: &String, place: usize| word.as_bytes().get(place).copied().unwrap_or(b' ');
     let letters = (0..width).flat_map(|place| words.iter().map(move |word| letter(word, place)));
@@ -236,14 +235,14 @@ fn write_tag(writer: &mut impl Write, kind: u32, length: u64) -> io::Result<()> 
 
 /// A file for writing, then reading; removed when dropped.
 #[derive(Debug)]
-pub(super) struct Scratch {
+struct Scratch {
     file: File,
     path: PathBuf,
 }
 
 impl Scratch {
     /// Creates the file.
-    pub fn create(path: &Path) -> io::Result<Self> {
+    fn create(path: &Path) -> io::Result<Self> {
         let mut options = File::options();
         options.read(true).write(true).create(true).truncate(true);
         Ok(Self {
@@ -252,13 +251,8 @@ impl Scratch {
         })
     }
 
-    /// Appends bytes.
-    pub fn append(&mut self, bytes: &[u8]) -> io::Result<()> {
-        self.file.write_all(bytes)
-    }
-
     /// Fills `bytes` from the place `start`.
-    pub fn read(&mut self, start: u64, bytes: &mut [u8]) -> io::Result<()> {
+    fn read(&mut self, start: u64, bytes: &mut [u8]) -> io::Result<()> {
         self.file.seek(SeekFrom::Start(start))?;
         self.file.read_exact(bytes)
     }

@@ -110,7 +110,6 @@ fn write_column(
     values: &[f64],
     kind: &ColumnKind,
 ) -> Result<(), ParquetError> {
-    let whole = |values: &[f64]| -> Vec<i32> { values.iter().map(|value| *value as i32).collect() };
     match kind {
         ColumnKind::Number => {
             writer
@@ -118,16 +117,10 @@ fn write_column(
                 .write_batch(values, None, None)?;
         }
         ColumnKind::Count => {
-            let there: Vec<i16> = values
-                .iter()
-                .map(|value| i16::from(!value.is_nan()))
-                .collect();
-            let given: Vec<f64> = values
-                .iter()
-                .copied()
-                .filter(|value| !value.is_nan())
-                .collect();
-            let whole = whole(&given);
+            let there = values.iter().map(|value| i16::from(!value.is_nan()));
+            let there: Vec<i16> = there.collect();
+            let given = values.iter().filter(|value| !value.is_nan());
+            let whole: Vec<i32> = given.map(|value| *value as i32).collect();
             writer
                 .typed::<Int32Type>()
                 .write_batch(&whole, Some(&there), None)?;
