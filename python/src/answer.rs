@@ -161,7 +161,7 @@ impl RunAnswer {
 
     /// The columns of a table; None where the run has none of this name.
     fn table<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Option<Columns<'py>>> {
-        let table = py.detach(|| self.0.table(name)).map_err(other)?;
+        let table = py.detach(|| self.0.table(name));
         table.map(|table| columns(py, &table)).transpose()
     }
 

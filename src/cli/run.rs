@@ -13,7 +13,7 @@ use super::parts::{self, Kept, Parts};
 use super::written::Written;
 use super::{Outcome, terminal};
 use crate::integrate::{IntegrateError, Pace};
-use crate::report::{self, Failure as Cause, RestartReader, RunReport, RunSummary};
+use crate::report::{self, RestartReader, RunReport, RunSummary};
 use crate::scenario::Scenario;
 use crate::simulate::{
     Earlier, Model, Monitor, Part, Run, RunSize, SimulateError, StateKeeper, simulate_part,
@@ -142,10 +142,7 @@ impl Motion<'_> {
                 Err(parts::interrupted(&error, kept.as_ref(), resumed, &resume).into())
             }
             Err(SimulateError::Integrate(error)) => {
-                let kept = report.fail(&Cause {
-                    error: &error,
-                    counters,
-                })?;
+                let kept = report.fail(&error, counters)?;
                 Err(parts::failed(&error, &kept).into())
             }
             Err(other) => Err(other.into()),

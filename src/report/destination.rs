@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::figure::Figure;
 use super::page::AnswerPage;
-use super::table::{Origin, Table};
+use super::table::Table;
 use super::terminal::Lines;
 use super::{FileSet, ReportError, RunFolder};
 use crate::scenario::TableFormat;
@@ -38,11 +38,8 @@ impl Destination<'_> {
     /// # Errors
     /// [`ReportError`] where a file cannot be written or drawn.
     pub fn write(&self, findings: Findings) -> Result<Written, ReportError> {
-        let origin = Origin {
-            scenario: self.scenario.to_string(),
-        };
         let folder = RunFolder::open(self.folder, findings.set)?;
-        let folder = folder.with_tables(self.formats, origin);
+        let folder = folder.with_tables(self.formats, self.scenario);
         let mut files = Vec::new();
         for (stem, table) in &findings.tables {
             files.extend(folder.write_table(stem, table)?);

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
+use serde_json::Value;
+
 use super::figure::{Figure, FigureFormat, figure_formats};
 use super::table::{Origin, Table, TableFiles};
 use super::{FileAction, ReportError};
@@ -164,11 +166,14 @@ const TEMPORARY: &str = ".*.partial";
 #[derive(Debug)]
 pub struct RunFolder {
     path: PathBuf,
-    /// None where files are put that stand for themselves.
-    _claim: Option<Claim>,
+    /// The lock on it, which the system takes back when the process ends, however it ends; none where files are put
+    /// that stand for themselves.
+    _lock: Option<File>,
     set: FileSet,
-    formats: Vec<TableFormat>,
-    origin: Origin,
+    /// Formats of the tables.
+    pub(super) formats: Vec<TableFormat>,
+    /// What the tables come from.
+    pub(super) origin: Origin,
 }
 
 impl RunFolder {
@@ -179,7 +184,7 @@ impl RunFolder {
     /// [`ReportError::File`] where it cannot be created, [`ReportError::Busy`] where another process writes there.
     pub fn open(path: &Path, set: FileSet) -> Result<Self, ReportError> {
         let mut folder = Self::of_any(path, set)?;
-        folder._claim = Some(Claim::alone(path)?);
+        folder._lock = Some(locked(path, File::try_lock)?);
         folder.remove([TEMPORARY.to_owned()])?;
         Ok(folder)
     }
@@ -190,7 +195,7 @@ impl RunFolder {
     /// As [`RunFolder::open`].
     pub(super) fn open_for_part(path: &Path, set: FileSet) -> Result<Self, ReportError> {
         let mut folder = Self::of_any(path, set)?;
-        folder._claim = Some(Claim::shared(path)?);
+        folder._lock = Some(locked(path, File::try_lock_shared)?);
         Ok(folder)
     }
 
@@ -202,25 +207,26 @@ impl RunFolder {
         fs::create_dir_all(path).map_err(ReportError::file(FileAction::Create, path))?;
         Ok(Self {
             path: path.to_owned(),
-            _claim: None,
+            _lock: None,
             set,
             formats: vec![TableFormat::Csv],
             origin: Origin::default(),
         })
     }
 
-    /// The same with tables in these formats, which say what they come from.
-    pub(super) fn with_tables(self, formats: &[TableFormat], origin: Origin) -> Self {
-        Self {
-            formats: formats.to_vec(),
-            origin,
-            ..self
-        }
+    /// The same for another set of files.
+    pub(super) fn with_set(self, set: FileSet) -> Self {
+        Self { set, ..self }
     }
 
-    /// Formats of the tables, and what these come from.
-    pub(super) fn tables(&self) -> (&[TableFormat], &Origin) {
-        (&self.formats, &self.origin)
+    /// The same with tables in these formats, which say what scenario they come from.
+    pub(super) fn with_tables(self, formats: &[TableFormat], scenario: &Value) -> Self {
+        let scenario = scenario.to_string();
+        Self {
+            formats: formats.to_vec(),
+            origin: Origin { scenario },
+            ..self
+        }
     }
 
     /// Its path.
@@ -233,15 +239,15 @@ impl RunFolder {
     /// # Errors
     /// [`ReportError::File`] where it cannot be created.
     pub fn create(&self, name: &str) -> Result<PartialFile, ReportError> {
-        let pending = Pending {
-            temporary: self.path.join(format!(".{name}.partial")),
-            path: self.path.join(name),
-        };
-        let file = File::create(&pending.temporary)
-            .map_err(ReportError::file(FileAction::Create, &pending.temporary))?;
+        let temporary = self.path.join(format!(".{name}.partial"));
+        let created = File::create(&temporary);
+        let created = created.map_err(ReportError::file(FileAction::Create, &temporary))?;
         Ok(PartialFile {
-            writer: BufWriter::with_capacity(1 << 16, file),
-            pending,
+            writer: BufWriter::with_capacity(1 << 16, created),
+            file: WholeFile {
+                temporary,
+                path: self.path.join(name),
+            },
         })
     }
 
@@ -263,7 +269,7 @@ impl RunFolder {
         write: impl FnOnce(&mut PartialFile) -> io::Result<()>,
     ) -> Result<WholeFile, ReportError> {
         let mut file = self.create(name)?;
-        write(&mut file).map_err(ReportError::file(FileAction::Write, &file.pending.path))?;
+        write(&mut file).map_err(ReportError::file(FileAction::Write, file.path()))?;
         file.close()
     }
 
@@ -286,10 +292,7 @@ impl RunFolder {
         stem: &str,
         table: &Table<'_>,
     ) -> Result<Vec<WholeFile>, ReportError> {
-        let mut files = TableFiles::open(self, stem, &table.columns())?;
-        let written = table.rows(&mut |row| files.row(row));
-        written.map_err(ReportError::file(FileAction::Write, &self.path))?;
-        files.close()
+        TableFiles::write(self, stem, &table.columns(), table.rows())
     }
 
     /// Gives all files their names, the seal with the content `sealed` last, and removes
@@ -300,20 +303,9 @@ impl RunFolder {
     /// # Errors
     /// [`ReportError::File`]; the folder then has no seal.
     pub fn commit(self, files: Vec<WholeFile>, sealed: &[u8]) -> Result<Vec<PathBuf>, ReportError> {
-        let set = self.set;
-        self.commit_as(set, files, sealed)
-    }
-
-    /// As [`RunFolder::commit`], of another set than the folder was opened for.
-    pub(super) fn commit_as(
-        self,
-        set: FileSet,
-        files: Vec<WholeFile>,
-        sealed: &[u8],
-    ) -> Result<Vec<PathBuf>, ReportError> {
-        let seal = self.write(set.seal, sealed)?;
-        let paths = self.put(files, seal, set.beside())?;
-        self.remove(set.spent.iter().map(|name| (*name).to_owned()))?;
+        let seal = self.write(self.set.seal, sealed)?;
+        let paths = self.put(files, seal, self.set.beside())?;
+        self.remove(self.set.spent.iter().map(|name| (*name).to_owned()))?;
         Ok(paths)
     }
 
@@ -331,7 +323,7 @@ impl RunFolder {
         earlier: impl IntoIterator<Item = String>,
     ) -> Result<Vec<PathBuf>, ReportError> {
         sync_files(files.iter().chain([&seal]))?;
-        let name = seal.pending.path.file_name().unwrap_or_default();
+        let name = seal.path.file_name().unwrap_or_default();
         self.unseal(&[&name.to_string_lossy()])?;
         self.remove(earlier)?;
         let paths: Result<Vec<_>, _> = files.into_iter().map(WholeFile::rename).collect();
@@ -451,31 +443,17 @@ fn remove_if_there(path: &Path) -> io::Result<()> {
     }
 }
 
-/// A temporary file, removed when dropped.
-#[derive(Debug)]
-struct Pending {
-    temporary: PathBuf,
-    path: PathBuf,
-}
-
-impl Drop for Pending {
-    fn drop(&mut self) {
-        // After the rename it is gone; otherwise there is nobody left to tell of a failure.
-        let _ = fs::remove_file(&self.temporary);
-    }
-}
-
 /// A file being written under its temporary name; dropping it removes it.
 #[derive(Debug)]
 pub struct PartialFile {
     writer: BufWriter<File>,
-    pending: Pending,
+    file: WholeFile,
 }
 
 impl PartialFile {
     /// Path that the file will have.
     pub fn path(&self) -> &Path {
-        &self.pending.path
+        &self.file.path
     }
 
     /// Writes what is buffered and closes the file, which keeps its temporary name.
@@ -483,12 +461,9 @@ impl PartialFile {
     /// # Errors
     /// [`ReportError::File`] where the last bytes cannot be written.
     pub fn close(mut self) -> Result<WholeFile, ReportError> {
-        self.writer
-            .flush()
-            .map_err(ReportError::file(FileAction::Write, &self.pending.path))?;
-        Ok(WholeFile {
-            pending: self.pending,
-        })
+        let written = self.writer.flush();
+        written.map_err(ReportError::file(FileAction::Write, self.path()))?;
+        Ok(self.file)
     }
 }
 
@@ -505,23 +480,31 @@ impl Write for PartialFile {
 /// A file written to its end that still has its temporary name; dropping it removes it.
 #[derive(Debug)]
 pub struct WholeFile {
-    pending: Pending,
+    temporary: PathBuf,
+    path: PathBuf,
+}
+
+impl Drop for WholeFile {
+    fn drop(&mut self) {
+        // After the rename it is gone; otherwise there is nobody left to tell of a failure.
+        let _ = fs::remove_file(&self.temporary);
+    }
 }
 
 impl WholeFile {
     /// Path that the file will have.
     pub(super) fn path(&self) -> &Path {
-        &self.pending.path
+        &self.path
     }
 
     /// Path that it has until then.
     pub(super) fn temporary(&self) -> &Path {
-        &self.pending.temporary
+        &self.temporary
     }
 
     /// The same file, to have another name.
     pub(super) fn named(mut self, name: &str) -> Self {
-        self.pending.path.set_file_name(name);
+        self.path.set_file_name(name);
         self
     }
 
@@ -534,57 +517,32 @@ impl WholeFile {
     }
 
     fn sync(&self) -> Result<(), ReportError> {
-        let path = &self.pending.temporary;
-        let synced = File::options()
-            .append(true)
-            .open(path)
-            .and_then(|file| file.sync_data());
+        let path = &self.temporary;
+        let file = File::options().append(true).open(path);
+        let synced = file.and_then(|file| file.sync_data());
         synced.map_err(ReportError::file(FileAction::Sync, path))
     }
 
     /// Gives it its name, which may be lost with the power.
     pub(super) fn rename(self) -> Result<PathBuf, ReportError> {
-        let Pending { temporary, path } = &self.pending;
-        fs::rename(temporary, path).map_err(ReportError::file(FileAction::Rename, path))?;
-        Ok(path.clone())
+        let renamed = fs::rename(&self.temporary, &self.path);
+        renamed.map_err(ReportError::file(FileAction::Rename, &self.path))?;
+        Ok(self.path.clone())
     }
 }
 
-/// A lock on a folder. The system takes it back when the process ends, however it ends.
-#[derive(Debug)]
-struct Claim {
-    _locked: File,
-}
-
-impl Claim {
-    /// For this process alone.
-    ///
-    /// # Errors
-    /// [`ReportError::Busy`] where another one writes there.
-    fn alone(folder: &Path) -> Result<Self, ReportError> {
-        Self::by(File::try_lock, folder)
-    }
-
-    /// Together with others that share it.
-    ///
-    /// # Errors
-    /// [`ReportError::Busy`] where another one has it alone.
-    fn shared(folder: &Path) -> Result<Self, ReportError> {
-        Self::by(File::try_lock_shared, folder)
-    }
-
-    fn by(
-        lock: impl Fn(&File) -> Result<(), TryLockError>,
-        folder: &Path,
-    ) -> Result<Self, ReportError> {
-        let locked = lockable(folder).map_err(ReportError::file(FileAction::Create, folder))?;
-        match lock(&locked) {
-            Err(TryLockError::WouldBlock) => Err(ReportError::Busy {
-                folder: folder.to_owned(),
-            }),
-            // a file system that knows no locks has none to respect
-            _ => Ok(Self { _locked: locked }),
-        }
+/// Locks a folder for this process, alone or with others that share it.
+///
+/// # Errors
+/// [`ReportError::Busy`] where another one has a lock that keeps this one out.
+fn locked(folder: &Path, lock: fn(&File) -> Result<(), TryLockError>) -> Result<File, ReportError> {
+    let file = lockable(folder).map_err(ReportError::file(FileAction::Create, folder))?;
+    match lock(&file) {
+        Err(TryLockError::WouldBlock) => Err(ReportError::Busy {
+            folder: folder.to_owned(),
+        }),
+        // a file system that knows no locks has none to respect
+        _ => Ok(file),
     }
 }
 

@@ -40,7 +40,6 @@ pub(crate) use checksum::Checksum;
 pub(crate) use destination::{Destination, Findings, Written, document};
 #[cfg(test)]
 pub(crate) use envelope::Decimator;
-pub(crate) use error::Failure;
 pub(crate) use error::FileAction;
 pub use error::ReportError;
 pub(crate) use estimate::{entry_json, entry_text, estimate_json, estimate_text};

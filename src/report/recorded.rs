@@ -1,23 +1,21 @@
 //! A run that is kept in memory: its tables and figures one by one, and all its files.
 
-use std::io;
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
 use super::figure::Figure;
 use super::histories::Histories;
-use super::run_report::{figures, tables};
+use super::run_report::{figures, tables_at_end};
 use super::run_tables::{ball_columns, ball_row, event_columns, event_row, sample_table};
-use super::run_up::waterfall_table;
+use super::run_up::{waterfall_columns, waterfall_rows};
 use super::spectra::estimated_table;
 use super::table::Table;
 use super::text::{contact_choice_text, text};
 use super::{FileAction, ReportError, RunReport, RunSummary, document};
 use crate::analysis::Channel;
-use crate::rotor::Sample;
 use crate::scenario::{Scenario, ScenarioRunError};
-use crate::simulate::{Model, Monitor, RecordedRun, SimulateError};
+use crate::simulate::{Maps, Model, Monitor, RecordedRun, SimulateError};
 use crate::study::campbell::{Campbell, along_run_up};
 
 /// What a run has found, with its samples: as [`Findings`](super::Findings), but each table and figure is made when it
@@ -66,76 +64,66 @@ impl RunFindings {
 
     /// Names of the tables that the run has, as those of its files.
     pub fn tables(&self) -> Vec<String> {
-        let sampled = SAMPLED.iter().filter(|(_, has, _)| self.has(*has));
-        let mut names: Vec<String> = sampled.map(|(name, ..)| (*name).to_owned()).collect();
-        names.push("events".to_owned());
-        if !self.recorded.balls.is_empty() {
-            names.push("trace_balls".to_owned());
-        }
-        if self.recorded.run.maps.is_some() {
-            names.push("waterfall".to_owned());
-        }
-        names.extend(self.ended().into_iter().map(|(name, _)| name));
-        names
+        let tables = self.tables_to_make().into_iter();
+        tables.map(|(name, _)| name).collect()
     }
 
     /// A table by its name; none where the run has none of it. The trace has all samples, whatever `[output]` leaves
     /// out of its file.
-    ///
-    /// # Errors
-    /// None of memory that is there.
-    pub fn table(&self, name: &str) -> io::Result<Option<Table<'_>>> {
-        let sampled = SAMPLED.iter().find(|(known, ..)| *known == name);
-        if let Some((_, has, channels)) = sampled {
-            let table = || sample_table(&self.recorded.samples, channels());
-            return Ok(self.has(*has).then(table));
-        }
-        match name {
-            "events" => self.events().map(Some),
-            "trace_balls" => self.balls(),
-            "waterfall" => {
-                let maps = self.recorded.run.maps.as_ref();
-                let table = maps.map(|maps| waterfall_table(&maps.waterfall));
-                table.transpose()
+    pub fn table(&self, name: &str) -> Option<Table<'_>> {
+        let mut tables = self.tables_to_make().into_iter();
+        let (_, make) = tables.find(|(known, _)| known == name)?;
+        Some(make())
+    }
+
+    /// Every table that the run has: its name and what makes it.
+    fn tables_to_make<'a>(&'a self) -> Vec<(String, MakeTable<'a>)> {
+        let RecordedRun {
+            run,
+            samples,
+            events,
+            balls,
+            ..
+        } = &self.recorded;
+        let mut tables = Vec::new();
+        let mut add = |name: &str, make: MakeTable<'a>| tables.push((name.to_owned(), make));
+        if let Some(first) = samples.first() {
+            add(
+                "trace",
+                Box::new(|| sample_table(samples, Channel::of_trace())),
+            );
+            if first.energy.is_some() {
+                add(
+                    "energy",
+                    Box::new(|| sample_table(samples, Channel::of_energy())),
+                );
             }
-            _ => {
-                let mut tables = self.ended().into_iter();
-                let found = tables.find(|(known, _)| known == name);
-                Ok(found.map(|(_, table)| table))
+            if first.drive.is_some() {
+                add(
+                    "drive",
+                    Box::new(|| sample_table(samples, Channel::of_drive())),
+                );
             }
         }
-    }
-
-    /// Tables of what is known at the end of the run.
-    fn ended(&self) -> Vec<(String, Table<'_>)> {
-        tables(&self.recorded.run, true, self.campbell.as_ref())
-    }
-
-    /// Whether something is observed in the samples.
-    fn has(&self, observed: fn(&Sample) -> bool) -> bool {
-        self.recorded.samples.first().is_some_and(observed)
-    }
-
-    fn events(&self) -> io::Result<Table<'static>> {
-        Table::of_rows(&event_columns(), |take| {
-            let mut events = self.recorded.events.iter();
-            events.try_for_each(|event| take(&event_row(event)))
-        })
-    }
-
-    fn balls(&self) -> io::Result<Option<Table<'static>>> {
-        let Some(first) = self.recorded.balls.first() else {
-            return Ok(None);
-        };
-        let mut row = Vec::new();
-        let mut rows = self.recorded.samples.iter().zip(&self.recorded.balls);
-        let table = Table::of_rows(&ball_columns(first), |take| {
-            rows.try_for_each(|(sample, balls)| {
-                ball_row(sample, balls, &mut row);
-                take(&row)
-            })
-        });
-        table.map(Some)
+        let rows = events.iter().map(event_row);
+        add("events", Box::new(|| Table::of_rows(event_columns(), rows)));
+        if let Some(first) = balls.first() {
+            let rows = samples.iter().zip(balls);
+            let rows = rows.map(|(sample, balls)| ball_row(sample, balls));
+            add(
+                "trace_balls",
+                Box::new(|| Table::of_rows(ball_columns(first), rows)),
+            );
+        }
+        if let Some(Maps { waterfall, .. }) = &run.maps {
+            let rows = waterfall_rows(waterfall);
+            let make = || Table::of_rows(waterfall_columns(waterfall), rows);
+            add("waterfall", Box::new(make));
+        }
+        for (name, table) in tables_at_end(run, true, self.campbell.as_ref()) {
+            add(&name, Box::new(|| table));
+        }
+        tables
     }
 
     /// Names of the figures that the run has.
@@ -174,9 +162,10 @@ impl RunFindings {
         let spectra = asked.model.as_ref().map(|model| model.spectra.clone());
         let spectra = spectra.unwrap_or_default();
         let estimates = self.recorded.estimated(&self.model, spectra)?.into_iter();
-        let tables = estimates.map(|found| match found {
-            Ok(spectrum) => Ok(estimated_table(&spectrum).into_owned()),
-            Err(error) => Err(error.to_string()),
+        let tables = estimates.map(|found| {
+            let spectrum = found.map_err(|error| error.to_string())?;
+            let table = estimated_table(&spectrum);
+            Ok(Table::of_rows(table.columns(), table.rows()))
         });
         Ok(tables.collect())
     }
@@ -194,20 +183,5 @@ impl RunFindings {
     }
 }
 
-/// A table of samples: its name, whether a sample has what it shows, and its columns.
-type Sampled = (&'static str, fn(&Sample) -> bool, fn() -> Vec<Channel>);
-
-/// Tables of the samples.
-const SAMPLED: [Sampled; 3] = [
-    ("trace", |_| true, || Channel::of_trace().collect()),
-    (
-        "energy",
-        |sample| sample.energy.is_some(),
-        || Channel::of_energy().collect(),
-    ),
-    (
-        "drive",
-        |sample| sample.drive.is_some(),
-        || Channel::of_drive().collect(),
-    ),
-];
+/// Makes a table when it is asked for.
+type MakeTable<'a> = Box<dyn FnOnce() -> Table<'a> + 'a>;

@@ -131,11 +131,11 @@ pub enum RestartError {
         /// The file.
         path: PathBuf,
         /// What shows it.
-        what: String,
+        what: &'static str,
     },
     /// Another version wrote it, whose numbers may differ in the last digit.
     #[error(
-        "{} was written by version {there} of jeffcott and this is {here}: go on with that one, or \
+        "{} was written by version {there} of jeffcott and this is {VERSION}: go on with that one, or \
          run the scenario from its start", path.display()
     )]
     Version {
@@ -143,8 +143,6 @@ pub enum RestartError {
         path: PathBuf,
         /// Version that wrote it.
         there: String,
-        /// This version.
-        here: &'static str,
     },
     /// The scenario is another, or has been changed.
     #[error(
@@ -178,7 +176,7 @@ pub struct RestartWriter {
     file: PartialFile,
     checksum: Checksum,
     bytes: Vec<u8>,
-    scenario: serde_json::Value,
+    scenario: Value,
     fingerprint: u64,
 }
 
@@ -195,10 +193,8 @@ impl RestartWriter {
             scenario: identity.scenario.clone(),
             fingerprint: identity.fingerprint(),
         };
-        let path = writer.file.path().to_owned();
-        writer
-            .write()
-            .map_err(ReportError::file(FileAction::Write, &path))?;
+        let written = writer.write();
+        written.map_err(ReportError::file(FileAction::Write, writer.file.path()))?;
         Ok(writer)
     }
 
@@ -207,9 +203,8 @@ impl RestartWriter {
     /// # Errors
     /// [`ReportError::File`]; an earlier restart file then stands as it was.
     pub fn finish(mut self, standing: &Standing) -> Result<PathBuf, ReportError> {
-        let path = self.file.path().to_owned();
-        self.write_tail(standing)
-            .map_err(ReportError::file(FileAction::Write, &path))?;
+        let written = self.write_tail(standing);
+        written.map_err(ReportError::file(FileAction::Write, self.file.path()))?;
         self.file.close()?.put()
     }
 
@@ -239,11 +234,7 @@ impl StateKeeper for RestartWriter {
     fn keep(&mut self, states: &[f64]) -> io::Result<()> {
         let bytes = states.iter().flat_map(|value| value.to_le_bytes());
         self.bytes.extend(bytes);
-        self.write().map_err(|error| {
-            let kind = error.kind();
-            let named = ReportError::file(FileAction::Write, self.file.path())(error);
-            io::Error::new(kind, named)
-        })
+        self.write().map_err(ReportError::named(self.file.path()))
     }
 }
 
@@ -275,9 +266,9 @@ impl RestartReader {
                 source,
             },
         };
-        let damaged = |what: &str| RestartError::Damaged {
+        let damaged = |what| RestartError::Damaged {
             path: owned(),
-            what: what.to_owned(),
+            what,
         };
         let mut file = BufReader::with_capacity(PIECE, File::open(path).map_err(refused)?);
         if bytes_at(&mut file, 0, START).map_err(refused)? != MAGIC {
@@ -359,8 +350,7 @@ fn standing_of(
     // another version may have written a tail of another form
     let there = tail["version"].as_str().unwrap_or_default().to_owned();
     if there != VERSION {
-        let here = VERSION;
-        return Err(RestartError::Version { path, there, here });
+        return Err(RestartError::Version { path, there });
     }
     let Ok(tail) = serde_json::from_value::<Tail>(tail) else {
         return Ok(None);

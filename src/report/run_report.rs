@@ -5,29 +5,30 @@ use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::defects;
-use super::error::{Failure, FailureSummary, until_failure};
+use super::error::failure_kind;
 use super::figure::Figure;
 use super::film::Film;
 use super::histories::Histories;
 use super::motion::{MotionSummary, orbit_figure, poincare_table};
 use super::page::write_page;
 use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
-use super::run_up::{MapsSummary, maps_figures, tracks_table, write_waterfall};
+use super::run_up::{maps_figures, maps_json, tracks_table, waterfall_columns, waterfall_rows};
 use super::scene::scene_figure;
 use super::spectra::{
-    EstimatedSummary, NamedPeak, estimated_figure, estimated_table, frequency_limit_of, peak_table,
+    NamedPeak, estimated_figure, estimated_json, estimated_table, frequency_limit_of, peak_table,
     spectrum_table, table_name,
 };
-use super::table::{Origin, Table, TableFiles};
-use super::text::{MethodUseSummary, parted};
+use super::table::{Table, TableFiles};
+use super::text::{method_use_json, parted};
 use super::{
     FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity, campbell, document,
     spectrum_figure,
 };
 use crate::analysis::{Channel, Spectrum};
+use crate::integrate::{Counters, IntegrateError};
 use crate::rotor::{BallContacts, Sample};
 use crate::scenario::{Scenario, TableFormat};
 use crate::simulate::{Event, MeasuredError, Model, Run, TraceSink};
@@ -98,8 +99,6 @@ pub struct RunReport {
     histories: Option<Histories>,
     film: Option<Film>,
     samples: u64,
-    /// Kept from row to row for its room.
-    row: Vec<f64>,
     contact_choice: Option<ContactChoice>,
     campbell: Option<Campbell>,
 }
@@ -118,11 +117,8 @@ impl RunReport {
         scenario: Value,
         freedoms: usize,
     ) -> Result<Self, ReportError> {
-        let origin = Origin {
-            scenario: scenario.to_string(),
-        };
         let folder = RunFolder::open(folder, FileSet::MOTION)?;
-        let folder = folder.with_tables(&outputs.formats, origin);
+        let folder = folder.with_tables(&outputs.formats, &scenario);
         let trace: Vec<Channel> = match &outputs.channels {
             Some(channels) => [Channel::Time].iter().chain(channels).copied().collect(),
             None => Channel::of_trace().collect(),
@@ -146,7 +142,6 @@ impl RunReport {
             scenario,
             outputs,
             samples: 0,
-            row: Vec::new(),
             contact_choice: None,
             campbell: None,
         })
@@ -155,14 +150,6 @@ impl RunReport {
     /// Whether the sample that was taken last goes to the tables.
     fn keeps_sample(&self) -> bool {
         (self.samples - 1).is_multiple_of(self.outputs.every.get())
-    }
-
-    /// The same with the law of the contacts that was chosen for the run, which the summary tells.
-    pub(crate) fn with_choice(self, contact: Option<&ContactChoice>) -> Self {
-        Self {
-            contact_choice: contact.cloned(),
-            ..self
-        }
     }
 
     /// The same with natural frequencies over the speed.
@@ -181,29 +168,39 @@ impl RunReport {
         RestartWriter::create(&self.folder, identity)
     }
 
-    /// Writes what is known of a run that cannot go on: `failure.json` and the trace up to there.
+    /// Writes what is known of a run that cannot go on, after some work: `failure.json` and the trace up to there.
     ///
     /// An earlier run in the same folder stands as it was.
     ///
     /// # Errors
     /// [`ReportError`] where a file cannot be written.
-    pub(crate) fn fail(self, failure: &Failure<'_>) -> Result<KeptFiles, ReportError> {
+    pub(crate) fn fail(
+        self,
+        error: &IntegrateError,
+        counters: Counters,
+    ) -> Result<KeptFiles, ReportError> {
         let earlier = self.folder.standing();
         let trace = self.tables.into_iter().next();
         let trace = trace.filter(|_| self.outputs.trace);
         let files = trace.map(|trace| trace.files.close()).transpose()?;
-        let names = self.outputs.formats.iter();
-        let names: Vec<String> = names.map(|format| until_failure(*format)).collect();
-        let files = files.into_iter().flatten().zip(&names);
-        let files: Vec<_> = files.map(|(file, name)| file.named(name)).collect();
-        let kept = &names[..files.len()];
-        let summary = FailureSummary::new(failure, self.samples, kept, &earlier);
-        let json = document(&self.title, &self.scenario, summary);
-        let sealed = format!("{json:#}\n");
+        let formats = self.outputs.formats.iter();
+        let names = formats.map(|format| format!("trace.until-failure.{}", format.extension()));
+        let files = files.into_iter().flatten().zip(names);
+        let files: Vec<_> = files.map(|(file, name)| file.named(&name)).collect();
+        let trace = files.first().and_then(|file| file.path().file_name());
+        let json = json!({
+            "error": error.to_string(),
+            "kind": failure_kind(error),
+            "time_s": error.time(),
+            "samples": self.samples,
+            "counters": counters,
+            "trace": trace.map(|name| name.to_string_lossy()),
+            "of_an_earlier_run": earlier,
+        });
+        let json = document(&self.title, &self.scenario, json);
+        let folder = self.folder.with_set(FileSet::FAILURE);
         Ok(KeptFiles {
-            files: self
-                .folder
-                .commit_as(FileSet::FAILURE, files, sealed.as_bytes())?,
+            files: folder.commit(files, format!("{json:#}\n").as_bytes())?,
             beside_earlier: !earlier.is_empty(),
         })
     }
@@ -225,11 +222,13 @@ impl RunReport {
             files.extend(table.close()?);
         }
         let folder = &self.folder;
-        for (stem, table) in tables(run, self.outputs.spectrum, self.campbell.as_ref()) {
+        for (stem, table) in tables_at_end(run, self.outputs.spectrum, self.campbell.as_ref()) {
             files.extend(folder.write_table(&stem, &table)?);
         }
         if let Some(maps) = &run.maps {
-            files.extend(write_waterfall(&maps.waterfall, folder)?);
+            let columns = waterfall_columns(&maps.waterfall);
+            let rows = waterfall_rows(&maps.waterfall);
+            files.extend(TableFiles::write(folder, "waterfall", &columns, rows)?);
         }
         for figure in figures.iter().filter(|_| self.outputs.figures) {
             files.extend(folder.write_figure(figure)?);
@@ -275,7 +274,7 @@ pub(super) fn figures(
 }
 
 /// Tables of a run that are known at its end, but for the waterfall, which is too long to be held twice.
-pub(super) fn tables<'a>(
+pub(super) fn tables_at_end<'a>(
     run: &'a Run,
     with_spectrum: bool,
     campbell: Option<&'a Campbell>,
@@ -343,17 +342,14 @@ impl TraceSink for RunReport {
         if !self.outputs.balls || !self.keeps_sample() {
             return Ok(());
         }
-        if self.balls.is_none() {
-            let files = TableFiles::open(&self.folder, "trace_balls", &ball_columns(balls));
-            self.balls = Some(files.map_err(io::Error::other)?);
-        }
-        match &mut self.balls {
-            None => Ok(()),
-            Some(files) => {
-                ball_row(sample, balls, &mut self.row);
-                files.row(&self.row)
+        let files = match &mut self.balls {
+            Some(files) => files,
+            none => {
+                let files = TableFiles::open(&self.folder, "trace_balls", &ball_columns(balls));
+                none.insert(files.map_err(io::Error::other)?)
             }
-        }
+        };
+        files.row(&ball_row(sample, balls))
     }
 
     fn event(&mut self, event: &Event) -> io::Result<()> {
@@ -388,13 +384,7 @@ impl RunReport {
     /// # Errors
     /// [`ReportError::File`] where folder or trace cannot be created.
     pub fn of(scenario: &Scenario, model: &Model, folder: &Path) -> Result<Self, ReportError> {
-        let Scenario {
-            title,
-            output,
-            echo,
-            contact_choice,
-            ..
-        } = scenario;
+        let output = &scenario.output;
         let outputs = Outputs {
             trace: output.trace,
             energy: model.energy || model.rotor.drive.is_some(),
@@ -409,8 +399,11 @@ impl RunReport {
             channels: output.channels.clone(),
         };
         let kept = model.rotor.shaft.freedoms.count();
-        let report = Self::open(folder, outputs, title, echo.clone(), kept)?;
-        Ok(report.with_choice(contact_choice.as_ref()))
+        let (title, echo) = (&scenario.title, scenario.echo.clone());
+        Ok(Self {
+            contact_choice: scenario.contact_choice.clone(),
+            ..Self::open(folder, outputs, title, echo, kept)?
+        })
     }
 }
 
@@ -419,13 +412,13 @@ impl RunReport {
 pub struct RunSummary<'a> {
     #[serde(flatten)]
     run: &'a Run,
-    method_use: Option<MethodUseSummary>,
+    method_use: Option<Value>,
     measured_error: Option<ErrorSummary<'a>>,
     spectrum: Option<SpectrumSummary<'a>>,
     peaks: Vec<NamedPeak<'a>>,
     motion: Option<MotionSummary<'a>>,
-    maps: Option<MapsSummary<'a>>,
-    spectra: Vec<EstimatedSummary<'a>>,
+    maps: Option<Value>,
+    spectra: Vec<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
     contact_choice: Option<&'a ContactChoice>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -458,14 +451,11 @@ impl<'a> RunSummary<'a> {
         contact_choice: Option<&'a ContactChoice>,
         campbell: Option<&'a Campbell>,
     ) -> Self {
-        let spectrum = run.spectrum.as_ref();
+        let (method_use, spectrum) = (run.method_use.as_ref(), run.spectrum.as_ref());
         let peaks = run.peaks.iter();
         Self {
             run,
-            method_use: run
-                .method_use
-                .as_ref()
-                .map(|used| MethodUseSummary::new(used, parted(&run.bearings))),
+            method_use: method_use.map(|used| method_use_json(used, parted(&run.bearings))),
             measured_error: run.measured_error.as_ref().map(|error| ErrorSummary {
                 error,
                 tolerance: model.integrator.tolerance,
@@ -478,8 +468,8 @@ impl<'a> RunSummary<'a> {
             }),
             peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
             motion: run.motion.as_ref().map(MotionSummary::from),
-            maps: run.maps.as_ref().map(MapsSummary::from),
-            spectra: run.spectra.iter().map(EstimatedSummary::from).collect(),
+            maps: run.maps.as_ref().map(maps_json),
+            spectra: run.spectra.iter().map(estimated_json).collect(),
             contact_choice,
             critical_speeds: campbell.map(|campbell| &campbell.critical_speeds[..]),
         }

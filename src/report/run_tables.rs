@@ -129,7 +129,7 @@ const BALL: [BallColumn; 4] = [
 /// Columns of a table of balls: time, shaft angle, and `bearing1_ball1_inner_load_N` … of every ball,
 /// bearings and balls counted from 1.
 pub fn ball_columns(contacts: &BallContacts) -> Vec<Column> {
-    let mut columns = vec![Column::number("t_s"), Column::number("angle_rad")];
+    let mut columns = ["t_s", "angle_rad"].map(Column::number).to_vec();
     for (bearing, balls) in contacts.bearings().iter().enumerate() {
         for ball in 0..balls.balls() {
             let name = |(end, _)| format!("bearing{}_ball{}_{end}", bearing + 1, ball + 1);
@@ -139,24 +139,26 @@ pub fn ball_columns(contacts: &BallContacts) -> Vec<Column> {
     columns
 }
 
-/// Puts the row of a sample into `row`.
-pub fn ball_row(sample: &Sample, contacts: &BallContacts, row: &mut Vec<f64>) {
-    row.clear();
-    row.extend([sample.time, sample.angle]);
-    for balls in contacts.bearings() {
-        for contact in balls.contacts() {
-            row.extend(BALL.map(|(_, value)| value(&contact)));
-        }
-    }
+/// The row of a sample.
+pub fn ball_row(sample: &Sample, contacts: &BallContacts) -> Vec<f64> {
+    let balls = contacts
+        .bearings()
+        .iter()
+        .flat_map(|bearing| bearing.contacts());
+    let values = balls.flat_map(|ball| BALL.map(|(_, value)| value(&ball)));
+    [sample.time, sample.angle]
+        .into_iter()
+        .chain(values)
+        .collect()
 }
 
 /// Columns of `events.csv`, in their order.
 pub const EVENT_COLUMNS: [&str; 4] = ["t_s", "event", "bearing", "ball"];
 
 /// Columns of a table of events; what happens to a bearing as a whole has no ball.
-pub fn event_columns() -> [Column; 4] {
+pub fn event_columns() -> Vec<Column> {
     let [time, event, bearing, ball] = EVENT_COLUMNS;
-    [
+    vec![
         Column::number(time),
         Column::words(event, EventKind::ALL.map(EventKind::name)),
         Column::count(bearing),

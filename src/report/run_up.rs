@@ -1,15 +1,12 @@
 //! A run whose speed changes: its waterfall and its order tracks.
 
-use std::io;
-
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinct, graded};
 use super::spectra::{amplitude_column, phase_column};
-use super::table::{Column, Table, TableFiles};
+use super::table::{Column, Table};
 use super::terminal::{MICRO, PER_MINUTE, PER_SECOND};
-use super::{FileAction, ReportError, RunFolder, WholeFile};
-use crate::analysis::{OrderTracks, Track, TrackedOrder, Waterfall};
+use crate::analysis::{OrderTracks, Track, Waterfall};
 use crate::simulate::Maps;
 
 /// What is drawn of the maps, as far as they are not empty.
@@ -22,107 +19,47 @@ pub(super) fn maps_figures(title: &str, maps: &Maps) -> Vec<Figure> {
 }
 
 /// What the maps of a run-up rest on.
-#[derive(Debug, Serialize)]
-pub(super) struct MapsSummary<'a> {
-    waterfall: WaterfallSummary,
-    order_tracks: TracksSummary<'a>,
-}
-
-/// How the short-time spectra were made.
-#[derive(Debug, Serialize)]
-struct WaterfallSummary {
-    window: &'static str,
-    window_s: f64,
-    samples: usize,
-    overlap_samples: usize,
-    #[serde(rename = "resolution_Hz")]
-    resolution: f64,
-    /// Frequencies of a spectrum.
-    frequencies: usize,
-    /// Number of spectra.
-    spectra: usize,
-    scaling: &'static str,
-}
-
-/// How the orders were tracked.
-#[derive(Debug, Serialize)]
-struct TracksSummary<'a> {
-    window: &'static str,
-    window_revolutions: f64,
-    points: usize,
-    orders: &'a [TrackedOrder],
-    scaling: &'static str,
-}
-
-impl<'a> From<&'a Maps> for MapsSummary<'a> {
-    fn from(maps: &'a Maps) -> Self {
-        let (waterfall, tracks) = (&maps.waterfall, &maps.tracks);
-        Self {
-            waterfall: WaterfallSummary {
-                window: "hann",
-                window_s: waterfall.window(),
-                samples: waterfall.length,
-                overlap_samples: waterfall.length - waterfall.hop,
-                resolution: waterfall.resolution,
-                frequencies: waterfall.bins(),
-                spectra: waterfall.slices.len(),
-                scaling: "one-sided, peak values; the mean is kept at frequency zero",
-            },
-            order_tracks: TracksSummary {
-                window: "hann over the angle of the shaft",
-                window_revolutions: tracks.revolutions,
-                points: tracks.points.len(),
-                orders: &tracks.orders,
-                scaling: "peak values; phase of cos(order psi + phase), psi the angle of the shaft; mean \
-                          and all orders fitted together by weighted least squares",
-            },
-        }
-    }
-}
-
-/// Writes the waterfall, which is too long to be held twice.
-pub(super) fn write_waterfall(
-    waterfall: &Waterfall,
-    folder: &RunFolder,
-) -> Result<Vec<WholeFile>, ReportError> {
-    let mut files = TableFiles::open(folder, "waterfall", &waterfall_columns(waterfall))?;
-    let written = waterfall_rows(waterfall, &mut |row| files.row(row));
-    written.map_err(ReportError::file(FileAction::Write, folder.path()))?;
-    files.close()
-}
-
-/// The same in memory.
-pub(super) fn waterfall_table(waterfall: &Waterfall) -> io::Result<Table<'static>> {
-    let columns = waterfall_columns(waterfall);
-    Table::of_rows(&columns, |take| waterfall_rows(waterfall, take))
+pub(super) fn maps_json(maps: &Maps) -> Value {
+    let (waterfall, tracks) = (&maps.waterfall, &maps.tracks);
+    json!({
+        "waterfall": {
+            "window": "hann",
+            "window_s": waterfall.window(),
+            "samples": waterfall.length,
+            "overlap_samples": waterfall.length - waterfall.hop,
+            "resolution_Hz": waterfall.resolution,
+            "frequencies": waterfall.bins(),
+            "spectra": waterfall.slices.len(),
+            "scaling": "one-sided, peak values; the mean is kept at frequency zero",
+        },
+        "order_tracks": {
+            "window": "hann over the angle of the shaft",
+            "window_revolutions": tracks.revolutions,
+            "points": tracks.points.len(),
+            "orders": tracks.orders,
+            "scaling": "peak values; phase of cos(order psi + phase), psi the angle of the shaft; mean \
+                        and all orders fitted together by weighted least squares",
+        },
+    })
 }
 
 /// Time, mean speed and frequency, then the amplitude of every channel.
-fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
+pub(super) fn waterfall_columns(waterfall: &Waterfall) -> Vec<Column> {
     let mut columns = ["t_s", "speed_rad_s", "f_Hz"].map(Column::number).to_vec();
     let channels = waterfall.channels.iter();
     columns.extend(channels.map(|channel| Column::number(amplitude_column(*channel))));
     columns
 }
 
-/// Gives the rows one by one, spectrum by spectrum.
-///
-/// # Errors
-/// What `take` answers.
-fn waterfall_rows(
-    waterfall: &Waterfall,
-    take: &mut dyn FnMut(&[f64]) -> io::Result<()>,
-) -> io::Result<()> {
-    let mut row = Vec::new();
-    for slice in &waterfall.slices {
-        for k in 0..waterfall.bins() {
-            row.clear();
-            row.extend([slice.time, slice.speed, k as f64 * waterfall.resolution]);
-            row.extend(slice.amplitude.iter().map(|amplitude| amplitude[k]));
-            take(&row)?;
-        }
-    }
-    Ok(())
+/// Its rows, spectrum by spectrum: as a table they would be too long to be held twice.
+pub(super) fn waterfall_rows(waterfall: &Waterfall) -> impl Iterator<Item = Vec<f64>> {
+    waterfall.slices.iter().flat_map(|slice| {
+        (0..waterfall.bins()).map(|k| {
+            let place = [slice.time, slice.speed, k as f64 * waterfall.resolution];
+            let amplitudes = slice.amplitude.iter().map(|amplitude| amplitude[k]);
+            place.into_iter().chain(amplitudes).collect()
+        })
+    })
 }
 
 /// Height of a plot, px.

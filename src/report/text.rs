@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use serde::Serialize;
+use serde_json::{Value, json};
 
 use super::motion::{put_motion, put_severity};
 use super::terminal::{
@@ -283,38 +283,21 @@ pub(super) fn method_use_text(used: &MethodUse, parted: bool) -> String {
     line
 }
 
-/// Which method carried a run, and why.
-#[derive(Debug, Serialize)]
-pub(super) struct MethodUseSummary {
-    /// The method of the first step.
-    method: &'static str,
-    /// Why it was chosen.
-    why: &'static str,
-    /// The method that went on from it, if any.
-    change: Option<MethodChange>,
-}
-
-/// Where another method went on, and why.
-#[derive(Debug, Serialize)]
-struct MethodChange {
-    time_s: f64,
-    method: &'static str,
-    why: &'static str,
-}
-
-impl MethodUseSummary {
-    /// Of a run in which balls did or did not part from a race.
-    pub fn new(used: &MethodUse, parted: bool) -> Self {
-        Self {
-            method: name(used.first),
-            why: why_method(used.first, parted),
-            change: used.change.map(|(reason, time)| MethodChange {
-                time_s: time,
-                method: name(used.latest()),
-                why: why_changed(reason),
-            }),
-        }
-    }
+/// Which method carried a run, in which balls did or did not part from a race, and why; where another one went on from
+/// it, which and why.
+pub(super) fn method_use_json(used: &MethodUse, parted: bool) -> Value {
+    let change = used.change.map(|(reason, time)| {
+        json!({
+            "time_s": time,
+            "method": name(used.latest()),
+            "why": why_changed(reason),
+        })
+    });
+    json!({
+        "method": name(used.first),
+        "why": why_method(used.first, parted),
+        "change": change,
+    })
 }
 
 /// A line or two that begin as those of a run do; at most 100 columns.

@@ -380,13 +380,9 @@ fn the_trace_of_balls_has_four_columns_a_ball_and_reads_back_bit_by_bit() {
     let mut state = rotor.start();
     state[rotor.active_freedoms()..].fill(0.0);
     let sample = rotor.sample(0.0, &state, &mut contacts);
-    let (mut csv, mut row) = (
-        CsvTable::new(Vec::new(), &ball_columns(&contacts)).unwrap(),
-        Vec::new(),
-    );
+    let mut csv = CsvTable::new(Vec::new(), &ball_columns(&contacts)).unwrap();
     for _ in 0..2 {
-        ball_row(&sample, &contacts, &mut row);
-        csv.row(&row).unwrap();
+        csv.row(&ball_row(&sample, &contacts)).unwrap();
     }
     let text = String::from_utf8(csv.finish().unwrap()).unwrap();
     let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split(',').collect()).collect();

@@ -4,13 +4,12 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 
 use super::shown::{FREQUENCY, ORDER, ShownPeak, ShownSpectrum};
 use crate::analysis::{
-    Axis, Detrend, EnvelopeLine, EstimatedSpectrum, Resampling, Scaling, SpectrumKind,
-    SpectrumQuantity, Window, column_unit,
+    Axis, EnvelopeLine, EstimatedSpectrum, Resampling, Scaling, SpectrumKind,
+    SpectrumQuantity, column_unit,
 };
 use crate::report::figure::Figure;
 use crate::report::table::Table;
@@ -180,144 +179,66 @@ fn shown_name(quantity: SpectrumQuantity) -> Option<String> {
 }
 
 /// File, settings, record and averages of a spectrum.
-#[derive(Debug, Serialize)]
-pub(in crate::report) struct EstimatedSummary<'a> {
-    table: String,
-    name: &'a str,
-    kind: &'static str,
-    channels: Vec<&'static str>,
-    over: Axis,
-    scaling: &'static str,
-    /// The scaling in words.
-    meaning: String,
-    /// `one` or `two`: whether negative frequencies stand apart.
-    sides: &'static str,
-    window: Window,
-    coherent_gain: f64,
-    detrend: Detrend,
-    /// Samples of the record.
-    samples: usize,
-    start_s: f64,
-    end_s: f64,
-    segment_samples: usize,
-    overlap_samples: usize,
-    averages: usize,
-    columns: Vec<ColumnSummary>,
-    noise_bandwidth_bins: f64,
-    #[serde(flatten)]
-    axis: Map<String, Value>,
-    #[serde(rename = "shaft_frequency_Hz", skip_serializing_if = "Option::is_none")]
-    shaft_frequency: Option<f64>,
-    /// Band of an envelope.
-    #[serde(rename = "band_Hz", skip_serializing_if = "Option::is_none")]
-    band: Option<[f64; 2]>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    resampling: Option<ResamplingSummary>,
-    /// Named lines of an envelope.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    lines: Vec<LineSummary>,
-}
-
-/// A named line of an envelope.
-#[derive(Debug, Serialize)]
-struct LineSummary {
-    column: String,
-    /// In the unit of the axis.
-    at: f64,
-    value: f64,
-    name: String,
-}
-
-/// A column of the table.
-#[derive(Debug, Serialize)]
-struct ColumnSummary {
-    name: String,
-    unit: String,
-}
-
-/// How a record over time became one over the angle of the shaft.
-#[derive(Debug, Serialize)]
-struct ResamplingSummary {
-    highest_order: f64,
-    oversampling: usize,
-    share_of_time_too_slow: f64,
-    /// By channel; null: too few samples.
-    interpolation_error: BTreeMap<&'static str, Option<f64>>,
-    interpolation_error_means: &'static str,
-}
-
-impl<'a> From<&'a EstimatedSpectrum> for EstimatedSummary<'a> {
-    fn from(spectrum: &'a EstimatedSpectrum) -> Self {
-        let request = &spectrum.request;
-        let summary = |quantity| ColumnSummary {
-            name: column(spectrum, quantity),
-            unit: unit(spectrum, quantity),
-        };
-        let columns = spectrum.columns.iter();
-        Self {
-            table: table_name(spectrum),
-            name: &request.name,
-            kind: request.kind.name(),
-            channels: request
-                .channels
-                .iter()
-                .map(|channel| channel.name())
-                .collect(),
-            over: request.axis,
-            scaling: request.scaling.name(),
-            meaning: meaning(spectrum),
-            sides: if request.kind == SpectrumKind::Whirl {
-                "two"
-            } else {
-                "one"
-            },
-            window: request.window,
-            coherent_gain: request.window.coherent_gain(),
-            detrend: request.detrend,
-            samples: spectrum.samples,
-            start_s: spectrum.span[0],
-            end_s: spectrum.span[1],
-            segment_samples: spectrum.segment,
-            overlap_samples: spectrum.overlap,
-            averages: spectrum.averages,
-            columns: columns.map(|of| summary(of.quantity)).collect(),
-            noise_bandwidth_bins: request.window.equivalent_noise_bandwidth(),
-            axis: axis(spectrum),
-            shaft_frequency: Some(spectrum.shaft_frequency).filter(|frequency| *frequency > 0.0),
-            band: match request.kind {
-                SpectrumKind::Envelope { band } => Some(band),
-                _ => None,
-            },
-            resampling: spectrum.resampling.as_ref().map(resampled),
-            lines: spectrum
-                .lines
-                .iter()
-                .map(|line| LineSummary {
-                    column: column(spectrum, spectrum.columns[line.column].quantity),
-                    at: line.place,
-                    value: line.value,
-                    name: line.line.kind.to_string(),
-                })
-                .collect(),
-        }
-    }
-}
-
-/// What has the unit of the axis.
-fn axis(spectrum: &EstimatedSpectrum) -> Map<String, Value> {
-    let [rate, unit] = match spectrum.request.axis {
+pub(in crate::report) fn estimated_json(spectrum: &EstimatedSpectrum) -> Value {
+    let request = &spectrum.request;
+    let channels = request.channels.iter().map(|channel| channel.name());
+    let columns = spectrum.columns.iter().map(|of| {
+        json!({
+            "name": column(spectrum, of.quantity),
+            "unit": unit(spectrum, of.quantity),
+        })
+    });
+    let mut json = json!({
+        "table": table_name(spectrum),
+        "name": request.name,
+        "kind": request.kind.name(),
+        "channels": channels.collect::<Value>(),
+        "over": request.axis,
+        "scaling": request.scaling.name(),
+        "meaning": meaning(spectrum),
+        // whether negative frequencies stand apart
+        "sides": if request.kind == SpectrumKind::Whirl { "two" } else { "one" },
+        "window": request.window,
+        "coherent_gain": request.window.coherent_gain(),
+        "detrend": request.detrend,
+        "samples": spectrum.samples,
+        "start_s": spectrum.span[0],
+        "end_s": spectrum.span[1],
+        "segment_samples": spectrum.segment,
+        "overlap_samples": spectrum.overlap,
+        "averages": spectrum.averages,
+        "columns": columns.collect::<Value>(),
+        "noise_bandwidth_bins": request.window.equivalent_noise_bandwidth(),
+    });
+    let [rate, unit] = match request.axis {
         Axis::Frequency => ["sampling_rate_Hz", "Hz"],
         Axis::Order => ["samples_per_revolution", "orders"],
     };
-    let entries = [
-        (rate.to_owned(), spectrum.rate),
-        (format!("resolution_{unit}"), spectrum.resolution),
-        (format!("noise_bandwidth_{unit}"), spectrum.noise_bandwidth),
-    ];
-    entries
-        .map(|(key, value)| (key, json!(value)))
-        .into_iter()
-        .collect()
+    json[rate] = json!(spectrum.rate);
+    json[format!("resolution_{unit}")] = json!(spectrum.resolution);
+    json[format!("noise_bandwidth_{unit}")] = json!(spectrum.noise_bandwidth);
+    if spectrum.shaft_frequency > 0.0 {
+        json["shaft_frequency_Hz"] = json!(spectrum.shaft_frequency);
+    }
+    if let SpectrumKind::Envelope { band } = request.kind {
+        json["band_Hz"] = json!(band);
+    }
+    if let Some(resampling) = &spectrum.resampling {
+        json["resampling"] = resampling_json(resampling);
+    }
+    if !spectrum.lines.is_empty() {
+        let lines = spectrum.lines.iter().map(|line| {
+            json!({
+                "column": column(spectrum, spectrum.columns[line.column].quantity),
+                // in the unit of the axis
+                "at": line.place,
+                "value": line.value,
+                "name": line.line.kind.to_string(),
+            })
+        });
+        json["lines"] = lines.collect();
+    }
+    json
 }
 
 /// The scaling in words.
@@ -352,16 +273,18 @@ fn meaning(spectrum: &EstimatedSpectrum) -> String {
     format!("{what}{of}{phase}")
 }
 
-fn resampled(resampling: &Resampling) -> ResamplingSummary {
+/// How a record over time became one over the angle of the shaft; of a channel with too few samples the error is null.
+fn resampling_json(resampling: &Resampling) -> Value {
     let errors = resampling.errors.iter();
-    ResamplingSummary {
-        highest_order: 0.5 * resampling.per_revolution as f64,
-        oversampling: resampling.oversampling,
-        share_of_time_too_slow: resampling.coarse_share,
-        interpolation_error: errors
-            .map(|(channel, error)| (channel.name(), *error))
-            .collect(),
-        interpolation_error_means: "root mean square of the error over that of the signal about its \
-                                    mean, extrapolated from samples left out; null: too few samples",
-    }
+    let errors: BTreeMap<_, _> = errors
+        .map(|(channel, error)| (channel.name(), error))
+        .collect();
+    json!({
+        "highest_order": 0.5 * resampling.per_revolution as f64,
+        "oversampling": resampling.oversampling,
+        "share_of_time_too_slow": resampling.coarse_share,
+        "interpolation_error": errors,
+        "interpolation_error_means": "root mean square of the error over that of the signal about its \
+                                      mean, extrapolated from samples left out; null: too few samples",
+    })
 }

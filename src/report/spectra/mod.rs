@@ -5,7 +5,7 @@ mod run;
 mod shown;
 
 pub(super) use estimated::{
-    EstimatedSummary, estimated_figure, estimated_table, shown_estimates, table_name,
+    estimated_figure, estimated_json, estimated_table, shown_estimates, table_name,
 };
 pub(crate) use run::spectrum_figure;
 pub use run::write_spectrum;

@@ -22,7 +22,7 @@ use crate::simulate::Run;
 pub fn write_spectrum(spectrum: &Spectrum, writer: impl Write) -> io::Result<()> {
     let table = spectrum_table(spectrum);
     let mut csv = CsvTable::new(writer, &table.columns())?;
-    table.rows(&mut |row| csv.row(row))?;
+    table.rows().try_for_each(|row| csv.row(&row))?;
     csv.finish().map(drop)
 }
 

@@ -78,34 +78,20 @@ pub struct Table<'a> {
 }
 
 impl<'a> Table<'a> {
-    /// A table of rows that come one by one, as they go into a file.
-    ///
-    /// # Errors
-    /// What `rows` answers.
+    /// A table of rows, each with a number a column.
     pub fn of_rows(
-        columns: &[Column],
-        rows: impl FnOnce(&mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()>,
-    ) -> io::Result<Self> {
+        columns: Vec<Column>,
+        rows: impl IntoIterator<Item = impl AsRef<[f64]>>,
+    ) -> Self {
         let mut values = vec![Vec::new(); columns.len()];
-        rows(&mut |row| {
-            for (column, value) in values.iter_mut().zip(row) {
+        for row in rows {
+            for (column, value) in values.iter_mut().zip(row.as_ref()) {
                 column.push(*value);
             }
-            Ok(())
-        })?;
-        let columns = columns.iter().cloned();
-        Ok(Self {
-            columns: columns.zip(values.into_iter().map(Cow::Owned)).collect(),
-        })
-    }
-
-    /// The same, holding all of its numbers itself.
-    pub fn into_owned(self) -> Table<'static> {
-        let columns = self.columns.into_iter();
-        let owned = columns.map(|(column, values)| (column, Cow::Owned(values.into_owned())));
-        Table {
-            columns: owned.collect(),
         }
+        let values = values.into_iter().map(Cow::Owned);
+        let columns = columns.into_iter().zip(values).collect();
+        Self { columns }
     }
 
     /// The columns with their values, of which one that is missing is NaN.
@@ -161,12 +147,9 @@ impl<'a> Table<'a> {
                 words.len() - 1
             })
         };
-        let values = values
-            .into_iter()
-            .map(|value| index(value.to_string()) as f64);
-        let values = values.collect();
-        self.columns
-            .push((Column::words(name.into(), words), values));
+        let values = values.into_iter();
+        let indices: Vec<f64> = values.map(|word| index(word.to_string()) as f64).collect();
+        self.add(Column::words(name.into(), words), indices);
     }
 
     /// Adds a column of numbers that stand elsewhere.
@@ -203,16 +186,16 @@ impl<'a> Table<'a> {
             .collect()
     }
 
-    /// Gives the rows one by one; NaN where a number is missing.
-    ///
-    /// # Errors
-    /// What `take` answers.
-    pub fn rows(&self, take: &mut dyn FnMut(&[f64]) -> io::Result<()>) -> io::Result<()> {
+    /// The rows; NaN where a number is missing.
+    pub fn rows(&self) -> impl Iterator<Item = Vec<f64>> {
         let rows = self.columns.first().map_or(0, |(_, values)| values.len());
-        (0..rows).try_for_each(|row| {
-            let row: Vec<f64> = self.columns.iter().map(|(_, values)| values[row]).collect();
-            take(&row)
-        })
+        let row = |row| {
+            self.columns
+                .iter()
+                .map(move |(_, values)| values[row])
+                .collect()
+        };
+        (0..rows).map(row)
     }
 }
 
@@ -258,11 +241,28 @@ enum TableWriter {
 }
 
 impl TableFiles {
+    /// Writes a whole table.
+    pub fn write(
+        folder: &RunFolder,
+        stem: &str,
+        columns: &[Column],
+        rows: impl IntoIterator<Item = Vec<f64>>,
+    ) -> Result<Vec<WholeFile>, ReportError> {
+        let mut files = Self::open(folder, stem, columns)?;
+        let written = rows.into_iter().try_for_each(|row| files.row(&row));
+        written.map_err(ReportError::file(FileAction::Write, folder.path()))?;
+        files.close()
+    }
+
     /// Begins the table `stem` in every format that the folder has its tables in.
     pub fn open(folder: &RunFolder, stem: &str, columns: &[Column]) -> Result<Self, ReportError> {
-        let (formats, origin) = folder.tables();
-        let open = |format: &TableFormat| TableFile::open(folder, stem, *format, columns, origin);
-        formats.iter().map(open).collect::<Result<_, _>>().map(Self)
+        let open = |format: &TableFormat| TableFile::open(folder, stem, *format, columns);
+        folder
+            .formats
+            .iter()
+            .map(open)
+            .collect::<Result<_, _>>()
+            .map(Self)
     }
 
     /// Writes a row; what goes wrong is told with the name of the file.
@@ -282,7 +282,6 @@ impl TableFile {
         stem: &str,
         format: TableFormat,
         columns: &[Column],
-        origin: &Origin,
     ) -> Result<Self, ReportError> {
         let name = format!("{stem}.{}", format.extension());
         let file = folder.create(&name)?;
@@ -291,13 +290,13 @@ impl TableFile {
             TableFormat::Csv => CsvTable::new(file, columns).map(TableWriter::Csv),
             #[cfg(feature = "parquet")]
             TableFormat::Parquet => {
-                ParquetTable::new(file, columns, origin).map(TableWriter::Parquet)
+                ParquetTable::new(file, columns, &folder.origin).map(TableWriter::Parquet)
             }
             #[cfg(not(feature = "parquet"))]
             TableFormat::Parquet => Err(io::Error::from(io::ErrorKind::Unsupported)),
             TableFormat::Mat => {
                 let rows = folder.path().join(format!(".{name}.rows.partial"));
-                MatTable::new(file, columns, origin, &rows).map(TableWriter::Mat)
+                MatTable::new(file, columns, &folder.origin, &rows).map(TableWriter::Mat)
             }
         };
         let writer = writer.map_err(ReportError::file(FileAction::Write, &path))?;
@@ -311,11 +310,7 @@ impl TableFile {
             TableWriter::Parquet(table) => table.row(row),
             TableWriter::Mat(table) => table.row(row),
         };
-        written.map_err(|error| {
-            let kind = error.kind();
-            let named = ReportError::file(FileAction::Write, &self.path)(error);
-            io::Error::new(kind, named)
-        })
+        written.map_err(ReportError::named(&self.path))
     }
 
     fn close(self) -> Result<WholeFile, ReportError> {
@@ -421,9 +416,9 @@ mod tests {
         table.numbers("x_m", [Some(0.1), None]);
         table.words("note", ["a, \"b\"", ""]);
         let mut csv = CsvTable::new(Vec::new(), &table.columns()).expect("memory takes everything");
-        table
-            .rows(&mut |row| csv.row(row))
-            .expect("memory takes everything");
+        for row in table.rows() {
+            csv.row(&row).expect("memory takes everything");
+        }
         let csv = csv.finish().expect("memory takes everything");
         assert_eq!(csv, b"n,x_m,note\n1,0.1,\"a, \"\"b\"\"\"\n2,,\n");
     }
