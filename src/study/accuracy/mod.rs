@@ -20,7 +20,7 @@ use crate::simulate::{Model, SimulateError};
 use reference::{Reference, Trial};
 use trace::{Distance, View};
 
-pub use levels::{FidelityLevels, FidelityRow};
+pub use levels::FidelityLevels;
 pub use reference::{Agreement, Cost, Measured, Row};
 pub use trace::Statistics;
 
