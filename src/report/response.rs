@@ -23,8 +23,11 @@ pub fn response_findings(
     Findings {
         set: FileSet::RESPONSE,
         tables: vec![
-            ("response", points(variable, branches)),
-            ("response_specials", specials(variable, branches)),
+            ("response", table(variable, branches, all, false)),
+            (
+                "response_specials",
+                table(variable, branches, specials, true),
+            ),
         ],
         figures: vec![figure(title, variable, branches)],
         // the motions stand in `response.csv`
@@ -71,46 +74,39 @@ fn text(title: &str, variable: &Variable, branches: &[Response]) -> Lines {
     out
 }
 
-/// A motion, the branch that it is on with its number, and what happens there.
-type Row<'a> = (usize, &'a Response, Option<SpecialKind>, &'a ResponsePoint);
+/// A motion, and what happens there.
+type Row<'a> = (Option<SpecialKind>, &'a ResponsePoint);
 
 /// A column of a displacement or force, and its value.
 type Measure = (&'static str, fn(&Swing) -> f64);
 
-/// Every motion of every branch, in their order along it.
-fn points(variable: &Variable, branches: &[Response]) -> Table<'static> {
-    let rows = numbered(branches).flat_map(|(number, branch)| {
-        let points = branch.points.iter();
-        points.map(move |point| (number, branch, None, point))
-    });
-    table(variable, branches, &rows.collect::<Vec<_>>(), false)
+fn all(branch: &Response) -> Vec<Row<'_>> {
+    branch.points.iter().map(|point| (None, point)).collect()
 }
 
-/// Where branches turn or their motions change their kind.
-fn specials(variable: &Variable, branches: &[Response]) -> Table<'static> {
-    let rows = numbered(branches).flat_map(|(number, branch)| {
-        let specials = branch.specials.iter();
-        specials.map(move |special| (number, branch, Some(special.kind), &special.point))
-    });
-    table(variable, branches, &rows.collect::<Vec<_>>(), true)
+fn specials(branch: &Response) -> Vec<Row<'_>> {
+    let specials = branch.specials.iter();
+    let specials = specials.map(|special| (Some(special.kind), &special.point));
+    specials.collect()
 }
 
-fn numbered(branches: &[Response]) -> impl Iterator<Item = (usize, &Response)> {
-    (1..).zip(branches)
-}
-
+/// Motions of every branch, in their order along it: all, or those where branches turn or their motions change their
+/// kind.
 fn table(
     variable: &Variable,
     branches: &[Response],
-    rows: &[Row<'_>],
+    motions: fn(&Response) -> Vec<Row<'_>>,
     kinds: bool,
 ) -> Table<'static> {
+    let rows = (1..).zip(branches).flat_map(|(number, branch)| {
+        let motions = motions(branch).into_iter();
+        motions.map(move |(kind, point)| (number, branch.multiple, kind, point))
+    });
+    let rows: Vec<_> = rows.collect();
     let points = || rows.iter().map(|(.., point)| *point);
     let mut table = Table::default();
-    table.counts("branch", rows.iter().map(|(number, ..)| *number as f64));
-    let multiples = rows
-        .iter()
-        .map(|(_, branch, ..)| f64::from(branch.multiple));
+    table.counts("branch", rows.iter().map(|(number, ..)| f64::from(*number)));
+    let multiples = rows.iter().map(|(_, multiple, ..)| f64::from(*multiple));
     table.counts("multiple", multiples);
     if kinds {
         let kinds = rows.iter().filter_map(|(_, _, kind, _)| *kind);
