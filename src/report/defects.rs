@@ -56,21 +56,16 @@ fn side_view(number: usize, geometry: &Geometry, defect: &Defect) -> Panel {
     };
     let half = 1e3 * drawing.half_width;
     let heights = [-BELOW * drawing.deep, ABOVE * drawing.deep].map(|height| 1e3 * height);
+    let along = Axis::over("along the surface in mm", -half..half);
+    let height = Axis::over("height in mm", heights[0]..heights[1]);
     Panel {
         title,
-        names: vec![
-            Name::new(surface, distinct(0)),
-            Name::new(mate, distinct(1)),
-        ],
+        names: Name::each([surface, mate]),
         curves: vec![
             Curve::line(distinct(0), drawing.surface()),
             Curve::line(distinct(1), drawing.mate()),
         ],
-        ..Panel::new(
-            Axis::over("along the surface in mm", -half..half),
-            Axis::over("height in mm", heights[0]..heights[1]),
-            SIDE_HEIGHT,
-        )
+        ..Panel::new(along, height, SIDE_HEIGHT)
     }
 }
 
@@ -181,12 +176,11 @@ fn signals(spall: &SpallSignal) -> [Panel; 2] {
 }
 
 fn signal(spall: &SpallSignal, title: String, half: f64) -> Panel {
-    let points: Vec<Point> = spall
+    let points = spall
         .signal
         .iter()
-        .map(|(time, value)| (1e3 * time, *value))
-        .filter(|(time, _)| time.abs() <= half)
-        .collect();
+        .map(|(time, value)| (1e3 * time, *value));
+    let points: Vec<Point> = points.filter(|(time, _)| time.abs() <= half).collect();
     let near = |time: f64| -> Point {
         let apart = |point: &&Point| (point.0 - time).abs();
         let nearest = points.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
@@ -196,7 +190,7 @@ fn signal(spall: &SpallSignal, title: String, half: f64) -> Panel {
         mark,
         ..Curve::dots(colour, times.map(|time| near(1e3 * time)).to_vec())
     };
-    let names = [
+    let names = vec![
         Name::new("acceleration of the shaft towards the defect", distinct(0)),
         Name {
             mark: Some(Mark::Disc),
@@ -207,30 +201,21 @@ fn signal(spall: &SpallSignal, title: String, half: f64) -> Panel {
             ..Name::new("in the signal", distinct(1))
         },
     ];
-    let mut curves = vec![dots(GREY, [-spall.known, 0.0], Mark::Disc)];
+    let known = dots(GREY, [-spall.known, 0.0], Mark::Disc);
+    let mut curves = vec![Curve::line(distinct(0), points.clone()), known];
     let mut peaks = Vec::new();
     if let Some(found) = spall.measured {
-        curves.push(dots(
-            distinct(1),
-            [found.entry, found.impact],
-            Mark::Triangle,
-        ));
-        peaks = vec![
-            (near(1e3 * found.impact), "impact".to_owned()),
-            (near(1e3 * found.entry), "entry".to_owned()),
-        ];
+        let times = [found.entry, found.impact];
+        curves.push(dots(distinct(1), times, Mark::Triangle));
+        let named = [(found.impact, "impact"), (found.entry, "entry")];
+        peaks.extend(named.map(|(time, name)| (near(1e3 * time), name.to_owned())));
     }
-    curves.insert(0, Curve::line(distinct(0), points.clone()));
+    let time = Axis::over("time from the known impact in ms", -half..half);
     Panel {
         title,
-        names: names.to_vec(),
+        names,
         peaks,
-        ..Panel::of(
-            Axis::over("time from the known impact in ms", -half..half),
-            "acceleration in m/s²",
-            SIGNAL_HEIGHT,
-            curves,
-        )
+        ..Panel::of(time, "acceleration in m/s²", SIGNAL_HEIGHT, curves)
     }
 }
 

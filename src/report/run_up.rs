@@ -6,7 +6,7 @@ use super::figure::{Axis, Curve, Figure, Map, Name, Panel, Point, WHITE, distinc
 use super::spectra::{amplitude_column, phase_column};
 use super::table::{Column, Table};
 use super::terminal::{MICRO, PER_MINUTE, PER_SECOND};
-use crate::analysis::{OrderTracks, Track, Waterfall};
+use crate::analysis::{OrderTracks, Slice, Track, Waterfall};
 use crate::simulate::Maps;
 
 /// What is drawn of the maps, as far as they are not empty.
@@ -71,7 +71,7 @@ const FILE: &str = "waterfall.svg";
 pub(in crate::report) fn runs_figure(title: &str, over: &str, rows: &[(String, Raster)]) -> Figure {
     let panels = rows.iter().map(|(name, raster)| {
         let loudest = raster.loudest();
-        panel(raster, loudest, heard(over, name, loudest), 1.0)
+        panel(raster, loudest, with_loudest(over, name, loudest), 1.0)
     });
     Figure::new(FILE, title, 1, panels.collect()).with_names(levels())
 }
@@ -80,13 +80,12 @@ pub(in crate::report) fn runs_figure(title: &str, over: &str, rows: &[(String, R
 fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
     let waterfall = &maps.waterfall;
     let channels = 0..waterfall.channels.len();
-    let over_time: Vec<Raster> = channels
-        .map(|channel| Raster::over_time(waterfall, channel))
-        .collect();
+    let over_time = channels.map(|channel| Raster::over_time(waterfall, channel));
+    let over_time: Vec<Raster> = over_time.collect();
     let loudest: Vec<f64> = over_time.iter().map(Raster::loudest).collect();
     let panels = moving(&loudest).flat_map(|channel| {
         let (name, loudest) = (waterfall.channels[channel].name(), loudest[channel]);
-        let time = heard("time in s", name, loudest);
+        let time = with_loudest("time in s", name, loudest);
         let time = panel(&over_time[channel], loudest, time, 1.0);
         let speed = Raster::over_speed(waterfall, channel);
         let mut speed = panel(&speed, loudest, "speed in 1/min".to_owned(), PER_MINUTE);
@@ -97,7 +96,7 @@ fn waterfall_figure(title: &str, maps: &Maps) -> Figure {
 }
 
 /// What is below, with the loudest amplitude in m.
-fn heard(below: &str, name: &str, loudest: f64) -> String {
+fn with_loudest(below: &str, name: &str, loudest: f64) -> String {
     format!("{below} ({name}: loudest {:.3e} µm)", MICRO * loudest)
 }
 
@@ -186,12 +185,10 @@ impl Raster {
             .chunks(slices.len().div_ceil(MOST_CELLS).max(1))
             .map(|some| mean_square(waterfall, channel, some.iter()))
             .collect();
-        let end = |slice: Option<&crate::analysis::Slice>| slice.map_or(0.0, |slice| slice.time);
+        let ends = [slices.first(), slices.last()];
+        let [first, last] = ends.map(|slice| slice.map_or(0.0, |slice| slice.time));
         Self {
-            ends: [
-                end(slices.first()) - 0.5 * step,
-                end(slices.last()) + 0.5 * step,
-            ],
+            ends: [first - 0.5 * step, last + 0.5 * step],
             frequencies: frequencies(waterfall),
             columns,
         }
@@ -199,25 +196,20 @@ impl Raster {
 
     /// Over speed: in a column all spectra of about its speed, or the nearest one where there is none.
     pub fn over_speed(waterfall: &Waterfall, channel: usize) -> Self {
-        let slices = &waterfall.slices;
-        let speeds = slices.iter().map(|slice| slice.speed);
-        let (low, high) = speeds.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), speed| {
-            (low.min(speed), high.max(speed))
-        });
+        let slices = || waterfall.slices.iter();
+        let speeds = || slices().map(|slice| slice.speed);
+        let (low, high) = (
+            speeds().fold(f64::INFINITY, f64::min),
+            speeds().fold(0.0, f64::max),
+        );
         let step = (high - low) / SPEED_CELLS as f64;
         let columns = (0..SPEED_CELLS).map(|cell| {
             let middle = low + (cell as f64 + 0.5) * step;
             let away = |speed: f64| (speed - middle).abs();
-            let nearest = slices
-                .iter()
-                .map(|slice| away(slice.speed))
-                .fold(f64::INFINITY, f64::min);
+            let nearest = speeds().map(away).fold(f64::INFINITY, f64::min);
             let reach = nearest.max(0.5 * step);
-            mean_square(
-                waterfall,
-                channel,
-                slices.iter().filter(|slice| away(slice.speed) <= reach),
-            )
+            let about = slices().filter(|slice| away(slice.speed) <= reach);
+            mean_square(waterfall, channel, about)
         });
         Self {
             ends: [low, high],
@@ -273,7 +265,7 @@ fn frequencies(waterfall: &Waterfall) -> [f64; 2] {
 fn mean_square<'a>(
     waterfall: &Waterfall,
     channel: usize,
-    slices: impl Iterator<Item = &'a crate::analysis::Slice>,
+    slices: impl Iterator<Item = &'a Slice>,
 ) -> Vec<f64> {
     let mut sums = vec![0.0; waterfall.bins()];
     let mut count = 0.0;
@@ -289,7 +281,7 @@ fn mean_square<'a>(
 /// Height of a plot, px.
 const ORDERS_HEIGHT: u32 = 212;
 /// A phase is drawn where its order has this part of the channel's largest amplitude.
-const HEARD: f64 = 0.01;
+const LEAST_OF_PHASE: f64 = 0.01;
 
 /// One row a window: time, speed, then amplitude and phase of every order of every channel.
 pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
@@ -301,12 +293,10 @@ pub(super) fn tracks_table(tracks: &OrderTracks) -> Table<'static> {
         for (index, order) in tracks.orders.iter().enumerate() {
             let of = column(&order.name);
             let track = || points().map(|point| &point.tracks[row][index]);
-            let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)];
-            table.numbers(
-                format!("{of}_{amplitude}"),
-                track().map(|track| track.amplitude),
-            );
-            table.numbers(format!("{of}_{phase}"), track().map(|track| track.phase));
+            let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)]
+                .map(|column| format!("{of}_{column}"));
+            table.numbers(amplitude, track().map(|track| track.amplitude));
+            table.numbers(phase, track().map(|track| track.phase));
         }
     }
     table
@@ -325,13 +315,10 @@ fn column(name: &str) -> String {
 /// A row of amplitude and phase for each channel.
 fn order_figure(title: &str, tracks: &OrderTracks) -> Figure {
     let channels = 0..tracks.channels.len();
-    let loudest = channels.map(|channel| loudest(tracks, channel));
-    let loudest: Vec<f64> = loudest.collect();
+    let loudest: Vec<f64> = channels.map(|channel| loudest(tracks, channel)).collect();
     let panels = moving(&loudest).flat_map(|row| {
-        [
-            amplitudes(tracks, row),
-            phases(tracks, row, HEARD * loudest[row]),
-        ]
+        let phases = phases(tracks, row, LEAST_OF_PHASE * loudest[row]);
+        [amplitudes(tracks, row), phases]
     });
     let names = tracks.orders.iter().map(|order| order.name.as_str());
     let figure = Figure::new("order_tracks.svg", title, 2, panels.collect());
@@ -358,16 +345,13 @@ fn amplitudes(tracks: &OrderTracks, row: usize) -> Panel {
 /// Where an order is louder than `least`, m.
 fn phases(tracks: &OrderTracks, row: usize, least: f64) -> Panel {
     let name = format!("phase of {} in deg", tracks.channels[row]);
-    let heard = |track: &Track| (track.amplitude > least).then(|| track.phase.to_degrees());
+    let phase = |track: &Track| (track.amplitude > least).then(|| track.phase.to_degrees());
     // dots, for a line would run across the figure where the angle begins anew
-    let curve = |order| Curve::dots(distinct(order), over_speed(tracks, row, order, heard));
+    let curve = |order| Curve::dots(distinct(order), over_speed(tracks, row, order, phase));
+    let angles = Axis::over(name, -190.0..190.0);
     Panel {
         curves: (0..tracks.orders.len()).map(curve).collect(),
-        ..Panel::new(
-            speeds(tracks),
-            Axis::over(name, -190.0..190.0),
-            ORDERS_HEIGHT,
-        )
+        ..Panel::new(speeds(tracks), angles, ORDERS_HEIGHT)
     }
 }
 
@@ -377,13 +361,11 @@ fn over_speed(
     order: usize,
     value: impl Fn(&Track) -> Option<f64>,
 ) -> Vec<Point> {
-    let mut places = Vec::new();
-    for point in &tracks.points {
-        if let Some(value) = value(&point.tracks[channel][order]) {
-            places.push((PER_MINUTE * point.speed, value));
-        }
-    }
-    places
+    let values = tracks.points.iter().map(|point| {
+        let value = value(&point.tracks[channel][order])?;
+        Some((PER_MINUTE * point.speed, value))
+    });
+    values.flatten().collect()
 }
 
 fn speeds(tracks: &OrderTracks) -> Axis {

@@ -6,7 +6,7 @@
 
 use plotters::style::RGBColor;
 
-use super::figure::{Axis, Curve, Figure, GREY, Name, PLOT_WIDTH, Panel, Point, distinct};
+use super::figure::{Axis, Curve, Figure, GREY, Name, PLOT_WIDTH, Panel, Point, distinct, ends};
 use super::terminal::{MICRO, MILLI};
 use crate::bearing::MountedBearing;
 use crate::rotor::{Disc, FlexibleShaft, Load, LoadKind, RotorDefinition};
@@ -85,22 +85,21 @@ pub(crate) fn scene_figure(title: &str, rotor: &RotorDefinition) -> Figure {
 impl Scale {
     fn of(rotor: &RotorDefinition) -> Self {
         let bearings = || rotor.bearings.iter();
-        let inner = bearings().map(|bearing| radii(bearing)[0]);
-        let outer = bearings().map(|bearing| radii(bearing)[3]);
-        let reach = bearings().map(|bearing| MILLI * bearing.position);
-        let reach = reach.chain(rotor.loads.iter().map(|load| MILLI * load.position));
+        let positions = bearings().map(|bearing| bearing.position);
+        let positions = positions.chain(rotor.loads.iter().map(|load| load.position));
         let linear = rotor.linear_bearings.iter();
-        let reach = reach.chain(linear.map(|bearing| MILLI * bearing.position));
-        let mut outer = outer.fold(0.0, f64::max);
-        let mut ends = reach.fold([0.0_f64; 2], |[low, high], at| [low.min(at), high.max(at)]);
+        let positions = positions.chain(linear.map(|bearing| bearing.position));
+        let positions = positions.map(|position| MILLI * position).chain([0.0]);
+        let mut ends = ends(positions).unwrap_or_default();
+        let inner = bearings().map(|bearing| radii(bearing)[0]);
         let mut shaft = inner.fold(f64::INFINITY, f64::min);
+        let outer = bearings().map(|bearing| radii(bearing)[3]);
+        let mut outer = outer.fold(0.0, f64::max);
         if let Some(flexible) = &rotor.flexible {
             ends = flexible.ends().map(|end| MILLI * end);
-            let sections = flexible
-                .sections
-                .iter()
-                .map(|own| 0.5 * MILLI * own.outer_diameter);
-            let thickest = sections.fold(0.02 * (ends[1] - ends[0]), f64::max);
+            let sections = flexible.sections.iter();
+            let radii = sections.map(|own| 0.5 * MILLI * own.outer_diameter);
+            let thickest = radii.fold(0.02 * (ends[1] - ends[0]), f64::max);
             let discs = flexible.discs.iter().map(|disc| 0.45 * disc_radius(disc));
             outer = discs.fold(outer.max(2.0 * thickest), f64::max);
             shaft = shaft.min(thickest);
@@ -135,9 +134,8 @@ impl Drawing {
     }
 
     fn fine(&mut self, colour: RGBColor, points: Vec<Point>) {
-        let fine = true;
         self.curves.push(Curve {
-            fine,
+            fine: true,
             ..Curve::line(colour, points)
         });
     }
@@ -147,14 +145,11 @@ impl Drawing {
     }
 
     fn rectangle(&mut self, colour: RGBColor, [left, right]: [f64; 2], [low, high]: [f64; 2]) {
-        let corners = [
-            (left, low),
-            (right, low),
-            (right, high),
-            (left, high),
-            (left, low),
-        ];
-        self.line(colour, corners.to_vec());
+        let (first, third) = ((left, low), (right, high));
+        self.line(
+            colour,
+            vec![first, (right, low), third, (left, high), first],
+        );
     }
 
     fn circle(&mut self, colour: RGBColor, (x, y): Point, radius: f64) {
@@ -271,12 +266,9 @@ impl Drawing {
             }
             match bearing.housing {
                 Some(_) => {
-                    let wide = [across[0] - 0.3 * half, across[1] + 0.3 * half];
-                    self.rectangle(
-                        distinct(HOUSINGS),
-                        wide,
-                        band(outside, outside + 0.6 * ball),
-                    );
+                    let across = [across[0] - 0.3 * half, across[1] + 0.3 * half];
+                    let band = band(outside, outside + 0.6 * ball);
+                    self.rectangle(distinct(HOUSINGS), across, band);
                 }
                 None => self.ground(across, side * outside, side * 0.25 * ball),
             }
@@ -323,10 +315,8 @@ impl Drawing {
         for (index, load) in rotor.loads.iter().enumerate() {
             let at = MILLI * load.position;
             let from = (1.35 + 0.3 * index as f64).min(1.95) * scale.outer;
-            let [x, y, z, ..] = load
-                .as_constant()
-                .copied()
-                .unwrap_or([0.0, -1.0, 0.0, 0.0, 0.0]);
+            let constant = load.as_constant().copied();
+            let [x, y, z, ..] = constant.unwrap_or([0.0, -1.0, 0.0, 0.0, 0.0]);
             let mut text_at = (at, from);
             if z != 0.0 {
                 let end = if z > 0.0 { right } else { left };
@@ -340,13 +330,9 @@ impl Drawing {
                 self.circle(colour, (at, 0.0), 0.15 * scale.shaft);
             }
             if y != 0.0 {
-                let from = -y.signum() * from;
-                self.arrow(
-                    colour,
-                    (at, from),
-                    (0.0, y.signum() * (from.abs() - scale.shaft)),
-                );
-                text_at = (at, from);
+                text_at = (at, -y.signum() * from);
+                let by = (0.0, y.signum() * (from - scale.shaft));
+                self.arrow(colour, text_at, by);
             }
             self.label(text_at, name_of(load), colour);
         }

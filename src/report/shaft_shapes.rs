@@ -25,9 +25,8 @@ pub(super) fn shapes_at(title: &str, rotor: &RotorDefinition, speed: f64) -> Opt
     rotor.flexible.as_ref()?;
     let rotor = Rotor::assemble(&rotor.at_constant_speed(speed)).ok()?;
     let modes = rotor.modes().into_iter();
-    let shapes: Vec<_> = modes
-        .filter_map(|mode| Some((mode.clone(), rotor.mode_shape(&mode)?)))
-        .collect();
+    let shapes = modes.filter_map(|mode| Some((mode.clone(), rotor.mode_shape(&mode)?)));
+    let shapes: Vec<_> = shapes.collect();
     (!shapes.is_empty()).then(|| mode_shapes(title, &shapes))
 }
 
@@ -37,12 +36,8 @@ fn static_shape(title: &str, shape: &ShaftShape<f64>) -> Figure {
     let panels = panels.map(|(index, (name, deflections))| {
         let deflected = deflections.iter().map(|own| own * MICRO);
         let curves = vec![undeformed(shape), along(shape, deflected, index)];
-        Panel::of(
-            positions(shape),
-            format!("deflection along {name} in µm"),
-            HEIGHT,
-            curves,
-        )
+        let deflection = format!("deflection along {name} in µm");
+        Panel::of(positions(shape), deflection, HEIGHT, curves)
     });
     let names = [Name::new("undeformed", GREY)];
     Figure::new("deflection.svg", title, 1, panels.collect()).with_names(names)
@@ -55,36 +50,23 @@ fn mode_shapes(title: &str, modes: &[(Mode, ShaftShape<Complex<f64>>)]) -> Figur
         .filter(|(mode, _)| mode.whirl() != Whirl::Axial);
     let panels = lateral.take(MOST_MODES).map(|(mode, shape)| {
         let (turn, size) = largest(shape);
-        let curves = shape
-            .deflections
-            .iter()
-            .enumerate()
-            .flat_map(|(axis, deflections)| {
-                let share = |later: Complex<f64>| {
-                    let moment = deflections
-                        .iter()
-                        .map(move |own| (own * turn * later).re / size);
-                    along(shape, moment, axis)
-                };
-                let later = Curve {
-                    fine: true,
-                    ..share(Complex::I)
-                };
-                [share(Complex::ONE), later]
+        let mut curves = vec![undeformed(shape)];
+        for (axis, deflections) in shape.deflections.iter().enumerate() {
+            let at = |later: Complex<f64>| {
+                let moment = deflections.iter().map(|own| (own * turn * later).re / size);
+                along(shape, moment, axis)
+            };
+            curves.push(at(Complex::ONE));
+            curves.push(Curve {
+                fine: true,
+                ..at(Complex::I)
             });
-        let frequency = mode.damped_frequency();
+        }
+        let (frequency, whirl) = (mode.damped_frequency(), mode.whirl());
+        let damping = mode.damping_ratio();
         Panel {
-            title: format!(
-                "{frequency:.2} Hz, {}, damping ratio {:.4}",
-                mode.whirl(),
-                mode.damping_ratio()
-            ),
-            ..Panel::of(
-                positions(shape),
-                "shape",
-                HEIGHT,
-                [undeformed(shape)].into_iter().chain(curves).collect(),
-            )
+            title: format!("{frequency:.2} Hz, {whirl}, damping ratio {damping:.4}"),
+            ..Panel::of(positions(shape), "shape", HEIGHT, curves)
         }
     });
     let names = Name::each(["x", "y"]).into_iter();
@@ -96,9 +78,8 @@ fn mode_shapes(title: &str, modes: &[(Mode, ShaftShape<Complex<f64>>)]) -> Figur
 fn largest(shape: &ShaftShape<Complex<f64>>) -> (Complex<f64>, f64) {
     let all = shape.deflections.iter().flatten();
     let most = all.copied().max_by(|a, b| a.norm().total_cmp(&b.norm()));
-    let most = most
-        .filter(|most| most.norm() > 0.0)
-        .unwrap_or(Complex::ONE);
+    let most = most.filter(|most| most.norm() > 0.0);
+    let most = most.unwrap_or(Complex::ONE);
     (most.conj() / most.norm(), most.norm())
 }
 
