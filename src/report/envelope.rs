@@ -5,7 +5,7 @@ pub(super) const BUCKETS: usize = 2048;
 /// The same of a wide screen.
 pub(super) const SCREEN_BUCKETS: usize = 3072;
 
-/// Smallest and largest value of a stretch of a curve, in the order in which they came.
+/// Smallest and largest value of a segment of a curve, in the order in which they came.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bucket {
     /// The extreme that came first: abscissa and value.
@@ -15,14 +15,6 @@ pub struct Bucket {
 }
 
 impl Bucket {
-    fn point(abscissa: f64, value: f64) -> Self {
-        let point = (abscissa, value);
-        Self {
-            first: point,
-            last: point,
-        }
-    }
-
     /// Smallest value.
     pub fn low(&self) -> f64 {
         self.first.1.min(self.last.1)
@@ -33,7 +25,7 @@ impl Bucket {
         self.first.1.max(self.last.1)
     }
 
-    /// This and the following stretch as one.
+    /// This and the following segment as one.
     fn join(self, next: Self) -> Self {
         let [mut low, mut high] = [self.first; 2];
         for point in [self.last, next.first, next.last] {
@@ -86,7 +78,8 @@ impl Decimator {
         if !value.is_finite() {
             return;
         }
-        let point = Bucket::point(abscissa, value);
+        let (first, last) = ((abscissa, value), (abscissa, value));
+        let point = Bucket { first, last };
         self.open = Some(self.open.map_or(point, |bucket| bucket.join(point)));
         self.filled += 1;
         if self.filled == self.stride {

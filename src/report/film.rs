@@ -25,17 +25,11 @@ pub(super) struct Film {
 impl Film {
     /// Takes a sample with its balls.
     pub fn take(&mut self, sample: &Sample, balls: &BallContacts) {
-        let (_, mut loads) = match self.samples.len() < LAST_BALLS {
-            true => Default::default(),
-            false => self.samples.pop_front().unwrap_or_default(),
-        };
-        loads.clear();
-        let bearings = balls.bearings().iter();
-        loads.extend(
-            bearings
-                .flat_map(|balls| &balls.load[0])
-                .map(|load| *load as f32),
-        );
+        if self.samples.len() == LAST_BALLS {
+            self.samples.pop_front();
+        }
+        let inner = balls.bearings().iter().flat_map(|balls| &balls.load[0]);
+        let loads = inner.map(|load| *load as f32).collect();
         self.samples.push_back((*sample, loads));
     }
 
@@ -44,9 +38,8 @@ impl Film {
     pub fn json(&self, rotor: &RotorDefinition) -> Option<Value> {
         let last = self.samples.back()?.0.angle;
         let shown = self.samples.iter();
-        let shown: Vec<_> = shown
-            .filter(|(sample, _)| sample.angle >= last - SHOWN)
-            .collect();
+        let shown = shown.filter(|(sample, _)| sample.angle >= last - SHOWN);
+        let shown: Vec<_> = shown.collect();
         let every = shown.len().div_ceil(MOST_FRAMES);
         let frames: Vec<_> = shown.into_iter().step_by(every.max(1)).collect();
         let of =
@@ -59,9 +52,8 @@ impl Film {
             let slip = 1.0 - bearing.imperfections.cage_slip;
             let known = frames[0].1.len() >= first + geometry.balls();
             let balls = if known { geometry.balls() } else { 0 };
-            let loads = frames
-                .iter()
-                .flat_map(|(_, loads)| &loads[first..first + balls]);
+            let range = first..first + balls;
+            let loads = frames.iter().flat_map(|(_, loads)| &loads[range.clone()]);
             let bearing = json!({
                 // from the point that the displacements are of
                 "position": MILLI * (bearing.position - observed),

@@ -33,7 +33,7 @@ struct History {
     /// Times and values of the last samples.
     last: VecDeque<(f64, f64)>,
     /// The same around events.
-    stretches: Vec<Vec<(f64, f64)>>,
+    segments: Vec<Vec<(f64, f64)>>,
 }
 
 /// A place of a history: its value, or the lowest and the highest value around it.
@@ -58,7 +58,7 @@ pub struct Histories {
     histories: Vec<History>,
     /// First and last time, s.
     time: Option<[f64; 2]>,
-    /// Samples that the stretch around an event still takes.
+    /// Samples that the segment around an event still takes.
     open: usize,
 }
 
@@ -71,7 +71,7 @@ impl Histories {
             channel,
             envelope: Decimator::new(SCREEN_BUCKETS),
             last: VecDeque::with_capacity(LAST),
-            stretches: Vec::new(),
+            segments: Vec::new(),
         };
         Self {
             histories: moving.chain(further).map(history).collect(),
@@ -86,10 +86,10 @@ impl Histories {
             return;
         }
         for history in &mut self.histories {
-            if history.stretches.len() < MOST_EVENTS {
+            if history.segments.len() < MOST_EVENTS {
                 let before = history.last.len().saturating_sub(AROUND);
                 let before = history.last.iter().skip(before).copied();
-                history.stretches.push(before.collect());
+                history.segments.push(before.collect());
                 self.open = AROUND;
             }
         }
@@ -110,9 +110,9 @@ impl Histories {
     /// A panel for each displacement, one below the other over the same time, which the last one names.
     pub(crate) fn figure(&self, file: &str, title: &str) -> Figure {
         let displacements = self.histories.iter();
-        let displacements: Vec<_> = displacements
-            .filter(|history| matches!(history.channel, Channel::Displacement(_)))
-            .collect();
+        let displacements =
+            displacements.filter(|history| matches!(history.channel, Channel::Displacement(_)));
+        let displacements: Vec<_> = displacements.collect();
         let time = match self.time {
             Some([start, end]) if end > start => start..end,
             _ => 0.0..1.0,
@@ -136,21 +136,17 @@ impl Histories {
     /// One panel of the page each, but for what is unknown and for what does not change: no more than round-off
     /// beside the largest value of its unit.
     pub(super) fn page_panels(&self) -> Vec<Value> {
+        let histories = || self.histories.iter();
         let magnitude = |unit: &str| {
-            let alike = self.histories.iter();
-            let alike = alike.filter(|history| history.channel.unit() == unit);
-            alike
-                .map(|history| history.envelope.magnitude())
-                .fold(0.0, f64::max)
+            let alike = histories().filter(|history| history.channel.unit() == unit);
+            let magnitudes = alike.map(|history| history.envelope.magnitude());
+            magnitudes.fold(0.0, f64::max)
         };
-        let changes = |history: &&History| {
+        let changing = histories().filter(|history| {
             let round_off = ROUND_OFF * magnitude(history.channel.unit());
-            history
-                .envelope
-                .range()
-                .is_some_and(|[low, high]| high - low > round_off)
-        };
-        let changing = self.histories.iter().filter(changes);
+            let range = history.envelope.range();
+            range.is_some_and(|[low, high]| high - low > round_off)
+        });
         changing.map(History::page_panel).collect()
     }
 }
@@ -162,50 +158,51 @@ impl History {
             self.last.pop_front();
         }
         self.last.push_back((time, value));
-        if let Some(stretch) = self.stretches.last_mut().filter(|_| near_event) {
-            stretch.push((time, value));
+        if let Some(segment) = self.segments.last_mut().filter(|_| near_event) {
+            segment.push((time, value));
         }
     }
 
-    /// The stretches that are known sample by sample, in order, none over another.
+    /// The segments that are known sample by sample, in order, none over another.
     fn in_full(&self) -> Vec<Vec<(f64, f64)>> {
         let last = self.last.iter().copied().collect();
         let mut until = f64::NEG_INFINITY;
-        let mut stretches: Vec<Vec<(f64, f64)>> = Vec::new();
-        for mut stretch in self.stretches.iter().cloned().chain([last]) {
-            stretch.retain(|(time, _)| *time > until);
-            until = stretch.last().map_or(until, |(time, _)| *time);
-            stretches.push(stretch);
+        let mut segments: Vec<Vec<(f64, f64)>> = Vec::new();
+        for mut segment in self.segments.iter().cloned().chain([last]) {
+            segment.retain(|(time, _)| *time > until);
+            until = segment.last().map_or(until, |(time, _)| *time);
+            segments.push(segment);
         }
-        stretches.retain(|stretch| !stretch.is_empty());
-        stretches
+        segments.retain(|segment| !segment.is_empty());
+        segments
     }
 
     /// Values where they are known one by one, elsewhere the band: joining the extremes of a bucket by lines would
     /// show a wave that there is not.
     fn places(&self) -> Vec<Place> {
-        let stretches = self.in_full();
+        let segments = self.in_full();
         let known = |time: f64| {
-            let mut stretches = stretches.iter();
-            stretches.any(|stretch| stretch[0].0 <= time && time <= stretch[stretch.len() - 1].0)
+            let mut segments = segments.iter();
+            segments.any(|segment| segment[0].0 <= time && time <= segment[segment.len() - 1].0)
         };
         let band = self.envelope.buckets().map(|bucket| Place {
             time: 0.5 * (bucket.first.0 + bucket.last.0),
             value: f64::NAN,
             band: [bucket.low(), bucket.high()],
         });
-        let single = stretches.iter().flat_map(|stretch| {
-            let end = stretch.len() - 1;
-            let places = stretch.iter().enumerate();
-            places.map(move |(index, (time, value))| Place {
-                time: *time,
-                value: *value,
-                // the band reaches to where single values begin, so that there is no gap between them
-                band: match index == 0 || index == end {
-                    true => self.band_about(*time),
-                    false => [f64::NAN; 2],
-                },
-            })
+        let single = segments.iter().flat_map(|segment| {
+            let end = segment.len() - 1;
+            segment
+                .iter()
+                .enumerate()
+                .map(move |(index, &(time, value))| {
+                    // the band reaches to where single values begin, so that there is no gap between them
+                    let band = match index == 0 || index == end {
+                        true => self.band_about(time),
+                        false => [f64::NAN; 2],
+                    };
+                    Place { time, value, band }
+                })
         });
         let band = band.filter(|place| !known(place.time));
         let mut places: Vec<Place> = band.chain(single).collect();

@@ -31,8 +31,6 @@ pub struct MatTable<W: Write> {
     /// The block being filled, [`BLOCK`] rows a column.
     open: Vec<f64>,
     filled: usize,
-    /// Kept for its room.
-    bytes: Vec<u8>,
 }
 
 impl<W: Write> MatTable<W> {
@@ -61,7 +59,6 @@ impl<W: Write> MatTable<W> {
             full: 0,
             open: vec![0.0; BLOCK * columns.len()],
             filled: 0,
-            bytes: Vec::with_capacity(8 * BLOCK),
         })
     }
 
@@ -86,8 +83,7 @@ impl<W: Write> MatTable<W> {
             )));
         }
         for column in self.open.chunks_exact(BLOCK) {
-            encode(column, &mut self.bytes);
-            self.blocks.file.write_all(&self.bytes)?;
+            self.blocks.file.write_all(&encoded(column))?;
         }
         self.full += 1;
         self.filled = 0;
@@ -104,26 +100,25 @@ impl<W: Write> MatTable<W> {
     /// What the writer and the file system answer.
     pub fn finish(mut self) -> io::Result<W> {
         let (rows, width) = (self.rows(), self.columns.len());
-        let column_bytes = size_of::<f64>() * BLOCK;
+        let mut bytes = vec![0; size_of::<f64>() * BLOCK];
         for (place, column) in self.columns.iter().enumerate() {
             column_start(&mut self.writer, &column.name, rows)?;
-            self.bytes.resize(column_bytes, 0);
             for block in 0..self.full {
-                let start = (block * width as u64 + place as u64) * column_bytes as u64;
-                self.blocks.read(start, &mut self.bytes)?;
-                self.writer.write_all(&self.bytes)?;
+                let start = (block * width as u64 + place as u64) * bytes.len() as u64;
+                self.blocks.read(start, &mut bytes)?;
+                self.writer.write_all(&bytes)?;
             }
-            encode(&self.open[place * BLOCK..][..self.filled], &mut self.bytes);
-            self.writer.write_all(&self.bytes)?;
+            let last = &self.open[place * BLOCK..][..self.filled];
+            self.writer.write_all(&encoded(last))?;
         }
         self.writer.flush()?;
         Ok(self.writer)
     }
 }
 
-fn encode(numbers: &[f64], bytes: &mut Vec<u8>) {
-    bytes.clear();
-    bytes.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+fn encoded(numbers: &[f64]) -> Vec<u8> {
+    let bytes = numbers.iter().flat_map(|number| number.to_le_bytes());
+    bytes.collect()
 }
 
 /// JSON with every character beyond ASCII escaped: the same JSON to whoever decodes it.
