@@ -22,7 +22,7 @@ pub(crate) const FORCE: [&str; FREEDOMS] = [
     "moment_y_N_m",
 ];
 /// The diagonal of a stiffness matrix.
-const DIAGONAL: [&str; FREEDOMS] = [
+pub(crate) const DIAGONAL: [&str; FREEDOMS] = [
     "K_x_N_m",
     "K_y_N_m",
     "K_z_N_m",

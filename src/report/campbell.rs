@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use super::figure::{Axis, Curve, Figure, GREY, Name, Panel, distinct, round_ticks};
 use super::shaft_shapes::shapes_at;
 use super::table::Table;
-use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash};
+use super::terminal::{Lines, PER_MINUTE, PER_SECOND, or_dash, rounded};
 use super::{Destination, FileSet, Findings};
 use crate::rotor::{Mode, RotorDefinition, Whirl};
 use crate::simulate::MORE_MODES;
@@ -27,21 +27,19 @@ pub fn campbell_findings(
         let [first, last] = end_modes(branch).map(|mode| mode.map(Mode::damped_frequency));
         json!({ "whirl": branch.whirl(), "first_Hz": first, "last_Hz": last })
     });
-    let shapes = shapes_at(destination.title, rotor, fastest);
+    let mut figures = vec![figure(destination.title, campbell)];
+    figures.extend(shapes_at(destination.title, rotor, fastest));
     let mut text = Lines::titled(destination.title);
-    put_branches(&mut text, campbell);
+    add_branches(&mut text, campbell);
     if campbell.critical_speeds.is_empty() {
         text.put("no critical speed in the range\n");
     } else {
-        put_critical(&mut text, campbell);
+        add_critical(&mut text, campbell);
     }
     Findings {
         set: FileSet::CAMPBELL,
         tables: vec![("campbell", modes(campbell))],
-        figures: [figure(destination.title, campbell)]
-            .into_iter()
-            .chain(shapes)
-            .collect(),
+        figures,
         document: destination.document(json!({
             "from_rad_s": campbell.speeds.first(),
             "to_rad_s": campbell.speeds.last(),
@@ -58,16 +56,15 @@ pub fn campbell_findings(
 /// The modes, branch by branch from 1 on; the order is missing at rest.
 pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
     let branches = campbell.branches.iter().enumerate();
-    let modes: Vec<_> = branches
-        .flat_map(|(index, branch)| {
-            let modes = campbell.speeds.iter().zip(&branch.modes);
-            modes.filter_map(move |(speed, mode)| Some((index + 1, *speed, mode.as_ref()?)))
-        })
-        .collect();
+    let modes = branches.flat_map(|(index, branch)| {
+        let modes = campbell.speeds.iter().zip(&branch.modes);
+        modes.filter_map(move |(speed, mode)| Some((index + 1, *speed, mode.as_ref()?)))
+    });
+    let modes: Vec<_> = modes.collect();
     let shapes = || modes.iter().map(|(.., mode)| mode);
-    let order = |(_, speed, mode): &(usize, f64, &Mode)| {
-        (*speed > 0.0).then(|| mode.damped_frequency() * TAU / speed)
-    };
+    let orders = modes
+        .iter()
+        .map(|(_, speed, mode)| (*speed > 0.0).then(|| mode.damped_frequency() * TAU / speed));
     let mut table = Table::default();
     table.numbers("speed_rad_s", modes.iter().map(|(_, speed, _)| *speed));
     table.counts("branch", modes.iter().map(|(branch, ..)| *branch as f64));
@@ -75,13 +72,13 @@ pub(super) fn modes(campbell: &Campbell) -> Table<'static> {
     let undamped = shapes().map(|mode| mode.eigenvalue.norm() / TAU);
     table.numbers("undamped_frequency_Hz", undamped);
     table.numbers("damping_ratio", shapes().map(|mode| mode.damping_ratio()));
-    table.numbers("order", modes.iter().map(order));
+    table.numbers("order", orders);
     table.words("whirl", shapes().map(|mode| mode.whirl()));
     table.numbers("forward_share", shapes().map(|mode| mode.forward_share()));
     table
 }
 
-fn put_branches(out: &mut Lines, campbell: &Campbell) {
+fn add_branches(out: &mut Lines, campbell: &Campbell) {
     let speeds = ends(campbell).map(|speed| PER_MINUTE * speed);
     let [first, last] = speeds.map(|speed| format!("Hz at\n{speed:.0} 1/min"));
     let header = ["branch", "whirl", &first, &last, "damping ratio\nthere"];
@@ -105,12 +102,7 @@ fn end_modes(branch: &Branch) -> [Option<&Mode>; 2] {
     [branch.modes.first(), branch.modes.last()].map(|mode| mode?.as_ref())
 }
 
-/// An order with up to four decimals.
-fn rounded(order: f64) -> String {
-    format!("{}", (1e4 * order).round() / 1e4)
-}
-
-fn put_critical(out: &mut Lines, campbell: &Campbell) {
+fn add_critical(out: &mut Lines, campbell: &Campbell) {
     let header = [
         "order",
         "branch",
@@ -120,11 +112,11 @@ fn put_critical(out: &mut Lines, campbell: &Campbell) {
         "Hz",
         "damping ratio",
     ];
-    let of = |branch: usize| campbell.branches.get(branch).map(Branch::whirl);
     let rows = campbell.critical_speeds.iter().map(|found| {
-        let whirl = of(found.branch).unwrap_or(found.whirl);
+        let branch = campbell.branches.get(found.branch);
+        let whirl = branch.map_or(found.whirl, Branch::whirl);
         vec![
-            rounded(found.order),
+            rounded(found.order, 4).to_string(),
             (found.branch + 1).to_string(),
             whirl.to_string(),
             format!("{:.1}", PER_MINUTE * found.speed),
@@ -148,22 +140,16 @@ const HEIGHT: u32 = 322;
 
 /// Frequencies with the orders and critical speeds above, damping ratios below.
 pub(super) fn figure(title: &str, campbell: &Campbell) -> Figure {
-    let whirls = [
-        Whirl::Forward,
-        Whirl::Backward,
-        Whirl::Straight,
-        Whirl::Axial,
-    ];
     let present = |whirl: &Whirl| {
         let mut branches = campbell.branches.iter();
         branches.any(|branch| branch.whirl() == *whirl)
     };
-    let present = whirls.into_iter().filter(present);
+    let present = WHIRLS.into_iter().filter(present);
     let mut names: Vec<Name> = present
         .map(|whirl| Name::new(whirl.to_string(), colour(whirl)))
         .collect();
     let orders = campbell.orders.iter();
-    let orders: Vec<String> = orders.map(|order| hundredths(*order)).collect();
+    let orders: Vec<String> = orders.map(|order| rounded(*order, 2).to_string()).collect();
     if !orders.is_empty() {
         names.push(Name::new(format!("orders {}", orders.join(", ")), GREY));
     }
@@ -171,18 +157,16 @@ pub(super) fn figure(title: &str, campbell: &Campbell) -> Figure {
     Figure::new("campbell.svg", title, 1, panels).with_names(names)
 }
 
-/// An order with up to two decimals.
-fn hundredths(order: f64) -> String {
-    format!("{}", (100.0 * order).round() / 100.0)
-}
+/// In the order of their colours.
+const WHIRLS: [Whirl; 4] = [
+    Whirl::Forward,
+    Whirl::Backward,
+    Whirl::Straight,
+    Whirl::Axial,
+];
 
 fn colour(whirl: Whirl) -> RGBColor {
-    distinct(match whirl {
-        Whirl::Forward => 0,
-        Whirl::Backward => 1,
-        Whirl::Straight => 2,
-        Whirl::Axial => 3,
-    })
+    distinct(WHIRLS.iter().position(|known| *known == whirl).unwrap_or(0))
 }
 
 fn frequencies(campbell: &Campbell) -> Panel {
@@ -195,13 +179,13 @@ fn frequencies(campbell: &Campbell) -> Panel {
         let end = last.min(1.05 * top / (order * PER_SECOND)).max(first);
         let ends = [first, end].map(|speed| (PER_MINUTE * speed, order * speed * PER_SECOND));
         Curve {
-            name: format!("order {}", hundredths(*order)),
+            name: format!("order {}", rounded(*order, 2)),
             ..Curve::line(GREY, ends.to_vec())
         }
     }));
     curves.extend(campbell.critical_speeds.iter().map(|critical| {
         let place = (PER_MINUTE * critical.speed, critical.frequency);
-        let (order, branch) = (hundredths(critical.order), critical.branch + 1);
+        let (order, branch) = (rounded(critical.order, 2), critical.branch + 1);
         Curve {
             name: format!("critical speed: branch {branch} crosses order {order}"),
             ..Curve::dots(colour(critical.whirl), vec![place])
@@ -241,9 +225,8 @@ fn branches(campbell: &Campbell, value: fn(&Mode) -> f64) -> Vec<Curve> {
     for (index, branch) in campbell.branches.iter().enumerate() {
         let name = format!("branch {}, {}", index + 1, branch.whirl());
         let all = campbell.speeds.iter().zip(&branch.modes);
-        let all: Vec<_> = all
-            .map(|(speed, mode)| Some((PER_MINUTE * speed, value(mode.as_ref()?))))
-            .collect();
+        let all = all.map(|(speed, mode)| Some((PER_MINUTE * speed, value(mode.as_ref()?))));
+        let all: Vec<_> = all.collect();
         for piece in all.split(Option::is_none) {
             let points = piece.iter().copied().flatten().collect();
             curves.push(Curve {

@@ -2,50 +2,40 @@
 
 use serde_json::{Value, json};
 
-use super::terminal::Lines;
+use super::terminal::{Lines, mark_estimated, rounded};
 use crate::bearing::catalogue::CatalogueEntry;
 use crate::bearing::{Bearing, CatalogueLine, Estimate};
 
 /// The estimate for people.
 pub fn estimate_text(title: &str, line: &CatalogueLine, estimate: &Estimate) -> String {
     let mut out = Lines::titled(title);
-    put_estimate(&mut out, line, estimate);
+    add_estimate(&mut out, line, estimate);
     out.text()
 }
 
 /// The estimate as JSON: the geometry with the ratings that it has, beside what is printed.
 pub fn estimate_json(line: &CatalogueLine, estimate: &Estimate) -> Value {
     let mut value = json!(estimate);
-    value["printed"] = printed(line);
-    value
-}
-
-fn printed(line: &CatalogueLine) -> Value {
-    json!({
+    value["printed"] = json!({
         "bore_m": line.bore,
         "outside_diameter_m": line.outside_diameter,
         "contact_angle_rad": line.contact_angle,
         "dynamic_rating_N": line.dynamic_rating,
         "static_rating_N": line.static_rating,
         "f0": line.static_factor,
-    })
+    });
+    value
 }
 
 /// A page on one bearing of the catalogue.
 pub fn entry_text(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate) -> String {
     let line = &entry.line;
     let mut out = Lines::titled(&entry.designation);
+    let [bore, outside] = [line.bore, line.outside_diameter].map(|size| rounded(1e3 * size, 6));
     let width = entry.width.map(|width| format!(" × {}", 1e3 * width));
-    out.line(
-        "size",
-        format!(
-            "{} × {}{} mm",
-            rounded(1e3 * line.bore),
-            rounded(1e3 * line.outside_diameter),
-            width.unwrap_or_default()
-        ),
-    );
-    put_estimate(&mut out, line, estimate);
+    let width = width.unwrap_or_default();
+    out.line("size", format!("{bore} × {outside}{width} mm"));
+    add_estimate(&mut out, line, estimate);
     if let Ok(limit) = bearing.fatigue_load_limit() {
         let text = format!("{limit:.0} N by the contact pressure of 1500 MPa");
         out.line("fatigue C_u", text);
@@ -53,18 +43,16 @@ pub fn entry_text(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate
     if let Some(class) = bearing.clearance_class
         && let Some(range) = class.range(line.bore)
     {
-        let [least, most] = range.map(|clearance| rounded(1e6 * clearance));
+        let [least, most] = range.map(|clearance| rounded(1e6 * clearance, 6));
         let text = format!("{least} to {most} µm (class {})", class.name());
         out.line("clearance", text);
     }
     let pass = bearing.geometry.ball_pass(std::f64::consts::TAU);
-    out.line(
-        "ball pass",
-        format!(
-            "per revolution: outer race {:.4}, inner race {:.4}, ball spin {:.4}, cage {:.4}",
-            pass.outer, pass.inner, pass.spin, pass.cage
-        ),
+    let pass = format!(
+        "per revolution: outer race {:.4}, inner race {:.4}, ball spin {:.4}, cage {:.4}",
+        pass.outer, pass.inner, pass.spin, pass.cage
     );
+    out.line("ball pass", pass);
     let maker = match entry.maker.as_str() {
         "" => "",
         _ => "another maker's bearing of this name may differ inside",
@@ -74,7 +62,7 @@ pub fn entry_text(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate
     out.text()
 }
 
-fn put_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {
+fn add_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {
     let ratings = [
         Some(format!("C {:.0} N", line.dynamic_rating)),
         line.static_rating.map(|rating| format!("C0 {rating:.0} N")),
@@ -82,55 +70,42 @@ fn put_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {
     ];
     let ratings: Vec<_> = ratings.into_iter().flatten().collect();
     out.line("printed", ratings.join(", "));
-    let mark = |names: &[&str]| match estimate.estimated.iter().any(|name| names.contains(name)) {
-        true => " (estimated)",
-        false => "",
-    };
-    out.line(
-        "balls",
-        format!(
-            "{} of {:.3} mm{}",
-            estimate.internal.balls,
-            1e3 * estimate.internal.ball_diameter,
-            mark(&["balls", "ball_diameter"])
-        ),
+    let mark =
+        |names: &[&str]| mark_estimated(estimate.estimated.iter().any(|name| names.contains(name)));
+    let found = &estimate.internal;
+    let balls = format!(
+        "{} of {:.3} mm{}",
+        found.balls,
+        1e3 * found.ball_diameter,
+        mark(&["balls", "ball_diameter"])
     );
-    out.line(
-        "pitch",
-        format!(
-            "{} mm{}",
-            rounded(1e3 * estimate.internal.pitch_diameter),
-            mark(&["pitch_diameter"])
-        ),
-    );
-    let angle = estimate.internal.contact_angle.to_degrees();
-    out.line("contact angle", format!("{}°", rounded(angle)));
+    out.line("balls", balls);
+    let pitch = rounded(1e3 * found.pitch_diameter, 6);
+    out.line("pitch", format!("{pitch} mm{}", mark(&["pitch_diameter"])));
+    let angle = rounded(found.contact_angle.to_degrees(), 6);
+    out.line("contact angle", format!("{angle}°"));
+    let (inner, outer) = (found.groove_factor_inner, found.groove_factor_outer);
+    let mark = mark(&["groove_factor_inner"]);
     out.line(
         "groove factor",
-        format!(
-            "inner {:.4}, outer {:.4}{}",
-            estimate.internal.groove_factor_inner,
-            estimate.internal.groove_factor_outer,
-            mark(&["groove_factor_inner"])
-        ),
+        format!("inner {inner:.4}, outer {outer:.4}{mark}"),
     );
     let off = |found: f64, printed: f64| format!("{:+.1} %", 1e2 * (found / printed - 1.0));
     let statical = line
         .static_rating
-        .map(|printed| off(estimate.internal.static_rating, printed));
-    out.line(
-        "these have",
-        format!(
-            "C {:.0} N ({}) by ISO 281, C0 {:.0} N{} by ISO 76{}",
-            estimate.internal.dynamic_rating,
-            off(estimate.internal.dynamic_rating, line.dynamic_rating),
-            estimate.internal.static_rating,
-            statical.map_or(String::new(), |off| format!(" ({off})")),
-            estimate
-                .static_factor
-                .map_or(String::new(), |factor| format!(", f0 {factor:.2}"))
-        ),
+        .map(|printed| off(found.static_rating, printed));
+    let factor = estimate
+        .static_factor
+        .map(|factor| format!(", f0 {factor:.2}"));
+    let ratings = format!(
+        "C {:.0} N ({}) by ISO 281, C0 {:.0} N{} by ISO 76{}",
+        found.dynamic_rating,
+        off(found.dynamic_rating, line.dynamic_rating),
+        found.static_rating,
+        statical.map_or(String::new(), |off| format!(" ({off})")),
+        factor.unwrap_or_default()
     );
+    out.line("these have", ratings);
     out.line("filling angle", format!("{:.0}°", estimate.filling_angle));
     if let Some(other) = &estimate.runner_up {
         out.line("next best", other);
@@ -140,15 +115,11 @@ fn put_estimate(out: &mut Lines, line: &CatalogueLine, estimate: &Estimate) {
     }
 }
 
-fn rounded(value: f64) -> f64 {
-    (1e6 * value).round() / 1e6
-}
-
 /// An entry of the catalogue as JSON.
 pub fn entry_json(entry: &CatalogueEntry, bearing: &Bearing, estimate: &Estimate) -> Value {
     let line = &entry.line;
-    let millimetres = |length: f64| rounded(1e3 * length);
-    let angle = rounded(line.contact_angle.to_degrees());
+    let millimetres = |length: f64| rounded(1e3 * length, 6);
+    let angle = rounded(line.contact_angle.to_degrees(), 6);
     json!({
         "designation": entry.designation,
         "maker": entry.maker,

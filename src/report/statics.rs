@@ -4,7 +4,8 @@ use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, turn
 use super::shaft_shapes::deflection;
 use super::table::{Named, Table};
 use super::terminal::{
-    Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed, or_dash,
+    Lines, MICRO, MILLI, NAMES, clearance_text, decimal, digits, displacement_text, listed,
+    mark_estimated, of_bearing, or_dash,
 };
 use super::{Destination, FileSet, Findings};
 use crate::bearing::{BallLine, BearingState, FilmState, Matrix5, RaceContact};
@@ -19,14 +20,12 @@ pub fn answer_findings(
     answer: &QuasiStatic,
 ) -> Findings {
     let title = destination.title;
-    let balls = balls_figure(title, answer);
+    let mut figures = vec![balls_figure(title, answer)];
+    figures.extend(deflection(title, question));
     Findings {
         set: FileSet::BEARING,
         tables: vec![("balls", balls_table(answer))],
-        figures: [balls]
-            .into_iter()
-            .chain(deflection(title, question))
-            .collect(),
+        figures,
         document: destination.document(answer),
         text: text(title, answer),
     }
@@ -58,13 +57,17 @@ fn text(title: &str, answer: &QuasiStatic) -> Lines {
         out.line("twist", text);
     }
     out.line("stiffness", diagonal(&answer.stiffness));
-    out.line("condition", condition(answer.condition));
+    let condition = match answer.condition.is_finite() {
+        true => digits(answer.condition),
+        false => "infinite: the stiffness is singular".to_owned(),
+    };
+    out.line("condition", condition);
     let steps = answer.newton_steps;
     let search = format!("{steps} Newton steps, residual {:.1e}", answer.residual);
     out.detail("search", search);
-    put_stiffness(&mut out, &answer.stiffness);
+    add_stiffness(&mut out, &answer.stiffness);
     for (index, state) in answer.bearings.iter().enumerate() {
-        put_bearing(&mut out, index + 1, state);
+        add_bearing(&mut out, index + 1, state);
     }
     out
 }
@@ -79,16 +82,8 @@ fn diagonal(stiffness: &Matrix5) -> String {
     format!("{along} N/µm; {about} N m/mrad")
 }
 
-fn condition(condition: f64) -> String {
-    if condition.is_finite() {
-        digits(condition)
-    } else {
-        "infinite: the stiffness is singular".to_owned()
-    }
-}
-
 /// K, a micrometre or a milliradian a column.
-fn put_stiffness(out: &mut Lines, stiffness: &Matrix5) {
+fn add_stiffness(out: &mut Lines, stiffness: &Matrix5) {
     let columns = ["x\n/µm", "y\n/µm", "z\n/µm", "θx\n/mrad", "θy\n/mrad"];
     let header = std::iter::once("K").chain(columns);
     let rows = FORCES.iter().enumerate().map(|(row, (name, unit))| {
@@ -96,12 +91,8 @@ fn put_stiffness(out: &mut Lines, stiffness: &Matrix5) {
             let scale = if column < 3 { MICRO } else { MILLI };
             let term = stiffness[(row, column)];
             let diagonal = stiffness[(row, row)] * stiffness[(column, column)];
-            let noise = ROUND_OFF * diagonal.abs().sqrt();
-            digits(if term.abs() < noise {
-                0.0
-            } else {
-                term / scale
-            })
+            let is_noise = term.abs() < ROUND_OFF * diagonal.abs().sqrt();
+            digits(if is_noise { 0.0 } else { term / scale })
         });
         std::iter::once(format!("{name} in {unit}"))
             .chain(cells)
@@ -110,30 +101,26 @@ fn put_stiffness(out: &mut Lines, stiffness: &Matrix5) {
     out.table(header, rows);
 }
 
-fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
+fn add_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     out.put(format_args!("bearing {number}"));
     let geometry = &state.geometry;
-    let mark = if geometry.estimated {
-        " (estimated)"
-    } else {
-        ""
-    };
     let balls = format!(
-        "{} of {:.3} mm on {:.3} mm{mark}",
+        "{} of {:.3} mm on {:.3} mm{}",
         geometry.internal.balls,
         MILLI * geometry.internal.ball_diameter,
-        MILLI * geometry.internal.pitch_diameter
+        MILLI * geometry.internal.pitch_diameter,
+        mark_estimated(geometry.estimated)
     );
     out.line("balls", balls);
     if let Some(clearance) = &state.clearance {
         out.line("clearance", clearance_text(clearance));
     }
-    put_fit(out, state);
+    add_fit(out, state);
     out.line("balls loaded", state.balls_loaded);
     if let Some(life) = state.life {
         out.line("life L10r", format!("{life:.4e} million revolutions"));
     }
-    put_lives(out, state);
+    add_lives(out, state);
     if let Some(safety) = state.static_safety {
         out.line("static safety", format!("{safety:.3}"));
     }
@@ -144,8 +131,7 @@ fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
     out.line("friction", text);
     if let Some(skf) = &state.friction_moment_skf {
         let [rolling, sliding] = [skf.rolling, skf.sliding].map(|moment| MILLI * moment);
-        let total = decimal(rolling + sliding);
-        let [rolling, sliding] = [rolling, sliding].map(decimal);
+        let [total, rolling, sliding] = [rolling + sliding, rolling, sliding].map(decimal);
         out.more(format!(
             "{total} N mm: rolling {rolling}, sliding {sliding} (SKF)"
         ));
@@ -161,26 +147,23 @@ fn put_bearing(out: &mut Lines, number: usize, state: &BearingState) {
         out.line("of films", diagonal(&shares.films));
     }
     if !state.balls.is_empty() {
-        put_balls(out, &state.balls);
+        add_balls(out, &state.balls);
     }
 }
 
 /// What fits and temperatures have done.
-fn put_fit(out: &mut Lines, state: &BearingState) {
+fn add_fit(out: &mut Lines, state: &BearingState) {
     let Some(fit) = &state.fit else { return };
     let [inner, outer] = fit.clearance_loss.map(|loss| decimal(-MICRO * loss));
-    out.line(
-        "fits",
-        format!(
-            "clearance {} µm: inner ring {inner}, outer ring {outer}, temperature {}",
-            decimal(MICRO * fit.clearance_change),
-            decimal(MICRO * fit.thermal_change)
-        ),
+    let clearance = format!(
+        "clearance {} µm: inner ring {inner}, outer ring {outer}, temperature {}",
+        decimal(MICRO * fit.clearance_change),
+        decimal(MICRO * fit.thermal_change)
     );
+    out.line("fits", clearance);
     let [inner, outer] = fit.pressure.map(|pressure| digits(pressure / 1e6));
-    out.more(format!(
-        "pressure in the seats: inner {inner}, outer {outer} MPa"
-    ));
+    let pressure = format!("pressure in the seats: inner {inner}, outer {outer} MPa");
+    out.more(pressure);
     out.more(format!(
         "free contact angle {:.3}°, {:.3}° before; preload in operation {} N",
         fit.angle.to_degrees(),
@@ -196,26 +179,20 @@ fn put_fit(out: &mut Lines, state: &BearingState) {
 }
 
 /// Lives in hours, and what lubrication makes of them.
-fn put_lives(out: &mut Lines, state: &BearingState) {
+fn add_lives(out: &mut Lines, state: &BearingState) {
     let Some(lives) = &state.rating_lives else {
         return;
     };
     let shown = |life: f64, hours: Option<f64>| {
-        let hours = hours.map(|hours| format!(", {} h", digits(hours)));
-        format!(
-            "{life:.4e} million revolutions{}",
-            hours.unwrap_or_default()
-        )
+        let hours = hours.map_or(String::new(), |hours| format!(", {} h", digits(hours)));
+        format!("{life:.4e} million revolutions{hours}")
     };
     if let Some(hours) = lives.reference_hours {
         out.more(format!("{} h at this speed (ISO/TS 16281)", digits(hours)));
     }
     if let (Some(basic), Some(load)) = (lives.basic, lives.equivalent_load) {
-        let text = shown(basic, lives.basic_hours);
-        out.line(
-            "life L10",
-            format!("{text} (ISO 281, P {} N)", digits(load)),
-        );
+        let (life, load) = (shown(basic, lives.basic_hours), digits(load));
+        out.line("life L10", format!("{life} (ISO 281, P {load} N)"));
     }
     let Some(modified) = &lives.modified else {
         return;
@@ -275,11 +252,10 @@ const SPIN: [Column; 1] = [("spin/\nroll", |line| {
 })];
 
 /// Ball by ball; films and inertia where the bearing has them.
-fn put_balls(out: &mut Lines, balls: &[BallLine]) {
-    let films = balls
-        .iter()
-        .any(|line| line.inner.film.or(line.outer.film).is_some());
-    let inertia = balls.iter().any(|line| line.centrifugal_force != 0.0);
+fn add_balls(out: &mut Lines, balls: &[BallLine]) {
+    let has = |what: fn(&BallLine) -> bool| balls.iter().any(what);
+    let films = has(|line| line.inner.film.or(line.outer.film).is_some());
+    let inertia = has(|line| line.centrifugal_force != 0.0);
     let mut columns: Vec<&Column> = PLACE.iter().collect();
     columns.extend(FILM.iter().filter(|_| films));
     columns.extend(INERTIA.iter().filter(|_| inertia));
@@ -352,12 +328,11 @@ const INERTIAS: [Named<BallLine>; 2] = [
 /// The balls of all bearings, both numbered from 1 on.
 fn balls_table(answer: &QuasiStatic) -> Table<'static> {
     let bearings = answer.bearings.iter().enumerate();
-    let balls: Vec<(usize, usize, &BallLine)> = bearings
-        .flat_map(|(bearing, state)| {
-            let balls = state.balls.iter().enumerate();
-            balls.map(move |(ball, line)| (bearing + 1, ball + 1, line))
-        })
-        .collect();
+    let balls = bearings.flat_map(|(bearing, state)| {
+        let balls = state.balls.iter().enumerate();
+        balls.map(move |(ball, line)| (bearing + 1, ball + 1, line))
+    });
+    let balls: Vec<_> = balls.collect();
     let lines = || balls.iter().map(|(.., line)| *line);
     let mut table = Table::default();
     table.counts("bearing", balls.iter().map(|(bearing, ..)| *bearing as f64));
@@ -386,14 +361,8 @@ const HEIGHT: u32 = 272;
 /// One row of two panels for each bearing.
 fn balls_figure(title: &str, answer: &QuasiStatic) -> Figure {
     let bearings = answer.bearings.iter().enumerate();
-    let panels = bearings.flat_map(|(index, state)| {
-        let bearing = if answer.bearings.len() > 1 {
-            format!("bearing {}: ", index + 1)
-        } else {
-            String::new()
-        };
-        panels(&bearing, state)
-    });
+    let panels = bearings
+        .flat_map(|(index, state)| panels(&of_bearing(index, answer.bearings.len()), state));
     let names = Name::each(["inner race", "outer race"]);
     Figure::new("balls.svg", title, 2, panels.collect()).with_names(names)
 }

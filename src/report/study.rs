@@ -5,10 +5,11 @@ use serde_json::{Value, json};
 use super::destination::value;
 use super::figure::{Axis, Curve, Figure, Name, Panel, all_around, distinct, graded, turned};
 use super::table::{Named, Table};
-use super::terminal::{Lines, MICRO, MILLI, digits};
+use super::terminal::{Lines, MICRO, MILLI, digits, in_unit, of_bearing};
 use super::{Destination, FileSet, Findings};
 use crate::analysis::{Channel, column_unit};
 use crate::bearing::{Around, BallLine, BearingState};
+use crate::keys;
 use crate::quasi_static::{QuasiStatic, Twist};
 use crate::rotor::FREEDOMS;
 use crate::scenario::si_units;
@@ -75,10 +76,7 @@ pub(super) fn axis_label(key: &str, unit: &str) -> String {
         (_, "x" | "y" | "z" | "tilt x" | "tilt y") => format!("{table}, {last}"),
         _ => format!("{last} of {table}"),
     };
-    match unit {
-        "" => words.replace('_', " "),
-        unit => format!("{} in {unit}", words.replace('_', " ")),
-    }
+    words.replace('_', " ") + &in_unit(unit)
 }
 
 /// A value of the variable in the unit that it was written in: `200 N`.
@@ -90,13 +88,8 @@ pub(super) fn shown(variable: &Variable, value: f64) -> String {
         .to_owned()
 }
 
-/// Columns of the whole shaft.
-const SHAFT: [Named<QuasiStatic>; 9] = [
-    ("K_x_N_m", |answer| answer.stiffness[(0, 0)]),
-    ("K_y_N_m", |answer| answer.stiffness[(1, 1)]),
-    ("K_z_N_m", |answer| answer.stiffness[(2, 2)]),
-    ("K_tilt_x_N_m_rad", |answer| answer.stiffness[(3, 3)]),
-    ("K_tilt_y_N_m_rad", |answer| answer.stiffness[(4, 4)]),
+/// Columns of the whole shaft behind its stiffness.
+const SHAFT: [Named<QuasiStatic>; 4] = [
     ("condition", |answer| answer.condition),
     ("residual", |answer| answer.residual),
     ("moment_z_N_m", |answer| twist(answer, |twist| twist.moment)),
@@ -107,34 +100,22 @@ fn twist(answer: &QuasiStatic, value: fn(&Twist) -> f64) -> f64 {
     answer.twist.as_ref().map_or(f64::NAN, value)
 }
 
-/// Columns of one bearing, after `bearing_1_`.
-const BEARING: [Named<BearingState>; 15] = [
-    ("balls_loaded", |state| state.balls_loaded as f64),
-    ("largest_load_inner_N", |state| {
-        largest(state, |ball| ball.inner.load)
-    }),
-    ("smallest_load_inner_N", |state| {
-        smallest(state, |ball| ball.inner.load)
-    }),
-    ("largest_load_outer_N", |state| {
-        largest(state, |ball| ball.outer.load)
-    }),
-    ("smallest_load_outer_N", |state| {
-        smallest(state, |ball| ball.outer.load)
-    }),
-    ("largest_angle_inner_rad", |state| {
-        largest(state, |ball| ball.inner.angle)
-    }),
-    ("smallest_angle_inner_rad", |state| {
-        smallest(state, |ball| ball.inner.angle)
-    }),
+/// Columns of the largest and the smallest value of all balls of a bearing; NaN where there are none.
+const EXTREMES: [Named<BallLine>; 3] = [
+    ("load_inner_N", |ball| ball.inner.load),
+    ("load_outer_N", |ball| ball.outer.load),
+    ("angle_inner_rad", |ball| ball.inner.angle),
+];
+
+/// Columns of one bearing after these.
+const BEARING: [Named<BearingState>; 8] = [
     ("swing_of_angle_inner_rad", |state| {
-        largest(state, |ball| ball.inner.angle) - smallest(state, |ball| ball.inner.angle)
+        let angle = |ball: &BallLine| ball.inner.angle;
+        extreme(state, angle, f64::max) - extreme(state, angle, f64::min)
     }),
     ("largest_pressure_Pa", |state| {
-        largest(state, |ball| {
-            ball.inner.peak_pressure.max(ball.outer.peak_pressure)
-        })
+        let pressure = |ball: &BallLine| ball.inner.peak_pressure.max(ball.outer.peak_pressure);
+        extreme(state, pressure, f64::max)
     }),
     ("life_Mrev", |state| state.life.unwrap_or(f64::NAN)),
     ("life_h", |state| {
@@ -156,14 +137,9 @@ const BEARING: [Named<BearingState>; 15] = [
     ("friction_moment_N_m", |state| state.friction_moment.total()),
 ];
 
-/// Largest value of all balls; NaN where there are none.
-fn largest(state: &BearingState, value: fn(&BallLine) -> f64) -> f64 {
-    state.balls.iter().map(value).fold(f64::NAN, f64::max)
-}
-
-/// Smallest value of all balls; NaN where there are none.
-fn smallest(state: &BearingState, value: fn(&BallLine) -> f64) -> f64 {
-    state.balls.iter().map(value).fold(f64::NAN, f64::min)
+/// Largest or smallest value of all balls; NaN where there are none.
+fn extreme(state: &BearingState, value: fn(&BallLine) -> f64, of: fn(f64, f64) -> f64) -> f64 {
+    state.balls.iter().map(value).fold(f64::NAN, of)
 }
 
 /// Columns of a position around a bearing.
@@ -188,40 +164,46 @@ fn answers(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
         let values = rows.iter().map(|row| row.answer.force[axis]);
         table.numbers(Channel::Force(axis).column(), values);
     }
+    for (axis, name) in keys::DIAGONAL.into_iter().enumerate() {
+        let values = rows.iter().map(|row| row.answer.stiffness[(axis, axis)]);
+        table.numbers(name, values);
+    }
     table.named("", &SHAFT, rows.iter().map(|row| Some(&row.answer)));
     let bearings = rows.iter().map(|row| row.answer.bearings.len()).max();
     for bearing in 0..bearings.unwrap_or(0) {
         let before = format!("bearing_{}_", bearing + 1);
-        let states = rows.iter().map(|row| row.answer.bearings.get(bearing));
-        table.named(&before, &BEARING, states);
+        let states = || rows.iter().map(|row| row.answer.bearings.get(bearing));
+        let loaded = states().map(|state| Some(state?.balls_loaded as f64));
+        table.numbers(format!("{before}balls_loaded"), loaded);
+        for (name, value) in EXTREMES {
+            let column = |of| states().map(move |state| Some(extreme(state?, value, of)));
+            table.numbers(format!("{before}largest_{name}"), column(f64::max));
+            table.numbers(format!("{before}smallest_{name}"), column(f64::min));
+        }
+        table.named(&before, &BEARING, states());
     }
     table
 }
 
 /// Every bearing all around at every value; bearings and positions count from 1.
 fn around(variable: &Variable, rows: &[StudyRow]) -> Table<'static> {
-    let places = rows.iter().flat_map(|row| {
-        row.around
-            .iter()
-            .enumerate()
-            .flat_map(move |(bearing, around)| {
-                let places = around.iter().enumerate();
-                places.map(move |(position, place)| (row.value, [bearing + 1, position + 1], place))
-            })
-    });
-    let places: Vec<(f64, [usize; 2], &Around)> = places.collect();
-    let mut table = Table::default();
-    table.numbers(
-        column_name(variable),
-        places.iter().map(|(value, ..)| *value),
-    );
-    for (count, name) in ["bearing", "position"].into_iter().enumerate() {
-        table.counts(
-            name,
-            places.iter().map(|(_, counts, _)| counts[count] as f64),
-        );
+    let mut places = Vec::new();
+    for row in rows {
+        for (bearing, around) in row.around.iter().enumerate() {
+            for (position, place) in around.iter().enumerate() {
+                places.push((row.value, bearing + 1, position + 1, place));
+            }
+        }
     }
-    table.named("", &AROUND, places.iter().map(|(.., place)| Some(*place)));
+    let places = || places.iter();
+    let mut table = Table::default();
+    table.numbers(column_name(variable), places().map(|(value, ..)| *value));
+    table.counts("bearing", places().map(|(_, bearing, ..)| *bearing as f64));
+    table.counts(
+        "position",
+        places().map(|(.., position, _)| *position as f64),
+    );
+    table.named("", &AROUND, places().map(|(.., place)| Some(*place)));
     table
 }
 
@@ -271,13 +253,7 @@ fn text(title: &str, study: &Study, rows: &[StudyRow]) -> Lines {
     let step = rows.len().div_ceil(MOST_ROWS).max(1);
     let cells = rows.iter().step_by(step).map(|row| cells(study, row));
     out.table(header, cells);
-    let Variable {
-        key, shown_unit, ..
-    } = &study.variable;
-    let unit = match *shown_unit {
-        "" => String::new(),
-        unit => format!(" in {unit}"),
-    };
+    let (key, unit) = (&study.variable.key, in_unit(study.variable.shown_unit));
     out.line("varied", format!("{key}{unit}: {} values", rows.len()));
     out
 }
@@ -291,10 +267,7 @@ fn cells(study: &Study, row: &StudyRow) -> Vec<String> {
         let scale = if axis < 3 { MICRO } else { MILLI };
         digits(row.answer.stiffness[(axis, axis)] / scale)
     });
-    std::iter::once(value)
-        .chain(places)
-        .chain(stiffness)
-        .collect()
+    [value].into_iter().chain(places).chain(stiffness).collect()
 }
 
 /// Height of a plot, px.
@@ -380,11 +353,7 @@ fn curves_around(rows: &[StudyRow], index: usize, value: impl Fn(&Around) -> f64
 }
 
 fn panel(rows: &[StudyRow], index: usize, name: &str, curves: Vec<Curve>) -> Panel {
-    let name = if bearings(rows) > 1 {
-        format!("bearing {}: {name}", index + 1)
-    } else {
-        name.to_owned()
-    };
+    let name = of_bearing(index, bearings(rows)) + name;
     Panel::of(Axis::azimuth(), name, HEIGHT, curves)
 }
 
@@ -397,11 +366,8 @@ fn less_mean(curves: &[Curve], name: &str) -> Panel {
         let inner = inner.unwrap_or_default();
         let sum: f64 = inner.iter().map(|point| point.1).sum();
         let mean = sum / inner.len().max(1) as f64;
-        let points = curve.points.iter();
-        Curve::line(
-            curve.colour,
-            points.map(|(at, value)| (*at, value - mean)).collect(),
-        )
+        let points = curve.points.iter().map(|(at, value)| (*at, value - mean));
+        Curve::line(curve.colour, points.collect())
     };
     let curves = curves.iter().map(curve).collect();
     Panel::of(Axis::azimuth(), name, HEIGHT, curves)
@@ -422,10 +388,9 @@ fn shown_names(count: usize) -> usize {
     if count <= MOST_NAMES {
         return count;
     }
-    (4..=MOST_NAMES)
-        .rev()
-        .find(|shown| (count - 1).is_multiple_of(shown - 1))
-        .unwrap_or(MOST_NAMES)
+    let mut few = (4..=MOST_NAMES).rev();
+    let even = few.find(|shown| (count - 1).is_multiple_of(shown - 1));
+    even.unwrap_or(MOST_NAMES)
 }
 
 #[cfg(test)]

@@ -184,6 +184,25 @@ pub(super) fn or_dash(value: Option<String>) -> String {
     value.unwrap_or_else(|| "–".to_owned())
 }
 
+/// `bearing 2: ` before what is said of a bearing; one alone needs no number.
+pub(super) fn of_bearing(index: usize, count: usize) -> String {
+    match count {
+        1 => String::new(),
+        _ => format!("bearing {}: ", index + 1),
+    }
+}
+
+/// A mark behind what is estimated.
+pub(super) fn mark_estimated(estimated: bool) -> &'static str {
+    if estimated { " (estimated)" } else { "" }
+}
+
+/// A value with at most some decimals.
+pub(super) fn rounded(value: f64, decimals: i32) -> f64 {
+    let scale = 10f64.powi(decimals);
+    (scale * value).round() / scale
+}
+
 /// Names of the freedoms.
 pub(super) const NAMES: [&str; FREEDOMS] = ["x", "y", "z", "θx", "θy"];
 
@@ -268,6 +287,14 @@ pub(super) fn shown_unit(unit: &str) -> (String, f64) {
         "m" => ("µm".to_owned(), MICRO),
         "rad" => ("µrad".to_owned(), MICRO),
         _ => (unit.replace("^2", "²"), 1.0),
+    }
+}
+
+/// ` in N`, or nothing of a plain number.
+pub(super) fn in_unit(unit: &str) -> String {
+    match unit {
+        "" => String::new(),
+        unit => format!(" in {unit}"),
     }
 }
 

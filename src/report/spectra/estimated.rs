@@ -8,8 +8,7 @@ use serde_json::{Value, json};
 
 use super::shown::{FREQUENCY, ORDER, ShownPeak, ShownSpectrum};
 use crate::analysis::{
-    Axis, EnvelopeLine, EstimatedSpectrum, Resampling, Scaling, SpectrumKind,
-    SpectrumQuantity, column_unit,
+    Axis, EstimatedSpectrum, Resampling, Scaling, SpectrumKind, SpectrumQuantity, column_unit,
 };
 use crate::report::figure::Figure;
 use crate::report::table::Table;
@@ -45,38 +44,27 @@ pub(in crate::report) fn estimated_table(spectrum: &EstimatedSpectrum) -> Table<
 /// `x_peak_m`, `x_velocity_rms_m_s`, `force_x_density_N2_per_Hz`, `x_iy_peak_m`,
 /// `force_x_to_x_power_N_m`, `force_x_to_x_phase_rad`, `force_x_to_x_coherence` ….
 fn column(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> String {
+    let scaled = |name: String| {
+        let scaling = spectrum.request.scaling.name();
+        let unit = column_unit(&spectrum.unit(quantity));
+        format!("{name}_{scaling}_{unit}{}", per_axis(spectrum, "_per_"))
+    };
     match quantity {
-        SpectrumQuantity::Value(channel) => scaled(spectrum, quantity, channel.name()),
+        SpectrumQuantity::Value(channel) => scaled(channel.to_string()),
+        SpectrumQuantity::Rotary(x, _) => scaled(x.name().replacen('x', "x_iy", 1)),
+        SpectrumQuantity::Cross(x, y) => scaled(format!("{x}_to_{y}")),
         SpectrumQuantity::Phase(channel) => format!("{channel}_phase_rad"),
-        SpectrumQuantity::Rotary(x, _) => {
-            scaled(spectrum, quantity, &x.name().replacen('x', "x_iy", 1))
-        }
-        SpectrumQuantity::Cross(reference, other) => {
-            scaled(spectrum, quantity, &format!("{reference}_to_{other}"))
-        }
-        SpectrumQuantity::CrossPhase(reference, other) => {
-            format!("{reference}_to_{other}_phase_rad")
-        }
-        SpectrumQuantity::Coherence(reference, other) => {
-            format!("{reference}_to_{other}_coherence")
-        }
+        SpectrumQuantity::CrossPhase(x, y) => format!("{x}_to_{y}_phase_rad"),
+        SpectrumQuantity::Coherence(x, y) => format!("{x}_to_{y}_coherence"),
     }
-}
-
-fn scaled(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity, name: &str) -> String {
-    let scaling = spectrum.request.scaling.name();
-    let unit = column_unit(&spectrum.unit(quantity));
-    format!("{name}_{scaling}_{unit}{}", per_axis(spectrum, "_per_"))
 }
 
 /// Unit of a column as text.
 fn unit(spectrum: &EstimatedSpectrum, quantity: SpectrumQuantity) -> String {
     let unit = spectrum.unit(quantity);
-    match quantity {
-        SpectrumQuantity::Value(_) | SpectrumQuantity::Rotary(..) | SpectrumQuantity::Cross(..) => {
-            format!("{unit}{}", per_axis(spectrum, "/"))
-        }
-        _ => unit,
+    match curve_name(quantity) {
+        Some(_) => unit + &per_axis(spectrum, "/"),
+        None => unit,
     }
 }
 
@@ -112,26 +100,13 @@ pub(in crate::report) fn shown_estimates(
     let request = &spectrum.request;
     let mut groups = Vec::<ShownSpectrum<'_>>::new();
     for (index, column) in spectrum.columns.iter().enumerate() {
-        let Some(name) = shown_name(column.quantity) else {
+        let Some(name) = curve_name(column.quantity) else {
             continue;
         };
-        let column_of = (name, Cow::Borrowed(&column.values[..]));
         let (unit, factor) = shown_unit(&unit(spectrum, column.quantity));
-        let lines = spectrum.lines.iter().filter(|line| line.column == index);
-        let peak = |column| {
-            move |line: &EnvelopeLine| ShownPeak {
-                column,
-                at: line.place,
-                height: factor * line.value,
-                name: line.line.kind.to_string(),
-            }
-        };
-        match groups.iter_mut().find(|group| group.unit == unit) {
-            Some(group) => {
-                group.peaks.extend(lines.map(peak(group.columns.len())));
-                group.columns.push(column_of);
-            }
-            None => groups.push(ShownSpectrum {
+        let known = groups.iter().position(|group| group.unit == unit);
+        let place = known.unwrap_or_else(|| {
+            groups.push(ShownSpectrum {
                 name: request.name.clone(),
                 quantity: request.scaling.name().replace('_', " "),
                 unit,
@@ -143,10 +118,20 @@ pub(in crate::report) fn shown_estimates(
                 first: spectrum.first,
                 resolution: spectrum.resolution,
                 shown: shown_places(spectrum, limit),
-                columns: vec![column_of],
-                peaks: lines.map(peak(0)).collect(),
-            }),
-        }
+                columns: Vec::new(),
+                peaks: Vec::new(),
+            });
+            groups.len() - 1
+        });
+        let group = &mut groups[place];
+        let lines = spectrum.lines.iter().filter(|line| line.column == index);
+        group.peaks.extend(lines.map(|line| ShownPeak {
+            column: group.columns.len(),
+            at: line.place,
+            height: factor * line.value,
+            name: line.line.kind.to_string(),
+        }));
+        group.columns.push((name, Cow::Borrowed(&column.values)));
     }
     groups
 }
@@ -166,15 +151,13 @@ fn shown_places(spectrum: &EstimatedSpectrum, limit: f64) -> Range<f64> {
     }
 }
 
-/// What a curve is called; phases and coherences are not shown.
-fn shown_name(quantity: SpectrumQuantity) -> Option<String> {
+/// What the curve of a scaled quantity is called; phases and coherences are neither scaled nor shown.
+fn curve_name(quantity: SpectrumQuantity) -> Option<String> {
     match quantity {
         SpectrumQuantity::Value(channel) => Some(channel.name().to_owned()),
         SpectrumQuantity::Rotary(x, y) => Some(format!("{x} + i {y}")),
         SpectrumQuantity::Cross(reference, other) => Some(format!("{reference} to {other}")),
-        SpectrumQuantity::Phase(_)
-        | SpectrumQuantity::CrossPhase(..)
-        | SpectrumQuantity::Coherence(..) => None,
+        _ => None,
     }
 }
 
@@ -264,9 +247,8 @@ fn meaning(spectrum: &EstimatedSpectrum) -> String {
         (Scaling::Power, _) => "mean square (SciPy: spectrum, Matlab: power)",
         (Scaling::Density, _) => "mean square per unit of the axis (SciPy: density, Matlab: psd)",
     };
-    let is_phase = |quantity| matches!(quantity, SpectrumQuantity::Phase(_));
-    let mut columns = spectrum.columns.iter();
-    let phase = match columns.any(|column| is_phase(column.quantity)) {
+    let mut quantities = spectrum.columns.iter().map(|column| column.quantity);
+    let phase = match quantities.any(|of| matches!(of, SpectrumQuantity::Phase(_))) {
         true => "; phase of cos(2 pi f t + phase) with t from start_s",
         false => "",
     };

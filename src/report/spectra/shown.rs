@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use crate::report::envelope::SCREEN_BUCKETS;
 use crate::report::figure::{Axis, Curve, Name, Panel, Point, distinct};
 use crate::report::page::{PagePanel, curve};
+use crate::report::terminal::in_unit;
 
 /// What most spectra are drawn over.
 pub(super) const FREQUENCY: [&str; 2] = ["frequency", "Hz"];
@@ -67,26 +68,23 @@ impl ShownSpectrum<'_> {
         let columns = 0..self.columns.len();
         let values = columns.clone().flat_map(|column| self.points(column));
         let strongest = values.fold(0.0, |most: f64, (_, value)| most.max(value));
+        let is_shown = |place: f64| self.shown.contains(&place) || place == self.shown.end;
         let curves = columns.map(|column| {
-            let points = self.points(column);
-            Curve::envelope(
-                distinct(column),
-                points.filter(|(place, _)| self.shown.contains(place) || *place == self.shown.end),
-            )
+            let points = self.points(column).filter(|(place, _)| is_shown(*place));
+            Curve::envelope(distinct(column), points)
         });
-        let over = match self.over {
-            [quantity, ""] => quantity.to_owned(),
-            [quantity, unit] => format!("{quantity} in {unit}"),
-        };
+        let [quantity, unit] = self.over;
+        let over = format!("{quantity}{}", in_unit(unit));
+        let name = format!("{} in {}", self.quantity, self.unit);
+        let (x, y) = (
+            Axis::over(over, self.shown.clone()),
+            Axis::below(name, strongest),
+        );
         Panel {
             names: Name::each(self.columns.iter().map(|(name, _)| name.as_str())),
             curves: curves.collect(),
             peaks: self.strongest_peaks(),
-            ..Panel::new(
-                Axis::over(over, self.shown.clone()),
-                Axis::below(format!("{} in {}", self.quantity, self.unit), strongest),
-                height,
-            )
+            ..Panel::new(x, y, height)
         }
     }
 
@@ -111,9 +109,8 @@ impl ShownSpectrum<'_> {
     pub fn page_panel(&self) -> Value {
         let rows = self.prominent_rows();
         let curves = self.columns.iter().map(|(name, values)| {
-            let points = rows
-                .iter()
-                .map(|row| (self.place(*row), self.factor * values[*row]));
+            let points = rows.iter();
+            let points = points.map(|row| (self.place(*row), self.factor * values[*row]));
             curve(name, points)
         });
         let marks = self.peaks.iter();
@@ -132,12 +129,12 @@ impl ShownSpectrum<'_> {
         })
     }
 
-    /// Rows to draw, the mean left out: all or, of too many, from every stretch the highest and the lowest.
+    /// Rows to draw, the mean left out: all or, of too many, from every segment the highest and the lowest.
     fn prominent_rows(&self) -> Vec<usize> {
         let count = self.columns.first().map_or(0, |(_, values)| values.len());
         let rows: Vec<usize> = (0..count).filter(|row| self.place(*row) != 0.0).collect();
-        let stretch = rows.len().div_ceil(SCREEN_BUCKETS);
-        if stretch <= 2 {
+        let segment = rows.len().div_ceil(SCREEN_BUCKETS);
+        if segment <= 2 {
             return rows;
         }
         let height = |row: usize| {
@@ -145,9 +142,9 @@ impl ShownSpectrum<'_> {
             values.fold(0.0, f64::max)
         };
         let by_height = |a: &&usize, b: &&usize| height(**a).total_cmp(&height(**b));
-        let extremes = rows.chunks(stretch).flat_map(|stretch| {
-            let lowest = stretch.iter().min_by(by_height).copied();
-            let highest = stretch.iter().max_by(by_height).copied();
+        let extremes = rows.chunks(segment).flat_map(|segment| {
+            let lowest = segment.iter().min_by(by_height).copied();
+            let highest = segment.iter().max_by(by_height).copied();
             let [first, last] = [lowest.min(highest), lowest.max(highest)];
             first.into_iter().chain(last.filter(|_| first != last))
         });
