@@ -109,7 +109,7 @@ impl Motion<'_> {
         let mut part = Part {
             paces: paces.each_ref().map(Some),
             earlier: restart.as_mut().map(|restart| Earlier {
-                standing: restart.standing().clone(),
+                standing: restart.standing.clone(),
                 states: restart,
             }),
             stop_at: asked.stop_at(),

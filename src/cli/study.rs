@@ -1,7 +1,7 @@
 //! `jeffcott study`.
 
 use std::io;
-use std::num::NonZeroUsize;
+use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::Instant;
@@ -16,8 +16,8 @@ use crate::report::many::{
     Digest, JournalError, MakeError, Making, MergeError, StudyRuns, StudyWatch,
     merge as merge_parts,
 };
-use crate::report::{self, Outputs, RunReport};
-use crate::scenario::{self, StudyFile};
+use crate::report::{self, RunReport};
+use crate::scenario::{self, Output, StudyFile};
 use crate::simulate::{Monitor, RunSize, simulate};
 use crate::study::many::Shard;
 
@@ -256,21 +256,12 @@ impl<'a> Task<'a> {
             .map(|turn| turn.point)
             .next();
         let values = self.study.plan.values(point.unwrap_or(0));
-        let outputs = Outputs {
-            trace: true,
-            energy: model.energy || model.rotor.drive.is_some(),
-            drive: model.rotor.drive.is_some(),
-            events: true,
-            spectrum: true,
-            figures: true,
-            page: true,
-            ..Outputs::default()
-        };
+        let mut output = Output::default();
+        output.every = Some(NonZeroU64::MIN);
         let scenario = self.study.scenario(&values);
         let scenario = scenario.map_err(|error| no_run(error.message))?;
         let folder = self.folder.join(format!("run-{number}"));
-        let freedoms = self.runs.first.rotor.shaft.freedoms.count();
-        let report = RunReport::open(&folder, outputs, &title, scenario, freedoms);
+        let report = RunReport::open(&folder, output, &model, &title, scenario);
         let mut report = report.map_err(failed)?;
         let mut progress = Progress::new(&title);
         let mut monitor = Monitor {

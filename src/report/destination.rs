@@ -138,6 +138,15 @@ pub fn document(title: &str, scenario: &Value, result: impl Serialize) -> Value 
     })
 }
 
+/// A part of a document with further keys.
+pub(super) fn with_keys(result: impl Serialize, further: Value) -> Value {
+    let mut json = value(result);
+    if let (Value::Object(keys), Value::Object(further)) = (&mut json, further) {
+        keys.extend(further);
+    }
+    json
+}
+
 /// A part of a document.
 pub(super) fn value(result: impl Serialize) -> Value {
     serde_json::to_value(result).expect("the keys of results are texts")

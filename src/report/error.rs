@@ -1,10 +1,7 @@
-//! What can go wrong between a result and its file, and what is kept of a run that cannot go on.
+//! What can go wrong between a result and its file.
 
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
-
-use super::FileSet;
-use crate::integrate::IntegrateError;
 
 /// What was being done to a file or folder.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -85,25 +82,4 @@ impl ReportError {
     pub(super) fn named(path: &Path) -> impl FnOnce(io::Error) -> io::Error {
         |error| io::Error::new(error.kind(), Self::file(FileAction::Write, path)(error))
     }
-}
-
-/// The kind of failure in one word, for programs.
-pub(super) fn failure_kind(error: &IntegrateError) -> &'static str {
-    match error {
-        IntegrateError::StepLimit { .. } => "step_limit",
-        IntegrateError::StepUnderflow { .. } => "step_underflow",
-        IntegrateError::Stiff { .. } => "stiff",
-        IntegrateError::NotFinite { .. } => "not_finite",
-        IntegrateError::Interrupted { .. } => "interrupted",
-    }
-}
-
-impl FileSet {
-    /// What a run leaves that cannot go on; beside it an earlier run may stand whole.
-    pub const FAILURE: Self = Self {
-        seal: "failure.json",
-        tables: &["trace.until-failure"],
-        others: &[],
-        spent: &[],
-    };
 }

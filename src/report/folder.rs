@@ -2,6 +2,7 @@
 
 use std::fs::{self, File, TryLockError};
 use std::io::{self, BufWriter, Write};
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
@@ -64,6 +65,13 @@ impl FileSet {
             "trace.until-failure.parquet",
             "trace.until-failure.mat",
         ],
+    };
+    /// What a run leaves that cannot go on; beside it an earlier run may stand whole.
+    pub const FAILURE: Self = Self {
+        seal: "failure.json",
+        tables: &["trace.until-failure"],
+        others: &[],
+        spent: &[],
     };
     /// What the answer to a static question leaves; a study of the same name does not outlive it.
     pub const BEARING: Self = Self {
@@ -339,16 +347,15 @@ impl RunFolder {
     /// # Errors
     /// [`ReportError::File`] where one cannot be removed.
     pub(super) fn unseal(&self, seals: &[&str]) -> Result<(), ReportError> {
-        let stood = seals.iter().any(|seal| self.path.join(seal).exists());
-        if !stood {
-            return Ok(());
+        if seals.iter().any(|seal| self.path.join(seal).exists()) {
+            self.remove(seals.iter().map(|seal| (*seal).to_owned()))?;
+            sync_folder(&self.path)?;
         }
-        self.remove(seals.iter().map(|seal| (*seal).to_owned()))?;
-        sync_folder(&self.path)
+        Ok(())
     }
 
     /// Files of the folder's set, if an earlier run stands here whole.
-    pub(super) fn standing(&self) -> Vec<String> {
+    pub(super) fn earlier_files(&self) -> Vec<String> {
         if !self.path.join(self.set.seal).exists() {
             return Vec::new();
         }
@@ -380,7 +387,12 @@ impl RunFolder {
         let names = names.into_iter();
         for name in names.flat_map(|pattern| self.matching(&pattern)) {
             let path = self.path.join(name);
-            remove_if_there(&path).map_err(ReportError::file(FileAction::Remove, &path))?;
+            match fs::remove_file(&path) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(ReportError::file(FileAction::Remove, &path)(error));
+                }
+                _ => {}
+            }
         }
         Ok(())
     }
@@ -397,7 +409,7 @@ pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), ReportError> {
         .filter(|parent| !parent.as_os_str().is_empty());
     let folder = RunFolder::of_any(parent.unwrap_or(Path::new(".")), FileSet::MOTION)?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    folder.write(&name, content)?.put()?;
+    folder.write(&name, content)?.rename_durably()?;
     Ok(())
 }
 
@@ -415,10 +427,8 @@ fn sync_files<'a>(files: impl IntoIterator<Item = &'a WholeFile>) -> Result<(), 
             .map_while(|_| thread::Builder::new().spawn_scoped(scope, sync).ok());
         let helpers: Vec<_> = helpers.collect();
         let own = sync();
-        let theirs = helpers.into_iter().map(|helper| match helper.join() {
-            Ok(result) => result,
-            Err(panic) => std::panic::resume_unwind(panic),
-        });
+        let theirs = helpers.into_iter().map(|helper| helper.join());
+        let theirs = theirs.map(|joined| joined.unwrap_or_else(|panic| resume_unwind(panic)));
         theirs.chain([own]).collect()
     })
 }
@@ -434,13 +444,6 @@ pub(super) fn sync_folder(path: &Path) -> Result<(), ReportError> {
 #[cfg(not(unix))]
 pub(super) fn sync_folder(_path: &Path) -> Result<(), ReportError> {
     Ok(())
-}
-
-fn remove_if_there(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
-        _ => Ok(()),
-    }
 }
 
 /// A file being written under its temporary name; dropping it removes it.
@@ -509,7 +512,7 @@ impl WholeFile {
     }
 
     /// Gives it its name for good.
-    pub(super) fn put(self) -> Result<PathBuf, ReportError> {
+    pub(super) fn rename_durably(self) -> Result<PathBuf, ReportError> {
         self.sync()?;
         let path = self.rename()?;
         sync_folder(path.parent().unwrap_or(&path))?;

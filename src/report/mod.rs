@@ -49,9 +49,9 @@ pub(crate) use folder::{FileSet, PartialFile, RunFolder, WholeFile, write_whole}
 pub(crate) use histories::Histories;
 pub(crate) use response::response_findings;
 pub(crate) use restart::{RestartError, RestartReader, RestartWriter, RunIdentity, restart_path};
+
 pub use run_report::RunReport;
-pub(crate) use run_report::RunSummary;
-pub(crate) use run_report::{KeptFiles, Outputs};
+pub(crate) use run_report::{KeptFiles, RunSummary};
 pub(crate) use run_tables::EVENT_COLUMNS;
 #[cfg(test)]
 pub(crate) use run_tables::{

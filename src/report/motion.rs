@@ -1,55 +1,37 @@
 //! A steady motion: points of its sections, its orbit, and what it is like.
 
-use serde::Serialize;
+use serde_json::{Value, json};
 
+use super::destination::with_keys;
 use super::figure::{Axis, Curve, Figure, Name, PLOT_WIDTH, Panel, Point, distinct};
 use super::table::Table;
 use super::terminal::{Lines, MICRO, MILLI, listed, significant};
 use crate::analysis::{
-    Channel, ChannelLevel, Drift, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel,
+    Channel, ChannelLevel, Kind, LONGEST_PERIOD, Motion, Section, SectionKind, VelocityLevel,
 };
 use crate::physics::MachineSupport;
 use crate::rotor::FREEDOMS;
 use crate::simulate::VibrationSeverity;
 
-/// Everything about a steady motion but its points.
-#[derive(Debug, Serialize)]
-pub(super) struct MotionSummary<'a> {
-    #[serde(flatten)]
-    motion: &'a Motion,
-    settling: Option<Settling<'a>>,
-}
-
-/// Whether a motion has settled.
-#[derive(Debug, Serialize)]
-struct Settling<'a> {
-    meaning: &'static str,
-    channel: &'static str,
-    #[serde(flatten)]
-    drift: &'a Drift,
-    /// Not known of an irregular motion, whose statistics move by themselves.
-    settled: Option<bool>,
-}
-
-impl<'a> From<&'a Motion> for MotionSummary<'a> {
-    fn from(motion: &'a Motion) -> Self {
-        let irregular = matches!(motion.recognition.kind, Kind::Irregular { .. });
-        let settling = |drift: &'a Drift| Settling {
-            meaning: "change of mean and RMS from the second to the last third, in parts of the RMS of \
-                      the motion, of the freedom that changes most",
-            channel: Channel::Displacement(drift.freedom).name(),
-            drift,
-            settled: (!irregular).then(|| drift.is_settled()),
-        };
-        Self {
-            motion,
-            settling: motion.drift.as_ref().map(settling),
-        }
-    }
+/// Everything about a steady motion but its points, and whether it has settled.
+pub(super) fn motion_json(motion: &Motion) -> Value {
+    let irregular = matches!(motion.recognition.kind, Kind::Irregular { .. });
+    let settling = motion.drift.as_ref().map(|drift| {
+        let mut json = json!({
+            "meaning": "change of mean and RMS from the second to the last third, in parts of the RMS of \
+                        the motion, of the freedom that changes most",
+            "channel": Channel::Displacement(drift.freedom).name(),
+        });
+        json = with_keys(json, json!(drift));
+        // not known of an irregular motion, whose statistics move by themselves
+        json["settled"] = json!((!irregular).then(|| drift.is_settled()));
+        json
+    });
+    with_keys(motion, json!({ "settling": settling }))
 }
 
 /// Kind, settling, vibration and velocity.
-pub(super) fn put_motion(out: &mut Lines, motion: &Motion) {
+pub(super) fn add_motion(out: &mut Lines, motion: &Motion) {
     out.line("motion", kind(&motion.recognition.kind));
     if let Some(drift) = &motion.drift {
         let word = match (&motion.recognition.kind, drift.is_settled()) {
@@ -81,26 +63,21 @@ pub(super) fn put_motion(out: &mut Lines, motion: &Motion) {
 }
 
 /// In which zone of ISO 20816-3 the vibration lies, and how far that holds.
-pub(super) fn put_severity(out: &mut Lines, severity: &VibrationSeverity) {
+pub(super) fn add_severity(out: &mut Lines, severity: &VibrationSeverity) {
     let support = match severity.support {
         MachineSupport::Rigid => "rigid",
         MachineSupport::Flexible => "flexible",
     };
     let (standard, group) = (severity.standard, severity.group);
-    out.line(
-        "zone",
-        format_args!(
-            "{:?} of {standard}, {}: {}; boundaries {} mm/s (group {group}, {support} support)",
-            severity.zone,
-            severity.meaning,
-            level_text(severity.channel, &severity.level),
-            listed(
-                severity
-                    .boundaries
-                    .map(|boundary| format!("{:.1}", MILLI * boundary))
-            ),
-        ),
+    let boundaries = severity.boundaries;
+    let boundaries = listed(boundaries.map(|boundary| format!("{:.1}", MILLI * boundary)));
+    let zone = format!(
+        "{:?} of {standard}, {}: {}; boundaries {boundaries} mm/s (group {group}, {support} support)",
+        severity.zone,
+        severity.meaning,
+        level_text(severity.channel, &severity.level)
     );
+    out.line("zone", zone);
     for remark in &severity.remarks {
         out.more(remark);
     }

@@ -88,21 +88,14 @@ impl RunFindings {
         let mut tables = Vec::new();
         let mut add = |name: &str, make: MakeTable<'a>| tables.push((name.to_owned(), make));
         if let Some(first) = samples.first() {
-            add(
-                "trace",
-                Box::new(|| sample_table(samples, Channel::of_trace())),
-            );
-            if first.energy.is_some() {
-                add(
-                    "energy",
-                    Box::new(|| sample_table(samples, Channel::of_energy())),
-                );
-            }
-            if first.drive.is_some() {
-                add(
-                    "drive",
-                    Box::new(|| sample_table(samples, Channel::of_drive())),
-                );
+            let (energy, drive) = (first.energy.is_some(), first.drive.is_some());
+            let sampled: [(_, _, Vec<Channel>); 3] = [
+                ("trace", true, Channel::of_trace().collect()),
+                ("energy", energy, Channel::of_energy().collect()),
+                ("drive", drive, Channel::of_drive().collect()),
+            ];
+            for (name, _, channels) in sampled.into_iter().filter(|(_, is_there, _)| *is_there) {
+                add(name, Box::new(|| sample_table(samples, channels)));
             }
         }
         let rows = events.iter().map(event_row);
@@ -110,17 +103,15 @@ impl RunFindings {
         if let Some(first) = balls.first() {
             let rows = samples.iter().zip(balls);
             let rows = rows.map(|(sample, balls)| ball_row(sample, balls));
-            add(
-                "trace_balls",
-                Box::new(|| Table::of_rows(ball_columns(first), rows)),
-            );
+            let make = || Table::of_rows(ball_columns(first), rows);
+            add("trace_balls", Box::new(make));
         }
         if let Some(Maps { waterfall, .. }) = &run.maps {
             let rows = waterfall_rows(waterfall);
             let make = || Table::of_rows(waterfall_columns(waterfall), rows);
             add("waterfall", Box::new(make));
         }
-        for (name, table) in tables_at_end(run, true, self.campbell.as_ref()) {
+        for (name, table) in tables_at_end(run, self.campbell.as_ref()) {
             add(&name, Box::new(|| table));
         }
         tables

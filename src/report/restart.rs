@@ -112,13 +112,8 @@ pub enum RestartError {
         path: PathBuf,
     },
     /// The file system refuses.
-    #[error("cannot read {}: {source}", path.display())]
-    Unreadable {
-        /// The file.
-        path: PathBuf,
-        /// The answer of the system.
-        source: io::Error,
-    },
+    #[error(transparent)]
+    Unreadable(ReportError),
     /// It is something else.
     #[error("{} is no restart file", path.display())]
     Foreign {
@@ -175,7 +170,6 @@ pub enum RestartError {
 pub struct RestartWriter {
     file: PartialFile,
     checksum: Checksum,
-    bytes: Vec<u8>,
     scenario: Value,
     fingerprint: u64,
 }
@@ -189,11 +183,10 @@ impl RestartWriter {
         let mut writer = Self {
             file: folder.create(RESTART)?,
             checksum: Checksum::START,
-            bytes: MAGIC.to_vec(),
             scenario: identity.scenario.clone(),
             fingerprint: identity.fingerprint(),
         };
-        let written = writer.write();
+        let written = writer.write(&MAGIC);
         written.map_err(ReportError::file(FileAction::Write, writer.file.path()))?;
         Ok(writer)
     }
@@ -205,7 +198,7 @@ impl RestartWriter {
     pub fn finish(mut self, standing: &Standing) -> Result<PathBuf, ReportError> {
         let written = self.write_tail(standing);
         written.map_err(ReportError::file(FileAction::Write, self.file.path()))?;
-        self.file.close()?.put()
+        self.file.close()?.rename_durably()
     }
 
     fn write_tail(&mut self, standing: &Standing) -> io::Result<()> {
@@ -215,26 +208,23 @@ impl RestartWriter {
             fingerprint: self.fingerprint,
             standing: standing.clone(),
         })?;
-        self.bytes.extend(&tail);
-        self.bytes.extend((tail.len() as u64).to_le_bytes());
-        self.write()?;
+        self.write(&tail)?;
+        self.write(&(tail.len() as u64).to_le_bytes())?;
         self.file.write_all(&self.checksum.value().to_le_bytes())
     }
 
-    /// Writes what has been collected.
-    fn write(&mut self) -> io::Result<()> {
-        self.checksum.add(&self.bytes);
-        self.file.write_all(&self.bytes)?;
-        self.bytes.clear();
-        Ok(())
+    /// Writes what goes into the checksum.
+    fn write(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.checksum.add(bytes);
+        self.file.write_all(bytes)
     }
 }
 
 impl StateKeeper for RestartWriter {
     fn keep(&mut self, states: &[f64]) -> io::Result<()> {
-        let bytes = states.iter().flat_map(|value| value.to_le_bytes());
-        self.bytes.extend(bytes);
-        self.write().map_err(ReportError::named(self.file.path()))
+        let mut states = states.iter();
+        let written = states.try_for_each(|value| self.write(&value.to_le_bytes()));
+        written.map_err(ReportError::named(self.file.path()))
     }
 }
 
@@ -248,7 +238,8 @@ const FRAME: u64 = 24;
 /// A restart file that fits its run, ready to give back what it keeps.
 #[derive(Debug)]
 pub struct RestartReader {
-    standing: Standing,
+    /// Where the run stood.
+    pub standing: Standing,
     states: BufReader<File>,
 }
 
@@ -261,10 +252,7 @@ impl RestartReader {
         let owned = || path.to_owned();
         let refused = |source: io::Error| match source.kind() {
             ErrorKind::NotFound => RestartError::Missing { path: owned() },
-            _ => RestartError::Unreadable {
-                path: owned(),
-                source,
-            },
+            _ => RestartError::Unreadable(ReportError::file(FileAction::Read, path)(source)),
         };
         let damaged = |what| RestartError::Damaged {
             path: owned(),
@@ -296,11 +284,6 @@ impl RestartReader {
             standing,
             states: file,
         })
-    }
-
-    /// Where the run stood.
-    pub fn standing(&self) -> &Standing {
-        &self.standing
     }
 }
 

@@ -8,11 +8,11 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::defects;
-use super::error::failure_kind;
+use super::destination::with_keys;
 use super::figure::Figure;
 use super::film::Film;
 use super::histories::Histories;
-use super::motion::{MotionSummary, orbit_figure, poincare_table};
+use super::motion::{motion_json, orbit_figure, poincare_table};
 use super::page::write_page;
 use super::run_tables::{SampleFiles, ball_columns, ball_row, event_columns, event_row};
 use super::run_up::{maps_figures, maps_json, tracks_table, waterfall_columns, waterfall_rows};
@@ -27,59 +27,13 @@ use super::{
     FileSet, PartialFile, ReportError, RestartWriter, RunFolder, RunIdentity, campbell, document,
     spectrum_figure,
 };
-use crate::analysis::{Channel, Spectrum};
+use crate::analysis::Channel;
 use crate::integrate::{Counters, IntegrateError};
 use crate::rotor::{BallContacts, Sample};
-use crate::scenario::{Scenario, TableFormat};
-use crate::simulate::{Event, MeasuredError, Model, Run, TraceSink};
+use crate::scenario::{Output, Scenario};
+use crate::simulate::{Event, Model, Run, TraceSink};
 use crate::study::ContactChoice;
 use crate::study::campbell::{Campbell, CriticalSpeed};
-
-/// Which files a run writes besides `summary.json`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Outputs {
-    /// The trace.
-    pub trace: bool,
-    /// Where the energy is.
-    pub energy: bool,
-    /// Moments of a drive.
-    pub drive: bool,
-    /// Load and contact angle of every ball.
-    pub balls: bool,
-    /// The events.
-    pub events: bool,
-    /// The spectra, where the run has them.
-    pub spectrum: bool,
-    /// `trace.svg`, and `spectrum.svg` where the run has spectra.
-    pub figures: bool,
-    /// `report.html`.
-    pub page: bool,
-    /// Formats of all tables.
-    pub formats: Vec<TableFormat>,
-    /// Of how many samples one is written to the tables, the first; spectra and figures rest on all.
-    pub every: NonZeroU64,
-    /// What the trace shows beside the time; none: everything.
-    pub channels: Option<Vec<Channel>>,
-}
-
-impl Default for Outputs {
-    /// No file, and where one is asked for, CSV of all samples.
-    fn default() -> Self {
-        Self {
-            trace: false,
-            energy: false,
-            drive: false,
-            balls: false,
-            events: false,
-            spectrum: false,
-            figures: false,
-            page: false,
-            formats: vec![TableFormat::Csv],
-            every: NonZeroU64::MIN,
-            channels: None,
-        }
-    }
-}
 
 /// Takes the trace of a run and writes its files.
 ///
@@ -90,7 +44,10 @@ pub struct RunReport {
     folder: RunFolder,
     title: String,
     scenario: Value,
-    outputs: Outputs,
+    /// Which files are written besides `summary.json`.
+    output: Output,
+    /// Of how many samples one is written to the tables, the first; spectra and figures rest on all.
+    every: NonZeroU64,
     /// The trace first, if it is written, then energy and drive.
     tables: Vec<SampleFiles>,
     /// Begun with the first sample, which knows the balls.
@@ -104,7 +61,7 @@ pub struct RunReport {
 }
 
 impl RunReport {
-    /// Opens `folder` for a run in which the first `freedoms` of x, y, z, θx, θy move.
+    /// Opens `folder` for a run of a model.
     ///
     /// `scenario` is echoed in `summary.json`.
     ///
@@ -112,35 +69,39 @@ impl RunReport {
     /// [`ReportError::File`] where folder or trace cannot be created.
     pub(crate) fn open(
         folder: &Path,
-        outputs: Outputs,
+        output: Output,
+        model: &Model,
         title: &str,
         scenario: Value,
-        freedoms: usize,
     ) -> Result<Self, ReportError> {
         let folder = RunFolder::open(folder, FileSet::MOTION)?;
-        let folder = folder.with_tables(&outputs.formats, &scenario);
-        let trace: Vec<Channel> = match &outputs.channels {
+        let folder = folder.with_tables(&output.formats, &scenario);
+        let trace: Vec<Channel> = match &output.channels {
             Some(channels) => [Channel::Time].iter().chain(channels).copied().collect(),
             None => Channel::of_trace().collect(),
         };
+        let drive = model.rotor.drive.is_some();
+        let energy = model.energy || drive;
         let tables = [
-            (outputs.trace, "trace", trace),
-            (outputs.energy, "energy", Channel::of_energy().collect()),
-            (outputs.drive, "drive", Channel::of_drive().collect()),
+            (output.trace, "trace", trace),
+            (energy, "energy", Channel::of_energy().collect()),
+            (drive, "drive", Channel::of_drive().collect()),
         ];
         let tables = tables.into_iter().filter(|(is_written, ..)| *is_written);
         let tables = tables.map(|(_, stem, channels)| SampleFiles::open(&folder, stem, channels));
+        let histories = || Histories::new(model.rotor.shaft.freedoms.count());
         let events = || TableFiles::open(&folder, "events", &event_columns());
         Ok(Self {
             tables: tables.collect::<Result<_, _>>()?,
             balls: None,
-            events: outputs.events.then(events).transpose()?,
-            histories: (outputs.figures || outputs.page).then(|| Histories::new(freedoms)),
-            film: outputs.page.then(Film::default),
+            events: output.events.then(events).transpose()?,
+            histories: (output.figures || output.report).then(histories),
+            film: output.report.then(Film::default),
+            every: output.written_of(model.samples()),
+            output,
             folder,
             title: title.to_owned(),
             scenario,
-            outputs,
             samples: 0,
             contact_choice: None,
             campbell: None,
@@ -149,7 +110,7 @@ impl RunReport {
 
     /// Whether the sample that was taken last goes to the tables.
     fn keeps_sample(&self) -> bool {
-        (self.samples - 1).is_multiple_of(self.outputs.every.get())
+        (self.samples - 1).is_multiple_of(self.every.get())
     }
 
     /// The same with natural frequencies over the speed.
@@ -179,11 +140,11 @@ impl RunReport {
         error: &IntegrateError,
         counters: Counters,
     ) -> Result<KeptFiles, ReportError> {
-        let earlier = self.folder.standing();
+        let earlier = self.folder.earlier_files();
         let trace = self.tables.into_iter().next();
-        let trace = trace.filter(|_| self.outputs.trace);
+        let trace = trace.filter(|_| self.output.trace);
         let files = trace.map(|trace| trace.files.close()).transpose()?;
-        let formats = self.outputs.formats.iter();
+        let formats = self.output.formats.iter();
         let names = formats.map(|format| format!("trace.until-failure.{}", format.extension()));
         let files = files.into_iter().flatten().zip(names);
         let files: Vec<_> = files.map(|(file, name)| file.named(&name)).collect();
@@ -222,7 +183,7 @@ impl RunReport {
             files.extend(table.close()?);
         }
         let folder = &self.folder;
-        for (stem, table) in tables_at_end(run, self.outputs.spectrum, self.campbell.as_ref()) {
+        for (stem, table) in tables_at_end(run, self.campbell.as_ref()) {
             files.extend(folder.write_table(&stem, &table)?);
         }
         if let Some(maps) = &run.maps {
@@ -230,10 +191,10 @@ impl RunReport {
             let rows = waterfall_rows(&maps.waterfall);
             files.extend(TableFiles::write(folder, "waterfall", &columns, rows)?);
         }
-        for figure in figures.iter().filter(|_| self.outputs.figures) {
+        for figure in figures.iter().filter(|_| self.output.figures) {
             files.extend(folder.write_figure(figure)?);
         }
-        if let Some(histories) = self.histories.filter(|_| self.outputs.page) {
+        if let Some(histories) = self.histories.filter(|_| self.output.report) {
             let scene = scene_figure(&self.title, &model.rotor);
             let shown = figures.iter().chain([&scene]);
             let figures: Vec<_> = shown
@@ -250,6 +211,17 @@ impl RunReport {
     }
 }
 
+/// The kind of failure in one word, for programs.
+fn failure_kind(error: &IntegrateError) -> &'static str {
+    match error {
+        IntegrateError::StepLimit { .. } => "step_limit",
+        IntegrateError::StepUnderflow { .. } => "step_underflow",
+        IntegrateError::Stiff { .. } => "stiff",
+        IntegrateError::NotFinite { .. } => "not_finite",
+        IntegrateError::Interrupted { .. } => "interrupted",
+    }
+}
+
 /// What is drawn of a run.
 pub(super) fn figures(
     title: &str,
@@ -257,17 +229,15 @@ pub(super) fn figures(
     histories: Option<&Histories>,
     campbell: Option<&Campbell>,
 ) -> Vec<Figure> {
-    let trace = histories.iter();
-    let mut figures: Vec<_> = trace
-        .map(|histories| histories.figure("trace.svg", title))
-        .collect();
-    let spectrum = run.spectrum.iter();
+    let limit = frequency_limit_of(run);
+    let mut figures = Vec::new();
+    figures.extend(histories.map(|histories| histories.figure("trace.svg", title)));
+    let spectrum = run.spectrum.as_ref();
     figures.extend(spectrum.map(|spectrum| spectrum_figure(title, spectrum, &run.peaks)));
-    let motion = run.motion.iter();
+    let motion = run.motion.as_ref();
     figures.extend(motion.map(|motion| orbit_figure(title, motion)));
     figures.extend(run.maps.iter().flat_map(|maps| maps_figures(title, maps)));
     figures.extend(campbell.map(|campbell| campbell::figure(title, campbell)));
-    let limit = frequency_limit_of(run);
     let spectra = run.spectra.iter();
     figures.extend(spectra.map(|spectrum| estimated_figure(title, spectrum, limit)));
     figures
@@ -276,22 +246,26 @@ pub(super) fn figures(
 /// Tables of a run that are known at its end, but for the waterfall, which is too long to be held twice.
 pub(super) fn tables_at_end<'a>(
     run: &'a Run,
-    with_spectrum: bool,
     campbell: Option<&'a Campbell>,
 ) -> Vec<(String, Table<'a>)> {
     let mut tables = Vec::new();
-    if let Some(spectrum) = run.spectrum.as_ref().filter(|_| with_spectrum) {
-        tables.push(("spectrum".to_owned(), spectrum_table(spectrum)));
-        tables.push(("peaks".to_owned(), peak_table(&run.peaks, spectrum)));
+    let mut add = |name: &str, table| tables.push((name.to_owned(), table));
+    if let Some(spectrum) = &run.spectrum {
+        add("spectrum", spectrum_table(spectrum));
+        add("peaks", peak_table(&run.peaks, spectrum));
     }
-    let motion = run.motion.iter();
-    tables.extend(motion.map(|motion| ("poincare".to_owned(), poincare_table(motion))));
-    let maps = run.maps.iter();
-    tables.extend(maps.map(|maps| ("order_tracks".to_owned(), tracks_table(&maps.tracks))));
-    let campbell = campbell.into_iter();
-    tables.extend(campbell.map(|campbell| ("campbell".to_owned(), campbell::modes(campbell))));
-    let spectra = run.spectra.iter();
-    tables.extend(spectra.map(|spectrum| (table_name(spectrum), estimated_table(spectrum))));
+    if let Some(motion) = &run.motion {
+        add("poincare", poincare_table(motion));
+    }
+    if let Some(maps) = &run.maps {
+        add("order_tracks", tracks_table(&maps.tracks));
+    }
+    if let Some(campbell) = campbell {
+        add("campbell", campbell::modes(campbell));
+    }
+    for spectrum in &run.spectra {
+        add(&table_name(spectrum), estimated_table(spectrum));
+    }
     tables
 }
 
@@ -320,7 +294,7 @@ impl TraceSink for RunReport {
     }
 
     fn needs_contact_angles(&self) -> bool {
-        self.outputs.balls
+        self.output.balls
     }
 
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
@@ -339,7 +313,7 @@ impl TraceSink for RunReport {
         if let Some(film) = &mut self.film {
             film.take(sample, balls);
         }
-        if !self.outputs.balls || !self.keeps_sample() {
+        if !self.output.balls || !self.keeps_sample() {
             return Ok(());
         }
         let files = match &mut self.balls {
@@ -384,25 +358,10 @@ impl RunReport {
     /// # Errors
     /// [`ReportError::File`] where folder or trace cannot be created.
     pub fn of(scenario: &Scenario, model: &Model, folder: &Path) -> Result<Self, ReportError> {
-        let output = &scenario.output;
-        let outputs = Outputs {
-            trace: output.trace,
-            energy: model.energy || model.rotor.drive.is_some(),
-            drive: model.rotor.drive.is_some(),
-            balls: output.balls,
-            events: output.events,
-            spectrum: model.spectrum.is_some(),
-            figures: output.figures,
-            page: output.report,
-            formats: output.formats.clone(),
-            every: output.written_of(model.samples()),
-            channels: output.channels.clone(),
-        };
-        let kept = model.rotor.shaft.freedoms.count();
-        let (title, echo) = (&scenario.title, scenario.echo.clone());
+        let (output, echo) = (scenario.output.clone(), scenario.echo.clone());
         Ok(Self {
             contact_choice: scenario.contact_choice.clone(),
-            ..Self::open(folder, outputs, title, echo, kept)?
+            ..Self::open(folder, output, model, &scenario.title, echo)?
         })
     }
 }
@@ -413,10 +372,10 @@ pub struct RunSummary<'a> {
     #[serde(flatten)]
     run: &'a Run,
     method_use: Option<Value>,
-    measured_error: Option<ErrorSummary<'a>>,
-    spectrum: Option<SpectrumSummary<'a>>,
+    measured_error: Option<Value>,
+    spectrum: Option<Value>,
     peaks: Vec<NamedPeak<'a>>,
-    motion: Option<MotionSummary<'a>>,
+    motion: Option<Value>,
     maps: Option<Value>,
     spectra: Vec<Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -425,22 +384,9 @@ pub struct RunSummary<'a> {
     critical_speeds: Option<&'a [CriticalSpeed]>,
 }
 
-/// The measured error beside what was asked for.
-#[derive(Debug, Serialize)]
-struct ErrorSummary<'a> {
-    #[serde(flatten)]
-    error: &'a MeasuredError,
-    tolerance: f64,
-    reference_share_of_evaluations: f64,
-}
-
 /// How the spectra were made.
-#[derive(Debug, Serialize)]
-struct SpectrumSummary<'a> {
-    #[serde(flatten)]
-    spectrum: &'a Spectrum,
-    scaling: &'static str,
-}
+const SCALING: &str = "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
+                       phase of cos(2 pi f t + phase) with t from start_s";
 
 impl<'a> RunSummary<'a> {
     /// The summary of a run of a model, with the law of the contacts that was chosen for it and the natural
@@ -456,18 +402,16 @@ impl<'a> RunSummary<'a> {
         Self {
             run,
             method_use: method_use.map(|used| method_use_json(used, parted(&run.bearings))),
-            measured_error: run.measured_error.as_ref().map(|error| ErrorSummary {
-                error,
-                tolerance: model.integrator.tolerance,
-                reference_share_of_evaluations: error.share_of_evaluations(&run.counters),
+            measured_error: run.measured_error.as_ref().map(|error| {
+                let further = json!({
+                    "tolerance": model.integrator.tolerance,
+                    "reference_share_of_evaluations": error.share_of_evaluations(&run.counters),
+                });
+                with_keys(error, further)
             }),
-            spectrum: spectrum.map(|spectrum| SpectrumSummary {
-                spectrum,
-                scaling: "one-sided, peak values; the mean stands alone at frequency zero, taken away before the window; \
-                          phase of cos(2 pi f t + phase) with t from start_s",
-            }),
+            spectrum: spectrum.map(|spectrum| with_keys(spectrum, json!({ "scaling": SCALING }))),
             peaks: peaks.map(|peak| NamedPeak::new(peak, spectrum)).collect(),
-            motion: run.motion.as_ref().map(MotionSummary::from),
+            motion: run.motion.as_ref().map(motion_json),
             maps: run.maps.as_ref().map(maps_json),
             spectra: run.spectra.iter().map(estimated_json).collect(),
             contact_choice,

@@ -3,7 +3,7 @@
 use std::io;
 use std::io::Write;
 
-use super::table::{Column, ColumnKind, CsvTable, Table, TableFiles};
+use super::table::{Column, CsvTable, Table, TableFiles};
 use super::{ReportError, RunFolder};
 use crate::analysis::Channel;
 use crate::bearing::BallContact;
@@ -14,8 +14,6 @@ use crate::simulate::{Event, EventKind, TraceSink};
 #[derive(Debug)]
 pub(super) struct SampleFiles {
     channels: Vec<Channel>,
-    /// Kept from row to row for its room.
-    row: Vec<f64>,
     /// Its files.
     pub files: TableFiles,
 }
@@ -31,7 +29,6 @@ impl SampleFiles {
         Ok(Self {
             files: TableFiles::open(folder, stem, &columns)?,
             channels,
-            row: Vec::new(),
         })
     }
 
@@ -43,15 +40,15 @@ impl SampleFiles {
 
     /// Writes the row of a sample.
     pub fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        put_row(self.channels.iter().copied(), sample, &mut self.row);
-        self.files.row(&self.row)
+        self.files
+            .row(&sample_row(self.channels.iter().copied(), sample))
     }
 }
 
-/// Puts channels of a sample into `row`; NaN where a value was not observed.
-fn put_row(channels: impl Iterator<Item = Channel>, sample: &Sample, row: &mut Vec<f64>) {
-    row.clear();
-    row.extend(channels.map(|channel| channel.of(sample).unwrap_or(f64::NAN)));
+/// Channels of a sample; NaN where a value was not observed.
+fn sample_row(channels: impl Iterator<Item = Channel>, sample: &Sample) -> Vec<f64> {
+    let values = channels.map(|channel| channel.of(sample));
+    values.map(|value| value.unwrap_or(f64::NAN)).collect()
 }
 
 /// Channels of samples that are there, a row a sample.
@@ -68,11 +65,10 @@ pub(super) fn sample_table(
 }
 
 fn column(channel: Channel) -> Column {
-    let kind = match channel.is_count() {
-        true => ColumnKind::Count,
-        false => ColumnKind::Number,
-    };
-    Column::of(channel.column(), kind)
+    match channel.is_count() {
+        true => Column::count(channel.column()),
+        false => Column::number(channel.column()),
+    }
 }
 
 /// Columns of the trace, where no others are asked for. Forces are those of all bearings on the shaft.
@@ -82,10 +78,7 @@ pub fn trace_columns() -> Vec<Column> {
 
 /// Writes samples as rows of CSV, all columns of the trace.
 #[derive(Debug)]
-pub struct TraceCsv<W: Write> {
-    row: Vec<f64>,
-    csv: CsvTable<W>,
-}
+pub struct TraceCsv<W: Write>(CsvTable<W>);
 
 impl<W: Write> TraceCsv<W> {
     /// Writes the header.
@@ -93,10 +86,7 @@ impl<W: Write> TraceCsv<W> {
     /// # Errors
     /// What the writer answers.
     pub fn new(writer: W) -> io::Result<Self> {
-        Ok(Self {
-            csv: CsvTable::new(writer, &trace_columns())?,
-            row: Vec::new(),
-        })
+        CsvTable::new(writer, &trace_columns()).map(Self)
     }
 
     /// Gives the writer back, with everything written.
@@ -104,14 +94,13 @@ impl<W: Write> TraceCsv<W> {
     /// # Errors
     /// What the writer answers.
     pub fn finish(self) -> io::Result<W> {
-        self.csv.finish()
+        self.0.finish()
     }
 }
 
 impl<W: Write> TraceSink for TraceCsv<W> {
     fn sample(&mut self, sample: &Sample) -> io::Result<()> {
-        put_row(Channel::of_trace(), sample, &mut self.row);
-        self.csv.row(&self.row)
+        self.0.row(&sample_row(Channel::of_trace(), sample))
     }
 }
 

@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use nalgebra::Complex;
-use serde::Serialize;
+use serde_json::json;
 
+use super::destination::with_keys;
 use super::figure::{Axis, Curve, Figure, Name, Panel, Point, distinct};
 use super::histories::Histories;
 use super::run_tables::sample_table;
@@ -16,39 +17,33 @@ use super::{Destination, FileSet, Findings};
 use crate::analysis::Channel;
 use crate::shooting::Multipliers;
 use crate::simulate::Model;
-use crate::steady::{Base, Measured, Steady, SteadyLine, SteadyLines};
+use crate::steady::{Base, Steady, SteadyLine, SteadyLines};
 
 /// A steady motion: its trace, its spectrum, its stability and its error.
 pub fn steady_findings(destination: &Destination<'_>, model: &Model, steady: &Steady) -> Findings {
     let title = destination.title;
     let mut histories = Histories::new(model.rotor.shaft.freedoms.count());
-    steady
-        .trace
-        .iter()
-        .for_each(|sample| histories.sample(sample));
-    let measured = |error| ErrorSummary {
-        error,
-        tolerance: model.integrator.tolerance,
-    };
+    let trace = &steady.trace;
+    trace.iter().for_each(|sample| histories.sample(sample));
+    let tolerance = model.integrator.tolerance;
+    let measured = steady.measured.as_ref();
+    let measured = measured.map(|error| with_keys(error, json!({ "tolerance": tolerance })));
+    let further = json!({
+        "stable": steady.is_stable(),
+        "lines": steady.lines.lines.len(),
+        "measured_error": measured,
+    });
     Findings {
         set: FileSet::STEADY,
         tables: vec![
-            (
-                "steady_trace",
-                sample_table(&steady.trace, Channel::of_trace()),
-            ),
+            ("steady_trace", sample_table(trace, Channel::of_trace())),
             ("steady_spectrum", line_table(steady, model.rotor.speed)),
         ],
         figures: vec![
             histories.figure("steady_trace.svg", title),
             spectrum(title, &steady.lines),
         ],
-        document: destination.document(SteadySummary {
-            steady,
-            stable: steady.is_stable(),
-            lines: steady.lines.lines.len(),
-            measured_error: steady.measured.as_ref().map(measured),
-        }),
+        document: destination.document(with_keys(steady, further)),
         text: text(title, model, steady),
     }
 }
@@ -62,21 +57,16 @@ fn line_table(steady: &Steady, speed: f64) -> Table<'static> {
     if speed > 0.0 {
         table.numbers("order", lines().map(|line| line.frequency * TAU / speed));
     }
-    for (place, name) in ["multiple_of_first", "multiple_of_second"]
-        .into_iter()
+    for (index, name) in ["multiple_of_first", "multiple_of_second"]
+        .iter()
         .enumerate()
     {
-        table.counts(name, lines().map(|line| f64::from(line.multiples[place])));
+        table.counts(*name, lines().map(|line| f64::from(line.multiples[index])));
     }
     for (index, channel) in steady.lines.channels.iter().enumerate() {
-        table.numbers(
-            amplitude_column(*channel),
-            lines().map(|line| line.amplitude[index]),
-        );
-        table.numbers(
-            phase_column(*channel),
-            lines().map(|line| line.phase[index]),
-        );
+        let [amplitude, phase] = [amplitude_column(*channel), phase_column(*channel)];
+        table.numbers(amplitude, lines().map(|line| line.amplitude[index]));
+        table.numbers(phase, lines().map(|line| line.phase[index]));
     }
     table
 }
@@ -86,10 +76,7 @@ const HEIGHT: u32 = 480;
 
 /// Amplitudes of x, y and z (those that move) over frequency.
 fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
-    let channels = lines.channels.iter().enumerate();
-    let lengths: Vec<_> = channels
-        .filter(|(_, channel)| channel.unit() == "m")
-        .collect();
+    let lengths = lengths(lines);
     let all = || lengths.iter().flat_map(|(index, _)| tips(lines, *index));
     let strongest = all().map(|(_, amplitude)| amplitude).fold(0.0, f64::max);
     let amplitudes = Axis::below("amplitude in µm", strongest);
@@ -118,28 +105,22 @@ fn spectrum(title: &str, lines: &SteadyLines) -> Figure {
     Figure::new("steady_spectrum.svg", title, 1, vec![panel]).with_names(names)
 }
 
+/// The displacements that are lengths, with their places among all channels.
+fn lengths(lines: &SteadyLines) -> Vec<(usize, &Channel)> {
+    let channels = lines.channels.iter().enumerate();
+    channels
+        .filter(|(_, channel)| channel.unit() == "m")
+        .collect()
+}
+
+/// All lines but the mean.
+fn moving(lines: &SteadyLines) -> impl Iterator<Item = &SteadyLine> {
+    lines.lines.iter().filter(|line| line.multiples != [0, 0])
+}
+
 /// Frequency and amplitude in µm of a channel's lines but the mean.
 fn tips(lines: &SteadyLines, index: usize) -> impl Iterator<Item = Point> {
-    let moving = lines.lines.iter().filter(|line| line.multiples != [0, 0]);
-    moving.map(move |line| (line.frequency, MICRO * line.amplitude[index]))
-}
-
-/// A steady motion, whether it is stable, and its error.
-#[derive(Serialize)]
-struct SteadySummary<'a> {
-    #[serde(flatten)]
-    steady: &'a Steady,
-    stable: bool,
-    lines: usize,
-    measured_error: Option<ErrorSummary<'a>>,
-}
-
-/// The measured error beside what was asked for.
-#[derive(Serialize)]
-struct ErrorSummary<'a> {
-    #[serde(flatten)]
-    error: &'a Measured,
-    tolerance: f64,
+    moving(lines).map(move |line| (line.frequency, MICRO * line.amplitude[index]))
 }
 
 /// Lines and multipliers shown.
@@ -164,8 +145,8 @@ fn text(title: &str, model: &Model, steady: &Steady) -> Lines {
     if let Some(reduction) = &steady.reduction {
         out.line("shaft", reduction_text(reduction));
     }
-    put_swings(&mut out, steady);
-    put_lines(&mut out, steady, model.rotor.speed);
+    add_swings(&mut out, steady);
+    add_lines(&mut out, steady, model.rotor.speed);
     out
 }
 
@@ -236,7 +217,7 @@ fn search(steady: &Steady) -> String {
     )
 }
 
-fn put_swings(out: &mut Lines, steady: &Steady) {
+fn add_swings(out: &mut Lines, steady: &Steady) {
     let header = ["swing", "mean", "peak to peak", "rms", "unit"];
     let rows = steady.swings.iter().map(|swing| {
         let (unit, scale) = shown_unit(swing.channel.unit());
@@ -251,31 +232,31 @@ fn put_swings(out: &mut Lines, steady: &Steady) {
 }
 
 /// The strongest lines of the displacements that are lengths.
-fn put_lines(out: &mut Lines, steady: &Steady, speed: f64) {
+fn add_lines(out: &mut Lines, steady: &Steady, speed: f64) {
     let lines = &steady.lines;
-    let lengths: Vec<usize> = (0..lines.channels.len())
-        .filter(|index| lines.channels[*index].unit() == "m")
-        .collect();
-    let mut strongest: Vec<(usize, &SteadyLine)> = lines
-        .lines
-        .iter()
-        .filter(|line| line.multiples != [0, 0])
-        .flat_map(|line| lengths.iter().map(move |index| (*index, line)))
-        .collect();
-    strongest.sort_by(|a, b| b.1.amplitude[b.0].total_cmp(&a.1.amplitude[a.0]));
-    let rows = strongest.into_iter().take(LINES).map(|(index, line)| {
-        let order = if speed > 0.0 {
-            format!("{:.4}", line.frequency * TAU / speed)
-        } else {
-            String::new()
-        };
-        vec![
-            lines.channels[index].name().to_owned(),
-            format!("{:.4}", line.frequency),
-            order,
-            digits(MICRO * line.amplitude[index]),
-            format!("{}, {}", line.multiples[0], line.multiples[1]),
-        ]
+    let lengths = lengths(lines);
+    let moving = moving(lines).flat_map(|line| {
+        let channels = lengths.iter();
+        channels.map(move |(index, channel)| (*index, channel.name(), line))
     });
+    let mut strongest: Vec<_> = moving.collect();
+    strongest.sort_by(|a, b| b.2.amplitude[b.0].total_cmp(&a.2.amplitude[a.0]));
+    let rows = strongest
+        .into_iter()
+        .take(LINES)
+        .map(|(index, name, line)| {
+            let order = if speed > 0.0 {
+                format!("{:.4}", line.frequency * TAU / speed)
+            } else {
+                String::new()
+            };
+            vec![
+                name.to_owned(),
+                format!("{:.4}", line.frequency),
+                order,
+                digits(MICRO * line.amplitude[index]),
+                format!("{}, {}", line.multiples[0], line.multiples[1]),
+            ]
+        });
     out.table(["line", "Hz", "order", "µm", "multiples"], rows);
 }

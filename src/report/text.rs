@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use serde_json::{Value, json};
 
-use super::motion::{put_motion, put_severity};
+use super::motion::{add_motion, add_severity};
 use super::terminal::{
-    Lines, MICRO, clearance_text, decimals, displacement_text, listed, measured_text, significant,
+    Lines, MICRO, clearance_text, decimals, displacement_text, listed, mark_estimated,
+    measured_text, of_bearing, significant,
 };
 use crate::analysis::{Peak, SpallSignal, Spectrum};
 use crate::integrate::{ChangeReason, Method, MethodUse};
@@ -15,7 +16,7 @@ use crate::simulate::{
     BearingHistory, EventCount, EventKind, Model, NaturalFrequency, Reduction, Run, Spread,
     StaticState, TableUse,
 };
-use crate::study::{ContactChoice, Fidelity, FidelityDifference};
+use crate::study::{ContactChoice, FidelityDifference};
 
 /// Peaks shown.
 const PEAKS: usize = 8;
@@ -29,28 +30,22 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
     out.line("equilibrium", displacement_text(moving));
     out.line("natural", natural(&run.equilibrium));
     let counters = &run.counters;
-    out.detail(
-        "integration",
-        format_args!(
-            "{} steps, {} rejected, {} evaluations, {} samples",
-            counters.steps, counters.rejected, counters.evaluations, run.samples
-        ),
+    let work = format!(
+        "{} steps, {} rejected, {} evaluations, {} samples",
+        counters.steps, counters.rejected, counters.evaluations, run.samples
     );
+    out.detail("integration", work);
     if let Some(used) = &run.method_use {
         out.detail("method", method_use_text(used, parted(&run.bearings)));
     }
-    put_table_use(&mut out, &run.tables);
+    add_table_use(&mut out, &run.tables);
     if let Some(error) = &run.measured_error {
         let sizes = [error.displacement, error.relative];
         let tolerances = [model.integrator.tolerance, error.reference_tolerance];
         out.line("error", measured_text(sizes, tolerances));
         let share = 100.0 * error.share_of_evaluations(&run.counters);
-        out.detail(
-            "",
-            format_args!(
-                "by a second pass: {share:.0} % of all evaluations; --no-verify saves them"
-            ),
-        );
+        let text = "of all evaluations; --no-verify saves them";
+        out.detail("", format!("by a second pass: {share:.0} % {text}"));
     }
     if let Some(reduction) = &run.reduction {
         out.line("shaft", reduction_text(reduction));
@@ -60,12 +55,12 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
         let text = format!("closes to {residual:.1e} J, {relative:.1e} of its largest part");
         out.line("energy", text);
     }
-    put_histories(&mut out, &run.bearings);
+    add_histories(&mut out, &run.bearings);
     if let Some(motion) = &run.motion {
-        put_motion(&mut out, motion);
+        add_motion(&mut out, motion);
     }
     if let Some(severity) = &run.vibration_severity {
-        put_severity(&mut out, severity);
+        add_severity(&mut out, severity);
     }
     for spall in &run.spalls {
         out.line("spall", spall_text(spall));
@@ -76,7 +71,7 @@ pub fn text(title: &str, model: &Model, run: &Run, files: &[PathBuf]) -> String 
         out.line("lines", format!("{}: {names}", spectrum.request.name));
     }
     if !run.peaks.is_empty() {
-        put_peaks(&mut out, &run.peaks, run.spectrum.as_ref());
+        add_peaks(&mut out, &run.peaks, run.spectrum.as_ref());
     }
     out.wrote(files)
 }
@@ -128,7 +123,7 @@ fn spall_text(spall: &SpallSignal) -> String {
 }
 
 /// The strongest peaks of x, y and z, which have one unit and so one order.
-fn put_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>) {
+fn add_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>) {
     let lengths = peaks.iter().filter(|peak| peak.channel.unit() == "m");
     let mut lengths: Vec<&Peak> = lengths.collect();
     lengths.sort_by(|a, b| b.amplitude.total_cmp(&a.amplitude));
@@ -136,30 +131,23 @@ fn put_peaks(out: &mut Lines, peaks: &[Peak], spectrum: Option<&Spectrum>) {
     let rows = lengths.into_iter().take(PEAKS).map(|peak| {
         let order = |spectrum: &Spectrum| peak.frequency / spectrum.shaft_frequency;
         let order = turning.map(|spectrum| format!("{:.3}", order(spectrum)));
+        let cause = peak.line.map(|line| line.kind.to_string());
         vec![
             peak.channel.name().to_owned(),
             format!("{:.3} Hz", peak.frequency),
             order.unwrap_or_default(),
             format!("{} µm", significant(MICRO * peak.amplitude)),
-            peak.line
-                .map(|line| line.kind.to_string())
-                .unwrap_or_default(),
+            cause.unwrap_or_default(),
         ]
     });
-    out.table(
-        ["channel", "frequency", "order", "amplitude", "cause"],
-        rows,
-    );
+    let header = ["channel", "frequency", "order", "amplitude", "cause"];
+    out.table(header, rows);
 }
 
 /// Two lines a bearing: what its balls did, and its life.
-pub(super) fn put_histories(out: &mut Lines, bearings: &[BearingHistory]) {
+pub(super) fn add_histories(out: &mut Lines, bearings: &[BearingHistory]) {
     for (index, bearing) in bearings.iter().enumerate() {
-        // one bearing needs no number
-        let name = match bearings.len() {
-            1 => String::new(),
-            _ => format!("bearing {}: ", index + 1),
-        };
+        let name = of_bearing(index, bearings.len());
         if let Some(clearance) = &bearing.clearance {
             out.line("clearance", format!("{name}{}", clearance_text(clearance)));
         }
@@ -180,11 +168,7 @@ pub(super) fn put_histories(out: &mut Lines, bearings: &[BearingHistory]) {
             });
         if let Some((life, hours)) = life.and_then(|life| life.rating_life().zip(life.hours())) {
             let text = format!("{life:.4e} million revolutions, {hours:.3e} h of this motion");
-            let mark = if bearing.estimated {
-                " (estimated)"
-            } else {
-                ""
-            };
+            let mark = mark_estimated(bearing.estimated);
             out.line("life L10r", format!("{name}{text}{mark}"));
         }
         if let Some(modified) = bearing.life.and_then(|life| life.modified)
@@ -229,7 +213,7 @@ fn losses(bearing: &BearingHistory) -> String {
 }
 
 /// A line or more for every bearing that was to have a table.
-pub(super) fn put_table_use(out: &mut Lines, tables: &[Option<TableUse>]) {
+pub(super) fn add_table_use(out: &mut Lines, tables: &[Option<TableUse>]) {
     for (index, used) in tables.iter().enumerate() {
         let Some(used) = used else { continue };
         let says = match &used.table {
@@ -303,15 +287,11 @@ pub(super) fn method_use_json(used: &MethodUse, parted: bool) -> Value {
 /// A line or two that begin as those of a run do; at most 100 columns.
 pub fn contact_choice_text(choice: &ContactChoice) -> String {
     let mut out = Lines::default();
-    out.line(
-        "contact",
-        format!("{}: {}", choice.chosen, why_contact(choice)),
-    );
+    let why = why_contact(choice);
+    out.line("contact", format!("{}: {why}", choice.chosen));
     if choice.failure.is_none() {
-        choice
-            .cheaper
-            .iter()
-            .for_each(|level| out.more(level_text(level)));
+        let cheaper = choice.cheaper.iter();
+        cheaper.for_each(|level| out.more(level_text(level)));
     }
     out.text()
 }
@@ -328,36 +308,23 @@ fn why_contact(choice: &ContactChoice) -> String {
             format!("none that is cheaper stays close to it {allowed}")
         };
     }
-    difference(choice, choice.chosen).map_or_else(String::new, |largest| {
-        format!(
-            "the cheapest within {largest:.1e} of {} {allowed}",
-            choice.top
-        )
+    let mut cheaper = choice.cheaper.iter();
+    let chosen = cheaper.find(|level| level.fidelity == choice.chosen);
+    let difference = chosen.and_then(|level| level.result.as_ref().ok());
+    difference.map_or_else(String::new, |difference| {
+        let (largest, top) = (difference.largest(), choice.top);
+        format!("the cheapest within {largest:.1e} of {top} {allowed}")
     })
 }
 
-fn difference(choice: &ContactChoice, level: Fidelity) -> Option<f64> {
-    let found = choice
-        .cheaper
-        .iter()
-        .find(|other| other.fidelity == level)?;
-    Some(found.result.as_ref().ok()?.largest())
-}
-
 fn level_text(level: &FidelityDifference) -> String {
+    let name = level.fidelity.to_string();
     match &level.result {
         Ok(difference) => format!(
-            "{:<12}  force {:.1e}, change {:.1e}, stiffness {:.1e}, worst at {:.1} rad/s",
-            level.fidelity.to_string(),
-            difference.force,
-            difference.change,
-            difference.stiffness,
-            difference.speed
+            "{name:<12}  force {:.1e}, change {:.1e}, stiffness {:.1e}, worst at {:.1} rad/s",
+            difference.force, difference.change, difference.stiffness, difference.speed
         ),
-        Err(reason) => format!(
-            "{:<12}  not available: {reason}",
-            level.fidelity.to_string()
-        ),
+        Err(reason) => format!("{name:<12}  not available: {reason}"),
     }
 }
 
@@ -382,7 +349,7 @@ mod tests {
         };
         let mut out = Lines::default();
         let tables = [of(Ok(report)), None, of(Err(TableError::NoRegion))];
-        put_table_use(&mut out, &tables);
+        add_table_use(&mut out, &tables);
         let text = out.text();
         let told = text.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(

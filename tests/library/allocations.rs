@@ -12,12 +12,13 @@ use std::sync::atomic::AtomicBool;
 
 use crate::bearing::{BallLoads, BearingRotation};
 use crate::integrate::{Method, System};
-use crate::report::{Outputs, RunIdentity, RunReport, TraceCsv};
+use crate::report::{RunIdentity, RunReport, TraceCsv};
 use crate::rotor::load::{
     ChainDrive, Column, Interpolation, Noise, NoiseBand, RandomShocks, Series, ShockStatistics,
     Sprocket,
 };
 use crate::rotor::{Damping, Freedoms, Load, LoadKind, Rotor, RotorDefinition, Sample, SpeedPoint};
+use crate::scenario::Output;
 use crate::simulate::{EventKind, Model, Monitor, Part, TraceSink, simulate_part};
 
 use crate::tests::support::{
@@ -305,7 +306,9 @@ fn memory_is_flat_in_the_duration_when_the_states_are_kept() {
     let folder = tempfile::tempdir().expect("a folder");
     let peak = |samples: u32| {
         let (scenario, model) = (serde_json::Value::Null, unbalanced(samples, 1e-8));
-        let report = RunReport::open(folder.path(), Outputs::default(), "", scenario.clone(), 3);
+        let mut output = Output::default();
+        [output.trace, output.events, output.figures, output.report] = [false; 4];
+        let report = RunReport::open(folder.path(), output, &model, "", scenario.clone());
         let identity = RunIdentity {
             scenario: &scenario,
             model: &model,

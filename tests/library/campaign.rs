@@ -501,7 +501,7 @@ fn changed_restart_files_are_taken_or_refused() {
         match RestartReader::open(&path, &identity) {
             Err(error) => assert!(!error.to_string().trim().is_empty()),
             Ok(mut reader) => {
-                let states = reader.standing().main.scaled.len();
+                let states = reader.standing.main.scaled.len();
                 let _ = reader.fill(&mut vec![0.0; states]);
                 go_on(model, reader);
             }
@@ -511,7 +511,7 @@ fn changed_restart_files_are_taken_or_refused() {
 
 /// A file that is taken is gone on from, or refused there.
 fn go_on(model: &Model, mut reader: RestartReader) {
-    let standing = reader.standing().clone();
+    let standing = reader.standing.clone();
     let stop = AtomicBool::new(false);
     let mut monitor = Monitor {
         stop: &stop,

@@ -11,14 +11,15 @@ use crate::bearing::{ContactLaw, MountedBearing, catalogue};
 use crate::integrate::{Counters, Method, Settings};
 use crate::physics::ball_pass_frequencies;
 use crate::report::{
-    CsvTable, Decimator, FileAction, FileSet, Histories, Outputs, ReportError, RunFolder,
-    RunReport, TraceCsv, ball_columns, ball_row, event_columns, event_row, spectrum_figure, text,
+    CsvTable, Decimator, FileAction, FileSet, Histories, ReportError, RunFolder, RunReport,
+    TraceCsv, ball_columns, ball_row, event_columns, event_row, spectrum_figure, text,
     trace_columns, write_spectrum,
 };
 use crate::rotor::{
     CageMotion, Damping, Freedoms, InitialPosition, InitialState, NaturalFrequency, Rotor,
     RotorDefinition, Sample, Shaft, Whirl,
 };
+use crate::scenario::Output;
 use crate::simulate::{
     Analyses, BearingHistory, ConsumedLife, Event, EventCount, EventKind, LifeHistory, LoadZone,
     MeasuredError, Model, Run, Sampling, Spread, StaticState, TraceSink,
@@ -30,17 +31,6 @@ const SPEED: f64 = 500.0;
 const PER_REVOLUTION: u32 = 32;
 /// A title that a figure must escape.
 const TITLE: &str = "7205C & <1000 N>\u{1}";
-
-fn all() -> Outputs {
-    Outputs {
-        trace: true,
-        events: true,
-        spectrum: true,
-        figures: true,
-        page: true,
-        ..Outputs::default()
-    }
-}
 
 fn model() -> Model {
     Model {
@@ -215,8 +205,9 @@ fn run() -> Run {
     }
 }
 
-fn open(folder: &Path, outputs: Outputs) -> RunReport {
-    let mut report = RunReport::open(folder, outputs, TITLE, "scenario".into(), 3).unwrap();
+fn open(folder: &Path, output: Output) -> RunReport {
+    let report = RunReport::open(folder, output, &model(), TITLE, "scenario".into());
+    let mut report = report.unwrap();
     for sample in samples() {
         report.sample(&sample).unwrap();
     }
@@ -224,8 +215,8 @@ fn open(folder: &Path, outputs: Outputs) -> RunReport {
 }
 
 /// Writes a whole run into `folder`.
-fn write(folder: &Path, outputs: Outputs) -> Vec<PathBuf> {
-    open(folder, outputs).finish(&model(), &run()).unwrap()
+fn write(folder: &Path, output: Output) -> Vec<PathBuf> {
+    open(folder, output).finish(&model(), &run()).unwrap()
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -242,7 +233,7 @@ fn names(folder: &Path) -> Vec<String> {
 fn a_finished_run_leaves_its_files_and_nothing_else() {
     let folder = TempDir::new().unwrap();
     let run = folder.path().join("deep").join("run");
-    let paths = write(&run, all());
+    let paths = write(&run, Output::default());
     let all = [
         "events.csv",
         "peaks.csv",
@@ -261,11 +252,11 @@ fn a_finished_run_leaves_its_files_and_nothing_else() {
 #[test]
 fn an_unfinished_run_leaves_an_earlier_one_as_it_was() {
     let folder = TempDir::new().unwrap();
-    drop(open(folder.path(), all()));
+    drop(open(folder.path(), Output::default()));
     assert!(names(folder.path()).is_empty());
-    write(folder.path(), all());
+    write(folder.path(), Output::default());
     let before = fs::read(folder.path().join("trace.csv")).unwrap();
-    let report = open(folder.path(), all());
+    let report = open(folder.path(), Output::default());
     assert!(names(folder.path()).contains(&".trace.csv.partial".to_owned()));
     drop(report);
     assert_eq!(names(folder.path()).len(), 8);
@@ -275,7 +266,7 @@ fn an_unfinished_run_leaves_an_earlier_one_as_it_was() {
 #[test]
 fn a_run_killed_while_it_renames_has_no_summary() {
     let folder = TempDir::new().unwrap();
-    write(folder.path(), all());
+    write(folder.path(), Output::default());
     let run = RunFolder::open(folder.path(), FileSet::MOTION).unwrap();
     let file = run.write("trace.csv", b"new").unwrap();
     // The rename fails: a folder with something in it stands in the way.
@@ -301,12 +292,15 @@ fn a_run_killed_while_it_renames_has_no_summary() {
 #[test]
 fn outputs_of_an_earlier_run_do_not_stand_beside_a_later_one() {
     let folder = TempDir::new().unwrap();
-    write(folder.path(), all());
-    let trace = Outputs {
-        trace: true,
-        ..Outputs::default()
+    write(folder.path(), Output::default());
+    let mut trace = Output::default();
+    [trace.events, trace.figures, trace.report] = [false; 3];
+    let run = Run {
+        spectrum: None,
+        ..run()
     };
-    write(folder.path(), trace);
+    let report = open(folder.path(), trace);
+    report.finish(&model(), &run).unwrap();
     assert_eq!(names(folder.path()), ["summary.json", "trace.csv"]);
 }
 
@@ -324,7 +318,7 @@ fn a_folder_that_cannot_be_made_is_named_with_its_cause() {
 fn the_same_run_gives_the_same_bytes() {
     let folder = TempDir::new().unwrap();
     let runs = ["a", "b"].map(|name| folder.path().join(name));
-    let [first, second] = runs.each_ref().map(|run| write(run, all()));
+    let [first, second] = runs.each_ref().map(|run| write(run, Output::default()));
     for (a, b) in first.iter().zip(&second) {
         assert_eq!(
             fs::read(a).unwrap(),
@@ -451,7 +445,7 @@ fn the_spectrum_has_an_order_only_where_the_shaft_turns() {
 #[test]
 fn the_summary_names_units_and_causes() {
     let folder = TempDir::new().unwrap();
-    write(folder.path(), all());
+    write(folder.path(), Output::default());
     let text = fs::read_to_string(folder.path().join("summary.json")).unwrap();
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(value["jeffcott"], env!("CARGO_PKG_VERSION"));

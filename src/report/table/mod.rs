@@ -60,7 +60,7 @@ impl Column {
     }
 
     /// A column of a kind.
-    pub fn of(name: impl Into<Cow<'static, str>>, kind: ColumnKind) -> Self {
+    fn of(name: impl Into<Cow<'static, str>>, kind: ColumnKind) -> Self {
         Self {
             name: name.into(),
             kind,
