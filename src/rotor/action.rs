@@ -161,7 +161,7 @@ impl Rotor {
         self.add_loads(time, rotation.angle, sum);
         self.add_unbalances::<false>(&rotation, &self.phases(&rotation), sum);
         self.damping.add_product(-1.0, velocity, sum);
-        self.structure.stiffness.add_product(-1.0, place, sum);
+        self.stiffness.add_product(-1.0, place, sum);
         self.circulatory.add_product(rotation.speed, place, sum);
         self.gyroscopic.add_product(-rotation.speed, velocity, sum);
         self.mass.accelerate(sum);

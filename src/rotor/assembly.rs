@@ -3,9 +3,10 @@
 use super::coefficients::{Coefficients, Mass};
 use super::equilibrium::{Equilibrium, EquilibriumError, StaticPlace, static_place_of};
 use super::structure::Structure;
+use super::unconstrained::FreeDirections;
 use super::{
-    Drive, FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY,
-    ShaftError, SpeedProfile,
+    FREEDOMS, Freedoms, InitialPosition, Rotor, RotorDefinition, STANDARD_GRAVITY, ShaftError,
+    SpeedProfile,
 };
 use crate::bearing::{BearingError, Geometry, MountedBearing, Support, Vector5};
 use fearless_simd::Level;
@@ -62,9 +63,6 @@ pub enum RotorError {
     /// Some motion has no inertia.
     #[error("the mass matrix is not positive definite: give every part that moves a mass")]
     Mass,
-    /// No bearing was given.
-    #[error("the shaft has no bearing; give at least one")]
-    NoBearing,
 }
 
 impl Rotor {
@@ -79,7 +77,7 @@ impl Rotor {
         Ok(rotor)
     }
 
-    /// The same of a structure with that shaft.
+    /// The same of a structure with that shaft, its damping as it follows from the stiffness at the start.
     pub(super) fn of_structure(
         structure: Structure,
         definition: &RotorDefinition,
@@ -118,6 +116,7 @@ impl Rotor {
         Ok(Self {
             level: Level::new(),
             mass: Mass::new(mass).ok_or(RotorError::Mass)?,
+            stiffness: Coefficients::new(structure.stiffness.clone(), dofs),
             damping: Coefficients::new(damping, dofs),
             gyroscopic: Coefficients::new(structure.gyroscopic.clone(), dofs),
             circulatory: Coefficients::new(structure.circulatory.clone(), dofs),
@@ -125,6 +124,7 @@ impl Rotor {
             internal_damping: Coefficients::new(structure.internal_damping.clone(), dofs),
             constant_force,
             base_inertia,
+            free: FreeDirections::find(&structure, definition, &supports, &tangent),
             rigid: structure.is_rigid(),
             structure,
             gravity: if shaft.gravity { STANDARD_GRAVITY } else { 0.0 },
@@ -154,13 +154,13 @@ impl Rotor {
 /// No shaft has its centre of mass outside its bearings.
 fn check_eccentricity(eccentricity: f64, supports: &[Support]) -> Result<(), RotorError> {
     let pitch_radius = 0.5 * Support::largest(supports, Geometry::pitch_diameter);
-    match eccentricity > pitch_radius {
-        true => Err(RotorError::Eccentricity {
+    if eccentricity > pitch_radius {
+        return Err(RotorError::Eccentricity {
             eccentricity,
             pitch_radius,
-        }),
-        false => Ok(()),
+        });
     }
+    Ok(())
 }
 
 /// What only a motion needs.
@@ -173,31 +173,10 @@ fn check_inertia(definition: &RotorDefinition) -> Result<(), RotorError> {
             shaft.inertia_transverse,
         )?;
     }
-    if let Some(drive) = &definition.drive {
+    if definition.drive.is_some() {
         positive(polar, shaft.inertia_polar)?;
-        check_drive(drive)?;
     }
     not_negative(polar, shaft.inertia_polar)
-}
-
-fn check_drive(drive: &Drive) -> Result<(), RotorError> {
-    if let Some(speed) = drive.no_load_speed {
-        positive("the no-load speed of the drive in rad/s", speed)?;
-    }
-    not_negative("the torque of the drive in N m", drive.torque)?;
-    not_negative("the load torque in N m", drive.load_torque)?;
-    not_negative("the torsional compliance in rad/(N m)", drive.compliance)
-}
-
-fn check_ranges(definition: &RotorDefinition) -> Result<(), RotorError> {
-    let shaft = &definition.shaft;
-    positive("the mass in kg", shaft.mass)?;
-    not_negative("the eccentricity in m", shaft.eccentricity)?;
-    definition.speed_profile()?;
-    if definition.bearings.is_empty() && definition.linear_bearings.is_empty() {
-        return Err(RotorError::NoBearing);
-    }
-    Ok(())
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), RotorError> {
@@ -218,7 +197,7 @@ fn range(name: &'static str, value: f64, fits: bool, rule: &'static str) -> Resu
 
 /// Checks a definition and builds its bearings.
 pub(crate) fn build_supports(definition: &RotorDefinition) -> Result<Vec<Support>, RotorError> {
-    check_ranges(definition)?;
+    positive("the mass in kg", definition.shaft.mass)?;
     let build = |(index, bearing): (usize, &MountedBearing)| {
         // on a shaft that bends a bearing sits at a point of its own
         let position = match definition.flexible {
@@ -259,7 +238,7 @@ impl Structure {
     pub(super) fn static_load(&self, definition: &RotorDefinition) -> Vec<f64> {
         let mut sum = self.constant_load(definition);
         for (load, place) in definition.loads.iter().zip(&self.load_places) {
-            place.add_force(&load.static_part(), &mut sum);
+            place.add_force(&load.kind.static_part(), &mut sum);
         }
         sum
     }
@@ -280,22 +259,19 @@ fn initial_state(definition: &RotorDefinition, equilibrium: &Equilibrium) -> [Ve
     let active = definition.shaft.freedoms.count();
     let initial = &definition.initial;
     let displacement = std::array::from_fn(|axis| {
-        let from = match initial.from {
-            InitialPosition::Origin if axis < active => 0.0,
-            _ => equilibrium.displacement[axis],
-        };
-        if axis < active {
-            initial.displacement[axis].unwrap_or(from)
-        } else {
-            from
+        let rest = equilibrium.displacement[axis];
+        if axis >= active {
+            return rest;
         }
+        let from = match initial.from {
+            InitialPosition::Origin => 0.0,
+            InitialPosition::Equilibrium => rest,
+        };
+        initial.displacement[axis].unwrap_or(from)
     });
     let velocity = std::array::from_fn(|axis| {
-        if axis < active {
-            initial.velocity[axis].unwrap_or(0.0)
-        } else {
-            0.0
-        }
+        let given = initial.velocity[axis].filter(|_| axis < active);
+        given.unwrap_or(0.0)
     });
     [displacement, velocity]
 }

@@ -162,10 +162,8 @@ impl RotorDefinition {
             geometry.ball_pass(speed).inner.abs()
         };
         let passing = self.bearings.iter().map(passing);
-        let loads = self.loads.iter().map(|load| {
-            let vibration = load.main_vibration();
-            vibration.frequency + vibration.order * speed
-        });
+        let loads = self.loads.iter();
+        let loads = loads.map(|load| load.kind.main_vibration().frequency_at(speed));
         passing.chain(loads).fold(speed, f64::max)
     }
 

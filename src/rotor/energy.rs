@@ -144,7 +144,7 @@ impl Rotor {
 
     /// Energy that bearings and elastic parts store, J.
     fn stored(&self, position: &[f64], rotation: &Rotation) -> f64 {
-        let mut stored = self.structure.stiffness.half_square(position);
+        let mut stored = self.stiffness.half_square(position);
         self.for_each_bearing(rotation, &self.phases(rotation), |bearing, rotation| {
             let displacement = bearing.displacement(position);
             stored += bearing.support.stored_energy(&displacement, rotation);

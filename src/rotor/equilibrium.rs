@@ -154,11 +154,8 @@ impl Balance {
 /// no stiffness of their own, that with them held.
 fn condensed(stiffness: &DMatrix<f64>, dofs: usize, kept: [usize; FREEDOMS]) -> Matrix5 {
     let yielding: Vec<usize> = (0..dofs).filter(|index| !kept.contains(index)).collect();
-    let block = |rows: &[usize], columns: &[usize]| {
-        DMatrix::from_fn(rows.len(), columns.len(), |row, column| {
-            stiffness[(rows[row], columns[column])]
-        })
-    };
+    let block =
+        |rows: &[usize], columns: &[usize]| stiffness.select_rows(rows).select_columns(columns);
     let mut own = block(&kept, &kept);
     let inner = block(&yielding, &yielding).lu();
     if let Some(followed) = inner.solve(&block(&yielding, &kept)) {

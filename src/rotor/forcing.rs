@@ -157,10 +157,8 @@ impl Rotor {
             }
         }
         for (number, load) in self.loads.iter().enumerate() {
-            let repeated = load
-                .repetition(speed)
-                .map_err(|what| Unrepeated::Load { number, what })?;
-            if let Some((frequency, from)) = repeated {
+            let refused = |what| Unrepeated::Load { number, what };
+            if let Some((frequency, from)) = load.kind.repetition(speed).map_err(refused)? {
                 add(ForcingCause::Load { number }, frequency, from);
             }
         }

@@ -3,6 +3,7 @@
 //! whose law is smooth across lift-off do not.
 
 use super::motion::AttachedBearing;
+use super::motion_scale::add_sizes;
 use super::{CageMotion, Rotation, Rotor};
 use crate::bearing::Support;
 
@@ -12,17 +13,11 @@ impl Rotor {
     /// vibrations of a start beside the forced motion, reach the lift-off of any ball at any position of the cage; at
     /// the start's speed, at those of the profile and at the highest.
     pub(super) fn balls_may_part(&self) -> bool {
-        let speeds = self.speed.points().map(|point| point.speed);
-        let mut speeds = speeds.chain([self.highest_speed()]);
         let cage_turns = self.cage == CageMotion::Rolling;
         self.balls_that_lift_off > 0
-            && speeds.any(|speed| {
+            && self.speeds().any(|speed| {
                 let mut amplitudes = self.amplitude_estimate(speed);
-                let free = self.forced_amplitudes(speed);
-                amplitudes
-                    .iter_mut()
-                    .zip(free)
-                    .for_each(|(sum, free)| *sum += free);
+                add_sizes(&mut amplitudes, &self.forced_amplitudes(speed));
                 self.bearings().any(|bearing| {
                     let place = bearing.displacement(&self.rest[..self.dofs()]);
                     let reach = bearing.attachment.reach(&amplitudes);

@@ -4,7 +4,7 @@ use nalgebra::{ArrayStorage, DMatrix};
 
 use super::motion::AttachedBearing;
 use super::structure::UnbalancedPoint;
-use super::{LoadKind, Rotation, Rotor};
+use super::{Rotation, Rotor};
 use crate::bearing::{BearingRotation, Geometry, Matrix5, Support, Vector5};
 use crate::integrate::System;
 
@@ -76,8 +76,7 @@ impl Rotor {
         let rotation = self.speed.at(time);
         let size = self.structure.coordinates.len();
         let mut sum = ForceSlopes {
-            by_place: self.structure.stiffness.entries()
-                - self.circulatory.entries() * rotation.speed,
+            by_place: self.stiffness.entries() - self.circulatory.entries() * rotation.speed,
             by_rate: DMatrix::zeros(size, size),
             by_time: vec![0.0; size],
         };
@@ -194,19 +193,11 @@ impl Rotor {
             point.add_force(1.0, &unbalance.force_rate(rotation), sum);
         }
         for (load, place) in self.loads.iter().zip(&self.structure.load_places) {
-            let at = |step: f64| {
-                let (time, angle) = (time + step, self.speed.at(time + step).angle);
-                match &load.kind {
-                    LoadKind::Base(base) => base.acceleration(time, angle),
-                    _ => load.at(time, angle),
-                }
+            let later = |step: f64| {
+                let time = time + step;
+                load.kind.at(time, self.speed.at(time).angle)
             };
-            let rate = forward_rate(at);
-            if load.acts_on_mass() {
-                self.add_base_force(&rate, sum);
-            } else {
-                place.add_force(&rate, sum);
-            }
+            self.add_load(load, place, &forward_rate(later), sum);
         }
     }
 }

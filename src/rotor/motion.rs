@@ -8,7 +8,8 @@ use super::equilibrium::Equilibrium;
 use super::phases::Phases;
 use super::point::{Attachment, Place, Point, about_origin};
 use super::structure::{Structure, UnbalancedPoint};
-use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, LoadKind, Rotation, SpeedProfile};
+use super::unconstrained::FreeDirections;
+use super::{CageMotion, Drive, FREEDOMS, InitialPosition, Load, Rotation, SpeedProfile};
 use crate::bearing::{Angle, BearingRotation, BearingState, CageWalk, Support, Vector5};
 use crate::registers::in_wide_registers;
 
@@ -48,6 +49,8 @@ pub struct Rotor {
     pub(super) rigid: bool,
     /// M.
     pub(super) mass: Mass,
+    /// K without the ball bearings.
+    pub(super) stiffness: Coefficients,
     /// C.
     pub(super) damping: Coefficients,
     /// Whether C follows from the stiffness with the cages turned by half a ball spacing, as nothing holds the shaft before.
@@ -90,6 +93,8 @@ pub struct Rotor {
     pub(super) rest: Vec<f64>,
     /// K and the stiffness of the bearings there, of all coordinates.
     pub(super) tangent: DMatrix<f64>,
+    /// What nothing holds there.
+    pub(super) free: FreeDirections,
     /// Where the motion starts from.
     pub(super) starts_from: InitialPosition,
     /// Displacement and velocity of the shaft at t = 0.
@@ -269,25 +274,33 @@ impl Rotor {
     #[inline(never)]
     pub(super) fn add_loads(&self, time: f64, angle: f64, sum: &mut [f64]) {
         for (load, place) in self.loads.iter().zip(&self.structure.load_places) {
-            match &load.kind {
-                LoadKind::Base(base) => self.add_base_force(&base.acceleration(time, angle), sum),
-                _ => place.add_force(&load.at(time, angle), sum),
-            }
+            self.add_load(load, place, &load.kind.at(time, angle), sum);
+        }
+    }
+
+    /// Adds a value of a load, an amplitude or a rate of it.
+    pub(super) fn add_load(&self, load: &Load, place: &Place, value: &Vector5, sum: &mut [f64]) {
+        if load.acts_on_mass() {
+            self.add_base_force(value, sum);
+        } else {
+            place.add_force(value, sum);
         }
     }
 
     /// Power of the varying loads at velocities of the degrees of freedom, W.
     pub(super) fn power_of_loads(&self, time: f64, angle: f64, velocity: &[f64]) -> f64 {
         let power = |(load, place): (&Load, &Place)| -> f64 {
-            if let LoadKind::Base(base) = &load.kind {
-                let accelerations = base.acceleration(time, angle);
-                let axes = self.base_inertia.iter().zip(accelerations);
+            let value = load.kind.at(time, angle);
+            if load.acts_on_mass() {
+                let axes = self.base_inertia.iter().zip(value);
                 return -axes
                     .map(|(inertia, part)| part * dot(inertia, velocity))
                     .sum::<f64>();
             }
-            let force = about_origin(&load.at(time, angle), place.arm);
-            dot(&force, &place.point.rate(velocity))
+            dot(
+                &about_origin(&value, place.arm),
+                &place.point.rate(velocity),
+            )
         };
         let loads = self.loads.iter().zip(&self.structure.load_places);
         loads.map(power).sum()
@@ -307,7 +320,7 @@ impl Rotor {
     }
 
     /// Adds the inertial forces of the shaft and the housings where the base accelerates, in m/s².
-    pub(super) fn add_base_force(&self, acceleration: &Vector5, sum: &mut [f64]) {
+    fn add_base_force(&self, acceleration: &Vector5, sum: &mut [f64]) {
         for (inertia, acceleration) in self.base_inertia.iter().zip(acceleration) {
             for (sum, inertia) in sum.iter_mut().zip(inertia) {
                 *sum -= inertia * acceleration;
@@ -318,12 +331,9 @@ impl Rotor {
     /// Acceleration of the base, m/s².
     pub(super) fn base_acceleration(&self, time: f64, angle: f64) -> [f64; 3] {
         let mut sum = [0.0; 3];
-        for load in &self.loads {
-            if let LoadKind::Base(base) = &load.kind {
-                let acceleration = base.acceleration(time, angle);
-                sum.iter_mut()
-                    .zip(acceleration)
-                    .for_each(|(sum, part)| *sum += part);
+        for load in self.loads.iter().filter(|load| load.acts_on_mass()) {
+            for (sum, part) in sum.iter_mut().zip(load.kind.at(time, angle)) {
+                *sum += part;
             }
         }
         sum
@@ -331,7 +341,7 @@ impl Rotor {
 
     /// The first time after `after` at which a load or the acceleration jumps, or a ball passes a kink of a defect, s.
     pub(super) fn next_break_after(&self, after: f64) -> f64 {
-        let breaks = self.loads.iter().map(|load| load.next_break(after));
+        let breaks = self.loads.iter().map(|load| load.kind.next_break(after));
         let known = breaks.fold(self.speed.next_break(after), f64::min);
         known
             .min(self.next_passing(after))
@@ -401,7 +411,7 @@ impl Rotor {
             .add_product(-rotation.speed, velocity, force);
         self.damping.add_product(-1.0, velocity, force);
         if !RIGID {
-            self.structure.stiffness.add_product(-1.0, place, force);
+            self.stiffness.add_product(-1.0, place, force);
             self.circulatory.add_product(rotation.speed, place, force);
         }
         if self.contacts_damped {

@@ -7,7 +7,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::motion::AttachedBearing;
 use super::static_search::POSITION_ROUND_OFF;
 use super::structure::UnbalancedPoint;
-use super::unconstrained::NOTHING;
+use super::unconstrained::{NOTHING, contact_stiffness};
 use super::{CageMotion, Rotor};
 use crate::bearing::{BearingRotation, Geometry, Support};
 
@@ -47,12 +47,16 @@ impl Rotor {
     pub fn motion_scale(&self, tolerance: f64) -> MotionScale {
         let arm = Support::largest(&self.supports, Geometry::inner_groove_radius);
         let frequency = self.highest_frequency();
+        let amplitudes = self
+            .speeds()
+            .map(|speed| self.unbalance_amplitudes(speed))
+            .chain(self.load_amplitudes(self.highest_speed()))
+            .chain(self.passing_amplitudes())
+            .chain(self.initial_amplitudes(frequency));
         let smallest = SMALLEST_ERROR / tolerance * self.groove_centre_distance();
-        let length = smallest
-            .max(self.unbalance_response(arm))
-            .max(self.load_response(arm))
-            .max(self.varying_compliance(arm))
-            .max(self.initial_distance(arm, frequency));
+        let length = amplitudes
+            .map(|amplitudes| self.largest(&amplitudes, arm))
+            .fold(smallest, f64::max);
         MotionScale {
             length,
             arm,
@@ -74,7 +78,7 @@ impl Rotor {
             .map(|dof| (self.tangent[(dof, dof)].max(0.0) / self.mass.entry(dof, dof)).sqrt())
             .fold(0.0, f64::max);
         let natural = match highest {
-            0.0 => (self.contact_stiffness() / self.shaft_mass).sqrt(),
+            0.0 => (contact_stiffness(&self.supports) / self.shaft_mass).sqrt(),
             highest => highest,
         };
         natural.max(self.highest_speed())
@@ -102,10 +106,9 @@ impl Rotor {
     /// rad. A shaft that starts beside this motion has free vibrations of these amplitudes besides.
     pub(super) fn forced_amplitudes(&self, speed: f64) -> Vec<f64> {
         let mut sum = vec![0.0; self.dofs()];
-        let unbalance = self.unbalance_phasor(speed);
-        add_sizes(&mut sum, &self.amplitudes(unbalance, speed, speed));
-        for (frequency, force) in self.load_vibrations(speed) {
-            add_sizes(&mut sum, &self.amplitudes(force, frequency, speed));
+        add_sizes(&mut sum, &self.unbalance_amplitudes(speed));
+        for amplitudes in self.load_amplitudes(speed) {
+            add_sizes(&mut sum, &amplitudes);
         }
         sum
     }
@@ -115,30 +118,33 @@ impl Rotor {
     pub(super) fn amplitude_estimate(&self, speed: f64) -> Vec<f64> {
         let mut sum = self.forced_amplitudes(speed);
         let mut passing = vec![0.0_f64; self.dofs()];
-        for shift in self.passing_shifts() {
-            for (passing, shift) in passing.iter_mut().zip(shift.iter()) {
+        for shift in self.passing_amplitudes() {
+            for (passing, shift) in passing.iter_mut().zip(shift) {
                 *passing = passing.max(shift.abs());
             }
         }
         add_sizes(&mut sum, &passing);
-        let [shift, velocity] = self.initial_deviation();
-        let frequency = self.highest_frequency();
-        add_sizes(&mut sum, &shift);
-        let swept: Vec<f64> = velocity
-            .iter()
-            .map(|velocity| velocity / frequency)
-            .collect();
-        add_sizes(&mut sum, &swept);
+        for amplitudes in self.initial_amplitudes(self.highest_frequency()) {
+            add_sizes(&mut sum, &amplitudes);
+        }
         sum
     }
 
-    /// Displacement from the static equilibrium and velocity of the degrees of freedom at t = 0.
-    fn initial_deviation(&self) -> [Vec<f64>; 2] {
+    /// Speeds at the points of the profile and the highest one, rad/s.
+    pub(super) fn speeds(&self) -> impl Iterator<Item = f64> {
+        let points = self.speed.points().map(|point| point.speed);
+        points.chain([self.highest_speed()])
+    }
+
+    /// Displacement of the degrees of freedom from the static equilibrium at t = 0, and how far their velocities carry
+    /// them at an angular frequency in rad/s.
+    fn initial_amplitudes(&self, frequency: f64) -> [Vec<f64>; 2] {
         let (start, dofs) = (self.start(), self.dofs());
-        let places = start[..dofs].iter().zip(&self.rest);
+        let (places, velocities) = start[..2 * dofs].split_at(dofs);
+        let shifts = places.iter().zip(&self.rest);
         [
-            places.map(|(place, rest)| place - rest).collect(),
-            start[dofs..2 * dofs].to_vec(),
+            shifts.map(|(place, rest)| place - rest).collect(),
+            velocities.iter().map(|rate| rate / frequency).collect(),
         ]
     }
 
@@ -156,39 +162,23 @@ impl Rotor {
         let loads = self.loads.iter().zip(&self.structure.load_places);
         loads
             .map(|(load, place)| {
-                let vibration = load.main_vibration();
+                let vibration = load.kind.main_vibration();
                 let mut force = DVector::zeros(self.dofs());
-                if load.acts_on_mass() {
-                    self.add_base_force(&vibration.amplitude, force.as_mut_slice());
-                } else {
-                    place.add_force(&vibration.amplitude, force.as_mut_slice());
-                }
-                let frequency = vibration.frequency + vibration.order * speed;
-                (frequency, force.map(Complex::from))
+                self.add_load(load, place, &vibration.amplitude, force.as_mut_slice());
+                (vibration.frequency_at(speed), force.map(Complex::from))
             })
             .collect()
     }
 
-    /// Largest amplitude under the unbalance at the speeds of the profile.
-    fn unbalance_response(&self, arm: f64) -> f64 {
-        let response = |speed: f64| {
-            let force = self.unbalance_phasor(speed);
-            self.largest(&self.amplitudes(force, speed, speed), arm)
-        };
-        let speeds = self.speed.points().map(|point| point.speed);
-        speeds
-            .chain([self.highest_speed()])
-            .map(response)
-            .fold(0.0, f64::max)
+    /// Amplitudes under the unbalance at a speed of the shaft in rad/s.
+    fn unbalance_amplitudes(&self, speed: f64) -> Vec<f64> {
+        self.amplitudes(self.unbalance_phasor(speed), speed, speed)
     }
 
-    /// Largest amplitude under each of the varying loads by itself.
-    fn load_response(&self, arm: f64) -> f64 {
-        let speed = self.highest_speed();
+    /// Amplitudes under each of the varying loads by itself.
+    fn load_amplitudes(&self, speed: f64) -> impl Iterator<Item = Vec<f64>> {
         let vibrations = self.load_vibrations(speed).into_iter();
-        vibrations
-            .map(|(frequency, force)| self.largest(&self.amplitudes(force, frequency, speed), arm))
-            .fold(0.0, f64::max)
+        vibrations.map(move |(frequency, force)| self.amplitudes(force, frequency, speed))
     }
 
     /// Amplitudes of the degrees of freedom under forces of angular frequency ω while the shaft turns at Ω,
@@ -210,17 +200,9 @@ impl Rotor {
         })
     }
 
-    /// Static displacement under the change of force as the cage turns by one ball spacing.
-    fn varying_compliance(&self, arm: f64) -> f64 {
-        self.passing_shifts()
-            .iter()
-            .map(|shift| self.largest(shift.as_slice(), arm))
-            .fold(0.0, f64::max)
-    }
-
-    /// These displacements of the degrees of freedom at some positions of the cage; none in a direction that nothing
-    /// holds.
-    fn passing_shifts(&self) -> Vec<DVector<f64>> {
+    /// Static displacements of the degrees of freedom under the changes of the forces as the cages turn by one ball spacing
+    /// and imperfect surfaces pass; none in a direction that nothing holds.
+    fn passing_amplitudes(&self) -> Vec<Vec<f64>> {
         let imperfect = self.supports.iter().any(Support::is_imperfect);
         let still = self.cage == CageMotion::Frozen && !imperfect;
         if still || self.highest_speed() == 0.0 {
@@ -228,83 +210,64 @@ impl Rotor {
         }
         let dofs = self.dofs();
         let stiffness = self.tangent.view((0, 0), (dofs, dofs)).into_owned();
-        let least = NOTHING * self.contact_stiffness();
+        let least = NOTHING * contact_stiffness(&self.supports);
         let factors = stiffness.svd(true, true);
         let mut changes = self.imperfect_changes();
         if self.cage == CageMotion::Rolling {
-            let parts = 1..CAGE_POSITIONS;
-            changes.extend(
-                parts.map(|position| self.force_change(position as f64 / CAGE_POSITIONS as f64)),
-            );
+            changes.extend(self.passing_changes());
         }
-        let shift = |change| factors.solve(&change, least).ok();
+        let shift = |change| Some(factors.solve(&change, least).ok()?.as_slice().to_vec());
         changes.into_iter().filter_map(shift).collect()
     }
 
-    /// Change of the forces on the degrees of freedom at the equilibrium when every cage has turned by a part of its ball
+    /// Changes of the forces on the degrees of freedom at the equilibrium when every cage has turned by parts of its ball
     /// spacing.
-    fn force_change(&self, part: f64) -> DVector<f64> {
-        let dofs = self.dofs();
-        let mut sum = DVector::zeros(dofs);
-        for bearing in self.bearings() {
-            let place = bearing.displacement(&self.rest[..dofs]);
-            let spacing = TAU / bearing.support.definition().bearing.geometry.balls() as f64;
-            let start = BearingRotation::at_start(self.speed());
-            let turned = bearing
-                .support
-                .force(&place, &start.with_cage_at(part * spacing));
-            let still = bearing.support.force(&place, &start);
-            let change = std::array::from_fn(|axis| turned[axis] - still[axis]);
-            bearing
-                .attachment
-                .add_force(1.0, &change, sum.as_mut_slice());
-        }
-        sum
+    fn passing_changes(&self) -> impl Iterator<Item = DVector<f64>> {
+        (1..CAGE_POSITIONS).map(|position| {
+            let part = position as f64 / CAGE_POSITIONS as f64;
+            let mut sum = DVector::zeros(self.dofs());
+            for bearing in self.bearings() {
+                let spacing = TAU / bearing.support.definition().bearing.geometry.balls() as f64;
+                let turned = BearingRotation::at_start(self.speed()).with_cage_at(part * spacing);
+                self.add_change(bearing, &turned, &mut sum);
+            }
+            sum
+        })
     }
 
     /// Changes of the forces as imperfect surfaces pass under the balls of each bearing by itself.
     fn imperfect_changes(&self) -> Vec<DVector<f64>> {
-        let dofs = self.dofs();
-        let change = |bearing: AttachedBearing<'_>, seen: &BearingRotation| {
-            let place = bearing.displacement(&self.rest[..dofs]);
-            let still = BearingRotation::at_start(self.speed());
-            let [passing, still] = [seen, &still].map(|seen| bearing.support.force(&place, seen));
-            let change = std::array::from_fn(|axis| passing[axis] - still[axis]);
-            let mut sum = DVector::zeros(dofs);
-            bearing
-                .attachment
-                .add_force(1.0, &change, sum.as_mut_slice());
-            sum
-        };
-        self.bearings()
-            .flat_map(|bearing| {
-                let rotations = self.imperfect_rotations(bearing);
-                rotations
-                    .into_iter()
-                    .map(move |seen| change(bearing, &seen))
-                    .collect::<Vec<_>>()
-            })
-            .collect()
+        let mut changes = Vec::new();
+        for bearing in self.bearings() {
+            for seen in self.imperfect_rotations(bearing) {
+                let mut change = DVector::zeros(self.dofs());
+                self.add_change(bearing, &seen, &mut change);
+                changes.push(change);
+            }
+        }
+        changes
     }
 
-    /// Largest of these changes in every degree of freedom.
+    /// Adds the change of the force on a bearing at the equilibrium from the start to another rotation.
+    fn add_change(
+        &self,
+        bearing: AttachedBearing<'_>,
+        seen: &BearingRotation,
+        sum: &mut DVector<f64>,
+    ) {
+        let place = bearing.displacement(&self.rest[..self.dofs()]);
+        let start = BearingRotation::at_start(self.speed());
+        let [seen, still] = [seen, &start].map(|seen| bearing.support.force(&place, seen));
+        let change = std::array::from_fn(|axis| seen[axis] - still[axis]);
+        let attachment = bearing.attachment;
+        attachment.add_force(1.0, &change, sum.as_mut_slice());
+    }
+
+    /// Largest change of the forces as the cages turn, in every degree of freedom.
     pub(super) fn passing_force(&self) -> DVector<f64> {
-        let changes = (1..CAGE_POSITIONS).map(|position| {
-            self.force_change(position as f64 / CAGE_POSITIONS as f64)
-                .abs()
-        });
-        changes.fold(DVector::zeros(self.dofs()), |largest, change| {
-            largest.sup(&change)
-        })
-    }
-
-    fn initial_distance(&self, arm: f64, frequency: f64) -> f64 {
-        let [shift, velocity] = self.initial_deviation();
-        let reach: Vec<f64> = velocity
-            .iter()
-            .map(|velocity| velocity / frequency)
-            .collect();
-        self.largest(&shift, arm).max(self.largest(&reach, arm))
+        let start = DVector::zeros(self.dofs());
+        self.passing_changes()
+            .fold(start, |largest, change| largest.sup(&change.abs()))
     }
 
     /// Largest component as a displacement; what is not a number does not count.
@@ -320,7 +283,7 @@ impl Rotor {
 }
 
 /// Adds the magnitudes of amplitudes to others.
-fn add_sizes(sum: &mut [f64], amplitudes: &[f64]) {
+pub(super) fn add_sizes(sum: &mut [f64], amplitudes: &[f64]) {
     for (sum, amplitude) in sum.iter_mut().zip(amplitudes) {
         *sum += amplitude.abs();
     }

@@ -62,7 +62,6 @@ impl Rotor {
             }
             force.map(|force| -force)
         });
-        contacts.sum_up();
         let has_balls = contacts.has_balls();
         Sample {
             time,
@@ -106,6 +105,50 @@ impl Rotor {
             *axial = support.definition().facing.sign() * force[2];
         }
         total
+    }
+}
+
+impl Rotor {
+    /// Indices of the degrees of freedom of the housings.
+    pub(crate) fn housing_freedoms(&self) -> std::ops::Range<usize> {
+        let housings = self.structure.housings.iter();
+        let firsts = housings.map(|housing| housing.point.coordinates()[0]);
+        firsts.min().unwrap_or(self.dofs())..self.dofs()
+    }
+
+    /// Motion of the housings of the first bearings; none without any.
+    pub(super) fn housing_motions(
+        &self,
+        place: &[f64],
+        velocity: &[f64],
+    ) -> Option<[HousingMotion; MOST_HOUSINGS]> {
+        let mut motions = [HousingMotion::default(); MOST_HOUSINGS];
+        for housing in &self.structure.housings {
+            if let Some(motion) = motions.get_mut(housing.bearing) {
+                let [x, y, z, ..] = housing.point.displacement(place, &[]);
+                motion.displacement = [x, y, z];
+                let [x, y, z, ..] = housing.point.rate(velocity);
+                motion.velocity = [x, y, z];
+            }
+        }
+        (!self.structure.housings.is_empty()).then_some(motions)
+    }
+
+    /// Writes the accelerations of the housings, taken from the derivative of a state.
+    pub(crate) fn accelerate_housings(
+        &self,
+        rate: &[f64],
+        motions: &mut Option<[HousingMotion; MOST_HOUSINGS]>,
+    ) {
+        let (Some(motions), dofs) = (motions, self.dofs()) else {
+            return;
+        };
+        for housing in &self.structure.housings {
+            if let Some(motion) = motions.get_mut(housing.bearing) {
+                let [x, y, z, ..] = housing.point.rate(&rate[dofs..2 * dofs]);
+                motion.acceleration = Some([x, y, z]);
+            }
+        }
     }
 }
 
@@ -164,9 +207,6 @@ pub struct BallContacts {
     pub(super) axial_forces: Vec<f64>,
     /// Whether the forces of the bearings are observed.
     pub(super) forces: bool,
-    largest: f64,
-    least: f64,
-    loaded: u32,
 }
 
 impl BallContacts {
@@ -177,9 +217,6 @@ impl BallContacts {
             bearings: supports.iter().map(loads).collect(),
             axial_forces: vec![0.0; supports.len()],
             forces: true,
-            largest: 0.0,
-            least: 0.0,
-            loaded: 0,
         }
     }
 
@@ -208,38 +245,30 @@ impl BallContacts {
         &self.axial_forces
     }
 
+    /// Largest loads at the inner and the outer race, N; zero without balls.
+    fn largest_loads(&self) -> [f64; 2] {
+        [0, 1].map(|race| {
+            let largest = self.bearings.iter().map(|balls| balls.largest[race]);
+            largest.fold(0.0, f64::max)
+        })
+    }
+
     /// Largest load at either race, N; zero without balls.
     pub fn largest_load(&self) -> f64 {
-        self.largest
+        let [inner, outer] = self.largest_loads();
+        inner.max(outer)
     }
 
     /// Load at the inner race above which a ball counts as loaded, N: a millionth of the largest
     /// there, of all bearings, for behind an oil film no load is quite zero.
     pub fn least_load(&self) -> f64 {
-        self.least
+        LOADED_SHARE * self.largest_loads()[0]
     }
 
     /// Number of loaded balls of all bearings.
     pub fn loaded(&self) -> u32 {
-        self.loaded
-    }
-
-    /// Takes stock of the balls, once they are those of another sample.
-    pub(super) fn sum_up(&mut self) {
-        let mut largest = [0.0_f64; 2];
-        for bearing in &self.bearings {
-            for (largest, of_bearing) in largest.iter_mut().zip(bearing.largest) {
-                *largest = largest.max(of_bearing);
-            }
-        }
-        self.largest = largest[0].max(largest[1]);
-        self.least = LOADED_SHARE * largest[0];
-        self.loaded = 0;
-        for bearing in &self.bearings {
-            let loaded = bearing.load[0]
-                .iter()
-                .map(|load| u32::from(*load > self.least));
-            self.loaded += loaded.sum::<u32>();
-        }
+        let least = self.least_load();
+        let loads = self.bearings.iter().flat_map(|balls| &balls.load[0]);
+        loads.map(|load| u32::from(*load > least)).sum()
     }
 }

@@ -2,7 +2,6 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::coefficients::Coefficients;
 use super::equilibrium::FREEDOM_NAMES;
 use super::flexible::Bending;
 use super::point::{Attachment, Place, Point};
@@ -72,7 +71,7 @@ pub(super) struct Structure {
     /// C of all that is damped but the shaft and the contacts.
     pub damping: DMatrix<f64>,
     /// K of all that is elastic but the ball bearings; nothing couples degrees of freedom with what is held.
-    pub stiffness: Coefficients,
+    pub stiffness: DMatrix<f64>,
     /// G: gyroscopic forces per speed and velocity.
     pub gyroscopic: DMatrix<f64>,
     /// The part of C that turns with the shaft.
@@ -119,7 +118,7 @@ impl Structure {
             dofs,
             mass: DMatrix::from_diagonal(&DVector::from_column_slice(&masses)),
             damping: nothing.clone(),
-            stiffness: Coefficients::new(nothing.clone(), dofs),
+            stiffness: nothing.clone(),
             gyroscopic: nothing.clone(),
             internal_damping: nothing.clone(),
             circulatory: nothing,
@@ -172,17 +171,10 @@ impl Structure {
             point: structure.shaft,
             unbalance: Unbalance::new(shaft),
         }];
-        let mut stiffness = structure.stiffness.entries().clone();
+        let (point, stiffness) = (structure.shaft, &mut structure.stiffness);
         for bearing in &definition.linear_bearings {
-            let point = structure.shaft;
-            bearing.add(
-                point,
-                bearing.position,
-                &mut stiffness,
-                &mut structure.damping,
-            );
+            bearing.add(point, bearing.position, stiffness, &mut structure.damping);
         }
-        structure.stiffness = Coefficients::new(stiffness, structure.dofs);
         structure
     }
 
@@ -195,14 +187,13 @@ impl Structure {
             .filter_map(|(bearing, mounted)| Some((bearing, mounted.housing?)))
             .collect();
         let mut structure = self.with_room_for(axes * housings.len());
-        let mut stiffness = structure.stiffness.entries().clone();
         for (number, (bearing, housing)) in housings.into_iter().enumerate() {
             let mut indices = [usize::MAX; 5];
             for (axis, own) in indices.iter_mut().enumerate().take(axes) {
                 let index = first + axes * number + axis;
                 *own = index;
                 structure.mass[(index, index)] = housing.mass;
-                stiffness[(index, index)] = housing.stiffness[axis];
+                structure.stiffness[(index, index)] = housing.stiffness[axis];
                 structure.damping[(index, index)] = housing.damping[axis];
                 let owner = format!(" of the housing of bearing {}", bearing + 1);
                 structure.coordinates[index] = Coordinate::of_axis(axis, &owner);
@@ -215,7 +206,6 @@ impl Structure {
                 point,
             });
         }
-        structure.stiffness = Coefficients::new(stiffness, structure.dofs);
         structure
     }
 
@@ -235,13 +225,13 @@ impl Structure {
         for matrix in [
             &mut self.mass,
             &mut self.damping,
+            &mut self.stiffness,
             &mut self.gyroscopic,
             &mut self.internal_damping,
             &mut self.circulatory,
         ] {
             *matrix = enlarged(matrix);
         }
-        self.stiffness = Coefficients::new(enlarged(self.stiffness.entries()), dofs + added);
         for deflections in self.bending.iter_mut().flat_map(|own| &mut own.deflections) {
             let mut large = DMatrix::zeros(deflections.nrows(), size);
             for (old, column) in deflections.column_iter().enumerate() {
@@ -275,12 +265,9 @@ impl Structure {
     /// M t of a unit translation t of shaft and housings along an axis, kg.
     pub fn inertia_along(&self, axis: usize) -> DVector<f64> {
         let mut forces = self.shaft_inertia_along(axis);
-        for housing in &self.housings {
-            housing.point.add_force(
-                housing.mass,
-                &std::array::from_fn(|own| f64::from(u8::from(own == axis))),
-                forces.as_mut_slice(),
-            );
+        for HousingPoint { mass, point, .. } in &self.housings {
+            let unit = std::array::from_fn(|own| f64::from(u8::from(own == axis)));
+            point.add_force(*mass, &unit, forces.as_mut_slice());
         }
         forces
     }
@@ -295,7 +282,7 @@ impl Structure {
         let grounded = |attachment: &Attachment| *attachment == Attachment::GROUNDED;
         self.coordinates.len() == FREEDOMS
             && self.attachments.iter().all(grounded)
-            && self.stiffness.entries().iter().all(|entry| *entry == 0.0)
+            && self.stiffness.iter().all(|entry| *entry == 0.0)
     }
 
     /// Coordinates of the plane of x with those of the plane of y that a forward whirl has a quarter turn behind, times a
@@ -328,7 +315,7 @@ impl Structure {
     ) -> Restoring {
         let size = self.coordinates.len();
         let mut force = DVector::zeros(size);
-        let mut stiffness = self.stiffness.entries().clone();
+        let mut stiffness = self.stiffness.clone();
         force.gemv(1.0, &stiffness, &DVector::from_column_slice(place), 0.0);
         let mut largest_share: f64 = 0.0;
         let rotation = BearingRotation::at_start(speed);

@@ -67,13 +67,11 @@ fn on_housing(definition: &RotorDefinition) -> Structure {
     let housing = [active, active + 1, active + 2];
     let grounded = Structure::of(definition).expect("a rigid shaft");
     let mut structure = grounded.with_room_for(housing.len());
-    let mut stiffness = structure.stiffness.entries().clone();
     for (axis, index) in housing.into_iter().enumerate() {
         structure.coordinates[index] = Coordinate::of_axis(axis, " of the housing");
         structure.mass[(index, index)] = MASSES[1];
-        stiffness[(index, index)] = SPRINGS[axis];
+        structure.stiffness[(index, index)] = SPRINGS[axis];
     }
-    structure.stiffness = Coefficients::new(stiffness, structure.dofs);
     let [x, y, z] = housing;
     let attachment = Attachment {
         inner: structure.shaft,

@@ -82,8 +82,7 @@ pub fn check_constraints(
     definition: &RotorDefinition,
     rotor: &Rotor,
 ) -> Result<Vec<String>, UnconstrainedError> {
-    let contact = usual_stiffness(definition, rotor);
-    let free = FreeDirections::find(rotor, contact);
+    let free = &rotor.free;
     let along = |axes: Vec<usize>| {
         let coordinates = &rotor.structure.coordinates;
         let names = axes.into_iter().map(|dof| coordinates[dof].name.as_str());
@@ -91,10 +90,10 @@ pub fn check_constraints(
         (!names.is_empty()).then(|| Unconstrained {
             freedoms: names.join(", "),
             stiffness: free.stiffness,
-            contact,
+            contact: free.contact,
         })
     };
-    let Some(all) = along(free.axes()) else {
+    let Some(all) = along(free.axes(PARTLY)) else {
         return Ok(Vec::new());
     };
     let mut bearings = definition.bearings.iter();
@@ -105,7 +104,7 @@ pub fn check_constraints(
     if let Some(undamped) = undamped.filter(|_| !rotor.damped_by_later_balls) {
         return Err(UnconstrainedError::Damping(undamped));
     }
-    if let Some(lost) = along(free.without_start(definition, rotor, contact)) {
+    if let Some(lost) = along(free.without_start(definition, rotor)) {
         return Err(UnconstrainedError::Start(lost));
     }
     let damping = match rotor.damped_by_later_balls {
@@ -119,86 +118,74 @@ pub fn check_constraints(
     )])
 }
 
-/// Stiffness of a loaded contact, or of the stiffest linear bearing, by its order of magnitude, N/m.
-fn usual_stiffness(definition: &RotorDefinition, rotor: &Rotor) -> f64 {
-    let linear = definition.linear_bearings.iter();
-    let linear = linear.flat_map(|bearing| bearing.stiffness[..3].iter().copied());
-    linear.fold(rotor.contact_stiffness(), f64::max)
-}
-
 /// What nothing holds at the static equilibrium.
-struct FreeDirections {
-    /// Freedoms that are unconstrained by themselves.
-    whole: Vec<usize>,
-    /// Freedoms that share in an unconstrained combination.
-    combined: Vec<usize>,
+#[derive(Debug, Clone)]
+pub(super) struct FreeDirections {
+    /// Part of the direction of each degree of freedom that is unconstrained.
+    shares: Vec<f64>,
     /// Least stiffness, tilts by their arm, N/m.
     stiffness: f64,
+    /// Stiffness of a loaded contact, or of the stiffest linear bearing, by its order of magnitude, N/m.
+    contact: f64,
 }
 
 impl FreeDirections {
-    /// Eigenvectors of the symmetric part of K whose eigenvalue is next to nothing, or negative.
-    fn find(rotor: &Rotor, contact: f64) -> Self {
-        let dofs = rotor.dofs();
-        let arm = Support::largest(&rotor.supports, Geometry::inner_groove_radius);
-        let lengths = rotor.structure.lengths(arm);
-        let stiffness = &rotor.tangent;
+    /// Eigenvectors of the symmetric part of K at the equilibrium whose eigenvalue is next to nothing, or negative.
+    pub fn find(
+        structure: &Structure,
+        definition: &RotorDefinition,
+        supports: &[Support],
+        stiffness: &DMatrix<f64>,
+    ) -> Self {
+        let linear = definition.linear_bearings.iter();
+        let linear = linear.flat_map(|bearing| &bearing.stiffness[..3]);
+        let contact = linear.fold(contact_stiffness(supports), |most, own| most.max(*own));
+        let dofs = structure.dofs;
+        let lengths = structure.lengths(Support::largest(supports, Geometry::inner_groove_radius));
         let scaled = DMatrix::from_fn(dofs, dofs, |row, column| {
             let both = stiffness[(row, column)] + stiffness[(column, row)];
             0.5 * both / (lengths[row] * lengths[column])
         });
-        let mut share = vec![0.0; dofs];
+        let mut shares = vec![0.0; dofs];
         let mut least = f64::INFINITY;
         if let Some(modes) = SymmetricEigen::try_new(scaled, f64::EPSILON, SWEEPS) {
-            for (value, vector) in modes
-                .eigenvalues
-                .iter()
-                .zip(modes.eigenvectors.column_iter())
-            {
+            let vectors = modes.eigenvectors.column_iter();
+            for (value, vector) in modes.eigenvalues.iter().zip(vectors) {
                 least = least.min(*value);
                 if *value <= NOTHING * contact {
-                    for (share, part) in share.iter_mut().zip(vector.iter()) {
+                    for (share, part) in shares.iter_mut().zip(vector.iter()) {
                         *share += part * part;
                     }
                 }
             }
         }
-        let within = |low: f64, high: f64| {
-            let axes = (0..dofs).filter(|&axis| share[axis] > low && share[axis] <= high);
-            axes.collect::<Vec<_>>()
-        };
         Self {
-            whole: within(WHOLLY, f64::INFINITY),
-            combined: within(PARTLY, WHOLLY),
+            shares,
             stiffness: least,
+            contact,
         }
     }
 
-    fn axes(&self) -> Vec<usize> {
-        let mut axes = [self.whole.clone(), self.combined.clone()].concat();
-        axes.sort_unstable();
-        axes
+    /// Freedoms of which more than a part is unconstrained.
+    fn axes(&self, part: f64) -> Vec<usize> {
+        let axes = (0..self.shares.len()).filter(|dof| self.shares[*dof] > part);
+        axes.collect()
     }
 
     /// Freedoms that the damping leaves undamped although it is to damp them. A ratio damps every
     /// freedom by its own stiffness, so a combination of two has its share.
     fn undamped(&self, damping: &Damping) -> Vec<usize> {
         match *damping {
-            Damping::Ratio(ratio) if ratio > 0.0 => self.whole.clone(),
-            Damping::StiffnessTime(time) if time > 0.0 => self.axes(),
+            Damping::Ratio(ratio) if ratio > 0.0 => self.axes(WHOLLY),
+            Damping::StiffnessTime(time) if time > 0.0 => self.axes(PARTLY),
             _ => Vec::new(),
         }
     }
 
     /// Freedoms in which neither the scene says where the motion starts nor anything drives it. A
     /// combination is driven, and starts, by any of its freedoms.
-    fn without_start(
-        &self,
-        definition: &RotorDefinition,
-        rotor: &Rotor,
-        contact: f64,
-    ) -> Vec<usize> {
-        let (initial, driven) = (&definition.initial, rotor.driven(contact));
+    fn without_start(&self, definition: &RotorDefinition, rotor: &Rotor) -> Vec<usize> {
+        let (initial, driven) = (&definition.initial, rotor.driven(self.contact));
         let given = |axis: usize| {
             initial.displacement[axis].is_some()
                 || initial.velocity[axis].is_some_and(|velocity| velocity != 0.0)
@@ -208,28 +195,34 @@ impl FreeDirections {
                 || initial.from == InitialPosition::Origin
                 || rotor.structure.shaft.axis_of(*dof).is_some_and(given)
         };
-        let mut lost: Vec<usize> = self
-            .whole
-            .iter()
-            .copied()
-            .filter(|axis| !known(axis))
-            .collect();
-        if !self.combined.iter().any(known) {
-            lost.extend(&self.combined);
+        let mut lost = self.axes(WHOLLY);
+        let mut combined = self.axes(PARTLY);
+        combined.retain(|dof| !lost.contains(dof));
+        lost.retain(|dof| !known(dof));
+        if !combined.iter().any(known) {
+            lost.append(&mut combined);
         }
         lost
     }
+}
+
+/// Stiffness of a loaded contact of these bearings, by its order of magnitude, N/m: that of one
+/// ball pressed in by a thousandth of the groove centre distance.
+pub(super) fn contact_stiffness(supports: &[Support]) -> f64 {
+    // dQ/dδ = 3/2 K_n √δ
+    let of = |support: &Support| {
+        let geometry = &support.definition().bearing.geometry;
+        let approach = 1e-3 * geometry.groove_centre_distance();
+        1.5 * support.load_deflection_constant() * approach.sqrt()
+    };
+    supports.iter().map(of).fold(0.0, f64::max)
 }
 
 impl Rotor {
     /// Where damping is to follow from a stiffness that is not there, and the cages roll on, it follows from the stiffness
     /// with the cages turned by half a ball spacing, if that holds the shaft.
     pub(super) fn damp_by_later_balls(&mut self, definition: &RotorDefinition) {
-        let contact = usual_stiffness(definition, self);
-        let undamped = |rotor: &Rotor| {
-            let free = FreeDirections::find(rotor, contact);
-            !free.undamped(&definition.damping).is_empty()
-        };
+        let undamped = |rotor: &Self| !rotor.free.undamped(&definition.damping).is_empty();
         let rolls = definition.cage == CageMotion::Rolling && self.speed.highest() > 0.0;
         if !rolls || !undamped(self) {
             return;
@@ -246,30 +239,18 @@ impl Rotor {
         }
     }
 
-    /// Stiffness of a loaded contact of these bearings, by its order of magnitude, N/m: that of one
-    /// ball pressed in by a thousandth of the groove centre distance.
-    pub(super) fn contact_stiffness(&self) -> f64 {
-        // dQ/dδ = 3/2 K_n √δ
-        let of = |support: &Support| {
-            let geometry = &support.definition().bearing.geometry;
-            let approach = 1e-3 * geometry.groove_centre_distance();
-            1.5 * support.load_deflection_constant() * approach.sqrt()
-        };
-        self.supports.iter().map(of).fold(0.0, f64::max)
-    }
-
     /// Which degrees of freedom unbalance, varying loads and passing balls drive.
     fn driven(&self, contact: f64) -> Vec<bool> {
         let turns = self.speed.highest() > 0.0;
         let mut driven = vec![false; self.dofs()];
-        let turning = turns.then(|| self.unbalance_phasor(1.0));
+        let unbalance = turns.then(|| self.unbalance_phasor(1.0));
         let loads = self.load_vibrations(0.0).into_iter();
-        for force in turning.into_iter().chain(loads.map(|(_, force)| force)) {
+        for force in unbalance.into_iter().chain(loads.map(|(_, force)| force)) {
             for (driven, part) in driven.iter_mut().zip(force.iter()) {
                 *driven |= *part != Complex::ZERO;
             }
         }
-        if self.cage == CageMotion::Rolling && self.speed.highest() > 0.0 {
+        if turns && self.cage == CageMotion::Rolling {
             let nothing = NOTHING * contact * SMALL_DISPLACEMENT;
             for (driven, change) in driven.iter_mut().zip(self.passing_force().iter()) {
                 *driven |= *change > nothing;

@@ -5,7 +5,6 @@ use nalgebra::{DMatrix, DVector};
 use super::mesh::{FlexibleShaft, PointUnbalance, ShaftError};
 use super::reduction::ReducedShaft;
 use crate::bearing::MountedBearing;
-use crate::rotor::coefficients::Coefficients;
 use crate::rotor::point::{Attachment, Place, Point};
 use crate::rotor::structure::{Coordinate, CoordinateKind, Structure, UnbalancedPoint};
 use crate::rotor::unbalance::Unbalance;
@@ -13,6 +12,10 @@ use crate::rotor::{FREEDOMS, Freedoms, Load, RotorDefinition};
 
 /// Frequency of the modes that are kept over that of the highest excitation.
 const HEADROOM: f64 = 3.0;
+/// Fewest modes of a plane where their number follows from the excitation.
+const LEAST_MODES: usize = 4;
+/// Most of them.
+const MOST_MODES: usize = 20;
 
 /// Where coordinates stand: x and θy of each point and the modes of their plane, then y, θx and modes of the other plane, so
 /// that the matrices of the shaft consist of blocks, and last z of all points.
@@ -30,7 +33,7 @@ impl Layout {
     }
 
     fn size(&self) -> usize {
-        2 * self.plane_size() + 1
+        self.z() + 1
     }
 
     fn dofs(&self) -> usize {
@@ -46,39 +49,26 @@ impl Layout {
         Point::new([first, second, self.z(), second + 1, first + 1])
     }
 
-    /// Coordinate and sign of each deflection, slope and mode of the plane of x and θy.
-    fn first_plane(&self) -> Vec<(usize, f64)> {
-        (0..self.plane_size()).map(|index| (index, 1.0)).collect()
-    }
-
-    /// The same of y and −θx.
-    fn second_plane(&self) -> Vec<(usize, f64)> {
-        let is_slope = |index: usize| index < 2 * self.points && index % 2 == 1;
-        let signed = |index| {
-            (
-                self.plane_size() + index,
-                if is_slope(index) { -1.0 } else { 1.0 },
-            )
+    /// Each deflection, slope and mode of the plane of x and θy with that of the plane of y and −θx, and the sign of the
+    /// latter.
+    fn planes(&self) -> Vec<(usize, usize, f64)> {
+        let sign = |index: usize| match index < 2 * self.points && index % 2 == 1 {
+            true => -1.0,
+            false => 1.0,
         };
-        (0..self.plane_size()).map(signed).collect()
-    }
-
-    /// Coordinates of both planes with the sign of the second one's.
-    fn pairs(&self) -> Vec<(usize, usize, f64)> {
-        let planes = self.first_plane().into_iter().zip(self.second_plane());
-        planes
-            .map(|((first, _), (second, sign))| (first, second, sign))
-            .collect()
+        let second = self.plane_size();
+        let first = 0..second;
+        first.map(|own| (own, second + own, sign(own))).collect()
     }
 
     /// A symmetric matrix of a plane for both.
     fn both(&self, plane: &DMatrix<f64>) -> DMatrix<f64> {
         let mut whole = DMatrix::zeros(self.size(), self.size());
-        for own in [self.first_plane(), self.second_plane()] {
-            for (row, (at, row_sign)) in own.iter().enumerate() {
-                for (column, (across, column_sign)) in own.iter().enumerate() {
-                    whole[(*at, *across)] = row_sign * column_sign * plane[(row, column)];
-                }
+        for (row, second_row, row_sign) in self.planes() {
+            for (column, second_column, column_sign) in self.planes() {
+                let entry = plane[(row, column)];
+                whole[(row, column)] = entry;
+                whole[(second_row, second_column)] = row_sign * column_sign * entry;
             }
         }
         whole
@@ -87,13 +77,12 @@ impl Layout {
     /// The forces `a (−v, u)` of a matrix a of a plane, with u and v the coordinates of the first and the second plane.
     fn across(&self, plane: &DMatrix<f64>) -> DMatrix<f64> {
         let mut whole = DMatrix::zeros(self.size(), self.size());
-        let (first, second) = (self.first_plane(), self.second_plane());
-        for (row, column) in
-            (0..first.len()).flat_map(|row| (0..first.len()).map(move |column| (row, column)))
-        {
-            let entry = plane[(row, column)];
-            whole[(first[row].0, second[column].0)] -= second[column].1 * entry;
-            whole[(second[row].0, first[column].0)] += second[row].1 * entry;
+        for (row, second_row, row_sign) in self.planes() {
+            for (column, second_column, column_sign) in self.planes() {
+                let entry = plane[(row, column)];
+                whole[(row, second_column)] -= column_sign * entry;
+                whole[(second_row, column)] += row_sign * entry;
+            }
         }
         whole
     }
@@ -141,11 +130,13 @@ impl FlexibleShaft {
         definition: &RotorDefinition,
         points: &[f64],
     ) -> Result<ReducedShaft, ShaftError> {
-        let mesh = self.mesh(points, None)?;
-        match self.modes {
-            Some(modes) => mesh.reduced(points, modes),
-            None => mesh.reduced_below(points, HEADROOM * definition.highest_excitation()),
-        }
+        let highest = HEADROOM * definition.highest_excitation();
+        self.mesh(points, None)?.reduced(points, |frequencies| {
+            self.modes.unwrap_or_else(|| {
+                let below = frequencies.iter().filter(|own| **own < highest);
+                below.count().clamp(LEAST_MODES, MOST_MODES)
+            })
+        })
     }
 }
 
@@ -192,7 +183,7 @@ impl Structure {
             dofs: layout.dofs(),
             mass,
             damping,
-            stiffness: Coefficients::new(stiffness, layout.dofs()),
+            stiffness,
             // w = u + i v: the gyroscopic force is i ω P ẇ, that of damping inside the shaft −τ K (ẇ − i ω w)
             gyroscopic: -layout.across(&plane.polar),
             internal_damping,
@@ -209,9 +200,8 @@ impl Structure {
             attachments: definition.bearings.iter().map(placed).collect(),
             housings: Vec::new(),
             bending: Some(Bending {
-                deflections: [layout.first_plane(), layout.second_plane()]
-                    .map(|plane| deflections(&layout, &reduction, &plane)),
-                planes: layout.pairs(),
+                deflections: deflections(&layout, &reduction),
+                planes: layout.planes(),
                 modes: layout.modes,
                 nodes: reduction.nodes,
             }),
@@ -229,10 +219,10 @@ fn coordinates(layout: &Layout, points: &[f64], reduction: &ReducedShaft) -> Vec
             }
         }
     }
-    for (plane, name) in [(layout.first_plane(), "x"), (layout.second_plane(), "y")] {
-        for (mode, (index, _)) in plane[2 * layout.points..].iter().enumerate() {
-            coordinates[*index] = Coordinate {
-                name: format!("bending mode {} along {name}", mode + 1),
+    for (mode, (first, second, _)) in layout.planes()[2 * layout.points..].iter().enumerate() {
+        for (index, axis) in [(*first, "x"), (*second, "y")] {
+            coordinates[index] = Coordinate {
+                name: format!("bending mode {} along {axis}", mode + 1),
                 kind: CoordinateKind::Mode(reduction.largest_deflection(mode)),
             };
         }
@@ -261,13 +251,16 @@ fn rigid_motions(layout: &Layout, points: &[f64]) -> [DVector<f64>; FREEDOMS] {
     motions
 }
 
-/// Deflections of all nodes along the axis of a plane, by all coordinates.
-fn deflections(layout: &Layout, reduction: &ReducedShaft, plane: &[(usize, f64)]) -> DMatrix<f64> {
-    let mut rows = DMatrix::zeros(reduction.nodes.len(), layout.size());
-    for node in 0..reduction.nodes.len() {
-        for (column, (index, sign)) in plane.iter().enumerate() {
-            rows[(node, *index)] = sign * reduction.transformation[(2 * node, column)];
+/// Deflections of all nodes by all coordinates: along x, and along y.
+fn deflections(layout: &Layout, reduction: &ReducedShaft) -> [DMatrix<f64>; 2] {
+    let nodes = reduction.nodes.len();
+    let [mut along_x, mut along_y] = [(); 2].map(|()| DMatrix::zeros(nodes, layout.size()));
+    for (first, second, sign) in layout.planes() {
+        for node in 0..nodes {
+            let part = reduction.transformation[(2 * node, first)];
+            along_x[(node, first)] = part;
+            along_y[(node, second)] = sign * part;
         }
     }
-    rows
+    [along_x, along_y]
 }

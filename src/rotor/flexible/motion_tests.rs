@@ -10,7 +10,7 @@ use crate::bearing::{
 };
 use crate::integrate::{Grid, Integration, Method, Settings, States, System};
 use crate::physics::Material;
-use crate::rotor::load::{BaseAcceleration, Harmonic, Pace};
+use crate::rotor::load::{Harmonic, Pace};
 use crate::rotor::{
     CageMotion, Damping, Disc, Drive, FlexibleShaft, Freedoms, InitialPosition, InitialState,
     LinearBearing, Load, LoadKind, PlaneUnbalance, PointUnbalance, Rotor, RotorDefinition, Section,
@@ -160,10 +160,10 @@ fn everything() -> RotorDefinition {
             position: 0.1,
         },
         Load {
-            kind: LoadKind::Base(BaseAcceleration::Harmonic(harmonic(
+            kind: LoadKind::Base(Box::new(LoadKind::Harmonic(harmonic(
                 [3.0, 5.0, 1.0, 0.0, 0.0],
                 Pace::Order(1.5),
-            ))),
+            )))),
             position: 0.0,
         },
         Load::constant([0.0, 0.0, 300.0, 0.0, 0.0], 0.1),

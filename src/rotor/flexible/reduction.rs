@@ -8,11 +8,6 @@ use super::mesh::{Mesh, Plane};
 /// Modes whose 1/ω² is below this part of the largest have no mass to speak of.
 const MASSLESS: f64 = 1e-12;
 
-/// Fewest modes of a plane where their number follows from the excitation.
-const LEAST_MODES: usize = 4;
-/// Most of them.
-const MOST_MODES: usize = 20;
-
 /// A plane in few coordinates: deflection and slope of the points that forces act at, in their order, and behind them the
 /// lowest modes of the shaft with all these points fixed.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,7 +40,7 @@ impl ReducedShaft {
 }
 
 impl Mesh {
-    /// Keeps the points at `positions` and so many modes.
+    /// Keeps the points at `positions` and so many modes as `count` says by the angular frequencies of all.
     ///
     /// ```text
     /// q = T (q_b, η),   T = [ I 0 ; −K_ii⁻¹ K_ib  Φ ],   K_ii Φ = M_ii Φ Λ,   Φᵀ M_ii Φ = I
@@ -60,26 +55,6 @@ impl Mesh {
     /// [`ShaftError::Singular`] where the inside is not held by the points, [`ShaftError::Massless`] where one of them has
     /// no inertia.
     pub(in crate::rotor) fn reduced(
-        self,
-        positions: &[f64],
-        modes: usize,
-    ) -> Result<ReducedShaft, ShaftError> {
-        self.reduced_to(positions, |_| modes)
-    }
-
-    /// The same with the modes below an angular frequency in rad/s, but at least four and at most twenty.
-    pub(in crate::rotor) fn reduced_below(
-        self,
-        positions: &[f64],
-        frequency: f64,
-    ) -> Result<ReducedShaft, ShaftError> {
-        self.reduced_to(positions, |frequencies| {
-            let below = frequencies.iter().filter(|own| **own < frequency).count();
-            below.clamp(LEAST_MODES, MOST_MODES)
-        })
-    }
-
-    fn reduced_to(
         self,
         positions: &[f64],
         count: impl Fn(&[f64]) -> usize,
@@ -128,9 +103,6 @@ impl Mesh {
         let boundary: Vec<usize> = points.flat_map(|node| [2 * node, 2 * node + 1]).collect();
         let size = 2 * self.nodes.len();
         let interior: Vec<usize> = (0..size).filter(|row| !boundary.contains(row)).collect();
-        let Plane {
-            mass, stiffness, ..
-        } = &self.plane;
         let mut transformation = DMatrix::zeros(size, boundary.len());
         for (column, row) in boundary.iter().enumerate() {
             transformation[(*row, column)] = 1.0;
@@ -138,13 +110,16 @@ impl Mesh {
         if interior.is_empty() {
             return Some((transformation, Vec::new()));
         }
-        let inner_stiffness = block(stiffness, &interior, &interior).cholesky()?;
-        let followed = inner_stiffness.solve(&block(stiffness, &interior, &boundary));
-        let (shapes, frequencies) = lowest_modes(
-            &block(mass, &interior, &interior),
-            &inner_stiffness.l(),
-            count,
-        )?;
+        let inside = |matrix: &DMatrix<f64>, columns: &[usize]| {
+            matrix.select_rows(&interior).select_columns(columns)
+        };
+        let Plane {
+            mass, stiffness, ..
+        } = &self.plane;
+        let inner_stiffness = inside(stiffness, &interior).cholesky()?;
+        let followed = inner_stiffness.solve(&inside(stiffness, &boundary));
+        let (shapes, frequencies) =
+            lowest_modes(&inside(mass, &interior), &inner_stiffness.l(), count)?;
         transformation = transformation.resize_horizontally(boundary.len() + shapes.ncols(), 0.0);
         for (inner, row) in interior.iter().enumerate() {
             for column in 0..boundary.len() {
@@ -188,12 +163,6 @@ fn lowest_modes(
         shapes.set_column(column, &(shape * (sign / modes.eigenvalues[mode].sqrt())));
     }
     Some((shapes, frequencies))
-}
-
-fn block(matrix: &DMatrix<f64>, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
-    DMatrix::from_fn(rows.len(), columns.len(), |row, column| {
-        matrix[(rows[row], columns[column])]
-    })
 }
 
 #[cfg(test)]

@@ -43,23 +43,19 @@ impl Harmonic {
 
     /// Angular frequency in rad/s and begin in s at a speed of the shaft in rad/s; none where it does not act.
     pub(super) fn repetition(&self, speed: f64) -> Option<(f64, f64)> {
-        let MainVibration {
-            frequency, order, ..
-        } = self.main_vibration();
         let acts = self.amplitude.iter().any(|part| *part != 0.0);
-        acts.then_some((frequency + order * speed, 0.0))
+        acts.then(|| (self.main_vibration().frequency_at(speed), 0.0))
     }
 
     /// Its amplitude and frequency.
     pub fn main_vibration(&self) -> MainVibration {
-        let (frequency, order) = match self.pace {
-            Pace::Frequency(frequency) => (TAU * frequency, 0.0),
-            Pace::Order(order) => (0.0, order),
-        };
-        MainVibration {
-            amplitude: self.amplitude,
-            frequency,
-            order,
+        match self.pace {
+            Pace::Frequency(frequency) => MainVibration::at(TAU * frequency, self.amplitude),
+            Pace::Order(order) => MainVibration {
+                amplitude: self.amplitude,
+                frequency: 0.0,
+                order,
+            },
         }
     }
 }

@@ -3,14 +3,12 @@
 //! Each kind is a pure function of time and angle that allocates nothing. A [`Load`] puts it at its
 //! position along the shaft; the rotor adds them all up.
 
-mod base;
 mod harmonic;
 mod noise;
 mod series;
 mod shock;
 mod sprocket;
 
-pub use base::BaseAcceleration;
 pub use harmonic::{Harmonic, Pace};
 pub use noise::{Noise, NoiseBand, SplitMix64};
 pub use series::{Column, Interpolation, Series, SeriesError};
@@ -46,8 +44,10 @@ pub enum LoadKind {
     Noise(Noise),
     /// A recorded or computed series.
     Series(Series),
-    /// Acceleration of the housing.
-    Base(BaseAcceleration),
+    /// Acceleration a(t) of the housing along X, Y, Z in m/s², of one of the other kinds: in its frame the inertial force
+    /// −m a(t) acts on every mass. The bearings feel the motion of the shaft against the housing, which is what the
+    /// displacements mean. Components about X and Y do not act.
+    Base(Box<LoadKind>),
 }
 
 /// The main vibration of a load: what the size of the motion is estimated from.
@@ -59,6 +59,22 @@ pub struct MainVibration {
     pub frequency: f64,
     /// Part that does, as a multiple of the shaft's speed.
     pub order: f64,
+}
+
+impl MainVibration {
+    /// One of an angular frequency in rad/s that does not depend on the shaft's speed.
+    fn at(frequency: f64, amplitude: Vector5) -> Self {
+        Self {
+            amplitude,
+            frequency,
+            order: 0.0,
+        }
+    }
+
+    /// Its angular frequency at a speed of the shaft, both rad/s.
+    pub fn frequency_at(&self, speed: f64) -> f64 {
+        self.frequency + self.order * speed
+    }
 }
 
 impl Load {
@@ -76,52 +92,49 @@ impl Load {
         }
     }
 
-    /// The load at its position at a time (s) and angle of the shaft (rad), N and N m; zero of an acceleration of the base,
-    /// which acts on all masses.
-    #[inline]
-    pub fn at(&self, time: f64, angle: f64) -> Vector5 {
-        match &self.kind {
-            LoadKind::Constant(constant) => *constant,
-            LoadKind::Harmonic(harmonic) => harmonic.at(time, angle),
-            LoadKind::Shock(shock) => shock.at(time),
-            LoadKind::RandomShocks(shocks) => shocks.at(time),
-            LoadKind::Sprocket(sprocket) => sprocket.at(angle),
-            LoadKind::Noise(noise) => noise.at(time),
-            LoadKind::Series(series) => series.at(time),
-            LoadKind::Base(_) => [0.0; 5],
-        }
-    }
-
     /// Whether it acts on all masses, as an acceleration of the base does; everything else acts on the shaft's axis.
     pub fn acts_on_mass(&self) -> bool {
         matches!(self.kind, LoadKind::Base(_))
     }
+}
+
+impl LoadKind {
+    /// The load at its position at a time (s) and angle of the shaft (rad), N and N m; an acceleration of the base in m/s².
+    #[inline]
+    pub fn at(&self, time: f64, angle: f64) -> Vector5 {
+        match self {
+            Self::Constant(constant) => *constant,
+            Self::Harmonic(harmonic) => harmonic.at(time, angle),
+            Self::Shock(shock) => shock.at(time),
+            Self::RandomShocks(shocks) => shocks.at(time),
+            Self::Sprocket(sprocket) => sprocket.at(angle),
+            Self::Noise(noise) => noise.at(time),
+            Self::Series(series) => series.at(time),
+            Self::Base(acceleration) => acceleration.at(time, angle),
+        }
+    }
 
     /// What the static equilibrium carries of it: the mean pull of a chain, the value of a series at
-    /// t = 0; nothing of what merely vibrates or strikes. At its position, as [`Load::at`].
+    /// t = 0; nothing of what merely vibrates or strikes. At its position, as [`LoadKind::at`].
     pub fn static_part(&self) -> Vector5 {
-        match &self.kind {
-            LoadKind::Sprocket(sprocket) => sprocket.mean(),
-            LoadKind::Series(series) => series.at(0.0),
+        match self {
+            Self::Sprocket(sprocket) => sprocket.mean(),
+            Self::Series(series) => series.at(0.0),
             _ => [0.0; 5],
         }
     }
 
     /// Its main vibration at its position; that of the base is an acceleration in m/s².
     pub fn main_vibration(&self) -> MainVibration {
-        match &self.kind {
-            LoadKind::Constant(_) => MainVibration {
-                amplitude: [0.0; 5],
-                frequency: 0.0,
-                order: 0.0,
-            },
-            LoadKind::Harmonic(harmonic) => harmonic.main_vibration(),
-            LoadKind::Shock(shock) => shock.main_vibration(),
-            LoadKind::RandomShocks(shocks) => shocks.main_vibration(),
-            LoadKind::Sprocket(sprocket) => sprocket.main_vibration(),
-            LoadKind::Noise(noise) => noise.main_vibration(),
-            LoadKind::Series(series) => series.main_vibration(),
-            LoadKind::Base(base) => base.main_vibration(),
+        match self {
+            Self::Constant(_) => MainVibration::at(0.0, [0.0; 5]),
+            Self::Harmonic(harmonic) => harmonic.main_vibration(),
+            Self::Shock(shock) => shock.main_vibration(),
+            Self::RandomShocks(shocks) => shocks.main_vibration(),
+            Self::Sprocket(sprocket) => sprocket.main_vibration(),
+            Self::Noise(noise) => noise.main_vibration(),
+            Self::Series(series) => series.main_vibration(),
+            Self::Base(acceleration) => acceleration.main_vibration(),
         }
     }
 
@@ -131,40 +144,30 @@ impl Load {
     /// # Errors
     /// What it is, where it does not repeat.
     pub(super) fn repetition(&self, speed: f64) -> Result<Option<(f64, f64)>, &'static str> {
-        match &self.kind {
-            LoadKind::Harmonic(harmonic) | LoadKind::Base(BaseAcceleration::Harmonic(harmonic)) => {
-                Ok(harmonic.repetition(speed))
+        match self {
+            Self::Harmonic(harmonic) => Ok(harmonic.repetition(speed)),
+            Self::Shock(shock) => shock.repetition(),
+            Self::Sprocket(sprocket) => {
+                Ok(Some((sprocket.main_vibration().frequency_at(speed), 0.0)))
             }
-            LoadKind::Shock(shock) | LoadKind::Base(BaseAcceleration::Shock(shock)) => {
-                shock.repetition()
-            }
-            LoadKind::Sprocket(sprocket) => {
-                Ok(Some((sprocket.main_vibration().order * speed, 0.0)))
-            }
-            LoadKind::Constant(_) => Ok(None),
-            LoadKind::RandomShocks(_) => Err("a series of random shocks"),
-            LoadKind::Noise(_) => Err("noise"),
-            LoadKind::Series(_) => Err("a series of values"),
+            Self::Constant(_) => Ok(None),
+            Self::RandomShocks(_) => Err("a series of random shocks"),
+            Self::Noise(_) => Err("noise"),
+            Self::Series(_) => Err("a series of values"),
+            Self::Base(acceleration) => acceleration.repetition(speed),
         }
     }
 
     /// The first time after `after` at which the load or its slope jumps, s.
     pub fn next_break(&self, after: f64) -> f64 {
-        match &self.kind {
-            LoadKind::Shock(shock) => shock.next_break(after),
-            LoadKind::RandomShocks(shocks) => shocks.next_break(after),
-            LoadKind::Series(series) => series.next_break(after),
-            LoadKind::Base(base) => base.next_break(after),
-            LoadKind::Constant(_)
-            | LoadKind::Harmonic(_)
-            | LoadKind::Sprocket(_)
-            | LoadKind::Noise(_) => f64::INFINITY,
+        match self {
+            Self::Shock(shock) => shock.next_break(after),
+            Self::RandomShocks(shocks) => shocks.next_break(after),
+            Self::Series(series) => series.next_break(after),
+            Self::Base(acceleration) => acceleration.next_break(after),
+            Self::Constant(_) | Self::Harmonic(_) | Self::Sprocket(_) | Self::Noise(_) => {
+                f64::INFINITY
+            }
         }
     }
-}
-
-/// The earliest of times that lie after `after`; infinite where none does.
-fn earliest(times: impl IntoIterator<Item = f64>, after: f64) -> f64 {
-    let later = times.into_iter().filter(|time| *time > after);
-    later.fold(f64::INFINITY, f64::min)
 }

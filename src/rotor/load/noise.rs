@@ -36,8 +36,7 @@ pub struct NoiseBand {
 /// (1972) 111.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Noise {
-    rms: Vector5,
-    lowest: f64,
+    main_vibration: MainVibration,
     /// Component, angular frequency in rad/s, phase in rad, and amplitude of every cosine.
     lines: Vec<Line>,
 }
@@ -56,12 +55,8 @@ impl Noise {
         let count = f64::from(band.lines);
         let width = (band.high - band.low) / count;
         let mut lines = Vec::new();
-        for (axis, rms) in band
-            .rms
-            .into_iter()
-            .enumerate()
-            .filter(|(_, rms)| *rms > 0.0)
-        {
+        let axes = band.rms.into_iter().enumerate();
+        for (axis, rms) in axes.filter(|(_, rms)| *rms > 0.0) {
             let random = SplitMix64::new(band.seed).stream(axis as u64);
             lines.extend((0..band.lines).map(|k| {
                 let (shift, phase) = (2 * u64::from(k), 2 * u64::from(k) + 1);
@@ -75,8 +70,7 @@ impl Noise {
             }));
         }
         Self {
-            rms: band.rms,
-            lowest: TAU * band.low,
+            main_vibration: MainVibration::at(TAU * band.low, band.rms),
             lines,
         }
     }
@@ -93,11 +87,7 @@ impl Noise {
 
     /// Its root mean square at its lowest frequency.
     pub fn main_vibration(&self) -> MainVibration {
-        MainVibration {
-            amplitude: self.rms,
-            frequency: self.lowest,
-            order: 0.0,
-        }
+        self.main_vibration
     }
 }
 

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{MainVibration, earliest};
+use super::MainVibration;
 use crate::bearing::Vector5;
 
 /// How a series is read between its rows.
@@ -143,17 +143,13 @@ impl Series {
             let distances = column.values.iter().map(|value| (value - start).abs());
             amplitude[column.axis] = distances.fold(amplitude[column.axis], f64::max);
         }
-        MainVibration {
-            amplitude,
-            frequency: 0.0,
-            order: 0.0,
-        }
+        MainVibration::at(0.0, amplitude)
     }
 
     /// The next row after a time, s.
     pub fn next_break(&self, after: f64) -> f64 {
         let passed = self.times.partition_point(|row| *row <= after);
-        earliest(self.times.get(passed).copied(), after)
+        self.times.get(passed).copied().unwrap_or(f64::INFINITY)
     }
 }
 

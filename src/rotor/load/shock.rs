@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::{MainVibration, SplitMix64, earliest};
+use super::{MainVibration, SplitMix64};
 use crate::bearing::Vector5;
 
 /// A half-sine shock, once or again and again.
@@ -63,11 +63,7 @@ impl Shock {
 
     /// A steady vibration of the same peak and half period.
     pub fn main_vibration(&self) -> MainVibration {
-        MainVibration {
-            amplitude: self.peak,
-            frequency: PI / self.duration,
-            order: 0.0,
-        }
+        MainVibration::at(PI / self.duration, self.peak)
     }
 
     /// The next begin or end of a shock after a time, s.
@@ -76,12 +72,9 @@ impl Shock {
         let every = self.every.unwrap_or(0.0);
         // by round-off the shock that begins at `after` itself may count as the next one
         let begins = [begin, begin + every, begin + 2.0 * every];
-        earliest(
-            begins
-                .into_iter()
-                .flat_map(|begin| [begin, begin + self.duration]),
-            after,
-        )
+        let jumps = begins.map(|begin| [begin, begin + self.duration]);
+        let later = jumps.into_iter().flatten().filter(|time| *time > after);
+        later.fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -154,11 +147,7 @@ impl RandomShocks {
 
     /// A steady vibration of the largest peak and the half period of a shock.
     pub fn main_vibration(&self) -> MainVibration {
-        MainVibration {
-            amplitude: self.peak,
-            frequency: PI / self.duration,
-            order: 0.0,
-        }
+        MainVibration::at(PI / self.duration, self.peak)
     }
 
     /// The next begin or end of a shock after a time, s.

@@ -1,6 +1,6 @@
 //! The pull of a chain on its sprocket: the polygon effect.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use super::MainVibration;
 use crate::bearing::Vector5;
@@ -44,12 +44,12 @@ pub struct ChainDrive {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sprocket {
     teeth: f64,
-    along: [f64; 2],
-    mean: f64,
+    /// Cosine and sine of the direction of the pull.
+    direction: [f64; 2],
+    /// Mean force along the strand and across it, N.
+    mean: [f64; 2],
     /// Amplitudes of cos(k z ψ) along the strand and across it, k = 1, 2, …, N.
     harmonics: Vec<[f64; 2]>,
-    /// Mean force across the strand, N.
-    mean_across: f64,
 }
 
 /// Points of a pitch angle at which the force is taken for its Fourier series.
@@ -71,10 +71,9 @@ impl Sprocket {
         let [_, mean_across] = fourier(pull, 0);
         Self {
             teeth: f64::from(drive.teeth),
-            along: [drive.direction.cos(), drive.direction.sin()],
-            mean: drive.force,
+            direction: [drive.direction.cos(), drive.direction.sin()],
+            mean: [drive.force, mean_across],
             harmonics: (1..=drive.harmonics).map(|k| fourier(pull, k)).collect(),
-            mean_across,
         }
     }
 
@@ -84,39 +83,34 @@ impl Sprocket {
         let first = (self.teeth * angle).cos();
         // cos((k+1)α) = 2 cos α cos(kα) − cos((k−1)α)
         let (mut before, mut cos) = (1.0, first);
-        let (mut along, mut across) = (self.mean, self.mean_across);
+        let [mut along, mut across] = self.mean;
         for harmonic in &self.harmonics {
             along += harmonic[0] * cos;
             across += harmonic[1] * cos;
             (before, cos) = (cos, 2.0 * first * cos - before);
         }
-        self.directed(along, across)
+        self.directed([along, across])
     }
 
     /// Its mean over a revolution.
     pub fn mean(&self) -> Vector5 {
-        self.directed(self.mean, self.mean_across)
+        self.directed(self.mean)
     }
 
     /// Its first harmonic, at the meshing frequency.
     pub fn main_vibration(&self) -> MainVibration {
-        let [along, across] = self.harmonics.first().copied().unwrap_or_default();
+        let first = self.harmonics.first().copied().unwrap_or_default();
         MainVibration {
-            amplitude: self.directed(along, across),
+            amplitude: self.directed(first),
             frequency: 0.0,
             order: self.teeth,
         }
     }
 
-    fn directed(&self, along: f64, across: f64) -> Vector5 {
-        let [cos, sin] = self.along;
-        [
-            along * cos - across * sin,
-            along * sin + across * cos,
-            0.0,
-            0.0,
-            0.0,
-        ]
+    fn directed(&self, [along, across]: [f64; 2]) -> Vector5 {
+        let [cos, sin] = self.direction;
+        let (x, y) = (along * cos - across * sin, along * sin + across * cos);
+        [x, y, 0.0, 0.0, 0.0]
     }
 }
 
@@ -127,7 +121,7 @@ fn fourier(function: impl Fn(f64) -> [f64; 2], k: u32) -> [f64; 2] {
     for point in 0..POINTS {
         // midpoints of −1 … 1
         let part = 2.0 * (f64::from(point) + 0.5) / f64::from(POINTS) - 1.0;
-        let cos = (0.5 * TAU * f64::from(k) * part).cos();
+        let cos = (PI * f64::from(k) * part).cos();
         for (sum, value) in sum.iter_mut().zip(function(part)) {
             *sum += weight * cos * value;
         }

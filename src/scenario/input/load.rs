@@ -10,8 +10,8 @@ use super::components::Components;
 use crate::bearing::Vector5;
 use crate::rotor;
 use crate::rotor::load::{
-    BaseAcceleration, ChainDrive, Harmonic, Interpolation, Noise, NoiseBand, Pace, RandomShocks,
-    Series, Shock, ShockStatistics, Sprocket,
+    ChainDrive, Harmonic, Interpolation, Noise, NoiseBand, Pace, RandomShocks, Series, Shock,
+    ShockStatistics, Sprocket,
 };
 use crate::rotor::{FREEDOMS, Freedoms, LoadKind};
 use crate::scenario::problems::Problems;
@@ -139,7 +139,7 @@ impl LoadInput {
             series.map(LoadKind::Series)
         } else if let Some(input) = &self.base {
             let base = problems.inside("base", |p| input.build(freedoms, p));
-            base.map(LoadKind::Base)
+            base.map(|base| LoadKind::Base(Box::new(base)))
         } else {
             None
         }
@@ -202,18 +202,14 @@ impl PerFreedom for Accelerations {
 
 impl BaseInput {
     /// The acceleration of whichever kind is given.
-    pub fn build(
-        &self,
-        freedoms: Freedoms,
-        problems: &mut Problems<'_>,
-    ) -> Option<BaseAcceleration> {
+    pub fn build(&self, freedoms: Freedoms, problems: &mut Problems<'_>) -> Option<LoadKind> {
         if let Some(input) = &self.harmonic {
             let harmonic = problems.inside("harmonic", |p| input.build(freedoms, p));
-            return Some(BaseAcceleration::Harmonic(harmonic));
+            return Some(LoadKind::Harmonic(harmonic));
         }
         let input = self.shock.as_ref()?;
         let shock = problems.inside("shock", |p| input.build(freedoms, p));
-        Some(BaseAcceleration::Shock(shock))
+        Some(LoadKind::Shock(shock))
     }
 }
 

@@ -6,7 +6,7 @@ use nalgebra::{Complex, Matrix2, Vector2};
 
 use crate::bearing::{ContactLaw, Housing, MountedBearing, Surface};
 use crate::integrate::{Method, Settings};
-use crate::rotor::load::{BaseAcceleration, Harmonic, Load, LoadKind, Pace};
+use crate::rotor::load::{Harmonic, Load, LoadKind, Pace};
 use crate::rotor::{Damping, Freedoms, Rotor, RotorDefinition, Sample};
 use crate::simulate::Model;
 
@@ -26,11 +26,11 @@ const SHAKEN: [f64; 2] = [2.0, 180.0];
 
 fn base() -> Load {
     Load {
-        kind: LoadKind::Base(BaseAcceleration::Harmonic(Harmonic {
+        kind: LoadKind::Base(Box::new(LoadKind::Harmonic(Harmonic {
             amplitude: [SHAKEN[0], 0.0, 0.0, 0.0, 0.0],
             pace: Pace::Frequency(SHAKEN[1]),
             phase: 0.0,
-        })),
+        }))),
         position: 0.0,
     }
 }

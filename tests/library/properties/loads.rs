@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use crate::integrate::System;
 use crate::rotor::load::{
-    BaseAcceleration, ChainDrive, Column, Harmonic, Interpolation, Noise, NoiseBand, Pace,
-    RandomShocks, Series, SeriesError, Shock, ShockStatistics, Sprocket,
+    ChainDrive, Column, Harmonic, Interpolation, Noise, NoiseBand, Pace, RandomShocks, Series,
+    SeriesError, Shock, ShockStatistics, Sprocket,
 };
 use crate::rotor::{Damping, Load, LoadKind, Rotor, RotorDefinition, Sample};
 
@@ -280,7 +280,7 @@ fn loads_add_up() {
 
 #[test]
 fn a_shaken_housing_pushes_with_mass_times_acceleration() {
-    let kind = LoadKind::Base(BaseAcceleration::Shock(shock(None)));
+    let kind = LoadKind::Base(Box::new(LoadKind::Shock(shock(None))));
     let acceleration = |loads| {
         let rotor = Rotor::assemble(&at_rest(loads)).expect("a rotor");
         let mut rate = vec![0.0; rotor.states()];
